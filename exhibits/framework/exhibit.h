@@ -1,0 +1,66 @@
+#pragma once
+
+#include "exhibits/framework/parameters.h"
+#include "render/plan/frame_plan.h"
+#include "render/scene/camera.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vitrine {
+
+/// What else a picture should carry, besides color.
+struct Channels {
+    bool normal = false;       ///< World space, unit length, in the image "normal".
+    bool evaluations = false;  ///< Field evaluations per pixel, in the image "evaluations".
+
+    bool operator==(const Channels&) const = default;
+};
+
+/// What an exhibit may know when it plans its part of a frame.
+struct PlanContext {
+    const ParameterValues& values;
+    glm::dmat4 worldFromExhibit{1};  ///< Its place in the hall, or identity when alone, times the caller's scale and rotation.
+    double time = 0;                 ///< Seconds since the exhibit's clock started.
+    Channels channels;
+    bool alone = false;              ///< No hall: the environment is the only light.
+    std::string hiddenBecause;       ///< Empty when its bounds may be visible from the camera.
+    std::string unlitBecause;        ///< Empty when the sun may reach its bounds: its shadow is called for.
+    bool pressed = false;            ///< Its button was pressed since the last frame.
+};
+
+/// One technique on show: its parameter table, and the passes that draw it.
+class Exhibit {
+public:
+    virtual ~Exhibit() = default;
+
+    [[nodiscard]] virtual std::string_view name() const = 0;     ///< Of its folder, presets and flags.
+    [[nodiscard]] virtual std::string_view title() const = 0;    ///< Shown to visitors.
+    [[nodiscard]] virtual std::string_view summary() const = 0;  ///< One sentence.
+    [[nodiscard]] virtual std::string_view tryThis() const { return {}; }  ///< On the plaque: what to try.
+    [[nodiscard]] virtual std::string_view buttonText() const { return {}; }  ///< After "E – "; empty: no button.
+    [[nodiscard]] virtual int place() const = 0;                 ///< 1 to 9; 0 for the hall, 10 for the visitor's plinth.
+    [[nodiscard]] virtual const Parameters& parameters() const = 0;
+
+    /// The space it may fill, in its own space: what is culled, framed and collided with.
+    [[nodiscard]] virtual render::Box bounds(const ParameterValues&) const = 0;
+    /// Its best view, in its own space.
+    [[nodiscard]] virtual render::Camera bestView(const ParameterValues&) const = 0;
+    /// Seconds until its picture next changes by itself: 0 while animated, infinity when still.
+    [[nodiscard]] virtual double nextChange(const ParameterValues&, double time) const = 0;
+    /// What pressing its button does to the values; returns whether anything changed.
+    virtual bool press(ParameterValues&) const { return false; }
+
+    virtual void plan(const PlanContext&, render::FramePlan&) const = 0;
+};
+
+/// The exhibits in the order visitors meet them, the hall first. exhibits/exhibits.cpp is the only
+/// place that names them all.
+[[nodiscard]] std::vector<std::unique_ptr<Exhibit>> allExhibits();
+
+}  // namespace vitrine

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "exhibits/framework/exhibit.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace vitrine {
+
+/// A snapshot of everything that can be set: one set of values per exhibit (the hall first) and the
+/// camera. Undo, presets of everything and A/B comparisons are Looks.
+struct Look {
+    std::vector<ParameterValues> values;  ///< In the order of Museum::exhibits().
+    render::Camera camera;
+
+    bool operator==(const Look&) const = default;
+};
+
+/// What the supersamples of a picture are averaged in: tone-mapped light for the eye, radiance for files
+/// of linear light.
+enum class AverageIn : std::uint8_t { display, radiance };
+
+/// One picture to plan.
+struct FrameRequest {
+    render::Camera camera;
+    render::Raster raster;
+    double time = 0;              ///< Seconds.
+    std::uint32_t seed = 1;
+    int sample = 0;               ///< This is sample number `sample` (from 0) ...
+    int samples = 1;              ///< ... of so many.
+    AverageIn averageIn = AverageIn::display;
+    Channels channels;
+    bool transparent = false;     ///< Nothing behind the exhibit: alpha 0 there.
+    std::optional<std::size_t> alone;  ///< Only this exhibit, in the environment's light.
+    glm::dmat4 exhibitTransform{1};    ///< For `alone` or `subject`: scale and rotation about its own origin.
+    std::optional<std::size_t> subject;
+    bool runEverything = false;
+};
+
+class Walkable;
+
+/// The building and everything in it.
+class Museum {
+public:
+    /// Reads the hall and its markers. Throws Failure when an asset cannot be read.
+    Museum();
+    ~Museum();
+
+    [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const { return exhibits_; }
+    [[nodiscard]] const Exhibit& hall() const { return *exhibits_.front(); }
+    [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
+    [[nodiscard]] Look initialLook() const;
+
+    /// Where exhibit `i` stands.
+    [[nodiscard]] glm::dmat4 worldFromExhibit(std::size_t i) const;
+    /// The exhibit's best view, in the world.
+    [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues&) const;
+
+    /// Plans and prunes one picture. Its outputs are the images "frame" (rgba16f, display-referred linear
+    /// light, alpha not premultiplied) and, as asked, "radiance", "depth", "normal", "evaluations".
+    [[nodiscard]] render::FramePlan plan(const Look&, const FrameRequest&, const render::KeptKeys& = {}) const;
+
+    /// Seconds until the picture next changes by itself; infinity: nothing to draw.
+    [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const;
+
+private:
+    std::vector<std::unique_ptr<Exhibit>> exhibits_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,27 @@
+#include "exhibits/framework/units.h"
+
+#include <numbers>
+
+namespace vitrine {
+
+UnitInfo info(Unit unit)
+{
+    switch (unit) {
+    case Unit::none: return {"", "", 1};
+    case Unit::metre: return {"m", "m", 1};
+    case Unit::centimetre: return {"cm", "m", 100};
+    case Unit::millimetre: return {"mm", "m", 1e3};
+    case Unit::micrometre: return {"µm", "m", 1e6};
+    case Unit::degree: return {"°", "rad", 180 / std::numbers::pi};
+    case Unit::second: return {"s", "s", 1};
+    case Unit::hertz: return {"Hz", "Hz", 1};
+    case Unit::pixel: return {"px", "px", 1};
+    case Unit::stop: return {"EV", "EV", 1};
+    case Unit::percent: return {"%", "", 100};
+    case Unit::kelvin: return {"K", "K", 1};
+    case Unit::perMetre: return {"1/m", "1/m", 1};
+    }
+    return {"", "", 1};
+}
+
+}  // namespace vitrine

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "render/scene/mesh.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+
+namespace vitrine::render {
+
+/// Where one looks from. World space: y up, metres.
+struct Camera {
+    glm::dvec3 eye{0, 1.65, 10.5};
+    glm::dvec3 target{0, 1.75, 0};
+    double fovY = 0.959931;  ///< Vertical field of view, radians (55°). Clamped to [1°, 175°] by `makeView`.
+
+    bool operator==(const Camera&) const = default;
+};
+
+/// Which part of a picture is being drawn, and where inside its pixels.
+struct Raster {
+    glm::ivec2 size{640, 360};    ///< Of the whole picture, in pixels.
+    glm::ivec2 offset{0};         ///< Lower left corner of the tile in the whole picture.
+    glm::ivec2 tile{0};           ///< Size of the tile; (0, 0) means the whole picture.
+    glm::dvec2 jitter{0};         ///< Sample position relative to the pixel's center, in pixels, inside ±0.5.
+
+    [[nodiscard]] glm::ivec2 drawn() const { return tile.x > 0 && tile.y > 0 ? tile : size; }
+};
+
+/// A camera made concrete for one picture. Clip space: reversed depth, near 1, infinitely far 0.
+struct View {
+    glm::dmat4 viewFromWorld{1};
+    glm::dmat4 clipFromView{1};  ///< Of the tile, jitter included.
+    glm::dmat4 clipFromWorld{1};
+    glm::dvec3 eye{0};
+    glm::dvec2 tanHalfFov{1};    ///< Of the whole picture, horizontal and vertical.
+    double nearPlane = 0.02;     ///< Metres.
+    Raster raster;
+
+    /// False only when no point of `worldBox` can be inside the view frustum (conservative).
+    [[nodiscard]] bool mayContain(const Box& worldBox) const;
+};
+
+/// Handles a target equal to the eye, a vertical look direction, and a field of view out of range.
+[[nodiscard]] View makeView(const Camera&, const Raster&);
+
+/// Reversed infinite perspective: near plane at depth 1, infinity at 0. `tanHalfFov` > 0, `nearPlane` > 0.
+[[nodiscard]] glm::dmat4 reversedPerspective(glm::dvec2 tanHalfFov, double nearPlane);
+
+/// Reversed orthographic projection of a box in light space: z = `nearest` gives depth 1, `farthest` 0
+/// (both are view-space z, negative in front).
+[[nodiscard]] glm::dmat4 reversedOrthographic(const glm::dvec2& low, const glm::dvec2& high, double nearest, double farthest);
+
+/// Position `i` of `n` inside a pixel, in ±0.5: sample 0 is the center, the rest follow the R2 sequence
+/// (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences").
+[[nodiscard]] glm::dvec2 samplePosition(int i, int n);
+
+}  // namespace vitrine::render

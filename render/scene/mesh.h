@@ -1,0 +1,104 @@
+#pragma once
+
+#include "render/image/image.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vitrine::render {
+
+/// Axis-aligned box; empty while low > high.
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+    [[nodiscard]] bool empty() const { return !(low.x <= high.x && low.y <= high.y && low.z <= high.z); }
+    [[nodiscard]] glm::dvec3 center() const { return 0.5 * (low + high); }
+    [[nodiscard]] glm::dvec3 halfSize() const { return 0.5 * (high - low); }
+    void include(const glm::dvec3& p)
+    {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    /// The smallest axis-aligned box around this box after `transform`.
+    [[nodiscard]] Box transformed(const glm::dmat4& transform) const;
+};
+
+/// The one vertex layout that shaders see. Locations 0 to 4, in this order.
+struct Vertex {
+    glm::vec3 position{0};
+    glm::vec3 normal{0, 1, 0};
+    glm::vec4 tangent{1, 0, 0, 1};  ///< w is the sign of the bitangent.
+    glm::vec2 uv{0};                ///< TEXCOORD_0.
+    glm::vec2 lightmapUv{0};        ///< TEXCOORD_1.
+};
+
+/// Indexed triangles, counter-clockwise seen from the front. Immutable once shared: the renderer
+/// uploads a mesh once, by address.
+struct Mesh {
+    std::string name;
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    Box bounds;
+};
+
+/// An 8-bit or float picture for sampling. Immutable once shared, like a mesh.
+struct Texture {
+    std::string name;
+    int width = 0;
+    int height = 0;
+    int channels = 4;                  ///< 1, 3 or 4.
+    bool sRgb = false;                 ///< 8-bit values are sRGB-encoded color.
+    bool repeat = true;                ///< Otherwise clamp to edge.
+    bool mipmaps = true;
+    std::vector<std::uint8_t> bytes;   ///< Row 0 is texture coordinate v = 0. Empty when `floats` is used.
+    std::vector<float> floats;
+    int layers = 1;                    ///< More than one: a 2-D array, layers stored one after another.
+};
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+/// Metallic-roughness material of glTF 2.0; factors are linear.
+struct Material {
+    std::string name;
+    glm::vec4 baseColor{1};
+    float metalness = 1;
+    float roughness = 1;
+    float normalScale = 1;
+    float occlusionStrength = 1;
+    glm::vec3 emissive{0};
+    AlphaMode alphaMode = AlphaMode::opaque;
+    float alphaCutoff = 0.5F;
+    bool doubleSided = false;
+    std::shared_ptr<const Texture> baseColorMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
+};
+
+/// A mesh at a place. `mirrored` is true when the transform flips orientation (negative determinant).
+struct Part {
+    std::string name;  ///< Of the node.
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const Material> material;
+    glm::dmat4 modelFromPart{1};
+    bool mirrored = false;
+};
+
+/// A node without a mesh: a marker that a program reads by name.
+struct Marker {
+    std::string name;
+    glm::dmat4 modelFromMarker{1};
+};
+
+/// A loaded glTF scene, flattened.
+struct Model {
+    std::vector<Part> parts;
+    std::vector<Marker> markers;
+    Box bounds;                          ///< Of all parts, in model space.
+    std::vector<std::string> warnings;   ///< What the file asks for and this program does not support.
+};
+
+}  // namespace vitrine::render
