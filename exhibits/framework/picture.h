@@ -1,0 +1,47 @@
+#pragma once
+
+#include "exhibits/framework/museum.h"
+#include "render/image/image.h"
+#include "render/plan/painter.h"
+
+#include <optional>
+#include <string>
+
+namespace vitrine {
+
+/// A finished picture to make: any size, any number of samples, by tiles where the size asks for it.
+struct PictureRequest {
+    FrameRequest frame;             ///< `raster.tile`, `raster.jitter` and `sample` are set here, not by the caller.
+    int samples = 1;                ///< Supersamples per pixel, averaged.
+    int largestTile = 2048;         ///< Side in pixels; never above what the painter can draw.
+};
+
+/// Makes a picture step by step, so that a window can show progress and cancel between steps.
+class PictureMaker {
+public:
+    /// Look and request are copied; museum and painter must outlive it.
+    PictureMaker(const Museum&, render::Painter&, Look, PictureRequest);
+
+    /// Draws one sample of one tile. Returns false when the picture was already finished.
+    bool step();
+    [[nodiscard]] double progress() const;  ///< 0 to 1.
+    [[nodiscard]] bool finished() const;
+
+    /// RGBA, row 0 at the top: display-referred linear light or radiance, as `frame.averageIn` asks, then
+    /// "depth.Z" (metres along the view axis, infinity where nothing was hit), "normal.X" "normal.Y"
+    /// "normal.Z" and "evaluations" as `frame.channels` and `withDepth` ask. Only when finished.
+    [[nodiscard]] const render::Image& picture() const { return picture_; }
+    /// Of the first sample of the first tile.
+    [[nodiscard]] const render::FrameReport& report() const { return report_; }
+
+private:
+    const Museum& museum_;
+    render::Painter& painter_;
+    Look look_;
+    PictureRequest request_;
+    render::Image picture_;
+    render::FrameReport report_;
+    int stepsDone_ = 0;
+};
+
+}  // namespace vitrine

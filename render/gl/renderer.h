@@ -1,0 +1,50 @@
+#pragma once
+
+#include "render/plan/painter.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vitrine::render::gl {
+
+/// A shader that did not build: what to show over the last good picture.
+struct ShaderProblem {
+    std::string file;
+    int line = 0;
+    std::string message;
+};
+
+/// Executes frame plans on the OpenGL 4.5 core context that is current, at construction and at every call.
+class Renderer final : public Painter {
+public:
+    Renderer();
+    ~Renderer() override;  ///< The context must be current, or gone for good (see `abandon`).
+
+    FrameReport draw(const FramePlan&) override;
+    [[nodiscard]] Image read(const std::string& image) override;
+    [[nodiscard]] const KeptKeys& kept() const override;
+    [[nodiscard]] int largestSide() const override;
+
+    /// Copies an image of the last frame, encoded as sRGB and scaled with a smooth filter, to the whole of
+    /// the framebuffer that is bound when called (a QOpenGLWidget's, inside paintGL). `width` and `height`
+    /// are that framebuffer's size in device pixels.
+    void present(const std::string& image, int width, int height);
+
+    /// Times each step, too, with a glFinish after each: slower, so only while the ledger is open.
+    void timeSteps(bool on);
+
+    /// Debug builds: rebuilds programs whose files changed on disk; a program that fails keeps its last
+    /// good build and is listed by `problems`. Returns whether any picture may have changed.
+    bool reloadChangedShaders();
+    [[nodiscard]] const std::vector<ShaderProblem>& problems() const;
+
+    /// Forgets all GL objects without deleting them: the context was lost.
+    void abandon();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace vitrine::render::gl
