@@ -3,7 +3,7 @@
 
 Writes font_atlas.png (one channel, 0.5 = outline, larger = inside) and font_atlas.json. Lengths are in em, y up from
 the baseline; u, v have their origin in the image's upper left corner. Regular glyphs are in "glyphs", italic ones
-in "italic", bold ones in "bold"; kerning is for the regular style, keyed "first second" by code point."""
+in "italic", bold ones in "bold"; kerning is for the regular style, keyed "first second" by code point. Pillow needs Raqm for this."""
 import json
 import os
 import sys
@@ -16,6 +16,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 FOLDER = sys.argv[1] if len(sys.argv) > 1 else "/usr/share/fonts/opentype/ebgaramond"
 PIXELS, SPREAD, FINE = 40, 6, 12          # px per em in the atlas, spread in px, oversampling
 WIDTH = 1024
+LINING = ["lnum"]                         # the font's own figures are old-style: 1 would look like a small I
 
 LETTERS = [chr(c) for c in range(33, 127)]
 LATIN = [chr(c) for c in range(0xA1, 0x100) if c != 0xAD]
@@ -28,7 +29,7 @@ STYLES = {"glyphs": ("EBGaramond12-Regular.otf", LETTERS + LATIN + MARKS),
 def field(font, char):
     """Distance field of one glyph: (array in [0, 1], left, bottom, in em) or None where it has no ink."""
     em = PIXELS * FINE
-    left, top, right, bottom = font.getbbox(char, anchor="ls")
+    left, top, right, bottom = font.getbbox(char, anchor="ls", features=LINING)
     if right <= left or bottom <= top:
         return None
     pad = SPREAD * FINE
@@ -38,7 +39,7 @@ def field(font, char):
     w = int(np.ceil((right + pad - x0) / FINE))
     h = int(np.ceil((bottom + pad - y0) / FINE))
     image = Image.new("L", (w * FINE, h * FINE), 0)
-    ImageDraw.Draw(image).text((-x0, -y0), char, font=font, fill=255, anchor="ls")
+    ImageDraw.Draw(image).text((-x0, -y0), char, font=font, fill=255, anchor="ls", features=LINING)
     ink = np.asarray(image) >= 128
     if not ink.any():
         return None
@@ -49,7 +50,6 @@ def field(font, char):
 
 
 def exists(font_path, chars):
-    from PIL import features  # noqa: F401  (only to fail early without Pillow)
     font = ImageFont.truetype(font_path, 64)
     missing = font.getmask("\uffff").getbbox(), font.getlength("\uffff")
     keep = []
@@ -62,14 +62,17 @@ def exists(font_path, chars):
     return keep
 
 
+PLAIN = LINING + ["-liga", "-clig", "-dlig"]
+
+
 def kerning(font, chars):
     """Pairs whose joint advance differs from the sum of the two, in em."""
     em = PIXELS * FINE
-    single = {c: font.getlength(c, features=["-liga", "-clig", "-dlig"]) for c in chars}
+    single = {c: font.getlength(c, features=PLAIN) for c in chars}
     out = {}
     for a in chars:
         for b in chars:
-            k = (font.getlength(a + b, features=["-liga", "-clig", "-dlig"]) - single[a] - single[b]) / em
+            k = (font.getlength(a + b, features=PLAIN) - single[a] - single[b]) / em
             if abs(k) > 0.004:
                 out[f"{ord(a)} {ord(b)}"] = round(k, 4)
     return out
@@ -83,7 +86,7 @@ def main():
         font = ImageFont.truetype(path, em)
         glyphs = styles[style] = {}
         for c in ["\u0020", "\u00a0"] + exists(path, chars):
-            entry = {"advance": round(font.getlength(c) / em, 5)}
+            entry = {"advance": round(font.getlength(c, features=LINING) / em, 5)}
             glyphs[str(ord(c))] = entry
             made = field(font, c)
             if made is not None:
@@ -110,10 +113,7 @@ def main():
     font = ImageFont.truetype(os.path.join(FOLDER, STYLES["glyphs"][0]), em)
     ascent, descent = font.getmetrics()
     basic = LETTERS + list("äöüÄÖÜß’“”–—")
-    try:
-        pairs = kerning(font, basic)
-    except (KeyError, ValueError):        # Pillow without Raqm
-        pairs = {}
+    pairs = kerning(font, basic)
     out = {"size": [WIDTH, height], "pixelsPerEm": PIXELS, "spread": SPREAD, "ascender": round(ascent / em, 5),
            "descender": round(-descent / em, 5), "lineHeight": round((ascent + descent) / em, 5), **styles,
            "kerning": pairs}

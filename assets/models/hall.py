@@ -5,7 +5,7 @@
   --bake [SAMPLES]  also bake the lightmaps hall_light_*.png and hall_light.json
   --only NAME       bake only sky, sun_0, sun_1 or sun_2
   --preview FILE    render the hall from its entrance, or from --eye x,y,z towards --look x,y,z
-  --clay            that render shows the shape only, with back faces in red
+  --mode MODE       of that render: baked (default, shows the lightmaps), traced, or clay (shape, back faces red)
 """
 import argparse
 import os
@@ -156,7 +156,7 @@ def main():
     parser.add_argument("--preview")
     parser.add_argument("--eye", default="0,1.65,10.5")
     parser.add_argument("--look", default="0,1.9,-12")
-    parser.add_argument("--clay", action="store_true")
+    parser.add_argument("--mode", default="baked", choices=("clay", "baked", "traced"))
     parser.add_argument("--samples", type=int, default=96)
     parser.add_argument("--out", default=os.path.join(HERE, "hall.glb"))
     args = parser.parse_args(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else [])
@@ -174,7 +174,7 @@ def main():
     if args.preview:
         import hall_preview
         number = lambda text: [float(c) for c in text.split(",")]
-        hall_preview.preview(args.preview, number(args.eye), number(args.look), args.samples, args.clay)
+        hall_preview.preview(args.preview, number(args.eye), number(args.look), args.samples, args.mode)
 
 
 main()
