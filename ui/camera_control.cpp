@@ -168,7 +168,8 @@ void CameraControl::walkOn()
 void CameraControl::turn(double yaw, double pitch)
 {
     if (mode_ == Mode::walk) walker_.turn(yaw, pitch);
-    if (mode_ == Mode::orbit) orbit_.turn(-yaw, -pitch);
+    // What is dragged follows the hand.
+    if (mode_ == Mode::orbit) orbit_.turn(yaw, -pitch);
 }
 
 void CameraControl::zoom(double steps)
