@@ -120,6 +120,7 @@ struct Pass {
     std::optional<View> view;             ///< In place of the plan's: a light, a face of a probe.
     std::vector<Draw> draws;
     glm::ivec3 groups{1};                 ///< Compute.
+    std::vector<std::string> mipmaps;     ///< Images whose lower levels are made from level 0 afterwards.
     std::function<void()> simulate;
 
     /// When set and all outputs are kept images last written under the same key, the pass is skipped

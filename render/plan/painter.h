@@ -24,6 +24,7 @@ struct FrameReport {
     std::vector<Skipped> skipped;
     std::map<std::string, std::int64_t> counters;  ///< Exact integers: "passes", "draws", "triangles", "programs", ...
     double milliseconds = 0;                       ///< The whole frame, by the clock named by `clock`.
+    double wallMilliseconds = 0;                   ///< The same by the wall clock: what a visitor waits.
     std::string clock;                             ///< "process CPU time around glFinish", ...
     bool clockTrusted = false;
 };

@@ -1,0 +1,37 @@
+#include "render/gl/block_arena.h"
+
+#include <algorithm>
+
+namespace vitrine::render::gl {
+
+BlockArena::BlockArena()
+{
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    buffer_ = BufferName(name);
+    GLint alignment = 256;
+    glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    alignment_ = static_cast<std::size_t>(std::max(alignment, 16));
+}
+
+BlockArena::Range BlockArena::add(const void* data, std::size_t size)
+{
+    const std::size_t offset = (bytes_.size() + alignment_ - 1) / alignment_ * alignment_;
+    // std140 blocks end on a multiple of 16 bytes; a shorter upload would leave the block's tail unbacked.
+    const std::size_t padded = (size + 15) / 16 * 16;
+    bytes_.resize(offset + padded);
+    std::copy_n(static_cast<const std::byte*>(data), size, bytes_.begin() + static_cast<std::ptrdiff_t>(offset));
+    return {static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(padded)};
+}
+
+void BlockArena::upload()
+{
+    glNamedBufferData(buffer_.name(), static_cast<GLsizeiptr>(bytes_.size()), bytes_.data(), GL_STREAM_DRAW);
+}
+
+void BlockArena::bind(int binding, Range range) const
+{
+    if (range.size > 0) glBindBufferRange(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer_.name(), range.offset, range.size);
+}
+
+}  // namespace vitrine::render::gl

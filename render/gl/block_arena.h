@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/gl/object.h"
+#include "render/plan/frame_plan.h"
+
+namespace vitrine::render::gl {
+
+/// All std140 blocks of one frame in one buffer: gathered first, uploaded once, bound by range.
+class BlockArena {
+public:
+    struct Range {
+        GLintptr offset = 0;
+        GLsizeiptr size = 0;
+    };
+
+    BlockArena();
+    void clear() { bytes_.clear(); }
+    [[nodiscard]] Range add(const void* data, std::size_t size);
+    void upload();
+    void bind(int binding, Range) const;
+    void abandon() { buffer_.abandon(); }
+
+private:
+    BufferName buffer_;
+    std::size_t alignment_ = 256;
+    Bytes bytes_;
+};
+
+}  // namespace vitrine::render::gl

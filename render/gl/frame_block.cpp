@@ -1,0 +1,27 @@
+#include "render/gl/frame_block.h"
+
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include <cmath>
+
+namespace vitrine::render::gl {
+
+FrameBlock frameBlock(const View& view, double time, int sample, std::uint32_t seed)
+{
+    const Raster& raster = view.raster;
+    const glm::dvec2 size = glm::max(raster.size, glm::ivec2(1));
+    const double day = 86400;
+    const double wrapped = std::isfinite(time) ? time - day * std::floor(time / day) : 0;
+    FrameBlock block;
+    block.viewFromWorld = glm::mat4(view.viewFromWorld);
+    block.clipFromView = glm::mat4(view.clipFromView);
+    block.clipFromWorld = glm::mat4(view.clipFromWorld);
+    block.worldFromView = glm::mat4(glm::affineInverse(view.viewFromWorld));
+    block.eye = glm::vec4(glm::vec3(view.eye), static_cast<float>(view.nearPlane));
+    block.size = glm::vec4(size, 1.0 / size);
+    block.sampling = glm::vec4(glm::dvec2(raster.offset) + raster.jitter, view.tanHalfFov);
+    block.timing = glm::vec4(wrapped, sample, seed, 2 * view.tanHalfFov.y / size.y);
+    return block;
+}
+
+}  // namespace vitrine::render::gl

@@ -1,0 +1,57 @@
+#include "render/gl/mesh_buffers.h"
+
+#include <cstddef>
+
+namespace vitrine::render::gl {
+namespace {
+
+BufferName store(const void* data, std::size_t bytes)
+{
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), data, 0);
+    return BufferName(name);
+}
+
+void attribute(GLuint array, GLuint location, GLint components, std::size_t offset)
+{
+    glEnableVertexArrayAttrib(array, location);
+    glVertexArrayAttribFormat(array, location, components, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+    glVertexArrayAttribBinding(array, location, 0);
+}
+
+}  // namespace
+
+MeshBuffers::MeshBuffers(const Mesh& mesh)
+{
+    if (mesh.indices.empty() || mesh.vertices.empty()) return;
+    vertices_ = store(mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
+    indices_ = store(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
+    indexCount_ = static_cast<GLsizei>(mesh.indices.size());
+    GLuint array = 0;
+    glCreateVertexArrays(1, &array);
+    array_ = VertexArrayName(array);
+    glVertexArrayVertexBuffer(array, 0, vertices_.name(), 0, sizeof(Vertex));
+    glVertexArrayElementBuffer(array, indices_.name());
+    attribute(array, 0, 3, offsetof(Vertex, position));
+    attribute(array, 1, 3, offsetof(Vertex, normal));
+    attribute(array, 2, 4, offsetof(Vertex, tangent));
+    attribute(array, 3, 2, offsetof(Vertex, uv));
+    attribute(array, 4, 2, offsetof(Vertex, lightmapUv));
+}
+
+void MeshBuffers::draw(int instances) const
+{
+    if (indexCount_ == 0 || instances < 1) return;
+    glBindVertexArray(array_.name());
+    glDrawElementsInstanced(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr, instances);
+}
+
+void MeshBuffers::abandon()
+{
+    vertices_.abandon();
+    indices_.abandon();
+    array_.abandon();
+}
+
+}  // namespace vitrine::render::gl

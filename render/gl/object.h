@@ -1,0 +1,56 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <utility>
+
+namespace vitrine::render::gl {
+
+/// Owns one GL name: deleted with the object, moved, never copied.
+template <auto Delete> class Object {
+public:
+    Object() = default;
+    explicit Object(GLuint name) : name_(name) {}
+    ~Object() { reset(); }
+    Object(Object&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    Object& operator=(Object&& other) noexcept
+    {
+        if (this != &other) {
+            reset();
+            name_ = std::exchange(other.name_, 0);
+        }
+        return *this;
+    }
+    Object(const Object&) = delete;
+    Object& operator=(const Object&) = delete;
+
+    [[nodiscard]] GLuint name() const { return name_; }
+    [[nodiscard]] explicit operator bool() const { return name_ != 0; }
+    /// Forgets the name without deleting it: the context is gone.
+    void abandon() { name_ = 0; }
+
+private:
+    void reset()
+    {
+        if (name_ != 0) Delete(name_);
+        name_ = 0;
+    }
+
+    GLuint name_ = 0;
+};
+
+inline void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
+inline void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
+inline void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
+inline void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+inline void deleteProgram(GLuint name) { glDeleteProgram(name); }
+inline void deleteShader(GLuint name) { glDeleteShader(name); }
+
+using TextureName = Object<deleteTexture>;
+using BufferName = Object<deleteBuffer>;
+using VertexArrayName = Object<deleteVertexArray>;
+using FramebufferName = Object<deleteFramebuffer>;
+using ProgramName = Object<deleteProgram>;
+using ShaderName = Object<deleteShader>;
+
+}  // namespace vitrine::render::gl

@@ -1,0 +1,109 @@
+#include "render/gl/pass_state.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <cassert>
+
+namespace vitrine::render::gl {
+namespace {
+
+void attach(GLuint framebuffer, GLenum point, const Attachment& attachment, const Texture& texture)
+{
+    if (attachment.layer < 0) glNamedFramebufferTexture(framebuffer, point, texture.name(), attachment.level);
+    else glNamedFramebufferTextureLayer(framebuffer, point, texture.name(), attachment.level, attachment.layer);
+}
+
+GLenum depthFunction(DepthTest test)
+{
+    switch (test) {
+    case DepthTest::none: return GL_ALWAYS;
+    case DepthTest::nearer: return GL_GREATER;  // Depth is reversed: nearer is greater.
+    case DepthTest::nearerOrEqual: return GL_GEQUAL;
+    case DepthTest::equal: return GL_EQUAL;
+    }
+    return GL_ALWAYS;
+}
+
+void enable(GLenum capability, bool on)
+{
+    on ? glEnable(capability) : glDisable(capability);
+}
+
+void applyBlend(const RasterState& state)
+{
+    enable(GL_BLEND, state.blend != Blend::none);
+    glBlendEquation(GL_FUNC_ADD);
+    switch (state.blend) {
+    case Blend::none: break;
+    case Blend::add: glBlendFunc(GL_ONE, GL_ONE); break;
+    case Blend::alpha: glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
+    case Blend::premultiplied: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
+    case Blend::mean:
+        glBlendColor(0, 0, 0, state.meanWeight);
+        glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+        break;
+    }
+}
+
+}  // namespace
+
+Target::Target(const Pass& pass, const Resources& resources)
+{
+    GLuint name = 0;
+    glCreateFramebuffers(1, &name);
+    framebuffer_ = FramebufferName(name);
+    std::vector<GLenum> buffers;
+    glm::ivec2 size(1);
+    for (const Attachment& color : pass.colors) {
+        const GLenum point = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
+        attach(name, point, color, resources.image(color.image));
+        buffers.push_back(point);
+        size = resources.image(color.image).size(color.level);
+    }
+    if (pass.depth) {
+        attach(name, GL_DEPTH_ATTACHMENT, *pass.depth, resources.image(pass.depth->image));
+        size = resources.image(pass.depth->image).size(pass.depth->level);
+    }
+    if (buffers.empty()) glNamedFramebufferDrawBuffer(name, GL_NONE);
+    else glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(buffers.size()), buffers.data());
+    assert(glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, name);
+    glViewport(0, 0, size.x, size.y);
+
+    glDisable(GL_SCISSOR_TEST);
+    glDepthMask(GL_TRUE);
+    for (std::size_t i = 0; i < pass.colors.size(); ++i)
+        if (pass.colors[i].load == Load::clear) glClearNamedFramebufferfv(name, GL_COLOR, static_cast<GLint>(i), glm::value_ptr(pass.colors[i].clear));
+    if (pass.depth && pass.depth->load == Load::clear) glClearNamedFramebufferfv(name, GL_DEPTH, 0, &pass.depth->clear.x);
+}
+
+void applyState(const RasterState& state)
+{
+    enable(GL_DEPTH_TEST, state.depthTest != DepthTest::none || state.depthWrite);
+    glDepthFunc(depthFunction(state.depthTest));
+    glDepthMask(state.depthWrite ? GL_TRUE : GL_FALSE);
+    enable(GL_DEPTH_CLAMP, state.depthClamp);
+    enable(GL_CULL_FACE, state.cull != Cull::none);
+    glCullFace(state.cull == Cull::front ? GL_FRONT : GL_BACK);
+    enable(GL_POLYGON_OFFSET_FILL, state.depthBias != glm::vec2(0));
+    // Away from the viewer is towards 0 in reversed depth.
+    glPolygonOffset(-state.depthBias.x, -state.depthBias.y);
+    enable(GL_TEXTURE_CUBE_MAP_SEAMLESS, true);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    applyBlend(state);
+}
+
+void dispatch(const Pass& pass, const Resources& resources)
+{
+    for (std::size_t i = 0; i < pass.storage.size(); ++i) {
+        const Attachment& target = pass.storage[i];
+        const Texture& texture = resources.image(target.image);
+        glBindImageTexture(static_cast<GLuint>(i), texture.name(), target.level, static_cast<GLboolean>(target.layer < 0),
+                           target.layer < 0 ? 0 : target.layer, GL_READ_WRITE, internalFormat(texture.format()));
+    }
+    glDispatchCompute(static_cast<GLuint>(pass.groups.x), static_cast<GLuint>(pass.groups.y), static_cast<GLuint>(pass.groups.z));
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+}  // namespace vitrine::render::gl

@@ -1,0 +1,88 @@
+#include "render/gl/program_binaries.h"
+
+#include "render/hash.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine::render::gl {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<fs::path> cacheFolder()
+{
+    if (std::getenv("VITRINE_NO_PROGRAM_CACHE") != nullptr) return std::nullopt;
+    GLint formats = 0;
+    glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
+    if (formats == 0) return std::nullopt;
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) return fs::path(cache) / "vitrine" / "programs";
+    if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "vitrine" / "programs";
+    return std::nullopt;
+}
+
+std::string fileName(std::string_view source)
+{
+    Hash hash;
+    hash.add(source);
+    for (const GLenum name : {GL_RENDERER, GL_VERSION, GL_VENDOR})
+        if (const GLubyte* text = glGetString(name)) hash.add(reinterpret_cast<const char*>(text));
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%016llx.bin", static_cast<unsigned long long>(hash.value()));
+    return digits;
+}
+
+}  // namespace
+
+bool loadProgramBinary(GLuint program, std::string_view source)
+{
+    const std::optional<fs::path> folder = cacheFolder();
+    if (!folder) return false;
+    std::ifstream stream(*folder / fileName(source), std::ios::binary);
+    if (!stream) return false;
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+    GLenum format = 0;
+    if (bytes.size() <= sizeof format) return false;
+    std::memcpy(&format, bytes.data(), sizeof format);
+    glProgramBinary(program, format, bytes.data() + sizeof format, static_cast<GLsizei>(bytes.size() - sizeof format));
+    GLint good = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &good);
+    while (glGetError() != GL_NO_ERROR) {}
+    return good == GL_TRUE;
+}
+
+void saveProgramBinary(GLuint program, std::string_view source)
+{
+    const std::optional<fs::path> folder = cacheFolder();
+    if (!folder) return;
+    std::error_code error;
+    fs::create_directories(*folder, error);
+    GLint length = 0;
+    glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &length);
+    if (error || length <= 0) return;
+    std::vector<char> bytes(sizeof(GLenum) + static_cast<std::size_t>(length));
+    GLenum format = 0;
+    glGetProgramBinary(program, length, &length, &format, bytes.data() + sizeof format);
+    std::memcpy(bytes.data(), &format, sizeof format);
+    const fs::path file = *folder / fileName(source);
+    const fs::path part = file.string() + '.' + std::to_string(::getpid());
+    {
+        std::ofstream stream(part, std::ios::binary);
+        stream.write(bytes.data(), static_cast<std::streamsize>(sizeof format) + length);
+        if (!stream.flush()) {
+            stream.close();
+            fs::remove(part, error);
+            return;
+        }
+    }
+    fs::rename(part, file, error);
+}
+
+}  // namespace vitrine::render::gl

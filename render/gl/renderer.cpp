@@ -1,0 +1,246 @@
+#include "render/gl/renderer.h"
+
+#include "render/failure.h"
+#include "render/gl/block_arena.h"
+#include "render/gl/context.h"
+#include "render/gl/frame_block.h"
+#include "render/gl/pass_state.h"
+#include "render/gl/program_cache.h"
+#include "render/gl/resources.h"
+#include "render/measure/clock.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <set>
+
+namespace vitrine::render::gl {
+namespace {
+
+/// Where a pass's blocks lie in the arena.
+struct PassRanges {
+    BlockArena::Range frame;
+    std::vector<std::pair<int, BlockArena::Range>> blocks;
+    std::vector<BlockArena::Range> objects;
+};
+
+void countDraws(const Pass& pass, std::map<std::string, std::int64_t>& counters)
+{
+    for (const Draw& draw : pass.draws) {
+        ++counters["draws"];
+        const std::int64_t triangles = draw.mesh ? static_cast<std::int64_t>(draw.mesh->indices.size() / 3) : 1;
+        counters["triangles"] += triangles * draw.instances;
+    }
+}
+
+}  // namespace
+
+struct Renderer::State {
+    ContextInfo info = currentContextInfo();
+    Resources resources;
+    ProgramCache programs;
+    BlockArena arena;
+    VertexArrayName noVertices;
+    KeptKeys kept;
+    std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes whose key vouches for it.
+    bool timeSteps = false;
+
+    State()
+    {
+        GLuint name = 0;
+        glCreateVertexArrays(1, &name);
+        noVertices = VertexArrayName(name);
+    }
+
+    [[nodiscard]] double clock() const { return info.software ? processCpuSeconds() : wallSeconds(); }
+
+    PassRanges gather(const Pass& pass, const FramePlan& plan, BlockArena::Range planFrame)
+    {
+        PassRanges ranges;
+        ranges.frame = planFrame;
+        if (pass.view) {
+            const FrameBlock block = frameBlock(*pass.view, plan.time, plan.sample, plan.seed);
+            ranges.frame = arena.add(&block, sizeof block);
+        }
+        for (const auto& [binding, bytes] : pass.blocks)
+            if (!bytes.empty()) ranges.blocks.emplace_back(binding, arena.add(bytes.data(), bytes.size()));
+        for (const Draw& draw : pass.draws) ranges.objects.push_back(draw.object.empty() ? BlockArena::Range{} : arena.add(draw.object.data(), draw.object.size()));
+        return ranges;
+    }
+
+    void bindInputs(const std::vector<Input>& inputs)
+    {
+        for (const Input& input : inputs) {
+            if (const auto* name = std::get_if<std::string>(&input.source)) resources.image(*name).bind(input.unit);
+            else resources.texture(std::get<std::shared_ptr<const render::Texture>>(input.source)).bind(input.unit);
+        }
+    }
+
+    void run(const Pass& pass, const PassRanges& ranges)
+    {
+        if (pass.work == Work::simulation) {
+            if (pass.simulate) pass.simulate();
+            return;
+        }
+        glUseProgram(programs.use(pass.shader));
+        arena.bind(BLOCK_FRAME, ranges.frame);
+        for (const auto& [binding, range] : ranges.blocks) arena.bind(binding, range);
+        bindInputs(pass.inputs);
+        if (pass.work == Work::compute) dispatch(pass, resources);
+        else raster(pass, ranges);
+        for (const std::string& name : pass.mipmaps) resources.image(name).makeMipmaps();
+    }
+
+    void raster(const Pass& pass, const PassRanges& ranges)
+    {
+        const Target target(pass, resources);
+        applyState(pass.state);
+        for (std::size_t i = 0; i < pass.draws.size(); ++i) {
+            const Draw& draw = pass.draws[i];
+            bindInputs(draw.inputs);
+            arena.bind(BLOCK_OBJECT, ranges.objects[i]);
+            glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
+            if (draw.mesh) {
+                resources.mesh(draw.mesh).draw(draw.instances);
+            } else {
+                glBindVertexArray(noVertices.name());
+                glDrawArraysInstanced(GL_TRIANGLES, 0, 3, draw.instances);
+            }
+        }
+    }
+
+    void forget(const std::vector<std::string>& freshImages)
+    {
+        for (const std::string& image : freshImages) {
+            for (const std::string& pass : writersOfKept[image]) kept.erase(pass);
+            writersOfKept.erase(image);
+        }
+    }
+
+    void remember(const Pass& pass)
+    {
+        if (!pass.key) return;
+        kept[pass.name] = *pass.key;
+        for (const std::string& image : outputsOf(pass)) writersOfKept[image].insert(pass.name);
+    }
+};
+
+Renderer::Renderer() : state_(std::make_unique<State>())
+{
+    if (const std::string why = whyUnusable(state_->info); !why.empty()) throw Failure(Blame::openGl, why);
+}
+
+Renderer::~Renderer() = default;
+
+FrameReport Renderer::draw(const FramePlan& plan)
+{
+    State& s = *state_;
+    FrameReport report;
+    report.skipped = plan.skipped();
+    report.clock = s.info.software ? "process CPU time around glFinish" : "wall time around glFinish";
+    report.clockTrusted = true;
+    const glm::ivec2 size = plan.view.raster.drawn();
+    if (size.x <= 0 || size.y <= 0) return report;
+
+    GLint callersFramebuffer = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &callersFramebuffer);
+    glFinish();
+    const double start = s.clock();
+    const double wallStart = wallSeconds();
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    s.resources.sweep();
+    s.forget(s.resources.prepare(plan, size));
+
+    s.arena.clear();
+    const FrameBlock frame = frameBlock(plan.view, plan.time, plan.sample, plan.seed);
+    const BlockArena::Range planFrame = s.arena.add(&frame, sizeof frame);
+    std::vector<PassRanges> ranges;
+    for (const Pass& pass : plan.passes()) ranges.push_back(s.gather(pass, plan, planFrame));
+    s.arena.upload();
+
+    for (std::size_t i = 0; i < plan.passes().size(); ++i) {
+        const Pass& pass = plan.passes()[i];
+        const double stepStart = s.clock();
+        glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass.name.c_str());
+        s.run(pass, ranges[i]);
+        glPopDebugGroup();
+        s.remember(pass);
+        if (s.timeSteps) glFinish();
+        report.ran.push_back({pass.name, pass.reason, pass.work, s.timeSteps ? 1e3 * (s.clock() - stepStart) : -1});
+        countDraws(pass, report.counters);
+    }
+    glFinish();
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(callersFramebuffer));
+    report.counters["passes"] = static_cast<std::int64_t>(plan.passes().size());
+    report.counters["images"] = static_cast<std::int64_t>(s.resources.imageCount());
+    report.counters["programs"] = static_cast<std::int64_t>(s.programs.size());
+    report.milliseconds = 1e3 * (s.clock() - start);
+    report.wallMilliseconds = 1e3 * (wallSeconds() - wallStart);
+    return report;
+}
+
+Image Renderer::read(const std::string& name)
+{
+    const Texture& texture = state_->resources.image(name);
+    const bool depth = texture.format() == Format::depth32f;
+    const bool single = depth || texture.format() == Format::r16f || texture.format() == Format::r32f;
+    const glm::ivec2 size = texture.size();
+    const int channels = single ? 1 : 4;
+    Image raw(size.x, size.y * texture.layers(), channels);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(texture.name(), 0, depth ? GL_DEPTH_COMPONENT : (single ? GL_RED : GL_RGBA), GL_FLOAT,
+                      static_cast<GLsizei>(raw.pixels.size() * sizeof(float)), raw.pixels.data());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    Image flipped(raw.width, raw.height, raw.channels);
+    const auto row = static_cast<std::ptrdiff_t>(raw.width) * raw.channels;
+    for (std::ptrdiff_t y = 0; y < raw.height; ++y)
+        std::copy_n(raw.pixels.begin() + (raw.height - 1 - y) * row, row, flipped.pixels.begin() + y * row);
+    return flipped;
+}
+
+const KeptKeys& Renderer::kept() const
+{
+    return state_->kept;
+}
+
+int Renderer::largestSide() const
+{
+    return std::min(state_->info.maxTextureSize, 16384);
+}
+
+void Renderer::present(const std::string& image, int width, int height)
+{
+    if (width <= 0 || height <= 0 || !state_->resources.has(image)) return;
+    State& s = *state_;
+    glViewport(0, 0, width, height);
+    applyState(RasterState{});
+    glUseProgram(s.programs.use({"lib/fullscreen.vert", "lib/present.frag", "", {}}));
+    s.resources.image(image).bind(UNIT_SOURCE);
+    glBindVertexArray(s.noVertices.name());
+    glFrontFace(GL_CCW);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Renderer::timeSteps(bool on)
+{
+    state_->timeSteps = on;
+}
+
+bool Renderer::reloadChangedShaders()
+{
+    return state_->programs.reloadChanged();
+}
+
+const std::vector<ShaderProblem>& Renderer::problems() const
+{
+    return state_->programs.problems();
+}
+
+void Renderer::abandon()
+{
+    state_->resources.abandon();
+    state_->programs.abandon();
+    state_->arena.abandon();
+    state_->noVertices.abandon();
+}
+
+}  // namespace vitrine::render::gl

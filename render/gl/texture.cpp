@@ -1,0 +1,128 @@
+#include "render/gl/texture.h"
+
+#include "render/failure.h"
+
+#include <algorithm>
+#include <bit>
+#include <string>
+
+namespace vitrine::render::gl {
+namespace {
+
+GLenum targetOf(Shape shape)
+{
+    switch (shape) {
+    case Shape::flat: return GL_TEXTURE_2D;
+    case Shape::array: return GL_TEXTURE_2D_ARRAY;
+    case Shape::cube: return GL_TEXTURE_CUBE_MAP;
+    }
+    return GL_TEXTURE_2D;
+}
+
+TextureName create(GLenum target)
+{
+    GLuint name = 0;
+    glCreateTextures(target, 1, &name);
+    return TextureName(name);
+}
+
+int mipLevels(int width, int height)
+{
+    return std::bit_width(static_cast<unsigned>(std::max({width, height, 1})));
+}
+
+struct PixelFormat {
+    GLenum internal, external, type;
+};
+
+PixelFormat pixelFormat(const render::Texture& picture)
+{
+    const bool floats = !picture.floats.empty();
+    switch (picture.channels) {
+    case 1: return {floats ? GLenum(GL_R16F) : GLenum(GL_R8), GL_RED, floats ? GLenum(GL_FLOAT) : GLenum(GL_UNSIGNED_BYTE)};
+    case 3:
+        if (floats) return {GL_RGB16F, GL_RGB, GL_FLOAT};
+        return {picture.sRgb ? GLenum(GL_SRGB8) : GLenum(GL_RGB8), GL_RGB, GL_UNSIGNED_BYTE};
+    default:
+        if (floats) return {GL_RGBA16F, GL_RGBA, GL_FLOAT};
+        return {picture.sRgb ? GLenum(GL_SRGB8_ALPHA8) : GLenum(GL_RGBA8), GL_RGBA, GL_UNSIGNED_BYTE};
+    }
+}
+
+void setParameter(GLuint name, GLenum parameter, GLenum value)
+{
+    glTextureParameteri(name, parameter, static_cast<GLint>(value));
+}
+
+}  // namespace
+
+GLenum internalFormat(Format format)
+{
+    switch (format) {
+    case Format::rgba8: return GL_RGBA8;
+    case Format::rgba16f: return GL_RGBA16F;
+    case Format::rgba32f: return GL_RGBA32F;
+    case Format::rg16f: return GL_RG16F;
+    case Format::r16f: return GL_R16F;
+    case Format::r32f: return GL_R32F;
+    case Format::depth32f: return GL_DEPTH_COMPONENT32F;
+    }
+    return GL_RGBA8;
+}
+
+Texture::Texture(const ImageInfo& info, glm::ivec2 size)
+    : name_(create(targetOf(info.shape))), size_(size), layers_(info.shape == Shape::cube ? 6 : info.layers), format_(info.format)
+{
+    const GLuint name = name_.name();
+    while (glGetError() != GL_NO_ERROR) {}
+    if (info.shape == Shape::array) glTextureStorage3D(name, info.levels, internalFormat(info.format), size.x, size.y, info.layers);
+    else glTextureStorage2D(name, info.levels, internalFormat(info.format), size.x, size.y);
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+        throw Failure(Blame::openGl, "The graphics driver cannot store the image \"" + info.name + "\" of " + std::to_string(size.x) + " × " +
+                                         std::to_string(size.y) + " pixels; choose a smaller size.");
+    }
+    const bool mipped = info.levels > 1;
+    setParameter(name, GL_TEXTURE_MAG_FILTER, info.nearest ? GL_NEAREST : GL_LINEAR);
+    setParameter(name, GL_TEXTURE_MIN_FILTER, info.nearest ? GL_NEAREST : (mipped ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR));
+    const GLenum wrap = info.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    setParameter(name, GL_TEXTURE_WRAP_S, wrap);
+    setParameter(name, GL_TEXTURE_WRAP_T, wrap);
+    if (info.comparison) {
+        // Reversed depth: a point is lit when it is at least as near to the light as what is stored.
+        setParameter(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        setParameter(name, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
+    }
+    glObjectLabel(GL_TEXTURE, name, -1, info.name.c_str());
+}
+
+Texture::Texture(const render::Texture& picture)
+    : name_(create(picture.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D)), size_(picture.width, picture.height), layers_(picture.layers)
+{
+    const GLuint name = name_.name();
+    const PixelFormat format = pixelFormat(picture);
+    const int levels = picture.mipmaps ? mipLevels(picture.width, picture.height) : 1;
+    const void* data = picture.floats.empty() ? static_cast<const void*>(picture.bytes.data()) : picture.floats.data();
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (picture.layers > 1) {
+        glTextureStorage3D(name, levels, format.internal, picture.width, picture.height, picture.layers);
+        glTextureSubImage3D(name, 0, 0, 0, 0, picture.width, picture.height, picture.layers, format.external, format.type, data);
+    } else {
+        glTextureStorage2D(name, levels, format.internal, picture.width, picture.height);
+        glTextureSubImage2D(name, 0, 0, 0, picture.width, picture.height, format.external, format.type, data);
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    if (levels > 1) glGenerateTextureMipmap(name);
+    setParameter(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    setParameter(name, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    const GLenum wrap = picture.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    setParameter(name, GL_TEXTURE_WRAP_S, wrap);
+    setParameter(name, GL_TEXTURE_WRAP_T, wrap);
+    glObjectLabel(GL_TEXTURE, name, -1, picture.name.substr(0, 200).c_str());
+}
+
+glm::ivec2 Texture::size(int level) const
+{
+    return glm::max(glm::ivec2(size_.x >> level, size_.y >> level), glm::ivec2(1));
+}
+
+}  // namespace vitrine::render::gl

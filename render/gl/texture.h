@@ -1,0 +1,35 @@
+#pragma once
+
+#include "render/gl/object.h"
+#include "render/plan/frame_plan.h"
+
+namespace vitrine::render::gl {
+
+/// A GL texture with its immutable storage: an image of a frame, or a picture for sampling.
+class Texture {
+public:
+    /// Storage for an image of a frame; `size` is that of level 0, in pixels. Throws Failure
+    /// (Blame::openGl) when the driver has no memory for it.
+    Texture(const ImageInfo&, glm::ivec2 size);
+    /// Uploads a picture, with mipmaps and anisotropic filtering where it asks for them.
+    explicit Texture(const render::Texture&);
+
+    [[nodiscard]] GLuint name() const { return name_.name(); }
+    [[nodiscard]] glm::ivec2 size(int level = 0) const;
+    [[nodiscard]] int layers() const { return layers_; }
+    [[nodiscard]] Format format() const { return format_; }
+    void bind(int unit) const { glBindTextureUnit(static_cast<GLuint>(unit), name_.name()); }
+    void makeMipmaps() const { glGenerateTextureMipmap(name_.name()); }
+    void abandon() { name_.abandon(); }
+
+private:
+    TextureName name_;
+    glm::ivec2 size_{0};
+    int layers_ = 1;
+    Format format_ = Format::rgba8;
+};
+
+/// The GL internal format of an image.
+[[nodiscard]] GLenum internalFormat(Format);
+
+}  // namespace vitrine::render::gl

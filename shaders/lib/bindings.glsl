@@ -1,0 +1,25 @@
+// Binding numbers that shaders and C++ share. Plain macros, so that both languages can include this.
+
+// std140 blocks.
+#define BLOCK_FRAME 0
+#define BLOCK_PARAMETERS 1
+#define BLOCK_OBJECT 2
+#define BLOCK_LIGHT 3
+
+// Texture units.
+#define UNIT_BASE_COLOR 0
+#define UNIT_NORMAL 1
+#define UNIT_ORM 2
+#define UNIT_EMISSIVE 3
+#define UNIT_SKY_LIGHTMAP 4
+#define UNIT_SUN_LIGHTMAPS 5
+#define UNIT_SHADOW_HALL 6
+#define UNIT_SHADOW_EXHIBITS 7
+#define UNIT_PROBE 8
+#define UNIT_PROBE_IRRADIANCE 9
+#define UNIT_ENVIRONMENT 10
+#define UNIT_FONT 11
+#define UNIT_SOURCE 12
+#define UNIT_EXHIBIT_A 13
+#define UNIT_EXHIBIT_B 14
+#define UNIT_EXHIBIT_C 15

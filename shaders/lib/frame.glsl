@@ -1,0 +1,33 @@
+// The frame block: camera, picture, time. Filled by the renderer from the plan's View (or the pass's own).
+#include "lib/bindings.glsl"
+
+layout(std140, binding = BLOCK_FRAME) uniform Frame {
+    mat4 viewFromWorld;
+    mat4 clipFromView;   // of the tile, jitter included; reversed depth, near 1, infinitely far 0
+    mat4 clipFromWorld;
+    mat4 worldFromView;
+    vec4 eye;            // world space, metres; w: near plane, metres
+    vec4 size;           // whole picture: width, height, 1/width, 1/height, pixels
+    vec4 sampling;       // xy: lower left corner of the tile plus jitter, pixels; zw: tan of half the field of view
+    vec4 timing;         // x: seconds, wrapped; y: index of the supersample; z: seed; w: angle of one pixel, radians
+} frame;
+
+// Position in the whole picture, in pixels, of the sample that this fragment stands for.
+vec2 framePixel(vec2 fragCoord)
+{
+    return fragCoord + frame.sampling.xy;
+}
+
+// Direction through a position of the whole picture, world space, with length 1 along the view axis.
+// Taken from gl_FragCoord, not from a varying, so that tiles join to the bit.
+vec3 frameRay(vec2 fragCoord)
+{
+    vec2 ndc = framePixel(fragCoord) * frame.size.zw * 2.0 - 1.0;
+    return mat3(frame.worldFromView) * vec3(ndc * frame.sampling.zw, -1.0);
+}
+
+// Distance along the view axis, metres, of a reversed depth value; infinite for the far plane.
+float frameViewDepth(float depth)
+{
+    return frame.eye.w / depth;
+}

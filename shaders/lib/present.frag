@@ -1,0 +1,23 @@
+// Copies display-referred linear light to the window, encoded as sRGB, scaled where the sizes differ.
+#include "lib/bindings.glsl"
+#include "lib/hash.glsl"
+
+layout(binding = UNIT_SOURCE) uniform sampler2D source;
+
+in vec2 textureCoordinate;
+layout(location = 0) out vec4 encoded;
+
+vec3 encodeSrgb(vec3 linear)
+{
+    vec3 c = clamp(linear, 0.0, 1.0);
+    return mix(12.92 * c, 1.055 * pow(max(c, vec3(1e-8)), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+void main()
+{
+    vec4 color = textureLod(source, textureCoordinate, 0.0);
+    // One level of triangular noise would hide banding; half a level is enough and stays quiet.
+    uvec2 pixel = uvec2(gl_FragCoord.xy);
+    float noise = float(pcgHash(pixel.x + 4096u * pixel.y) & 0xFFFFu) / 65535.0 - 0.5;
+    encoded = vec4(encodeSrgb(color.rgb) + noise / 255.0, 1.0);
+}
