@@ -1,4 +1,55 @@
-int main()
+#include "app/command.h"
+#include "render/failure.h"
+#include "ui/run_window.h"
+
+#include <CLI/CLI.hpp>
+
+#include <clocale>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+constexpr const char* about = "Vitrine: a workbench for real-time rendering techniques, in a museum hall.\n"
+                              "Without a command, the window opens.\n"
+                              "Exit codes: 0 done, 1 check failed, 2 usage, 3 no OpenGL 4.5, 4 shader failed, 5 file not read or not written.";
+
+int parseAndRun(int argc, char** argv)
 {
-    return 0;
+    CLI::App parser(about, "vitrine");
+    parser.set_version_flag("--version", std::string("vitrine ") + VITRINE_VERSION);
+    parser.set_help_flag("--help", "Print this help and exit");
+    parser.require_subcommand(0, 1);
+    vitrine::app::Action chosen = [&] { return vitrine::ui::runWindow(argc, argv); };
+    vitrine::app::addListCommand(parser, chosen);
+    vitrine::app::addRenderCommand(parser, chosen);
+    vitrine::app::addTourCommand(parser, chosen);
+    vitrine::app::addPresetCommand(parser, chosen);
+    vitrine::app::addDoctorCommand(parser, chosen);
+    try {
+        parser.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return parser.exit(error) == 0 ? 0 : static_cast<int>(vitrine::Blame::usage);
+    }
+    return chosen();
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    // A full disk or a size limit is an error of the write that meets it, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+    std::setlocale(LC_NUMERIC, "C");
+    try {
+        return parseAndRun(argc, argv);
+    } catch (const vitrine::Failure& failure) {
+        std::fprintf(stderr, "vitrine: %s\n", failure.what());
+        return failure.exitCode();
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "vitrine: %s\n", error.what());
+        return static_cast<int>(vitrine::Blame::file);
+    }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/surroundings.h"
 #include "render/plan/frame_plan.h"
 #include "render/scene/camera.h"
 
@@ -22,16 +23,25 @@ struct Channels {
     bool operator==(const Channels&) const = default;
 };
 
+/// Images that every exhibit of a frame draws into: scene-linear radiance (alpha is coverage, premultiplied)
+/// and reversed depth; the sun's depth map of the exhibits.
+inline constexpr const char* radianceImage = "radiance";
+inline constexpr const char* depthImage = "depth";
+inline constexpr const char* normalImage = "normal";
+inline constexpr const char* evaluationsImage = "evaluations";
+inline constexpr const char* exhibitShadowImage = "shadow.exhibits";
+
 /// What an exhibit may know when it plans its part of a frame.
 struct PlanContext {
     const ParameterValues& values;
+    const Surroundings& surroundings;  ///< The light around it.
     glm::dmat4 worldFromExhibit{1};  ///< Its place in the hall, or identity when alone, times the caller's scale and rotation.
     double time = 0;                 ///< Seconds since the exhibit's clock started.
     Channels channels;
     bool alone = false;              ///< No hall: the environment is the only light.
     std::string hiddenBecause;       ///< Empty when its bounds may be visible from the camera.
-    std::string unlitBecause;        ///< Empty when the sun may reach its bounds: its shadow is called for.
-    bool pressed = false;            ///< Its button was pressed since the last frame.
+    std::string noShadowBecause;     ///< Empty when its shadow may be seen and the sun may reach its bounds.
+    std::span<const double> sincePressed;  ///< For the hall: seconds since each guest's button was pressed.
 };
 
 /// One technique on show: its parameter table, and the passes that draw it.
@@ -58,9 +68,5 @@ public:
 
     virtual void plan(const PlanContext&, render::FramePlan&) const = 0;
 };
-
-/// The exhibits in the order visitors meet them, the hall first. exhibits/exhibits.cpp is the only
-/// place that names them all.
-[[nodiscard]] std::vector<std::unique_ptr<Exhibit>> allExhibits();
 
 }  // namespace vitrine

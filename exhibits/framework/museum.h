@@ -38,9 +38,17 @@ struct FrameRequest {
     glm::dmat4 exhibitTransform{1};    ///< For `alone` or `subject`: scale and rotation about its own origin.
     std::optional<std::size_t> subject;
     bool runEverything = false;
+    /// Seconds since each exhibit's button was pressed, in the order of Museum::exhibits(); may be shorter.
+    std::vector<double> sincePressed;
 };
 
-class Walkable;
+/// What the visitor's look rests on.
+struct LookedAt {
+    std::size_t exhibit = 0;
+    std::string text;  ///< "E – melt it".
+};
+
+class HallModel;
 
 /// The building and everything in it.
 class Museum {
@@ -63,11 +71,27 @@ public:
     /// light, alpha not premultiplied) and, as asked, "radiance", "depth", "normal", "evaluations".
     [[nodiscard]] render::FramePlan plan(const Look&, const FrameRequest&, const render::KeptKeys& = {}) const;
 
+    /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: walls and furniture stop
+    /// him, and he slides along them.
+    [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
+    /// The button within 2 m that the middle of the view rests on.
+    [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const;
+    /// The exhibit seen at `ndc` (each -1 to 1, y up) of a picture with this aspect ratio (width / height).
+    [[nodiscard]] std::optional<std::size_t> pick(const Look&, glm::dvec2 ndc, double aspect) const;
+    /// Which of the places 1 to 9 still wait for an exhibit.
+    [[nodiscard]] std::vector<int> emptyPlaces() const;
+
     /// Seconds until the picture next changes by itself; infinity: nothing to draw.
     [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const;
 
 private:
+    [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&) const;
+
     std::vector<std::unique_ptr<Exhibit>> exhibits_;
+    std::shared_ptr<const HallModel> model_;
 };
+
+/// Vertical scale of a button, `seconds` after it was pressed: 1 to 0.1 in 0.1 s and back in 0.1 s.
+[[nodiscard]] double buttonScale(double seconds);
 
 }  // namespace vitrine

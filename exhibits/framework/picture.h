@@ -13,6 +13,7 @@ namespace vitrine {
 struct PictureRequest {
     FrameRequest frame;             ///< `raster.tile`, `raster.jitter` and `sample` are set here, not by the caller.
     int samples = 1;                ///< Supersamples per pixel, averaged.
+    bool depth = false;             ///< Add the channel "depth.Z". Channels other than color are of the pixel's center.
     int largestTile = 2048;         ///< Side in pixels; never above what the painter can draw.
 };
 
@@ -27,21 +28,30 @@ public:
     [[nodiscard]] double progress() const;  ///< 0 to 1.
     [[nodiscard]] bool finished() const;
 
-    /// RGBA, row 0 at the top: display-referred linear light or radiance, as `frame.averageIn` asks, then
-    /// "depth.Z" (metres along the view axis, infinity where nothing was hit), "normal.X" "normal.Y"
-    /// "normal.Z" and "evaluations" as `frame.channels` and `withDepth` ask. Only when finished.
+    /// R, G, B, A, row 0 at the top, alpha not premultiplied: display-referred linear light or radiance, as
+    /// `frame.averageIn` asks; then "depth.Z" (metres along the view axis, infinity where nothing was hit),
+    /// "normal.X" "normal.Y" "normal.Z" (world space) and "evaluations", as asked. Only when finished.
     [[nodiscard]] const render::Image& picture() const { return picture_; }
     /// Of the first sample of the first tile.
     [[nodiscard]] const render::FrameReport& report() const { return report_; }
 
 private:
+    struct Tile {
+        glm::ivec2 offset, size;  ///< Pixels, from the lower left corner of the picture.
+    };
+    void takeChannels(const Tile&);
+    void takeColor(const Tile&);
+    void copyChannels(const render::Image&, const Tile&, int from, int count, int to);
+    void finish();
+
     const Museum& museum_;
     render::Painter& painter_;
     Look look_;
     PictureRequest request_;
     render::Image picture_;
     render::FrameReport report_;
-    int stepsDone_ = 0;
+    std::vector<Tile> tiles_;
+    std::size_t stepsDone_ = 0;
 };
 
 }  // namespace vitrine

@@ -18,6 +18,6 @@ void main()
     vec4 color = textureLod(source, textureCoordinate, 0.0);
     // One level of triangular noise would hide banding; half a level is enough and stays quiet.
     uvec2 pixel = uvec2(gl_FragCoord.xy);
-    float noise = float(pcgHash(pixel.x + 4096u * pixel.y) & 0xFFFFu) / 65535.0 - 0.5;
+    float noise = float(pcg(pixel.x + 4096u * pixel.y) & 0xFFFFu) / 65535.0 - 0.5;
     encoded = vec4(encodeSrgb(color.rgb) + noise / 255.0, 1.0);
 }

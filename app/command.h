@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace vitrine::app {
+
+/// What `main` runs once the command line is read; its result is the exit code.
+using Action = std::function<int()>;
+
+/// Each adds its sub-commands to the parser; the one that was given sets `chosen`.
+void addListCommand(CLI::App&, Action& chosen);
+void addRenderCommand(CLI::App&, Action& chosen);
+void addTourCommand(CLI::App&, Action& chosen);
+void addPresetCommand(CLI::App&, Action& chosen);
+void addDoctorCommand(CLI::App&, Action& chosen);
+
+}  // namespace vitrine::app

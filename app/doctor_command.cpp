@@ -1,0 +1,85 @@
+#include "app/command.h"
+
+#include "render/failure.h"
+#include "render/files/assets.h"
+#include "render/files/strict_json.h"
+#include "render/gl/context.h"
+#include "render/image/image_io.h"
+
+#include <CLI/CLI.hpp>
+#include <QtGlobal>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace vitrine::app {
+namespace {
+
+using render::Json;
+
+Json libraries()
+{
+    const auto dotted = [](int major, int minor, int patch) { return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch); };
+    return Json{{"Qt", qVersion()},
+                {"GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH)},
+                {"nlohmann-json", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+                {"CLI11", CLI11_VERSION},
+                {"OpenImageIO", render::imageLibraryVersion()}};
+}
+
+Json examine()
+{
+    Json report{{"version", VITRINE_VERSION}};
+    try {
+        const render::gl::HeadlessContext context;
+        const render::gl::ContextInfo& gl = context.info();
+        report["opengl"] = Json{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"shadingLanguage", gl.shadingLanguage}, {"software", gl.software}, {"usable", true}};
+        report["limits"] = Json{{"textureSize", gl.maxTextureSize}, {"samples", gl.maxSamples}, {"uniformBlockBytes", gl.maxUniformBlockSize}};
+        report["clock"] = Json{{"method", gl.software ? "process CPU time around glFinish" : "wall time around glFinish"},
+                               {"trusted", true},
+                               {"why", gl.software ? "the renderer runs on the processor, and its timer queries cover only the last tile"
+                                                   : "no timer query is used: a wall clock around glFinish includes everything"}};
+    } catch (const Failure& failure) {
+        report["opengl"] = Json{{"usable", false}, {"why", failure.what()}};
+    }
+    report["libraries"] = libraries();
+    try {
+        report["assets"] = render::assetFolder().string();
+    } catch (const Failure& failure) {
+        report["assets"] = failure.what();
+    }
+    return report;
+}
+
+void printText(const Json& value, const std::string& indent)
+{
+    for (const auto& [key, entry] : value.items()) {
+        if (entry.is_object()) {
+            std::printf("%s%s\n", indent.c_str(), key.c_str());
+            printText(entry, indent + "  ");
+        } else {
+            std::printf("%s%-20s %s\n", indent.c_str(), key.c_str(), entry.is_string() ? entry.get<std::string>().c_str() : entry.dump().c_str());
+        }
+    }
+}
+
+int doctor(bool asJson)
+{
+    const Json report = examine();
+    if (asJson) std::fputs(render::writeJson(report).c_str(), stdout);
+    else printText(report, "");
+    return report["opengl"]["usable"].get<bool>() ? 0 : static_cast<int>(Blame::openGl);
+}
+
+}  // namespace
+
+void addDoctorCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand("doctor", "Say what this machine can do: OpenGL, limits, clock, libraries");
+    auto asJson = std::make_shared<bool>(false);
+    command->add_flag("--json", *asJson, "As JSON");
+    command->callback([&chosen, asJson] { chosen = [asJson] { return doctor(*asJson); }; });
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,82 @@
+#include "app/command.h"
+
+#include "exhibits/exhibits.h"
+#include "exhibits/hall/hall_table.h"
+#include "render/files/strict_json.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace vitrine::app {
+namespace {
+
+using render::Json;
+
+Json valueJson(const ParameterInfo& row, const Value& value)
+{
+    if (const auto* v = std::get_if<glm::dvec3>(&value)) return Json::array({v->x, v->y, v->z});
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    const double x = std::get<double>(value);
+    if (row.kind == Kind::toggle) return x != 0;
+    if (row.kind == Kind::choice) return std::string(row.choices[static_cast<std::size_t>(x)]);
+    if (row.kind == Kind::count) return static_cast<std::int64_t>(x);
+    return x;
+}
+
+/// Numbers are in SI, and `unit` is the SI unit that they are in.
+Json rowJson(const ParameterInfo& row)
+{
+    Json choices = Json::array();
+    for (const std::string_view choice : row.choices) choices.push_back(std::string(choice));
+    Json quality = nullptr;
+    if (row.qualityReference) quality = Json{{"reference", valueJson(row, *row.qualityReference)}};
+    return Json{{"name", std::string(row.name)},
+                {"kind", std::string(toString(row.kind))},
+                {"unit", std::string(info(row.unit).storedSymbol)},
+                {"low", row.range.low},
+                {"high", row.range.high},
+                {"softLow", row.range.softLow},
+                {"softHigh", row.range.softHigh},
+                {"scale", std::string(toString(row.range.scale))},
+                {"initial", valueJson(row, row.initial)},
+                {"help", std::string(row.help)},
+                {"choices", choices},
+                {"quality", quality}};
+}
+
+Json exhibitJson(std::string_view name, std::string_view title, std::string_view summary, const Parameters& table)
+{
+    Json rows = Json::array();
+    for (const ParameterInfo& row : table.rows()) rows.push_back(rowJson(row));
+    return Json{{"name", std::string(name)}, {"title", std::string(title)}, {"summary", std::string(summary)}, {"parameters", rows}};
+}
+
+int list(bool asJson)
+{
+    // The tables alone: no asset is read, so this answers at once.
+    const HallTable hall;
+    Json all = Json::array();
+    all.push_back(exhibitJson("hall", "The hall", "The museum itself: its sun, its sky, its reflections and the exposure of the picture.", hall));
+    for (const auto& exhibit : allExhibits()) all.push_back(exhibitJson(exhibit->name(), exhibit->title(), exhibit->summary(), exhibit->parameters()));
+    if (asJson) {
+        std::fputs(render::writeJson(all).c_str(), stdout);
+        return 0;
+    }
+    for (const Json& exhibit : all)
+        std::printf("%-16s %s (%zu parameters)\n", exhibit["name"].get<std::string>().c_str(), exhibit["summary"].get<std::string>().c_str(), exhibit["parameters"].size());
+    return 0;
+}
+
+}  // namespace
+
+void addListCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand("list", "List the exhibits and their parameters");
+    auto asJson = std::make_shared<bool>(false);
+    command->add_flag("--json", *asJson, "Everything about every parameter, as JSON; numbers are in SI units");
+    command->callback([&chosen, asJson] { chosen = [asJson] { return list(*asJson); }; });
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the hall is made of: mean linear albedo (or metal reflectance), roughness, metalness, tile in metres.
+
+A tile size means that textures.py paints colour, normal and occlusion-roughness-metalness maps."""
+
+MATERIALS = {
+    "terrazzo":   {"color": (0.50, 0.465, 0.42),  "roughness": 0.27, "metalness": 0.0, "tile": 2.0},
+    "plaster":    {"color": (0.72, 0.68, 0.61),   "roughness": 0.88, "metalness": 0.0, "tile": 3.0},
+    "dado":       {"color": (0.165, 0.175, 0.15), "roughness": 0.55, "metalness": 0.0, "tile": 1.5},
+    "coffer":     {"color": (0.70, 0.67, 0.61),   "roughness": 0.85, "metalness": 0.0},
+    "travertine": {"color": (0.56, 0.47, 0.365),  "roughness": 0.45, "metalness": 0.0, "tile": 1.6},
+    "bronze":     {"color": (0.36, 0.235, 0.125), "roughness": 0.36, "metalness": 1.0},
+    "brass":      {"color": (0.78, 0.56, 0.27),   "roughness": 0.24, "metalness": 1.0},
+    "oak":        {"color": (0.27, 0.155, 0.075), "roughness": 0.48, "metalness": 0.0, "tile": 1.2},
+    "leather":    {"color": (0.19, 0.078, 0.034), "roughness": 0.45, "metalness": 0.0, "tile": 0.6},
+    "dark":       {"color": (0.02, 0.02, 0.021),  "roughness": 0.80, "metalness": 0.0},
+    "cloth":      {"color": (0.40, 0.39, 0.375),  "roughness": 0.95, "metalness": 0.0, "tile": 0.4},
+    "banner":     {"color": (0.36, 0.055, 0.04),  "roughness": 0.90, "metalness": 0.0},
+}

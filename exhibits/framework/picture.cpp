@@ -1,0 +1,99 @@
+#include "exhibits/framework/picture.h"
+
+#include "render/failure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+
+PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, Look look, PictureRequest request)
+    : museum_(museum), painter_(painter), look_(std::move(look)), request_(std::move(request))
+{
+    const glm::ivec2 size = request_.frame.raster.size;
+    if (size.x < 1 || size.y < 1) throw Failure(Blame::usage, "A picture needs at least 1 × 1 pixels; " + std::to_string(size.x) + " × " + std::to_string(size.y) + " were asked for.");
+    request_.samples = std::max(request_.samples, 1);
+    const int side = std::max(std::min(request_.largestTile, painter_.largestSide()), 1);
+    for (int y = 0; y < size.y; y += side)
+        for (int x = 0; x < size.x; x += side) tiles_.push_back({{x, y}, glm::min(glm::ivec2(side), size - glm::ivec2(x, y))});
+
+    std::vector<std::string> names{"R", "G", "B", "A"};
+    if (request_.depth) names.emplace_back("depth.Z");
+    if (request_.frame.channels.normal) names.insert(names.end(), {"normal.X", "normal.Y", "normal.Z"});
+    if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
+    picture_ = render::Image(size.x, size.y, static_cast<int>(names.size()));
+    picture_.channelNames = std::move(names);
+}
+
+double PictureMaker::progress() const
+{
+    return static_cast<double>(stepsDone_) / static_cast<double>(tiles_.size() * static_cast<std::size_t>(request_.samples));
+}
+
+bool PictureMaker::finished() const
+{
+    return stepsDone_ == tiles_.size() * static_cast<std::size_t>(request_.samples);
+}
+
+bool PictureMaker::step()
+{
+    if (finished()) return false;
+    const auto samples = static_cast<std::size_t>(request_.samples);
+    const Tile& tile = tiles_[stepsDone_ / samples];
+    FrameRequest frame = request_.frame;
+    frame.sample = static_cast<int>(stepsDone_ % samples);
+    frame.samples = request_.samples;
+    frame.raster.offset = tile.offset;
+    frame.raster.tile = tile.size;
+    if (frame.sample > 0) frame.channels = {};
+    render::FrameReport report = painter_.draw(museum_.plan(look_, frame, painter_.kept()));
+    if (stepsDone_ == 0) report_ = std::move(report);
+    if (frame.sample == 0) takeChannels(tile);
+    if (frame.sample == request_.samples - 1) takeColor(tile);
+    ++stepsDone_;
+    if (finished()) finish();
+    return true;
+}
+
+void PictureMaker::takeChannels(const Tile& tile)
+{
+    int next = 4;
+    if (request_.depth) {
+        render::Image depth = painter_.read(depthImage);
+        const double nearPlane = render::View{}.nearPlane;
+        for (float& d : depth.pixels) d = d > 0 ? static_cast<float>(nearPlane / d) : std::numeric_limits<float>::infinity();
+        copyChannels(depth, tile, 0, 1, next++);
+    }
+    if (request_.frame.channels.normal) {
+        copyChannels(painter_.read(normalImage), tile, 0, 3, next);
+        next += 3;
+    }
+    if (request_.frame.channels.evaluations) copyChannels(painter_.read(evaluationsImage), tile, 0, 1, next);
+}
+
+void PictureMaker::takeColor(const Tile& tile)
+{
+    copyChannels(painter_.read("frame"), tile, 0, 4, 0);
+}
+
+void PictureMaker::copyChannels(const render::Image& from, const Tile& tile, int first, int count, int to)
+{
+    const int top = picture_.height - tile.offset.y - tile.size.y;
+    for (int y = 0; y < tile.size.y; ++y)
+        for (int x = 0; x < tile.size.x; ++x)
+            for (int c = 0; c < count; ++c) picture_.at(tile.offset.x + x, top + y, to + c) = from.at(x, y, first + c);
+}
+
+void PictureMaker::finish()
+{
+    for (int y = 0; y < picture_.height; ++y) {
+        for (int x = 0; x < picture_.width; ++x) {
+            const float alpha = picture_.at(x, y, 3);
+            if (alpha > 0 && alpha < 1)
+                for (int c = 0; c < 3; ++c) picture_.at(x, y, c) /= alpha;
+        }
+    }
+}
+
+}  // namespace vitrine

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "render/plan/frame_plan.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace vitrine {
+
+/// Mirrors the std140 block Light of shaders/lib/light.glsl; the shader says what each field means.
+struct LightBlock {
+    glm::mat4 hallShadowFromWorld{1};
+    glm::mat4 exhibitShadowFromWorld{1};
+    glm::vec4 sunDirection{0, 1, 0, 0};
+    glm::vec4 sunIrradiance{0};
+    glm::vec4 skyZenith{0};
+    glm::vec4 skyHorizon{0};
+    glm::vec4 sunLightmap{0};
+    glm::vec4 probePosition{0};
+    glm::vec4 probeLow{0};
+    glm::vec4 probeHigh{0, 0, 0, 1};
+    glm::vec4 filtering{0};
+};
+
+/// The light that falls on whatever stands in the hall (or alone in its environment): what an exhibit
+/// needs to be lit like everything around it, and to cast its shadow.
+struct Surroundings {
+    LightBlock light;
+    std::vector<render::Input> inputs;  ///< Shadow maps, probe, environment picture.
+
+    /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while `castsShadows`.
+    render::View exhibitShadowView;
+    bool castsShadows = false;
+
+    /// Gives a pass the light block and everything that shaders/lib/light.glsl samples.
+    void illuminate(render::Pass&) const;
+};
+
+/// Texture coordinates and depth in [0, 1] from world space, for a shadow map drawn with `view`.
+[[nodiscard]] glm::mat4 shadowFromWorld(const render::View& view);
+
+/// An orthographic view along the light that holds `box`; receivers up to `reach` metres behind the box
+/// are still in its depth range. `towardsLight` is unit length; `size` is the map's, in texels.
+[[nodiscard]] render::View lightView(const render::Box& box, const glm::dvec3& towardsLight, glm::ivec2 size, double reach);
+
+/// Linear Rec. 709 color of a black body, its largest component 1; `kelvin` is clamped to [1000, 25000].
+/// Kim et al. 2002 (US patent 7,024,034) for the locus in CIE xy.
+[[nodiscard]] glm::dvec3 blackBodyColor(double kelvin);
+
+}  // namespace vitrine

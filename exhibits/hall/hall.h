@@ -1,0 +1,53 @@
+#pragma once
+
+#include "exhibits/framework/exhibit.h"
+#include "exhibits/hall/hall_scene.h"
+#include "exhibits/hall/hall_table.h"
+
+#include <memory>
+#include <mutex>
+
+namespace vitrine {
+
+/// The building: light, walls, shadows, reflections, and the way the picture is developed.
+class Hall final : public Exhibit {
+public:
+    using Table = HallTable;
+
+    explicit Hall(std::shared_ptr<const HallModel>);
+    ~Hall() override;
+
+    [[nodiscard]] std::string_view name() const override { return "hall"; }
+    [[nodiscard]] std::string_view title() const override { return "The hall"; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "The museum itself: its sun, its sky, its reflections and the exposure of the picture.";
+    }
+    [[nodiscard]] int place() const override { return 0; }
+    [[nodiscard]] const Table& parameters() const override { return table_; }
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
+    [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
+
+    /// The walls and what stands before them, their shadows, the probe and the sky: all but what the
+    /// exhibits add and `develop` ends.
+    void plan(const PlanContext&, render::FramePlan&) const override;
+
+    /// The hall under these values, with the user's panorama and object read from disk when first named.
+    /// Throws Failure (Blame::file) when one of them cannot be read.
+    [[nodiscard]] HallScene scene(const ParameterValues&, bool alone) const;
+
+    /// Who stands where: read once, when the museum opens.
+    void setGuests(std::vector<Guest> guests);
+
+private:
+    struct Loaded;
+
+    Table table_;
+    std::shared_ptr<const HallModel> model_;
+    std::shared_ptr<const PlaqueText> text_;
+    std::unique_ptr<Loaded> loaded_;
+    std::vector<Guest> guests_;
+};
+
+}  // namespace vitrine

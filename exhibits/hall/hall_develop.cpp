@@ -1,0 +1,61 @@
+#include "exhibits/hall/hall_scene.h"
+
+#include "render/hash.h"
+#include "shaders/lib/bindings.glsl"
+
+namespace vitrine {
+namespace {
+
+render::Pass fullscreen(std::string name, std::string fragment, std::string source, std::string target, std::string reason)
+{
+    render::Pass pass;
+    pass.name = std::move(name);
+    pass.reason = std::move(reason);
+    pass.shader = {"lib/fullscreen.vert", std::move(fragment), "", {}};
+    pass.inputs = {{UNIT_SOURCE, std::move(source)}};
+    pass.colors = {{std::move(target), render::Load::keep, {}, -1, 0}};
+    pass.draws = {render::Draw{}};
+    return pass;
+}
+
+}  // namespace
+
+void planDevelop(const Surroundings& surroundings, const FrameRequest& request, render::FramePlan& plan)
+{
+    const bool averaged = request.samples > 1;
+    const bool toneMapped = request.averageIn == AverageIn::display;
+    const bool exact = averaged || !toneMapped;
+    plan.image({.name = "frame", .format = exact ? render::Format::rgba32f : render::Format::rgba16f, .kept = averaged});
+
+    std::string source = radianceImage;
+    if (toneMapped) {
+        const std::string target = averaged ? "display" : "frame";
+        if (averaged) plan.image({.name = target, .format = render::Format::rgba16f});
+        render::Pass tone = fullscreen("tone", "lib/tonemap.frag", source, target, "the screen shows less than the eye sees");
+        tone.stage = render::Stage::resolve;
+        surroundings.illuminate(tone);
+        // Every pixel is written, so what was in the image before is of no interest.
+        tone.colors[0].load = render::Load::clear;
+        plan.add(std::move(tone));
+        source = target;
+    } else {
+        plan.skip("tone", "the picture is asked for as linear light");
+    }
+    if (!averaged) {
+        plan.skip("average", "one sample per pixel");
+        if (toneMapped) return;
+    }
+    render::Pass average = fullscreen(averaged ? "average" : "copy", "lib/copy.frag", source, "frame",
+                                      averaged ? "sample " + std::to_string(request.sample + 1) + " of " + std::to_string(request.samples)
+                                               : "linear light is handed out as it is");
+    average.stage = render::Stage::present;
+    if (averaged && request.sample > 0) {
+        average.state.blend = render::Blend::mean;
+        average.state.meanWeight = 1.0F / static_cast<float>(request.sample + 1);
+    } else {
+        average.colors[0].load = render::Load::clear;
+    }
+    plan.add(std::move(average));
+}
+
+}  // namespace vitrine

@@ -1,0 +1,141 @@
+#include "exhibits/hall/hall_scene.h"
+
+#include "render/hash.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+// Openings of the hall, metres: the arched window in the far wall and the oculus above the middle.
+const render::Box windowOpening{{-1.2, 1.4, -12.5}, {1.2, 6.4, -11.9}};
+const render::Box oculusOpening{{-1.4, 9.0, -1.4}, {1.4, 9.8, 1.4}};
+
+/// The exposure at which plaster in the shade of the default light is about a quarter grey.
+constexpr double baseExposure = 6.5;
+
+/// Largest plane-filling overlap test: does the box, swept towards the light, cross the opening?
+bool passesThrough(const render::Box& box, const glm::dvec3& towardsLight, const render::Box& opening, int axis)
+{
+    const double along = towardsLight[axis];
+    const double plane = opening.center()[axis];
+    double low[2] = {1e30, 1e30};
+    double high[2] = {-1e30, -1e30};
+    const int axes[2] = {(axis + 1) % 3, (axis + 2) % 3};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+                           (corner & 4) != 0 ? box.high.z : box.low.z);
+        const double t = (plane - p[axis]) / along;
+        if (!(t > 0)) return true;  // Beside or beyond the opening: nothing is promised.
+        for (int i = 0; i < 2; ++i) {
+            const double x = p[axes[i]] + t * towardsLight[axes[i]];
+            low[i] = std::min(low[i], x);
+            high[i] = std::max(high[i], x);
+        }
+    }
+    return high[0] >= opening.low[axes[0]] && low[0] <= opening.high[axes[0]] && high[1] >= opening.low[axes[1]] && low[1] <= opening.high[axes[1]];
+}
+
+/// Weights of the three sun lightmaps: piecewise linear in the sun's elevation.
+glm::dvec3 lightmapWeights(const std::vector<SunLightmap>& maps, double elevation)
+{
+    glm::dvec3 weights(0);
+    if (elevation <= maps[0].elevation) weights[0] = 1;
+    else if (elevation >= maps[2].elevation) weights[2] = 1;
+    else {
+        const int i = elevation < maps[1].elevation ? 0 : 1;
+        const auto lower = static_cast<std::size_t>(i);
+        const double t = (elevation - maps[lower].elevation) / (maps[lower + 1].elevation - maps[lower].elevation);
+        weights[i] = 1 - t;
+        weights[i + 1] = t;
+    }
+    return weights;
+}
+
+}  // namespace
+
+glm::dvec3 towardsSun(const HallScene& scene)
+{
+    const double elevation = scene.values[scene.table.sunElevation];
+    const double azimuth = scene.values[scene.table.sunAzimuth];
+    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation), -std::cos(azimuth) * std::cos(elevation)};
+}
+
+Surroundings surroundings(const HallScene& scene)
+{
+    const HallTable& table = scene.table;
+    const ParameterValues& values = scene.values;
+    Surroundings result;
+    LightBlock& light = result.light;
+    const glm::dvec3 sun = towardsSun(scene);
+    const glm::dvec3 sunColor = blackBodyColor(values[table.sunTemperature]) * values[table.sunStrength];
+    const glm::dvec3 skyColor = blackBodyColor(values[table.skyTemperature]) * values[table.skyStrength];
+    const bool shadows = values[table.sunShadows] && !scene.alone;
+    const int mapSize = values[table.shadowMapSize];
+
+    light.sunDirection = glm::vec4(sun, 0);
+    light.sunIrradiance = glm::vec4(sunColor, shadows ? 1 : 0);
+    light.skyZenith = glm::vec4(skyColor * 0.8, scene.model.skyLightmapScale());
+    light.skyHorizon = glm::vec4(glm::mix(skyColor, sunColor / 9.0, 0.25) * 1.25, scene.environment ? 1 : scene.alone ? 2 : 0);
+    light.filtering = {static_cast<float>(static_cast<int>(values[table.shadowFilter])), 0, static_cast<float>(values[table.environmentTurn]),
+                       values[table.bakedLight] ? 1.0F : 0.0F};
+    light.probeHigh.w = static_cast<float>(baseExposure * std::exp2(values[table.exposure])) * (scene.alone ? 0.16F : 1.0F);
+
+    if (shadows) {
+        const render::View view = lightView(scene.model.bounds(), sun, glm::ivec2(mapSize), 0.5);
+        light.hallShadowFromWorld = shadowFromWorld(view);
+        light.sunDirection.w = static_cast<float>(2 / view.clipFromView[0][0] / mapSize);
+        result.inputs.push_back({UNIT_SHADOW_HALL, std::string("shadow.hall")});
+    }
+    if (scene.alone == false) {
+        const glm::dvec3 weights = lightmapWeights(scene.model.sunLightmapInfo(), values[table.sunElevation]);
+        for (int i = 0; i < 3; ++i) light.sunLightmap[i] = static_cast<float>(weights[i] * scene.model.sunLightmapInfo()[static_cast<std::size_t>(i)].scale);
+    }
+    if (values[table.reflectionProbe]) {
+        light.probePosition = glm::vec4(probePosition(scene), 1);
+        const int size = values[table.probeSize];
+        light.probeLow.w = static_cast<float>(std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(size))) - 3, 1));
+        if (!scene.alone) {
+            // The nave; niches are shallow enough to count as wall.
+            light.probeLow = glm::vec4(-6, 0, -12, light.probeLow.w);
+            light.probeHigh = glm::vec4(6, 8.6, 12, light.probeHigh.w);
+        }
+        result.inputs.push_back({UNIT_PROBE, std::string("probe")});
+        result.inputs.push_back({UNIT_PROBE_IRRADIANCE, std::string("probe.irradiance")});
+    }
+    if (scene.environment) result.inputs.push_back({UNIT_ENVIRONMENT, scene.environment});
+    return result;
+}
+
+std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
+{
+    if (!(scene.values[scene.table.sunStrength] > 0)) return "the sun's strength is 0";
+    if (!scene.values[scene.table.sunShadows]) return "sun shadows are switched off";
+    if (scene.alone) return {};
+    const glm::dvec3 sun = towardsSun(scene);
+    const bool window = sun.z < -1e-4 && passesThrough(worldBox, sun, windowOpening, 2);
+    const bool oculus = sun.y > 1e-4 && passesThrough(worldBox, sun, oculusOpening, 1);
+    return window || oculus ? std::string() : "the sun does not reach it through window or oculus";
+}
+
+std::uint64_t lightKey(const HallScene& scene)
+{
+    render::Hash hash;
+    const HallTable& table = scene.table;
+    for (std::size_t i = 0; i < scene.values.rows().size(); ++i) {
+        // Exposure develops the picture; it does not light the room.
+        if (i == table.exposure.row) continue;
+        const Value& value = scene.values.row(i);
+        if (const auto* x = std::get_if<double>(&value)) hash.addValue(*x);
+        else if (const auto* v = std::get_if<glm::dvec3>(&value)) hash.addValue(v->x).addValue(v->y).addValue(v->z);
+        else hash.add(std::get<std::string>(value)).addValue('\n');
+    }
+    hash.addValue(scene.alone).addValue(scene.environment.get()).addValue(scene.visitorModel.get());
+    for (const Guest& guest : scene.guests) hash.addValue(guest.place);
+    return hash.value();
+}
+
+}  // namespace vitrine

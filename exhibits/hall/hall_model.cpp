@@ -1,0 +1,161 @@
+#include "exhibits/hall/hall_model.h"
+
+#include "render/failure.h"
+#include "render/files/assets.h"
+#include "render/files/strict_json.h"
+#include "render/image/image_io.h"
+#include "render/scene/gltf.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+using render::Json;
+
+constexpr int freePlace = 10;
+
+/// The number of "cloth_7" or "plaque_free" for the prefix "cloth_" or "plaque_".
+std::optional<int> placeNumber(const std::string& name, const std::string& prefix)
+{
+    if (name.rfind(prefix, 0) != 0) return std::nullopt;
+    const std::string rest = name.substr(prefix.size());
+    if (rest.rfind("free", 0) == 0) return freePlace;
+    if (rest.empty() || rest[0] < '1' || rest[0] > '9') return std::nullopt;
+    return rest[0] - '0';
+}
+
+glm::dvec3 axisScale(const glm::dmat4& m)
+{
+    return {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))};
+}
+
+/// The rotation and translation of a transform, its scale taken out.
+glm::dmat4 rigid(const glm::dmat4& m)
+{
+    const glm::dvec3 s = glm::max(axisScale(m), glm::dvec3(1e-12));
+    return {m[0] / s.x, m[1] / s.y, m[2] / s.z, m[3]};
+}
+
+std::shared_ptr<const render::Texture> map(const Json& row, const char* key, bool sRgb)
+{
+    const auto file = row.find(key);
+    if (file == row.end() || !file->is_string()) return nullptr;
+    return render::loadTexture(render::asset("models/" + file->get<std::string>()), sRgb, true);
+}
+
+Json readAsset(const char* relative)
+{
+    return render::readJson(render::asset(relative)).root();
+}
+
+/// Joins pictures of one size into an array texture.
+std::shared_ptr<const render::Texture> joined(const std::vector<std::shared_ptr<const render::Texture>>& layers, const std::string& name)
+{
+    auto array = std::make_shared<render::Texture>();
+    array->name = name;
+    array->width = layers.front()->width;
+    array->height = layers.front()->height;
+    array->channels = layers.front()->channels;
+    array->repeat = false;
+    array->mipmaps = false;
+    array->layers = static_cast<int>(layers.size());
+    for (const auto& layer : layers) {
+        if (layer->width != array->width || layer->height != array->height || layer->channels != array->channels)
+            throw Failure(Blame::file, name + ": the sun lightmaps differ in size or channels; bake them again with assets/models/hall.py.");
+        array->bytes.insert(array->bytes.end(), layer->bytes.begin(), layer->bytes.end());
+    }
+    return array;
+}
+
+}  // namespace
+
+HallModel::HallModel()
+{
+    readMaterials();
+    readLightmaps();
+    const render::Model model = render::loadGltf(render::asset("models/hall.glb"));
+    sortParts(model);
+    sortMarkers(model);
+}
+
+void HallModel::readMaterials()
+{
+    const Json table = readAsset("models/materials.json");
+    for (const auto& [name, row] : table.items()) {
+        HallMaterial entry;
+        entry.tile = row.value("tile", 1.0);
+        entry.material.name = name;
+        entry.material.metalness = row.value("metalness", 0.0F);
+        entry.material.roughness = row.value("roughness", 0.7F);
+        if (const auto color = row.find("baseColor"); color != row.end())
+            entry.material.baseColor = {(*color)[0].get<float>(), (*color)[1].get<float>(), (*color)[2].get<float>(), 1.0F};
+        entry.material.baseColorMap = map(row, "color", true);
+        entry.material.normalMap = map(row, "normal", false);
+        entry.material.metallicRoughnessMap = map(row, "orm", false);
+        materials_.emplace(name, std::move(entry));
+    }
+}
+
+void HallModel::readLightmaps()
+{
+    const Json table = readAsset("models/hall_light.json");
+    const auto load = [](const Json& row) {
+        auto picture = std::make_shared<render::Texture>(*render::loadTexture(render::asset("models/" + row.at("file").get<std::string>()), false, false));
+        picture->mipmaps = false;
+        return std::shared_ptr<const render::Texture>(picture);
+    };
+    skyLightmap_ = load(table.at("sky"));
+    skyLightmapScale_ = table.at("sky").at("scale").get<double>();
+    std::vector<std::shared_ptr<const render::Texture>> layers;
+    for (const Json& row : table.at("sun")) {
+        layers.push_back(load(row));
+        sunInfo_.push_back({row.at("elevation").get<double>() * std::numbers::pi / 180, row.at("scale").get<double>()});
+    }
+    if (layers.size() != 3) throw Failure(Blame::file, "assets/models/hall_light.json: three sun lightmaps are expected under \"sun\"; bake them again.");
+    sunLightmaps_ = joined(layers, "assets/models/hall_light.json");
+}
+
+void HallModel::sortParts(const render::Model& model)
+{
+    for (const render::Part& part : model.parts) {
+        if (const auto n = placeNumber(part.name, "cloth_")) places_[*n].cloth.push_back(part);
+        else if (const auto m = placeNumber(part.name, "stand_")) places_[*m].stand.push_back(part);
+        else if (part.name.rfind("hall_", 0) == 0) {
+            walls_.push_back(part);
+            const render::Box box = part.mesh->bounds.transformed(part.modelFromPart);
+            bounds_.include(box.low);
+            bounds_.include(box.high);
+        }
+    }
+}
+
+void HallModel::sortMarkers(const render::Model& model)
+{
+    for (const render::Marker& marker : model.markers) {
+        const glm::dmat4& m = marker.modelFromMarker;
+        if (const auto n = placeNumber(marker.name, "place_")) places_[*n].worldFromPlace = rigid(m);
+        else if (const auto p = placeNumber(marker.name, "plaque_")) places_[*p].worldFromPlaque = rigid(m);
+        else if (const auto b = placeNumber(marker.name, "button_")) places_[*b].worldFromButton = rigid(m);
+        else if (marker.name.rfind("collider_box_", 0) == 0) colliders_.push_back({glm::inverse(rigid(m)), axisScale(m), false});
+        else if (marker.name.rfind("collider_cylinder_", 0) == 0) colliders_.push_back({glm::inverse(rigid(m)), axisScale(m), true});
+        else if (marker.name.rfind("occluder_", 0) == 0) occluders_.push_back({glm::dvec3(m[3]), glm::dvec3(m[0]), glm::dvec3(m[1])});
+    }
+    for (auto& [number, place] : places_) place.number = number;
+}
+
+const HallMaterial& HallModel::material(const std::string& name) const
+{
+    const auto found = materials_.find(name);
+    static const HallMaterial plain;
+    return found == materials_.end() ? plain : found->second;
+}
+
+const Place* HallModel::place(int number) const
+{
+    const auto found = places_.find(number);
+    return found == places_.end() ? nullptr : &found->second;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "exhibits/framework/museum.h"
+#include "render/scene/mesh.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// A spot that can hold an exhibit. Transforms are world from local, metres.
+struct Place {
+    int number = 0;  ///< 1 to 9; 10 is the visitor's own plinth.
+    glm::dmat4 worldFromPlace{1};
+    std::optional<glm::dmat4> worldFromPlaque;  ///< +z out of the plate, +y up its text.
+    std::optional<glm::dmat4> worldFromButton;  ///< +y the way out of the button.
+    std::vector<render::Part> cloth;            ///< Drawn while the place is empty.
+    std::vector<render::Part> stand;            ///< Drawn while it is not.
+};
+
+/// An upright obstacle: a box (oriented by its transform) or a cylinder around its y axis.
+struct Collider {
+    glm::dmat4 localFromWorld{1};
+    glm::dvec3 halfSize{0};  ///< Box; for a cylinder x is the radius and y half the height.
+    bool cylinder = false;
+};
+
+/// A flat rectangle inside a wall: what it hides cannot be seen.
+struct Occluder {
+    glm::dvec3 center{0}, halfU{0}, halfV{0};
+};
+
+/// How a material of the hall is drawn: assets/models/materials.json.
+struct HallMaterial {
+    render::Material material;
+    double tile = 1;  ///< Metres that one repeat of its pictures covers.
+};
+
+/// One baked map of the sun's bounced light.
+struct SunLightmap {
+    double elevation = 0;  ///< Radians.
+    double scale = 1;      ///< Radiance over the square of the stored value, for sun irradiance 1.
+};
+
+/// The building as read from assets/models: what is drawn, where things stand, what stops a visitor.
+class HallModel {
+public:
+    /// Throws Failure (Blame::file) when an asset is missing or broken.
+    HallModel();
+
+    [[nodiscard]] const std::vector<render::Part>& walls() const { return walls_; }
+    [[nodiscard]] const HallMaterial& material(const std::string& name) const;
+    [[nodiscard]] const Place* place(int number) const;
+    [[nodiscard]] const std::map<int, Place>& places() const { return places_; }
+    [[nodiscard]] const std::vector<Collider>& colliders() const { return colliders_; }
+    [[nodiscard]] const std::vector<Occluder>& occluders() const { return occluders_; }
+    [[nodiscard]] const render::Box& bounds() const { return bounds_; }
+
+    [[nodiscard]] std::shared_ptr<const render::Texture> skyLightmap() const { return skyLightmap_; }
+    [[nodiscard]] double skyLightmapScale() const { return skyLightmapScale_; }
+    [[nodiscard]] std::shared_ptr<const render::Texture> sunLightmaps() const { return sunLightmaps_; }
+    [[nodiscard]] const std::vector<SunLightmap>& sunLightmapInfo() const { return sunInfo_; }
+
+private:
+    void readMaterials();
+    void readLightmaps();
+    void sortParts(const render::Model&);
+    void sortMarkers(const render::Model&);
+
+    std::vector<render::Part> walls_;
+    std::map<std::string, HallMaterial> materials_;
+    std::map<int, Place> places_;
+    std::vector<Collider> colliders_;
+    std::vector<Occluder> occluders_;
+    render::Box bounds_;
+    std::shared_ptr<const render::Texture> skyLightmap_, sunLightmaps_;
+    double skyLightmapScale_ = 1;
+    std::vector<SunLightmap> sunInfo_;
+};
+
+}  // namespace vitrine

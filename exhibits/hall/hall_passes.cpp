@@ -1,0 +1,229 @@
+#include "exhibits/hall/hall_scene.h"
+
+#include "exhibits/hall/plaque_text.h"
+#include "exhibits/hall/surface_draw.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+using render::Attachment;
+using render::Draw;
+using render::Load;
+using render::Part;
+using render::Pass;
+
+bool isOccupied(const HallScene& scene, int place)
+{
+    return std::any_of(scene.guests.begin(), scene.guests.end(), [&](const Guest& g) { return g.place == place; });
+}
+
+/// Cloths over empty places, stands of occupied ones: what stands in the hall beside its walls.
+std::vector<const Part*> standing(const HallScene& scene)
+{
+    std::vector<const Part*> parts;
+    for (const auto& [number, place] : scene.model.places())
+        for (const Part& part : isOccupied(scene, number) ? place.stand : place.cloth) parts.push_back(&part);
+    return parts;
+}
+
+std::string materialName(const Part& part)
+{
+    return part.material ? part.material->name : std::string();
+}
+
+Draw partDraw(const HallScene& scene, const Part& part)
+{
+    const HallMaterial& material = scene.model.material(materialName(part));
+    return surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile);
+}
+
+/// Attachments of everything that draws surfaces of the picture; `first` clears them.
+void drawInto(Pass& pass, const Channels& channels, Load load)
+{
+    pass.colors = {{radianceImage, load, glm::vec4(0), -1, 0}};
+    if (channels.normal) {
+        pass.shader.defines.emplace_back("WRITE_NORMAL");
+        pass.colors.push_back({normalImage, load, glm::vec4(0), -1, 0});
+    }
+    if (channels.evaluations) {
+        pass.shader.defines.push_back("WRITE_EVALUATIONS " + std::to_string(pass.colors.size()));
+        pass.colors.push_back({evaluationsImage, load, glm::vec4(0), -1, 0});
+    }
+    pass.depth = Attachment{depthImage, load, glm::vec4(0), -1, 0};
+    pass.state.depthTest = render::DepthTest::nearer;
+    pass.state.depthWrite = true;
+    pass.state.cull = render::Cull::back;
+}
+
+Pass surfacePass(std::string name, std::string reason, std::vector<std::string> defines, const Channels& channels, Load load)
+{
+    Pass pass;
+    pass.name = std::move(name);
+    pass.reason = std::move(reason);
+    pass.stage = render::Stage::opaque;
+    pass.shader = {"hall/surface.vert", "hall/surface.frag", "", std::move(defines)};
+    drawInto(pass, channels, load);
+    return pass;
+}
+
+const render::Material& buttonMaterial()
+{
+    static const render::Material red = [] {
+        render::Material m;
+        m.baseColor = {0.62F, 0.035F, 0.025F, 1};
+        m.metalness = 0;
+        m.roughness = 0.28F;
+        return m;
+    }();
+    return red;
+}
+
+void planButtons(const HallScene& scene, const Surroundings& light, const Channels& channels, std::span<const double> sincePressed, render::FramePlan& plan)
+{
+    Pass pass = surfacePass("hall/buttons", "", {}, channels, Load::keep);
+    int moving = 0;
+    for (std::size_t i = 0; i < scene.guests.size(); ++i) {
+        const Guest& guest = scene.guests[i];
+        const Place* place = guest.buttonText.empty() ? nullptr : scene.model.place(guest.place);
+        if (!place || !place->worldFromButton) continue;
+        const double squash = i < sincePressed.size() ? buttonScale(sincePressed[i]) : 1;
+        moving += squash < 1;
+        const glm::dmat4 world = *place->worldFromButton * glm::scale(glm::dmat4(1), 0.035 * glm::dvec3(1, squash, 1));
+        pass.draws.push_back(surfaceDraw(domeMesh(), world, buttonMaterial()));
+    }
+    if (pass.draws.empty()) {
+        plan.skip(pass.name, "no exhibit here has a button");
+        return;
+    }
+    pass.reason = moving > 0 ? "a button was pressed" : "exhibits with buttons stand here";
+    light.illuminate(pass);
+    plan.add(std::move(pass));
+}
+
+void planPlaques(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
+{
+    if (!scene.text) {
+        plan.skip("hall/plaques", "there is no text to show");
+        return;
+    }
+    Pass pass;
+    pass.name = "hall/plaques";
+    pass.reason = "every place has a plaque";
+    pass.stage = render::Stage::transparent;
+    pass.shader = {"hall/text.vert", "hall/text.frag", "", {}};
+    pass.colors = {{radianceImage, Load::keep, {}, -1, 0}};
+    pass.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+    pass.state = {.depthTest = render::DepthTest::nearerOrEqual, .cull = render::Cull::back, .blend = render::Blend::premultiplied, .depthBias = {-1, -4}};
+    for (const PlaqueText::Plaque& plaque : scene.text->plaques()) {
+        SurfaceObject object = surfaceObject(plaque.worldFromPlaque, {});
+        object.baseColor = {0.025F, 0.018F, 0.012F, 0.92F};
+        object.tiling.x = static_cast<float>(2 * scene.text->spread());
+        Draw draw;
+        draw.mesh = plaque.mesh;
+        draw.object = render::bytesOf(object);
+        draw.inputs = {{UNIT_FONT, scene.text->atlas()}};
+        pass.draws.push_back(std::move(draw));
+    }
+    light.illuminate(pass);
+    plan.add(std::move(pass));
+}
+
+void planVisitorModel(const HallScene& scene, const Surroundings& light, const Channels& channels, render::FramePlan& plan)
+{
+    if (!scene.visitorModel) {
+        plan.skip("hall/visitor", "the free plinth is empty");
+        return;
+    }
+    Pass pass = surfacePass("hall/visitor", "an object stands on the free plinth", {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP", "EMISSIVE_MAP", "ALPHA_MASK"}, channels, Load::keep);
+    pass.state.cull = render::Cull::none;
+    Pass blended = pass;
+    blended.name = "hall/visitor/blended";
+    blended.stage = render::Stage::transparent;
+    blended.state.blend = render::Blend::alpha;
+    blended.state.depthWrite = false;
+    blended.colors.resize(1);
+    blended.shader.defines.resize(5);
+    for (const Part& part : scene.visitorModel->parts) {
+        const render::Material& material = part.material ? *part.material : buttonMaterial();
+        Draw draw = surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, material);
+        (material.alphaMode == render::AlphaMode::blend ? blended : pass).draws.push_back(std::move(draw));
+    }
+    light.illuminate(pass);
+    light.illuminate(blended);
+    if (!pass.draws.empty()) plan.add(std::move(pass));
+    if (!blended.draws.empty()) plan.add(std::move(blended));
+    else plan.skip(blended.name, "nothing of the visitor's object is translucent");
+}
+
+}  // namespace
+
+void planHallShadow(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
+{
+    if (light.light.sunIrradiance.w < 0.5F) {
+        plan.skip("hall/shadow", scene.alone ? "there is no hall to cast it" : "sun shadows are switched off");
+        return;
+    }
+    const int size = scene.values[scene.table.shadowMapSize];
+    plan.image({.name = "shadow.hall", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true, .comparison = true});
+    Pass pass;
+    pass.name = "hall/shadow";
+    pass.reason = "the sun or the walls have changed";
+    pass.stage = render::Stage::shadow;
+    pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    pass.view = lightView(scene.model.bounds(), towardsSun(scene), glm::ivec2(size), 0.5);
+    pass.depth = Attachment{"shadow.hall", Load::clear, glm::vec4(0), -1, 0};
+    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none, .depthBias = {1.5F, 2}, .depthClamp = true};
+    pass.key = lightKey(scene);
+    for (const Part& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
+    for (const Part* part : standing(scene)) pass.draws.push_back(partDraw(scene, *part));
+    if (scene.visitorModel)
+        for (const Part& part : scene.visitorModel->parts) pass.draws.push_back(surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, {}));
+    plan.add(std::move(pass));
+}
+
+void planWalls(const HallScene& scene, const Surroundings& light, const Channels& channels, std::span<const double> sincePressed, render::FramePlan& plan)
+{
+    Pass walls = surfacePass("hall/walls", "the hall is around the visitor", {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, channels, Load::clear);
+    if (scene.values[scene.table.bakedLight]) {
+        walls.shader.defines.emplace_back("LIGHTMAP");
+        walls.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
+        walls.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
+    }
+    for (const Part& part : scene.model.walls()) walls.draws.push_back(partDraw(scene, part));
+    light.illuminate(walls);
+    plan.add(std::move(walls));
+
+    Pass props = surfacePass("hall/props", "cloths cover the empty places", {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, channels, Load::keep);
+    props.state.cull = render::Cull::none;
+    for (const Part* part : standing(scene))
+        if (plan.view.mayContain(part->mesh->bounds.transformed(part->modelFromPart))) props.draws.push_back(partDraw(scene, *part));
+    light.illuminate(props);
+    if (props.draws.empty()) plan.skip(props.name, "no cloth or stand is in view");
+    else plan.add(std::move(props));
+
+    planVisitorModel(scene, light, channels, plan);
+    planButtons(scene, light, channels, sincePressed, plan);
+    planPlaques(scene, light, plan);
+}
+
+void planSky(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
+{
+    Pass sky;
+    sky.name = "sky";
+    sky.reason = scene.alone ? "the environment is behind the exhibit" : "it may be seen through window and oculus";
+    sky.stage = render::Stage::transparent;
+    sky.shader = {"lib/fullscreen.vert", "hall/sky.frag", "", {}};
+    sky.colors = {{radianceImage, Load::keep, {}, -1, 0}};
+    sky.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+    sky.state.depthTest = render::DepthTest::nearerOrEqual;  // The triangle lies at depth 0, the far plane.
+    sky.draws = {Draw{}};
+    light.illuminate(sky);
+    plan.add(std::move(sky));
+}
+
+}  // namespace vitrine

@@ -1,0 +1,143 @@
+#include "exhibits/hall/hall_scene.h"
+
+#include "exhibits/hall/surface_draw.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <bit>
+
+namespace vitrine {
+namespace {
+
+using render::Attachment;
+using render::Load;
+using render::Pass;
+
+constexpr int smallestFace = 4;  ///< Texels along a face of the roughest level.
+
+/// A 90° view through one face of a cube, in GL's orientation.
+render::View faceView(const glm::dvec3& eye, int face, int size)
+{
+    static const glm::dvec3 forward[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    static const glm::dvec3 up[] = {{0, -1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0, -1, 0}, {0, -1, 0}};
+    render::View view;
+    view.eye = eye;
+    view.viewFromWorld = glm::lookAt(eye, eye + forward[face], up[face]);
+    view.tanHalfFov = glm::dvec2(1);
+    view.clipFromView = render::reversedPerspective(view.tanHalfFov, view.nearPlane);
+    view.clipFromWorld = view.clipFromView * view.viewFromWorld;
+    view.raster.size = glm::ivec2(size);
+    return view;
+}
+
+int levelCount(int size)
+{
+    const auto width = [](int n) { return static_cast<int>(std::bit_width(static_cast<unsigned>(n))); };
+    return std::max(width(size) - width(smallestFace) + 1, 1);
+}
+
+Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, std::uint64_t key)
+{
+    Pass pass;
+    pass.name = std::string("probe/") + what + "/" + std::to_string(face);
+    pass.reason = "what the probe sees has changed";
+    pass.stage = render::Stage::probe;
+    pass.view = faceView(eye, face, size);
+    pass.key = key;
+    return pass;
+}
+
+void planFace(const HallScene& scene, const Surroundings& light, int face, int size, std::uint64_t key, render::FramePlan& plan)
+{
+    const glm::dvec3 eye = probePosition(scene);
+    Pass sky = capturePass("sky", face, eye, size, key);
+    sky.shader = {"lib/fullscreen.vert", "hall/sky.frag", "", {"CAPTURE"}};
+    sky.colors = {{"probe.captured", Load::keep, {}, face, 0}};
+    sky.draws = {render::Draw{}};
+    light.illuminate(sky);
+    // The probe must not read itself while it is being made.
+    std::erase_if(sky.inputs, [](const render::Input& input) { return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE; });
+    if (scene.alone && face == 5) sky.mipmaps = {"probe.captured"};
+    plan.add(std::move(sky));
+    if (scene.alone) return;
+
+    Pass walls = capturePass("walls", face, eye, size, key);
+    walls.shader = {"hall/surface.vert", "hall/surface.frag", "", {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
+    walls.colors = {{"probe.captured", Load::keep, {}, face, 0}};
+    walls.depth = Attachment{"probe.depth", Load::clear, glm::vec4(0), -1, 0};
+    walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};
+    for (const render::Part& part : scene.model.walls()) {
+        const HallMaterial& material = scene.model.material(part.material ? part.material->name : std::string());
+        walls.draws.push_back(surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile));
+    }
+    walls.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
+    walls.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
+    light.illuminate(walls);
+    std::erase_if(walls.inputs, [](const render::Input& input) { return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE; });
+    if (face == 5) walls.mipmaps = {"probe.captured"};
+    plan.add(std::move(walls));
+}
+
+void planLevel(int level, int levels, int size, int samples, std::uint64_t key, render::FramePlan& plan)
+{
+    const int side = std::max(size >> level, 1);
+    const float t = levels > 1 ? static_cast<float>(level) / static_cast<float>(levels - 1) : 0.0F;
+    Pass pass;
+    pass.name = "probe/blur/" + std::to_string(level);
+    pass.reason = "what the probe sees has changed";
+    pass.stage = render::Stage::prepare;
+    pass.work = render::Work::compute;
+    pass.shader = {"", "", "probe/prefilter.comp", {}};
+    pass.storage = {{"probe", Load::keep, {}, -1, level}};
+    pass.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
+    // Level follows the square root of roughness (lib/light.glsl), so roughness is its square.
+    pass.blocks[BLOCK_OBJECT] = render::bytesOf(glm::vec4(t * t, level == 0 ? 1 : samples, size, 0));
+    pass.groups = {(side + 7) / 8, (side + 7) / 8, 6};
+    pass.key = key;
+    plan.add(std::move(pass));
+}
+
+}  // namespace
+
+glm::dvec3 probePosition(const HallScene& scene)
+{
+    if (scene.alone) return glm::dvec3(0);
+    const Place* middle = scene.model.place(1);
+    return middle ? glm::dvec3(middle->worldFromPlace[3]) + glm::dvec3(0, 0.35, 0) : glm::dvec3(0, 1.8, 0);
+}
+
+void planProbe(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
+{
+    if (light.light.probePosition.w < 0.5F) {
+        plan.skip("probe", "the reflection probe is switched off");
+        return;
+    }
+    const int size = scene.values[scene.table.probeSize];
+    const int levels = levelCount(size);
+    const std::uint64_t key = lightKey(scene);
+    const int allLevels = static_cast<int>(std::bit_width(static_cast<unsigned>(size)));
+    plan.image({.name = "probe.captured", .format = render::Format::rgba16f, .shape = render::Shape::cube, .size = glm::ivec2(size), .levels = allLevels, .kept = true});
+    plan.image({.name = "probe", .format = render::Format::rgba16f, .shape = render::Shape::cube, .size = glm::ivec2(size), .levels = levels, .kept = true});
+    plan.image({.name = "probe.irradiance", .format = render::Format::rgba32f, .size = {9, 1}, .kept = true, .nearest = true});
+    if (!scene.alone) plan.image({.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true});
+    for (int face = 0; face < 6; ++face) planFace(scene, light, face, size, key, plan);
+    for (int level = 0; level < levels; ++level) planLevel(level, levels, size, scene.values[scene.table.probeSamples], key, plan);
+
+    // A level of 16 texels holds all that nine coefficients can tell.
+    const int level = std::max(allLevels - 5, 0);
+    Pass sum;
+    sum.name = "probe/irradiance";
+    sum.reason = "what the probe sees has changed";
+    sum.stage = render::Stage::prepare;
+    sum.work = render::Work::compute;
+    sum.shader = {"", "", "probe/irradiance.comp", {}};
+    sum.storage = {{"probe.irradiance", Load::keep, {}, -1, 0}};
+    sum.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
+    sum.blocks[BLOCK_OBJECT] = render::bytesOf(glm::vec4(level, std::max(size >> level, 1), 0, 0));
+    sum.key = key;
+    plan.add(std::move(sum));
+}
+
+}  // namespace vitrine

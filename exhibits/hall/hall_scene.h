@@ -1,0 +1,69 @@
+#pragma once
+
+#include "exhibits/framework/museum.h"
+#include "exhibits/framework/surroundings.h"
+#include "exhibits/hall/hall_model.h"
+#include "exhibits/hall/hall_table.h"
+#include "render/plan/frame_plan.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+class PlaqueText;
+
+/// An exhibit as the hall knows it: where it stands and what its plaque says.
+struct Guest {
+    int place = 0;
+    std::string title, summary, tryThis, buttonText;
+};
+
+/// Everything that the hall's passes are planned from.
+struct HallScene {
+    const HallModel& model;
+    const HallTable& table;
+    const ParameterValues& values;
+    bool alone = false;  ///< No walls: an exhibit in the environment's light.
+    std::shared_ptr<const render::Texture> environment;  ///< Null: the sky, or the studio when alone.
+    std::shared_ptr<const render::Model> visitorModel;
+    glm::dmat4 worldFromVisitorModel{1};
+    std::shared_ptr<const PlaqueText> text;
+    std::span<const Guest> guests;
+};
+
+// hall_light.cpp
+
+/// Unit vector towards the sun, world space.
+[[nodiscard]] glm::dvec3 towardsSun(const HallScene&);
+/// The light for everything in the hall, or for an exhibit alone.
+[[nodiscard]] Surroundings surroundings(const HallScene&);
+/// Empty when the sun may reach a point of the box through window or oculus.
+[[nodiscard]] std::string whyUnlit(const HallScene&, const render::Box& worldBox);
+/// Changes whenever something that falls on the static hall, or is seen in its probe, changes.
+[[nodiscard]] std::uint64_t lightKey(const HallScene&);
+
+// hall_passes.cpp
+
+/// The sun's depth map of walls and furniture, kept while neither moves.
+void planHallShadow(const HallScene&, const Surroundings&, render::FramePlan&);
+/// Walls, furniture, cloths over empty places, the visitor's object, buttons and plaques.
+void planWalls(const HallScene&, const Surroundings&, const Channels&, std::span<const double> sincePressed, render::FramePlan&);
+/// What is behind everything: sky, panorama, or the studio of an exhibit alone.
+void planSky(const HallScene&, const Surroundings&, render::FramePlan&);
+
+// hall_probe.cpp
+
+/// The reflection probe: captured from inside the hall (or the environment alone), blurred by roughness, and
+/// summed up as nine spherical-harmonic coefficients; kept while nothing in it changes.
+void planProbe(const HallScene&, const Surroundings&, render::FramePlan&);
+/// The point from which the probe is captured, world space.
+[[nodiscard]] glm::dvec3 probePosition(const HallScene&);
+
+// hall_develop.cpp
+
+/// What every picture ends with: tone mapping and the mean over supersamples, into the image "frame".
+void planDevelop(const Surroundings&, const FrameRequest&, render::FramePlan&);
+
+}  // namespace vitrine

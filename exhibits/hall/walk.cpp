@@ -1,0 +1,94 @@
+#include "exhibits/hall/walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+constexpr double visitorHeight = 1.8;
+constexpr double longestStep = 0.1;
+
+/// Out of a box, by the shortest way in the horizontal plane.
+glm::dvec2 pushedOutOfBox(glm::dvec2 p, glm::dvec2 halfSize)
+{
+    const glm::dvec2 nearest = glm::clamp(p, -halfSize, halfSize);
+    const glm::dvec2 away = p - nearest;
+    const double distance = glm::length(away);
+    if (distance >= visitorRadius) return p;
+    if (distance > 1e-9) return nearest + away * (visitorRadius / distance);
+    const glm::dvec2 toSide = halfSize + visitorRadius - glm::abs(p);
+    if (toSide.x < toSide.y) p.x = std::copysign(halfSize.x + visitorRadius, p.x);
+    else p.y = std::copysign(halfSize.y + visitorRadius, p.y);
+    return p;
+}
+
+glm::dvec2 pushedOutOfDisk(glm::dvec2 p, double radius)
+{
+    const double distance = glm::length(p);
+    const double least = radius + visitorRadius;
+    if (distance >= least) return p;
+    return distance > 1e-9 ? p * (least / distance) : glm::dvec2(least, 0);
+}
+
+/// `eye` moved out of one obstacle; colliders stand upright, so only the horizontal plane matters.
+glm::dvec3 pushedOut(const Collider& collider, const glm::dvec3& eye)
+{
+    const glm::dvec3 feet(eye.x, eye.y - 1.65, eye.z);
+    glm::dvec3 local = glm::dvec3(collider.localFromWorld * glm::dvec4(feet, 1));
+    const double bottom = -collider.halfSize.y;
+    const double top = collider.halfSize.y;
+    // What lies wholly overhead or underfoot (a step up to 5 cm) is no obstacle.
+    if (local.y + visitorHeight < bottom || local.y + 0.05 > top) return eye;
+    const glm::dvec2 flat(local.x, local.z);
+    const glm::dvec2 out = collider.cylinder ? pushedOutOfDisk(flat, collider.halfSize.x)
+                                             : pushedOutOfBox(flat, glm::dvec2(collider.halfSize.x, collider.halfSize.z));
+    if (out == flat) return eye;
+    const glm::dvec3 moved = glm::dvec3(glm::inverse(collider.localFromWorld) * glm::dvec4(out.x, local.y, out.y, 1));
+    return {moved.x, eye.y, moved.z};
+}
+
+}  // namespace
+
+glm::dvec3 walkAround(const std::vector<Collider>& colliders, const glm::dvec3& from, const glm::dvec3& to)
+{
+    const glm::dvec3 whole = to - from;
+    if (!std::isfinite(whole.x) || !std::isfinite(whole.y) || !std::isfinite(whole.z)) return from;
+    const double length = std::hypot(whole.x, whole.z);
+    const int steps = std::clamp(static_cast<int>(std::ceil(length / longestStep)), 1, 1000);
+    glm::dvec3 eye = from;
+    for (int i = 0; i < steps; ++i) {
+        const glm::dvec3 before = eye;
+        eye += whole / static_cast<double>(steps);
+        eye.y = to.y;
+        // Two obstacles can push against each other in a corner: settle, and give up rather than slip through.
+        bool settled = false;
+        for (int round = 0; round < 4 && !settled; ++round) {
+            const glm::dvec3 last = eye;
+            for (const Collider& collider : colliders) eye = pushedOut(collider, eye);
+            settled = glm::length(eye - last) < 1e-6;
+        }
+        if (!settled) return before;
+    }
+    return eye;
+}
+
+bool isBehind(const Occluder& occluder, const render::Box& box, const glm::dvec3& eye)
+{
+    const glm::dvec3 normal = glm::cross(occluder.halfU, occluder.halfV);
+    const double eyeSide = glm::dot(normal, eye - occluder.center);
+    if (box.empty() || std::abs(eyeSide) < 1e-9) return false;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+                           (corner & 4) != 0 ? box.high.z : box.low.z);
+        const double side = glm::dot(normal, p - occluder.center);
+        if (side * eyeSide >= 0) return false;
+        const glm::dvec3 hit = eye + (p - eye) * (eyeSide / (eyeSide - side)) - occluder.center;
+        const double u = glm::dot(hit, occluder.halfU) / glm::dot(occluder.halfU, occluder.halfU);
+        const double v = glm::dot(hit, occluder.halfV) / glm::dot(occluder.halfV, occluder.halfV);
+        if (std::abs(u) > 1 || std::abs(v) > 1) return false;
+    }
+    return true;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,254 @@
+#include "exhibits/framework/museum.h"
+
+#include "exhibits/exhibits.h"
+#include "exhibits/hall/hall.h"
+#include "exhibits/hall/hall_model.h"
+#include "exhibits/hall/walk.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+constexpr double reachOfButton = 2.0;   ///< Metres at which a button can be pressed (the source's ray length).
+constexpr double radiusOfAim = 0.09;    ///< Metres around a button that still count as looking at it.
+
+/// The box together with the shadow it throws on the floor (or 15 m of it, where the sun is low).
+render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun)
+{
+    render::Box swept = box;
+    const double fall = towardsSun.y > 1e-3 ? std::min(std::max(box.high.y, 0.0) / towardsSun.y, 15.0) : 15.0;
+    swept.include(box.low - towardsSun * fall);
+    swept.include(box.high - towardsSun * fall);
+    return swept;
+}
+
+}  // namespace
+
+double buttonScale(double seconds)
+{
+    if (!(seconds >= 0) || seconds >= 0.2) return 1;
+    const double t = seconds < 0.1 ? seconds / 0.1 : (0.2 - seconds) / 0.1;
+    return 1 - 0.9 * t;
+}
+
+Museum::Museum() : model_(std::make_shared<const HallModel>())
+{
+    auto hall = std::make_unique<Hall>(model_);
+    std::vector<std::unique_ptr<Exhibit>> guests = allExhibits();
+    std::vector<Guest> plaques;
+    for (const auto& guest : guests)
+        plaques.push_back({guest->place(), std::string(guest->title()), std::string(guest->summary()), std::string(guest->tryThis()), std::string(guest->buttonText())});
+    hall->setGuests(std::move(plaques));
+    exhibits_.push_back(std::move(hall));
+    for (auto& guest : guests) exhibits_.push_back(std::move(guest));
+}
+
+Museum::~Museum() = default;
+
+std::optional<std::size_t> Museum::find(std::string_view name) const
+{
+    for (std::size_t i = 0; i < exhibits_.size(); ++i)
+        if (exhibits_[i]->name() == name) return i;
+    return std::nullopt;
+}
+
+Look Museum::initialLook() const
+{
+    Look look;
+    for (const auto& exhibit : exhibits_) look.values.push_back(exhibit->parameters().initial());
+    look.camera = hall().bestView(look.values.front());
+    return look;
+}
+
+glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
+{
+    const Place* place = model_->place(exhibits_[i]->place());
+    return place ? place->worldFromPlace : glm::dmat4(1);
+}
+
+render::Camera Museum::bestView(std::size_t i, const ParameterValues& values) const
+{
+    const glm::dmat4 world = worldFromExhibit(i);
+    render::Camera camera = exhibits_[i]->bestView(values);
+    camera.eye = glm::dvec3(world * glm::dvec4(camera.eye, 1));
+    camera.target = glm::dvec3(world * glm::dvec4(camera.target, 1));
+    return camera;
+}
+
+std::string Museum::whyHidden(const render::Box& box, const render::View& view) const
+{
+    if (!view.mayContain(box)) return "out of view";
+    for (const Occluder& occluder : model_->occluders())
+        if (isBehind(occluder, box, view.eye)) return "behind a wall";
+    return {};
+}
+
+render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, const render::KeptKeys& kept) const
+{
+    const auto& theHall = static_cast<const Hall&>(hall());
+    const bool alone = request.alone.has_value();
+    const HallScene scene = theHall.scene(look.values.front(), alone);
+    Surroundings light = surroundings(scene);
+
+    render::FramePlan plan;
+    render::Raster raster = request.raster;
+    raster.jitter = render::samplePosition(request.sample, request.samples);
+    plan.view = render::makeView(request.camera, raster);
+    plan.time = request.time;
+    plan.seed = request.seed;
+    plan.sample = request.sample;
+    plan.runEverything = request.runEverything;
+    const bool exact = request.averageIn == AverageIn::radiance;
+    plan.image({.name = radianceImage, .format = exact ? render::Format::rgba32f : render::Format::rgba16f});
+    plan.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
+    plan.image({.name = normalImage, .format = render::Format::rgba32f});
+    plan.image({.name = evaluationsImage, .format = render::Format::r32f});
+
+    // Who is here, where, and who casts a shadow that may be seen.
+    struct Present {
+        std::size_t index;
+        glm::dmat4 worldFromExhibit;
+        std::string hidden, noShadow;
+    };
+    std::vector<Present> present;
+    render::Box casters;
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
+        if (alone && i != *request.alone) continue;
+        Present p{i, alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}};
+        if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
+        const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(p.worldFromExhibit);
+        p.hidden = request.runEverything ? std::string() : whyHidden(box, plan.view);
+        p.noShadow = whyUnlit(scene, box);
+        if (p.noShadow.empty() && !request.runEverything && !plan.view.mayContain(withShadow(box, towardsSun(scene)))) p.noShadow = "neither it nor its shadow is in view";
+        if (p.noShadow.empty()) {
+            casters.include(box.low);
+            casters.include(box.high);
+        }
+        present.push_back(std::move(p));
+    }
+
+    if (!casters.empty()) {
+        const int size = std::max(look.values.front()[theHall.parameters().shadowMapSize] / 2, 64);
+        light.castsShadows = true;
+        light.exhibitShadowView = lightView(casters, towardsSun(scene), glm::ivec2(size), 30);
+        light.light.exhibitShadowFromWorld = shadowFromWorld(light.exhibitShadowView);
+        light.light.sunLightmap.w = 1;
+        light.light.filtering.y = static_cast<float>(2 / light.exhibitShadowView.clipFromView[0][0] / size);
+        light.inputs.push_back({UNIT_SHADOW_EXHIBITS, std::string(exhibitShadowImage)});
+        plan.image({.name = exhibitShadowImage, .format = render::Format::depth32f, .size = glm::ivec2(size), .comparison = true});
+        render::Pass clear;
+        clear.name = "exhibits/shadow";
+        clear.reason = "an exhibit stands in the sun";
+        clear.stage = render::Stage::shadow;
+        clear.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+        clear.view = light.exhibitShadowView;
+        clear.depth = render::Attachment{exhibitShadowImage, render::Load::clear, glm::vec4(0), -1, 0};
+        plan.add(std::move(clear));
+    } else {
+        plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);
+    }
+
+    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {}, request.sincePressed};
+    theHall.plan(hallContext, plan);
+    if (alone) {
+        render::Pass clear;
+        clear.name = "clear";
+        clear.reason = "an empty picture to start from";
+        clear.stage = render::Stage::prepare;
+        clear.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+        clear.colors = {{radianceImage, render::Load::clear, {}, -1, 0}};
+        if (request.channels.normal) clear.colors.push_back({normalImage, render::Load::clear, {}, -1, 0});
+        if (request.channels.evaluations) clear.colors.push_back({evaluationsImage, render::Load::clear, {}, -1, 0});
+        clear.depth = render::Attachment{depthImage, render::Load::clear, {}, -1, 0};
+        plan.add(std::move(clear));
+    }
+    for (Present& p : present) {
+        const PlanContext context{look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}};
+        exhibits_[p.index]->plan(context, plan);
+    }
+    if (request.transparent) plan.skip("sky", "a transparent background is asked for");
+    else planSky(scene, light, plan);
+    planDevelop(light, request, plan);
+
+    std::vector<std::string> outputs{"frame", depthImage};
+    if (request.channels.normal) outputs.emplace_back(normalImage);
+    if (request.channels.evaluations) outputs.emplace_back(evaluationsImage);
+    plan.prune(outputs, kept);
+    return plan;
+}
+
+double Museum::nextChange(const Look& look, const FrameRequest& request) const
+{
+    double next = std::numeric_limits<double>::infinity();
+    for (const double since : request.sincePressed)
+        if (since < 0.2) next = 0;
+    const render::View view = render::makeView(request.camera, request.raster);
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
+        if (request.alone && *request.alone != i) continue;
+        const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(request.alone ? glm::dmat4(1) : worldFromExhibit(i));
+        // What is hidden may move unseen.
+        if (whyHidden(box, view).empty()) next = std::min(next, exhibits_[i]->nextChange(look.values[i], request.time));
+    }
+    return next;
+}
+
+glm::dvec3 Museum::walk(const glm::dvec3& from, const glm::dvec3& to) const
+{
+    return walkAround(model_->colliders(), from, to);
+}
+
+std::optional<LookedAt> Museum::lookedAt(const Look& look) const
+{
+    const glm::dvec3 toTarget = look.camera.target - look.camera.eye;
+    if (!(glm::length(toTarget) > 1e-9)) return std::nullopt;
+    const glm::dvec3 forward = glm::normalize(toTarget);
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
+        const Place* place = exhibits_[i]->buttonText().empty() ? nullptr : model_->place(exhibits_[i]->place());
+        if (!place || !place->worldFromButton) continue;
+        const glm::dvec3 toButton = glm::dvec3((*place->worldFromButton)[3]) - look.camera.eye;
+        const double along = glm::dot(toButton, forward);
+        if (along <= 0 || along > reachOfButton || glm::length(toButton - forward * along) > radiusOfAim) continue;
+        return LookedAt{i, "E – " + std::string(exhibits_[i]->buttonText())};
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> Museum::pick(const Look& look, glm::dvec2 ndc, double aspect) const
+{
+    const int height = 1000;
+    const render::View view = render::makeView(look.camera, {.size = {static_cast<int>(height * aspect), height}});
+    const glm::dvec3 direction = glm::dvec3(glm::transpose(glm::dmat3(view.viewFromWorld)) * glm::dvec3(ndc * view.tanHalfFov, -1));
+    std::optional<std::size_t> nearest;
+    double nearestDistance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
+        const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(worldFromExhibit(i));
+        if (!whyHidden(box, view).empty()) continue;
+        const glm::dvec3 a = (box.low - look.camera.eye) / direction;
+        const glm::dvec3 b = (box.high - look.camera.eye) / direction;
+        const glm::dvec3 entries = glm::min(a, b);
+        const glm::dvec3 exits = glm::max(a, b);
+        const double enter = std::max({entries.x, entries.y, entries.z, 0.0});
+        const double exit = std::min({exits.x, exits.y, exits.z});
+        if (enter <= exit && enter < nearestDistance) {
+            nearestDistance = enter;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+std::vector<int> Museum::emptyPlaces() const
+{
+    std::vector<int> empty;
+    for (int number = 1; number <= 9; ++number)
+        if (std::none_of(exhibits_.begin() + 1, exhibits_.end(), [&](const auto& e) { return e->place() == number; })) empty.push_back(number);
+    return empty;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace vitrine::render {
+
+/// The folder of the program's own assets: $VITRINE_ASSETS, else share/vitrine or ../../assets beside the
+/// program, else the source tree that it was built from. Throws Failure (Blame::file) when none has them.
+[[nodiscard]] const std::filesystem::path& assetFolder();
+
+/// assetFolder() / relative.
+[[nodiscard]] std::filesystem::path asset(std::string_view relative);
+
+}  // namespace vitrine::render

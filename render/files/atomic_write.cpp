@@ -1,0 +1,194 @@
+#include "render/files/atomic_write.h"
+
+#include "render/failure.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+namespace vitrine::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& why)
+{
+    throw Failure(Blame::file, "Cannot write " + path.string() + ": " + why);
+}
+
+std::string advice(int error)
+{
+    switch (error) {
+    case ENOSPC:
+    case EDQUOT: return "free some space or choose another disk";
+    case EACCES:
+    case EPERM:
+    case EROFS: return "choose a folder you may write to";
+    case ENOENT: return "check that the folder exists";
+    case ENAMETOOLONG: return "choose a shorter name";
+    default: return "try another folder or disk";
+    }
+}
+
+/// The file that `path` means in the end; it need not exist.
+fs::path realTarget(const fs::path& path)
+{
+    fs::path at = path;
+    for (int links = 0; links < 40; ++links) {
+        std::error_code error;
+        if (!fs::is_symlink(fs::symlink_status(at, error))) return at;
+        const fs::path next = fs::read_symlink(at, error);
+        if (error) refuse(path, error.message() + "; name the file itself.");
+        at = next.is_absolute() ? next : at.parent_path() / next;
+    }
+    refuse(path, "its symbolic links lead in a circle; name the file itself.");
+}
+
+fs::path folderOf(const fs::path& file)
+{
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// Closes on every way out; `close` reports what a plain destructor cannot.
+class OpenFile {
+public:
+    OpenFile(FileOps& ops, const fs::path& path, int flags) : ops_(ops), fd_(ops.open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+    ~OpenFile()
+    {
+        if (fd_ >= 0) ops_.close(fd_);
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+
+    [[nodiscard]] int get() const { return fd_; }
+    [[nodiscard]] bool close()
+    {
+        const int fd = fd_;
+        fd_ = -1;
+        return ops_.close(fd) == 0;
+    }
+
+private:
+    FileOps& ops_;
+    int fd_;
+};
+
+void writeAll(const PartFile& part, FileOps& ops, std::string_view bytes)
+{
+    OpenFile file(ops, part.path(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
+    if (file.get() < 0) part.fail("creating a file beside it", errno);
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t wrote = ops.write(file.get(), bytes.data() + done, bytes.size() - done);
+        if (wrote < 0 && errno == EINTR) continue;
+        if (wrote <= 0) part.fail("writing", wrote < 0 ? errno : ENOSPC);
+        done += static_cast<std::size_t>(wrote);
+    }
+    struct stat status {};
+    if (ops.fstat(file.get(), &status) != 0) part.fail("checking its size", errno);
+    if (static_cast<std::uint64_t>(status.st_size) != bytes.size()) part.fail("checking its size", EIO);
+    if (ops.fsync(file.get()) != 0) part.fail("waiting for the disk", errno);
+    if (!file.close()) part.fail("closing", errno);
+}
+
+void compareAll(const PartFile& part, FileOps& ops, std::string_view bytes)
+{
+    OpenFile file(ops, part.path(), O_RDONLY);
+    if (file.get() < 0) part.fail("reading it back", errno);
+    std::array<char, 65536> block{};
+    std::size_t done = 0;
+    for (;;) {
+        const ssize_t got = ops.read(file.get(), block.data(), block.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) part.fail("reading it back", errno);
+        if (got == 0) break;
+        const std::size_t size = static_cast<std::size_t>(got);
+        if (size > bytes.size() - done || std::memcmp(block.data(), bytes.data() + done, size) != 0) {
+            part.fail("reading it back gave other bytes", EIO);
+        }
+        done += size;
+    }
+    if (done != bytes.size()) part.fail("reading it back gave fewer bytes", EIO);
+}
+
+}  // namespace
+
+PartFile::PartFile(const fs::path& target, FileOps& ops) : target_(realTarget(target)), ops_(ops)
+{
+    struct stat status {};
+    if (::stat(target_.c_str(), &status) == 0) {
+        if (S_ISDIR(status.st_mode)) refuse(target, "it is a folder; choose a file name.");
+        if (!S_ISREG(status.st_mode)) refuse(target, "it is not a regular file; choose another name.");
+        if (::access(target_.c_str(), W_OK) != 0) refuse(target, "the file is read-only; choose another name.");
+    }
+    const std::string name = target_.filename().string();
+    if (name.empty() || name == "." || name == "..") refuse(target, "it names no file; choose a file name.");
+    // File names end at 255 bytes; the target's own length is the system's to judge.
+    static std::atomic<unsigned> counter{0};  // Two threads may write the same file.
+    const std::string suffix = ".part-" + std::to_string(::getpid()) + "-" + std::to_string(++counter);
+    part_ = folderOf(target_) / ("." + name.substr(0, 254 - suffix.size()) + suffix);
+}
+
+PartFile::~PartFile()
+{
+    if (!published_) ops_.unlink(part_.c_str());
+}
+
+void PartFile::fail(std::string_view doing, int error) const
+{
+    throw Failure(Blame::file, "Cannot write " + target_.string() + ": " + std::string(doing) + " failed (" +
+                                   std::strerror(error) + "); the old content is untouched; " + advice(error) + ".");
+}
+
+void PartFile::publish()
+{
+    {
+        OpenFile file(ops_, part_, O_RDWR);
+        if (file.get() < 0) fail("opening it again", errno);
+        struct stat old {};
+        if (::stat(target_.c_str(), &old) == 0 && ops_.fchmod(file.get(), old.st_mode & 07777U) != 0) {
+            fail("keeping its permissions", errno);
+        }
+        if (ops_.fsync(file.get()) != 0) fail("waiting for the disk", errno);
+        if (!file.close()) fail("closing", errno);
+    }
+    if (ops_.rename(part_.c_str(), target_.c_str()) != 0) fail("renaming", errno);
+    published_ = true;
+    if (const int error = syncFolder(folderOf(target_), ops_); error != 0) {
+        refuse(target_, "the new content is in place, but the disk did not confirm it (" +
+                            std::string(std::strerror(error)) + "); save once more.");
+    }
+}
+
+int syncFolder(const fs::path& folder, FileOps& ops)
+{
+    OpenFile directory(ops, folder, O_RDONLY | O_DIRECTORY);
+    if (directory.get() < 0) return errno;
+    // Some file systems cannot sync a folder and say EINVAL: there is nothing more to do then.
+    if (ops.fsync(directory.get()) != 0 && errno != EINVAL) return errno;
+    return 0;
+}
+
+void requireSpace(const fs::path& target, unsigned long long bytes, FileOps& ops)
+{
+    const unsigned long long free = ops.freeBytes(folderOf(target).c_str());
+    const unsigned long long needed = bytes + bytes / 10;
+    if (free >= needed) return;
+    refuse(target, "it needs " + std::to_string(needed) + " bytes and the disk has " + std::to_string(free) +
+                       " left; free some space or choose another disk.");
+}
+
+void atomicWrite(const fs::path& path, std::string_view bytes, FileOps& ops)
+{
+    PartFile part(path, ops);
+    writeAll(part, ops, bytes);
+    compareAll(part, ops, bytes);
+    part.publish();
+}
+
+}  // namespace vitrine::render

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "render/files/file_ops.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace vitrine::render {
+
+/// Replaces the content of `path` by `bytes`, or leaves it as it was: afterwards the file holds either all
+/// of the old content or all of the new. Keeps the mode of an existing file; of a symbolic link it replaces
+/// the file that the link names. Writes `.<name>.part-<pid>-<n>` beside it, reads that back and compares,
+/// renames it, and asks the disk to keep both (fsync of file and folder).
+///
+/// Throws Failure naming file and cause when any of that fails, after removing the part file. The old
+/// content then stands, except when only the last step, the fsync of the folder, failed: the message says so.
+void atomicWrite(const std::filesystem::path& path, std::string_view bytes, FileOps& = systemFileOps());
+
+/// Throws Failure unless the folder of `target` has 1.1 times `bytes` free.
+void requireSpace(const std::filesystem::path& target, unsigned long long bytes, FileOps& = systemFileOps());
+
+/// Asks the disk to keep the folder's latest renames. Returns 0, or the error number.
+[[nodiscard]] int syncFolder(const std::filesystem::path& folder, FileOps& = systemFileOps());
+
+/// A file that is written beside its target and takes its place in one step.
+class PartFile {
+public:
+    /// Follows symbolic links. Throws Failure when `target` is a folder, a device, a read-only file or a
+    /// loop of links. Creates nothing yet.
+    explicit PartFile(const std::filesystem::path& target, FileOps& = systemFileOps());
+    /// Removes the part file unless it was published.
+    ~PartFile();
+    PartFile(const PartFile&) = delete;
+    PartFile& operator=(const PartFile&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return part_; }
+    [[nodiscard]] const std::filesystem::path& target() const { return target_; }
+
+    /// Gives the part file the old file's mode, syncs it, puts it in the target's place, syncs the folder.
+    void publish();
+
+    /// Throws Failure "Cannot write <target>: <doing>: <errno as text>. ...".
+    [[noreturn]] void fail(std::string_view doing, int error) const;
+
+private:
+    std::filesystem::path target_;
+    std::filesystem::path part_;
+    FileOps& ops_;
+    bool published_ = false;
+};
+
+}  // namespace vitrine::render

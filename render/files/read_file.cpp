@@ -1,0 +1,108 @@
+#include "render/files/read_file.h"
+
+#include "render/failure.h"
+#include "render/files/descriptor.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace vitrine::render {
+namespace {
+
+[[noreturn]] void fail(const std::string& name, const std::string& cause)
+{
+    throw Failure(Blame::file, "Cannot read " + name + ": " + cause);
+}
+
+std::string causeOf(int error)
+{
+    if (error == ELOOP) return "it is a symbolic link, or a chain of them; name the file itself.";
+    if (error == ENOENT) return "there is no such file; check the name.";
+    return std::string(std::strerror(error)) + "; check the name and your permissions.";
+}
+
+std::string readAll(const Descriptor& file, const std::string& name, std::uint64_t mostBytes)
+{
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0) fail(name, causeOf(errno));
+    if (!S_ISREG(status.st_mode)) fail(name, "it is not a regular file; choose a file.");
+    const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
+    if (size > mostBytes) {
+        fail(name, "it has " + std::to_string(size) + " bytes, more than the " + std::to_string(mostBytes) +
+                       " allowed here; choose a smaller file.");
+    }
+    std::string bytes(size, '\0');
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) fail(name, causeOf(errno));
+        if (got == 0) fail(name, "it became shorter while it was read; try again.");
+        done += static_cast<std::size_t>(got);
+    }
+    return bytes;
+}
+
+}  // namespace
+
+std::string readFile(const std::filesystem::path& path, std::uint64_t mostBytes)
+{
+    // Without O_NONBLOCK, opening a named pipe waits for a writer for ever.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!file.open()) fail(path.string(), causeOf(errno));
+    return readAll(file, path.string(), mostBytes);
+}
+
+std::string whyRefused(std::string_view reference)
+{
+    if (reference.empty()) return "it is empty";
+    if (reference.size() > 4096) return "it is longer than 4096 bytes";
+    const auto forbidden = [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\' || c == '$' || c == '~' || c == ':';
+    };
+    if (std::any_of(reference.begin(), reference.end(), forbidden)) {
+        return "it has one of the characters \\ $ ~ : or a control character";
+    }
+    if (reference.front() == '/') return "it is an absolute path";
+    std::size_t start = 0;
+    while (start <= reference.size()) {
+        const std::size_t end = std::min(reference.find('/', start), reference.size());
+        if (reference.substr(start, end - start) == "..") return "it leaves its folder with \"..\"";
+        start = end + 1;
+    }
+    if (reference.back() == '/') return "it names a folder";
+    return {};
+}
+
+std::string readFileBeneath(const std::filesystem::path& folder, std::string_view reference, std::uint64_t mostBytes)
+{
+    const std::string shown = (folder / reference).string();
+    if (const std::string why = whyRefused(reference); !why.empty()) {
+        throw Failure(Blame::file, "Cannot follow the reference \"" + std::string(reference) + "\" inside " +
+                                       folder.string() + ": " + why + "; use a plain relative path.");
+    }
+    // One component at a time, none of them a link: what openat2 with RESOLVE_BENEATH and
+    // RESOLVE_NO_SYMLINKS does, also where a sandbox refuses that call.
+    Descriptor at(::open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    std::size_t start = 0;
+    while (at.open()) {
+        const std::size_t slash = reference.find('/', start);
+        const std::string component(reference.substr(start, slash == std::string_view::npos ? slash : slash - start));
+        const bool last = slash == std::string_view::npos;
+        if (!last && component.empty()) {
+            start = slash + 1;
+            continue;
+        }
+        const int flags = last ? O_RDONLY | O_NONBLOCK : O_PATH | O_DIRECTORY;
+        at = Descriptor(::openat(at.get(), component.c_str(), flags | O_NOFOLLOW | O_CLOEXEC));
+        if (last && at.open()) return readAll(at, shown, mostBytes);
+        start = slash + 1;
+    }
+    fail(shown, causeOf(errno));
+}
+
+}  // namespace vitrine::render

@@ -1,0 +1,147 @@
+#include "render/failure.h"
+#include "render/files/atomic_write.h"
+#include "render/files/strict_json.h"
+#include "render/image/image_io.h"
+#include "render/image/oiio_codec.h"
+#include "render/image/png_file.h"
+#include "render/image/srgb.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vitrine::render {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why)
+{
+    throw Failure(Blame::file, "Cannot write " + path.string() + ": " + why + ".");
+}
+
+bool isExr(PictureFormat format)
+{
+    return format == PictureFormat::exr || format == PictureFormat::exrHalf;
+}
+
+StoredPicture emptyLike(const Image& image)
+{
+    StoredPicture picture;
+    picture.width = image.width;
+    picture.height = image.height;
+    picture.channels = image.channels;
+    return picture;
+}
+
+template <typename Code>
+StoredPicture encoded(const Image& image, Code (*color)(float), Code (*alpha)(float))
+{
+    StoredPicture picture = emptyLike(image);
+    std::vector<Code> codes(image.pixels.size());
+    const auto channels = static_cast<std::size_t>(image.channels);
+    const std::size_t alphaAt = image.channels == 2 || image.channels == 4 ? channels - 1 : channels;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        codes[i] = i % channels == alphaAt ? alpha(image.pixels[i]) : color(image.pixels[i]);
+    }
+    picture.samples = std::move(codes);
+    return picture;
+}
+
+StoredPicture forExr(const Image& image, bool halfColor)
+{
+    StoredPicture picture = emptyLike(image);
+    const std::array<std::vector<std::string>, 4> plain = {{{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}}};
+    picture.channelNames =
+        image.channelNames.empty() ? plain.at(static_cast<std::size_t>(image.channels - 1)) : image.channelNames;
+    std::vector<float> samples = image.pixels;
+    const std::size_t channels = picture.channelNames.size();
+    std::vector<bool> isColor(channels);
+    std::size_t alphaAt = channels;
+    for (std::size_t c = 0; c < channels; ++c) {
+        const std::string& name = picture.channelNames[c];
+        isColor[c] = name == "R" || name == "G" || name == "B" || name == "Y";
+        if (name == "A") alphaAt = c;
+    }
+    constexpr float largestHalf = 65504;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const std::size_t c = i % channels;
+        if (isColor[c] && alphaAt < channels) samples[i] *= image.pixels[i - c + alphaAt];
+        if (halfColor && (isColor[c] || c == alphaAt)) samples[i] = std::clamp(samples[i], -largestHalf, largestHalf);
+    }
+    picture.samples = std::move(samples);
+    return picture;
+}
+
+void check(const std::filesystem::path& path, const Image& image, PictureFormat format)
+{
+    const int most = isExr(format) ? 16 : 4;
+    if (image.width < 1 || image.height < 1 || image.channels < 1) refuse(path, "the picture is empty");
+    if (image.channels > most) {
+        refuse(path, "the picture has " + std::to_string(image.channels) + " channels and this format holds " +
+                         std::to_string(most) + "; choose OpenEXR");
+    }
+    const bool misnamed = !image.channelNames.empty() && image.channelNames.size() != static_cast<std::size_t>(image.channels);
+    if (misnamed || (isExr(format) && image.channels > 4 && image.channelNames.empty())) {
+        refuse(path, "the channels of the picture have no names");
+    }
+    const ImageFormat stored = isExr(format) ? ImageFormat::exr
+                               : format == PictureFormat::png8 || format == PictureFormat::png16 ? ImageFormat::png
+                                                                                                : ImageFormat::tiff;
+    if (!extensionAllows(path, stored)) {
+        refuse(path, "a name that ends in \"" + path.extension().string() + "\" does not fit the format " +
+                         std::string(toString(stored)));
+    }
+}
+
+StoredPicture prepared(const Image& image, PictureFormat format)
+{
+    switch (format) {
+    case PictureFormat::png8:
+    case PictureFormat::tiff8: return encoded<std::uint8_t>(image, srgb8FromLinear, code8);
+    case PictureFormat::png16:
+    case PictureFormat::tiff16: return encoded<std::uint16_t>(image, srgb16FromLinear, code16);
+    case PictureFormat::exr: return forExr(image, false);
+    case PictureFormat::exrHalf: return forExr(image, true);
+    }
+    return {};
+}
+
+}  // namespace
+
+void writePicture(const std::filesystem::path& path, const Image& image, PictureFormat format, const PictureMetadata& metadata,
+                  FileOps& ops)
+{
+    check(path, image, format);
+    const StoredPicture picture = prepared(image, format);
+    if (format == PictureFormat::png8 || format == PictureFormat::png16) {
+        constexpr double inchesPerMeter = 1 / 0.0254;
+        const std::string bytes =
+            encodePng(picture, {metadata.preset, metadata.description, metadata.pixelsPerInch * inchesPerMeter}, path.string());
+        requireSpace(path, bytes.size(), ops);
+        atomicWrite(path, bytes, ops);
+        return;
+    }
+
+    OiioTarget target;
+    target.format = isExr(format) ? ImageFormat::exr : ImageFormat::tiff;
+    target.halfColor = format == PictureFormat::exrHalf;
+    target.pixelsPerInch = metadata.pixelsPerInch;
+    if (isExr(format)) {
+        if (!metadata.preset.empty()) target.texts.emplace_back("vitrine:preset", metadata.preset);
+        if (!metadata.description.empty()) target.texts.emplace_back("ImageDescription", metadata.description);
+    } else if (!metadata.preset.empty()) {
+        target.texts.emplace_back("ImageDescription", asciiJson(metadata.preset));  // TIFF text is ASCII.
+    } else if (!metadata.description.empty()) {
+        target.texts.emplace_back("ImageDescription", metadata.description);
+    }
+
+    const std::size_t sampleBytes = isExr(format) ? 4 : format == PictureFormat::tiff8 ? 1 : 2;
+    requireSpace(path, picture.sampleCount() * sampleBytes, ops);
+    PartFile part(path, ops);
+    target.path = part.path().string();
+    if (const std::string why = oiioCodec().write(picture, target); !why.empty()) {
+        refuse(path, why + "; the old content is untouched; free some space or choose another disk");
+    }
+    part.publish();
+}
+
+}  // namespace vitrine::render

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "render/image/oiio_codec.h"
+
+namespace vitrine::render {
+
+/// The work of OiioCodec::decode; may throw.
+[[nodiscard]] std::string decodeWithOiio(std::string_view bytes, ImageFormat, const ImageLimits&,
+                                         const std::function<bool()>& cancelled, StoredPicture& out);
+
+/// The work of OiioCodec::readText; may throw.
+[[nodiscard]] std::string readTextWithOiio(std::string_view bytes, ImageFormat, const std::string& key, std::string& out);
+
+/// "openexr", "tiff", ...: the plugin's name.
+[[nodiscard]] const char* pluginName(ImageFormat);
+
+}  // namespace vitrine::render

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "render/image/image_limits.h"
+#include "render/image/stored_picture.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vitrine::render {
+
+/// How a file is written by OpenImageIO.
+struct OiioTarget {
+    std::string path;
+    ImageFormat format = ImageFormat::exr;                      ///< exr or tiff.
+    bool halfColor = false;                                     ///< EXR: R, G, B and A as 16-bit float.
+    std::vector<std::pair<std::string, std::string>> texts;     ///< Attributes.
+    double pixelsPerInch = 0;                                   ///< 0: not said.
+};
+
+/// What the OpenImageIO module does for the rest. Linking OpenImageIO loads 261 libraries and costs
+/// 131 MB and 0.17 s, so it lives in a library of its own that is opened when the first picture asks.
+///
+/// No exception crosses this border: every function returns what went wrong as a half sentence, empty
+/// when nothing did.
+class OiioCodec {
+public:
+    virtual ~OiioCodec() = default;
+
+    /// Unpacks the bytes of a file with the reader of that format and no other. 8-bit and 16-bit samples
+    /// keep their codes, everything else becomes float; alpha is not multiplied in, except in EXR files.
+    /// `cancelled` (may be empty) is asked between bands of rows.
+    [[nodiscard]] virtual std::string decode(std::string_view bytes, ImageFormat, const ImageLimits&,
+                                             const std::function<bool()>& cancelled, StoredPicture& out) noexcept = 0;
+
+    /// Writes the file, opens it again and compares rows spread over the whole picture. Leaves a broken
+    /// file behind when it fails: the caller removes it.
+    [[nodiscard]] virtual std::string write(const StoredPicture&, const OiioTarget&) noexcept = 0;
+
+    /// The text attribute `key` of a file; empty when there is none.
+    [[nodiscard]] virtual std::string readText(std::string_view bytes, ImageFormat, const std::string& key,
+                                               std::string& out) noexcept = 0;
+};
+
+/// The codec; opens the module on the first call, from any thread. The module `vitrine_oiio` is looked for
+/// beside the running program, one folder up, in ../lib/vitrine, and where it was built.
+/// Throws Failure when it cannot be opened.
+[[nodiscard]] OiioCodec& oiioCodec();
+
+/// Whether the module is open already (so that tests can tell that a start does not pay for it).
+[[nodiscard]] bool oiioCodecIsOpen();
+
+}  // namespace vitrine::render
+
+/// The one symbol of the module. `version` must be `vitrineOiioVersion`; otherwise the answer is null.
+inline constexpr int vitrineOiioVersion = 1;
+extern "C" vitrine::render::OiioCodec* vitrineOiio(int version);

@@ -1,0 +1,249 @@
+#include "render/scene/gltf_convert.h"
+
+#include "render/scene/gltf_accessor.h"
+#include "render/scene/gltf_materials.h"
+#include "render/scene/mesh_shading.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace vitrine::render {
+namespace {
+
+glm::dmat4 transformOf(const tinygltf::Node& node)
+{
+    if (!node.matrix.empty()) return glm::make_mat4(node.matrix.data());
+    glm::dmat4 transform(1);
+    if (!node.translation.empty()) transform[3] = glm::dvec4(glm::make_vec3(node.translation.data()), 1);
+    if (!node.rotation.empty()) {
+        const auto& r = node.rotation;
+        const glm::dquat q(r[3], r[0], r[1], r[2]);
+        const double length = glm::length(q);
+        if (length > 0) transform *= glm::mat4_cast(q / length);
+    }
+    if (!node.scale.empty()) {
+        for (int axis = 0; axis < 3; ++axis) transform[axis] *= node.scale[static_cast<std::size_t>(axis)];
+    }
+    return transform;
+}
+
+bool isFinite(const glm::dmat4& m)
+{
+    const double* first = glm::value_ptr(m);
+    return std::all_of(first, first + 16, [](double x) { return std::isfinite(x); });
+}
+
+/// Triangles from strips and fans.
+std::vector<std::uint32_t> triangulated(std::vector<std::uint32_t> in, int mode)
+{
+    if (mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN) {
+        in.resize(in.size() / 3 * 3);
+        return in;
+    }
+    std::vector<std::uint32_t> out;
+    for (std::size_t i = 0; i + 2 < in.size(); ++i) {
+        const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP;
+        const bool odd = i % 2 == 1;
+        const std::array<std::size_t, 3> corner = strip ? std::array<std::size_t, 3>{i, i + (odd ? 2U : 1U), i + (odd ? 1U : 2U)}
+                                                        : std::array<std::size_t, 3>{i + 1, i + 2, 0};
+        for (const std::size_t c : corner) out.push_back(in[c]);
+    }
+    return out;
+}
+
+class Converter {
+public:
+    Converter(const tinygltf::Model& gltf, const JsonDocument& document, const GltfLimits& limits, const std::function<bool()>& cancelled)
+        : gltf_(gltf), document_(document), cancelled_(cancelled), warnings_(out_.warnings),
+          materials_(gltf, document, limits, cancelled, warnings_)
+    {
+    }
+
+    Model convert()
+    {
+        warnAboutTheRest();
+        struct Visit {
+            int node;
+            glm::dmat4 modelFromParent;
+        };
+        std::vector<Visit> open;
+        const std::vector<int> roots = rootNodes();
+        for (auto root = roots.rbegin(); root != roots.rend(); ++root) open.push_back({*root, glm::dmat4(1)});
+        while (!open.empty()) {
+            const Visit visit = open.back();
+            open.pop_back();
+            const tinygltf::Node& node = gltf_.nodes[static_cast<std::size_t>(visit.node)];
+            const glm::dmat4 modelFromNode = visit.modelFromParent * transformOf(node);
+            if (!isFinite(modelFromNode)) {
+                throw document_.failure("nodes[" + std::to_string(visit.node) + "]", "its place overflows; export the file again.");
+            }
+            add(node, modelFromNode);
+            for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) open.push_back({*child, modelFromNode});
+        }
+        return std::move(out_);
+    }
+
+private:
+    std::vector<int> rootNodes() const
+    {
+        if (!gltf_.scenes.empty()) {
+            const std::vector<int>& listed = gltf_.scenes[static_cast<std::size_t>(std::max(gltf_.defaultScene, 0))].nodes;
+            return listed;
+        }
+        std::vector<bool> isChild(gltf_.nodes.size(), false);
+        for (const tinygltf::Node& node : gltf_.nodes) {
+            for (const int child : node.children) isChild[static_cast<std::size_t>(child)] = true;
+        }
+        std::vector<int> roots;
+        for (std::size_t i = 0; i < isChild.size(); ++i) {
+            if (!isChild[i]) roots.push_back(static_cast<int>(i));
+        }
+        return roots;
+    }
+
+    void warnAboutTheRest()
+    {
+        if (!gltf_.animations.empty()) warnings_.add("Animations are not supported; the model stands still.");
+        if (!gltf_.skins.empty()) warnings_.add("Skins are not supported; meshes keep their rest pose.");
+        if (!gltf_.cameras.empty()) warnings_.add("Cameras are not supported; their nodes become markers.");
+        if (gltf_.scenes.size() > 1) warnings_.add("Only the default scene is shown.");
+        for (const std::string& name : gltf_.extensionsUsed) {
+            if (name == "KHR_materials_emissive_strength" || name == "KHR_mesh_quantization") continue;
+            warnings_.add("The extension " + name + " is not supported and was ignored.");
+        }
+    }
+
+    void add(const tinygltf::Node& node, const glm::dmat4& modelFromNode)
+    {
+        if (node.mesh < 0) {
+            out_.markers.push_back({node.name, modelFromNode});
+            return;
+        }
+        const auto& primitives = gltf_.meshes[static_cast<std::size_t>(node.mesh)].primitives;
+        for (std::size_t p = 0; p < primitives.size(); ++p) {
+            Part part;
+            part.name = node.name;
+            part.material = materials_.material(primitives[p].material);
+            part.mesh = mesh(node.mesh, p, *part.material);
+            if (!part.mesh) continue;
+            part.modelFromPart = modelFromNode;
+            part.mirrored = glm::determinant(glm::dmat3(modelFromNode)) < 0;
+            const Box box = part.mesh->bounds.transformed(modelFromNode);
+            out_.bounds.include(box.low);
+            out_.bounds.include(box.high);
+            out_.parts.push_back(std::move(part));
+        }
+    }
+
+    /// Primitive `p` of mesh `m`, converted once; null when it has no triangles.
+    std::shared_ptr<const Mesh> mesh(int m, std::size_t p, const Material& material)
+    {
+        const auto key = std::pair(m, p);
+        const auto known = meshes_.find(key);
+        if (known != meshes_.end()) return known->second;
+        if (cancelled_ && cancelled_()) throw document_.failure({}, "loading was cancelled.");
+        const tinygltf::Mesh& source = gltf_.meshes[static_cast<std::size_t>(m)];
+        const std::string path = "meshes[" + std::to_string(m) + "].primitives[" + std::to_string(p) + "]";
+        return meshes_[key] = convertPrimitive(source.primitives[p], source.name, path, material);
+    }
+
+    std::shared_ptr<const Mesh> convertPrimitive(const tinygltf::Primitive& primitive, const std::string& name, const std::string& path,
+                                                 const Material& material)
+    {
+        const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+        if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+            warnings_.add("Lines and points are not supported and were left out of mesh " + name + ".");
+            return nullptr;
+        }
+        const auto position = primitive.attributes.find("POSITION");
+        if (position == primitive.attributes.end()) {
+            warnings_.add("Mesh " + name + " has a part without positions, which was left out.");
+            return nullptr;
+        }
+        if (!primitive.targets.empty()) warnings_.add("Morph targets are not supported; mesh " + name + " keeps its first shape.");
+
+        auto mesh = std::make_shared<Mesh>();
+        mesh->name = name;
+        mesh->vertices.resize(gltf_.accessors[static_cast<std::size_t>(position->second)].count);
+        const bool hasNormals = primitive.attributes.contains("NORMAL");
+        const bool hasTangents = primitive.attributes.contains("TANGENT");
+        const bool hasUv = primitive.attributes.contains("TEXCOORD_0");
+        for (const auto& [attribute, accessor] : primitive.attributes) {
+            readAttribute(*mesh, attribute, accessor, path + ".attributes." + attribute);
+        }
+        if (primitive.indices >= 0) {
+            mesh->indices = readIndices(gltf_, primitive.indices);
+        } else {
+            mesh->indices.resize(mesh->vertices.size());
+            for (std::size_t i = 0; i < mesh->indices.size(); ++i) mesh->indices[i] = static_cast<std::uint32_t>(i);
+        }
+        mesh->indices = triangulated(std::move(mesh->indices), mode);
+        if (mesh->indices.empty()) return nullptr;
+        if (!hasNormals) makeFlatNormals(*mesh);
+        if (material.normalMap && !hasUv) warnings_.add("Mesh " + name + " has a normal map but no texture coordinates.");
+        if (material.normalMap && hasUv && (!hasTangents || !hasNormals)) makeTangents(*mesh);
+        for (const Vertex& vertex : mesh->vertices) mesh->bounds.include(glm::dvec3(vertex.position));
+        return mesh;
+    }
+
+    void readAttribute(Mesh& mesh, const std::string& attribute, int accessor, const std::string& path)
+    {
+        constexpr std::array<std::pair<const char*, int>, 5> known = {
+            {{"POSITION", 3}, {"NORMAL", 3}, {"TANGENT", 4}, {"TEXCOORD_0", 2}, {"TEXCOORD_1", 2}}};
+        const auto entry = std::find_if(known.begin(), known.end(), [&](const auto& k) { return attribute == k.first; });
+        if (entry == known.end()) {
+            const bool ofSkin = attribute.starts_with("JOINTS_") || attribute.starts_with("WEIGHTS_");
+            if (!ofSkin) warnings_.add("The vertex attribute " + attribute + " is not supported and was ignored.");
+            return;
+        }
+        const auto components = static_cast<std::size_t>(entry->second);
+        if (tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(gltf_.accessors[static_cast<std::size_t>(accessor)].type)) != entry->second) {
+            throw document_.failure(path, "this must have " + std::to_string(components) + " components; export the file again.");
+        }
+        const std::vector<float> values = readFloats(gltf_, accessor);
+        if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); })) {
+            throw document_.failure(path, "one of its values is not a finite number; export the file again.");
+        }
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) store(mesh.vertices[i], attribute, values.data() + i * components);
+    }
+
+    static void store(Vertex& vertex, const std::string& attribute, const float* x)
+    {
+        if (attribute == "POSITION") vertex.position = glm::make_vec3(x);
+        else if (attribute == "NORMAL") vertex.normal = unit(glm::make_vec3(x), glm::vec3(0, 1, 0));
+        else if (attribute == "TANGENT") vertex.tangent = glm::vec4(unit(glm::make_vec3(x), glm::vec3(1, 0, 0)), x[3] < 0 ? -1.0F : 1.0F);
+        else if (attribute == "TEXCOORD_0") vertex.uv = glm::make_vec2(x);
+        else vertex.lightmapUv = glm::make_vec2(x);
+    }
+
+    /// `v` at unit length, unchanged when it already is; `fallback` when it has no direction.
+    static glm::vec3 unit(const glm::vec3& v, const glm::vec3& fallback)
+    {
+        const double length = glm::length(glm::dvec3(v));
+        if (length < 1e-20) return fallback;
+        return std::abs(length - 1) < 1e-6 ? v : glm::vec3(glm::dvec3(v) / length);
+    }
+
+    const tinygltf::Model& gltf_;
+    const JsonDocument& document_;
+    const std::function<bool()>& cancelled_;
+    Model out_;
+    Warnings warnings_;
+    GltfMaterials materials_;
+    std::map<std::pair<int, std::size_t>, std::shared_ptr<const Mesh>> meshes_;
+};
+
+}  // namespace
+
+Model convertGltf(const tinygltf::Model& gltf, const JsonDocument& document, const GltfLimits& limits, const std::function<bool()>& cancelled)
+{
+    return Converter(gltf, document, limits, cancelled).convert();
+}
+
+}  // namespace vitrine::render

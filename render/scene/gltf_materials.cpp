@@ -1,0 +1,146 @@
+#include "render/scene/gltf_materials.h"
+
+#include "render/failure.h"
+#include "render/image/image_io.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::render {
+namespace {
+
+float unit(double x)
+{
+    return static_cast<float>(std::clamp(x, 0.0, 1.0));
+}
+
+AlphaMode alphaModeOf(const std::string& name)
+{
+    if (name == "MASK") return AlphaMode::mask;
+    return name == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
+}
+
+double emissiveStrength(const tinygltf::Material& m)
+{
+    const auto extension = m.extensions.find("KHR_materials_emissive_strength");
+    if (extension == m.extensions.end() || !extension->second.Has("emissiveStrength")) return 1;
+    const tinygltf::Value& value = extension->second.Get("emissiveStrength");
+    const double strength = value.IsNumber() ? value.GetNumberAsDouble() : 1;
+    return std::isfinite(strength) ? std::clamp(strength, 0.0, 1e6) : 1;
+}
+
+std::string named(const std::string& name, std::size_t i)
+{
+    return name.empty() ? std::to_string(i) : name;
+}
+
+}  // namespace
+
+void Warnings::add(const std::string& sentence)
+{
+    constexpr std::size_t most = 100;
+    if (list_.size() >= most || std::find(list_.begin(), list_.end(), sentence) != list_.end()) return;
+    list_.push_back(sentence);
+}
+
+GltfMaterials::GltfMaterials(const tinygltf::Model& model, const JsonDocument& document, const GltfLimits& limits,
+                             const std::function<bool()>& cancelled, Warnings& warnings)
+    : model_(model), document_(document), limits_(limits), cancelled_(cancelled), warnings_(warnings)
+{
+}
+
+std::shared_ptr<const Material> GltfMaterials::material(int i)
+{
+    std::shared_ptr<const Material>& material = materials_[i];
+    if (!material) {
+        const auto index = static_cast<std::size_t>(std::max(i, 0));
+        material = std::make_shared<const Material>(i < 0 ? Material{} : convert(model_.materials[index]));
+    }
+    return material;
+}
+
+Material GltfMaterials::convert(const tinygltf::Material& m)
+{
+    const auto& pbr = m.pbrMetallicRoughness;
+    Material out;
+    out.name = m.name;
+    if (pbr.baseColorFactor.size() == 4) {
+        const auto& c = pbr.baseColorFactor;
+        out.baseColor = glm::vec4(unit(c[0]), unit(c[1]), unit(c[2]), unit(c[3]));
+    }
+    out.metalness = unit(pbr.metallicFactor);
+    out.roughness = unit(pbr.roughnessFactor);
+    out.normalScale = static_cast<float>(m.normalTexture.scale);
+    out.occlusionStrength = unit(m.occlusionTexture.strength);
+    if (m.emissiveFactor.size() == 3) {
+        const auto strength = static_cast<float>(emissiveStrength(m));
+        out.emissive = strength * glm::vec3(unit(m.emissiveFactor[0]), unit(m.emissiveFactor[1]), unit(m.emissiveFactor[2]));
+    }
+    out.alphaMode = alphaModeOf(m.alphaMode);
+    out.alphaCutoff = unit(m.alphaCutoff);
+    out.doubleSided = m.doubleSided;
+    const std::string user = "material " + (m.name.empty() ? std::string("without a name") : m.name);
+    out.baseColorMap = texture(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord, Content::color, user);
+    out.metallicRoughnessMap = texture(pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord, Content::data, user);
+    out.normalMap = texture(m.normalTexture.index, m.normalTexture.texCoord, Content::data, user);
+    out.occlusionMap = texture(m.occlusionTexture.index, m.occlusionTexture.texCoord, Content::data, user);
+    out.emissiveMap = texture(m.emissiveTexture.index, m.emissiveTexture.texCoord, Content::color, user);
+    return out;
+}
+
+std::shared_ptr<const Texture> GltfMaterials::texture(int index, int texCoord, Content content, const std::string& user)
+{
+    if (index < 0) return nullptr;
+    if (texCoord != 0) warnings_.add("A picture of " + user + " uses the second texture coordinates; the first are used.");
+    const tinygltf::Texture& t = model_.textures[static_cast<std::size_t>(index)];
+    if (t.source < 0) {
+        warnings_.add("A texture of " + user + " has no picture of a known kind and is left out.");
+        return nullptr;
+    }
+    bool repeat = true;
+    bool mipmaps = true;
+    if (t.sampler >= 0) {
+        const tinygltf::Sampler& s = model_.samplers[static_cast<std::size_t>(t.sampler)];
+        repeat = s.wrapS != TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+        if (s.wrapS != s.wrapT) warnings_.add("A texture of " + user + " wraps differently along u and v; both wrap as u does.");
+        if (s.wrapS == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) warnings_.add("Mirrored repeat is not supported; textures repeat.");
+        mipmaps = s.minFilter != TINYGLTF_TEXTURE_FILTER_NEAREST && s.minFilter != TINYGLTF_TEXTURE_FILTER_LINEAR;
+    }
+    const TextureKey key{t.source, content, repeat, mipmaps};
+    const auto known = textures_.find(key);
+    if (known != textures_.end()) return known->second;
+    return textures_[key] = picture(key);
+}
+
+std::string_view GltfMaterials::bytesOf(const tinygltf::Image& image) const
+{
+    if (image.bufferView < 0) return {reinterpret_cast<const char*>(image.image.data()), image.image.size()};
+    const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(image.bufferView)];
+    const auto& data = model_.buffers[static_cast<std::size_t>(view.buffer)].data;
+    return {reinterpret_cast<const char*>(data.data()) + view.byteOffset, view.byteLength};
+}
+
+std::shared_ptr<const Texture> GltfMaterials::picture(const TextureKey& key)
+{
+    const auto& [index, content, repeat, mipmaps] = key;
+    if (cancelled_ && cancelled_()) throw document_.failure({}, "loading was cancelled.");
+    const tinygltf::Image& image = model_.images[static_cast<std::size_t>(index)];
+    const std::string shown = "picture " + named(image.uri.empty() ? image.name : image.uri, static_cast<std::size_t>(index)) + " of " + document_.name();
+    const std::string_view bytes = bytesOf(image);
+    if (bytes.empty()) {
+        warnings_.add("The " + shown + " is missing and is left out.");
+        return nullptr;
+    }
+    try {
+        ImageLimits limits;
+        limits.decodedBytes = limits_.textureBytes - textureBytes_;  // The budget is counted before anything is unpacked.
+        auto texture = textureFromBytes(bytes, shown, content == Content::color, repeat, mipmaps, limits);
+        textureBytes_ += std::min<std::uint64_t>(texture->bytes.size() + 4 * texture->floats.size(), limits.decodedBytes);
+        return texture;
+    } catch (const Failure& failure) {
+        warnings_.add("It is left out: " + std::string(failure.what()));
+        return nullptr;
+    }
+}
+
+}  // namespace vitrine::render

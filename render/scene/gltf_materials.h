@@ -1,0 +1,52 @@
+#pragma once
+
+#include "render/files/strict_json.h"
+#include "render/scene/gltf.h"
+#include "render/scene/tinygltf.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace vitrine::render {
+
+/// Sentences without repetition, at most 100.
+class Warnings {
+public:
+    explicit Warnings(std::vector<std::string>& list) : list_(list) {}
+    void add(const std::string& sentence);
+
+private:
+    std::vector<std::string>& list_;
+};
+
+/// The materials and pictures of a validated file, each converted once.
+class GltfMaterials {
+public:
+    GltfMaterials(const tinygltf::Model&, const JsonDocument&, const GltfLimits&, const std::function<bool()>& cancelled, Warnings&);
+
+    /// Material `i`, or glTF's default material for -1.
+    [[nodiscard]] std::shared_ptr<const Material> material(int i);
+
+private:
+    enum class Content : unsigned char { color, data };
+    using TextureKey = std::tuple<int, Content, bool, bool>;  // Image, content, repeat, mipmaps.
+
+    Material convert(const tinygltf::Material&);
+    std::shared_ptr<const Texture> texture(int index, int texCoord, Content, const std::string& user);
+    std::shared_ptr<const Texture> picture(const TextureKey&);
+    [[nodiscard]] std::string_view bytesOf(const tinygltf::Image&) const;
+
+    const tinygltf::Model& model_;
+    const JsonDocument& document_;
+    const GltfLimits& limits_;
+    const std::function<bool()>& cancelled_;
+    Warnings& warnings_;
+    std::map<int, std::shared_ptr<const Material>> materials_;
+    std::map<TextureKey, std::shared_ptr<const Texture>> textures_;
+    std::uint64_t textureBytes_ = 0;
+};
+
+}  // namespace vitrine::render

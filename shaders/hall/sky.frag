@@ -1,0 +1,10 @@
+// Sky where nothing else was drawn: at the far plane, so the depth test does the masking.
+#include "lib/frame.glsl"
+#include "lib/sky.glsl"
+
+layout(location = 0) out vec4 radiance;
+
+void main()
+{
+    radiance = vec4(min(skyRadiance(frameRay(gl_FragCoord.xy)), vec3(6e4)), 1.0);
+}

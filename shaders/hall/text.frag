@@ -1,0 +1,33 @@
+// Engraved letters, from a signed distance field (Green 2007, "Improved Alpha-Tested Magnification").
+#include "lib/frame.glsl"
+#include "lib/surface.glsl"
+#include "hall/object.glsl"
+
+layout(binding = UNIT_FONT) uniform sampler2D font;
+
+in vec3 worldPosition;
+in vec3 worldNormal;
+in vec2 glyphUv;
+
+layout(location = 0) out vec4 radiance;
+
+void main()
+{
+    float d = texture(font, glyphUv).r - 0.5;
+    // Half a screen pixel of blur on either side of the outline, and never sharper than the field resolves.
+    float width = clamp(length(fwidth(glyphUv) * vec2(textureSize(font, 0))) * 0.7 / object.tiling.x, 0.01, 0.5);
+    float coverage = smoothstep(-width, width, d);
+    if (coverage <= 0.003) discard;
+    Surface s;
+    s.position = worldPosition;
+    s.normal = normalize(worldNormal);
+    s.baseColor = object.baseColor.rgb;
+    s.metalness = 0.0;
+    s.roughness = 0.7;
+    s.specular = 0.3;
+    s.ambient = probeAmbient(s.normal);
+    s.occlusion = 0.6;
+    vec3 toEye = normalize(frame.eye.xyz - worldPosition);
+    // Premultiplied.
+    radiance = vec4(shadeSurface(s, toEye), 1.0) * coverage * object.baseColor.a;
+}

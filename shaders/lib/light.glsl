@@ -1,0 +1,117 @@
+// The light block and what reads it: sun, sky, shadow maps, reflection probe. Mirrored by LightBlock in
+// exhibits/framework/surroundings.h.
+#include "lib/bindings.glsl"
+
+layout(std140, binding = BLOCK_LIGHT) uniform Light {
+    mat4 hallShadowFromWorld;     // xy: texture coordinates, z: reversed depth
+    mat4 exhibitShadowFromWorld;
+    vec4 sunDirection;            // towards the sun, unit; w: width of one texel of the hall's map, metres
+    vec4 sunIrradiance;           // on a plane that faces it; w: 1 when the hall's shadow map is valid
+    vec4 skyZenith;               // radiance; w: scale of the sky lightmap
+    vec4 skyHorizon;              // radiance; w: 1 when an environment picture replaces the sky
+    vec4 sunLightmap;             // xyz: weight times scale of the three sun lightmaps; w: 1 when the exhibits' map is valid
+    vec4 probePosition;           // world space; w: 1 when the probe is valid
+    vec4 probeLow;                // box of the parallax correction; w: last level of the probe
+    vec4 probeHigh;               // w: exposure, a factor
+    vec4 filtering;               // x: shadow filter (0 hard, 1 tent 3x3, 2 tent 5x5), y: width of an exhibits' texel, metres,
+                                  // z: rotation of the environment, radians, w: strength of baked occlusion, 0 to 1
+} light;
+
+layout(binding = UNIT_SHADOW_HALL) uniform sampler2DShadow hallShadow;
+layout(binding = UNIT_SHADOW_EXHIBITS) uniform sampler2DShadow exhibitShadow;
+layout(binding = UNIT_PROBE) uniform samplerCube probe;
+layout(binding = UNIT_PROBE_IRRADIANCE) uniform sampler2D probeIrradiance;
+
+const float PI = 3.14159265358979;
+
+float shadowTap(sampler2DShadow map, vec2 base, vec2 offset, float depth)
+{
+    return texture(map, vec3((base + offset) / vec2(textureSize(map, 0)), depth));
+}
+
+// Share of the light that reaches `position` in one map. Kind 0: one bilinear comparison. Kinds 1 and 2: a
+// tent over 3x3 or 5x5 texels in 4 or 9 bilinear comparisons, each placed between two texels in proportion
+// to their weights, so that the result moves smoothly with the position (Castano 2013, "Shadow Mapping
+// Summary").
+float shadowMapLight(sampler2DShadow map, vec3 position, int filterKind)
+{
+    if (any(lessThan(position, vec3(0.0))) || any(greaterThan(position, vec3(1.0)))) return 1.0;
+    if (filterKind == 0) return texture(map, position);
+    vec2 texel = position.xy * vec2(textureSize(map, 0));
+    vec2 base = floor(texel + 0.5);
+    vec2 s = texel + 0.5 - base;
+    base -= 0.5;
+    float z = position.z;
+    if (filterKind == 1) {
+        vec2 w0 = 3.0 - 2.0 * s, w1 = 1.0 + 2.0 * s;
+        vec2 o0 = (2.0 - s) / w0 - 1.0, o1 = s / w1 + 1.0;
+        return (w0.x * w0.y * shadowTap(map, base, o0, z) + w1.x * w0.y * shadowTap(map, base, vec2(o1.x, o0.y), z) +
+                w0.x * w1.y * shadowTap(map, base, vec2(o0.x, o1.y), z) + w1.x * w1.y * shadowTap(map, base, o1, z)) / 16.0;
+    }
+    vec2 w0 = 4.0 - 3.0 * s, w2 = 1.0 + 3.0 * s;
+    vec2 o0 = (3.0 - 2.0 * s) / w0 - 2.0, o1 = (3.0 + s) / 7.0, o2 = s / w2 + 2.0;
+    float row0 = w0.x * shadowTap(map, base, o0, z) + 7.0 * shadowTap(map, base, vec2(o1.x, o0.y), z) + w2.x * shadowTap(map, base, vec2(o2.x, o0.y), z);
+    float row1 = w0.x * shadowTap(map, base, vec2(o0.x, o1.y), z) + 7.0 * shadowTap(map, base, o1, z) + w2.x * shadowTap(map, base, vec2(o2.x, o1.y), z);
+    float row2 = w0.x * shadowTap(map, base, vec2(o0.x, o2.y), z) + 7.0 * shadowTap(map, base, vec2(o1.x, o2.y), z) + w2.x * shadowTap(map, base, o2, z);
+    return (w0.y * row0 + 7.0 * row1 + w2.y * row2) / 144.0;
+}
+
+vec3 shadowPosition(mat4 shadowFromWorld, vec3 world)
+{
+    return (shadowFromWorld * vec4(world, 1.0)).xyz;
+}
+
+// Share of the sun that reaches a surface point, 0 to 1. `normal` must face the sun, else 0 is right.
+float sunVisibility(vec3 world, vec3 normal)
+{
+    float cosine = dot(normal, light.sunDirection.xyz);
+    if (cosine <= 0.0) return 0.0;
+    int filterKind = int(light.filtering.x);
+    float slope = sqrt(max(1.0 - cosine * cosine, 0.0));
+    float visible = 1.0;
+    if (light.sunIrradiance.w > 0.5) {
+        vec3 lifted = world + normal * (light.sunDirection.w * (0.6 + 2.4 * slope));
+        visible = shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, lifted), filterKind);
+    }
+    if (light.sunLightmap.w > 0.5 && visible > 0.0) {
+        vec3 lifted = world + normal * (light.filtering.y * (0.6 + 2.4 * slope));
+        visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), filterKind);
+    }
+    return visible;
+}
+
+// Direction in which the probe must be looked up so that the walls of its box appear where they are.
+// Lagarde and Zanuttini 2012, "Local Image-based Lighting With Parallax-corrected Cubemap".
+vec3 parallaxCorrected(vec3 world, vec3 direction)
+{
+    if (light.probeHigh.x <= light.probeLow.x) return direction;
+    vec3 safe = mix(direction, vec3(1e-5), lessThan(abs(direction), vec3(1e-5)));
+    vec3 toHigh = (light.probeHigh.xyz - world) / safe;
+    vec3 toLow = (light.probeLow.xyz - world) / safe;
+    vec3 exits = max(toHigh, toLow);
+    float t = min(exits.x, min(exits.y, exits.z));
+    return t > 0.0 ? world + direction * t - light.probePosition.xyz : direction;
+}
+
+// Radiance that arrives from `direction`, blurred by `roughness` (perceptual, 0 to 1).
+vec3 probeRadiance(vec3 world, vec3 direction, float roughness)
+{
+    if (light.probePosition.w < 0.5) return mix(light.skyHorizon.rgb, light.skyZenith.rgb, 0.5 + 0.5 * direction.y) * 0.05;
+    float level = light.probeLow.w * sqrt(clamp(roughness, 0.0, 1.0));
+    return textureLod(probe, parallaxCorrected(world, direction), level).rgb;
+}
+
+// Irradiance over pi from the probe's nine spherical-harmonic coefficients (already convolved with the
+// cosine lobe; Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps").
+vec3 probeAmbient(vec3 n)
+{
+    if (light.probePosition.w < 0.5) return light.skyZenith.rgb * 0.05;
+    vec3 sum = texelFetch(probeIrradiance, ivec2(0, 0), 0).rgb;
+    sum += texelFetch(probeIrradiance, ivec2(1, 0), 0).rgb * n.y + texelFetch(probeIrradiance, ivec2(2, 0), 0).rgb * n.z +
+           texelFetch(probeIrradiance, ivec2(3, 0), 0).rgb * n.x;
+    sum += texelFetch(probeIrradiance, ivec2(4, 0), 0).rgb * (n.x * n.y) + texelFetch(probeIrradiance, ivec2(5, 0), 0).rgb * (n.y * n.z) +
+           texelFetch(probeIrradiance, ivec2(6, 0), 0).rgb * (3.0 * n.z * n.z - 1.0) +
+           texelFetch(probeIrradiance, ivec2(7, 0), 0).rgb * (n.x * n.z) +
+           texelFetch(probeIrradiance, ivec2(8, 0), 0).rgb * (n.x * n.x - n.y * n.y);
+    return max(sum, vec3(0.0));
+}

@@ -1,0 +1,54 @@
+// What lies beyond the hall: a clear sky with a bright horizon and a glow around the sun, or the user's
+// panorama.
+#include "lib/light.glsl"
+
+layout(binding = UNIT_ENVIRONMENT) uniform sampler2D environmentPicture;
+
+// Equirectangular lookup; the derivative jump at the seam is avoided by naming the level.
+// At the poles atan(0, 0) is arbitrary (2.356 on llvmpipe), so u is defined there as one half.
+vec2 equirectangular(vec3 d)
+{
+    bool pole = abs(d.x) + abs(d.z) < 1e-6;
+    float u = pole ? 0.5 : fract(atan(d.x, -d.z) / (2.0 * PI) + 0.5 + light.filtering.z / (2.0 * PI));
+    return vec2(u, acos(clamp(d.y, -1.0, 1.0)) / PI);
+}
+
+// A soft box of the studio: a bright rectangle `size` (tangents of half angles) around `center`.
+float softBox(vec3 d, vec3 center, vec2 size)
+{
+    vec3 z = normalize(center);
+    vec3 x = normalize(cross(vec3(0.0, 1.0, 0.0), z));
+    vec3 y = cross(z, x);
+    float along = dot(d, z);
+    if (along <= 0.0) return 0.0;
+    vec2 p = abs(vec2(dot(d, x), dot(d, y))) / along;
+    vec2 edge = 1.0 - smoothstep(size * 0.82, size, p);
+    return edge.x * edge.y;
+}
+
+// Where an exhibit stands alone: a grey room with a large key, a rim and a low fill.
+vec3 studioRadiance(vec3 d)
+{
+    vec3 room = mix(vec3(0.10, 0.098, 0.095), vec3(0.62, 0.63, 0.66), smoothstep(-0.6, 0.9, d.y));
+    room *= 0.8 + 0.2 * d.z;
+    vec3 key = vec3(7.0, 6.6, 6.0) * softBox(d, vec3(0.75, 0.75, 0.6), vec2(0.55, 0.4));
+    vec3 rim = vec3(3.6, 4.0, 4.6) * softBox(d, vec3(-0.9, 0.35, -0.5), vec2(0.22, 0.9));
+    vec3 fill = vec3(1.7, 1.6, 1.5) * softBox(d, vec3(-0.7, 0.1, 0.9), vec2(0.5, 0.5));
+    return room + key + rim + fill;
+}
+
+vec3 skyRadiance(vec3 direction)
+{
+    vec3 d = normalize(direction);
+    if (light.skyHorizon.w > 1.5) return studioRadiance(d);
+    if (light.skyHorizon.w > 0.5) return textureLod(environmentPicture, equirectangular(d), 0.0).rgb;
+    float up = max(d.y, 0.0);
+    float haze = exp2(-5.0 * up);
+    vec3 sky = mix(light.skyZenith.rgb, light.skyHorizon.rgb, haze);
+    float toSun = max(dot(d, light.sunDirection.xyz), 0.0);
+    float glow = 0.25 * pow(toSun, 24.0) + 1.2 * pow(toSun, 400.0);
+    sky += light.sunIrradiance.rgb * glow * 0.25;
+    // The ground outside, seen only from above.
+    vec3 ground = light.skyHorizon.rgb * vec3(0.16, 0.15, 0.13);
+    return d.y < 0.0 ? mix(sky, ground, clamp(-d.y * 18.0, 0.0, 1.0)) : sky;
+}

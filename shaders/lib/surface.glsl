@@ -1,0 +1,79 @@
+// Physically based surface: diffuse and a GGX highlight, lit by sun, baked or probed ambient light, and the
+// probe. Burley 2012 for the roughness scale, Heitz 2014 for the masking term, Schlick 1994 for Fresnel.
+#include "lib/light.glsl"
+
+struct Surface {
+    vec3 position;   // world space, metres
+    vec3 normal;     // unit, facing the viewer
+    vec3 baseColor;  // linear
+    float metalness;
+    float roughness; // perceptual
+    float specular;  // 0.5 is 4 % reflectance at normal incidence
+    vec3 ambient;    // irradiance over pi, occlusion included
+    float occlusion; // for reflections, 0 to 1
+};
+
+vec3 surfaceF0(Surface s)
+{
+    return mix(vec3(0.08 * s.specular), s.baseColor, s.metalness);
+}
+
+vec3 fresnelSchlick(vec3 f0, float cosine)
+{
+    float m = clamp(1.0 - cosine, 0.0, 1.0);  // Clamped: pow of a negative number is NaN on llvmpipe.
+    float m2 = m * m;
+    return f0 + (1.0 - f0) * (m2 * m2 * m);
+}
+
+// Directional albedo of the GGX lobe as scale and bias on F0; a fit in the manner of Karis 2014,
+// "Physically Based Shading on Mobile".
+vec2 environmentBrdf(float roughness, float cosNV)
+{
+    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float a = min(r.x * r.x, exp2(-9.28 * cosNV)) * r.x + r.y;
+    return vec2(-1.04, 1.04) * a + r.zw;
+}
+
+// Radiance of the sun's light reflected towards `toEye`.
+vec3 sunReflected(Surface s, vec3 toEye, float visibility)
+{
+    vec3 l = light.sunDirection.xyz;
+    float cosL = dot(s.normal, l);
+    if (cosL <= 0.0 || visibility <= 0.0) return vec3(0.0);
+    vec3 h = normalize(l + toEye);
+    float cosV = max(dot(s.normal, toEye), 1e-3);
+    float cosH = clamp(dot(s.normal, h), 0.0, 1.0);
+    float a = max(s.roughness * s.roughness, 0.003);
+    float a2 = a * a;
+    float d = a2 / (PI * pow(max(cosH * cosH * (a2 - 1.0) + 1.0, 1e-7), 2.0));
+    float v = 0.5 / (cosL * sqrt(cosV * cosV * (1.0 - a2) + a2) + cosV * sqrt(cosL * cosL * (1.0 - a2) + a2));
+    vec3 f = fresnelSchlick(surfaceF0(s), clamp(dot(toEye, h), 0.0, 1.0));
+    vec3 diffuse = s.baseColor * (1.0 - s.metalness) * (1.0 - f) / PI;
+    // The peak of a near-mirror is bounded: an unbounded sample cannot be averaged away.
+    return (diffuse + min(f * (d * v), vec3(64.0))) * light.sunIrradiance.rgb * (cosL * visibility);
+}
+
+// Radiance towards the eye without the mirror part.
+vec3 shadeWithoutReflection(Surface s, vec3 toEye, float visibility)
+{
+    float cosV = clamp(dot(s.normal, toEye), 0.0, 1.0);
+    vec2 brdf = environmentBrdf(s.roughness, cosV);
+    vec3 reflectance = surfaceF0(s) * brdf.x + brdf.y;
+    vec3 diffuse = s.baseColor * (1.0 - s.metalness) * (1.0 - reflectance) * s.ambient;
+    return diffuse + sunReflected(s, toEye, visibility);
+}
+
+// What the environment's mirror image is multiplied with.
+vec3 reflectance(Surface s, vec3 toEye)
+{
+    float cosV = clamp(dot(s.normal, toEye), 0.0, 1.0);
+    vec2 brdf = environmentBrdf(s.roughness, cosV);
+    return surfaceF0(s) * brdf.x + brdf.y;
+}
+
+vec3 shadeSurface(Surface s, vec3 toEye)
+{
+    vec3 mirrored = reflect(-toEye, s.normal);
+    vec3 environment = probeRadiance(s.position, mirrored, s.roughness) * s.occlusion;
+    return shadeWithoutReflection(s, toEye, sunVisibility(s.position, s.normal)) + reflectance(s, toEye) * environment;
+}

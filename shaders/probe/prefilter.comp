@@ -1,0 +1,64 @@
+// One level of a reflection probe: the captured cube convolved with a GGX lobe whose normal and view
+// direction are the lookup direction (Karis 2013), by importance sampling that reads the mip level
+// whose texels are as wide as the samples are apart (Krivanek and Colbert 2008).
+#include "lib/bindings.glsl"
+#include "lib/hash.glsl"
+
+layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
+
+layout(std140, binding = BLOCK_OBJECT) uniform Level {
+    vec4 level;  // x: perceptual roughness, y: samples, z: size of the captured faces in texels
+} object;
+
+layout(binding = UNIT_SOURCE) uniform samplerCube captured;
+layout(rgba16f, binding = 0) uniform writeonly imageCube filtered;
+
+const float PI = 3.14159265358979;
+
+vec3 cubeDirection(ivec3 texel, float size)
+{
+    vec2 p = (vec2(texel.xy) + 0.5) / size * 2.0 - 1.0;
+    if (texel.z == 0) return vec3(1.0, -p.y, -p.x);
+    if (texel.z == 1) return vec3(-1.0, -p.y, p.x);
+    if (texel.z == 2) return vec3(p.x, 1.0, p.y);
+    if (texel.z == 3) return vec3(p.x, -1.0, -p.y);
+    if (texel.z == 4) return vec3(p.x, -p.y, 1.0);
+    return vec3(-p.x, -p.y, -1.0);
+}
+
+void main()
+{
+    ivec3 texel = ivec3(gl_GlobalInvocationID);
+    ivec2 size = imageSize(filtered);
+    if (any(greaterThanEqual(texel.xy, size))) return;
+    vec3 n = normalize(cubeDirection(texel, float(size.x)));
+    float roughness = object.level.x;
+    int count = int(object.level.y);
+    if (roughness <= 0.0 || count <= 1) {
+        imageStore(filtered, texel, vec4(textureLod(captured, n, 0.0).rgb, 1.0));
+        return;
+    }
+    vec3 t = normalize(abs(n.y) < 0.99 ? cross(vec3(0.0, 1.0, 0.0), n) : cross(vec3(1.0, 0.0, 0.0), n));
+    vec3 b = cross(n, t);
+    float a = roughness * roughness;
+    float turn = float(pcg(uint(texel.x + 251 * texel.y + 65521 * texel.z)) & 0xFFFFu) / 65536.0;
+    vec3 sum = vec3(0.0);
+    float weights = 0.0;
+    float texelSolidAngle = 4.0 * PI / (6.0 * object.level.z * object.level.z);
+    for (int i = 0; i < count; ++i) {
+        float u = (float(i) + 0.5) / float(count);
+        float phi = 2.0 * PI * fract(float(i) * 0.61803398875 + turn);
+        float cosH = sqrt((1.0 - u) / (1.0 + (a * a - 1.0) * u));
+        float sinH = sqrt(max(1.0 - cosH * cosH, 0.0));
+        vec3 h = t * (sinH * cos(phi)) + b * (sinH * sin(phi)) + n * cosH;
+        vec3 l = 2.0 * cosH * h - n;
+        float cosL = dot(n, l);
+        if (cosL <= 0.0) continue;
+        float denominator = cosH * cosH * (a * a - 1.0) + 1.0;
+        float density = a * a / (PI * denominator * denominator) * 0.25;
+        float mip = max(0.5 * log2(1.0 / (float(count) * density * texelSolidAngle)) + 1.0, 0.0);
+        sum += textureLod(captured, l, mip).rgb * cosL;
+        weights += cosL;
+    }
+    imageStore(filtered, texel, vec4(sum / max(weights, 1e-4), 1.0));
+}
