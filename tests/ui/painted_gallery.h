@@ -1,0 +1,95 @@
+#pragma once
+
+#include "sample_tables.h"
+
+#include "ui/gallery.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+
+#include <cmath>
+
+namespace vitrine::test {
+
+/// An exhibit with a table and nothing to draw.
+class PlainExhibit final : public Exhibit {
+public:
+    PlainExhibit(std::string_view name, std::string_view title, int place) : name_(name), title_(title), place_(place) {}
+
+    [[nodiscard]] std::string_view name() const override { return name_; }
+    [[nodiscard]] std::string_view title() const override { return title_; }
+    [[nodiscard]] std::string_view summary() const override { return "One solid with one hole, from torus to mug and back."; }
+    [[nodiscard]] std::string_view buttonText() const override { return place_ > 0 ? "melt it" : ""; }
+    [[nodiscard]] int place() const override { return place_; }
+    [[nodiscard]] const Parameters& parameters() const override { return table_; }
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {{-1, 0, -1}, {1, 2, 1}}; }
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override { return {{0, 1.5, 3}, {0, 1, 0}, 0.9}; }
+    [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
+    void plan(const PlanContext&, render::FramePlan&) const override {}
+    [[nodiscard]] const SampleTable& table() const { return table_; }
+
+private:
+    std::string_view name_, title_;
+    int place_;
+    SampleTable table_;
+};
+
+/// A gallery of plain exhibits whose picture is one color: roughness of exhibit 1 is its red.
+class PaintedGallery final : public ui::Gallery {
+public:
+    PaintedGallery()
+    {
+        exhibits_.push_back(std::make_unique<PlainExhibit>("hall", "Hall", 0));
+        exhibits_.push_back(std::make_unique<PlainExhibit>("sdf_morph", "Torus to mug", 1));
+    }
+    [[nodiscard]] const SampleTable& table(std::size_t i) const { return static_cast<PlainExhibit&>(*exhibits_[i]).table(); }
+
+    [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const override { return exhibits_; }
+    [[nodiscard]] Look initialLook() const override
+    {
+        return {{exhibits_[0]->parameters().initial(), exhibits_[1]->parameters().initial()}, {}};
+    }
+    [[nodiscard]] render::Camera bestView(std::size_t, const ParameterValues&) const override { return {{0, 1.5, 3}, {0, 1, 0}, 0.9}; }
+    [[nodiscard]] glm::dvec3 walk(const glm::dvec3&, const glm::dvec3& to) const override { return {to.x, to.y, std::max(to.z, 2.0)}; }
+    [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override { return std::nullopt; }
+    [[nodiscard]] std::optional<std::size_t> pick(const Look&, glm::dvec2 ndc, double) const override
+    {
+        return glm::length(ndc) < 0.3 ? std::optional<std::size_t>(1) : std::nullopt;
+    }
+    [[nodiscard]] std::vector<int> emptyPlaces() const override { return {2, 3, 4, 5, 6, 7, 8, 9}; }
+    [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const override { return INFINITY; }
+
+    void open() override { ++opened; }
+    void close() override { ++closed; }
+    render::FrameReport draw(const Look& look, const FrameRequest& request) override
+    {
+        red_ = static_cast<float>(look.values[1][table(1).roughness]);
+        requests.push_back(request);
+        render::FrameReport report;
+        report.ran = {{"hall/opaque", "in view", render::Work::raster, 12.25}, {"sdf_morph/march", "in view, 1.2 m away", render::Work::raster, 31.5}};
+        report.skipped = {{"probe/capture", "unchanged since the last frame", render::Work::raster}};
+        report.milliseconds = 43.8;
+        report.clock = "process CPU time around glFinish";
+        return report;
+    }
+    void present(int, int) override
+    {
+        QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
+        gl->glClearColor(red_, 0.45F, 0.4F, 1);
+        gl->glClear(GL_COLOR_BUFFER_BIT);
+    }
+    void timeSteps(bool) override {}
+    bool reloadChangedShaders() override { return false; }
+    [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return shaderProblems; }
+    [[nodiscard]] std::unique_ptr<PictureMaker> makePicture(const Look&, const PictureRequest&) override { return nullptr; }
+
+    int opened = 0, closed = 0;
+    std::vector<FrameRequest> requests;
+    std::vector<render::gl::ShaderProblem> shaderProblems;
+
+private:
+    std::vector<std::unique_ptr<Exhibit>> exhibits_;
+    float red_ = 0;
+};
+
+}  // namespace vitrine::test

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ui/value_editor.h"
+
+#include <QAbstractButton>
+#include <QColor>
+
+class QColorDialog;
+class QLineEdit;
+
+namespace vitrine::ui {
+
+/// Linear Rec. 709 to and from the sRGB encoding that screens and people use. Components 0 to 1.
+[[nodiscard]] QColor encoded(const glm::dvec3& linear);
+[[nodiscard]] glm::dvec3 linear(const QColor&);
+
+/// A swatch that opens a dialog beside the window, and the color as #rrggbb.
+class ColorEditor final : public ValueEditor {
+    Q_OBJECT
+
+public:
+    ColorEditor(const ParameterInfo&, QWidget* parent);
+    void showValue(const Value&) override;
+
+private:
+    void choose();
+    void typed();
+
+    QAbstractButton* swatch_;
+    QLineEdit* code_;
+    glm::dvec3 value_{0};
+};
+
+}  // namespace vitrine::ui

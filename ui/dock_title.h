@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QWidget>
+
+class QDockWidget;
+
+namespace vitrine::ui {
+
+/// A quiet title bar for a dock: its name, and buttons to float and close. Dragging it moves the dock.
+class DockTitle final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DockTitle(QDockWidget* dock);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    [[nodiscard]] QSize sizeHint() const override { return {80, 28}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {80, 28}; }
+
+private:
+    QDockWidget* dock_;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace vitrine::ui {
+
+/// What the viewport draws next.
+struct DrawOrder {
+    double scale = 1;  ///< Of the viewport's resolution.
+    int sample = 0;    ///< Supersample ...
+    int samples = 1;   ///< ... of so many.
+
+    bool operator==(const DrawOrder&) const = default;
+};
+
+/// Decides when to draw and how finely: on demand only, coarser while something moves so that it stays
+/// fluid, finer and finer once all is still, and then not at all. Knows no widget and no GL. Times are
+/// seconds of one steady clock.
+class DrawSchedule {
+public:
+    static constexpr std::array<double, 5> scales{1, 0.75, 0.5, 0.35, 0.25};
+    static constexpr int samples = 16;
+    static constexpr double targetTime = 0.055;  ///< Seconds per frame while moving: about 18 frames a second.
+    static constexpr double settleTime = 0.2;    ///< Seconds without a change after which the picture is still.
+
+    /// Something visible changed: what was drawn is out of date.
+    void changed(double now);
+    /// While on, there is always a next frame, and it is never refined.
+    void setMoving(bool on, double now);
+
+    [[nodiscard]] std::optional<DrawOrder> next(double now) const;
+    /// Seconds after which `next` may have an order: 0, a wait, or infinity when nothing is to be drawn.
+    [[nodiscard]] double wait(double now) const;
+    /// The order was carried out and took so many seconds of real time.
+    void drawn(const DrawOrder&, double seconds);
+
+    [[nodiscard]] double scaleWhileMoving() const { return scales[level_]; }
+    [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples; }
+    /// For the status line: what is drawn and why.
+    [[nodiscard]] std::string reason() const;
+
+private:
+    void adapt(const DrawOrder&, double seconds);
+
+    bool dirty_ = true;
+    bool moving_ = false;
+    int refined_ = 0;        // Supersamples of the full picture that are drawn.
+    double lastChange_ = -1e9;
+    std::size_t level_ = 0;  // Index into `scales`.
+    int fastFrames_ = 0;     // In a row that would have allowed a finer level.
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "exhibits/framework/museum.h"
+#include "exhibits/framework/picture.h"
+#include "render/gl/renderer.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vitrine::ui {
+
+/// Everything the window shows and draws with: the museum, and a renderer on the viewport's context.
+/// Tests put a smaller one in its place.
+class Gallery {
+public:
+    virtual ~Gallery() = default;
+
+    [[nodiscard]] virtual std::span<const std::unique_ptr<Exhibit>> exhibits() const = 0;  ///< The hall first.
+    [[nodiscard]] virtual Look initialLook() const = 0;
+    [[nodiscard]] virtual render::Camera bestView(std::size_t exhibit, const ParameterValues&) const = 0;
+    [[nodiscard]] virtual glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const = 0;
+    [[nodiscard]] virtual std::optional<LookedAt> lookedAt(const Look&) const = 0;
+    [[nodiscard]] virtual std::optional<std::size_t> pick(const Look&, glm::dvec2 ndc, double aspect) const = 0;
+    [[nodiscard]] virtual std::vector<int> emptyPlaces() const = 0;
+    [[nodiscard]] virtual double nextChange(const Look&, const FrameRequest&) const = 0;
+
+    // With the viewport's context current:
+
+    /// Called when the context is made, and again after it was lost.
+    virtual void open() = 0;
+    virtual void close() = 0;
+    virtual render::FrameReport draw(const Look&, const FrameRequest&) = 0;
+    /// Copies the last picture to the framebuffer that is bound, of this size in device pixels.
+    virtual void present(int width, int height) = 0;
+    virtual void timeSteps(bool on) = 0;
+    /// Returns whether any picture may have changed.
+    virtual bool reloadChangedShaders() = 0;
+    [[nodiscard]] virtual std::vector<render::gl::ShaderProblem> problems() const = 0;
+    /// A finished picture to make step by step; the gallery must stay open until it is finished.
+    [[nodiscard]] virtual std::unique_ptr<PictureMaker> makePicture(const Look&, const PictureRequest&) = 0;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,163 @@
+#include "ui/main_window.h"
+
+#include "ui/command_palette.h"
+#include "ui/exhibit_list.h"
+#include "ui/ledger_view.h"
+#include "ui/log_view.h"
+#include "ui/parameter_panel.h"
+#include "ui/preset_list.h"
+#include "ui/preset_shelf.h"
+#include "ui/status_line.h"
+#include "ui/viewport.h"
+#include "ui/window_actions.h"
+
+#include <QAction>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QVBoxLayout>
+
+namespace vitrine::ui {
+namespace {
+
+QString text(std::string_view s)
+{
+    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
+}
+
+}  // namespace
+
+MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
+    : QMainWindow(parent), gallery_(gallery), history_(gallery.initialLook())
+{
+    setWindowTitle(tr("Vitrine"));
+    setAcceptDrops(true);
+    resize(1400, 860);
+
+    auto* middle = new QWidget;
+    auto* layout = new QVBoxLayout(middle);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    messages_ = new MessageStrip;
+    viewport_ = new Viewport(gallery_, history_);
+    layout->addWidget(messages_);
+    layout->addWidget(viewport_, 1);
+    setCentralWidget(middle);
+
+    status_ = new StatusLine;
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addWidget(status_, 1);
+    status_->setReason([this] { return QString::fromStdString(viewport_->schedule().reason()); });
+
+    buildDocks();
+    actions_ = std::make_unique<WindowActions>(*this);
+    presets_->setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
+    connectParts();
+    choose(0);
+    viewport_->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::connectParts()
+{
+    connect(panel_, &ParameterPanel::edited, this, [this](const ParameterValues& values, int gesture, const QString& step) {
+        Look next = history_.look();
+        next.values[static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong())] = values;
+        history_.change(step, std::move(next), gesture);
+    });
+    connect(&history_, &History::changed, this, &MainWindow::showValues);
+    connect(tabs_, &QTabBar::currentChanged, this, &MainWindow::showValues);
+    connect(exhibits_, &ExhibitList::chosen, this, [this](std::size_t exhibit) {
+        if (exhibit == 0) viewport_->walkOn();
+        if (exhibit == 0) choose(0);
+        else visit(exhibit);
+        viewport_->setFocus();
+    });
+    connect(viewport_, &Viewport::visited, this, &MainWindow::choose);
+    connect(viewport_, &Viewport::pressed, this, [this](std::size_t exhibit) {
+        Look next = history_.look();
+        if (gallery_.exhibits()[exhibit]->press(next.values[exhibit]))
+            history_.change(tr("Press the button of %1").arg(text(gallery_.exhibits()[exhibit]->title())), std::move(next));
+    });
+    connect(viewport_, &Viewport::failed, this, [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
+    connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report, const QSize& pixels) {
+        status_->note(report, pixels);
+        ledger_->note(report);
+        keepThumbnail();
+    });
+    connect(messages_, &MessageStrip::said, log_, &LogView::add);
+}
+
+void MainWindow::say(MessageStrip::Mood mood, const QString& words)
+{
+    messages_->say(mood, words);
+}
+
+void MainWindow::choose(std::size_t exhibit)
+{
+    chosen_ = exhibit;
+    exhibits_->choose(exhibit);
+    {
+        const QSignalBlocker quiet(tabs_);
+        while (tabs_->count() > 0) tabs_->removeTab(0);
+        for (const std::size_t i : exhibit == 0 ? std::vector<std::size_t>{0} : std::vector<std::size_t>{exhibit, 0}) {
+            const int tab = tabs_->addTab(text(gallery_.exhibits()[i]->title()));
+            tabs_->setTabData(tab, static_cast<qulonglong>(i));
+            tabs_->setTabToolTip(tab, text(gallery_.exhibits()[i]->summary()));
+        }
+    }
+    showValues();
+    shelf_->refresh();
+}
+
+void MainWindow::visit(std::size_t exhibit)
+{
+    choose(exhibit);
+    viewport_->visit(exhibit);
+}
+
+void MainWindow::showValues()
+{
+    const auto shown = static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
+    panel_->showValues(history_.look().values[shown], text(gallery_.exhibits()[shown]->name()));
+}
+
+void MainWindow::resetEverything()
+{
+    const auto shown = static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
+    Look next = history_.look();
+    next.values[shown] = gallery_.exhibits()[shown]->parameters().initial();
+    history_.change(tr("Reset %1").arg(text(gallery_.exhibits()[shown]->title())), std::move(next));
+}
+
+void MainWindow::keepThumbnail()
+{
+    if (chosen_ == 0 || exhibits_->hasThumbnail(chosen_) || !viewport_->schedule().still()) return;
+    if (viewport_->mode() != CameraControl::Mode::orbit) return;
+    // After this picture is on the screen; grabbing draws again.
+    QMetaObject::invokeMethod(this, [this] {
+        const QImage picture = viewport_->grabFramebuffer();
+        if (!picture.isNull()) exhibits_->setThumbnail(chosen_, thumbnailOf(picture));
+    }, Qt::QueuedConnection);
+}
+
+QPixmap MainWindow::thumbnailOf(const QImage& picture)
+{
+    const QSize size = TileDelegate::picture * 2;
+    const QImage scaled = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    return QPixmap::fromImage(scaled.copy(QRect(QPoint((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2), size)));
+}
+
+void MainWindow::openPalette()
+{
+    (new CommandPalette(actions_->all, this))->show();
+}
+
+void MainWindow::openShortcutSheet()
+{
+    (new ShortcutSheet(actions_->all, this))->show();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_main_window.cpp"

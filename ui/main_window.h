@@ -1,0 +1,90 @@
+#pragma once
+
+#include "ui/gallery.h"
+#include "ui/message_strip.h"
+#include "ui/undo.h"
+
+#include <QMainWindow>
+#include <QPixmap>
+
+class QTabBar;
+
+namespace vitrine::ui {
+
+class ExhibitList;
+class LedgerView;
+class LogView;
+class ParameterPanel;
+class PresetList;
+class PresetShelf;
+class SessionKeeper;
+class StatusLine;
+class Viewport;
+struct WindowActions;
+
+/// The workbench: the picture in the middle, everything else around it.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+
+public:
+    /// The gallery must outlive it.
+    explicit MainWindow(Gallery&, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    void say(MessageStrip::Mood, const QString& text);
+    /// Shows this exhibit's parameters and presets; 0 is the hall.
+    void choose(std::size_t exhibit);
+    /// ... and goes there.
+    void visit(std::size_t exhibit);
+    /// A picture, preset, model or panorama: what a drop on the window does.
+    void openFile(const QString& path);
+
+    [[nodiscard]] std::size_t chosen() const { return chosen_; }
+    [[nodiscard]] Gallery& gallery() const { return gallery_; }
+    [[nodiscard]] History& history() { return history_; }
+    [[nodiscard]] Viewport& viewport() const { return *viewport_; }
+    [[nodiscard]] ParameterPanel& panel() const { return *panel_; }
+    [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }
+
+    // What the actions do.
+    void hidePanels(bool hidden);
+    void setFullScreen(bool);
+    void saveScreenshotNow();
+    void openScreenshotDialog();
+    void resetEverything();
+    void openPalette();
+    void openShortcutSheet();
+
+protected:
+    void closeEvent(QCloseEvent*) override;
+    void dragEnterEvent(QDragEnterEvent*) override;
+    void dropEvent(QDropEvent*) override;
+
+private:
+    void buildDocks();
+    void connectParts();
+    void showValues();
+    void keepThumbnail();
+    [[nodiscard]] static QPixmap thumbnailOf(const QImage&);
+    void restoreSession();
+    void setHallFile(const char* parameter, const QString& path);
+
+    Gallery& gallery_;
+    History history_;
+    Viewport* viewport_;
+    MessageStrip* messages_;
+    StatusLine* status_;
+    QTabBar* tabs_ = nullptr;
+    ParameterPanel* panel_ = nullptr;
+    ExhibitList* exhibits_ = nullptr;
+    PresetList* presets_ = nullptr;
+    PresetShelf* shelf_ = nullptr;
+    SessionKeeper* keeper_ = nullptr;
+    LedgerView* ledger_ = nullptr;
+    LogView* log_ = nullptr;
+    std::unique_ptr<WindowActions> actions_;
+    QList<QDockWidget*> docks_, hiddenDocks_;
+    std::size_t chosen_ = 0;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,90 @@
+#include "ui/museum_gallery.h"
+
+#include <cassert>
+
+namespace vitrine::ui {
+
+std::span<const std::unique_ptr<Exhibit>> MuseumGallery::exhibits() const
+{
+    return museum_.exhibits();
+}
+
+Look MuseumGallery::initialLook() const
+{
+    return museum_.initialLook();
+}
+
+render::Camera MuseumGallery::bestView(std::size_t exhibit, const ParameterValues& values) const
+{
+    return museum_.bestView(exhibit, values);
+}
+
+glm::dvec3 MuseumGallery::walk(const glm::dvec3& from, const glm::dvec3& to) const
+{
+    return museum_.walk(from, to);
+}
+
+std::optional<LookedAt> MuseumGallery::lookedAt(const Look& look) const
+{
+    return museum_.lookedAt(look);
+}
+
+std::optional<std::size_t> MuseumGallery::pick(const Look& look, glm::dvec2 ndc, double aspect) const
+{
+    return museum_.pick(look, ndc, aspect);
+}
+
+std::vector<int> MuseumGallery::emptyPlaces() const
+{
+    return museum_.emptyPlaces();
+}
+
+double MuseumGallery::nextChange(const Look& look, const FrameRequest& request) const
+{
+    return museum_.nextChange(look, request);
+}
+
+void MuseumGallery::open()
+{
+    renderer_ = std::make_unique<render::gl::Renderer>();
+    renderer_->timeSteps(timeSteps_);
+}
+
+void MuseumGallery::close()
+{
+    renderer_.reset();
+}
+
+render::FrameReport MuseumGallery::draw(const Look& look, const FrameRequest& request)
+{
+    assert(renderer_);
+    return renderer_->draw(museum_.plan(look, request, renderer_->kept()));
+}
+
+void MuseumGallery::present(int width, int height)
+{
+    renderer_->present("frame", width, height);
+}
+
+void MuseumGallery::timeSteps(bool on)
+{
+    timeSteps_ = on;
+    if (renderer_) renderer_->timeSteps(on);
+}
+
+bool MuseumGallery::reloadChangedShaders()
+{
+    return renderer_ && renderer_->reloadChangedShaders();
+}
+
+std::vector<render::gl::ShaderProblem> MuseumGallery::problems() const
+{
+    return renderer_ ? renderer_->problems() : std::vector<render::gl::ShaderProblem>();
+}
+
+std::unique_ptr<PictureMaker> MuseumGallery::makePicture(const Look& look, const PictureRequest& request)
+{
+    return std::make_unique<PictureMaker>(museum_, *renderer_, look, request);
+}
+
+}  // namespace vitrine::ui

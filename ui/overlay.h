@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QLabel>
+
+#include <vector>
+
+namespace vitrine::ui {
+
+/// One line or block of text over the picture: plain text on a dark veil, whatever the theme.
+class Overlay final : public QLabel {
+    Q_OBJECT
+
+public:
+    enum class Place { topLeft, center, bottom };
+
+    Overlay(Place, QWidget* viewport);
+
+    /// Empty text hides it.
+    void say(const QString& text);
+    /// After the viewport's size changed.
+    void place();
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+
+private:
+    Place place_;
+};
+
+}  // namespace vitrine::ui

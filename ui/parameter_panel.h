@@ -1,0 +1,77 @@
+#pragma once
+
+#include "exhibits/framework/parameters.h"
+#include "ui/undo.h"
+
+#include <QSet>
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace vitrine::ui {
+
+class ParameterRow;
+class ParameterSection;
+
+/// The parameters of one table: everything here is derived from its rows.
+class ParameterPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ParameterPanel(QWidget* parent = nullptr);
+
+    /// Shows these values under this exhibit's name; a table other than before rebuilds the rows.
+    void showValues(const ParameterValues&, const QString& exhibit);
+    [[nodiscard]] const std::optional<ParameterValues>& values() const { return values_; }
+    [[nodiscard]] ParameterRow* row(std::string_view name) const;
+    /// Connect `accuracyAsked` before showing the gauge: a mark that does nothing is no mark.
+    void setGaugesShown(bool);
+
+    /// Groups that the visitor folded, "exhibit/group": kept with the window's layout.
+    [[nodiscard]] QStringList foldedGroups() const;
+    void setFoldedGroups(const QStringList&);
+
+public slots:
+    void focusFilter();
+
+signals:
+    /// The visitor changed something; edits of one gesture are one undo step. `text` names it: "Change roughness".
+    void edited(const vitrine::ParameterValues& values, int gesture, const QString& text);
+    /// The gauge of a quality parameter: what does its accuracy cost?
+    void accuracyAsked(std::size_t row);
+
+protected:
+    bool eventFilter(QObject*, QEvent*) override;
+
+private:
+    void rebuild();
+    void applyFilter();
+    void edit(std::size_t row, const Value&, Gesture, const QString& text);
+    void openMenu(std::size_t row, const QPoint& at);
+    void copy(std::size_t row) const;
+    void paste(std::size_t row);
+    void copyAll() const;
+    [[nodiscard]] std::optional<std::size_t> rowAt(QObject*) const;
+
+    QLineEdit* filter_;
+    QToolButton* onlyChanged_;
+    QScrollArea* scroll_;
+    QLabel* nothing_;
+    QWidget* content_ = nullptr;
+    std::vector<ParameterRow*> rows_;
+    std::vector<ParameterSection*> sections_;
+    std::optional<ParameterValues> values_;
+    QString exhibit_;
+    QSet<QString> folded_;
+    bool gauges_ = false;
+};
+
+}  // namespace vitrine::ui

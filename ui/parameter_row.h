@@ -1,0 +1,82 @@
+#pragma once
+
+#include "ui/value_editor.h"
+
+#include <QAbstractButton>
+#include <QLabel>
+
+namespace vitrine::ui {
+
+/// The name of a row; dragging it edits a number.
+class RowLabel final : public QLabel {
+    Q_OBJECT
+
+public:
+    RowLabel(const QString& text, ValueEditor* editor, QWidget* parent);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+
+private:
+    ValueEditor* editor_;
+    bool dragging_ = false;
+};
+
+/// An amber dot while the value differs from the initial one, an arrow under the pointer; a click resets.
+class ResetDot final : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit ResetDot(QWidget* parent);
+    void setDiffers(bool);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+};
+
+/// The mark of a quality parameter: what does its accuracy cost?
+class GaugeMark final : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit GaugeMark(QWidget* parent);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+};
+
+/// One row of the panel, 26 pixels: label, editor, reset dot.
+class ParameterRow final : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int height = 26;
+    static constexpr int labelWidth = 124;
+
+    /// `info` must outlive the row.
+    ParameterRow(const ParameterInfo& info, QWidget* parent);
+
+    [[nodiscard]] const ParameterInfo& info() const { return editor_->row(); }
+    void showValue(const Value&);
+    [[nodiscard]] bool differs() const { return differs_; }
+    /// Whether label, name, group, help or a choice contains `words`, whatever the case.
+    [[nodiscard]] bool matches(const QString& words) const;
+    /// Quality parameters show their gauge only once something answers it.
+    void setGaugeShown(bool);
+
+signals:
+    void edited(const vitrine::Value& value, int gesture);
+    void resetAsked();
+    void accuracyAsked();
+
+private:
+    ValueEditor* editor_;
+    ResetDot* dot_;
+    GaugeMark* gauge_ = nullptr;
+    bool differs_ = false;
+};
+
+}  // namespace vitrine::ui

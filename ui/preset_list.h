@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QListWidget>
+#include <QPixmap>
+#include <QWidget>
+
+#include <vector>
+
+class QAction;
+
+namespace vitrine::ui {
+
+/// One line of the list. `id` is whatever its owner finds it by.
+struct PresetEntry {
+    QString id;
+    QString name;
+    bool shipped = false;  ///< Came with the program: can be loaded and duplicated, not changed.
+    QPixmap thumbnail;
+};
+
+/// The presets of one exhibit, by picture and name. Asks for everything; does nothing itself.
+class PresetList final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PresetList(QWidget* parent = nullptr);
+
+    void fill(const std::vector<PresetEntry>&);
+    /// The preset that the look was loaded from or saved to, or "" for none.
+    void setCurrent(const QString& id);
+    [[nodiscard]] QString selected() const;
+    /// The actions that its buttons and menu offer, in this order; null is a separator.
+    void setActions(QAction* save, QAction* saveAs, const QList<QAction*>& menu);
+    /// Lets the visitor type a new name in place.
+    void startRename(const QString& id);
+
+signals:
+    void loadAsked(const QString& id);
+    void renamed(const QString& id, const QString& name);
+
+private:
+    [[nodiscard]] QListWidgetItem* itemOf(const QString& id) const;
+
+    QListWidget* list_;
+    QWidget* buttons_;
+    QList<QAction*> menu_;
+};
+
+}  // namespace vitrine::ui

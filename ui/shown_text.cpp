@@ -1,0 +1,123 @@
+#include "ui/shown_text.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace vitrine::ui {
+namespace {
+
+QString text(std::string_view s)
+{
+    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
+}
+
+/// At most `digits` significant digits, without trailing zeros; never a thousand-digit number.
+QString shortNumber(double x, int digits)
+{
+    if (x == 0) return QStringLiteral("0");
+    char buffer[64];
+    const double size = std::abs(x);
+    const bool plain = size >= 1e-4 && size < 1e7;
+    const int decimals = plain ? std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 8) : digits - 1;
+    const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, x, format, decimals);
+    QString shown = QString::fromLatin1(buffer, end.ptr - buffer);
+    if (plain && shown.contains(QLatin1Char('.'))) {
+        while (shown.endsWith(QLatin1Char('0'))) shown.chop(1);
+        if (shown.endsWith(QLatin1Char('.'))) shown.chop(1);
+    }
+    return shown;
+}
+
+QString number(double stored, Unit unit)
+{
+    return shortNumber(shown(stored, unit), 4);
+}
+
+QString withUnit(const QString& number, Unit unit)
+{
+    const QString symbol = text(info(unit).symbol);
+    if (symbol.isEmpty()) return number;
+    return unit == Unit::degree || unit == Unit::percent ? number + symbol : number + QChar(0x2009) + symbol;
+}
+
+QString three(const glm::dvec3& v)
+{
+    return QStringLiteral("%1, %2, %3").arg(shortNumber(v.x, 3), shortNumber(v.y, 3), shortNumber(v.z, 3));
+}
+
+bool isNumber(const ParameterInfo& row)
+{
+    return row.kind == Kind::real || row.kind == Kind::count;
+}
+
+}  // namespace
+
+QString shownText(const ParameterInfo& row, const Value& value)
+{
+    switch (row.kind) {
+    case Kind::real: return withUnit(number(std::get<double>(value), row.unit), row.unit);
+    case Kind::count: return withUnit(QString::number(std::llround(std::get<double>(value))), row.unit);
+    case Kind::toggle: return std::get<double>(value) != 0 ? QStringLiteral("on") : QStringLiteral("off");
+    case Kind::choice: return text(row.choices[static_cast<std::size_t>(std::get<double>(value))]);
+    case Kind::color:
+    case Kind::direction: return three(std::get<glm::dvec3>(value));
+    case Kind::file: {
+        const std::string& path = std::get<std::string>(value);
+        return path.empty() ? QStringLiteral("none") : text(path);
+    }
+    }
+    return {};
+}
+
+QString legalRangeText(const ParameterInfo& row)
+{
+    if (!isNumber(row)) return {};
+    return QStringLiteral("%1 to %2").arg(number(row.range.low, row.unit), withUnit(number(row.range.high, row.unit), row.unit));
+}
+
+QString tooltipText(const ParameterInfo& row)
+{
+    QStringList lines{text(row.help), QString()};
+    if (isNumber(row)) {
+        lines << QStringLiteral("Legal: %1").arg(legalRangeText(row));
+        if (row.range.softLow != row.range.low || row.range.softHigh != row.range.high)
+            lines.last() += QStringLiteral("; the slider spans %1 to %2")
+                                .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
+    }
+    lines << QStringLiteral("Initial value: %1").arg(shownText(row, row.initial));
+    lines << QStringLiteral("In presets: %1").arg(text(row.name));
+    if (isNumber(row)) lines << QString() << QStringLiteral("Drag the label or the number; click to type, 2*pi or 30deg too.\nShift is ten times finer, Ctrl ten times coarser.");
+    return lines.join(QLatin1Char('\n'));
+}
+
+// Replaced by the framework's value_text once it is there.
+QString exactText(const ParameterInfo& row, const Value& value)
+{
+    if (!isNumber(row)) return shownText(row, value);
+    char buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, shown(std::get<double>(value), row.unit));
+    return QString::fromLatin1(buffer, end.ptr - buffer);
+}
+
+std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, QString* problem)
+{
+    const std::string bytes = typed.trimmed().toStdString();
+    double x = 0;
+    const auto end = std::from_chars(bytes.data(), bytes.data() + bytes.size(), x);
+    if (end.ec != std::errc() || end.ptr != bytes.data() + bytes.size()) {
+        if (problem) *problem = QStringLiteral("Not a number: %1").arg(typed);
+        return std::nullopt;
+    }
+    return nearestLegal(row, stored(x, row.unit));
+}
+
+QString allAsJson(const ParameterValues&, const QString&)
+{
+    return {};
+}
+
+}  // namespace vitrine::ui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "render/plan/painter.h"
+
+#include <QSize>
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+#include <functional>
+
+class QLabel;
+
+namespace vitrine::ui {
+
+/// Left to right: what is drawn and why, resolution, time of the frame by which clock, passes run and
+/// skipped. Renewed twice a second at most, and not at all while nothing is drawn.
+class StatusLine final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    /// Asked for at each renewal: DrawSchedule::reason.
+    void setReason(std::function<QString()> reason) { reason_ = std::move(reason); }
+    void note(const render::FrameReport&, const QSize& pixels);
+    [[nodiscard]] QString text() const;
+
+private:
+    void renew();
+
+    std::array<QLabel*, 4> labels_{};
+    std::function<QString()> reason_;
+    QTimer timer_;
+    QSize pixels_;
+    double milliseconds_ = 0;
+    QString clock_;
+    std::size_t ran_ = 0, skipped_ = 0;
+};
+
+}  // namespace vitrine::ui

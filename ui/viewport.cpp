@@ -1,0 +1,273 @@
+#include "ui/viewport.h"
+
+#include "render/failure.h"
+#include "ui/overlay.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLDebugLogger>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr double buttonTime = 0.25;       // Seconds in which a pressed button is still moving, with some to spare.
+constexpr double longestTick = 0.5;
+constexpr double firstTick = 1.0 / 60;    // After a rest no time has passed for those who walk.
+
+}  // namespace
+
+QSurfaceFormat viewportFormat()
+{
+    QSurfaceFormat format;
+    format.setVersion(4, 5);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setSwapInterval(1);
+#ifndef NDEBUG
+    format.setOption(QSurfaceFormat::DebugContext);
+#endif
+    return format;
+}
+
+Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
+    : QOpenGLWidget(parent), gallery_(gallery), history_(history), hint_(new Overlay(Overlay::Place::bottom, this)),
+      label_(new Overlay(Overlay::Place::center, this)), problems_(new Overlay(Overlay::Place::topLeft, this))
+{
+    setFormat(viewportFormat());
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 90);
+    setAccessibleName(tr("Museum"));
+    setAccessibleDescription(tr("The picture. W A S D walk, dragging looks around, a click visits an exhibit."));
+    steady_.start();
+    pressedAt_.assign(gallery.exhibits().size(), -1e9);
+    control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return gallery_.walk(from, to); });
+    control_.jumpTo(history.look().camera);
+    timer_.setSingleShot(true);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, &Viewport::tick);
+    connect(&history, &History::changed, this, &Viewport::lookChanged);
+    connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.look().camera); });
+#ifndef NDEBUG
+    connect(&shaderPoll_, &QTimer::timeout, this, &Viewport::reloadShaders);
+    shaderPoll_.start(500);
+#endif
+}
+
+Viewport::~Viewport()
+{
+    closeGl();
+}
+
+void Viewport::initializeGL()
+{
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::closeGl, Qt::UniqueConnection);
+#ifndef NDEBUG
+    auto* logger = new QOpenGLDebugLogger(context());
+    if (logger->initialize()) {
+        connect(logger, &QOpenGLDebugLogger::messageLogged, this, [](const QOpenGLDebugMessage& message) {
+            if (message.severity() == QOpenGLDebugMessage::HighSeverity) qWarning("OpenGL: %s", qPrintable(message.message()));
+        });
+        logger->startLogging(QOpenGLDebugLogger::SynchronousLogging);
+    }
+#endif
+    try {
+        gallery_.open();
+        opened_ = true;
+    } catch (const Failure& failure) {
+        emit failed(QString::fromUtf8(failure.what()));
+    }
+    drewOnce_ = false;
+    schedule_.changed(now());
+}
+
+void Viewport::closeGl()
+{
+    if (!opened_) return;
+    opened_ = false;
+    makeCurrent();
+    gallery_.close();
+    doneCurrent();
+}
+
+bool Viewport::withContext(const std::function<void()>& work)
+{
+    if (!opened_) return false;
+    makeCurrent();
+    work();
+    doneCurrent();
+    return true;
+}
+
+FrameRequest Viewport::request() const
+{
+    FrameRequest wanted;
+    wanted.camera = control_.camera();
+    wanted.raster.size = {std::max(1, static_cast<int>(std::lround(width() * devicePixelRatioF()))),
+                          std::max(1, static_cast<int>(std::lround(height() * devicePixelRatioF())))};
+    wanted.time = time_;
+    const double at = now();
+    for (const double pressedAt : pressedAt_) wanted.sincePressed.push_back(at - pressedAt);
+    return wanted;
+}
+
+void Viewport::paintGL()
+{
+    if (!opened_ || width() <= 0 || height() <= 0) return;
+    if (const std::optional<DrawOrder> order = schedule_.next(now())) draw(*order);
+    if (drewOnce_) {
+        const double ratio = devicePixelRatioF();
+        gallery_.present(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
+    }
+    scheduleNext();
+}
+
+void Viewport::draw(const DrawOrder& order)
+{
+    FrameRequest wanted = request();
+    wanted.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.raster.size) * order.scale)), glm::ivec2(1));
+    wanted.sample = order.sample;
+    wanted.samples = order.samples;
+    const double start = now();
+    try {
+        const render::FrameReport report = gallery_.draw(history_.look(), wanted);
+        drewOnce_ = true;
+        ++picturesDrawn_;
+        lastFailure_.clear();
+        schedule_.drawn(order, now() - start);
+        emit drawn(report, QSize(wanted.raster.size.x, wanted.raster.size.y));
+    } catch (const Failure& failure) {
+        // The last good picture stays; nothing is tried again until something changes.
+        schedule_.drawn({1, DrawSchedule::samples - 1, DrawSchedule::samples}, 0);
+        const QString message = QString::fromUtf8(failure.what());
+        if (message != lastFailure_) emit failed(message);
+        lastFailure_ = message;
+    }
+    showProblems();
+}
+
+void Viewport::resizeGL(int, int)
+{
+    schedule_.changed(now());
+    for (Overlay* overlay : {hint_, label_, problems_}) overlay->place();
+}
+
+void Viewport::scheduleNext()
+{
+    const double wait = schedule_.wait(now());
+    const bool walking = keys_.any() && hasFocus();
+    if (wait <= 0 || walking || control_.moving()) {
+        timer_.start(0);
+        return;
+    }
+    const double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request());
+    const double soonest = std::min(wait, change);
+    if (std::isfinite(soonest)) timer_.start(static_cast<int>(std::ceil(std::clamp(soonest, 0.0, 3600.0) * 1000)));
+}
+
+void Viewport::tick()
+{
+    const double at = now();
+    const double since = clockRuns_ ? at - lastTick_ : firstTick;
+    const double seconds = since > longestTick ? firstTick : since;
+    lastTick_ = at;
+
+    const CameraControl::Mode modeBefore = control_.mode();
+    if (control_.advance(seconds, keys_)) cameraChanged();
+    if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) emit walkedOn();
+
+    const bool buttons = std::any_of(pressedAt_.begin(), pressedAt_.end(), [&](double t) { return at - t < buttonTime; });
+    const double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request());
+    const bool animated = change <= 0;
+    clockRuns_ = std::isfinite(change) || keys_.any() || control_.moving();
+    if (animated) {
+        time_ += seconds;
+    } else if (std::isfinite(change)) {
+        time_ += since;
+        if (change <= since) schedule_.changed(at);
+    }
+    schedule_.setMoving(animated || buttons || keys_.any() || control_.moving(), at);
+    if (schedule_.next(at)) update();
+    else scheduleNext();
+}
+
+void Viewport::lookChanged()
+{
+    schedule_.changed(now());
+    if (!timer_.isActive()) timer_.start(0);
+}
+
+void Viewport::cameraChanged()
+{
+    history_.setCamera(control_.camera());
+    hint_->say({});
+    Look look = history_.look();
+    lookedAt_ = control_.mode() == CameraControl::Mode::walk ? gallery_.lookedAt(look) : std::nullopt;
+    label_->say(lookedAt_ ? QString::fromStdString(lookedAt_->text) : QString());
+    lookChanged();
+}
+
+void Viewport::visit(std::size_t exhibit)
+{
+    control_.visit(gallery_.bestView(exhibit, history_.look().values[exhibit]));
+    cameraChanged();
+}
+
+void Viewport::jumpTo(const render::Camera& camera)
+{
+    control_.jumpTo(camera);
+    cameraChanged();
+}
+
+void Viewport::walkOn()
+{
+    if (control_.mode() == CameraControl::Mode::walk) return;
+    control_.walkOn();
+    cameraChanged();
+    emit walkedOn();
+}
+
+void Viewport::press()
+{
+    if (!lookedAt_) return;
+    pressedAt_[lookedAt_->exhibit] = now();
+    lookChanged();
+    emit pressed(lookedAt_->exhibit);
+}
+
+void Viewport::setPaused(bool paused)
+{
+    paused_ = paused;
+    lookChanged();
+}
+
+void Viewport::setStepsTimed(bool on)
+{
+    gallery_.timeSteps(on);
+}
+
+void Viewport::reloadShaders()
+{
+    withContext([this] {
+        if (gallery_.reloadChangedShaders()) lookChanged();
+    });
+    showProblems();
+}
+
+void Viewport::showProblems()
+{
+    QStringList lines;
+    for (const render::gl::ShaderProblem& problem : gallery_.problems())
+        lines << QStringLiteral("%1:%2  %3").arg(QString::fromStdString(problem.file)).arg(problem.line).arg(QString::fromStdString(problem.message).trimmed());
+    if (!lines.isEmpty()) lines.prepend(tr("A shader did not build; the last good picture stays. Saving the file tries again."));
+    problems_->say(lines.join(QLatin1Char('\n')));
+}
+
+void Viewport::showHint(const QString& text)
+{
+    hint_->say(text);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_viewport.cpp"

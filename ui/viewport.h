@@ -1,0 +1,122 @@
+#pragma once
+
+#include "ui/camera_control.h"
+#include "ui/draw_schedule.h"
+#include "ui/gallery.h"
+#include "ui/undo.h"
+
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+#include <QTimer>
+
+#include <functional>
+
+namespace vitrine::ui {
+
+class Overlay;
+
+/// The picture, and the visitor in it. Draws on demand only.
+class Viewport final : public QOpenGLWidget {
+    Q_OBJECT
+
+public:
+    /// Both must outlive it.
+    Viewport(Gallery&, History&, QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    /// Glides to the exhibit's best view and orbits it.
+    void visit(std::size_t exhibit);
+    void jumpTo(const render::Camera&);
+    /// Leaves the exhibit.
+    void walkOn();
+    [[nodiscard]] CameraControl::Mode mode() const { return control_.mode(); }
+
+    void setPaused(bool);
+    [[nodiscard]] bool paused() const { return paused_; }
+    /// Times every step: slower, while the ledger is open.
+    void setStepsTimed(bool);
+    void reloadShaders();
+    /// The line for the first start; gone at the first step or click.
+    void showHint(const QString&);
+
+    [[nodiscard]] const DrawSchedule& schedule() const { return schedule_; }
+    [[nodiscard]] double time() const { return time_; }
+    /// Number of pictures drawn since the start: tests count that an idle window draws none.
+    [[nodiscard]] long long picturesDrawn() const { return picturesDrawn_; }
+    /// Calls `work` with the context current; does nothing before there is one.
+    bool withContext(const std::function<void()>& work);
+
+public slots:
+    /// Something visible changed.
+    void lookChanged();
+    /// Presses the button that the look rests on.
+    void press();
+
+signals:
+    void visited(std::size_t exhibit);
+    void walkedOn();
+    /// The visitor pressed this exhibit's button.
+    void pressed(std::size_t exhibit);
+    void drawn(const vitrine::render::FrameReport& report, const QSize& pixels);
+    /// Drawing failed; the last good picture stays.
+    void failed(const QString& message);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeGL(int, int) override;
+    bool event(QEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+    void keyReleaseEvent(QKeyEvent*) override;
+    void focusOutEvent(QFocusEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+    void mouseDoubleClickEvent(QMouseEvent*) override;
+    void wheelEvent(QWheelEvent*) override;
+
+private:
+    [[nodiscard]] double now() const { return static_cast<double>(steady_.nsecsElapsed()) * 1e-9; }
+    [[nodiscard]] FrameRequest request() const;
+    void tick();
+    void scheduleNext();
+    void draw(const DrawOrder&);
+    void closeGl();
+    void cameraChanged();
+    void showProblems();
+    [[nodiscard]] bool setKey(int key, bool down);
+    void click(const QPointF&);
+    void releasePointer();
+
+    Gallery& gallery_;
+    History& history_;
+    CameraControl control_;
+    DrawSchedule schedule_;
+    WalkKeys keys_;
+    QElapsedTimer steady_;
+    QTimer timer_;
+    QTimer shaderPoll_;
+    double lastTick_ = 0;
+    double time_ = 0;           // The exhibits' clock, seconds.
+    bool clockRuns_ = false;    // Time passed since the last tick, for someone.
+    bool paused_ = false;
+    bool opened_ = false;
+    bool drewOnce_ = false;
+    long long picturesDrawn_ = 0;
+    QString lastFailure_;
+    std::vector<double> pressedAt_;  // Per exhibit, on the steady clock; very negative: never.
+    std::optional<LookedAt> lookedAt_;
+
+    QPointF pressPoint_, lastPoint_;
+    Qt::MouseButton button_ = Qt::NoButton;
+    bool dragged_ = false;
+
+    Overlay* hint_;
+    Overlay* label_;
+    Overlay* problems_;
+};
+
+/// The format every context of the window asks for: OpenGL 4.5 core, with a debug context in debug builds.
+[[nodiscard]] QSurfaceFormat viewportFormat();
+
+}  // namespace vitrine::ui

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QList>
+
+class QAction;
+
+namespace vitrine::ui {
+
+class MainWindow;
+
+/// Every command of the window, each with its shortcut; the menus, the palette and the sheet are made of these.
+struct WindowActions {
+    explicit WindowActions(MainWindow&);
+
+    QList<QAction*> all;
+    QAction* panels = nullptr;
+    QAction* fullScreen = nullptr;
+    QAction* pause = nullptr;
+    QAction* savePreset = nullptr;
+    QAction* savePresetAs = nullptr;
+    QList<QAction*> presetMenu;
+};
+
+}  // namespace vitrine::ui

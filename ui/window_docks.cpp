@@ -1,0 +1,96 @@
+// The docks around the picture: what is in them and where they start.
+#include "ui/main_window.h"
+
+#include "ui/dock_title.h"
+#include "ui/exhibit_list.h"
+#include "ui/ledger_view.h"
+#include "ui/log_view.h"
+#include "ui/parameter_panel.h"
+#include "ui/preset_list.h"
+#include "ui/preset_shelf.h"
+#include "ui/status_line.h"
+#include "ui/viewport.h"
+#include "ui/window_actions.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTabBar>
+#include <QVBoxLayout>
+
+namespace vitrine::ui {
+
+void MainWindow::buildDocks()
+{
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    const auto dock = [this](const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
+        auto* made = new QDockWidget(title, this);
+        made->setObjectName(QLatin1String(name));
+        made->setAccessibleName(title);
+        made->setWidget(content);
+        made->setTitleBarWidget(new DockTitle(made));
+        addDockWidget(area, made);
+        docks_ << made;
+        return made;
+    };
+
+    exhibits_ = new ExhibitList;
+    presets_ = new PresetList;
+    QDockWidget* exhibits = dock(tr("Exhibits"), "exhibits", exhibits_, Qt::LeftDockWidgetArea);
+    QDockWidget* presets = dock(tr("Presets"), "presets", presets_, Qt::LeftDockWidgetArea);
+    exhibits_->fill(gallery_.exhibits(), gallery_.emptyPlaces());
+    shelf_ = new PresetShelf(*this, *presets_);
+
+    auto* right = new QWidget;
+    auto* rightLayout = new QVBoxLayout(right);
+    rightLayout->setContentsMargins(0, 0, 0, 0);
+    rightLayout->setSpacing(0);
+    tabs_ = new QTabBar;
+    tabs_->setDrawBase(false);
+    tabs_->setExpanding(false);
+    tabs_->setAccessibleName(tr("Whose parameters"));
+    panel_ = new ParameterPanel;
+    rightLayout->addWidget(tabs_);
+    rightLayout->addWidget(panel_, 1);
+    dock(tr("Parameters"), "parameters", right, Qt::RightDockWidgetArea);
+
+    ledger_ = new LedgerView;
+    log_ = new LogView;
+    QDockWidget* ledger = dock(tr("Ledger"), "ledger", ledger_, Qt::BottomDockWidgetArea);
+    QDockWidget* log = dock(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(ledger, log);
+    ledger->hide();
+    log->hide();
+    // Steps are timed one by one, which costs time, only while someone looks.
+    connect(ledger, &QDockWidget::visibilityChanged, viewport_, [this](bool visible) { viewport_->setStepsTimed(visible); });
+
+    resizeDocks({exhibits, presets}, {400, 300}, Qt::Vertical);
+    resizeDocks({exhibits, docks_[2]}, {240, 360}, Qt::Horizontal);
+}
+
+void MainWindow::hidePanels(bool hidden)
+{
+    if (hidden == !hiddenDocks_.isEmpty()) return;
+    if (hidden) {
+        for (QDockWidget* dock : docks_)
+            if (dock->isVisible()) hiddenDocks_ << dock;
+        for (QDockWidget* dock : hiddenDocks_) dock->hide();
+    } else {
+        for (QDockWidget* dock : hiddenDocks_) dock->show();
+        hiddenDocks_.clear();
+    }
+    menuBar()->setVisible(!hidden);
+    status_->setVisible(!hidden);
+    if (actions_) actions_->panels->setChecked(hidden);
+    viewport_->setFocus();
+}
+
+void MainWindow::setFullScreen(bool on)
+{
+    setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+}
+
+}  // namespace vitrine::ui
