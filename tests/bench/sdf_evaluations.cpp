@@ -224,7 +224,7 @@ void normals(const View& view)
             std::vector<double> errors;
             for (const auto& [p, n] : points) {
                 const glm::dvec3 found(tracer.fieldNormal(glm::vec3(p), float(step), method, glm::vec3(0, 0, 1)));
-                errors.push_back(glm::degrees(exact::safeAcos(glm::dot(found, n))));
+                errors.push_back(glm::degrees(std::atan2(glm::length(glm::cross(found, n)), glm::dot(found, n))));
             }
             std::sort(errors.begin(), errors.end());
             std::printf("  %-14s %6.0e %9.4f %9.4f %9.4f\n", names[method], step, errors[errors.size() / 2],

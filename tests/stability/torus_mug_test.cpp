@@ -310,12 +310,10 @@ TEST(TorusMug, H32_NormalsAreUnitVectorsOnTheSaddlesAndEverywhere)
             ASSERT_NEAR(length, 1, 1e-5);
         }
     }
-    // Where it would be zero: the center of a ball.
+    // Where it is zero: the center of a ball.
     f32::Tracer ball{[](const vec3& p) { return f32::sdfSphere(p, 0.5F); }};
-    for (int method = 0; method < 3; ++method) {
-        const vec3 normal = ball.fieldNormal(vec3(0), 1e-3F, ball.NORMAL_CENTRAL, vec3(0, 0, 1));
-        EXPECT_EQ(normal, vec3(0, 0, 1));
-    }
+    EXPECT_EQ(ball.fieldNormal(vec3(0), 1e-3F, ball.NORMAL_TETRAHEDRON, vec3(0, 0, 1)), vec3(0, 0, 1));
+    EXPECT_EQ(ball.fieldNormal(vec3(0), 1e-3F, ball.NORMAL_CENTRAL, vec3(0, 0, 1)), vec3(0, 0, 1));
     EXPECT_TRUE(std::isnan(glm::normalize(vec3(0)).x));  // What the fallback is for.
 }
 
