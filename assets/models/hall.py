@@ -4,7 +4,8 @@
   --no-cloth        leave the simulated cloths out (quicker)
   --bake [SAMPLES]  also bake the lightmaps hall_light_*.png and hall_light.json
   --only NAME       bake only sky, sun_0, sun_1 or sun_2
-  --preview FILE    render the hall from its entrance
+  --preview FILE    render the hall from its entrance, or from --eye x,y,z towards --look x,y,z
+  --mode MODE       of that render: baked (default, shows the lightmaps), traced, or clay (shape, back faces red)
 """
 import argparse
 import os
@@ -155,6 +156,7 @@ def main():
     parser.add_argument("--preview")
     parser.add_argument("--eye", default="0,1.65,10.5")
     parser.add_argument("--look", default="0,1.9,-12")
+    parser.add_argument("--mode", default="baked", choices=("clay", "baked", "traced"))
     parser.add_argument("--samples", type=int, default=96)
     parser.add_argument("--out", default=os.path.join(HERE, "hall.glb"))
     args = parser.parse_args(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else [])
@@ -166,13 +168,13 @@ def main():
                                   export_image_format="NONE", export_colors=False, export_animations=False,
                                   export_cameras=False, export_lights=False, export_tangents=False)
         print(f"{args.out}: {os.path.getsize(args.out) / 1e6:.2f} MB after {time.time() - start:.0f} s")
-    if args.preview or args.bake:
+    if args.bake:
         import hall_bake
-        if args.bake:
-            hall_bake.bake(static, HERE, args.bake, args.only)
-        if args.preview:
-            number = lambda text: [float(c) for c in text.split(",")]
-            hall_bake.preview(args.preview, number(args.eye), number(args.look), args.samples)
+        hall_bake.bake(static, HERE, args.bake, args.only)
+    if args.preview:
+        import hall_preview
+        number = lambda text: [float(c) for c in text.split(",")]
+        hall_preview.preview(args.preview, number(args.eye), number(args.look), args.samples, args.mode)
 
 
 main()

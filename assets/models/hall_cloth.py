@@ -121,25 +121,38 @@ def _sheet(w, d, n, center, wobble=0.004, yaw=0.0):
     return pts, uvs, quads
 
 
-def _disc(sheet, r):
-    pts, uvs, quads = sheet
-    return pts, uvs, [q for q in quads if all(math.hypot(*uvs[k]) < r for k in q)]
+def _round(r, rings, n, height):
+    """Round sheet: a centre, then rings."""
+    pts, uvs, quads = [(0.0, height, 0.0)], [(0.0, 0.0)], []
+    for j in range(1, rings + 1):
+        for i in range(n):
+            a, q = 2 * math.pi * i / n, r * j / rings
+            x, z = q * math.cos(a), q * math.sin(a)
+            pts.append((x, height + 0.03 * noise.noise(Vector((x * 2, z * 2, 4.0))), z))
+            uvs.append((x, z))
+    for i in range(n):
+        quads.append((0, 1 + (i + 1) % n, 1 + i))
+    for j in range(rings - 1):
+        for i in range(n):
+            a, b = 1 + j * n + i, 1 + j * n + (i + 1) % n
+            quads.append((a, b, b + n, a + n))
+    return pts, uvs, quads
 
 
 def drapes():
     """{node suffix: mesh}; origins are the exhibits' foot points (1..4) or the portal's centre (5..9)."""
     out = {}
     out[1] = _simulate("cloth_1", _sheet(2.3, 2.3, 56, (0, 1.92, 0), yaw=0.35),
-                       [_ball((0, 1.45, 0), 0.4), _block((0, 0.45, 0), (0.8, 0.9, 0.8))], 60, 3600)
+                       [_ball((0, 1.45, 0), 0.4), _block((0, 0.45, 0), (0.8, 0.9, 0.8))], 60, 2200)
     out[2] = _simulate("cloth_2", _sheet(1.7, 1.5, 52, (0, 1.66, 0), yaw=0.2),
-                       [_block((0, 1.2, 0), (0.62, 0.78, 0.06)), _block((0, 0.45, -0.06), (0.05, 0.9, 0.05))], 60, 3000)
+                       [_block((0, 1.2, 0), (0.62, 0.78, 0.06)), _block((0, 0.45, -0.06), (0.05, 0.9, 0.05))], 60, 1500)
     r = P.PIT_R
     rim = [(r + 0.005, -0.2), (r + 0.02, 0.10), (r + 0.08, 0.165), (r + 0.14, 0.175), (r + 0.22, 0.16),
            (r + 0.285, 0.08), (r + 0.285, -0.2)]
-    out[3] = _simulate("cloth_3", _disc(_sheet(4.3, 4.3, 62, (0, 0.25, 0), wobble=0.02), 2.14),
-                       [_turned(rim), _block((0, -0.25, 0), (8, 0.5, 8), 0.01)], 60, 4200, stiff=20)
+    out[3] = _simulate("cloth_3", _round(2.16, 27, 96, 0.25),
+                       [_turned(rim), _block((0, -0.25, 0), (8, 0.5, 8), 0.01)], 60, 2200, stiff=20)
     out[4] = _simulate("cloth_4", _sheet(1.65, 1.25, 52, (0, 0.97, 0), yaw=0.12),
-                       [_block((0, 0.43, 0), (0.94, 0.86, 0.42), 0.03)], 60, 2600)
+                       [_block((0, 0.43, 0), (0.94, 0.86, 0.42), 0.03)], 60, 1300)
     for k, surplus in ((5, 1.22), (6, 1.30)):
         out[k] = _curtain(f"cloth_{k}", surplus)
     return out
@@ -166,12 +179,12 @@ def _curtain(name, surplus):
     pin = [round(n * k / (pins - 1)) + d for k in range(pins) for d in (-1, 0, 1)]
     pin = [p for p in pin if 0 <= p <= n]
     wall = [_block((0, 0, -0.2), (3.4, 3.4, 0.52), 0.02)]
-    return _simulate(name, (pts, uvs, quads), wall, 50, 2400, pin=pin, bend=0.4)
+    return _simulate(name, (pts, uvs, quads), wall, 50, 1300, pin=pin, bend=0.4)
 
 
 def banner(m):
     """Hanging cloth 1.2 x 3 m with its pole; origin in the middle of the pole, faces +z."""
-    w, h, nx, ny = 1.2, 3.0, 14, 26
+    w, h, nx, ny = 1.2, 3.0, 11, 20
 
     def point(i, j, back):
         u, v = i / nx - 0.5, j / ny
@@ -212,14 +225,14 @@ def mobile(m):
             rows.append([(px - s * 0.006 * math.cos(2 * math.pi * q / ring), oy + y + 0.006 * math.sin(2 * math.pi * q / ring),
                           pz - c * 0.006 * math.cos(2 * math.pi * q / ring)) for q in range(ring + 1)])
             ends.append((px, oy + y, pz))
-        grid(m, rows, "brass")
+        grid(m, rows, "brass", flip=True)
         return ends[0], ends[-1]
 
     def leaf(at, size, yaw, drop):
         x, y, z = at
         y -= drop
         lathe(m, [(0.0025, 0.0), (0.0025, drop)], "brass", center=(x, y, z), segments=5)
-        n, prof = 22, []
+        n, prof = 16, []
         for k in range(n):
             a = 2 * math.pi * k / n
             r = size * (0.62 + 0.30 * math.cos(a) ** 2 * (1.15 if math.cos(a) > 0 else 0.8))

@@ -16,7 +16,7 @@ def _bars(m):
     zc, half, spring = -P.Z - 0.56, P.WINDOW_HALF, P.WINDOW_SPRING
     to3 = lambda a, b, h=0.0: (a, b, zc + h)
     # Frame against the reveal.
-    path = arch(half + 0.01, P.WINDOW_SILL - 0.02, spring, 32)
+    path = arch(half + 0.01, P.WINDOW_SILL - 0.02, spring, 26)
     prof = fillet([(0, -0.035), (0.055, -0.035, 0.008), (0.055, 0.035, 0.008), (0, 0.035)], 1)[::-1]
     sweep(m, path, prof, to3, "bronze", density=0.5)
 
@@ -55,7 +55,7 @@ def _door(m):
     sweep(m, path, prof, to3, "travertine", density=0.8)
     frame = fillet([(-0.28, -0.02), (-0.28, 0.06, 0.012), (-0.23, 0.06, 0.006), (-0.22, 0.08, 0.01),
                     (-0.10, 0.09, 0.008), (-0.09, 0.105, 0.012), (-0.045, 0.105, 0.012), (-0.03, 0.06, 0.01),
-                    (-0.012, 0.05, 0.01), (-0.012, -0.004)], 2)
+                    (-0.012, 0.05, 0.01), (-0.012, -0.004)], 1)
     sweep(m, [(half, -0.0), (half, height), (-half, height), (-half, -0.0)], frame, to3, "travertine", density=0.8)
     # Frieze and cornice over the door.
     x = half + 0.28
@@ -63,7 +63,7 @@ def _door(m):
     y = height + 0.55
     prof = fillet([(-0.02, y - 0.01), (0.09, y, 0.006), (0.10, y + 0.05, 0.012), (0.16, y + 0.06, 0.006),
                    (0.28, y + 0.07, 0.008), (0.28, y + 0.12, 0.006), (0.31, y + 0.17, 0.015),
-                   (0.31, y + 0.19, 0.006), (-0.02, y + 0.23)], 2)
+                   (0.31, y + 0.19, 0.006), (-0.02, y + 0.23)], 1)
     edge = [(x, P.Z), (x, P.Z - 0.001), (-x, P.Z - 0.001), (-x, P.Z)]
     sweep(m, edge, prof, plan, "travertine", density=0.8)
     for s in (-1, 1):   # consoles carrying it
@@ -73,6 +73,7 @@ def _door(m):
         prism(m, outline, c - 0.09, c + 0.09, "travertine", bevel=0.012)
     for s in (-1, 1):
         _leaf(m, s, half, height, deep)
+    box(m, (-0.035, 0.03, P.Z + deep - 0.082), (0.035, height, P.Z + deep - 0.03), "oak", bevel=0.012, shift=(0.77, 0.2))
     # Threshold.
     box(m, (-half - 0.02, -0.02, P.Z - 0.04), (half + 0.02, 0.018, P.Z + 0.5), "bronze", bevel=0.006, grain="x")
 
@@ -81,10 +82,10 @@ def _leaf(m, s, half, height, deep):
     z = P.Z + deep - 0.06          # face of the stiles
     lo, hi = sorted((s * 0.006, s * (half - 0.004)))
     back = z + 0.05
-    box(m, (lo, 0.03, back - 0.012), (hi, height, back + 0.05), "oak", bevel=0.004, shift=(0.31 * s, 0))
+    box(m, (lo, 0.03, back - 0.012), (hi, height, back + 0.05), "oak", bevel=0.0, shift=(0.31 * s, 0))
     stile, rails = 0.15, (0.03, 0.30, 1.02, 1.17, 2.95, 3.09, height)
     def piece(a0, b0, a1, b1, grain, shift):
-        box(m, (min(a0, a1), b0, z), (max(a0, a1), b1, back), "oak", bevel=0.008, grain=grain, shift=shift)
+        box(m, (min(a0, a1), b0, z), (max(a0, a1), b1, back), "oak", bevel=0.008, segments=1, grain=grain, shift=shift)
     piece(lo, 0.03, lo + stile, height, "y", (0.13, 0.0))
     piece(hi - stile, 0.03, hi, height, "y", (0.47, 0.3))
     for k in range(0, 6, 2):
@@ -99,11 +100,11 @@ def _leaf(m, s, half, height, deep):
         loop = [(-a1, b0), (-a0, b0), (-a0, b1), (-a1, b1)]
         sweep(m, loop, [(o, h + 0.008) for o, h in frame], lambda a, b, h: (-a, b, z - h), "oak", closed=True,
               density=0.8)
-        box(m, (a0 + 0.085, b0 + 0.085, z + 0.012), (a1 - 0.085, b1 - 0.085, back), "oak", bevel=0.014,
+        box(m, (a0 + 0.085, b0 + 0.085, z + 0.012), (a1 - 0.085, b1 - 0.085, back), "oak", bevel=0.014, segments=1,
             shift=(0.61 * k + 0.2 * s, 0.37 * k))
     # Kick plate and a long pull.
-    box(m, (lo + 0.04, 0.06, z - 0.004), (hi - 0.04, 0.26, z + 0.01), "bronze", bevel=0.003, grain="x")
-    x = s * 0.085
+    box(m, (lo + 0.04, 0.06, z - 0.004), (hi - 0.04, 0.26, z + 0.01), "bronze", bevel=0.003, segments=1, grain="x")
+    x = s * 0.115
     for y in (0.98, 1.42):
         turn = Matrix.Translation((x, y, z)) @ Matrix.Rotation(-math.pi / 2, 4, "X")
         lathe(m, fillet([(0.034, 0.0), (0.034, 0.008, 0.004), (0.014, 0.014, 0.004), (0.011, 0.055), (0.0, 0.055)], 2),

@@ -6,7 +6,7 @@ A tile size means that textures.py paints colour, normal and occlusion-roughness
 MATERIALS = {
     "terrazzo":   {"color": (0.50, 0.465, 0.42),  "roughness": 0.27, "metalness": 0.0, "tile": 2.0},
     "plaster":    {"color": (0.72, 0.68, 0.61),   "roughness": 0.88, "metalness": 0.0, "tile": 3.0},
-    "dado":       {"color": (0.165, 0.175, 0.15), "roughness": 0.55, "metalness": 0.0, "tile": 1.5},
+    "dado":       {"color": (0.175, 0.17, 0.14), "roughness": 0.55, "metalness": 0.0, "tile": 1.5},
     "coffer":     {"color": (0.70, 0.67, 0.61),   "roughness": 0.85, "metalness": 0.0},
     "travertine": {"color": (0.56, 0.47, 0.365),  "roughness": 0.45, "metalness": 0.0, "tile": 1.6},
     "bronze":     {"color": (0.36, 0.235, 0.125), "roughness": 0.36, "metalness": 1.0},

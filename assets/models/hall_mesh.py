@@ -144,7 +144,8 @@ def _weld_tail(m, start):
             m.faces[f] = ([remap.get(i, i) for i in face[0]],) + face[1:]
 
 
-def planar(m, loops, to3, classify, density=1.0, flip=False, points=(), swap=False):
+def planar(m, loops, to3, classify, density=1.0, flip=False, points=(), swap=False, chart=None,
+           unfold=lambda a, b: (a, b)):
     """Triangulated flat region: loops are constraints, classify(a, b) gives a material or None."""
     coords, edges = [], []
     for loop in loops:
@@ -154,7 +155,7 @@ def planar(m, loops, to3, classify, density=1.0, flip=False, points=(), swap=Fal
     coords += [Vector(p) for p in points]
     v, _, tris, *_ = delaunay_2d_cdt(coords, edges, [], 0, 1e-5)
     base = m.add([to3(p.x, p.y) for p in v])
-    chart = m.chart(density)
+    chart = m.chart(density) if chart is None else chart
     for t in tris:
         c = sum((v[i] for i in t), Vector((0, 0))) / len(t)
         mat = classify(c.x, c.y)
@@ -162,7 +163,9 @@ def planar(m, loops, to3, classify, density=1.0, flip=False, points=(), swap=Fal
             continue
         t = list(t)[::-1] if flip else list(t)
         uv = [(v[i].x, v[i].y) for i in t]
-        m.face([base + i for i in t], mat, [(b, a) for a, b in uv] if swap else uv, chart, uv)
+        m.face([base + i for i in t], mat, [(b, a) for a, b in uv] if swap else uv, chart,
+               [unfold(a, b) for a, b in uv])
+    return chart
 
 
 def solid(m, bm, mat, matrix=None, density=1.0, grain="y", shift=(0.0, 0.0), skip=()):

@@ -53,14 +53,14 @@ def _plinth(m, x, z, side, height):
 
 def _plate(m, nodes, name, matrix):
     """Bronze plate, back at the matrix' origin, front along its +z."""
-    box(m, (-0.21, -0.13, 0.0), (0.21, 0.13, 0.018), "bronze", bevel=0.005, segments=2, matrix=matrix,
-        density=1.2, skip=("-z",))
+    box(m, (-0.21, -0.13, 0.0), (0.21, 0.13, 0.018), "bronze", bevel=0.005, segments=1, matrix=matrix,
+        density=1.2)
     nodes.add("plaque_" + name, matrix @ T((0, 0, 0.018)))
 
 
 def _foot(m, x, z, r=0.11):
-    lathe(m, fillet([(r, -0.005), (r, 0.012, 0.006), (r - 0.02, 0.02, 0.008), (0.03, 0.032, 0.01), (0.016, 0.06)], 2),
-          "bronze", center=(x, 0, z), segments=24, density=0.6)
+    lathe(m, fillet([(r, -0.005), (r, 0.012, 0.006), (r - 0.02, 0.02, 0.008), (0.03, 0.032, 0.01), (0.016, 0.06)], 1),
+          "bronze", center=(x, 0, z), segments=16, density=0.6)
 
 
 def _plaque_post(m, nodes, name, x, z, yaw):
@@ -68,7 +68,7 @@ def _plaque_post(m, nodes, name, x, z, yaw):
     _foot(m, x, z)
     lathe(m, [(0.016, 0.05), (0.013, 1.0)], "bronze", center=(x, 0, z), segments=12, density=0.5)
     tilt = T((x, 1.02, z)) @ turn(yaw) @ turn(-38, "X")
-    box(m, (-0.05, -0.05, -0.03), (0.05, 0.05, 0.002), "bronze", bevel=0.006, matrix=tilt, density=0.5)
+    box(m, (-0.05, -0.05, -0.03), (0.05, 0.05, 0.002), "bronze", bevel=0.006, segments=1, matrix=tilt, density=0.5)
     _plate(m, nodes, name, tilt)
     nodes.cylinder("plaque_post_" + name, x, z, 0.16, 1.2)
 
@@ -76,8 +76,8 @@ def _plaque_post(m, nodes, name, x, z, yaw):
 def _button_top(m, matrix):
     """Base of the press button: a dished bronze rose on the matrix' +y."""
     lathe(m, fillet([(0.03, -0.06), (0.05, -0.03, 0.012), (0.058, -0.012, 0.006), (0.058, 0.004, 0.005),
-                     (0.042, 0.004, 0.003), (0.040, -0.002), (0.0, -0.002)], 2), "bronze",
-          segments=28, matrix=matrix, density=0.8)
+                     (0.042, 0.004, 0.003), (0.040, -0.002), (0.0, -0.002)], 1), "bronze",
+          segments=16, matrix=matrix, density=0.8)
 
 
 def _button_post(m, nodes, name, x, z):
@@ -96,7 +96,7 @@ def _centre(m, nodes):
     _plinth(m, 0, 0, 0.8, 0.9)
     nodes.add("place_1", T((0, 1.45, 0)))
     _plate(m, nodes, "1", T((0, 0.66, 0.403)) @ turn(-7, "X") @ T((0, 0, 0.014)))
-    box(m, (-0.15, 0.56, 0.39), (0.15, 0.75, 0.412), "bronze", bevel=0.004, density=0.5)
+    box(m, (-0.15, 0.56, 0.39), (0.15, 0.75, 0.412), "bronze", bevel=0.004, segments=1, density=0.5)
     _button_post(m, nodes, "1", 0.72, 0.62)
     nodes.solid_box("plinth_1", (0, 0.45, 0), (0.4, 0.45, 0.4))
 
@@ -118,8 +118,8 @@ def _pit(m, nodes):
     cushion = [(r - 0.015, 0.05), (r + 0.005, 0.12), (r + 0.06, 0.165), (r + 0.14, 0.18), (r + 0.22, 0.165),
                (r + 0.28, 0.12), (r + 0.30, 0.06), (r + 0.285, 0.0)]
     core = (r + 0.14, 0.04)
-    pads, inner = 24, (0.0, 0.05, 0.16, 0.5, 0.84, 0.95)
-    squeeze = (0.80, 0.90, 0.97, 1.0, 0.97, 0.90)
+    pads, inner = 24, (0.0, 0.07, 0.22, 0.78, 0.93)
+    squeeze = (0.80, 0.91, 1.0, 1.0, 0.91)
     rows, n = [], pads * len(inner)
     for k in range(n + 1):
         pad, step = divmod(k % n, len(inner))
@@ -161,8 +161,8 @@ def _desk(m, nodes):
     top = T((0, 0.82, z)) @ turn(-(90 - slope), "X")
     _plate(m, nodes, "4", T((-0.12, 0, 0)) @ top)
     out = T((0.26, 0.826, z + 0.0)) @ turn(slope, "X")
-    lathe(m, fillet([(0.062, -0.01), (0.058, 0.012, 0.006), (0.042, 0.012, 0.003), (0.04, 0.006), (0.0, 0.006)], 2),
-          "bronze", segments=28, matrix=out, density=0.8)
+    lathe(m, fillet([(0.062, -0.01), (0.058, 0.012, 0.006), (0.042, 0.012, 0.003), (0.04, 0.006), (0.0, 0.006)], 1),
+          "bronze", segments=16, matrix=out, density=0.8)
     nodes.add("button_4", out @ T((0, 0.008, 0)))
     nodes.solid_box("desk_4", (0, 0.45, z), (0.46, 0.45, 0.2))
 
@@ -174,12 +174,12 @@ def _niches(m, nodes):
         frame = T((x, 0, z)) @ turn(yaw)          # +z into the room, +x to the visitor's right
         nodes.add(f"place_{n}", frame @ T((0, P.NICHE_Y, 0)))
         right = P.NICHE_W / 2 + P.FRAME + 0.42
-        box(m, (right - 0.15, 1.32, -0.01), (right + 0.15, 1.48, 0.022), "bronze", bevel=0.004, matrix=frame,
+        box(m, (right - 0.15, 1.32, -0.01), (right + 0.15, 1.48, 0.022), "bronze", bevel=0.004, segments=1, matrix=frame,
             density=0.5)
         _plate(m, nodes, str(n), frame @ T((right, 1.4, 0.024)) @ turn(-5, "X"))
         out = frame @ T((right, 1.06, 0.0)) @ turn(90, "X")
         lathe(m, fillet([(0.075, -0.01), (0.075, 0.012, 0.006), (0.062, 0.02, 0.006), (0.058, 0.05, 0.006),
-                         (0.042, 0.05, 0.003), (0.040, 0.044), (0.0, 0.044)], 2), "bronze", segments=28,
+                         (0.042, 0.05, 0.003), (0.040, 0.044), (0.0, 0.044)], 1), "bronze", segments=16,
               matrix=out, density=0.8)
         nodes.add(f"button_{n}", out @ T((0, 0.046, 0)))
 
@@ -189,7 +189,7 @@ def _free(m, nodes):
     _plinth(m, x, z, 0.9, 0.8)
     nodes.add("place_free", T((x, 0.8, z)))
     _plate(m, nodes, "free", T((x, 0.57, z + 0.453)) @ turn(-7, "X") @ T((0, 0, 0.014)))
-    box(m, (x - 0.15, 0.47, z + 0.44), (x + 0.15, 0.66, z + 0.462), "bronze", bevel=0.004, density=0.5)
+    box(m, (x - 0.15, 0.47, z + 0.44), (x + 0.15, 0.66, z + 0.462), "bronze", bevel=0.004, segments=1, density=0.5)
     _button_post(m, nodes, "free", x - 0.78, z + 0.62)
     nodes.solid_box("plinth_free", (x, 0.4, z), (0.45, 0.4, 0.45))
 
@@ -199,13 +199,13 @@ def _bench(m, nodes, index, x, z, yaw, length):
     h, d = length / 2, 0.23
     for k in range(3):
         z0 = -d + k * (2 * d + 0.012) / 3
-        box(m, (-h, 0.405, z0), (h, 0.45, z0 + (2 * d - 0.024) / 3), "oak", bevel=0.008, segments=3, matrix=frame,
+        box(m, (-h, 0.405, z0), (h, 0.45, z0 + (2 * d - 0.024) / 3), "oak", bevel=0.008, matrix=frame,
             grain="x", shift=(0.13 * k + 0.29 * index, 0.7 * k), density=1.0)
     for s in (-1, 1):
         c = s * (h - 0.28)
-        box(m, (c - 0.035, -0.005, -0.19), (c + 0.035, 0.405, 0.19), "oak", bevel=0.008, matrix=frame, grain="y",
+        box(m, (c - 0.035, -0.005, -0.19), (c + 0.035, 0.405, 0.19), "oak", bevel=0.008, segments=1, matrix=frame, grain="y",
             shift=(0.4 * s, 0.2 * index), density=0.8)
-    box(m, (-h + 0.28, 0.30, -0.025), (h - 0.28, 0.385, 0.025), "oak", bevel=0.006, matrix=frame, grain="x",
+    box(m, (-h + 0.28, 0.30, -0.025), (h - 0.28, 0.385, 0.025), "oak", bevel=0.006, segments=1, matrix=frame, grain="x",
         density=0.7)
     nodes.solid_box(f"bench_{index}", (x, 0.225, z), (h, 0.225, d), yaw)
 
@@ -213,10 +213,10 @@ def _bench(m, nodes, index, x, z, yaw, length):
 def stand(m):
     """Brass stand of the lenticular card, in its own frame: card centred at y = 1.2, facing +z."""
     lathe(m, fillet([(0.0, 0.0), (0.21, 0.0, 0.004), (0.21, 0.014, 0.006), (0.19, 0.024, 0.008), (0.05, 0.045, 0.03),
-                     (0.022, 0.09)], 3), "brass", center=(0, 0, -0.06), segments=40)
+                     (0.022, 0.09)], 2), "brass", center=(0, 0, -0.06), segments=28)
     lathe(m, fillet([(0.020, 0.08), (0.020, 0.13), (0.026, 0.14, 0.005), (0.026, 0.155, 0.005), (0.016, 0.17),
                      (0.014, 0.86), (0.021, 0.87, 0.005), (0.021, 0.89, 0.005), (0.012, 0.90), (0.012, 1.14),
-                     (0.018, 1.17, 0.01), (0.0, 1.20)], 2), "brass", center=(0, 0, -0.06), segments=20)
+                     (0.018, 1.17, 0.01), (0.0, 1.20)], 1), "brass", center=(0, 0, -0.06), segments=16)
     # Ledge the card stands on and two arms behind it.
     outline = [(-0.05, 0.868), (0.035, 0.868), (0.035, 0.905), (0.024, 0.905), (0.024, 0.884), (-0.05, 0.884)]
     prism(m, outline, -0.24, 0.24, "brass", bevel=0.003)

@@ -61,26 +61,26 @@ def _side_wall(m, side):
     pier, back = P.wall(side, P.PIER), P.wall(side)
     face = rect(-P.Z, -0.03, P.Z, P.SPRING + 0.03)
     e = 0.03
-    holes = []
+    holes = [[(x + P.along(side, z), y) for x, y in arch(P.ARCH_HALF + e, -0.02, P.ARCH_SPRING, 22)]
+             for z in P.ARCHES]
+    chart = planar(m, [face] + holes, pier, region(face, holes, "plaster"))
     for z in P.ARCHES:
         a = P.along(side, z)
-        wide = [(x + a, y) for x, y in arch(P.ARCH_HALF + e, -0.02, P.ARCH_SPRING, 28)]
-        true = [(x + a, y) for x, y in arch(P.ARCH_HALF, -0.02, P.ARCH_SPRING, 28)]
-        holes.append(wide)
+        true = [(x + a, y) for x, y in arch(P.ARCH_HALF, -0.02, P.ARCH_SPRING, 22)]
         depth = P.X - P.PIER
         prof = [(-e, 0), (-e * 0.3, -e * 0.3), (0, -e), (0, -depth)]
         sweep(m, true, prof, pier, "plaster", density=0.9)
-        _arch_back(m, side, back, a, z)
-        prof = fillet([(-0.30, 0), (-0.30, 0.035, 0.012), (-0.22, 0.035, 0.006), (-0.20, 0.05, 0.01),
-                       (-0.10, 0.05, 0.008), (-0.085, 0.07, 0.012), (-0.045, 0.07, 0.012),
-                       (-0.035, 0.0)], 2)
-        ring = [(x + a, y) for x, y in arch(P.ARCH_HALF, 0, P.ARCH_SPRING, 28, top_only=True)]
+        _arch_back(m, side, back, a, z, chart)
+        prof = fillet([(-0.30, 0), (-0.30, 0.035, 0.012), (-0.22, 0.035), (-0.20, 0.05, 0.01),
+                       (-0.10, 0.05), (-0.085, 0.07, 0.012), (-0.045, 0.07, 0.012),
+                       (-0.035, 0.0)], 1)
+        ring = [(x + a, y) for x, y in arch(P.ARCH_HALF, 0, P.ARCH_SPRING, 22, top_only=True)]
         sweep(m, ring, prof, pier, "plaster", density=0.8)
-    planar(m, [face] + holes, pier, region(face, holes, "plaster"))
 
 
-def _arch_back(m, side, back, a, z):
-    whole = [(x + a, y) for x, y in arch(P.ARCH_HALF + 0.02, -0.02, P.ARCH_SPRING, 28)]
+def _arch_back(m, side, back, a, z, chart):
+    """Wall inside an arch; on the lightmap it lies in the hole of the pier's chart, a little smaller."""
+    whole = [(x + a, y) for x, y in arch(P.ARCH_HALF + 0.02, -0.02, P.ARCH_SPRING, 22)]
     holes = []
     if (side, z) in P.NICHES.values():
         w, h = P.NICHE_W / 2, P.NICHE_H / 2
@@ -90,13 +90,15 @@ def _arch_back(m, side, back, a, z):
         f = P.FRAME
         prof = fillet([(-f, -0.01), (-f, 0.045, 0.012), (-0.135, 0.045, 0.006), (-0.125, 0.06, 0.008),
                        (-0.065, 0.072, 0.01), (-0.055, 0.085, 0.008), (-0.028, 0.085, 0.008),
-                       (-0.028, 0.055)], 2)
+                       (-0.028, 0.055)], 1)
         sweep(m, loop, prof, back, "travertine", closed=True, density=0.9)
-        prof = fillet([(-0.028, 0.055), (-0.024, 0.07, 0.006), (0, 0.07, 0.008), (0, 0.0)], 2)
+        prof = fillet([(-0.028, 0.055), (-0.024, 0.07, 0.006), (0, 0.07, 0.008), (0, 0.0)], 1)
         sweep(m, loop, prof, back, "bronze", closed=True, density=0.8)
         sweep(m, loop, [(0, 0), (0, -P.NICHE_DEPTH)], back, "travertine", closed=True, density=0.7)
         planar(m, [loop], lambda u, v: back(u, v, -P.NICHE_DEPTH), lambda u, v: "dark", density=0.4)
-    planar(m, [whole] + holes, back, region(whole, holes, "plaster"))
+    small = 0.915
+    planar(m, [whole] + holes, back, region(whole, holes, "plaster"), chart=chart,
+           unfold=lambda u, v: (a + (u - a) * small, 0.05 + v * small))
 
 
 def _end_wall(m, side):
@@ -107,7 +109,7 @@ def _end_wall(m, side):
     face = [(-P.X, -0.03), (P.X, -0.03)] + top
     if side == "far":
         splay, e = 0.10, 0.025
-        hole = arch(P.WINDOW_HALF + splay + e, P.WINDOW_SILL - 0.06, P.WINDOW_SPRING, 32)
+        hole = arch(P.WINDOW_HALF + splay + e, P.WINDOW_SILL - 0.06, P.WINDOW_SPRING, 26)
         _reveal(m, to3, splay, e)
     else:
         e = 0.02
@@ -121,13 +123,13 @@ def _reveal(m, to3, splay, e):
     low = P.WINDOW_SILL - 0.06
     steps = [(splay + e, 0.0), (splay + 0.3 * e, -0.3 * e), (splay, -e), (0.004, -0.47), (0.0, -0.475),
              (0.0, -0.66), (0.02, -0.665), (0.05, -(P.OUT_Z - P.Z))]
-    loops = [[to3(a, b, h) for a, b in arch(P.WINDOW_HALF + w, low, P.WINDOW_SPRING, 32)] for w, h in steps]
+    loops = [[to3(a, b, h) for a, b in arch(P.WINDOW_HALF + w, low, P.WINDOW_SPRING, 26)] for w, h in steps]
     rows = list(zip(*loops))
     grid(m, rows, "plaster", density=0.9)
     box(m, (-P.WINDOW_HALF - 0.28, P.WINDOW_SILL - 0.10, -P.OUT_Z - 0.04),
         (P.WINDOW_HALF + 0.28, P.WINDOW_SILL, -P.Z + 0.09), "travertine", bevel=0.012, grain="x")
-    prof = fillet([(-0.085, 0), (-0.085, 0.04, 0.02), (-0.015, 0.04, 0.02), (-0.015, -0.002)], 3)
-    path = arch(P.WINDOW_HALF + splay, P.WINDOW_SILL, P.WINDOW_SPRING, 32)
+    prof = fillet([(-0.085, 0), (-0.085, 0.04, 0.02), (-0.015, 0.04, 0.02), (-0.015, -0.002)], 2)
+    path = arch(P.WINDOW_HALF + splay, P.WINDOW_SILL, P.WINDOW_SPRING, 26)
     sweep(m, path, prof, to3, "plaster", density=0.8)
 
 
@@ -137,7 +139,7 @@ def _mouldings(m):
     path = chamfer(P.room_path(recess=True, door=True), 0.012)
     prof = fillet([(0.045, -0.01), (0.045, 0.13, 0.006), (0.03, 0.155, 0.008), (0.018, 0.155),
                    (0.018, P.DADO - 0.085), (0.03, P.DADO - 0.075, 0.006), (0.035, P.DADO - 0.05, 0.006),
-                   (0.058, P.DADO - 0.035, 0.008), (0.058, P.DADO, 0.01), (-0.01, P.DADO)], 2)
+                   (0.058, P.DADO - 0.035, 0.008), (0.058, P.DADO, 0.01), (-0.01, P.DADO)], 1)
     mats = []
     for p, q in zip(prof, prof[1:]):
         field = p[1] >= 0.1549 and q[1] <= P.DADO - 0.0849 and abs(p[0] - q[0]) < 0.001
@@ -146,17 +148,17 @@ def _mouldings(m):
     # Entablature under the vault.
     path = chamfer(P.room_path(recess=False), 0.012)
     top = P.SPRING
-    prof = fillet([(-0.01, top - 0.42), (0.05, top - 0.42, 0.006), (0.05, top - 0.34, 0.006),
+    prof = fillet([(-0.01, top - 0.42), (0.05, top - 0.42, 0.006), (0.05, top - 0.34),
                    (0.075, top - 0.335, 0.005), (0.075, top - 0.27, 0.012), (0.04, top - 0.255),
-                   (0.04, top - 0.17), (0.08, top - 0.15, 0.02), (0.12, top - 0.13, 0.01),
-                   (0.13, top - 0.115, 0.006), (0.26, top - 0.11, 0.006), (0.26, top - 0.065, 0.006),
+                   (0.04, top - 0.17), (0.08, top - 0.15, 0.02), (0.12, top - 0.13),
+                   (0.13, top - 0.115), (0.26, top - 0.11, 0.006), (0.26, top - 0.065),
                    (0.285, top - 0.055, 0.006), (0.32, top - 0.005, 0.02), (0.32, top + 0.02, 0.006),
-                   (-0.01, top + 0.04)], 2)
+                   (-0.01, top + 0.04)], 1)
     sweep(m, path, prof, plan, "plaster", closed=True, density=0.8)
     # Imposts of the arches: on the piers between recess and pilaster.
     y = P.ARCH_SPRING
     prof = fillet([(-0.005, y - 0.16), (0.02, y - 0.16, 0.006), (0.025, y - 0.10, 0.006),
-                   (0.055, y - 0.07, 0.012), (0.075, y - 0.05, 0.006), (0.075, y, 0.006), (-0.005, y)], 2)
+                   (0.055, y - 0.07, 0.012), (0.075, y - 0.05, 0.006), (0.075, y, 0.006), (-0.005, y)], 1)
     for z in P.ARCHES:
         ends = (z + P.ARCH_HALF + 0.9 - P.PILASTER_HALF, z + P.ARCH_HALF)
         for flip in (1, -1):
@@ -185,11 +187,11 @@ def _pilasters(m):
     d, top = P.DADO, P.SPRING - 0.42
     base = fillet([(0.058, d - 0.01), (0.058, d + 0.07, 0.008), (0.05, d + 0.075), (0.062, d + 0.10, 0.018),
                    (0.05, d + 0.135, 0.012), (0.025, d + 0.14, 0.004), (0.02, d + 0.165, 0.006),
-                   (0.0, d + 0.19)], 2)
+                   (0.0, d + 0.19)], 1)
     head = fillet([(0.0, top - 0.36), (0.018, top - 0.355, 0.006), (0.018, top - 0.335, 0.006),
                    (0.0, top - 0.325), (0.0, top - 0.17), (0.02, top - 0.165, 0.004), (0.02, top - 0.145, 0.004),
                    (0.05, top - 0.09, 0.02), (0.065, top - 0.08, 0.006), (0.065, top - 0.005, 0.006),
-                   (0.0, top + 0.005)], 2)
+                   (0.0, top + 0.005)], 1)
     for p in paths:
         shaft = fillet([(x, z, 0.02) for x, z in p], 2)
         grid(m, [[(x, d + 0.18, z), (x, top - 0.35, z)] for x, z in shaft], "plaster", density=0.8, swap=False)
@@ -202,7 +204,7 @@ def _outside(m):
     """The skin that keeps the sun out: closed but for window and oculus."""
     x, z, lo, hi = P.OUT_X, P.OUT_Z, P.OUT_LOW, P.OUT_HIGH
     d = 0.03
-    hole = arch(P.WINDOW_HALF + 0.05, P.WINDOW_SILL - 0.06, P.WINDOW_SPRING, 32)
+    hole = arch(P.WINDOW_HALF + 0.05, P.WINDOW_SILL - 0.06, P.WINDOW_SPRING, 26)
     face = rect(-x, lo, x, hi)
     planar(m, [face, hole], lambda a, b: (-a, b, -z), region(face, [hole], "dark"), density=d)
     planar(m, [face], lambda a, b: (a, b, z), lambda a, b: "dark", density=d)
@@ -210,9 +212,9 @@ def _outside(m):
     planar(m, [side], lambda a, b: (x, b, -a), lambda a, b: "dark", density=d)
     planar(m, [side], lambda a, b: (-x, b, a), lambda a, b: "dark", density=d)
     roof = rect(-x, -z, x, z)
-    hole = circle(0, 0, P.KERB, 64)
+    hole = circle(0, 0, P.KERB, 48)
     planar(m, [roof, hole], lambda a, b: (a, hi, -b), region(roof, [hole], "dark"), density=d)
     planar(m, [roof], lambda a, b: (a, lo, b), lambda a, b: "dark", density=d)
     top = P.KERB_TOP
     lathe(m, fillet([(P.KERB, hi), (P.KERB, top, 0.03), (P.OCULUS + 0.02, top)], 2), "travertine",
-          segments=64, density=0.2)
+          segments=48, density=0.2)

@@ -10,8 +10,8 @@ COLS, MARGIN = 9, 0.36
 BAYS = ((-12.0, -10.75, 1), (-10.25, -3.75, 5), (-3.25, 3.25, 5), (3.75, 10.25, 5), (10.75, 12.0, 1))
 RIBS = (-10.5, -3.5, 3.5, 10.5)
 # inset in the vault's surface, depth behind it, inset on the unfolded lightmap chart
-STEPS = ((0.0, 0.0, 0.0), (0.105, 0.0, 0.105), (0.118, 0.015, 0.12), (0.132, 0.12, 0.19),
-         (0.20, 0.13, 0.255), (0.212, 0.142, 0.27), (0.225, 0.23, 0.335))
+STEPS = ((0.0, 0.0, 0.0), (0.105, 0.0, 0.105), (0.118, 0.015, 0.12), (0.13, 0.12, 0.19),
+         (0.205, 0.135, 0.26), (0.222, 0.235, 0.335))
 
 
 def build(m):
@@ -59,25 +59,25 @@ def _coffer(m, chart, s0, s1, z0, z1):
     up = Vector(P.vault(s, z, depth + 0.01))
     down = (Vector(P.vault(s, z)) - up).normalized()
     frame = down.to_track_quat("Y", "Z").to_matrix().to_4x4()
-    lathe(m, [(0.12, 0.0), (0.115, 0.025), (0.075, 0.032), (0.06, 0.05), (0.0, 0.065)], "brass",
-          center=up, segments=8, matrix=frame, density=0.25)
+    lathe(m, [(0.12, 0.0), (0.085, 0.035), (0.0, 0.055)], "brass",
+          center=up, segments=7, matrix=frame, density=0.25)
 
 
 def _rib(m, z):
-    prof = fillet([(z + 0.25, 0), (z + 0.25, -0.05, 0.012), (z + 0.19, -0.05, 0.006), (z + 0.18, -0.085, 0.012),
-                   (z - 0.18, -0.085, 0.012), (z - 0.19, -0.05, 0.006), (z - 0.25, -0.05, 0.012), (z - 0.25, 0)], 2)
-    n = 36
+    prof = fillet([(z + 0.25, 0), (z + 0.25, -0.05, 0.012), (z + 0.19, -0.05), (z + 0.18, -0.085, 0.012),
+                   (z - 0.18, -0.085, 0.012), (z - 0.19, -0.05), (z - 0.25, -0.05, 0.012), (z - 0.25, 0)], 1)
+    n = 27
     rows = [[P.vault(P.S * (2 * k / n - 1), zz, d) for zz, d in prof] for k in range(n + 1)]
     grid(m, rows, "coffer", density=0.8, flip=True)
 
 
 def _oculus(m, half_s, half_z):
-    hole = circle(0, 0, P.OCULUS + 0.02, 64)
+    hole = circle(0, 0, P.OCULUS + 0.02, 48)
     frame = [(-half_s, -half_z), (half_s, -half_z), (half_s, half_z), (-half_s, half_z)]
     edge = []
     for k in range(4):
         (a, b), (c, d) = frame[k], frame[(k + 1) % 4]
-        edge += [(a + (c - a) * t / 9, b + (d - b) * t / 9) for t in range(9)]
+        edge += [(a + (c - a) * t / 3, b + (d - b) * t / 3) for t in range(3)]    # the coffers' corners
     pts = [(half_s * (i / 7 - 1), half_z * (j / 7 - 1)) for i in range(1, 14) for j in range(1, 14)]
     pts = [p for p in pts if math.hypot(*p) > P.OCULUS + 0.12]
 
@@ -88,11 +88,11 @@ def _oculus(m, half_s, half_z):
     apex = P.SPRING + P.RISE
     ring = fillet([(P.OCULUS + 0.36, apex + 0.02), (P.OCULUS + 0.36, apex - 0.16, 0.02),
                    (P.OCULUS + 0.27, apex - 0.17, 0.01), (P.OCULUS + 0.25, apex - 0.22, 0.02),
-                   (P.OCULUS + 0.07, apex - 0.23, 0.02), (P.OCULUS + 0.06, apex - 0.19)], 2)
-    lathe(m, ring[::-1], "travertine", segments=64, density=0.8)
+                   (P.OCULUS + 0.07, apex - 0.23, 0.02), (P.OCULUS + 0.06, apex - 0.19)], 1)
+    lathe(m, ring[::-1], "travertine", segments=48, density=0.8)
     lip = fillet([(P.OCULUS + 0.065, apex - 0.19), (P.OCULUS + 0.06, apex - 0.245, 0.01),
                   (P.OCULUS, apex - 0.245, 0.012), (P.OCULUS, apex - 0.17)], 2)
-    lathe(m, lip[::-1], "bronze", segments=64, density=0.6)
+    lathe(m, lip[::-1], "bronze", segments=48, density=0.6)
     drum = [(P.OCULUS + 0.02, P.KERB_TOP), (P.OCULUS + 0.02, apex - 0.05), (P.OCULUS, apex - 0.05),
             (P.OCULUS, apex - 0.17)]
-    lathe(m, drum, "plaster", segments=64, density=0.6)
+    lathe(m, drum, "plaster", segments=48, density=0.6)

@@ -55,7 +55,7 @@ BuiltProgram buildProgram(const ShaderSource& source, const ShaderKey& key)
     std::vector<Stage> stages;
     try {
         const auto add = [&](GLenum type, const std::string& file) {
-            if (!file.empty()) stages.push_back({type, source.load(file, key.defines)});
+            if (!file.empty()) stages.push_back({type, source.load(file, key.defines, key.prelude)});
         };
         add(GL_VERTEX_SHADER, key.vertex);
         add(GL_FRAGMENT_SHADER, key.fragment);

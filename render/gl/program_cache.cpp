@@ -9,7 +9,7 @@ namespace {
 
 std::string identify(const ShaderKey& key)
 {
-    return key.vertex + '|' + describe(key);
+    return key.vertex + '|' + describe(key) + '|' + key.prelude;
 }
 
 }  // namespace

@@ -90,11 +90,12 @@ std::optional<std::string> ShaderSource::read(std::string_view file) const
     return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-ShaderText ShaderSource::load(std::string_view file, const std::vector<std::string>& defines) const
+ShaderText ShaderSource::load(std::string_view file, const std::vector<std::string>& defines, std::string_view prelude) const
 {
     Resolver resolver(*this);
     resolver.text() = "#version 450 core\n";
     for (const std::string& define : defines) resolver.text() += "#define " + define + '\n';
+    resolver.text() += prelude;
     resolver.append(std::string(file), "", 0);
     return resolver.take();
 }

@@ -25,10 +25,10 @@ public:
     /// The text of one file, or nothing.
     [[nodiscard]] std::optional<std::string> read(std::string_view file) const;
 
-    /// `#version 450 core`, one `#define` per entry of `defines`, then the file with every
+    /// `#version 450 core`, one `#define` per entry of `defines`, the prelude, then the file with every
     /// `#include "path"` (relative to shaders/) replaced by its text, once per file. Throws Failure
     /// (Blame::shader) for a missing file or an include nested deeper than 16.
-    [[nodiscard]] ShaderText load(std::string_view file, const std::vector<std::string>& defines) const;
+    [[nodiscard]] ShaderText load(std::string_view file, const std::vector<std::string>& defines, std::string_view prelude = {}) const;
 
     /// Whether files can change under a running program.
     [[nodiscard]] bool onDisk() const { return folder_.has_value(); }

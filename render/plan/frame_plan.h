@@ -44,6 +44,7 @@ struct ShaderKey {
     std::string fragment;
     std::string compute;
     std::vector<std::string> defines;
+    std::string prelude = {};  ///< GLSL before the files: the parameter block derived from a table.
 
     bool operator==(const ShaderKey&) const = default;
 };

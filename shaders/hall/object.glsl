@@ -7,5 +7,5 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
     vec4 baseColor;
     vec4 material;               // x: metalness, y: roughness, z: normal scale, w: occlusion strength
     vec4 emissive;               // w: alpha cutoff, negative when opaque
-    vec4 tiling;                 // x: texture repeats per unit of uv; y: 1 with lightmap; z: 1 with tangents; w: specular
+    vec4 tiling;                 // x: texture repeats per unit of uv; z: first pixel right of the wipe; w: specular
 } object;

@@ -1,5 +1,5 @@
 // A surface of the hall. Permutations: BASE_COLOR_MAP, NORMAL_MAP, ORM_MAP, EMISSIVE_MAP, LIGHTMAP,
-// FLAT_PROBE (for the probe's own capture: no mirror image), WRITE_NORMAL, WRITE_EVALUATIONS.
+// FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WIPE, WRITE_NORMAL, WRITE_EVALUATIONS.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
 #include "hall/object.glsl"
@@ -49,7 +49,12 @@ void main()
 #ifdef BASE_COLOR_MAP
     base *= texture(baseColorMap, tileUv);
 #endif
+#ifdef ALPHA_MASK
     if (base.a < object.emissive.w) discard;
+#endif
+#ifdef WIPE
+    if (framePixel(gl_FragCoord.xy).x < object.tiling.z) discard;
+#endif
 
     vec3 toEye = normalize(frame.eye.xyz - worldPosition);
     vec3 n = normalize(worldNormal);

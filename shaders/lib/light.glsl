@@ -1,6 +1,7 @@
 // The light block and what reads it: sun, sky, shadow maps, reflection probe. Mirrored by LightBlock in
 // exhibits/framework/surroundings.h.
 #include "lib/bindings.glsl"
+#include "lib/numerics.glsl"
 
 layout(std140, binding = BLOCK_LIGHT) uniform Light {
     mat4 hallShadowFromWorld;     // xy: texture coordinates, z: reversed depth
@@ -21,8 +22,6 @@ layout(binding = UNIT_SHADOW_HALL) uniform sampler2DShadow hallShadow;
 layout(binding = UNIT_SHADOW_EXHIBITS) uniform sampler2DShadow exhibitShadow;
 layout(binding = UNIT_PROBE) uniform samplerCube probe;
 layout(binding = UNIT_PROBE_IRRADIANCE) uniform sampler2D probeIrradiance;
-
-const float PI = 3.14159265358979;
 
 float shadowTap(sampler2DShadow map, vec2 base, vec2 offset, float depth)
 {
@@ -61,21 +60,29 @@ vec3 shadowPosition(mat4 shadowFromWorld, vec3 world)
     return (shadowFromWorld * vec4(world, 1.0)).xyz;
 }
 
-// Share of the sun that reaches a surface point, 0 to 1. `normal` must face the sun, else 0 is right.
-float sunVisibility(vec3 world, vec3 normal)
+// How far a point is lifted off its surface before it is looked up, in texels: more where light grazes.
+float shadowLift(float cosine)
+{
+    return 0.6 + 2.4 * safeSqrt(1.0 - cosine * cosine);
+}
+
+// Share of the sun that walls and furniture let through, 0 to 1; 0 where `normal` faces away.
+float sunVisibilityOfHall(vec3 world, vec3 normal)
 {
     float cosine = dot(normal, light.sunDirection.xyz);
     if (cosine <= 0.0) return 0.0;
-    int filterKind = int(light.filtering.x);
-    float slope = sqrt(max(1.0 - cosine * cosine, 0.0));
-    float visible = 1.0;
-    if (light.sunIrradiance.w > 0.5) {
-        vec3 lifted = world + normal * (light.sunDirection.w * (0.6 + 2.4 * slope));
-        visible = shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, lifted), filterKind);
-    }
+    if (light.sunIrradiance.w < 0.5) return 1.0;
+    vec3 lifted = world + normal * (light.sunDirection.w * shadowLift(cosine));
+    return shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, lifted), int(light.filtering.x));
+}
+
+// The same with the shadows of the exhibits.
+float sunVisibility(vec3 world, vec3 normal)
+{
+    float visible = sunVisibilityOfHall(world, normal);
     if (light.sunLightmap.w > 0.5 && visible > 0.0) {
-        vec3 lifted = world + normal * (light.filtering.y * (0.6 + 2.4 * slope));
-        visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), filterKind);
+        vec3 lifted = world + normal * (light.filtering.y * shadowLift(dot(normal, light.sunDirection.xyz)));
+        visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), int(light.filtering.x));
     }
     return visible;
 }

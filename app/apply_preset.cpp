@@ -1,0 +1,63 @@
+#include "app/picture_options.h"
+
+#include "exhibits/framework/preset.h"
+#include "render/failure.h"
+#include "render/files/extension.h"
+#include "render/files/read_file.h"
+#include "render/files/strict_json.h"
+#include "render/image/image_io.h"
+
+namespace vitrine::app {
+namespace {
+
+/// The preset's text: the file itself, or what a picture carries.
+std::string presetTextOf(const std::string& file)
+{
+    const std::string extension = render::lowerExtension(file);
+    if (extension != ".png" && extension != ".exr") return render::readFile(file, presetLimits.bytes);
+    std::optional<std::string> text = render::embeddedPreset(file);
+    if (!text) throw Failure(Blame::file, file + ": this picture carries no preset; give a preset file, or a picture that Vitrine made.");
+    return *text;
+}
+
+NamedValues named(const Museum& museum, const Look& look)
+{
+    NamedValues values;
+    for (std::size_t i = 0; i < look.values.size(); ++i) values.emplace_back(std::string(museum.exhibits()[i]->name()), look.values[i]);
+    return values;
+}
+
+void append(std::vector<std::string>& notes, const std::string& file, const std::vector<std::string>& more)
+{
+    for (const std::string& note : more) notes.push_back(file + ": " + note);
+}
+
+}  // namespace
+
+void applyPreset(const Museum& museum, const std::string& file, PictureJob& job)
+{
+    const std::string text = presetTextOf(file);
+    const PresetHeader header = presetHeader(render::parseJson(text, file, presetLimits));
+    if (header.isExhibition) {
+        Exhibition exhibition = parseExhibition(text, file, named(museum, museum.initialLook()));
+        for (auto& [name, values] : exhibition.values)
+            if (const auto i = museum.find(name)) job.look.values[*i] = values;
+        job.look.camera = exhibition.camera;
+        job.cameraFromPreset = job.subject == 0;
+        append(job.notes, file, exhibition.notes);
+        return;
+    }
+    // In the hall, a preset of any exhibit may be shown; elsewhere it must be the subject's.
+    const std::string expected = job.subject == 0 ? header.exhibit : std::string(museum.exhibits()[job.subject]->name());
+    const auto owner = museum.find(expected);
+    if (!owner) throw Failure(Blame::file, file + ": it is a preset of \"" + header.exhibit + "\", which is not in this museum.");
+    Preset preset = parsePreset(text, file, expected, museum.exhibits()[*owner]->parameters());
+    job.look.values[*owner] = preset.values;
+    if (preset.camera) {
+        job.look.camera = *preset.camera;
+        job.cameraFromPreset = true;
+    }
+    append(job.notes, file, preset.notes);
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,213 @@
+#include "app/picture_options.h"
+
+#include "exhibits/framework/expression.h"
+#include "exhibits/framework/value_text.h"
+#include "exhibits/hall/hall_table.h"
+#include "render/failure.h"
+#include "render/files/extension.h"
+#include "render/files/number_text.h"
+
+#include <CLI/CLI.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace vitrine::app {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator) parts.emplace_back();
+        else if (c != ' ') parts.back() += c;
+    }
+    return parts;
+}
+
+/// A number typed on the command line is in SI units unless it names its own.
+std::optional<Value> typedValue(const ParameterInfo& row, const std::string& text)
+{
+    if (row.kind == Kind::real || row.kind == Kind::count)
+        if (const auto plain = evaluate(text, Unit::none)) return *plain;
+    return parseValue(row, text);
+}
+
+std::string whatItTakes(const ParameterInfo& row)
+{
+    if (row.kind == Kind::choice) {
+        std::string names;
+        for (const std::string_view choice : row.choices) names += (names.empty() ? "" : ", ") + std::string(choice);
+        return "one of " + names;
+    }
+    if (row.kind == Kind::toggle) return "on or off";
+    if (row.kind == Kind::color) return "#rrggbb or r,g,b";
+    if (row.kind == Kind::direction) return "x,y,z";
+    return "a number from " + render::shortestNumber(row.range.low) + " to " + render::shortestNumber(row.range.high) + ' ' + std::string(info(row.unit).storedSymbol);
+}
+
+bool isExr(const std::string& file)
+{
+    return render::lowerExtension(file) == ".exr";
+}
+
+Channels parseChannels(const std::string& text, PictureRequest& request, bool& beyondColor)
+{
+    Channels channels;
+    for (const std::string& name : split(text, ',')) {
+        if (name == "depth") request.depth = true;
+        else if (name == "normal") channels.normal = true;
+        else if (name == "evaluations") channels.evaluations = true;
+        else if (name != "color") throw Failure(Blame::usage, "--channels: \"" + name + "\" is no channel; give color, depth, normal or evaluations, separated by commas.");
+        beyondColor = beyondColor || name != "color";
+    }
+    return channels;
+}
+
+glm::dmat4 exhibitTransform(const PictureOptions& options)
+{
+    glm::dmat4 m(1);
+    if (!options.rotate.empty()) {
+        const glm::dvec3 degrees = parseTriple("--rotate", options.rotate);
+        for (int axis = 2; axis >= 0; --axis) {
+            glm::dvec3 direction(0);
+            direction[axis] = 1;
+            m = glm::rotate(m, degrees[axis] * std::numbers::pi / 180, direction);
+        }
+    }
+    if (!options.scale.empty()) {
+        const glm::dvec3 scale = parseTriple("--scale", options.scale);
+        if (std::abs(scale.x) < 1e-6 || std::abs(scale.y) < 1e-6 || std::abs(scale.z) < 1e-6)
+            throw Failure(Blame::usage, "--scale " + options.scale + ": a scale of 0 leaves nothing to draw; give three numbers away from 0.");
+        m = glm::scale(m, scale);
+    }
+    return m;
+}
+
+}  // namespace
+
+glm::dvec3 parseTriple(const std::string& option, const std::string& text)
+{
+    const std::vector<std::string> parts = split(text, ',');
+    glm::dvec3 result(0);
+    bool good = parts.size() == 3;
+    for (int i = 0; good && i < 3; ++i) {
+        const auto number = render::parseNumber(parts[static_cast<std::size_t>(i)]);
+        good = number.has_value();
+        result[i] = number.value_or(0);
+    }
+    if (!good) throw Failure(Blame::usage, option + " \"" + text + "\": give three numbers, such as " + option + " 1.5,2,-0.5.");
+    return result;
+}
+
+glm::ivec2 parseSize(const std::string& option, const std::string& text)
+{
+    const std::vector<std::string> parts = split(text, 'x');
+    glm::ivec2 size(0);
+    for (int i = 0; parts.size() == 2 && i < 2; ++i) {
+        const auto number = render::parseNumber(parts[static_cast<std::size_t>(i)]);
+        if (number && *number >= 1 && *number <= 1e6 && *number == std::floor(*number)) size[i] = static_cast<int>(*number);
+    }
+    if (size.x < 1 || size.y < 1) throw Failure(Blame::usage, option + " \"" + text + "\": give width x height in pixels, each at least 1, such as " + option + " 640x360.");
+    return size;
+}
+
+void addPictureOptions(CLI::App& command, PictureOptions& o)
+{
+    command.add_option("--size", o.size, "Width x height in pixels")->capture_default_str();
+    command.add_option("--preset", o.preset, "A preset of the exhibit, an exhibition, or a picture that carries one");
+    command.add_option("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")->take_all()->allow_extra_args(true);
+    command.add_option("--time", o.time, "Seconds on the exhibit's clock")->capture_default_str();
+    command.add_option("--seed", o.seed, "Of everything random")->capture_default_str();
+    command.add_option("--eye", o.eye, "Where the camera is: x,y,z in metres (the exhibit's own space with --alone)");
+    command.add_option("--target", o.target, "What it looks at: x,y,z in metres");
+    command.add_option("--fov", o.fovDegrees, "Vertical field of view in degrees");
+    command.add_option("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
+    command.add_option("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
+    command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light");
+    command.add_option("--samples", o.samples, "Samples per pixel")->capture_default_str()->check(CLI::Range(1, 4096));
+    command.add_flag("--transparent", o.transparent, "Nothing behind it: alpha 0");
+    command.add_flag("--run-everything", o.everything, "Run every pass, called for or not: the picture must not change");
+    command.add_option("--channels", o.channels, "color,depth,normal,evaluations (EXR)")->capture_default_str();
+    command.add_option("--environment", o.environment, "A panorama in place of the sky");
+    command.add_option("--model", o.model, "A glTF object for the free plinth");
+}
+
+void applySet(const Museum& museum, Look& look, std::size_t subject, const std::string& assignment, std::vector<std::string>& notes)
+{
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0) throw Failure(Blame::usage, "--set \"" + assignment + "\": give name=value, such as --set morph=0.3.");
+    std::string name = assignment.substr(0, equals);
+    const std::string text = assignment.substr(equals + 1);
+    std::size_t owner = subject;
+    if (const std::size_t dot = name.find('.'); dot != std::string::npos) {
+        const auto found = museum.find(name.substr(0, dot));
+        if (!found) throw Failure(Blame::usage, "--set " + name + ": there is no exhibit \"" + name.substr(0, dot) + "\"; `vitrine list` names them.");
+        owner = *found;
+        name = name.substr(dot + 1);
+    }
+    ParameterValues& values = look.values[owner];
+    const auto row = values.table().find(name);
+    if (!row) throw Failure(Blame::usage, "--set " + name + ": " + std::string(museum.exhibits()[owner]->name()) + " has no parameter of that name; `vitrine list --json` names them.");
+    const ParameterInfo& info = values.rows()[*row];
+    const std::optional<Value> value = typedValue(info, text);
+    if (!value || !nearestLegal(info, *value)) throw Failure(Blame::usage, "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info) + '.');
+    if (!values.setRow(*row, *value) && info.kind != Kind::direction)
+        notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(*row)) + ", the nearest legal value (" + whatItTakes(info) + ").");
+}
+
+PictureJob pictureJob(const Museum& museum, const PictureOptions& options)
+{
+    const auto subject = museum.find(options.subject);
+    if (!subject) throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + "\"; `vitrine list` names them.");
+    const bool isHall = *subject == 0;
+    if (isHall && options.alone) throw Failure(Blame::usage, "--alone: the hall cannot be shown without the hall; name an exhibit.");
+
+    PictureJob job;
+    job.subject = *subject;
+    job.look = museum.initialLook();
+    if (!options.preset.empty()) applyPreset(museum, options.preset, job);
+    for (const std::string& assignment : options.sets) applySet(museum, job.look, *subject, assignment, job.notes);
+    const HallTable names;
+    ParameterValues& hall = job.look.values.front();
+    if (!options.environment.empty()) hall.set(names.environment, options.environment);
+    if (!options.model.empty()) hall.set(names.model, options.model);
+
+    FrameRequest& frame = job.request.frame;
+    render::Camera camera = job.look.camera;
+    if (job.cameraFromPreset && options.alone) {
+        // Presets speak of the hall; alone, the exhibit's own space is the world.
+        const glm::dmat4 exhibitFromWorld = glm::inverse(museum.worldFromExhibit(*subject));
+        camera.eye = glm::dvec3(exhibitFromWorld * glm::dvec4(camera.eye, 1));
+        camera.target = glm::dvec3(exhibitFromWorld * glm::dvec4(camera.target, 1));
+    }
+    if (!job.cameraFromPreset && !isHall) camera = options.alone ? museum.exhibits()[*subject]->bestView(job.look.values[*subject]) : museum.bestView(*subject, job.look.values[*subject]);
+    if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye);
+    if (!options.target.empty()) camera.target = parseTriple("--target", options.target);
+    if (options.fovDegrees != 0) {
+        if (!(options.fovDegrees >= 1 && options.fovDegrees <= 175)) throw Failure(Blame::usage, "--fov: give an angle from 1 to 175 degrees.");
+        camera.fovY = options.fovDegrees * std::numbers::pi / 180;
+    }
+    if (!std::isfinite(options.time)) throw Failure(Blame::usage, "--time: give a finite number of seconds.");
+    frame.camera = camera;
+    job.look.camera = camera;
+    frame.raster.size = parseSize("--size", options.size);
+    frame.time = options.time;
+    frame.seed = options.seed;
+    frame.transparent = options.transparent;
+    frame.runEverything = options.everything;
+    frame.exhibitTransform = exhibitTransform(options);
+    if (options.alone) frame.alone = *subject;
+    else if (!isHall) frame.subject = *subject;
+    job.request.samples = options.samples;
+
+    bool beyondColor = false;
+    frame.channels = parseChannels(options.channels, job.request, beyondColor);
+    const bool linear = isExr(options.out);
+    frame.averageIn = linear ? AverageIn::radiance : AverageIn::display;
+    if (beyondColor && !linear && !options.out.empty()) throw Failure(Blame::usage, "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
+    return job;
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "exhibits/framework/picture.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace vitrine::app {
+
+/// What `render` and its relatives can be told about the picture, as typed.
+struct PictureOptions {
+    std::string subject;                 ///< An exhibit's name, or "hall".
+    std::string out;
+    std::string size = "640x360";
+    std::string preset;
+    std::vector<std::string> sets;       ///< "name=value" or "exhibit.name=value".
+    double time = 0;
+    std::uint32_t seed = 1;
+    std::string eye, target, scale, rotate;
+    double fovDegrees = 0;               ///< 0: the view's own.
+    bool alone = false;
+    bool transparent = false;
+    bool everything = false;
+    int samples = 4;
+    std::string channels = "color";
+    std::string environment, model;
+};
+
+/// Adds the options that describe a picture to a sub-command.
+void addPictureOptions(CLI::App&, PictureOptions&);
+
+/// Values, camera and request that the options ask for. Throws Failure naming the option and what to give.
+struct PictureJob {
+    std::size_t subject = 0;
+    Look look;
+    PictureRequest request;
+    bool cameraFromPreset = false;
+    std::vector<std::string> notes;  ///< What was brought to the nearest legal value, for standard error.
+};
+[[nodiscard]] PictureJob pictureJob(const Museum&, const PictureOptions&);
+
+/// Reads a preset of the subject, an exhibition, or the preset inside a PNG or OpenEXR picture into the look.
+/// Throws Failure naming file, line and key; the look is then unchanged.
+void applyPreset(const Museum&, const std::string& file, PictureJob&);
+
+/// Sets one "name=value"; `subject` is what an undotted name belongs to. Plain numbers are in SI units, as
+/// `list --json` and presets have them; "30deg" and "12mm" name their own.
+void applySet(const Museum&, Look&, std::size_t subject, const std::string& assignment, std::vector<std::string>& notes);
+
+/// "1.5,2,0" to three finite numbers. Throws Failure (Blame::usage) naming the option.
+[[nodiscard]] glm::dvec3 parseTriple(const std::string& option, const std::string& text);
+/// "640x360" to two positive numbers.
+[[nodiscard]] glm::ivec2 parseSize(const std::string& option, const std::string& text);
+
+}  // namespace vitrine::app

@@ -1,0 +1,113 @@
+#include "app/command.h"
+#include "app/picture_options.h"
+#include "app/report.h"
+
+#include "exhibits/framework/preset.h"
+#include "render/failure.h"
+#include "render/files/extension.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+#include "render/image/image_io.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace vitrine::app {
+namespace {
+
+struct RenderOptions {
+    PictureOptions picture;
+    std::string report;
+    bool sixteenBit = false;
+};
+
+render::PictureFormat formatOf(const std::string& file, bool sixteenBit)
+{
+    const std::string extension = render::lowerExtension(file);
+    if (extension == ".png") return sixteenBit ? render::PictureFormat::png16 : render::PictureFormat::png8;
+    if (extension == ".exr") return render::PictureFormat::exr;
+    if (extension == ".tif" || extension == ".tiff") return sixteenBit ? render::PictureFormat::tiff16 : render::PictureFormat::tiff8;
+    throw Failure(Blame::usage, "--out " + file + ": give a name that ends in .png, .exr or .tif.");
+}
+
+/// The preset that brings this picture back: of the exhibit, or of everything.
+std::string presetOf(const Museum& museum, const PictureJob& job)
+{
+    if (job.subject != 0) {
+        const Exhibit& exhibit = *museum.exhibits()[job.subject];
+        return presetText(Preset{std::string(exhibit.name()), "Picture", job.look.values[job.subject], job.look.camera});
+    }
+    Exhibition everything{"Picture", {}, job.look.camera};
+    for (std::size_t i = 0; i < job.look.values.size(); ++i) everything.values.emplace_back(std::string(museum.exhibits()[i]->name()), job.look.values[i]);
+    return exhibitionText(everything);
+}
+
+int renderPicture(const RenderOptions& options)
+{
+    const render::PictureFormat format = formatOf(options.picture.out, options.sixteenBit);
+    const render::gl::HeadlessContext context;
+    const Museum museum;
+    const PictureJob job = pictureJob(museum, options.picture);
+    for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    render::gl::Renderer renderer;
+    PictureMaker maker(museum, renderer, job.look, job.request);
+    while (maker.step()) {}
+    render::writePicture(options.picture.out, maker.picture(), format, {.preset = presetOf(museum, job)});
+    if (!options.report.empty()) writeReport(options.report, museum, renderer, context.info(), job, maker);
+    return 0;
+}
+
+int renderTour(const std::string& folder, const std::string& size, int samples)
+{
+    const render::gl::HeadlessContext context;
+    const Museum museum;
+    render::gl::Renderer renderer;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Failure(Blame::file, folder + ": the folder cannot be made (" + error.message() + "); choose another with --out.");
+    for (const auto& exhibit : museum.exhibits()) {
+        PictureOptions options;
+        options.subject = exhibit->name();
+        options.size = size;
+        options.samples = samples;
+        options.out = (std::filesystem::path(folder) / (options.subject + ".png")).string();
+        const PictureJob job = pictureJob(museum, options);
+        PictureMaker maker(museum, renderer, job.look, job.request);
+        while (maker.step()) {}
+        render::writePicture(options.out, maker.picture(), render::PictureFormat::png8, {.preset = presetOf(museum, job)});
+        std::printf("%s\n", options.out.c_str());
+    }
+    std::printf("The tour is in %s\n", std::filesystem::absolute(folder).string().c_str());
+    return 0;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand("render", "Render an exhibit at its place in the hall, or the hall, to a file; needs no display");
+    auto options = std::make_shared<RenderOptions>();
+    command->add_option("exhibit", options->picture.subject, "An exhibit's name, or hall")->required();
+    command->add_option("--out", options->picture.out, "The picture: .png, .exr (linear light) or .tif")->required();
+    command->add_flag("--sixteen-bit", options->sixteenBit, "PNG or TIFF with 16 bits per channel");
+    command->add_option("--report", options->report, "What ran, what was skipped and why, counters and times, as JSON");
+    addPictureOptions(*command, options->picture);
+    command->callback([&chosen, options] { chosen = [options] { return renderPicture(*options); }; });
+}
+
+void addTourCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand("tour", "Render one picture of the hall and of every exhibit into a folder");
+    auto folder = std::make_shared<std::string>("vitrine-tour");
+    auto size = std::make_shared<std::string>("1280x720");
+    auto samples = std::make_shared<int>(9);
+    command->add_option("--out", *folder, "The folder")->capture_default_str();
+    command->add_option("--size", *size, "Width x height in pixels")->capture_default_str();
+    command->add_option("--samples", *samples, "Samples per pixel")->capture_default_str()->check(CLI::Range(1, 4096));
+    command->callback([&chosen, folder, size, samples] { chosen = [folder, size, samples] { return renderTour(*folder, *size, *samples); }; });
+}
+
+}  // namespace vitrine::app

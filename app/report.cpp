@@ -1,0 +1,74 @@
+#include "app/report.h"
+
+#include "render/files/atomic_write.h"
+#include "render/files/strict_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace vitrine::app {
+namespace {
+
+using render::Json;
+
+constexpr int timedRuns = 5;
+
+/// The picture's frame once more, one sample, no larger than a tile.
+FrameRequest frameOf(const PictureJob& job, const render::Painter& painter)
+{
+    FrameRequest frame = job.request.frame;
+    frame.raster.tile = glm::min(frame.raster.size, glm::ivec2(std::min(job.request.largestTile, painter.largestSide())));
+    return frame;
+}
+
+/// Sum of a counting channel: exact while below 2^53.
+std::int64_t total(const render::Image& counts)
+{
+    double sum = 0;
+    for (const float count : counts.pixels) sum += count;
+    return std::llround(sum);
+}
+
+}  // namespace
+
+void writeReport(const std::string& file, const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl, const PictureJob& job, const PictureMaker& maker)
+{
+    const FrameRequest frame = frameOf(job, renderer);
+    std::vector<double> milliseconds;
+    for (int run = 0; run < timedRuns; ++run) milliseconds.push_back(renderer.draw(museum.plan(job.look, frame, renderer.kept())).milliseconds);
+    std::sort(milliseconds.begin(), milliseconds.end());
+
+    renderer.timeSteps(true);
+    std::map<std::string, double> stepMilliseconds;
+    for (const render::StepReport& step : renderer.draw(museum.plan(job.look, frame, renderer.kept())).ran) stepMilliseconds[step.name] = step.milliseconds;
+    renderer.timeSteps(false);
+
+    const render::FrameReport& first = maker.report();
+    Json ran = Json::array();
+    for (const render::StepReport& step : first.ran) {
+        const auto timed = stepMilliseconds.find(step.name);
+        ran.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}, {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)}});
+    }
+    Json skipped = Json::array();
+    for (const render::Skipped& step : first.skipped) skipped.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}});
+
+    Json counters = Json::object();
+    for (const auto& [name, count] : first.counters) counters[name] = count;
+    FrameRequest counting = frame;
+    counting.channels.evaluations = true;
+    (void)renderer.draw(museum.plan(job.look, counting, renderer.kept()));
+    counters["evaluations"] = total(renderer.read(evaluationsImage));
+
+    const Json report{{"exhibit", std::string(museum.exhibits()[job.subject]->name())},
+                      {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},
+                      {"renderer", gl.renderer},
+                      {"clock", Json{{"method", first.clock}, {"trusted", first.clockTrusted}}},
+                      {"ran", ran},
+                      {"skipped", skipped},
+                      {"counters", counters},
+                      {"ms", Json{{"median", milliseconds[timedRuns / 2]}, {"low", milliseconds.front()}, {"high", milliseconds.back()}, {"runs", timedRuns}}}};
+    render::atomicWrite(file, render::writeJson(report));
+}
+
+}  // namespace vitrine::app

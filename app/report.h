@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/picture_options.h"
+#include "exhibits/framework/picture.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+
+#include <string>
+
+namespace vitrine::app {
+
+/// Writes the ledger of a picture: what ran in its first frame and why, what was skipped and why, counters,
+/// and the time of a frame over several runs with everything kept already in place. Throws Failure
+/// (Blame::file) when the file cannot be written.
+void writeReport(const std::string& file, const Museum&, render::gl::Renderer&, const render::gl::ContextInfo&, const PictureJob&, const PictureMaker&);
+
+}  // namespace vitrine::app

@@ -1,0 +1,113 @@
+#include "exhibits/framework/derive.h"
+
+#include "exhibits/framework/value_text.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace vitrine::derive {
+namespace {
+
+std::string_view glslType(Kind kind)
+{
+    switch (kind) {
+    case Kind::real: return "float";
+    case Kind::count:
+    case Kind::choice: return "int";
+    case Kind::toggle: return "bool";
+    case Kind::color:
+    case Kind::direction: return "vec3";
+    case Kind::file: return "";
+    }
+    return "";
+}
+
+template <typename T> void put(render::Bytes& bytes, const T& value, std::size_t alignment)
+{
+    const std::size_t offset = (bytes.size() + alignment - 1) / alignment * alignment;
+    bytes.resize(offset + sizeof(T));
+    std::memcpy(bytes.data() + offset, &value, sizeof(T));
+}
+
+std::string rangeText(const ParameterInfo& row)
+{
+    switch (row.kind) {
+    case Kind::real:
+    case Kind::count: return formatValue(row, row.range.low) + " to " + formatValue(row, row.range.high);
+    case Kind::toggle: return "on, off";
+    case Kind::choice: {
+        std::string names;
+        for (const std::string_view choice : row.choices) names += (names.empty() ? "" : ", ") + std::string(choice);
+        return names;
+    }
+    case Kind::color: return "any color";
+    case Kind::direction: return "any direction";
+    case Kind::file: return "a file";
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string uniformBlock(const Parameters& table)
+{
+    std::string fields;
+    for (const ParameterInfo& row : table.rows())
+        if (row.kind != Kind::file) fields += "    " + std::string(glslType(row.kind)) + ' ' + std::string(row.name) + ";\n";
+    if (fields.empty()) return {};
+    return "layout(std140, binding = " + std::to_string(BLOCK_PARAMETERS) + ") uniform Parameters {\n" + fields + "} parameters;\n";
+}
+
+render::Bytes uniformBytes(const ParameterValues& values)
+{
+    render::Bytes bytes;
+    for (std::size_t i = 0; i < values.rows().size(); ++i) {
+        const ParameterInfo& row = values.rows()[i];
+        if (row.kind == Kind::file) continue;
+        if (const auto* v = std::get_if<glm::dvec3>(&values.row(i))) put(bytes, glm::vec3(*v), 16);
+        else if (row.kind == Kind::real) put(bytes, static_cast<float>(std::get<double>(values.row(i))), 4);
+        else put(bytes, static_cast<std::int32_t>(std::get<double>(values.row(i))), 4);
+    }
+    return bytes;
+}
+
+std::string manualTable(const Parameters& table)
+{
+    std::string text = "| parameter | initial | range | unit | what it does |\n|---|---|---|---|---|\n";
+    for (const ParameterInfo& row : table.rows()) {
+        std::string unit(info(row.unit).symbol);
+        text += "| `" + std::string(row.name) + "` | " + formatValue(row, row.initial) + " | " + rangeText(row) + " | " + unit + " | " + std::string(row.help);
+        if (row.qualityReference) text += " *Quality: exact at " + formatValue(row, *row.qualityReference) + ".*";
+        text += " |\n";
+    }
+    return text;
+}
+
+std::vector<double> sweep(const ParameterInfo& row, int points)
+{
+    std::vector<double> values;
+    const auto [low, high, scale, softLow, softHigh] = row.range;
+    switch (row.kind) {
+    case Kind::toggle: return {0, 1};
+    case Kind::choice:
+        for (std::size_t i = 0; i < row.choices.size(); ++i) values.push_back(static_cast<double>(i));
+        return values;
+    case Kind::real:
+    case Kind::count: break;
+    default: return {};
+    }
+    values.push_back(std::get<double>(row.initial));
+    for (int i = 0; i < points; ++i) {
+        const double t = points > 1 ? static_cast<double>(i) / (points - 1) : 0.0;
+        const double x = i == points - 1 && points > 1 ? softHigh
+                         : scale == Scale::logarithmic ? softLow * std::pow(softHigh / softLow, t) : softLow + (softHigh - softLow) * t;
+        values.push_back(row.kind == Kind::count ? std::round(x) : x);
+    }
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
+
+}  // namespace vitrine::derive

@@ -1,0 +1,275 @@
+#include "exhibits/framework/expression.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+// Digits beyond double's let a text name every stored value, even where the conversion from the shown
+// unit would otherwise skip some.
+using Number = long double;
+
+enum class Measure : std::uint8_t { none, length, angle, time, pixel, stop, ratio, kelvin };
+
+/// A physical dimension: a measure and its power (per metre is length to the power -1).
+struct Dimension {
+    Measure measure = Measure::none;
+    int power = 0;
+
+    bool operator==(const Dimension&) const = default;
+};
+
+struct Quantity {
+    Number value = 0;      // In SI when it has a dimension.
+    Dimension dimension;
+};
+
+struct UnitWord {
+    std::string_view word;
+    Number inSi;
+    Dimension dimension;
+};
+
+constexpr Number degree = std::numbers::pi_v<Number> / 180;
+
+constexpr std::array<UnitWord, 22> unitWords = {{
+    {"mm", 1e-3L, {Measure::length, 1}},    {"cm", 1e-2L, {Measure::length, 1}},
+    {"m", 1, {Measure::length, 1}},         {"um", 1e-6L, {Measure::length, 1}},
+    {"µm", 1e-6L, {Measure::length, 1}},    {"μm", 1e-6L, {Measure::length, 1}},  // Micro sign and Greek mu.
+    {"in", 0.0254L, {Measure::length, 1}},  {"deg", degree, {Measure::angle, 1}},
+    {"°", degree, {Measure::angle, 1}},     {"rad", 1, {Measure::angle, 1}},
+    {"turn", 360 * degree, {Measure::angle, 1}},
+    {"ms", 1e-3L, {Measure::time, 1}},      {"s", 1, {Measure::time, 1}},
+    {"min", 60, {Measure::time, 1}},        {"Hz", 1, {Measure::time, -1}},
+    {"kHz", 1e3L, {Measure::time, -1}},     {"px", 1, {Measure::pixel, 1}},
+    {"EV", 1, {Measure::stop, 1}},          {"stops", 1, {Measure::stop, 1}},
+    {"stop", 1, {Measure::stop, 1}},        {"%", 1e-2L, {Measure::ratio, 1}},
+    {"K", 1, {Measure::kelvin, 1}},
+}};
+
+Dimension dimensionOf(Unit unit)
+{
+    switch (unit) {
+    case Unit::none: return {};
+    case Unit::metre:
+    case Unit::centimetre:
+    case Unit::millimetre:
+    case Unit::micrometre: return {Measure::length, 1};
+    case Unit::degree: return {Measure::angle, 1};
+    case Unit::second: return {Measure::time, 1};
+    case Unit::hertz: return {Measure::time, -1};
+    case Unit::pixel: return {Measure::pixel, 1};
+    case Unit::stop: return {Measure::stop, 1};
+    case Unit::percent: return {Measure::ratio, 1};
+    case Unit::kelvin: return {Measure::kelvin, 1};
+    case Unit::perMetre: return {Measure::length, -1};
+    }
+    return {};
+}
+
+/// Recursive descent:  sum: product (± product)*   product: power (*|/ power)*   power: ± power | atom (^ power)?
+class Parser {
+public:
+    Parser(std::string_view text, Unit unit) : text_(text), unit_(unit) {}
+
+    std::optional<double> result()
+    {
+        std::optional<Quantity> q = sum();
+        skipBlanks();
+        if (!q || at_ != text_.size()) return std::nullopt;
+        const Dimension wanted = dimensionOf(unit_);
+        double x = 0;
+        if (q->dimension == Dimension{}) x = fromShown(q->value);
+        else if (q->dimension == wanted || (unit_ == Unit::none && q->dimension == Dimension{Measure::ratio, 1})) {
+            x = static_cast<double>(q->value);
+        } else return std::nullopt;
+        if (!std::isfinite(x)) return std::nullopt;
+        return x;
+    }
+
+private:
+    double fromShown(Number value) const
+    {
+        const double rounded = static_cast<double>(value);
+        if (static_cast<Number>(rounded) == value) return stored(rounded, unit_);  // Bit for bit what a slider stores.
+        return static_cast<double>(value / static_cast<Number>(info(unit_).shownPerStored));
+    }
+
+    void skipBlanks()
+    {
+        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+    }
+    bool take(std::string_view token)
+    {
+        skipBlanks();
+        if (!text_.substr(at_).starts_with(token)) return false;
+        at_ += token.size();
+        return true;
+    }
+    static bool isWordByte(char c)
+    {
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        return letter || static_cast<unsigned char>(c) >= 0x80;
+    }
+    std::string_view peekWord()
+    {
+        skipBlanks();
+        if (at_ < text_.size() && text_[at_] == '%') return text_.substr(at_, 1);
+        std::size_t end = at_;
+        while (end < text_.size() && isWordByte(text_[end])) ++end;
+        return text_.substr(at_, end - at_);
+    }
+
+    std::optional<Quantity> sum()
+    {
+        std::optional<Quantity> left = product();
+        while (left) {
+            const bool plus = take("+");
+            if (!plus && !take("-")) break;
+            std::optional<Quantity> right = product();
+            if (!right || !sameDimension(*left, *right)) return std::nullopt;
+            left->value += plus ? right->value : -right->value;
+        }
+        return left;
+    }
+
+    /// Gives a plain number beside one with a unit the shown unit.
+    bool sameDimension(Quantity& a, Quantity& b) const
+    {
+        if (a.dimension == b.dimension) return true;
+        Quantity& plain = a.dimension == Dimension{} ? a : b;
+        const Quantity& other = &plain == &a ? b : a;
+        if (plain.dimension != Dimension{} || other.dimension != dimensionOf(unit_)) return false;
+        plain = {fromShown(plain.value), other.dimension};
+        return true;
+    }
+
+    std::optional<Quantity> product()
+    {
+        std::optional<Quantity> left = power();
+        while (left) {
+            const bool times = take("*");
+            if (!times && !take("/")) break;
+            const std::optional<Quantity> right = power();
+            if (!right) return std::nullopt;
+            left = times ? multiplied(*left, *right, 1) : multiplied(*left, {1 / right->value, right->dimension}, -1);
+        }
+        return left;
+    }
+
+    static std::optional<Quantity> multiplied(const Quantity& a, const Quantity& b, int sign)
+    {
+        const Quantity product{a.value * b.value, a.dimension};
+        if (b.dimension == Dimension{}) return product;
+        if (a.dimension != Dimension{} && a.dimension.measure != b.dimension.measure) return std::nullopt;
+        const int power = a.dimension.power + sign * b.dimension.power;
+        return Quantity{product.value, power == 0 ? Dimension{} : Dimension{b.dimension.measure, power}};
+    }
+
+    std::optional<Quantity> power()
+    {
+        if (++depth_ > 64) return std::nullopt;  // Deep nesting would overflow the stack.
+        std::optional<Quantity> base;
+        if (take("-")) {
+            base = power();
+            if (base) base->value = -base->value;
+        } else if (take("+")) {
+            base = power();
+        } else {
+            base = atom();
+            if (base && take("^")) {
+                const std::optional<Quantity> exponent = power();
+                if (!exponent || exponent->dimension != Dimension{} || base->dimension != Dimension{}) return std::nullopt;
+                base->value = std::pow(base->value, exponent->value);
+            }
+        }
+        --depth_;
+        return base;
+    }
+
+    std::optional<Quantity> atom()
+    {
+        std::optional<Quantity> q;
+        if (take("(")) {
+            q = sum();
+            if (!q || !take(")")) return std::nullopt;
+        } else {
+            q = number();
+        }
+        return q ? withSuffix(*q) : wordAlone();
+    }
+
+    std::optional<Quantity> number()
+    {
+        skipBlanks();
+        const std::string_view rest = text_.substr(at_);
+        if (rest.empty() || (rest.front() != '.' && (rest.front() < '0' || rest.front() > '9'))) return std::nullopt;
+        Number x = 0;
+        const std::from_chars_result end = std::from_chars(rest.data(), rest.data() + rest.size(), x);
+        if (end.ec != std::errc()) return std::nullopt;
+        at_ += static_cast<std::size_t>(end.ptr - rest.data());
+        return Quantity{x, {}};
+    }
+
+    static const UnitWord* findUnit(std::string_view word)
+    {
+        const auto* found = std::find_if(unitWords.begin(), unitWords.end(), [&](const UnitWord& u) { return u.word == word; });
+        return found == unitWords.end() ? nullptr : found;
+    }
+    static std::optional<Number> findConstant(std::string_view word)
+    {
+        if (word == "pi" || word == "π") return std::numbers::pi_v<Number>;
+        if (word == "e") return std::numbers::e_v<Number>;
+        return std::nullopt;
+    }
+
+    /// "2 pi", "30 deg", "2 pi rad".
+    std::optional<Quantity> withSuffix(Quantity q)
+    {
+        std::string_view word = peekWord();
+        if (const std::optional<Number> constant = findConstant(word)) {
+            at_ += word.size();
+            q.value *= *constant;
+            word = peekWord();
+        }
+        if (word.empty()) return q;
+        const UnitWord* unit = findUnit(word);
+        if (!unit || q.dimension != Dimension{}) return std::nullopt;
+        at_ += word.size();
+        return Quantity{q.value * unit->inSi, unit->dimension};
+    }
+
+    /// "pi", or a unit that counts once, as in "2/m".
+    std::optional<Quantity> wordAlone()
+    {
+        const std::string_view word = peekWord();
+        if (const std::optional<Number> constant = findConstant(word)) {
+            at_ += word.size();
+            return withSuffix({*constant, {}});
+        }
+        const UnitWord* unit = findUnit(word);
+        if (!unit) return std::nullopt;
+        at_ += word.size();
+        return Quantity{unit->inSi, unit->dimension};
+    }
+
+    std::string_view text_;
+    Unit unit_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+};
+
+}  // namespace
+
+std::optional<double> evaluate(std::string_view text, Unit unit)
+{
+    constexpr std::size_t longest = 4096;
+    if (text.size() > longest) return std::nullopt;
+    return Parser(text, unit).result();
+}
+
+}  // namespace vitrine

@@ -1,0 +1,214 @@
+#include "exhibits/framework/preset.h"
+
+#include "exhibits/framework/preset_migration.h"
+#include "exhibits/framework/preset_values.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace vitrine {
+namespace {
+
+using render::Json;
+using render::JsonDocument;
+
+constexpr std::string_view presetFormat = "vitrine-preset";
+constexpr std::string_view exhibitionFormat = "vitrine-exhibition";
+constexpr std::array<std::string_view, 7> knownKeys = {"format", "version", "app", "exhibit", "name", "values", "camera"};
+
+std::string textAt(const JsonDocument& document, const Json& root, const char* key, bool required)
+{
+    if (!root.contains(key)) {
+        if (!required) return {};
+        throw document.failure({}, "the key \"" + std::string(key) + "\" is missing; add it.");
+    }
+    if (!root[key].is_string()) throw document.failure(key, "this must be text; correct it there.");
+    return root[key].get<std::string>();
+}
+
+/// A file in today's form, its kind and name checked.
+struct Opened {
+    const JsonDocument& document;
+    PresetHeader header;
+    Json root;
+    Json values = Json::object();
+    std::vector<std::string> notes;
+
+    [[nodiscard]] JsonPlace place(const std::string& path) const { return {document, path, originalPath(path, header.version)}; }
+};
+
+Opened open(const JsonDocument& document)
+{
+    Opened file{document, {}, {}, Json::object(), {}};
+    file.header = presetHeader(document);
+    file.root = migrated(document.root(), file.header.version);
+    if (file.root.contains("values")) {
+        file.values = file.root["values"];
+        if (!file.values.is_object()) throw file.place("values").failure("this must be an object; correct it there.");
+    }
+    for (const auto& [key, value] : file.root.items()) {
+        if (std::find(knownKeys.begin(), knownKeys.end(), key) == knownKeys.end()) {
+            file.notes.push_back(key + " is not known here; it is kept");
+        }
+    }
+    return file;
+}
+
+/// Reads the rows of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
+ParameterValues readRows(Opened& file, const Parameters& table, const std::string& prefix, std::map<std::string, const Json*>& left)
+{
+    ParameterValues values = table.initial();
+    for (std::size_t i = 0; i < table.rows().size(); ++i) {
+        const ParameterInfo& row = table.rows()[i];
+        std::string key = prefix;
+        key += row.name;
+        const auto at = left.find(key);
+        if (at == left.end()) continue;
+        values.setRow(i, valueFromJson(row, *at->second, file.place("values." + key), key, file.notes));
+        left.erase(at);
+    }
+    return values;
+}
+
+std::map<std::string, const Json*> entries(const Json& object)
+{
+    std::map<std::string, const Json*> map;
+    for (const auto& [key, value] : object.items()) map[key] = &value;
+    return map;
+}
+
+void noteUnknown(Opened& file, const std::map<std::string, const Json*>& left)
+{
+    for (const auto& [key, value] : left) file.notes.push_back("values." + key + " is not known here; it is kept");
+}
+
+void writeRows(const ParameterValues& values, const std::string& prefix, std::map<std::string, Json>& out)
+{
+    for (std::size_t i = 0; i < values.rows().size(); ++i) {
+        const ParameterInfo& row = values.rows()[i];
+        std::string key = prefix;
+        key += row.name;
+        if (values.isInitial(i)) out.erase(key);
+        else out[key] = jsonFromValue(row, values.row(i));
+    }
+}
+
+/// What the file held in `values`, to be overlaid.
+std::map<std::string, Json> keptValues(const Json& kept)
+{
+    std::map<std::string, Json> values;
+    if (!kept.contains("values")) return values;
+    for (const auto& [key, value] : kept["values"].items()) values[key] = value;
+    return values;
+}
+
+std::string writeFile(std::string_view format, const std::string& exhibit, const std::string& name, const std::map<std::string, Json>& values,
+                      const std::optional<Json>& camera, const Json& kept)
+{
+    Json root = Json::object();
+    root["format"] = format;
+    root["version"] = presetVersion;
+    root["app"] = VITRINE_VERSION;
+    if (!exhibit.empty()) root["exhibit"] = exhibit;
+    root["name"] = name;
+    root["values"] = Json::object();
+    for (const auto& [key, value] : values) root["values"][key] = value;
+    if (camera) root["camera"] = *camera;
+    for (const auto& [key, value] : kept.items()) {
+        if (std::find(knownKeys.begin(), knownKeys.end(), key) == knownKeys.end()) root[key] = value;
+    }
+    return render::writeJson(root);
+}
+
+Json keptCamera(const Json& kept)
+{
+    return kept.contains("camera") ? kept["camera"] : Json::object();
+}
+
+}  // namespace
+
+PresetHeader presetHeader(const JsonDocument& document)
+{
+    PresetHeader header;
+    header.version = declaredVersion(document);
+    const Json root = migrated(document.root(), header.version);
+    const std::string format = textAt(document, root, "format", true);
+    if (format != presetFormat && format != exhibitionFormat) {
+        throw document.failure("format", "\"" + format + "\" is no format of Vitrine; choose a preset.");
+    }
+    header.isExhibition = format == exhibitionFormat;
+    if (!header.isExhibition) header.exhibit = textAt(document, root, "exhibit", true);
+    header.name = textAt(document, root, "name", false);
+    return header;
+}
+
+Preset parsePreset(std::string text, std::string fileName, std::string_view exhibit, const Parameters& table)
+{
+    const JsonDocument document = render::parseJson(std::move(text), std::move(fileName), presetLimits);
+    Opened file = open(document);
+    if (file.header.isExhibition) throw document.failure("format", "this holds settings of the whole exhibition; open it as such.");
+    if (file.header.exhibit != exhibit) {
+        throw document.failure("exhibit", "this preset is for " + file.header.exhibit + ", not for " + std::string(exhibit) + "; choose another.");
+    }
+    std::map<std::string, const Json*> left = entries(file.values);
+    Preset preset{file.header.exhibit, file.header.name, readRows(file, table, {}, left), std::nullopt, file.header.version, {}, {}};
+    noteUnknown(file, left);
+    if (file.root.contains("camera")) preset.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
+    preset.kept = std::move(file.root);
+    preset.notes = std::move(file.notes);
+    return preset;
+}
+
+std::string presetText(const Preset& preset)
+{
+    std::map<std::string, Json> values = keptValues(preset.kept);
+    writeRows(preset.values, {}, values);
+    std::optional<Json> camera;
+    if (preset.camera) camera = jsonFromCamera(*preset.camera, keptCamera(preset.kept));
+    return writeFile(presetFormat, preset.exhibit, preset.name, values, camera, preset.kept);
+}
+
+Exhibition parseExhibition(std::string text, std::string fileName, const NamedValues& initial)
+{
+    const JsonDocument document = render::parseJson(std::move(text), std::move(fileName), presetLimits);
+    Opened file = open(document);
+    if (!file.header.isExhibition) throw document.failure("format", "this is a preset of one exhibit; open it there.");
+    std::map<std::string, const Json*> left = entries(file.values);
+    Exhibition exhibition;
+    exhibition.name = file.header.name;
+    for (const auto& [name, values] : initial) {
+        exhibition.values.emplace_back(name, readRows(file, values.table(), name + ".", left));
+    }
+    noteUnknown(file, left);
+    if (file.root.contains("camera")) exhibition.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
+    exhibition.kept = std::move(file.root);
+    exhibition.notes = std::move(file.notes);
+    return exhibition;
+}
+
+std::string exhibitionText(const Exhibition& exhibition)
+{
+    std::map<std::string, Json> values = keptValues(exhibition.kept);
+    for (const auto& [name, ofExhibit] : exhibition.values) writeRows(ofExhibit, name + ".", values);
+    return writeFile(exhibitionFormat, {}, exhibition.name, values, jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.kept);
+}
+
+std::string renamedPreset(const JsonDocument& document, std::string_view name)
+{
+    const PresetHeader header = presetHeader(document);
+    Json root = document.root();
+    if (header.version == presetVersion && !root.contains("name")) {
+        // Beside the exhibit's name, where presets have it.
+        Json ordered = Json::object();
+        for (const auto& [key, value] : root.items()) {
+            if (key == "values") ordered["name"] = name;
+            ordered[key] = value;
+        }
+        root = std::move(ordered);
+    }
+    root["name"] = name;
+    return render::writeJson(root);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,250 @@
+#include "exhibits/framework/preset_store.h"
+
+#include "exhibits/framework/save_bytes.h"
+#include "exhibits/framework/slug.h"
+#include "exhibits/framework/state_folder.h"
+#include "render/files/read_file.h"
+#include "render/image/image_io.h"
+
+#include <algorithm>
+#include <cerrno>
+
+namespace vitrine {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string readText(const fs::path& path)
+{
+    return render::readFile(path, presetLimits.bytes);
+}
+
+FileStamp stampOf(const fs::path& path, std::string_view content)
+{
+    FileStamp stamp;
+    std::error_code error;
+    stamp.size = content.size();
+    stamp.modified = fs::last_write_time(path, error).time_since_epoch().count();
+    stamp.hash = 0xcbf29ce484222325;  // FNV-1a, 64 bits.
+    for (const char c : content) stamp.hash = (stamp.hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    return stamp;
+}
+
+/// False also when the file has gone: saving then makes it anew, and nothing of anyone's is lost.
+bool changedSince(const fs::path& path, const FileStamp& stamp)
+{
+    std::error_code error;
+    if (!fs::exists(path, error)) return false;
+    return stampOf(path, readText(path)) != stamp;
+}
+
+/// Moves a file, by copying where the target is on another file system.
+void move(const fs::path& from, const fs::path& to)
+{
+    std::error_code error;
+    fs::create_directories(to.parent_path(), error);
+    fs::rename(from, to, error);
+    if (error.value() == EXDEV) {
+        savePresetBytes(to, render::readFile(from, render::ImageLimits{}.fileBytes));
+        fs::remove(from, error);
+    }
+    if (error) {
+        std::string message = "Cannot move " + from.string();
+        throw Failure(Blame::file, ((message += " to ") += to.string()) += ": " + error.message() + "; check your permissions.");
+    }
+}
+
+/// The picture may be missing, and failing to move one is no reason to fail.
+void moveThumbnail(const fs::path& from, const fs::path& to)
+{
+    std::error_code error;
+    const fs::path picture = PresetStore::thumbnailPath(from);
+    if (!fs::exists(picture, error)) return;
+    try {
+        move(picture, PresetStore::thumbnailPath(to));
+    } catch (const Failure&) {
+        fs::remove(picture, error);
+    }
+}
+
+PresetEntry entryFor(const fs::path& path, bool shipped)
+{
+    PresetEntry entry;
+    entry.path = path;
+    entry.shipped = shipped;
+    entry.name = path.stem().string();
+    std::error_code error;
+    if (fs::path picture = PresetStore::thumbnailPath(path); fs::exists(picture, error)) entry.thumbnail = std::move(picture);
+    try {
+        const PresetHeader header = presetHeader(render::readJson(path, presetLimits));
+        if (!header.name.empty()) entry.name = header.name;
+    } catch (const Failure& failure) {
+        entry.problem = failure.what();
+    }
+    return entry;
+}
+
+void appendFolder(const fs::path& folder, bool shipped, std::vector<PresetEntry>& out)
+{
+    std::error_code error;
+    const std::size_t first = out.size();
+    for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
+        if (file.path().extension() == ".json" && !file.path().filename().string().starts_with('.')) out.push_back(entryFor(file.path(), shipped));
+    }
+    std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+              [](const PresetEntry& a, const PresetEntry& b) { return std::tie(a.name, a.path) < std::tie(b.name, b.path); });
+}
+
+/// Whether `stem` is `slug`, or `slug` with a number that made it unique.
+bool standsFor(std::string_view stem, std::string_view slug)
+{
+    if (!stem.starts_with(slug)) return false;
+    stem.remove_prefix(slug.size());
+    return stem.empty() || (stem.size() > 1 && stem[0] == '-' && stem.find_first_not_of("0123456789", 1) == std::string_view::npos);
+}
+
+bool isPicture(const fs::path& path)
+{
+    return path.extension() == ".png" || path.extension() == ".exr";
+}
+
+}  // namespace
+
+PresetStore PresetStore::standard(fs::path shipped)
+{
+    return PresetStore({userPresetFolder(), std::move(shipped), stateFolder() / "trash"});
+}
+
+fs::path PresetStore::thumbnailPath(const fs::path& preset)
+{
+    return fs::path(preset).replace_extension(".png");
+}
+
+std::vector<PresetEntry> PresetStore::list(std::string_view exhibit) const
+{
+    std::vector<PresetEntry> entries;
+    if (!folders_.shipped.empty()) appendFolder(folders_.shipped / exhibit, true, entries);
+    appendFolder(folders_.user / exhibit, false, entries);
+    return entries;
+}
+
+StoredPreset PresetStore::load(const fs::path& path, std::string_view exhibit, const Parameters& table) const
+{
+    const std::string text = readText(path);
+    return {parsePreset(text, path.string(), exhibit, table), path, stampOf(path, text), isShipped(path)};
+}
+
+SaveOutcome PresetStore::save(StoredPreset& stored, IfChanged ifChanged) const
+{
+    if (stored.shipped) refuseShipped(stored.path);
+    refuseShipped(stored.path);
+    if (ifChanged == IfChanged::report && changedSince(stored.path, stored.stamp)) return SaveOutcome::changedOnDisk;
+    const std::string text = presetText(stored.preset);
+    std::error_code error;
+    if (stored.preset.versionRead < presetVersion && fs::exists(stored.path, error)) {
+        fs::path backup = stored.path;
+        backup.replace_extension(".v" + std::to_string(stored.preset.versionRead) + ".bak");
+        if (!fs::exists(backup, error)) savePresetBytes(backup, readText(stored.path));
+    }
+    savePresetBytes(stored.path, text);
+    stored.preset.versionRead = presetVersion;
+    stored.stamp = stampOf(stored.path, text);
+    return SaveOutcome::saved;
+}
+
+StoredPreset PresetStore::saveAs(Preset preset) const
+{
+    const std::string text = presetText(preset);
+    const fs::path path = freePath(folders_.user / preset.exhibit, slugFor(preset.name));
+    savePresetBytes(path, text);
+    preset.versionRead = presetVersion;
+    return {std::move(preset), path, stampOf(path, text), false};
+}
+
+fs::path PresetStore::rename(const fs::path& path, std::string_view name) const
+{
+    refuseShipped(path);
+    const std::string text = renamedPreset(render::readJson(path, presetLimits), name);
+    if (standsFor(path.stem().string(), slugFor(name))) {
+        savePresetBytes(path, text);
+        return path;
+    }
+    const fs::path to = freePath(path.parent_path(), slugFor(name));
+    savePresetBytes(to, text);
+    std::error_code error;
+    fs::remove(path, error);
+    moveThumbnail(path, to);
+    return to;
+}
+
+fs::path PresetStore::copyAs(const std::string& text, const fs::path& from, const std::string& exhibit, std::string_view name) const
+{
+    const fs::path to = freePath(folders_.user / exhibit, slugFor(name));
+    savePresetBytes(to, text);
+    std::error_code error;
+    const fs::path picture = thumbnailPath(from);
+    if (fs::exists(picture, error)) fs::copy_file(picture, thumbnailPath(to), fs::copy_options::overwrite_existing, error);
+    return to;
+}
+
+fs::path PresetStore::duplicate(const fs::path& path, std::string_view name) const
+{
+    const render::JsonDocument document = render::readJson(path, presetLimits);
+    return copyAs(renamedPreset(document, name), path, path.parent_path().filename().string(), name);
+}
+
+RemovedPreset PresetStore::remove(const fs::path& path) const
+{
+    refuseShipped(path);
+    const fs::path trashed = freePath(folders_.trash, path.stem().string());
+    move(path, trashed);
+    moveThumbnail(path, trashed);
+    return {path, trashed};
+}
+
+fs::path PresetStore::restore(const RemovedPreset& removed) const
+{
+    const fs::path to = freePath(removed.original.parent_path(), removed.original.stem().string());
+    move(removed.trashed, to);
+    moveThumbnail(removed.trashed, to);
+    return to;
+}
+
+fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit, const Parameters& table) const
+{
+    std::string text;
+    if (isPicture(path)) {
+        std::optional<std::string> embedded = render::embeddedPreset(path);
+        if (!embedded) throw Failure(Blame::file, "Cannot import " + path.string() + ": there is no preset in this picture; choose another.");
+        text = std::move(*embedded);
+    } else {
+        text = readText(path);
+    }
+    const Preset preset = parsePreset(text, path.string(), exhibit, table);  // Only to know that it is good.
+    const std::string name = preset.name.empty() ? path.stem().string() : preset.name;
+    const fs::path to = freePath(folders_.user / exhibit, slugFor(name));
+    savePresetBytes(to, text);
+    return to;
+}
+
+void PresetStore::exportFile(const fs::path& path, const fs::path& target) const
+{
+    const std::string text = readText(path);
+    (void)presetHeader(render::parseJson(text, path.string(), presetLimits));
+    savePresetBytes(target, text);
+}
+
+bool PresetStore::isShipped(const fs::path& path) const
+{
+    if (folders_.shipped.empty()) return false;
+    const fs::path relative = path.lexically_normal().lexically_relative(folders_.shipped.lexically_normal());
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+void PresetStore::refuseShipped(const fs::path& path) const
+{
+    if (!isShipped(path)) return;
+    throw Failure(Blame::file, "Cannot change " + path.string() + ": it is part of Vitrine; save a copy under another name.");
+}
+
+}  // namespace vitrine

@@ -1,0 +1,100 @@
+#include "exhibits/framework/recovery.h"
+
+#include "exhibits/framework/preset.h"
+#include "exhibits/framework/save_bytes.h"
+#include "render/files/read_file.h"
+
+#include <unistd.h>
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+namespace vitrine {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// When a process started, in clock ticks since boot (field 22 of /proc/<pid>/stat); nothing when there is
+/// no such process.
+std::optional<std::string> startOf(pid_t pid)
+{
+    std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const std::size_t nameEnd = text.rfind(')');  // The name may hold blanks and parentheses.
+    if (nameEnd == std::string::npos) return std::nullopt;
+    std::size_t at = nameEnd + 1;
+    for (int field = 3; field < 22; ++field) {
+        at = text.find(' ', at + 1);
+        if (at == std::string::npos) return std::nullopt;
+    }
+    return text.substr(at + 1, text.find(' ', at + 1) - at - 1);
+}
+
+struct Owner {
+    pid_t pid = 0;
+    std::string start;
+};
+
+std::optional<Owner> ownerOf(const fs::path& path)
+{
+    const std::string stem = path.stem().string();
+    const std::size_t dash = stem.find('-');
+    if (path.extension() != ".json" || dash == std::string::npos) return std::nullopt;
+    Owner owner;
+    const std::from_chars_result end = std::from_chars(stem.data(), stem.data() + dash, owner.pid);
+    if (end.ec != std::errc() || end.ptr != stem.data() + dash || owner.pid <= 0) return std::nullopt;
+    owner.start = stem.substr(dash + 1);
+    return owner;
+}
+
+}  // namespace
+
+RecoveryJournal::RecoveryJournal(fs::path folder) : folder_(std::move(folder))
+{
+    std::string name = std::to_string(::getpid());
+    (name += '-') += startOf(::getpid()).value_or("0");
+    path_ = folder_ / (name += ".json");
+}
+
+void RecoveryJournal::write(std::string_view text) const
+{
+    savePresetBytes(path_, text);
+}
+
+void RecoveryJournal::cleanExit() const noexcept
+{
+    std::error_code error;
+    fs::remove(path_, error);
+}
+
+std::vector<AbandonedSession> RecoveryJournal::abandoned() const
+{
+    std::vector<AbandonedSession> sessions;
+    std::error_code error;
+    for (const fs::directory_entry& file : fs::directory_iterator(folder_, error)) {
+        const std::optional<Owner> owner = ownerOf(file.path());
+        if (!owner || startOf(owner->pid) == owner->start) continue;
+        struct stat status {};
+        if (::stat(file.path().c_str(), &status) != 0) continue;
+        try {
+            sessions.push_back({file.path(), owner->pid, status.st_mtime, render::readFile(file.path(), presetLimits.bytes)});
+        } catch (const Failure&) {
+            continue;  // It may be gone, or someone else's.
+        }
+    }
+    std::sort(sessions.begin(), sessions.end(), [](const auto& a, const auto& b) { return a.modified > b.modified; });
+    return sessions;
+}
+
+void RecoveryJournal::discard(const AbandonedSession& session) const noexcept
+{
+    std::error_code error;
+    fs::remove(session.path, error);
+}
+
+}  // namespace vitrine

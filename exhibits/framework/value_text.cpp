@@ -1,0 +1,145 @@
+#include "exhibits/framework/value_text.h"
+
+#include "exhibits/framework/expression.h"
+#include "render/files/number_text.h"
+#include "render/image/srgb.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+std::string lower(std::string_view text)
+{
+    std::string out(text);
+    for (char& c : out) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return out;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::optional<Value> parseToggle(std::string_view text)
+{
+    const std::string word = lower(text);
+    if (word == "on" || word == "true" || word == "yes" || word == "1") return 1.0;
+    if (word == "off" || word == "false" || word == "no" || word == "0") return 0.0;
+    return std::nullopt;
+}
+
+std::optional<Value> parseChoice(const ParameterInfo& row, std::string_view text)
+{
+    const auto exact = std::find(row.choices.begin(), row.choices.end(), text);
+    const auto found = exact != row.choices.end()
+                           ? exact
+                           : std::find_if(row.choices.begin(), row.choices.end(), [&](std::string_view name) { return lower(name) == lower(text); });
+    if (found == row.choices.end()) return std::nullopt;
+    return static_cast<double>(found - row.choices.begin());
+}
+
+std::optional<Value> parseHexColor(std::string_view digits)
+{
+    if (digits.size() != 3 && digits.size() != 6) return std::nullopt;
+    const std::size_t each = digits.size() / 3;
+    glm::dvec3 color(0);
+    for (int i = 0; i < 3; ++i) {
+        const std::string_view part = digits.substr(static_cast<std::size_t>(i) * each, each);
+        unsigned code = 0;
+        const std::from_chars_result end = std::from_chars(part.data(), part.data() + part.size(), code, 16);
+        if (end.ec != std::errc() || end.ptr != part.data() + part.size()) return std::nullopt;
+        color[i] = render::linearFromSrgb((each == 1 ? 17 * code : code) / 255.0);
+    }
+    return color;
+}
+
+std::optional<glm::dvec3> parseThree(std::string_view text)
+{
+    glm::dvec3 v(0);
+    for (int i = 0; i < 3; ++i) {
+        const std::size_t comma = text.find(',');
+        if ((comma == std::string_view::npos) != (i == 2)) return std::nullopt;
+        const std::optional<double> x = evaluate(text.substr(0, comma), Unit::none);
+        if (!x) return std::nullopt;
+        v[i] = *x;
+        if (i < 2) text.remove_prefix(comma + 1);
+    }
+    return v;
+}
+
+template <typename Number> std::string digits(Number x, int count)
+{
+    std::array<char, 64> text{};
+    const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, count);
+    return std::string(text.data(), end.ptr);
+}
+
+/// The fewest digits in the shown unit that store exactly `value`.
+std::string formatNumber(double value, Unit unit)
+{
+    const double inUnit = shown(value, unit);
+    for (int count = 1; std::isfinite(inUnit) && count <= 17; ++count) {
+        const std::string text = digits(inUnit, count);
+        if (evaluate(text, unit) == value) return text.find('e') == std::string::npos ? text : render::shortestNumber(*render::parseNumber(text));
+    }
+    // Between two doubles of the shown unit.
+    const long double exact = static_cast<long double>(value) * static_cast<long double>(info(unit).shownPerStored);
+    for (int count = 17; count <= 24; ++count) {
+        const std::string text = digits(exact, count);
+        if (evaluate(text, unit) == value) return text;
+    }
+    std::string text = render::shortestNumber(value);
+    return (text += ' ') += info(unit).storedSymbol;
+}
+
+std::string formatThree(const glm::dvec3& v)
+{
+    std::string text = render::shortestNumber(v.x);
+    (text += ',') += render::shortestNumber(v.y);
+    return (text += ',') += render::shortestNumber(v.z);
+}
+
+}  // namespace
+
+std::optional<Value> parseValue(const ParameterInfo& row, std::string_view text)
+{
+    if (row.kind == Kind::file) return std::string(text);
+    text = trimmed(text);
+    switch (row.kind) {
+    case Kind::toggle: return parseToggle(text);
+    case Kind::choice: return parseChoice(row, text);
+    case Kind::color: {
+        if (text.starts_with('#')) return parseHexColor(text.substr(1));
+        if (const std::optional<glm::dvec3> color = parseThree(text)) return *color;
+        return std::nullopt;
+    }
+    case Kind::direction: {
+        if (const std::optional<glm::dvec3> direction = parseThree(text)) return nearestLegal(row, *direction);
+        return std::nullopt;
+    }
+    default: {
+        if (const std::optional<double> x = evaluate(text, row.unit)) return *x;
+        return std::nullopt;
+    }
+    }
+}
+
+std::string formatValue(const ParameterInfo& row, const Value& value)
+{
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* three = std::get_if<glm::dvec3>(&value)) return formatThree(*three);
+    const double x = std::get<double>(value);
+    if (row.kind == Kind::toggle) return x != 0 ? "on" : "off";
+    if (row.kind == Kind::choice) return std::string(row.choices[static_cast<std::size_t>(x)]);
+    return formatNumber(x, row.unit);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+/// shaders/lib as C++ at float64: the very source that the GPU compiles, called by tests, tools and the
+/// engine. GLM gives types and functions the names that GLSL has for them, `float` means double.
+///
+///     double d = vitrine::glsl::sdfTorus(dvec3(0.5, 0, 0), 0.35, 0.12);
+///
+/// Definitions have internal linkage: include this in source files, and keep shader structs out of the
+/// members of classes that headers declare. lib/sphere_tracing.glsl needs a field: see `Tracer`.
+///
+/// The same at float32, as the GPU rounds: render/glsl/cpu32.h (tests only; its copy of the sources is
+/// made by the build, with an `f` after each literal).
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+
+namespace vitrine::glsl {
+namespace {
+
+using namespace glm;
+using vec2 = glm::dvec2;
+using vec3 = glm::dvec3;
+using vec4 = glm::dvec4;
+using mat2 = glm::dmat2;
+using mat3 = glm::dmat3;
+using mat4 = glm::dmat4;
+
+#define float double
+#include "shaders/lib/numerics.glsl"
+
+#include "shaders/lib/hash.glsl"
+
+#include "shaders/lib/sdf.glsl"
+
+#include "shaders/lib/sdf_operators.glsl"
+
+#include "shaders/lib/torus_mug.glsl"
+
+/// lib/sphere_tracing.glsl around one field. GLSL finds `fieldDistance` because the shader defines it
+/// first; here the file is the body of a class, and `Field` is anything callable with a point:
+///
+///     Tracer tracer{[](const dvec3& p) { return glsl::sdfSphere(p, 1); }};
+///     auto hit = tracer.sphereTrace(origin, direction, tracer.marchSettings(0, 10, pixelCone));
+template <typename Field> struct Tracer {
+    Field field;
+
+    float fieldDistance(vec3 p) { return field(p); }
+
+#include "shaders/lib/sphere_tracing.glsl"
+};
+template <typename Field> Tracer(Field) -> Tracer<Field>;
+#undef float
+
+}  // namespace
+}  // namespace vitrine::glsl
+
+#pragma GCC diagnostic pop

@@ -1,0 +1,143 @@
+// What may be done to signed distances and to the points they are asked at.
+//
+// "Keeps 1" means: 1-Lipschitz fields in, 1-Lipschitz field out, so that sphere tracing, mixing and
+// pruning stay safe. Exactness is lost by all of them except where stated.
+//
+// GLSL 4.50 and C++ (render/glsl/cpu.h).
+
+// A blend wider than a scene would swallow it; a narrower one than the second value has no effect and
+// would divide by numbers that GPUs flush to zero.
+const float SDF_WIDEST_BLEND = 1000.0;
+const float SDF_NARROWEST_BLEND = 1.0e-20;
+
+// ---- Combining: keep 1 ---------------------------------------------------------------------------
+
+// Exact outside both.
+float sdfUnion(float a, float b)
+{
+    return min(a, b);
+}
+
+// Bound outside.
+float sdfIntersection(float a, float b)
+{
+    return max(a, b);
+}
+
+// a without b. Bound. Where a face of b lies on a face of a, a sheet of distance zero is left behind:
+// see sdfCleanSubtraction.
+float sdfSubtraction(float a, float b)
+{
+    return max(a, -b);
+}
+
+// a without b grown by `gap`: coinciding faces leave nothing behind (a minus a is nowhere nearer than
+// gap / 2). A gap of twice the hit tolerance or more keeps the sheet out of the picture.
+float sdfCleanSubtraction(float a, float b, float gap)
+{
+    return max(a, gap - b);
+}
+
+// In one, but not in both.
+float sdfXor(float a, float b)
+{
+    return max(min(a, b), -max(a, b));
+}
+
+// Union with a fillet that starts where the two distances differ by k metres, and adds at most k / 4.
+// k = 0 (or less) is the hard union, bitwise; k is cut to SDF_WIDEST_BLEND. Quilez 2013, "Smooth
+// minimum", quadratic.
+float sdfSmoothUnion(float a, float b, float k)
+{
+    if (!(k > SDF_NARROWEST_BLEND)) return min(a, b);
+    float width = min(k, SDF_WIDEST_BLEND);
+    float h = max(width - abs(a - b), 0.0) / width;
+    return min(a, b) - h * h * width * 0.25;
+}
+
+// As above, a without b and a with b.
+float sdfSmoothSubtraction(float a, float b, float k)
+{
+    return -sdfSmoothUnion(-a, b, k);
+}
+
+float sdfSmoothIntersection(float a, float b, float k)
+{
+    return -sdfSmoothUnion(-a, -b, k);
+}
+
+// Cubic fillet: curvature is continuous where it begins; adds at most k / 6.
+float sdfSmoothUnionCubic(float a, float b, float k)
+{
+    if (!(k > SDF_NARROWEST_BLEND)) return min(a, b);
+    float width = min(k, SDF_WIDEST_BLEND);
+    float h = max(width - abs(a - b), 0.0) / width;
+    return min(a, b) - h * h * h * width * (1.0 / 6.0);
+}
+
+// -k log2(2^(-a/k) + 2^(-b/k)): the same whatever the order of three or more; adds at most k. Written
+// around the smaller value, because 2^(|a|/k) overflows float32 once |a| / k exceeds 128.
+float sdfSmoothUnionExponential(float a, float b, float k)
+{
+    if (!(k > SDF_NARROWEST_BLEND)) return min(a, b);
+    float width = min(k, SDF_WIDEST_BLEND);
+    return min(a, b) - width * log2(1.0 + exp2(max(-abs(a - b) / width, -126.0)));
+}
+
+// Between two fields: exactly a at t = 0 and b at t = 1, bitwise. Outside [0, 1] the result is divided by
+// |1 - t| + |t|, the slope that extrapolation could reach, so that it keeps 1 there as well.
+float sdfMix(float a, float b, float t)
+{
+    if (t == 0.0) return a;
+    if (t == 1.0) return b;
+    return (a * (1.0 - t) + b * t) / (abs(1.0 - t) + abs(t));
+}
+
+// ---- Changing one field: keep 1 ------------------------------------------------------------------
+
+// Wall of `thickness` around the surface.
+float sdfOnion(float d, float thickness)
+{
+    return abs(d) - 0.5 * thickness;
+}
+
+// Grown by `radius`, edges rounded. Exact where d is exact outside.
+float sdfRound(float d, float radius)
+{
+    return d - radius;
+}
+
+// A field asked at p / scale, scaled back. `scale` > 0; exact stays exact.
+float sdfScaled(float d, float scale)
+{
+    return d * scale;
+}
+
+// A field asked at p / scale with a different scale per axis: a bound that the smallest one sets.
+// Without this correction the slope is largest / smallest and rays pass through surfaces.
+float sdfScaledBound(float d, vec3 scale)
+{
+    vec3 s = abs(scale);
+    return d * min(s.x, min(s.y, s.z));
+}
+
+// The solid that a profile in the plane sweeps from -halfHeight to +halfHeight. Exact if the profile is.
+float sdfExtrude(float profile, float z, float halfHeight)
+{
+    vec2 d = vec2(profile, abs(z) - halfHeight);
+    return length(max(d, vec2(0.0))) + min(max(d.x, d.y), 0.0);
+}
+
+// ---- Changing the point: keep 1 ------------------------------------------------------------------
+
+// Draws a solid apart along the axes by `halfSize` each way; flat pieces fill the gap. Exact outside.
+vec3 sdfElongate(vec3 p, vec3 halfSize)
+{
+    return p - clamp(p, -halfSize, halfSize);
+}
+
+// The profile's plane for a solid of revolution around y, the profile moved out by `offset`.
+vec2 sdfRevolve(vec3 p, float offset)
+{
+    return vec2(length(vec2(p.x, p.z)) - offset, p.y);
+}

@@ -1,0 +1,26 @@
+// The eye's rays in the object's own space.
+#include "lib/frame.glsl"
+#include "sdf_morph/object.glsl"
+
+struct LocalRay {
+    vec3 origin;
+    vec3 direction;   // unit length
+    float perDepth;   // local length per metre along the view axis
+    float halfPixel;  // half a pixel's width at local distance 1, never too large
+    vec2 span;        // where the ray is inside the box, from the near plane on
+};
+
+LocalRay localRay(vec2 fragCoord)
+{
+    LocalRay r;
+    vec3 world = frameRay(fragCoord);
+    vec3 d = mat3(object.localFromWorld) * world;
+    r.perDepth = length(d);
+    r.direction = d / r.perDepth;
+    r.origin = (object.localFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
+    // A world width shrinks by at most the largest scale on its way into the object's space.
+    r.halfPixel = 0.5 * frame.timing.w / (r.perDepth * object.boxLow.w);
+    r.span = rayBox(r.origin, r.direction, object.boxLow.xyz, object.boxHigh.xyz);
+    r.span.x = max(r.span.x, frame.eye.w * r.perDepth);
+    return r;
+}
