@@ -16,9 +16,9 @@
 namespace vitrine::render {
 
 struct ReadOptions {
-    ImageLimits limits;
+    ImageLimits limits{};
     bool raw = false;                  ///< Keep stored values: no sRGB decoding, codes divided by 255 or 65535.
-    std::function<bool()> cancelled;   ///< Asked between rows, from the calling thread; true stops with a Failure.
+    std::function<bool()> cancelled{}; ///< Asked between rows, from the calling thread; true stops with a Failure.
 };
 
 /// Reads PNG, JPEG, TIFF, OpenEXR or Radiance HDR; the first bytes decide which, and must agree with the
@@ -34,8 +34,8 @@ struct ReadOptions {
 enum class PictureFormat : std::uint8_t { png8, png16, exr, exrHalf, tiff8, tiff16 };
 
 struct PictureMetadata {
-    std::string preset;         ///< JSON text that restores what is seen; none when empty.
-    std::string description;    ///< For people; none when empty.
+    std::string preset{};       ///< JSON text that restores what is seen; none when empty.
+    std::string description{};  ///< For people; none when empty.
     double pixelsPerInch = 0;   ///< Of a print; none when 0.
 };
 

@@ -9,8 +9,18 @@
 namespace vitrine::render {
 namespace {
 
+using Proxy = OIIO::Filesystem::IOProxy;
+
+/// The bytes as a file. The JPEG reader of 2.4.7 takes OpenImageIO's own kind only, and reads it in one go
+/// without any offset.
+std::unique_ptr<Proxy> fileOf(std::string_view bytes, ImageFormat format)
+{
+    if (format == ImageFormat::jpeg) return std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size());
+    return std::make_unique<MemoryFile>(bytes);
+}
+
 /// Opens `file` with one reader. `file` must outlive the result.
-std::unique_ptr<OIIO::ImageInput> openWith(MemoryFile& file, ImageFormat format, std::string& problem)
+std::unique_ptr<OIIO::ImageInput> openWith(Proxy& file, ImageFormat format, std::string& problem)
 {
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(pluginName(format));
     if (!input || !input->supports("ioproxy")) {
@@ -18,7 +28,7 @@ std::unique_ptr<OIIO::ImageInput> openWith(MemoryFile& file, ImageFormat format,
         return nullptr;
     }
     OIIO::ImageSpec config;
-    OIIO::Filesystem::IOProxy* proxy = &file;
+    Proxy* proxy = &file;
     config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
     config.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageSpec spec;
@@ -77,9 +87,9 @@ const char* pluginName(ImageFormat format)
 std::string decodeWithOiio(std::string_view bytes, ImageFormat format, const ImageLimits& limits,
                            const std::function<bool()>& cancelled, StoredPicture& out)
 {
-    MemoryFile file(bytes);
+    const std::unique_ptr<Proxy> file = fileOf(bytes, format);
     std::string problem;
-    const std::unique_ptr<OIIO::ImageInput> input = openWith(file, format, problem);
+    const std::unique_ptr<OIIO::ImageInput> input = openWith(*file, format, problem);
     if (!input) return problem;
     const OIIO::ImageSpec spec = input->spec();
     if (std::string why = whyUnsupported(spec, format); !why.empty()) return why;
@@ -111,9 +121,9 @@ std::string decodeWithOiio(std::string_view bytes, ImageFormat format, const Ima
 
 std::string readTextWithOiio(std::string_view bytes, ImageFormat format, const std::string& key, std::string& out)
 {
-    MemoryFile file(bytes);
+    const std::unique_ptr<Proxy> file = fileOf(bytes, format);
     std::string problem;
-    const std::unique_ptr<OIIO::ImageInput> input = openWith(file, format, problem);
+    const std::unique_ptr<OIIO::ImageInput> input = openWith(*file, format, problem);
     if (!input) return problem;
     out = input->spec().get_string_attribute(key);
     return {};

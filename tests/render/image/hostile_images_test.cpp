@@ -1,0 +1,123 @@
+#include "render/image/image_io.h"
+
+#include "tests/support/failures.h"
+#include "tests/support/image_bytes.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <random>
+
+namespace {
+
+using namespace vitrine;
+using namespace vitrine::render;
+using test::TemporaryFolder;
+
+/// Writes `bytes` as a file and reads it as a picture.
+Image read(const std::string& name, const std::string& bytes)
+{
+    const TemporaryFolder folder;
+    test::writeBytes(folder / name, bytes);
+    return readImage(folder / name);
+}
+
+TEST(HostileImage, OfGiantClaimedSizeIsRefusedBeforeMemoryIsTaken)
+{
+    rusage before{};
+    ::getrusage(RUSAGE_SELF, &before);
+    EXPECT_FAILURE(read("a.png", test::pngClaiming(1'000'000, 1'000'000, 8, 2, "x")), "Cannot read");
+    EXPECT_FAILURE(read("a.png", test::pngClaiming(60'000, 60'000, 8, 2, "x")), "Cannot read");
+    EXPECT_FAILURE(read("a.png", test::pngClaiming(16'000, 16'000, 8, 0, "x")), "times its size");
+    EXPECT_FAILURE(read("a.png", test::pngClaiming(30'000, 30'000, 8, 0, "x")), "more than the 268435456 allowed");
+    EXPECT_FAILURE(read("a.hdr", test::hdrClaiming(200'000, 200'000, "x")), "200000 pixels in a row");
+    EXPECT_FAILURE(read("a.tif", test::tiffClaiming(100'000, 100'000, 1, "x")), "Cannot read");
+    EXPECT_FAILURE(read("a.tif", test::tiffClaiming(4, 4, 5000, "x")), "Cannot read");
+    EXPECT_FAILURE(read("a.tif", test::tiffClaiming(20'000, 12'000, 1, "x")), "Cannot read");
+    rusage after{};
+    ::getrusage(RUSAGE_SELF, &after);
+    EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 400 * 1024) << "KiB, OpenImageIO's own 131 MB included";
+}
+
+TEST(HostileImage, IsKnownByItsContentAndNotItsName)
+{
+    EXPECT_FAILURE(read("a.png", test::hdrClaiming(1, 1, "\x80\x80\x80\x80")), "its content is HDR although its name ends in \".png\"");
+    EXPECT_FAILURE(read("a.png", test::jpegBytes()), "its content is JPEG");
+    EXPECT_FAILURE(read("a.png", "SDPX" + std::string(4000, '\0')), "not a PNG, JPEG, TIFF, OpenEXR or HDR");
+    EXPECT_FAILURE(read("a.dpx", "SDPX" + std::string(4000, '\0')), "not a PNG, JPEG, TIFF, OpenEXR or HDR");
+    EXPECT_FAILURE(read("a.gif", "GIF89a" + std::string(100, '\0')), "not a PNG");
+    EXPECT_FAILURE(read("a.bmp", "BM" + std::string(100, '\0')), "not a PNG");
+    EXPECT_FAILURE(read("a.png", ""), "not a PNG");
+    EXPECT_NO_THROW(read("a", test::jpegBytes())) << "a name without extension may hold any";
+}
+
+TEST(HostileImage, WithTilesThatStickOutIsRefused)
+{
+    EXPECT_NO_THROW(read("a.exr", test::tiledExr(32, 32, 16)));
+    EXPECT_FAILURE(read("a.exr", test::tiledExr(32, 24, 16)), "its tiles do not fit its size");
+    EXPECT_FAILURE(read("a.exr", test::tiledExr(30, 32, 16)), "its tiles do not fit its size");
+}
+
+TEST(HostileImage, ThatEndsEarlyIsRefused)
+{
+    const TemporaryFolder folder;
+    Image image(64, 64, 3, 0.5F);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<float>(i * 7919 % 1000) / 1000;
+    writePicture(folder / "a.png", image, PictureFormat::png8);
+    writePicture(folder / "a.exr", image, PictureFormat::exr);
+    writePicture(folder / "a.tif", image, PictureFormat::tiff8);
+    for (const char* name : {"a.png", "a.exr", "a.tif"}) {
+        const std::string whole = test::bytesOf(folder / name);
+        for (const std::size_t part : {8UL, 40UL, whole.size() / 2, whole.size() - 100}) {
+            EXPECT_FAILURE(read(name, whole.substr(0, part)), "Cannot read");
+        }
+    }
+    const std::string tiled = test::tiledExr(32, 32, 16);
+    EXPECT_FAILURE(read("a.exr", tiled.substr(0, tiled.size() - 500)), "Cannot read");
+}
+
+TEST(HostileImage, ThatIsNoFileIsRefused)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "a.png").c_str(), 0600), 0);
+    EXPECT_FAILURE(readImage(folder / "a.png"), "not a regular file");
+    EXPECT_FAILURE(readImage(folder.path()), "not a regular file");
+    EXPECT_FAILURE(readImage(folder / "none.png"), "no such file");
+    EXPECT_FAILURE(loadTexture(folder / "a.png", true, true), "not a regular file");
+    EXPECT_FAILURE(embeddedPreset(folder / "a.png"), "not a regular file");
+}
+
+TEST(HostileImage, NeverCrashesWhenDamaged)
+{
+    const TemporaryFolder folder;
+    Image image(24, 16, 3, 0.5F);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<float>(i * 7919 % 1000) / 1000;
+    writePicture(folder / "a.png", image, PictureFormat::png8, {.preset = "{}"});
+    writePicture(folder / "a.exr", image, PictureFormat::exrHalf, {.preset = "{}"});
+    writePicture(folder / "a.tif", image, PictureFormat::tiff16);
+    test::writeBytes(folder / "a.jpg", test::jpegBytes());
+    test::writeBytes(folder / "a.hdr", test::hdrClaiming(8, 8, std::string(256, 'x')));
+    std::mt19937 generator(5);
+    const auto random = [&generator] { return static_cast<unsigned>(generator()); };
+    for (const char* name : {"a.png", "a.exr", "a.tif", "a.jpg", "a.hdr"}) {
+        const std::string whole = test::bytesOf(folder / name);
+        for (int i = 0; i < 300; ++i) {
+            std::string bytes = whole;
+            for (unsigned n = random() % 6 + 1; n > 0; --n) bytes[4 + random() % (bytes.size() - 4)] = static_cast<char>(random());
+            const std::string damaged = "damaged" + std::filesystem::path(name).extension().string();
+            test::writeBytes(folder / damaged, bytes);
+            try {
+                const Image back = readImage(folder / damaged);
+                EXPECT_EQ(back.pixels.size(), static_cast<std::size_t>(back.width) * static_cast<std::size_t>(back.height) * static_cast<std::size_t>(back.channels));
+                (void)embeddedPreset(folder / damaged);
+            } catch (const Failure& failure) {
+                EXPECT_NE(std::string(failure.what()).find(damaged), std::string::npos);
+            }
+        }
+    }
+}
+
+}  // namespace

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "render/failure.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace vitrine::test {
+
+/// The message of the Failure that `work` throws; fails the test when it throws none.
+template <typename Work> std::string failureOf(const Work& work)
+{
+    try {
+        work();
+    } catch (const Failure& failure) {
+        EXPECT_EQ(failure.blame(), Blame::file);
+        return failure.what();
+    }
+    ADD_FAILURE() << "nothing was thrown";
+    return {};
+}
+
+}  // namespace vitrine::test
+
+/// Expects a Failure whose message contains `part`.
+#define EXPECT_FAILURE(statement, part)                                                            \
+    EXPECT_PRED_FORMAT2(::testing::IsSubstring, part, ::vitrine::test::failureOf([&] { (void)(statement); }))
