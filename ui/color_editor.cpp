@@ -80,7 +80,6 @@ ColorEditor::ColorEditor(const ParameterInfo& row, QWidget* parent)
     code_->setAlignment(Qt::AlignRight);
     code_->setMaxLength(16);
     code_->setContextMenuPolicy(Qt::NoContextMenu);
-    setFocusProxy(swatch_);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(6, 0, 0, 0);
     layout->setSpacing(6);

@@ -37,7 +37,6 @@ DirectionEditor::DirectionEditor(const ParameterInfo& row, QWidget* parent)
     elevation_->setAccessibleName(tr("%1, elevation").arg(name));
     azimuth_->setToolTip(tooltipText(angle(0)));
     elevation_->setToolTip(tooltipText(angle(1)));
-    setFocusProxy(azimuth_);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(6, 0, 0, 0);
     layout->setSpacing(4);
@@ -67,6 +66,7 @@ void DirectionEditor::take(int gesture)
 
 void DirectionEditor::labelPressed(double x)
 {
+    azimuth_->setFocus(Qt::MouseFocusReason);
     azimuth_->dragFrom(x);
 }
 

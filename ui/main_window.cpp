@@ -7,6 +7,7 @@
 #include "ui/parameter_panel.h"
 #include "ui/preset_list.h"
 #include "ui/preset_shelf.h"
+#include "ui/session_keeper.h"
 #include "ui/status_line.h"
 #include "ui/viewport.h"
 #include "ui/window_actions.h"
@@ -53,6 +54,9 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     presets_->setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
     connectParts();
     choose(0);
+    keeper_ = new SessionKeeper(*this);
+    if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
+    connect(&history_, &History::changed, keeper_, &SessionKeeper::noteChange);
     viewport_->setFocus();
 }
 

@@ -46,6 +46,9 @@ public:
     [[nodiscard]] ParameterPanel& panel() const { return *panel_; }
     [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }
 
+    /// Cut to the shape of the lists' pictures.
+    [[nodiscard]] static QPixmap thumbnailOf(const QImage&);
+
     // What the actions do.
     void hidePanels(bool hidden);
     void setFullScreen(bool);
@@ -65,8 +68,6 @@ private:
     void connectParts();
     void showValues();
     void keepThumbnail();
-    [[nodiscard]] static QPixmap thumbnailOf(const QImage&);
-    void restoreSession();
     void setHallFile(const char* parameter, const QString& path);
 
     Gallery& gallery_;

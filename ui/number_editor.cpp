@@ -14,7 +14,6 @@ NumberEditor::NumberEditor(const ParameterInfo& row, QWidget* parent)
     slider_->setAccessibleName(tr("%1, slider").arg(name));
     field_->setAccessibleName(name);
     field_->setFixedWidth(84);
-    setFocusProxy(field_);
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -40,6 +39,7 @@ void NumberEditor::showValue(const Value& value)
 
 void NumberEditor::labelPressed(double x)
 {
+    field_->setFocus(Qt::MouseFocusReason);  // So that Esc reaches the number.
     field_->dragFrom(x);
 }
 

@@ -21,7 +21,6 @@ QString text(std::string_view s)
 RowLabel::RowLabel(const QString& name, ValueEditor* editor, QWidget* parent) : QLabel(name, parent), editor_(editor)
 {
     setTextFormat(Qt::PlainText);
-    setBuddy(editor);
     if (editor->dragsByLabel()) setCursor(Qt::SizeHorCursor);
 }
 
@@ -39,7 +38,6 @@ void RowLabel::mousePressEvent(QMouseEvent* event)
         return;
     }
     dragging_ = true;
-    editor_->setFocus(Qt::MouseFocusReason);  // So that Esc reaches the number.
     editor_->labelPressed(event->position().x());
 }
 
@@ -118,7 +116,7 @@ ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
     : QWidget(parent), editor_(makeEditor(info, this)), dot_(new ResetDot(this))
 {
     const QString name = QString::fromStdString(label(info));
-    setFixedHeight(height);
+    setFixedHeight(rowHeight);
     setToolTip(tooltipText(info));
     setAttribute(Qt::WA_Hover);
     setFocusPolicy(Qt::NoFocus);

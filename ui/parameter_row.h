@@ -53,7 +53,7 @@ class ParameterRow final : public QWidget {
     Q_OBJECT
 
 public:
-    static constexpr int height = 26;
+    static constexpr int rowHeight = 26;
     static constexpr int labelWidth = 124;
 
     /// `info` must outlive the row.

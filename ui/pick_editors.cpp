@@ -32,7 +32,6 @@ QString nameOf(const ParameterInfo& row)
 ToggleEditor::ToggleEditor(const ParameterInfo& row, QWidget* parent) : ValueEditor(row, parent), box_(new QCheckBox(this))
 {
     box_->setAccessibleName(nameOf(row));
-    setFocusProxy(box_);
     QHBoxLayout* layout = rowLayout(this);
     layout->addSpacing(2);
     layout->addWidget(box_);
@@ -53,7 +52,6 @@ ChoiceEditor::ChoiceEditor(const ParameterInfo& row, QWidget* parent) : ValueEdi
     box_->setFocusPolicy(Qt::StrongFocus);
     box_->setFixedHeight(22);
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    setFocusProxy(box_);
     rowLayout(this)->addWidget(box_, 1);
     connect(box_, &QComboBox::activated, this, [this](int index) { emit edited(static_cast<double>(index), newGesture()); });
 }
@@ -76,7 +74,6 @@ FileEditor::FileEditor(const ParameterInfo& row, QWidget* parent)
     browse_->setAccessibleName(tr("%1, choose a file").arg(nameOf(row)));
     browse_->setToolTip(tr("Choose a file. Dropping one here works too."));
     browse_->setFocusPolicy(Qt::StrongFocus);
-    setFocusProxy(path_);
     setAcceptDrops(true);
     QHBoxLayout* layout = rowLayout(this);
     layout->addWidget(path_, 1);

@@ -72,16 +72,20 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
     row->addWidget(more);
 }
 
-void PresetList::fill(const std::vector<PresetEntry>& entries)
+void PresetList::fill(const std::vector<PresetLine>& entries)
 {
     const QSignalBlocker quiet(list_);
     const QString before = selected();
     list_->clear();
-    for (const PresetEntry& entry : entries) {
+    for (const PresetLine& entry : entries) {
         auto* item = new QListWidgetItem(entry.name, list_);
         item->setData(idRole, entry.id);
         item->setData(TileDelegate::secondLine, entry.shipped ? tr("Comes with the exhibit") : tr("Yours"));
         if (!entry.thumbnail.isNull()) item->setIcon(QIcon(entry.thumbnail));
+        if (!entry.problem.isEmpty()) {
+            item->setData(TileDelegate::secondLine, tr("Cannot be opened"));
+            item->setToolTip(entry.problem);
+        }
         if (!entry.shipped) item->setFlags(item->flags() | Qt::ItemIsEditable);
     }
     setCurrent(before);

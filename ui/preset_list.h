@@ -11,10 +11,11 @@ class QAction;
 namespace vitrine::ui {
 
 /// One line of the list. `id` is whatever its owner finds it by.
-struct PresetEntry {
+struct PresetLine {
     QString id;
     QString name;
     bool shipped = false;  ///< Came with the program: can be loaded and duplicated, not changed.
+    QString problem;       ///< Why it cannot be opened; empty when it can.
     QPixmap thumbnail;
 };
 
@@ -25,7 +26,7 @@ class PresetList final : public QWidget {
 public:
     explicit PresetList(QWidget* parent = nullptr);
 
-    void fill(const std::vector<PresetEntry>&);
+    void fill(const std::vector<PresetLine>&);
     /// The preset that the look was loaded from or saved to, or "" for none.
     void setCurrent(const QString& id);
     [[nodiscard]] QString selected() const;

@@ -1,5 +1,8 @@
 #include "ui/shown_text.h"
 
+#include "exhibits/framework/preset.h"
+#include "exhibits/framework/value_text.h"
+
 #include <QStringList>
 
 #include <algorithm>
@@ -94,30 +97,28 @@ QString tooltipText(const ParameterInfo& row)
     return lines.join(QLatin1Char('\n'));
 }
 
-// Replaced by the framework's value_text once it is there.
 QString exactText(const ParameterInfo& row, const Value& value)
 {
-    if (!isNumber(row)) return shownText(row, value);
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, shown(std::get<double>(value), row.unit));
-    return QString::fromLatin1(buffer, end.ptr - buffer);
+    return QString::fromStdString(formatValue(row, value));
 }
 
 std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, QString* problem)
 {
-    const std::string bytes = typed.trimmed().toStdString();
-    double x = 0;
-    const auto end = std::from_chars(bytes.data(), bytes.data() + bytes.size(), x);
-    if (end.ec != std::errc() || end.ptr != bytes.data() + bytes.size()) {
-        if (problem) *problem = QStringLiteral("Not a number: %1").arg(typed);
+    const std::optional<Value> meant = parseValue(row, typed.trimmed().toStdString());
+    const std::optional<Value> legal = meant ? nearestLegal(row, *meant) : std::nullopt;
+    if (!legal) {
+        if (problem) *problem = QStringLiteral("\"%1\" is no value for %2.").arg(typed.left(80), QString::fromStdString(label(row)));
         return std::nullopt;
     }
-    return nearestLegal(row, stored(x, row.unit));
+    const bool brought = isNumber(row) && std::get<double>(*legal) != std::get<double>(*meant);
+    if (problem && brought)
+        *problem = QStringLiteral("Legal: %1; brought to %2.").arg(legalRangeText(row), shownText(row, *legal));
+    return legal;
 }
 
-QString allAsJson(const ParameterValues&, const QString&)
+QString allAsJson(const ParameterValues& values, const QString& exhibit)
 {
-    return {};
+    return QString::fromStdString(presetText({exhibit.toStdString(), "Copied values", values, {}, presetVersion, render::Json::object(), {}}));
 }
 
 }  // namespace vitrine::ui

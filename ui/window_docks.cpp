@@ -1,6 +1,7 @@
 // The docks around the picture: what is in them and where they start.
 #include "ui/main_window.h"
 
+#include "render/files/assets.h"
 #include "ui/dock_title.h"
 #include "ui/exhibit_list.h"
 #include "ui/ledger_view.h"
@@ -42,7 +43,7 @@ void MainWindow::buildDocks()
     QDockWidget* exhibits = dock(tr("Exhibits"), "exhibits", exhibits_, Qt::LeftDockWidgetArea);
     QDockWidget* presets = dock(tr("Presets"), "presets", presets_, Qt::LeftDockWidgetArea);
     exhibits_->fill(gallery_.exhibits(), gallery_.emptyPlaces());
-    shelf_ = new PresetShelf(*this, *presets_);
+    shelf_ = new PresetShelf(*this, *presets_, PresetStore::standard(render::asset("presets")));
 
     auto* right = new QWidget;
     auto* rightLayout = new QVBoxLayout(right);

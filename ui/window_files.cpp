@@ -1,7 +1,10 @@
 // Files that come to the window and pictures that leave it.
 #include "ui/main_window.h"
 
+#include "ui/picture_export.h"
 #include "ui/preset_shelf.h"
+#include "ui/screenshot_dialog.h"
+#include "ui/session_keeper.h"
 #include "ui/viewport.h"
 
 #include <QCloseEvent>
@@ -10,6 +13,9 @@
 #include <QFileInfo>
 #include <QMimeData>
 #include <QUrl>
+
+#include <algorithm>
+#include <cmath>
 
 namespace vitrine::ui {
 
@@ -54,11 +60,30 @@ void MainWindow::openFile(const QString& path)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    keeper_->close();
     event->accept();
 }
 
-void MainWindow::saveScreenshotNow() {}
+void MainWindow::saveScreenshotNow()
+{
+    const std::string_view name = gallery_.exhibits()[chosen_]->name();
+    ExportWish wish;
+    wish.path = freeScreenshotPath(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+    const double ratio = viewport_->devicePixelRatioF();
+    wish.size = {std::max(1, static_cast<int>(std::lround(viewport_->width() * ratio))),
+                 std::max(1, static_cast<int>(std::lround(viewport_->height() * ratio)))};
+    wish.samples = DrawSchedule::samples;
+    auto* work = new PictureExport(*this, wish);
+    connect(work, &PictureExport::finished, this, [this](const QString& path) {
+        say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(path));
+    });
+    connect(work, &PictureExport::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    work->start();
+}
 
-void MainWindow::openScreenshotDialog() {}
+void MainWindow::openScreenshotDialog()
+{
+    (new ScreenshotDialog(*this))->show();
+}
 
 }  // namespace vitrine::ui

@@ -1,0 +1,120 @@
+#include "ui/draw_schedule.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace vitrine::ui;
+
+namespace {
+
+/// Draws as a machine does that needs `full` seconds for a picture at full resolution, of which `fixed`
+/// do not depend on the resolution, until nothing is left to draw. Returns how many pictures that took.
+int drawAll(DrawSchedule& schedule, double& now, double full, double fixed = 0)
+{
+    int drawn = 0;
+    while (std::isfinite(schedule.wait(now)) && drawn < 100) {
+        now += schedule.wait(now) + 1e-6;
+        const auto order = schedule.next(now);
+        if (!order) continue;
+        const double seconds = fixed + (full - fixed) * order->scale * order->scale;
+        now += seconds;
+        schedule.drawn(*order, seconds);
+        ++drawn;
+    }
+    return drawn;
+}
+
+}  // namespace
+
+class DrawScheduleTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aStillPictureIsRefinedSixteenTimesAndThenLeftAlone()
+    {
+        DrawSchedule schedule;
+        double now = 0;
+        schedule.changed(now);
+        QCOMPARE(drawAll(schedule, now, 0.01), 16);
+        QVERIFY(schedule.still());
+        QVERIFY(!schedule.next(now + 1000));
+        QVERIFY(std::isinf(schedule.wait(now)));
+        QCOMPARE(QString::fromStdString(schedule.reason()),
+                 QStringLiteral("still: refined 16 of 16, nothing to draw, because nothing changes"));
+    }
+
+    void everyChangeStartsOver()
+    {
+        DrawSchedule schedule;
+        double now = 0;
+        drawAll(schedule, now, 0.01);
+        schedule.changed(now);
+        const auto order = schedule.next(now);
+        QVERIFY(order);
+        QCOMPARE(order->sample, 0);
+        schedule.drawn(*order, 0.01);
+        QVERIFY(!schedule.next(now + 0.01));  // Not yet settled.
+        QVERIFY(schedule.wait(now + 0.01) > 0);
+        QCOMPARE(schedule.next(now + 1)->sample, 1);
+    }
+
+    void aSlowMachineDrawsCoarserWhileMoving()
+    {
+        DrawSchedule schedule;
+        double now = 0;
+        schedule.setMoving(true, now);
+        for (int i = 0; i < 10; ++i) {
+            const auto order = schedule.next(now);
+            const double seconds = 0.4 * order->scale * order->scale;
+            now += seconds;
+            schedule.drawn(*order, seconds);
+        }
+        QCOMPARE(schedule.scaleWhileMoving(), 0.35);  // 0.4 s × 0.35² = 49 ms: within the target.
+        schedule.setMoving(false, now);
+        QCOMPARE(schedule.next(now)->scale, 0.35);    // Feedback first ...
+        const int rest = drawAll(schedule, now, 0.4);
+        QCOMPARE(rest, 17);                           // ... then sixteen at full resolution.
+    }
+
+    void theResolutionDoesNotSwing()
+    {
+        // Near every threshold, whatever the share of work that does not depend on resolution.
+        for (double full = 0.02; full < 2; full *= 1.07) {
+            for (const double share : {0.0, 0.2, 0.5}) {
+                DrawSchedule schedule;
+                double now = 0;
+                schedule.setMoving(true, now);
+                int changes = 0;
+                double before = 0;
+                for (int i = 0; i < 200; ++i) {
+                    const auto order = schedule.next(now);
+                    if (i > 40 && order->scale != before) ++changes;
+                    before = order->scale;
+                    const double seconds = full * share + full * (1 - share) * order->scale * order->scale;
+                    now += seconds;
+                    schedule.drawn(*order, seconds);
+                }
+                QVERIFY2(changes <= 1, qPrintable(QStringLiteral("full %1 s, share %2: %3 changes").arg(full).arg(share).arg(changes)));
+            }
+        }
+    }
+
+    void aFastMachineComesBackToFullResolution()
+    {
+        DrawSchedule schedule;
+        double now = 0;
+        schedule.setMoving(true, now);
+        for (int i = 0; i < 60; ++i) {
+            const auto order = schedule.next(now);
+            const double seconds = (i < 20 ? 0.5 : 0.01) * order->scale * order->scale;
+            now += seconds;
+            schedule.drawn(*order, seconds);
+        }
+        QCOMPARE(schedule.scaleWhileMoving(), 1.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(DrawScheduleTest)
+
+#include "draw_schedule_test.moc"

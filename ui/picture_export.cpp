@@ -1,0 +1,106 @@
+#include "ui/picture_export.h"
+
+#include "ui/main_window.h"
+#include "ui/preset_shelf.h"
+#include "ui/viewport.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QStandardPaths>
+
+namespace vitrine::ui {
+namespace {
+
+bool isLinear(render::PictureFormat format)
+{
+    return format == render::PictureFormat::exr || format == render::PictureFormat::exrHalf;
+}
+
+}  // namespace
+
+std::filesystem::path freeScreenshotPath(const QString& exhibit)
+{
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+    QDir().mkpath(folder.path());
+    const QString stem = exhibit + QDateTime::currentDateTime().toString(QStringLiteral("-yyyy-MM-dd-HHmmss"));
+    QString name = stem + QStringLiteral(".png");
+    for (int i = 2; folder.exists(name); ++i) name = QStringLiteral("%1-%2.png").arg(stem).arg(i);
+    return folder.filePath(name).toStdString();
+}
+
+PictureExport::PictureExport(MainWindow& window, ExportWish wish)
+    : QObject(&window), window_(window), wish_(std::move(wish)), preset_(window.shelf().lookText())
+{
+    timer_.setSingleShot(true);
+    connect(&timer_, &QTimer::timeout, this, &PictureExport::step);
+}
+
+PictureExport::~PictureExport()
+{
+    if (maker_) window_.viewport().withContext([this] { maker_.reset(); });
+}
+
+void PictureExport::start()
+{
+    PictureRequest request;
+    request.frame.camera = window_.history().look().camera;
+    request.frame.raster.size = wish_.size;
+    request.frame.time = window_.viewport().time();
+    request.frame.transparent = wish_.transparent;
+    request.frame.averageIn = isLinear(wish_.format) ? AverageIn::radiance : AverageIn::display;
+    request.samples = wish_.samples;
+    const Look& look = window_.history().look();
+    try {
+        window_.viewport().withContext([&] { maker_ = window_.gallery().makePicture(look, request); });
+    } catch (const std::exception& failure) {
+        emit failed(QString::fromUtf8(failure.what()));
+        deleteLater();
+        return;
+    }
+    elapsed_.start();
+    timer_.start(0);
+}
+
+void PictureExport::cancel()
+{
+    timer_.stop();
+    deleteLater();
+}
+
+void PictureExport::step()
+{
+    if (!maker_) {
+        emit failed(tr("No picture can be made: there is no renderer."));
+        deleteLater();
+        return;
+    }
+    try {
+        window_.viewport().withContext([this] { maker_->step(); });
+        if (maker_->finished()) {
+            write();
+            return;
+        }
+    } catch (const std::exception& failure) {
+        emit failed(QString::fromUtf8(failure.what()));
+        deleteLater();
+        return;
+    }
+    const double part = maker_->progress();
+    const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
+    emit progressed(part, part > 0.02 ? seconds / part * (1 - part) : -1);
+    timer_.start(0);
+}
+
+void PictureExport::write()
+{
+    render::PictureMetadata inside;
+    inside.preset = preset_;
+    render::writePicture(wish_.path, maker_->picture(), wish_.format, inside);
+    emit progressed(1, 0);
+    emit finished(QString::fromStdString(wish_.path.string()));
+    deleteLater();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_picture_export.cpp"

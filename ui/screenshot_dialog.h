@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/picture_export.h"
+
+#include <QDialog>
+#include <QPointer>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace vitrine::ui {
+
+/// Asks for size, samples, format and place of a picture and shows how it is made. Blocks nothing.
+class ScreenshotDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit ScreenshotDialog(MainWindow&);
+
+private:
+    void build();
+    void takeFormat();
+    void browse();
+    void start();
+    void setBusy(bool);
+    [[nodiscard]] ExportWish wish() const;
+
+    MainWindow& window_;
+    QComboBox* sizes_;
+    QSpinBox *width_, *height_, *samples_;
+    QComboBox* format_;
+    QCheckBox* transparent_;
+    QLineEdit* path_;
+    QProgressBar* progress_;
+    QLabel* left_;
+    QPushButton *go_, *stop_;
+    QPointer<PictureExport> running_;
+};
+
+}  // namespace vitrine::ui
