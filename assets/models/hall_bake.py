@@ -89,7 +89,7 @@ def cycles(samples, bounces):
 # Baking ------------------------------------------------------------------------------------------------
 
 def bake(static, folder, samples, only=None):
-    """Sky at SIZE, the smoother sun maps at half of that with four times the samples."""
+    """Sky at SIZE, the smoother sun maps at half of that with three times the samples."""
     keep = set(static)
     hidden = [o for o in bpy.data.objects if o.type == "MESH" and o not in keep]
     for o in hidden:
@@ -107,7 +107,7 @@ def bake(static, folder, samples, only=None):
         lamps = _sky_lamps() if angles is None else [sun_light(*angles, 1.0)]
         if angles is not None:
             bpy.context.scene.world = None
-        light, inside = _bake_light(static, size, samples * (1 if angles is None else 4),
+        light, inside = _bake_light(static, size, samples * (1 if angles is None else 3),
                             angles is None)
         for lamp in lamps:
             bpy.data.objects.remove(lamp)
