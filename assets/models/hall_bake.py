@@ -145,9 +145,7 @@ def _bake_light(static, size, samples, direct):
     if not direct:      # baking the indirect part alone gives black, so take the direct part off
         part, _ = _bake_image(static, image, type="DIFFUSE", pass_filter={"DIRECT"})
         light = np.maximum(light - part, 0)
-    raw = os.environ.get("HALL_KEEP_RAW")
-    if raw:
-        np.savez(f"{raw}_{size}_{int(direct)}_{int(time.time())}.npz", light=light, place=place, normal=normal, covered=covered)
+    # Blender's coordinates: y is the hall's -z. The outer skin must not set the scale.
     room = covered & (place[..., 1] < P.Z + 0.5) & (place[..., 2] < P.SPRING + P.RISE + 0.3) & (place[..., 2] > -0.5)
     return hall_filter.clean(light, covered, place, normal * 2 - 1), room
 

@@ -5,10 +5,9 @@ import math
 import bmesh
 import bpy
 import hall_plan as P
-from hall_mesh import box, fillet, grid, lathe
+from hall_mesh import fillet, grid, lathe
 from mathutils import Matrix, Vector, noise
 
-TO_BLENDER = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
 
 
 def _collider(build, friction=25.0):

@@ -3,7 +3,7 @@
 import math
 
 import hall_plan as P
-from hall_mesh import box, fillet, lathe, prism
+from hall_mesh import box, circle, fillet, grid, lathe, planar, prism, weld_tail
 from mathutils import Matrix, Vector
 
 T = Matrix.Translation
@@ -128,10 +128,9 @@ def _pit(m, nodes):
         prof = base + [(core[0] + (pr - core[0]) * q, core[1] + (py - core[1]) * q if py > 0.03 else py)
                        for pr, py in cushion]
         rows.append([(x + pr * math.cos(a), py, z + pr * math.sin(a)) for pr, py in prof])
-    from hall_mesh import _weld_tail, grid, planar, circle
     start = len(m.verts)
     grid(m, rows, "leather", density=0.9, uv_shift=(0, 0))
-    _weld_tail(m, start)
+    weld_tail(m, start)
     planar(m, [circle(x, -z, r + 0.01, 64)], lambda a, b: (a, -d, -b), lambda a, b: "dark", density=0.6)
     lathe(m, fillet([(r + 0.345, -0.004), (r + 0.345, 0.012, 0.006), (r + 0.28, 0.012)], 2), "bronze",
           center=(x, 0, z), segments=72, density=0.5)
