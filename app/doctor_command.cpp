@@ -4,10 +4,11 @@
 #include "render/files/assets.h"
 #include "render/files/strict_json.h"
 #include "render/gl/context.h"
-#include "render/image/image_io.h"
+#include "render/image/oiio_codec.h"
 
 #include <CLI/CLI.hpp>
 #include <QtGlobal>
+#include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -25,7 +26,7 @@ Json libraries()
                 {"GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH)},
                 {"nlohmann-json", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
                 {"CLI11", CLI11_VERSION},
-                {"OpenImageIO", render::imageLibraryVersion()}};
+                {"OpenImageIO", render::oiioCodec().libraryVersion()}};
 }
 
 Json examine()

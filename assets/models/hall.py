@@ -16,6 +16,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 sys.dont_write_bytecode = True
 
+import bmesh                   # noqa: E402
 import bpy                     # noqa: E402
 import hall_atlas              # noqa: E402
 import hall_blocks             # noqa: E402
@@ -29,7 +30,7 @@ from hall_materials import MATERIALS  # noqa: E402
 from hall_mesh import Mesh     # noqa: E402
 from mathutils import Matrix   # noqa: E402
 
-TO_BLENDER = hall_cloth.TO_BLENDER
+TO_BLENDER = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
 
 
 def material(name):
@@ -77,7 +78,6 @@ def to_object(name, mesh, faces, atlas=None, matrix=None):
 
 def finish(data):
     """Weld, and shade smooth up to 50 degrees."""
-    import bmesh
     bm = bmesh.new()
     bm.from_mesh(data)
     bmesh.ops.remove_doubles(bm, verts=bm.verts, dist=2e-4)

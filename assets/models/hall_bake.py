@@ -89,7 +89,7 @@ def cycles(samples, bounces):
 # Baking ------------------------------------------------------------------------------------------------
 
 def bake(static, folder, samples, only=None):
-    """Sky at SIZE, the smoother sun maps at half of that with four times the samples."""
+    """Sky at SIZE, the smoother sun maps at half of that with three times the samples."""
     keep = set(static)
     hidden = [o for o in bpy.data.objects if o.type == "MESH" and o not in keep]
     for o in hidden:
@@ -107,7 +107,7 @@ def bake(static, folder, samples, only=None):
         lamps = _sky_lamps() if angles is None else [sun_light(*angles, 1.0)]
         if angles is not None:
             bpy.context.scene.world = None
-        light, inside = _bake_light(static, size, samples * (1 if angles is None else 4),
+        light, inside = _bake_light(static, size, samples * (1 if angles is None else 3),
                             angles is None)
         for lamp in lamps:
             bpy.data.objects.remove(lamp)
@@ -145,9 +145,7 @@ def _bake_light(static, size, samples, direct):
     if not direct:      # baking the indirect part alone gives black, so take the direct part off
         part, _ = _bake_image(static, image, type="DIFFUSE", pass_filter={"DIRECT"})
         light = np.maximum(light - part, 0)
-    raw = os.environ.get("HALL_KEEP_RAW")
-    if raw:
-        np.savez(f"{raw}_{size}_{int(direct)}_{int(time.time())}.npz", light=light, place=place, normal=normal, covered=covered)
+    # Blender's coordinates: y is the hall's -z. The outer skin must not set the scale.
     room = covered & (place[..., 1] < P.Z + 0.5) & (place[..., 2] < P.SPRING + P.RISE + 0.3) & (place[..., 2] > -0.5)
     return hall_filter.clean(light, covered, place, normal * 2 - 1), room
 

@@ -5,10 +5,9 @@ import math
 import bmesh
 import bpy
 import hall_plan as P
-from hall_mesh import box, fillet, grid, lathe
+from hall_mesh import fillet, grid, lathe
 from mathutils import Matrix, Vector, noise
 
-TO_BLENDER = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
 
 
 def _collider(build, friction=25.0):
@@ -32,6 +31,22 @@ def _block(center, size, bevel=0.02):
         bmesh.ops.scale(bm, vec=(size[0], size[2], size[1]), verts=bm.verts)
         bmesh.ops.bevel(bm, geom=list(bm.edges), offset=bevel, segments=2, profile=0.5, affect="EDGES")
         bmesh.ops.translate(bm, vec=(center[0], -center[2], center[1]), verts=bm.verts)
+        bmesh.ops.triangulate(bm, faces=bm.faces)
+    return _collider(build)
+
+
+def _desk():
+    """The reading desk of hall_props, its foot at the origin."""
+    def build(bm):
+        outline = [(-0.21, 0.02), (0.21, 0.02), (0.21, 0.755), (-0.21, 0.915)]
+        sides = [[bm.verts.new((x, -z, y)) for z, y in outline] for x in (-0.47, 0.47)]
+        bm.faces.new(sides[0])
+        bm.faces.new(sides[1][::-1])
+        for k in range(4):
+            n = (k + 1) % 4
+            bm.faces.new((sides[0][k], sides[1][k], sides[1][n], sides[0][n]))
+        bmesh.ops.recalc_face_normals(bm, faces=bm.faces)
+        bmesh.ops.bevel(bm, geom=list(bm.edges), offset=0.02, segments=2, profile=0.5, affect="EDGES")
         bmesh.ops.triangulate(bm, faces=bm.faces)
     return _collider(build)
 
@@ -149,10 +164,10 @@ def drapes():
     r = P.PIT_R
     rim = [(r + 0.005, -0.2), (r + 0.02, 0.10), (r + 0.08, 0.165), (r + 0.14, 0.175), (r + 0.22, 0.16),
            (r + 0.285, 0.08), (r + 0.285, -0.2)]
-    out[3] = _simulate("cloth_3", _round(2.16, 27, 96, 0.25),
+    out[3] = _simulate("cloth_3", _round(2.30, 28, 96, 0.25),
                        [_turned(rim), _block((0, -0.25, 0), (8, 0.5, 8), 0.01)], 60, 2200, stiff=20)
-    out[4] = _simulate("cloth_4", _sheet(1.65, 1.25, 52, (0, 0.97, 0), yaw=0.12),
-                       [_block((0, 0.43, 0), (0.94, 0.86, 0.42), 0.03)], 60, 1300)
+    out[4] = _simulate("cloth_4", _sheet(1.65, 1.25, 52, (0, 1.0, 0), yaw=0.12),
+                       [_desk()], 60, 1300)
     for k, surplus in ((5, 1.22), (6, 1.30)):
         out[k] = _curtain(f"cloth_{k}", surplus)
     return out
@@ -184,7 +199,7 @@ def _curtain(name, surplus):
 
 def banner(m):
     """Hanging cloth 1.2 x 3 m with its pole; origin in the middle of the pole, faces +z."""
-    w, h, nx, ny = 1.2, 3.0, 11, 20
+    w, h, nx, ny = 1.2, 3.0, 10, 16
 
     def point(i, j, back):
         u, v = i / nx - 0.5, j / ny
@@ -215,7 +230,7 @@ def mobile(m):
         oy -= wire
         lathe(m, [(0.003, 0.0), (0.003, wire)], "brass", center=(ox, oy, oz), segments=5)
         c, s = math.cos(yaw), math.sin(yaw)
-        n, ring = 14, 6
+        n, ring = 12, 5
         rows, ends = [], []
         for k in range(n + 1):
             t = k / n
@@ -232,7 +247,7 @@ def mobile(m):
         x, y, z = at
         y -= drop
         lathe(m, [(0.0025, 0.0), (0.0025, drop)], "brass", center=(x, y, z), segments=5)
-        n, prof = 16, []
+        n, prof = 13, []
         for k in range(n):
             a = 2 * math.pi * k / n
             r = size * (0.62 + 0.30 * math.cos(a) ** 2 * (1.15 if math.cos(a) > 0 else 0.8))
@@ -242,7 +257,7 @@ def mobile(m):
         for (a, b), (ca, cb) in zip(prof + prof[:1], [(0, -size * 0.86)] * (n + 1)):
             bow = lambda q: 0.10 * size * (1 - q * q)
             rows.append([turn @ Vector((ca + (a - ca) * q, cb + (b - cb) * q, bow(q) + t)) for q, t in
-                         ((0.0, 0.004), (0.6, 0.004), (0.97, 0.003), (1.0, 0.0), (0.97, -0.003), (0.6, -0.004), (0.0, -0.004))])
+                         ((0.0, 0.004), (0.6, 0.004), (1.0, 0.0), (0.6, -0.004), (0.0, -0.004))])
         grid(m, rows, "brass")
 
     a, b = arm((0, 0, 0), 0.5, 0.62, 0.95, 0.10, 0.22)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Clean-up of baked light: buried texels, noise, margins."""
+import warnings
+
 import numpy as np
 
 
@@ -34,7 +36,6 @@ def _calm(light, valid):
     """Cut outliers down to what their neighbours allow."""
     level = np.where(valid, light.mean(axis=2), np.nan)
     around = np.stack([_shift(level, dy, dx) for dy in (-2, -1, 0, 1, 2) for dx in (-2, -1, 0, 1, 2)])
-    import warnings
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         median = np.nanmedian(around, axis=0)

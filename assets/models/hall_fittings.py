@@ -110,8 +110,8 @@ def _leaf(m, s, half, height, deep):
         lathe(m, fillet([(0.034, 0.0), (0.034, 0.008, 0.004), (0.014, 0.014, 0.004), (0.011, 0.055), (0.0, 0.055)], 2),
               "bronze", segments=16, matrix=turn, density=0.6)
     lathe(m, fillet([(0.0, 0.90), (0.012, 0.90, 0.006), (0.012, 0.93), (0.0155, 0.98, 0.01), (0.0135, 1.2),
-                     (0.0155, 1.42, 0.01), (0.012, 1.47), (0.012, 1.50, 0.006), (0.0, 1.50)], 3), "bronze",
-          center=(x, 0, z - 0.062), segments=16, density=0.8)
+                     (0.0155, 1.42, 0.01), (0.012, 1.47), (0.012, 1.50, 0.006), (0.0, 1.50)], 2), "bronze",
+          center=(x, 0, z - 0.062), segments=12, density=0.8)
     turn = Matrix.Translation((x, 0.80, z)) @ Matrix.Rotation(-math.pi / 2, 4, "X")
     lathe(m, [(0.022, 0.0), (0.022, 0.004), (0.018, 0.006), (0.008, 0.006), (0.0, 0.002)], "bronze",
           segments=14, matrix=turn, density=0.5)

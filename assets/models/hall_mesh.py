@@ -129,10 +129,10 @@ def lathe(m, profile, mats, center=(0, 0, 0), segments=24, matrix=None, **kw):
     rows = rows + np.array(center, float)
     before = len(m.verts)
     grid(m, rows, mats, **kw)
-    _weld_tail(m, before)
+    weld_tail(m, before)
 
 
-def _weld_tail(m, start):
+def weld_tail(m, start):
     """Make coincident vertices of the newest part one, so that shading is smooth over the seam."""
     first = {}
     remap = {}

@@ -23,7 +23,7 @@ def preview(path, eye, look, samples, mode, size=(1280, 720)):
             _glossy(mat, mode == "baked")
     for o in bpy.data.objects:
         if o.name.startswith("cloth_"):
-            o.hide_render = o.name not in ("cloth_1", "cloth_3", "cloth_6", "cloth_4")
+            o.hide_render = o.name in ("cloth_5", "cloth_8")
     cycles(samples, 6)
     scene = bpy.context.scene
     scene.cycles.use_denoising = False

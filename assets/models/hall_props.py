@@ -3,7 +3,7 @@
 import math
 
 import hall_plan as P
-from hall_mesh import box, fillet, lathe, prism
+from hall_mesh import box, circle, fillet, grid, lathe, planar, prism, weld_tail
 from mathutils import Matrix, Vector
 
 T = Matrix.Translation
@@ -59,14 +59,14 @@ def _plate(m, nodes, name, matrix):
 
 
 def _foot(m, x, z, r=0.11):
-    lathe(m, fillet([(r, -0.005), (r, 0.012, 0.006), (r - 0.02, 0.02, 0.008), (0.03, 0.032, 0.01), (0.016, 0.06)], 1),
+    lathe(m, fillet([(r, -0.005), (r, 0.012, 0.006), (r - 0.02, 0.02, 0.008), (0.03, 0.032), (0.016, 0.06)], 1),
           "bronze", center=(x, 0, z), segments=16, density=0.6)
 
 
 def _plaque_post(m, nodes, name, x, z, yaw):
     """Plate at lectern height on a slender post, leaning back."""
     _foot(m, x, z)
-    lathe(m, [(0.016, 0.05), (0.013, 1.0)], "bronze", center=(x, 0, z), segments=12, density=0.5)
+    lathe(m, [(0.016, 0.05), (0.013, 1.0)], "bronze", center=(x, 0, z), segments=10, density=0.5)
     tilt = T((x, 1.02, z)) @ turn(yaw) @ turn(-38, "X")
     box(m, (-0.05, -0.05, -0.03), (0.05, 0.05, 0.002), "bronze", bevel=0.006, segments=1, matrix=tilt, density=0.5)
     _plate(m, nodes, name, tilt)
@@ -82,8 +82,8 @@ def _button_top(m, matrix):
 
 def _button_post(m, nodes, name, x, z):
     _foot(m, x, z, 0.12)
-    lathe(m, [(0.018, 0.05), (0.018, 0.60), (0.0185, 0.61), (0.018, 0.62), (0.018, 0.84), (0.03, 0.89)], "bronze",
-          center=(x, 0, z), segments=14, density=0.5)
+    lathe(m, [(0.018, 0.05), (0.018, 0.84), (0.03, 0.89)], "bronze",
+          center=(x, 0, z), segments=10, density=0.5)
     top = T((x, 0.946, z))
     _button_top(m, top)
     nodes.add("button_" + name, top)
@@ -128,10 +128,9 @@ def _pit(m, nodes):
         prof = base + [(core[0] + (pr - core[0]) * q, core[1] + (py - core[1]) * q if py > 0.03 else py)
                        for pr, py in cushion]
         rows.append([(x + pr * math.cos(a), py, z + pr * math.sin(a)) for pr, py in prof])
-    from hall_mesh import _weld_tail, grid, planar, circle
     start = len(m.verts)
     grid(m, rows, "leather", density=0.9, uv_shift=(0, 0))
-    _weld_tail(m, start)
+    weld_tail(m, start)
     planar(m, [circle(x, -z, r + 0.01, 64)], lambda a, b: (a, -d, -b), lambda a, b: "dark", density=0.6)
     lathe(m, fillet([(r + 0.345, -0.004), (r + 0.345, 0.012, 0.006), (r + 0.28, 0.012)], 2), "bronze",
           center=(x, 0, z), segments=72, density=0.5)
@@ -213,7 +212,7 @@ def _bench(m, nodes, index, x, z, yaw, length):
 def stand(m):
     """Brass stand of the lenticular card, in its own frame: card centred at y = 1.2, facing +z."""
     lathe(m, fillet([(0.0, 0.0), (0.21, 0.0, 0.004), (0.21, 0.014, 0.006), (0.19, 0.024, 0.008), (0.05, 0.045, 0.03),
-                     (0.022, 0.09)], 2), "brass", center=(0, 0, -0.06), segments=28)
+                     (0.022, 0.09)], 2), "brass", center=(0, 0, -0.06), segments=22)
     lathe(m, fillet([(0.020, 0.08), (0.020, 0.13), (0.026, 0.14, 0.005), (0.026, 0.155, 0.005), (0.016, 0.17),
                      (0.014, 0.86), (0.021, 0.87, 0.005), (0.021, 0.89, 0.005), (0.012, 0.90), (0.012, 1.14),
                      (0.018, 1.17, 0.01), (0.0, 1.20)], 1), "brass", center=(0, 0, -0.06), segments=16)

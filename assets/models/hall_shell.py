@@ -137,9 +137,9 @@ def _mouldings(m):
     chamfer = lambda path, r: fillet([(x, z, r) for x, z in path], 1, closed=False)
     # Dado: skirting, field and rail, all round but for the door.
     path = chamfer(P.room_path(recess=True, door=True), 0.012)
-    prof = fillet([(0.045, -0.01), (0.045, 0.13, 0.006), (0.03, 0.155, 0.008), (0.018, 0.155),
-                   (0.018, P.DADO - 0.085), (0.03, P.DADO - 0.075, 0.006), (0.035, P.DADO - 0.05, 0.006),
-                   (0.058, P.DADO - 0.035, 0.008), (0.058, P.DADO, 0.01), (-0.01, P.DADO)], 1)
+    prof = fillet([(0.045, -0.01), (0.045, 0.13, 0.006), (0.03, 0.155), (0.018, 0.155),
+                   (0.018, P.DADO - 0.085), (0.03, P.DADO - 0.075, 0.006), (0.035, P.DADO - 0.05),
+                   (0.058, P.DADO - 0.035), (0.058, P.DADO, 0.01), (-0.01, P.DADO)], 1)
     mats = []
     for p, q in zip(prof, prof[1:]):
         field = p[1] >= 0.1549 and q[1] <= P.DADO - 0.0849 and abs(p[0] - q[0]) < 0.001
@@ -149,16 +149,16 @@ def _mouldings(m):
     path = chamfer(P.room_path(recess=False), 0.012)
     top = P.SPRING
     prof = fillet([(-0.01, top - 0.42), (0.05, top - 0.42, 0.006), (0.05, top - 0.34),
-                   (0.075, top - 0.335, 0.005), (0.075, top - 0.27, 0.012), (0.04, top - 0.255),
+                   (0.075, top - 0.335), (0.075, top - 0.27, 0.012), (0.04, top - 0.255),
                    (0.04, top - 0.17), (0.08, top - 0.15, 0.02), (0.12, top - 0.13),
                    (0.13, top - 0.115), (0.26, top - 0.11, 0.006), (0.26, top - 0.065),
-                   (0.285, top - 0.055, 0.006), (0.32, top - 0.005, 0.02), (0.32, top + 0.02, 0.006),
+                   (0.285, top - 0.055), (0.32, top - 0.005, 0.02), (0.32, top + 0.02, 0.006),
                    (-0.01, top + 0.04)], 1)
     sweep(m, path, prof, plan, "plaster", closed=True, density=0.8)
     # Imposts of the arches: on the piers between recess and pilaster.
     y = P.ARCH_SPRING
-    prof = fillet([(-0.005, y - 0.16), (0.02, y - 0.16, 0.006), (0.025, y - 0.10, 0.006),
-                   (0.055, y - 0.07, 0.012), (0.075, y - 0.05, 0.006), (0.075, y, 0.006), (-0.005, y)], 1)
+    prof = fillet([(-0.005, y - 0.16), (0.02, y - 0.16, 0.006), (0.025, y - 0.10),
+                   (0.055, y - 0.07), (0.075, y - 0.05), (0.075, y, 0.006), (-0.005, y)], 1)
     for z in P.ARCHES:
         ends = (z + P.ARCH_HALF + 0.9 - P.PILASTER_HALF, z + P.ARCH_HALF)
         for flip in (1, -1):
@@ -186,11 +186,11 @@ def _pilasters(m):
         paths += [p, [(-a, -b) for a, b in p]]
     d, top = P.DADO, P.SPRING - 0.42
     base = fillet([(0.058, d - 0.01), (0.058, d + 0.07, 0.008), (0.05, d + 0.075), (0.062, d + 0.10, 0.018),
-                   (0.05, d + 0.135, 0.012), (0.025, d + 0.14, 0.004), (0.02, d + 0.165, 0.006),
+                   (0.05, d + 0.135), (0.025, d + 0.14), (0.02, d + 0.165),
                    (0.0, d + 0.19)], 1)
-    head = fillet([(0.0, top - 0.36), (0.018, top - 0.355, 0.006), (0.018, top - 0.335, 0.006),
-                   (0.0, top - 0.325), (0.0, top - 0.17), (0.02, top - 0.165, 0.004), (0.02, top - 0.145, 0.004),
-                   (0.05, top - 0.09, 0.02), (0.065, top - 0.08, 0.006), (0.065, top - 0.005, 0.006),
+    head = fillet([(0.0, top - 0.36), (0.018, top - 0.355, 0.006), (0.018, top - 0.335),
+                   (0.0, top - 0.325), (0.0, top - 0.17), (0.02, top - 0.165, 0.004), (0.02, top - 0.145),
+                   (0.05, top - 0.09, 0.02), (0.065, top - 0.08), (0.065, top - 0.005, 0.006),
                    (0.0, top + 0.005)], 1)
     for p in paths:
         shaft = fillet([(x, z, 0.02) for x, z in p], 2)

@@ -4,7 +4,7 @@ import math
 
 import hall_plan as P
 from hall_mesh import circle, fillet, grid, lathe, planar
-from mathutils import Matrix, Vector
+from mathutils import Vector
 
 COLS, MARGIN = 9, 0.36
 BAYS = ((-12.0, -10.75, 1), (-10.25, -3.75, 5), (-3.25, 3.25, 5), (3.75, 10.25, 5), (10.75, 12.0, 1))

@@ -76,7 +76,7 @@ def mix(a, b, t):
     return np.asarray(a) * (1 - t[..., None]) + np.asarray(b) * t[..., None]
 
 
-def cells(n, count, seed, weights=False):
+def cells(n, count, seed):
     """Periodic Voronoi: index of the nearest point, distances to the two nearest."""
     rng = np.random.default_rng(seed)
     p = rng.random((count, 2))
@@ -207,7 +207,7 @@ def leather(n=512):
 
 
 def cloth(n=512):
-    # Plain weave, 160 threads across the tile of 0.4 m.
+    # Plain weave, 128 threads across the tile of 0.4 m.
     threads = 128
     y, x = np.mgrid[0:n, 0:n] / n
     slub_x, slub_y = noise(n, 40, 71, 2, stretch=(0.1, 1.6)), noise(n, 40, 72, 2, stretch=(1.6, 0.1))

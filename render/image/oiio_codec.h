@@ -43,6 +43,9 @@ public:
     /// The text attribute `key` of a file; empty when there is none.
     [[nodiscard]] virtual std::string readText(std::string_view bytes, ImageFormat, const std::string& key,
                                                std::string& out) noexcept = 0;
+
+    /// "2.4.7.1", of the OpenImageIO that runs.
+    [[nodiscard]] virtual const char* libraryVersion() const noexcept = 0;
 };
 
 /// The codec; opens the module on the first call, from any thread. The module `vitrine_oiio` is looked for

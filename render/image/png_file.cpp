@@ -88,6 +88,27 @@ struct Header {
     int passes = 1;
 };
 
+[[noreturn]] void failReading(const std::string& name, std::string_view why)
+{
+    throw Failure(Blame::file, "Cannot read " + name + ": " + std::string(why) + "; choose another picture.");
+}
+
+/// Every chunk must lie inside the file: libpng 1.6 only warns about one that claims more, and then takes
+/// the memory that it claims, up to 2 GB.
+void checkChunks(std::string_view bytes, const std::string& name)
+{
+    constexpr std::size_t signature = 8;
+    constexpr std::size_t frame = 12;  // Length, type and checksum.
+    for (std::size_t at = signature;;) {
+        if (bytes.size() < at + frame) failReading(name, "the file ends too early");
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = length << 8U | static_cast<unsigned char>(bytes[at + i]);
+        if (length > bytes.size() - at - frame) failReading(name, "the file ends too early");
+        if (bytes.substr(at + 4, 4) == "IEND") return;
+        at += frame + length;
+    }
+}
+
 bool readHeader(Reader& reader, Source& source, const ImageLimits& limits, Header& header)
 {
     if (setjmp(png_jmpbuf(reader.png))) return false;  // NOLINT(cert-err52-cpp): libpng's own protocol.
@@ -120,11 +141,6 @@ bool readEnd(Reader& reader)
     if (setjmp(png_jmpbuf(reader.png))) return false;  // NOLINT(cert-err52-cpp)
     png_read_end(reader.png, reader.info);
     return true;
-}
-
-[[noreturn]] void failReading(const std::string& name, std::string_view why)
-{
-    throw Failure(Blame::file, "Cannot read " + name + ": " + std::string(why) + "; choose another picture.");
 }
 
 void appendBytes(png_structp png, png_bytep bytes, std::size_t size)
@@ -188,6 +204,7 @@ png_text textChunk(const char* key, const std::string& value)
 StoredPicture decodePng(std::string_view bytes, const std::string& name, const ImageLimits& limits,
                         const std::function<bool()>& cancelled)
 {
+    checkChunks(bytes, name);
     Reader reader;
     Source source{bytes};
     Header header;
@@ -244,6 +261,7 @@ std::string encodePng(const StoredPicture& picture, const PngText& extra, const 
 
 std::optional<std::string> presetInPng(std::string_view bytes, const std::string& name)
 {
+    checkChunks(bytes, name);
     Reader reader;
     Source source{bytes};
     Header header;

@@ -177,7 +177,8 @@ float sdfCappedCone(vec3 p, float halfHeight, float bottomRadius, float topRadiu
 // Exact. Cone around the y axis standing on y = 0 with its tip at `height`.
 float sdfCone(vec3 p, float radius, float height)
 {
-    return sdfCappedCone(p - vec3(0.0, 0.5 * height, 0.0), 0.5 * height, radius, 0.0);
+    float middle = 0.5 * min(height, SDF_LARGEST);
+    return sdfCappedCone(p - vec3(0.0, middle, 0.0), middle, radius, 0.0);
 }
 
 // Exact. Convex hull of two balls on the y axis: `bottomRadius` at the origin, `topRadius` at `height`.

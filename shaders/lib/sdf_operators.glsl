@@ -130,7 +130,8 @@ float sdfExtrude(float profile, float z, float halfHeight)
 
 // ---- Changing the point: keep 1 ------------------------------------------------------------------
 
-// Draws a solid apart along the axes by `halfSize` each way; flat pieces fill the gap. Exact outside.
+// Draws a solid apart along the axes by `halfSize` each way; flat pieces fill the gap. Exact outside for
+// solids that are symmetric about the origin.
 vec3 sdfElongate(vec3 p, vec3 halfSize)
 {
     return p - clamp(p, -halfSize, halfSize);

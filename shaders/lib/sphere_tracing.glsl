@@ -113,8 +113,10 @@ float relaxedStep(float radius, float slope, MarchSettings s)
 // unbounding spheres at their ends do not touch (Keinert et al. 2014, "Enhanced Sphere Tracing"), so that
 // no surface is ever stepped over.
 //
-// Departures. A start on the surface (within the tolerance) first leaves it: it cannot hit until it has
-// been off it once, or is deeper inside than the tolerance. A start inside the solid travels to its exit.
+// Departures. A ray that starts at its origin (tMin = 0) on the surface, within the tolerance, first leaves
+// it: it cannot hit until it has been off it once, or is deeper inside than the tolerance. If its origin is
+// inside the solid it travels to the exit. A ray that starts later (tMin > 0, at the face of a box) inside
+// the solid hits there: a box that is too small shows a cut.
 // A ray out of steps hits when its closest approach so far, as seen from the eye, was within two pixels,
 // or when it was still closing in and would have arrived: grazing views get no holes.
 March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
@@ -132,7 +134,7 @@ March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
     float radius = 0.0;      // Distance at march.t, positive on the side we travel.
     float stepLength = 0.0;  // On trial, from march.t.
     float slope = -1.0;
-    bool free = false;       // Off the surface that the ray started on.
+    bool free = s.tMin > 0.0;  // Off the surface that the ray started on.
     float candidateCone = 1.0e30;
     float candidateT = s.tMin;
     float candidateDistance = 0.0;
@@ -142,7 +144,7 @@ March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
         float value = fieldDistance(origin + direction * t);
         march.evaluations = i + 1;
         float tolerance = hitTolerance(t, s);
-        if (i == 0 && march.side == 0.0) march.side = value < -tolerance ? -1.0 : 1.0;
+        if (i == 0 && march.side == 0.0) march.side = value < -tolerance && !free ? -1.0 : 1.0;
         float d = march.side * value;
 
         if (free && stepLength > radius && (d < 0.0 || stepLength > radius + d)) {
@@ -285,8 +287,8 @@ float normalStep(float t, MarchSettings s)
 
 // Unit vector up the field, or `fallback` (minus the ray's direction) where the field has no slope: on the
 // ridge between two parts, where differences cancel, and inside a step that is wider than the solid.
-// Costs 4, 4 and 6 evaluations. Forward and tetrahedral differences lean across creases by up to 50
-// degrees within a step of them; central ones do not, and are the default.
+// Costs 4, 4 and 6 evaluations. Central differences are the default: only their error falls with the square
+// of the step, and within a step of a crease, where all methods lean over it, they lean least.
 vec3 fieldNormal(vec3 p, float h, int method, vec3 fallback)
 {
     vec3 gradient = vec3(0.0);
@@ -296,13 +298,14 @@ vec3 fieldNormal(vec3 p, float h, int method, vec3 fallback)
                         fieldDistance(p + vec3(0.0, 0.0, h)) - here);
     } else if (method == NORMAL_TETRAHEDRON) {
         for (int i = 0; i < 4; ++i) {  // A loop, so that the field is compiled once.
-            vec3 corner = vec3(i == 0 || i == 1 ? 1.0 : -1.0, i == 0 || i == 2 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
+            vec3 corner = vec3(i < 2 ? 1.0 : -1.0, i == 0 || i == 2 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
             gradient = gradient + corner * (0.25 * fieldDistance(p + corner * h));
         }
     } else {
         for (int i = 0; i < 6; ++i) {
             float side = i < 3 ? 0.5 : -0.5;
-            vec3 along = vec3(i == 0 || i == 3 ? 1.0 : 0.0, i == 1 || i == 4 ? 1.0 : 0.0, i == 2 || i == 5 ? 1.0 : 0.0);
+            int axis = i < 3 ? i : i - 3;
+            vec3 along = vec3(axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0);
             gradient = gradient + along * (side * fieldDistance(p + along * (2.0 * side * h)));
         }
     }
@@ -393,6 +396,8 @@ Shadow shadowAaltonen(vec3 p, vec3 toLight, float tanRadius, float tMin, float t
 // radii, -1 to 1, is how far the solid's edge has moved across the light's disk. Umbra and penumbra lie
 // where a real disk puts them. Form with inner penumbra: Quilez, "Soft shadows", after Bandi's signed
 // variant; here without the upper limit on steps that is usually copied along with it and triples the cost.
+// Limit: the clearance inside a part ends at half its thickness, so a sheet thinner than the light's disk
+// lets up to half of the light through. shadowArea does not.
 Shadow shadowSigned(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMax, int stepLimit)
 {
     Shadow shadow;
@@ -413,7 +418,8 @@ Shadow shadowSigned(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMa
 
 // Accurate: `rayCount` hard rays over the light's disk in Vogel's sunflower pattern, turned by `rotation`
 // (radians; a different one per pixel, from lib/hash.glsl, trades banding for noise).
-Shadow shadowArea(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMax, int stepLimit, int rayCount, float rotation)
+Shadow shadowArea(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMax, int stepLimit, int rayCount,
+                  float rotation)
 {
     Shadow shadow;
     shadow.visibility = 1.0;

@@ -161,7 +161,8 @@ TorusMugShape torusMugShape(TorusMug m)
     s.footRadius = lerpExact(a.footRadius, b.footRadius, swell);
     s.footTube = lerpExact(a.footTube, b.footTube, polish);
     s.footHeight = torusMugFootHeight(s, lerpExact(2.0, 0.3, polish));
-    s.ringCenter = vec2(lerpExact(a.ringCenter.x, b.ringCenter.x, draw), lerpExact(a.ringCenter.y, b.ringCenter.y, draw));
+    s.ringCenter.x = lerpExact(a.ringCenter.x, b.ringCenter.x, draw);
+    s.ringCenter.y = lerpExact(a.ringCenter.y, b.ringCenter.y, draw);
     s.ringRadius = lerpExact(a.ringRadius, b.ringRadius, draw);
     s.ringTube = lerpExact(a.ringTube, b.ringTube, draw);
     s.ringStretch = lerpExact(a.ringStretch, b.ringStretch, draw);
@@ -175,7 +176,8 @@ TorusMugShape torusMugShape(TorusMug m)
 float sdfCupWithHandle(vec3 q, TorusMugShape s)
 {
     vec2 profile = vec2(length(vec2(q.x, q.z)), q.y);
-    float body = sdfRoundRectangle(profile, vec2(s.bodyRadius, s.bodyHalfHeight), s.bodyRoundingAbove, s.bodyRoundingBelow);
+    vec2 halfSize = vec2(s.bodyRadius, s.bodyHalfHeight);
+    float body = sdfRoundRectangle(profile, halfSize, s.bodyRoundingAbove, s.bodyRoundingBelow);
     float foot = length(profile - vec2(s.footRadius, s.footHeight)) - s.footTube;
     body = sdfSmoothUnion(body, foot, s.footTube);
 
@@ -240,7 +242,8 @@ TorusMugBox torusMugBoxOverMorph(TorusMug m)
     float height = 2.0 * max(reach + b.ringStretch + 0.5 * b.ringCenter.y, b.bodyHalfHeight + b.footTube);
     float width = max(a.ringCenter.x, b.ringCenter.x) + reach + max(reach, b.bodyRadius);
     TorusMugBox box;
-    box.halfSize = vec3(max(reach, 0.5 * width), 0.5 * height, max(a.ringTube, max(b.ringTube, b.bodyRadius))) + vec3(bulge);
+    float depth = max(a.ringTube, max(b.ringTube, b.bodyRadius));
+    box.halfSize = vec3(max(reach, 0.5 * width), 0.5 * height, depth) + vec3(bulge);
     box.center = vec3(0.0, 0.5 * height - (m.majorRadius + m.minorRadius), 0.0);
     return box;
 }

@@ -4,10 +4,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +54,7 @@ private:
 inline void writeBytes(const std::filesystem::path& path, std::string_view bytes)
 {
     std::filesystem::create_directories(path.parent_path());
+    std::filesystem::remove(path);  // Some file systems wait for the disk when a file is truncated and rewritten.
     std::ofstream(path, std::ios::binary) << bytes;
 }
 

@@ -46,6 +46,7 @@ public:
     {
         return guarded([&] { return readTextWithOiio(bytes, format, key, out); });
     }
+    const char* libraryVersion() const noexcept override { return OIIO_VERSION_STRING; }
 };
 
 }  // namespace

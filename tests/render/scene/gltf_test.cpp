@@ -1,0 +1,258 @@
+#include "render/scene/gltf.h"
+
+#include "render/image/image_io.h"
+#include "tests/render/scene/gltf_builder.h"
+#include "tests/support/failures.h"
+#include "tests/support/image_bytes.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace vitrine;
+using namespace vitrine::render;
+using test::GltfBuilder;
+using test::TemporaryFolder;
+
+Model modelOf(const GltfBuilder& builder)
+{
+    return parseGltf(builder.glb(), "model.glb");
+}
+
+bool warnsOf(const Model& model, const std::string& part)
+{
+    return std::any_of(model.warnings.begin(), model.warnings.end(), [&](const std::string& w) { return w.find(part) != std::string::npos; });
+}
+
+std::string smallPng()
+{
+    const TemporaryFolder folder;
+    Image image(2, 2, 3, 1);
+    writePicture(folder / "a.png", image, PictureFormat::png8);
+    return test::bytesOf(folder / "a.png");
+}
+
+/// A triangle whose material uses `picture` (an image object) as base color and as normal map.
+GltfBuilder textured(const Json& picture)
+{
+    GltfBuilder builder;
+    builder.json["images"] = Json::array({picture});
+    builder.json["textures"] = Json::parse(R"([{"source": 0}])");
+    builder.json["materials"] = Json::parse(R"([{"name": "paint", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "normalTexture": {"index": 0}}])");
+    builder.triangle();
+    builder.json["meshes"][0]["primitives"][0]["material"] = 0;
+    builder.node({{"name", "thing"}, {"mesh", 0}});
+    return builder;
+}
+
+TEST(Gltf, ReadsATriangleFromBothKindsOfFile)
+{
+    GltfBuilder builder;
+    builder.node({{"name", "thing"}, {"mesh", builder.triangle()}});
+    for (const std::string& bytes : {builder.glb(), builder.text()}) {
+        const Model model = parseGltf(bytes, "model");
+        ASSERT_EQ(model.parts.size(), 1U);
+        EXPECT_EQ(model.parts[0].name, "thing");
+        const Mesh& mesh = *model.parts[0].mesh;
+        EXPECT_EQ(mesh.name, "triangle");
+        EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2}));
+        EXPECT_EQ(mesh.vertices[1].position, glm::vec3(1, 0, 0));
+        EXPECT_EQ(mesh.vertices[2].uv, glm::vec2(0, 0));
+        EXPECT_EQ(mesh.vertices[0].normal, glm::vec3(0, 0, 1)) << "flat, counter-clockwise is the front";
+        EXPECT_EQ(model.bounds.high, glm::dvec3(1, 1, 0));
+        EXPECT_EQ(model.parts[0].material->metalness, 1);
+        EXPECT_TRUE(model.warnings.empty());
+    }
+}
+
+TEST(Gltf, FlattensTheNodeTree)
+{
+    GltfBuilder builder;
+    const int mesh = builder.triangle();
+    builder.node(Json::parse(R"({"name": "parent", "translation": [1, 2, 3], "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476], "children": [1]})"));
+    builder.json["nodes"].push_back({{"name", "child"}, {"mesh", mesh}, {"scale", {2, -2, 2}}});
+    const Model model = modelOf(builder);
+    ASSERT_EQ(model.markers.size(), 1U);
+    EXPECT_EQ(model.markers[0].name, "parent");
+    ASSERT_EQ(model.parts.size(), 1U);
+    EXPECT_TRUE(model.parts[0].mirrored);
+    // (1, 0, 0) is scaled to (2, 0, 0), turned by 90 degrees to (0, 2, 0), and moved.
+    const glm::dvec4 corner = model.parts[0].modelFromPart * glm::dvec4(1, 0, 0, 1);
+    EXPECT_NEAR(corner.x, 1, 1e-12);
+    EXPECT_NEAR(corner.y, 4, 1e-12);
+    EXPECT_NEAR(corner.z, 3, 1e-12);
+}
+
+TEST(Gltf, TakesMatricesByColumns)
+{
+    GltfBuilder builder;
+    builder.node({{"name", "marker"}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 7, 8, 9, 1}}});
+    EXPECT_EQ(modelOf(builder).markers.at(0).modelFromMarker[3], glm::dvec4(7, 8, 9, 1));
+}
+
+TEST(Gltf, SharesAMeshAmongNodes)
+{
+    GltfBuilder builder;
+    const int mesh = builder.triangle();
+    builder.node({{"mesh", mesh}});
+    builder.node({{"mesh", mesh}});
+    const Model model = modelOf(builder);
+    EXPECT_EQ(model.parts.at(0).mesh, model.parts.at(1).mesh);
+    EXPECT_EQ(model.parts.at(0).material, model.parts.at(1).material);
+}
+
+TEST(Gltf, ReadsMaterials)
+{
+    GltfBuilder builder;
+    builder.node({{"mesh", builder.triangle()}});
+    builder.json["meshes"][0]["primitives"][0]["material"] = 0;
+    builder.json["materials"] = Json::parse(R"([{"name": "glow", "alphaMode": "MASK", "alphaCutoff": 0.25, "doubleSided": true,
+        "emissiveFactor": [1, 0.5, 0], "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}},
+        "pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5, "roughnessFactor": 0.75}}])");
+    builder.json["extensionsUsed"] = Json::array({"KHR_materials_emissive_strength", "KHR_materials_clearcoat"});
+    builder.json["extensionsRequired"] = Json::array({"KHR_materials_emissive_strength"});
+    const Model model = modelOf(builder);
+    const Material& material = *model.parts.at(0).material;
+    EXPECT_EQ(material.baseColor, glm::vec4(0.1F, 0.2F, 0.3F, 0.4F));
+    EXPECT_EQ(material.metalness, 0.5F);
+    EXPECT_EQ(material.roughness, 0.75F);
+    EXPECT_EQ(material.emissive, glm::vec3(4, 2, 0));
+    EXPECT_EQ(material.alphaMode, AlphaMode::mask);
+    EXPECT_EQ(material.alphaCutoff, 0.25F);
+    EXPECT_TRUE(material.doubleSided);
+    EXPECT_EQ(model.warnings.size(), 1U);
+    EXPECT_TRUE(warnsOf(model, "KHR_materials_clearcoat"));
+}
+
+TEST(Gltf, DecodesPicturesWithItsOwnReader)
+{
+    GltfBuilder packed = textured({{"bufferView", 0}, {"mimeType", "image/png"}});
+    GltfBuilder withView;
+    const std::string png = smallPng();
+    // View 0 must be the picture: build it first.
+    withView.view(png);
+    withView.json["images"] = packed.json["images"];
+    withView.json["textures"] = packed.json["textures"];
+    withView.json["materials"] = packed.json["materials"];
+    withView.triangle();
+    withView.json["meshes"][0]["primitives"][0]["material"] = 0;
+    withView.node({{"mesh", 0}});
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "pictures/a b.png", png);
+    test::writeBytes(folder / "view.glb", withView.glb());
+    test::writeBytes(folder / "data.gltf", textured({{"uri", "data:image/png;base64," + test::base64(png)}}).text());
+    test::writeBytes(folder / "file.gltf", textured({{"uri", "pictures/a%20b.png"}}).text());
+    test::writeBytes(folder / "jpeg.gltf", textured({{"uri", "data:image/jpeg;base64," + test::base64(test::jpegBytes())}}).text());
+    for (const char* name : {"view.glb", "data.gltf", "file.gltf", "jpeg.gltf"}) {
+        const Model model = loadGltf(folder / name);
+        EXPECT_TRUE(model.warnings.empty()) << name << ": " << (model.warnings.empty() ? "" : model.warnings[0]);
+        const Material& material = *model.parts.at(0).material;
+        ASSERT_TRUE(material.baseColorMap && material.normalMap) << name;
+        EXPECT_TRUE(material.baseColorMap->sRgb);
+        EXPECT_FALSE(material.normalMap->sRgb);
+        EXPECT_FALSE(material.baseColorMap->bytes.empty());
+    }
+}
+
+TEST(Gltf, LeavesOutPicturesThatCannotBeRead)
+{
+    const Model missing = parseGltf(textured({{"uri", "none.png"}}).text(), "model.gltf");
+    EXPECT_FALSE(missing.parts.at(0).material->baseColorMap);
+    EXPECT_TRUE(warnsOf(missing, "none.png"));
+    const std::string bomb = test::base64(test::pngClaiming(16'000, 16'000, 8, 2, "x"));
+    const Model hostile = parseGltf(textured({{"uri", "data:image/png;base64," + bomb}}).text(), "model.gltf");
+    EXPECT_FALSE(hostile.parts.at(0).material->baseColorMap);
+    EXPECT_TRUE(warnsOf(hostile, "times its size"));
+}
+
+TEST(Gltf, CountsUnpackedPicturesBeforeUnpackingThem)
+{
+    GltfLimits limits;
+    limits.textureBytes = 11;
+    const Model model = parseGltf(textured({{"uri", "data:image/png;base64," + test::base64(smallPng())}}).text(), "model.gltf", limits);
+    EXPECT_FALSE(model.parts.at(0).material->baseColorMap) << "2 x 2 x 3 is 12 bytes";
+    EXPECT_TRUE(warnsOf(model, "bytes once unpacked"));
+}
+
+// The picture's right is +x and its up is +y, and the triangle faces +z.
+TEST(Gltf, MakesTangentsWhereANormalMapNeedsThem)
+{
+    const Model model = parseGltf(textured({{"uri", "data:image/png;base64," + test::base64(smallPng())}}).text(), "model.gltf");
+    for (const Vertex& vertex : model.parts.at(0).mesh->vertices) EXPECT_EQ(vertex.tangent, glm::vec4(1, 0, 0, 1));
+}
+
+TEST(Gltf, AppliesSparseAccessorsAndNormalizedIntegers)
+{
+    GltfBuilder builder;
+    const int mesh = builder.triangle();
+    const int positions = builder.view(std::string("\1", 1));
+    const float moved[3] = {5, 6, 7};
+    const int values = builder.view(std::string_view(reinterpret_cast<const char*>(moved), sizeof moved));
+    builder.json["accessors"][0]["sparse"] = {{"count", 1}, {"indices", {{"bufferView", positions}, {"componentType", 5121}}}, {"values", {{"bufferView", values}}}};
+    const int coordinates = builder.view(std::string("\xff\x00\x00\x00\x80\xff\x00\x00\x33\x00\x00\x00", 12));
+    builder.json["bufferViews"][static_cast<std::size_t>(coordinates)]["byteStride"] = 4U;
+    builder.json["accessors"][1] = {{"bufferView", coordinates}, {"componentType", 5121}, {"normalized", true}, {"count", 3}, {"type", "VEC2"}};
+    builder.node({{"mesh", mesh}});
+    const Model model = modelOf(builder);
+    EXPECT_EQ(model.parts.at(0).mesh->vertices[1].position, glm::vec3(5, 6, 7));
+    EXPECT_EQ(model.parts.at(0).mesh->vertices[0].uv, glm::vec2(1, 0));
+    EXPECT_EQ(model.parts.at(0).mesh->vertices[2].uv.x, 0.2F);
+}
+
+TEST(Gltf, TurnsStripsAndFansIntoTriangles)
+{
+    for (const auto& [mode, expected] : {std::pair(5, std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2}), std::pair(6, std::vector<std::uint32_t>{1, 2, 0, 2, 3, 0})}) {
+        GltfBuilder builder;
+        Json primitive;
+        primitive["attributes"]["POSITION"] = builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, "VEC3");
+        primitive["attributes"]["NORMAL"] = builder.floats({0, 0, 1, 0, 0, 1, 0, 0, 2, 0, 0, 1}, "VEC3");
+        primitive["mode"] = mode;
+        builder.json["meshes"].push_back({{"primitives", Json::array({primitive})}});
+        builder.node({{"mesh", 0}});
+        const Model model = modelOf(builder);
+        EXPECT_EQ(model.parts.at(0).mesh->indices, expected);
+        EXPECT_EQ(model.parts.at(0).mesh->vertices[2].normal, glm::vec3(0, 0, 1)) << "made unit length";
+    }
+}
+
+TEST(Gltf, ListsWhatItDoesNotSupport)
+{
+    GltfBuilder builder;
+    const int mesh = builder.triangle();
+    builder.json["meshes"][0]["primitives"][0]["targets"] = Json::parse(R"([{"POSITION": 0}])");
+    builder.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 0;
+    builder.json["meshes"][0]["primitives"].push_back(Json::parse(R"({"mode": 1, "attributes": {"POSITION": 0}})"));
+    builder.json["skins"] = Json::parse(R"([{"joints": [0]}])");
+    builder.json["animations"] = Json::parse(R"([{"channels": [{"sampler": 0, "target": {"node": 0, "path": "scale"}}], "samplers": [{"input": 0, "output": 0}]}])");
+    builder.node({{"mesh", mesh}});
+    const Model model = modelOf(builder);
+    EXPECT_EQ(model.parts.size(), 1U);
+    for (const char* what : {"Morph targets", "COLOR_0", "Lines and points", "Skins", "Animations"}) EXPECT_TRUE(warnsOf(model, what)) << what;
+}
+
+TEST(Gltf, StopsWhenCancelled)
+{
+    GltfBuilder builder;
+    builder.node({{"mesh", builder.triangle()}});
+    EXPECT_FAILURE(parseGltf(builder.glb(), "model.glb", {}, [] { return true; }), "cancelled");
+}
+
+TEST(Gltf, ReadsExternalBuffersBelowItsFolder)
+{
+    GltfBuilder builder;
+    builder.node({{"mesh", builder.triangle()}});
+    builder.json["buffers"] = Json::array({Json{{"byteLength", builder.bin.size()}, {"uri", "data/mesh.bin"}}});
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "model.gltf", builder.json.dump());
+    EXPECT_FAILURE(loadGltf(folder / "model.gltf"), "mesh.bin");
+    test::writeBytes(folder / "data/mesh.bin", builder.bin);
+    EXPECT_EQ(loadGltf(folder / "model.gltf").parts.size(), 1U);
+    std::filesystem::rename(folder / "data/mesh.bin", folder / "elsewhere");
+    std::filesystem::create_symlink("../elsewhere", folder / "data/mesh.bin");
+    EXPECT_FAILURE(loadGltf(folder / "model.gltf"), "symbolic link");
+}
+
+}  // namespace

@@ -1,0 +1,153 @@
+#include "render/glsl/cpu.h"
+#include "render/glsl/cpu32.h"
+#include "tests/stability/fields.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace vitrine {
+namespace {
+
+using glm::vec3;
+namespace f64 = glsl;
+namespace f32 = glsl32;
+
+TEST(Numerics, H43_FresnelSurvivesACosineAboveOne)
+{
+    // GPUs compute pow(x, y) as exp2(y log2 x), which is NaN for every negative x.
+    const auto naive = [](float cosine, float f0) { return f0 + (1 - f0) * std::exp2(5 * std::log2(1 - cosine)); };
+    const float above = 1.0000001F;
+    EXPECT_TRUE(std::isnan(naive(above, 0.04F)));
+    EXPECT_FLOAT_EQ(f32::schlick(above, 0.04F), 0.04F);
+    EXPECT_FLOAT_EQ(f32::schlick(-1, 0.04F), 1);
+    for (int i = 0; i <= 100; ++i) {
+        const double cosine = i / 100.0;
+        EXPECT_NEAR(f64::schlick(cosine, 0.04), 0.04 + 0.96 * std::pow(1 - cosine, 5), 1e-15);
+    }
+}
+
+TEST(Numerics, H44_AnglesOfCosinesBeyondOneAreDefinedAndAccurate)
+{
+    EXPECT_TRUE(std::isnan(std::acos(1.0000001F)));
+    EXPECT_EQ(f32::safeAcos(1.0000001F), 0);
+    EXPECT_FLOAT_EQ(f32::safeAcos(-1.0000001F), float(M_PI));
+    for (int i = -1000; i <= 1000; ++i) {
+        const float c = float(i) / 1000;
+        EXPECT_NEAR(f32::safeAcos(c), std::acos(double(c)), 4e-7);
+    }
+}
+
+TEST(Numerics, H45_TheAngleOfTheOriginIsZero)
+{
+    EXPECT_EQ(f32::angleOf(0, 0), 0);
+    EXPECT_EQ(f32::angleOf(-0.0F, -0.0F), 0);  // C says -pi.
+    EXPECT_FLOAT_EQ(f32::angleOf(1, 0), float(M_PI) / 2);
+    EXPECT_FLOAT_EQ(f32::angleOf(0, -1), float(M_PI));
+}
+
+TEST(Numerics, H99_FractionsNeverReachOne)
+{
+    EXPECT_EQ(-1e-9F - std::floor(-1e-9F), 1.0F);  // One past the end of a table.
+    for (float x = -1e-6F; x < 0; x = std::nextafter(x, 1.0F) * 0.99999F) {
+        const float f = f32::fractBelowOne(x);
+        ASSERT_GE(f, 0);
+        ASSERT_LT(f, 1);
+    }
+    EXPECT_FLOAT_EQ(f32::fractBelowOne(-0.25F), 0.75F);
+    EXPECT_EQ(f32::fractBelowOne(-0.0F), 0);
+}
+
+TEST(Numerics, H101_PowersOfZeroAreDefined)
+{
+    const auto onDriver = [](float x, float y) { return std::exp2(y * std::log2(x)); };
+    EXPECT_TRUE(std::isnan(onDriver(0, 0)));
+    EXPECT_EQ(f32::powPositive(0, 0), 1);
+    EXPECT_EQ(f32::powPositive(0, 2.2F), 0);
+    EXPECT_EQ(f32::powPositive(-1, 2), 0);
+    EXPECT_FLOAT_EQ(f32::powPositive(0.5F, 2.2F), std::pow(0.5F, 2.2F));
+}
+
+TEST(Numerics, H103_AStepBetweenEqualEdgesIsAHardStep)
+{
+    EXPECT_TRUE(std::isnan(glm::smoothstep(0.5F, 0.5F, 0.5F)) || glm::smoothstep(0.5F, 0.5F, 0.5F) == 0);
+    EXPECT_EQ(f32::smoothStep(0.5F, 0.5F, 0.49F), 0);
+    EXPECT_EQ(f32::smoothStep(0.5F, 0.5F, 0.5F), 1);
+    for (int i = -10; i <= 20; ++i)
+        EXPECT_NEAR(f64::smoothStep(0, 1, i / 10.0), glm::smoothstep(0.0, 1.0, i / 10.0), 1e-15);
+}
+
+TEST(Numerics, VectorsWithoutLengthTakeTheFallback)
+{
+    EXPECT_TRUE(std::isnan(glm::normalize(vec3(0)).x));
+    EXPECT_EQ(f32::safeNormalize(vec3(0), vec3(0, 1, 0)), vec3(0, 1, 0));
+    EXPECT_EQ(f32::safeNormalize(vec3(1e-25F), vec3(0, 1, 0)), vec3(0, 1, 0));  // The square underflows.
+    EXPECT_FLOAT_EQ(glm::length(f32::safeNormalize(vec3(1e-10F, 2e-10F, 0), vec3(0))), 1);
+    EXPECT_TRUE(std::isnan(std::sqrt(-1e-7F)));
+    EXPECT_EQ(f32::safeSqrt(-1e-7F), 0);
+    EXPECT_EQ(f32::safeDivide(0, 0, 3), 3);
+}
+
+TEST(Numerics, ValuesThatAreNotNumbersAreReplaced)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float inf = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(f32::finiteOr(nan, 7), 7);
+    EXPECT_EQ(f32::finiteOr(inf, 7), 7);
+    EXPECT_EQ(f32::finiteOr(-inf, 7), 7);
+    EXPECT_EQ(f32::finiteOr(1e38F, 7), 1e38F);
+}
+
+TEST(Hash, H89_LatticePointsFarFromTheOriginStayDistinct)
+{
+    // The sine hash that shaders copy from one another.
+    const auto sine = [](float x, float y) {
+        const float s = std::sin(x * 12.9898F + y * 78.233F) * 43758.5453F;
+        return s - std::floor(s);
+    };
+    std::set<float> fromSine;
+    std::set<unsigned> fromPcg;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            fromSine.insert(sine(float(1000000 + x), float(1000000 + y)));
+            fromPcg.insert(f32::hashCell(glm::ivec3(1000000 + x, 1000000 + y, -5), 1).x);
+        }
+    EXPECT_LT(fromSine.size(), 2000U);
+    EXPECT_GE(fromPcg.size(), 4095U);  // 4096 draws of 32 bits: two equal once in 500 tries.
+}
+
+TEST(Hash, H40_NeighborsAreDistinctBeyondTheIntegersOfAFloat)
+{
+    const int far = (1 << 24) + 1;
+    EXPECT_EQ(float(far), float(far - 1));  // As floats they are the same cell.
+    EXPECT_NE(f32::hashCell(glm::ivec3(far, 0, 0), 0), f32::hashCell(glm::ivec3(far - 1, 0, 0), 0));
+    EXPECT_NE(f32::hashCell(glm::ivec3(-1, 0, 0), 0), f32::hashCell(glm::ivec3(0, 0, 0), 0));
+}
+
+TEST(Hash, PcgIsTheGeneratorOfItsPaper)
+{
+    // pcg(v) is one step of PCG RXS-M-XS-32; computed here from its definition in 64-bit arithmetic.
+    for (std::uint64_t v : {0ULL, 1ULL, 12345ULL, 0xffffffffULL}) {
+        const std::uint64_t state = (v * 747796405ULL + 2891336453ULL) % 4294967296ULL;
+        const std::uint64_t word = (((state >> ((state >> 28) + 4)) ^ state) * 277803737ULL) % 4294967296ULL;
+        EXPECT_EQ(f64::pcg(std::uint32_t(v)), std::uint32_t((word >> 22) ^ word));
+    }
+}
+
+TEST(Hash, BitsBecomeEvenlySpreadNumbersBelowOne)
+{
+    EXPECT_LT(f32::unitFromBits(0xffffffffU), 1);
+    EXPECT_EQ(float(0xffffffffU) / 4294967296.0F, 1.0F);  // The naive division reaches 1.
+    int bins[16] = {};
+    for (std::uint32_t i = 0; i < 160000; ++i)
+        ++bins[int(f32::unitFromBits(f32::pcg(i)) * 16)];
+    double chiSquare = 0;
+    for (const int count : bins)
+        chiSquare += (count - 10000.0) * (count - 10000.0) / 10000.0;
+    EXPECT_LT(chiSquare, 37.7);  // 15 degrees of freedom, one in a thousand.
+}
+
+}  // namespace
+}  // namespace vitrine
