@@ -30,7 +30,7 @@ DockTitle::DockTitle(QDockWidget* dock) : QWidget(dock), dock_(dock)
         return made;
     };
     const QString name = dock->windowTitle();
-    connect(button(QStringLiteral("⧉"), tr("Float or dock %1").arg(name)), &QToolButton::clicked, dock,
+    connect(button(QStringLiteral("▫"), tr("Float or dock %1").arg(name)), &QToolButton::clicked, dock,
             [dock] { dock->setFloating(!dock->isFloating()); });
     connect(button(QStringLiteral("✕"), tr("Close %1").arg(name)), &QToolButton::clicked, dock, &QDockWidget::close);
 }

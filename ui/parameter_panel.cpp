@@ -40,6 +40,7 @@ ParameterPanel::ParameterPanel(QWidget* parent)
     filter_->setToolTip(tr("Shows only parameters whose name, group, help or choices contain these words (Ctrl+F). Esc clears."));
     filter_->setClearButtonEnabled(true);
     filter_->setFixedHeight(26);
+    filter_->setTextMargins(4, 0, 4, 0);
     filter_->installEventFilter(this);
     onlyChanged_->setText(tr("Changed"));
     onlyChanged_->setAccessibleName(tr("Only changed"));

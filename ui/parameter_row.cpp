@@ -21,6 +21,7 @@ QString text(std::string_view s)
 RowLabel::RowLabel(const QString& name, ValueEditor* editor, QWidget* parent) : QLabel(name, parent), editor_(editor)
 {
     setTextFormat(Qt::PlainText);
+    setMinimumWidth(24);
     if (editor->dragsByLabel()) setCursor(Qt::SizeHorCursor);
 }
 
@@ -135,9 +136,16 @@ ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
         gauge_->hide();
         connect(gauge_, &QAbstractButton::clicked, this, &ParameterRow::accuracyAsked);
     }
-    rowLabel->setFixedWidth(labelWidth);
-    layout->addWidget(rowLabel);
-    if (gauge_) layout->addWidget(gauge_);
+    // Label and gauge share one width, so that all editors begin at the same place.
+    auto* naming = new QHBoxLayout;
+    naming->setContentsMargins(0, 0, 0, 0);
+    naming->setSpacing(4);
+    naming->addWidget(rowLabel, 1);
+    if (gauge_) naming->addWidget(gauge_);
+    auto* namingBox = new QWidget(this);
+    namingBox->setLayout(naming);
+    namingBox->setFixedWidth(labelWidth);
+    layout->addWidget(namingBox);
     layout->addWidget(editor_, 1);
     layout->addWidget(dot_);
 

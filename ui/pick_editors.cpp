@@ -17,7 +17,7 @@ namespace {
 QHBoxLayout* rowLayout(QWidget* parent)
 {
     auto* layout = new QHBoxLayout(parent);
-    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setContentsMargins(6, 0, 0, 0);  // Where a slider's track begins.
     layout->setSpacing(4);
     return layout;
 }
@@ -33,7 +33,6 @@ ToggleEditor::ToggleEditor(const ParameterInfo& row, QWidget* parent) : ValueEdi
 {
     box_->setAccessibleName(nameOf(row));
     QHBoxLayout* layout = rowLayout(this);
-    layout->addSpacing(2);
     layout->addWidget(box_);
     layout->addStretch(1);
     connect(box_, &QCheckBox::clicked, this, [this](bool on) { emit edited(on ? 1.0 : 0.0, newGesture()); });
@@ -67,6 +66,7 @@ FileEditor::FileEditor(const ParameterInfo& row, QWidget* parent)
     path_->setAccessibleName(nameOf(row));
     path_->setPlaceholderText(tr("none"));
     path_->setFixedHeight(22);
+    path_->setTextMargins(2, 0, 2, 0);
     path_->setContextMenuPolicy(Qt::NoContextMenu);
     browse_->setText(QStringLiteral("…"));
     browse_->setAutoRaise(true);

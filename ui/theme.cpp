@@ -1,8 +1,10 @@
 #include "ui/theme.h"
 
+#include "ui/quiet_style.h"
+
 #include <QApplication>
 #include <QPalette>
-#include <QStyleFactory>
+
 
 namespace vitrine::ui {
 namespace {
@@ -39,7 +41,7 @@ bool desktopPrefersDark(const QApplication& app)
 void applyTheme(QApplication& app, const Theme& chosen)
 {
     current() = chosen;
-    app.setStyle(QStyleFactory::create("Fusion"));
+    app.setStyle(new QuietStyle);
     QPalette palette;
     palette.setColor(QPalette::Window, chosen.window);
     palette.setColor(QPalette::Base, chosen.base);

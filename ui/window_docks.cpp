@@ -68,6 +68,11 @@ void MainWindow::buildDocks()
     // Steps are timed one by one, which costs time, only while someone looks.
     connect(ledger, &QDockWidget::visibilityChanged, viewport_, [this](bool visible) { viewport_->setStepsTimed(visible); });
 
+    // The tab bars of stacked docks are Qt's own, made when needed.
+    for (const QDockWidget* each : docks_)
+        connect(each, &QDockWidget::visibilityChanged, this, [this] {
+            for (QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) bar->setAccessibleName(tr("Stacked panels"));
+        });
     resizeDocks({exhibits, presets}, {400, 300}, Qt::Vertical);
     resizeDocks({exhibits, docks_[2]}, {240, 360}, Qt::Horizontal);
 }

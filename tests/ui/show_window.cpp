@@ -1,42 +1,65 @@
-// Draws the panel and the window into pictures, dark and light, to look at: show_window FOLDER.
+// Draws the window into pictures, dark and light, to look at: show_window FOLDER [museum]. With "museum"
+// the real one, else a gallery of one color with every kind of parameter.
 #include "painted_gallery.h"
 
 #include "ui/main_window.h"
-#include "ui/parameter_panel.h"
+#include "ui/museum_gallery.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QTemporaryDir>
 #include <QTimer>
 
 #include <clocale>
+#include <cstdio>
 
 using namespace vitrine;
 
+namespace {
+
+void waitUntilStill(const ui::MainWindow& window, int mostMilliseconds)
+{
+    QElapsedTimer passed;
+    passed.start();
+    do QApplication::processEvents(QEventLoop::AllEvents, 50);
+    while (passed.elapsed() < mostMilliseconds && (passed.elapsed() < 1200 || !window.viewport().schedule().still()));
+}
+
+}  // namespace
+
 int main(int argc, char** argv)
 {
+    const QTemporaryDir home;
+    for (const char* name : {"XDG_STATE_HOME", "XDG_DATA_HOME"}) qputenv(name, home.path().toLocal8Bit());
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication app(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
     const QString folder = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral(".");
+    const bool real = argc > 2;
+    std::unique_ptr<Museum> museum;
+    if (real) museum = std::make_unique<Museum>();
     for (const bool dark : {true, false}) {
+        const QString ending = dark ? QStringLiteral("_dark.png") : QStringLiteral("_light.png");
         ui::applyTheme(app, dark ? ui::darkTheme() : ui::lightTheme());
-        test::PaintedGallery gallery;
-        gallery.shaderProblems = {{"sdf_morph/march.frag", 42, "'hitDistance' : undeclared identifier"}};
-        ui::MainWindow window(gallery);
+        std::unique_ptr<ui::Gallery> gallery;
+        if (real) gallery = std::make_unique<ui::MuseumGallery>(*museum);
+        else gallery = std::make_unique<test::PaintedGallery>();
+        ui::MainWindow window(*gallery);
         window.show();
+        waitUntilStill(window, 60000);
+        window.grab().save(folder + QStringLiteral("/entrance") + ending);
+        std::printf("entrance: %lld pictures drawn\n", window.viewport().picturesDrawn());
         window.visit(1);
-        Look look = window.history().look();
-        look.values[1].set(gallery.table(1).roughness, 0.61);
-        look.values[1].set(gallery.table(1).stepLimit, 200);
-        window.history().change(QStringLiteral("Change roughness"), look);
-        window.say(ui::MessageStrip::Mood::problem, QStringLiteral("Preset shiny.json, line 4, key \"roughnes\": there is no such parameter; did you mean \"roughness\"? Everything stays as it was."));
-        window.say(ui::MessageStrip::Mood::notice, QStringLiteral("Screenshot saved to ~/Pictures/sdf_morph-2026-11-21-103512.png"));
-        for (auto* dock : window.findChildren<QDockWidget*>()) if (dock->objectName() == QLatin1String("ledger")) dock->show();
-        QTimer::singleShot(2500, &app, &QApplication::quit);
-        QApplication::exec();
-        window.grab().save(folder + (dark ? QStringLiteral("/window_dark.png") : QStringLiteral("/window_light.png")));
-        std::printf("pictures drawn: %lld\n", window.viewport().picturesDrawn());
+        if (!real) {
+            window.say(ui::MessageStrip::Mood::problem, QStringLiteral("Preset shiny.json, line 4, key \"roughnes\": there is no such parameter. Everything stays as it was."));
+            window.say(ui::MessageStrip::Mood::notice, QStringLiteral("Screenshot saved to sdf_morph-2026-11-21-103512.png"));
+        }
+        for (auto* dock : window.findChildren<QDockWidget*>())
+            if (dock->objectName() == QLatin1String("ledger")) dock->show();
+        waitUntilStill(window, 60000);
+        window.grab().save(folder + QStringLiteral("/visit") + ending);
+        std::printf("visit: %lld pictures drawn\n", window.viewport().picturesDrawn());
     }
 }

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QProxyStyle>
+
+namespace vitrine::ui {
+
+/// Fusion without bevels and gradients: flat fields, thin edges, the accent only for what is on or has the focus.
+class QuietStyle final : public QProxyStyle {
+    Q_OBJECT
+
+public:
+    QuietStyle();
+
+    void drawPrimitive(PrimitiveElement, const QStyleOption*, QPainter*, const QWidget*) const override;
+    void drawControl(ControlElement, const QStyleOption*, QPainter*, const QWidget*) const override;
+    void drawComplexControl(ComplexControl, const QStyleOptionComplex*, QPainter*, const QWidget*) const override;
+    [[nodiscard]] int pixelMetric(PixelMetric, const QStyleOption*, const QWidget*) const override;
+    [[nodiscard]] QSize sizeFromContents(ContentsType, const QStyleOption*, const QSize&, const QWidget*) const override;
+    [[nodiscard]] QRect subControlRect(ComplexControl, const QStyleOptionComplex*, SubControl, const QWidget*) const override;
+};
+
+}  // namespace vitrine::ui
