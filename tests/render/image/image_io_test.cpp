@@ -152,10 +152,10 @@ TEST(Texture, TakesGrayWithAlphaAndSixteenBitsAndExr)
 TEST(TextureDeathTest, OfAPngDoesNotLoadOpenImageIo)
 {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
+    static const TemporaryFolder folder;  // Removed by the exit below as well.
+    writePicture(folder / "a.png", gradient(8, 8, 3), PictureFormat::png8, {.preset = "{}"});
     EXPECT_EXIT(
         {
-            const TemporaryFolder folder;
-            writePicture(folder / "a.png", gradient(8, 8, 3), PictureFormat::png8, {.preset = "{}"});
             (void)loadTexture(folder / "a.png", true, true);
             (void)embeddedPreset(folder / "a.png");
             const bool mapped = test::bytesOf("/proc/self/maps").find("OpenImageIO") != std::string::npos;
