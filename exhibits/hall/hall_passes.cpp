@@ -121,7 +121,7 @@ void planPlaques(const HallScene& scene, const Surroundings& light, render::Fram
     pass.state = {.depthTest = render::DepthTest::nearerOrEqual, .cull = render::Cull::back, .blend = render::Blend::premultiplied, .depthBias = {-1, -4}};
     for (const PlaqueText::Plaque& plaque : scene.text->plaques()) {
         SurfaceObject object = surfaceObject(plaque.worldFromPlaque, {});
-        object.baseColor = {0.025F, 0.018F, 0.012F, 0.92F};
+        object.baseColor = {0.012F, 0.009F, 0.006F, 0.97F};
         object.tiling.x = static_cast<float>(2 * scene.text->spread());
         Draw draw;
         draw.mesh = plaque.mesh;

@@ -14,7 +14,7 @@ struct HallTable final : Parameters {
     Group sun = group("Sun");
     Real sunElevation = real("sunElevation", 0.331613, degree, Range{0.0349066, 1.535890}.soft(0.139626, 0.872665), "Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.");
     Real sunAzimuth = real("sunAzimuth", -0.0523599, degree, Range{-3.141593, 3.141593}.soft(-0.785398, 0.785398), "Where the sun stands, seen through the window: negative is to the left.");
-    Real sunStrength = real("sunStrength", 5.5, none, Range{0, 1000}.soft(0, 30), "Light of the sun against that of the sky: 0 is an overcast day.");
+    Real sunStrength = real("sunStrength", 4.2, none, Range{0, 1000}.soft(0, 30), "Light of the sun against that of the sky: 0 is an overcast day.");
     Real sunTemperature = real("sunTemperature", 4700, kelvin, Range{1000, 20000}.soft(2000, 8000), "Color of the sunlight: low is the red of evening, high is bluish.");
     Toggle sunShadows = toggle("sunShadows", true, "Let walls and exhibits keep the sun off; without it, the sun shines through everything.");
     Choice<ShadowFilter> shadowFilter = choice("shadowFilter", ShadowFilter::tent5, {"hard", "tent 3x3", "tent 5x5"}, "How softly the edge of a shadow is drawn: more comparisons, smoother edge.", quality(2));

@@ -15,8 +15,8 @@ constexpr double plateWidth = 0.42;
 constexpr double plateHeight = 0.26;
 constexpr double margin = 0.022;
 constexpr double numberSize = 0.040;
-constexpr double titleSize = 0.036;
-constexpr double bodySize = 0.0175;
+constexpr double titleSize = 0.038;
+constexpr double bodySize = 0.0205;
 constexpr double lift = 0.0006;  ///< Above the plate, so that letters win the depth test.
 
 std::u32string decodeUtf8(std::string_view text)

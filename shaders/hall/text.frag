@@ -23,10 +23,10 @@ void main()
     s.normal = normalize(worldNormal);
     s.baseColor = object.baseColor.rgb;
     s.metalness = 0.0;
-    s.roughness = 0.7;
-    s.specular = 0.3;
+    s.roughness = 0.9;
+    s.specular = 0.05;
     s.ambient = probeAmbient(s.normal);
-    s.occlusion = 0.6;
+    s.occlusion = 0.25;
     vec3 toEye = normalize(frame.eye.xyz - worldPosition);
     // Premultiplied.
     radiance = vec4(shadeSurface(s, toEye), 1.0) * coverage * object.baseColor.a;
