@@ -13,6 +13,7 @@ import hall_plan as P
 import numpy as np
 from hall_materials import MATERIALS
 from mathutils import Vector
+from mathutils.bvhtree import BVHTree
 
 SIZE = 1024
 SUNS = ((14, 12), (10, 20), (-6, 34))    # azimuth from -z towards +x, elevation, in degrees
@@ -147,7 +148,25 @@ def _bake_light(static, size, samples, direct):
         light = np.maximum(light - part, 0)
     # Blender's coordinates: y is the hall's -z. The outer skin must not set the scale.
     room = covered & (place[..., 1] < P.Z + 0.5) & (place[..., 2] < P.SPRING + P.RISE + 0.3) & (place[..., 2] > -0.5)
-    return hall_filter.clean(light, covered, place, normal * 2 - 1), room
+    normal = normal * 2 - 1
+    covered &= ~_buried(static, covered, place, normal)
+    return hall_filter.clean(light, covered, place, normal), room
+
+
+def _buried(static, covered, place, normal):
+    """Texels inside other solids: a ray along their normal meets the back of a face first."""
+    verts, faces = [], []
+    for o in static:
+        base = len(verts)
+        verts += [tuple(v.co) for v in o.data.vertices]
+        faces += [[base + i for i in p.vertices] for p in o.data.polygons]
+    tree = BVHTree.FromPolygons(verts, faces)
+    out = np.zeros(covered.shape, bool)
+    for y, x in zip(*np.nonzero(covered)):
+        way = Vector(normal[y, x])
+        hit = tree.ray_cast(Vector(place[y, x]) + way * 0.002, way)
+        out[y, x] = hit[1] is not None and hit[1].dot(way) > 0.05
+    return out
 
 
 def _bake_image(static, image, **options):
@@ -187,7 +206,9 @@ def _matte(mat, image):
 
 def encode(light, inside, path):
     """8-bit PNG of sqrt(value / scale), with a fixed dither; inside tells the texels that set the scale."""
-    scale = float(np.percentile(light[inside], 99.9) * 1.03)
+    # Eight bits are for the room: the few texels in the window's reveal may clip, they are near white anyway.
+    p = np.percentile(light[inside], (99, 99.9))
+    scale = float(min(2 * p[0], 1.03 * p[1]))
     rng = np.random.default_rng(1)
     grey = np.sqrt(np.clip(light / scale, 0, 1)) * 255
     grey = np.clip(np.floor(grey + 0.2 + 0.6 * rng.random(grey.shape[:2])[..., None]), 0, 255).astype(np.uint8)

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace vitrine {
 namespace {
@@ -74,7 +75,10 @@ Dimension dimensionOf(Unit unit)
 /// Recursive descent:  sum: product (± product)*   product: power (*|/ power)*   power: ± power | atom (^ power)?
 class Parser {
 public:
-    Parser(std::string_view text, Unit unit) : text_(text), unit_(unit) {}
+    /// What a unit behind a division belongs to: "1/50 s" is 1/(50 s), or (1/50) s.
+    enum class Suffix : std::uint8_t { divisor, quotient };
+
+    Parser(std::string_view text, Unit unit, Suffix suffix) : text_(text), unit_(unit), suffix_(suffix) {}
 
     std::optional<double> result()
     {
@@ -154,9 +158,13 @@ private:
         while (left) {
             const bool times = take("*");
             if (!times && !take("/")) break;
+            const bool toQuotient = !times && suffix_ == Suffix::quotient;
+            keepSuffix_ = toQuotient;
             const std::optional<Quantity> right = power();
+            keepSuffix_ = false;
             if (!right) return std::nullopt;
             left = times ? multiplied(*left, *right, 1) : multiplied(*left, {1 / right->value, right->dimension}, -1);
+            if (left && toQuotient) left = withSuffix(*left);
         }
         return left;
     }
@@ -183,7 +191,8 @@ private:
             base = atom();
             if (base && take("^")) {
                 const std::optional<Quantity> exponent = power();
-                if (!exponent || exponent->dimension != Dimension{} || base->dimension != Dimension{}) return std::nullopt;
+                if (!exponent || exponent->dimension != Dimension{} || base->dimension != Dimension{})
+                    return std::nullopt;
                 base->value = std::pow(base->value, exponent->value);
             }
         }
@@ -193,6 +202,7 @@ private:
 
     std::optional<Quantity> atom()
     {
+        const bool keepSuffix = std::exchange(keepSuffix_, false);
         std::optional<Quantity> q;
         if (take("(")) {
             q = sum();
@@ -200,7 +210,8 @@ private:
         } else {
             q = number();
         }
-        return q ? withSuffix(*q) : wordAlone();
+        if (!q) return wordAlone();
+        return keepSuffix ? q : withSuffix(*q);
     }
 
     std::optional<Quantity> number()
@@ -217,7 +228,8 @@ private:
 
     static const UnitWord* findUnit(std::string_view word)
     {
-        const auto* found = std::find_if(unitWords.begin(), unitWords.end(), [&](const UnitWord& u) { return u.word == word; });
+        const auto* found =
+            std::find_if(unitWords.begin(), unitWords.end(), [&](const UnitWord& u) { return u.word == word; });
         return found == unitWords.end() ? nullptr : found;
     }
     static std::optional<Number> findConstant(std::string_view word)
@@ -259,6 +271,8 @@ private:
 
     std::string_view text_;
     Unit unit_;
+    Suffix suffix_;
+    bool keepSuffix_ = false;  // The next atom leaves its unit to the quotient.
     std::size_t at_ = 0;
     int depth_ = 0;
 };
@@ -269,7 +283,9 @@ std::optional<double> evaluate(std::string_view text, Unit unit)
 {
     constexpr std::size_t longest = 4096;
     if (text.size() > longest) return std::nullopt;
-    return Parser(text, unit).result();
+    // The reading that measures the right thing is meant: 1/(20 ms) in hertz, (1/50) s in seconds.
+    const std::optional<double> x = Parser(text, unit, Parser::Suffix::divisor).result();
+    return x ? x : Parser(text, unit, Parser::Suffix::quotient).result();
 }
 
 }  // namespace vitrine

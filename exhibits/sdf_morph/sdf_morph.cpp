@@ -216,7 +216,7 @@ render::Box SdfMorph::bounds(const ParameterValues& values) const
 render::Camera SdfMorph::bestView(const ParameterValues& values) const
 {
     const double reach = glm::length(boxOverMorph({table_, values, values[table_.morph]}).halfSize());
-    return {glm::dvec3(0.62, 0.42, 1.9) * (reach / 0.75), {0, -0.03, 0}, 0.785398};
+    return {glm::dvec3(0.70, 0.19, 1.22) * (reach / 0.75), {0.04, -0.02, 0}, 0.698132};
 }
 
 double SdfMorph::nextChange(const ParameterValues& values, double) const

@@ -81,10 +81,12 @@ public:
         if (reportPaths_) events_.place(path());
         return true;
     }
-    bool parse_error(std::size_t /*position*/, const std::string& lastToken, const nlohmann::detail::exception& e) override
+    bool parse_error(std::size_t /*position*/, const std::string& lastToken,
+                     const nlohmann::detail::exception& e) override
     {
         constexpr int outOfRange = 406;
-        if (e.id == outOfRange) return refuse("the number " + lastToken + " is too large; numbers end at 1.8e308");
+        numberEnded = e.id == outOfRange;
+        if (numberEnded) return refuse("the number " + lastToken + " is too large; numbers end at 1.8e308");
         // "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while ...".
         std::string what = e.what();
         if (const std::size_t colon = what.find(": "); colon != std::string::npos) what.erase(0, colon + 2);
@@ -107,6 +109,7 @@ public:
     }
 
     std::string problem;
+    bool numberEnded = false;  ///< The problem is a number, which ends before what was taken last.
 
 private:
     static std::string bytes(std::size_t n) { return std::to_string(n) + " bytes; shorten it"; }
@@ -119,7 +122,8 @@ private:
     bool count()
     {
         if (reportPaths_ && !levels_.empty() && !levels_.back().isObject) events_.place(path());
-        if (++nodes_ > limits_.nodes) return refuse("the file holds more than " + std::to_string(limits_.nodes) + " values");
+        if (++nodes_ > limits_.nodes)
+            return refuse("the file holds more than " + std::to_string(limits_.nodes) + " values");
         return true;
     }
     bool plain(Json value)
@@ -173,7 +177,6 @@ JsonScanner::JsonScanner(std::string_view text, const std::string& name, const J
 
 JsonScanner::Position JsonScanner::position() const
 {
-    // A number is only over once the character behind it was taken: step back onto the last of its own.
     const std::size_t last = taken_ > 0 ? taken_ - 1 : 0;
     const std::string_view before = text_.substr(0, std::min(last, text_.size()));
     const std::size_t newline = before.rfind('\n');
@@ -201,6 +204,7 @@ void JsonScanner::scan(JsonEvents& events, Paths paths)
     const bool good = Json::sax_parse(first, last, &handler);
     if (good && handler.problem.empty()) return;
 
+    while (handler.numberEnded && taken_ > 1 && (text_[taken_ - 1] < '0' || text_[taken_ - 1] > '9')) --taken_;
     const Position at = position();
     std::string where = "line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
     if (const std::string path = handler.path(); !path.empty()) where += ", " + path;

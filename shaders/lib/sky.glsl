@@ -31,6 +31,9 @@ vec3 studioRadiance(vec3 d)
 {
     vec3 room = mix(vec3(0.10, 0.098, 0.095), vec3(0.62, 0.63, 0.66), smoothstep(-0.6, 0.9, d.y));
     room *= 0.8 + 0.2 * d.z;
+#ifndef CAPTURE
+    return room * 0.55;  // The lamps stay out of the picture.
+#endif
     vec3 key = vec3(7.0, 6.6, 6.0) * softBox(d, vec3(0.75, 0.75, 0.6), vec2(0.55, 0.4));
     vec3 rim = vec3(3.6, 4.0, 4.6) * softBox(d, vec3(-0.9, 0.35, -0.5), vec2(0.22, 0.9));
     vec3 fill = vec3(1.7, 1.6, 1.5) * softBox(d, vec3(-0.7, 0.1, 0.9), vec2(0.5, 0.5));
@@ -43,11 +46,17 @@ vec3 skyRadiance(vec3 direction)
     if (light.skyHorizon.w > 1.5) return studioRadiance(d);
     if (light.skyHorizon.w > 0.5) return textureLod(environmentPicture, equirectangular(d), 0.0).rgb;
     float up = max(d.y, 0.0);
-    float haze = exp2(-5.0 * up);
+    float haze = exp2(-4.0 * up);
     vec3 sky = mix(light.skyZenith.rgb, light.skyHorizon.rgb, haze);
+    // Thin cloud in streaks, so that a window shows weather and not paper.
+    vec2 high = d.xz / (up + 0.12) * 1.7;
+    float streaks = 0.5 + 0.5 * sin(high.x * 1.3 + 1.7 * sin(high.y * 0.7) + 0.6 * sin(high.x * 3.1 - high.y * 1.9));
+    sky *= mix(0.72, 1.0, streaks);
     float toSun = max(dot(d, light.sunDirection.xyz), 0.0);
-    float glow = 0.25 * pow(toSun, 24.0) + 1.2 * pow(toSun, 400.0);
-    sky += light.sunIrradiance.rgb * glow * 0.25;
+    sky += light.sunIrradiance.rgb * (0.05 * pow(toSun, 24.0) + 0.3 * pow(toSun, 400.0));
+#ifndef CAPTURE
+    sky *= 0.4;  // To the eye, the panes of a tall old window dim the sky; what lights the room is not dimmed.
+#endif
     // The ground outside, seen only from above.
     vec3 ground = light.skyHorizon.rgb * vec3(0.16, 0.15, 0.13);
     return d.y < 0.0 ? mix(sky, ground, clamp(-d.y * 18.0, 0.0, 1.0)) : sky;

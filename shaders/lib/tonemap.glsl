@@ -3,8 +3,8 @@
 // sigmoid in log exposure, and the drawing-together is undone: the idea of AgX (Sobotka 2022) with a
 // Naka-Rushton sigmoid (1966), which has an exact inverse.
 
-const float TONEMAP_INSET = 0.14;      // share of the neighbours mixed into each channel
-const float TONEMAP_CONTRAST = 1.18;   // slope of the sigmoid in log-log at middle grey
+const float TONEMAP_INSET = 0.10;      // share of the neighbours mixed into each channel
+const float TONEMAP_CONTRAST = 1.32;   // slope of the sigmoid in log-log at middle grey
 const float TONEMAP_GREY = 0.18;       // maps to itself
 
 vec3 tonemapMix(vec3 c, float share)

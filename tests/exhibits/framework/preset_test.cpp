@@ -1,0 +1,259 @@
+#include "exhibits/framework/preset.h"
+
+#include "tests/exhibits/framework/every_kind.h"
+#include "tests/support/failures.h"
+#include "tests/support/german_locale.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+using namespace vitrine;
+using render::Json;
+
+const test::EveryKind table;
+
+Preset read(const std::string& text)
+{
+    return parsePreset(text, "a.json", "everything", table);
+}
+
+/// A preset file with these values.
+std::string fileWith(const std::string& values, const std::string& more = "")
+{
+    return "{\n\"format\": \"vitrine-preset\",\n\"version\": 1,\n\"exhibit\": \"everything\",\n\"name\": "
+           "\"A\",\n\"values\": {\n" +
+           values + "\n}" + more + "\n}";
+}
+
+Preset plain()
+{
+    return {"everything", "A", table.initial(), std::nullopt, presetVersion, Json::object(), {}};
+}
+
+TEST(Preset, IsWrittenTheSameWayEveryTime)
+{
+    Preset preset = plain();
+    preset.name = "Tasse 杯";
+    preset.values.set(table.morph, 0.1);
+    preset.values.set(table.stepLimit, 128);
+    preset.values.set(table.wind, true);
+    preset.values.set(table.way, test::Way::Fancy);
+    preset.values.set(table.tint, ColorValue{{0, 0.5, 1}});
+    preset.camera = render::Camera{{1, 2, 3}, {0, 1, 0}, 0.5};
+    EXPECT_EQ(presetText(preset), R"({
+  "format": "vitrine-preset",
+  "version": 1,
+  "app": ")" VITRINE_VERSION R"(",
+  "exhibit": "everything",
+  "name": "Tasse 杯",
+  "values": {
+    "morph": 0.1,
+    "stepLimit": 128,
+    "tint": [0.0, 0.5, 1.0],
+    "way": "Fancy",
+    "wind": true
+  },
+  "camera": {
+    "eye": [1.0, 2.0, 3.0],
+    "target": [0.0, 1.0, 0.0],
+    "fov": 0.5
+  }
+}
+)");
+    const Preset back = read(presetText(preset));
+    EXPECT_EQ(back.values, preset.values);
+    EXPECT_EQ(back.camera, preset.camera);
+    EXPECT_EQ(back.name, preset.name);
+    EXPECT_TRUE(back.notes.empty());
+    EXPECT_EQ(presetText(back), presetText(preset));
+}
+
+TEST(Preset, HoldsOnlyWhatDiffersFromTheInitialValues)
+{
+    EXPECT_NE(presetText(plain()).find("\"values\": {}"), std::string::npos);
+    EXPECT_EQ(read(fileWith("")).values, table.initial());
+    Preset preset = read(fileWith("\"morph\": 0.75"));
+    preset.values.set(table.morph, 0.5);
+    EXPECT_EQ(presetText(preset).find("morph"), std::string::npos) << "back at its initial value";
+}
+
+TEST(Preset, KeepsUnknownKeysOnSave)
+{
+    const Preset preset =
+        read(fileWith(R"("aFuture": {"z": 1, "a": [true, null, 1.0, 2]}, "morph": 0.75, "zFuture": "x")",
+                      ",\n\"seed\": 7, \"camera\": {\"lens\": 50, \"fov\": 0.5}, \"locked\": [\"morph\"]"));
+    EXPECT_EQ(preset.notes.size(), 4U);
+    const std::string text = presetText(preset);
+    const Json root = Json::parse(text);
+    EXPECT_EQ(root["values"].dump(), R"({"aFuture":{"z":1,"a":[true,null,1.0,2]},"morph":0.75,"zFuture":"x"})");
+    EXPECT_EQ(root["seed"], 7);
+    EXPECT_EQ(root["locked"].dump(), R"(["morph"])");
+    EXPECT_EQ(root["camera"]["lens"], 50);
+    EXPECT_EQ(presetText(read(text)), text);
+}
+
+TEST(Preset, ReportsEveryClamp)
+{
+    const Preset preset = read(fileWith(R"("exposure": 99, "stepLimit": 64.4, "tint": [2, 0, 0], "sun": [0, 3, 4])"));
+    EXPECT_EQ(preset.notes, (std::vector<std::string>{"exposure 99 -> 16 (allowed -16 to 16)",
+                                                      "stepLimit 64.4 -> 64 (whole numbers only)",
+                                                      "tint (2, 0, 0) -> (1, 0, 0) (allowed 0 to 1)",
+                                                      "sun (0, 3, 4) -> (0, 0.6, 0.8) (made unit length)"}));
+    EXPECT_EQ(preset.values[table.exposure], 16);
+    EXPECT_EQ(read(fileWith("", ", \"camera\": {\"fov\": 9}")).notes.size(), 1U);
+}
+
+TEST(Preset, NamesFileLineAndKeyOfWhatIsWrong)
+{
+    EXPECT_FAILURE(read(fileWith("\"morph\": 0,\n\"exposure\": \"bright\"")),
+                   "a.json, line 8, values.exposure: this must be a number, not text");
+    EXPECT_FAILURE(read(fileWith("\"wind\": 1")), "values.wind: this must be true or false, not a number");
+    EXPECT_FAILURE(read(fileWith("\"morph\": null")), "values.morph: this must be a number, not null");
+    EXPECT_FAILURE(read(fileWith("\"morph\": true")), "values.morph: this must be a number");
+    EXPECT_FAILURE(read(fileWith("\"way\": \"sideways\"")),
+                   "\"sideways\" is no choice here; choose one of plain, Fancy, both");
+    EXPECT_FAILURE(read(fileWith("\"way\": 1")), "values.way: this must be the name of a choice");
+    EXPECT_FAILURE(read(fileWith("\"tint\": [1, 2]")), "values.tint: this must be an array of three numbers");
+    EXPECT_FAILURE(read(fileWith("\"tint\": [1, 2, \"3\"]")), "values.tint");
+    EXPECT_FAILURE(read(fileWith("\"sun\": [0, 0, 0]")), "values.sun: this direction has no length");
+    EXPECT_FAILURE(read(fileWith("\"picture\": 3")), "values.picture: this must be a file name");
+    EXPECT_FAILURE(read(fileWith("\"morph\": 1e999")),
+                   "line 7, column 14, values.morph: the number 1e999 is too large");
+    EXPECT_FAILURE(read(fileWith("\"morph\": NaN")), "line 7");
+    EXPECT_FAILURE(read(fileWith("\"morph\": 0,\n\"morph\": 1")),
+                   "line 8, column 7, values.morph: this key stands twice");
+    EXPECT_FAILURE(read(fileWith("", ",\n\"camera\": {\"eye\": [1, 2]}")),
+                   "line 9, camera.eye: this must be an array of three numbers");
+    EXPECT_FAILURE(read(fileWith("", ",\n\"camera\": 3")), "line 9, camera: this must be an object");
+}
+
+TEST(Preset, RefusesOtherFormatsExhibitsAndVersions)
+{
+    EXPECT_FAILURE(read("[]"), "this is no preset");
+    EXPECT_FAILURE(read("{}"), "says neither format nor version");
+    EXPECT_FAILURE(read(R"({"version": 1})"), "\"format\" is missing");
+    EXPECT_FAILURE(read(R"({"version": 1, "format": "other"})"), "no format of Vitrine");
+    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "fur"})"),
+                   "this preset is for fur, not for everything");
+    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset"})"), "\"exhibit\" is missing");
+    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-exhibition"})"), "whole exhibition");
+    EXPECT_FAILURE(read(R"({"version": 2, "format": "vitrine-preset", "exhibit": "everything"})"),
+                   "line 1, version: a newer Vitrine wrote this (version 2");
+    EXPECT_FAILURE(read(R"({"version": 1.5, "format": "vitrine-preset"})"), "version: this must be a whole number");
+    EXPECT_FAILURE(read(R"({"version": "1", "format": "vitrine-preset"})"), "version: this must be a whole number");
+    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "everything", "values": 3})"),
+                   "values: this must be an object");
+    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "everything", "name": 3})"),
+                   "name: this must be text");
+}
+
+TEST(Preset, OfVersionZeroIsMigrated)
+{
+    const std::string text = test::bytesOf(VITRINE_SOURCE_DIR "/tests/exhibits/framework/samples/preset_v0.json");
+    const Preset preset = read(text);
+    EXPECT_EQ(preset.versionRead, 0);
+    EXPECT_EQ(preset.name, "Frozen");
+    EXPECT_EQ(preset.values[table.morph], 0.25);
+    EXPECT_EQ(preset.values[table.stepLimit], 128);
+    EXPECT_EQ(preset.values[table.way], test::Way::both);
+    ASSERT_TRUE(preset.camera);
+    EXPECT_EQ(preset.camera->eye, glm::dvec3(1, 2, 3));
+    const Json now = Json::parse(presetText(preset));
+    EXPECT_EQ(now["version"], presetVersion);
+    EXPECT_FALSE(now.contains("params"));
+    EXPECT_FALSE(now.contains("schema"));
+    EXPECT_EQ(now["values"]["someday"].dump(), R"({"later":[1,2]})");
+}
+
+TEST(Preset, OfVersionZeroIsRefusedWithTheLinesOfItsOwnFile)
+{
+    EXPECT_FAILURE(read("{\"schema\": \"vitrine\", \"exhibit\": \"everything\",\n\"params\": {\n\"morph\": \"x\"}}"),
+                   "a.json, line 3, params.morph");
+}
+
+TEST(Preset, IsTheSameInAGermanLocale)
+{
+    const test::GermanLocale german;
+    if (!german.active()) GTEST_SKIP() << "no German locale here";
+    Preset preset = plain();
+    preset.values.set(table.exposure, 1.5);
+    EXPECT_NE(presetText(preset).find("\"exposure\": 1.5\n"), std::string::npos);
+    EXPECT_EQ(read(presetText(preset)).values, preset.values);
+}
+
+TEST(Preset, OfTheWholeExhibitionHasDottedKeys)
+{
+    const test::EveryKind hall;
+    NamedValues initial = {{"hall", hall.initial()}, {"everything", table.initial()}};
+    Exhibition exhibition{"All", initial, {{9, 8, 7}, {0, 0, 0}, 1}, Json::object(), {}};
+    exhibition.values[0].second.set(hall.exposure, 2.0);
+    exhibition.values[1].second.set(table.morph, 0.75);
+    const std::string text = exhibitionText(exhibition);
+    EXPECT_EQ(Json::parse(text)["values"].dump(), R"({"everything.morph":0.75,"hall.exposure":2.0})");
+    const Exhibition back = parseExhibition(text, "all.json", initial);
+    EXPECT_EQ(back.values, exhibition.values);
+    EXPECT_EQ(back.camera, exhibition.camera);
+
+    const std::string more =
+        R"({"format": "vitrine-exhibition", "version": 1, "values": {"gone.size": 3, "hall.exposure": 99}})";
+    const Exhibition other = parseExhibition(more, "all.json", initial);
+    EXPECT_EQ(other.notes, (std::vector<std::string>{"hall.exposure 99 -> 16 (allowed -16 to 16)",
+                                                     "values.gone.size is not known here; it is kept"}));
+    EXPECT_NE(exhibitionText(other).find("\"gone.size\": 3"), std::string::npos);
+    EXPECT_FAILURE(parseExhibition(fileWith(""), "all.json", initial), "preset of one exhibit");
+    EXPECT_FAILURE(
+        parseExhibition("{\"format\": \"vitrine-exhibition\", \"version\": 1, \"values\":\n{\"hall.exposure\": true}}",
+                        "all.json", initial),
+        "all.json, line 2, values.hall.exposure");
+}
+
+// Whatever a damaged file says: a legal set of values, or a Failure and nothing changed.
+TEST(Preset, NeverCrashesOnDamagedFiles)
+{
+    Preset rich = plain();
+    rich.values.set(table.morph, 0.123456789);
+    rich.values.set(table.stepLimit, 128);
+    rich.values.set(table.wind, true);
+    rich.values.set(table.way, test::Way::Fancy);
+    rich.values.set(table.tint, ColorValue{{0, 0.5, 1}});
+    rich.values.set(table.sun, DirectionValue{{1, 0, 0}});
+    rich.values.set(table.picture, std::string("a.png"));
+    rich.camera = render::Camera{};
+    const std::string good = presetText(rich);
+    const std::vector<std::string> pieces = {"1e999", "NaN",     "-1e308", "null",          "{}",
+                                             "[]",    "\"\"",    "true",   "\"morph\": 1,", "}",
+                                             "{",     "\\u0000", ",",      "\xff",          "99999999999999999999",
+                                             "-0.0"};
+    std::mt19937 generator(8);
+    const auto random = [&generator] { return static_cast<unsigned>(generator()); };
+    ParameterValues current = table.initial();
+    current.set(table.exposure, 3.0);
+    const ParameterValues before = current;
+    int accepted = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        std::string text = good;
+        for (unsigned n = random() % 3 + 1; n > 0; --n) {
+            const std::size_t at = random() % text.size();
+            if (random() % 2 == 0) text[at] = static_cast<char>(random() % 128);
+            else text.replace(at, random() % 8, pieces[random() % pieces.size()]);
+        }
+        try {
+            const Preset preset = read(text);
+            for (std::size_t row = 0; row < preset.values.rows().size(); ++row) {
+                ASSERT_EQ(nearestLegal(preset.values.rows()[row], preset.values.row(row)), preset.values.row(row));
+            }
+            ASSERT_EQ(presetText(read(presetText(preset))), presetText(preset));
+            ++accepted;
+        } catch (const Failure& failure) {
+            ASSERT_TRUE(std::string(failure.what()).starts_with("a.json")) << failure.what();
+            ASSERT_EQ(current, before);
+        }
+    }
+    EXPECT_GT(accepted, 100);
+}
+
+}  // namespace

@@ -1,0 +1,64 @@
+#include "exhibits/framework/recovery.h"
+
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+using namespace vitrine;
+using test::TemporaryFolder;
+
+TEST(Recovery, OffersWhatACrashLeftBehind)
+{
+    const TemporaryFolder folder;
+    // A process that writes its journal and dies without a word.
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const RecoveryJournal journal(folder.path());
+        journal.write("first");
+        journal.write("the state");
+        ::_exit(0);
+    }
+    ::waitpid(child, nullptr, 0);
+    const RecoveryJournal journal(folder.path());
+    const std::vector<AbandonedSession> sessions = journal.abandoned();
+    ASSERT_EQ(sessions.size(), 1U);
+    EXPECT_EQ(sessions[0].pid, child);
+    EXPECT_EQ(sessions[0].text, "the state");
+    EXPECT_GT(sessions[0].modified, 1'600'000'000);
+    journal.discard(sessions[0]);
+    EXPECT_TRUE(journal.abandoned().empty());
+}
+
+TEST(Recovery, DoesNotOfferWhatIsStillRunning)
+{
+    const TemporaryFolder folder;
+    const RecoveryJournal journal(folder.path());
+    journal.write("mine");
+    EXPECT_TRUE(journal.abandoned().empty());
+    journal.cleanExit();
+    EXPECT_TRUE(folder.files().empty());
+    journal.cleanExit();
+}
+
+TEST(Recovery, TellsANewProcessWithAnOldNumberApart)
+{
+    const TemporaryFolder folder;
+    test::writeBytes(folder / (std::to_string(::getpid()) + "-1.json"), "of an earlier process");
+    ASSERT_EQ(RecoveryJournal(folder.path()).abandoned().size(), 1U);
+}
+
+TEST(Recovery, IgnoresFilesThatAreNotItsOwn)
+{
+    const TemporaryFolder folder;
+    for (const char* name : {"notes.txt", "x-1.json", "-5-1.json", "99999999999999-1.json", "1.json"})
+        test::writeBytes(folder / name, "x");
+    EXPECT_TRUE(RecoveryJournal(folder.path()).abandoned().empty());
+    EXPECT_TRUE(RecoveryJournal(folder / "none").abandoned().empty());
+}
+
+}  // namespace
