@@ -11,6 +11,12 @@
 
 namespace vitrine::ui {
 
+/// A picture being made on a renderer of its own, so that the viewport goes on drawing meanwhile.
+struct PictureJob {
+    std::unique_ptr<render::gl::Renderer> renderer;
+    std::unique_ptr<PictureMaker> maker;
+};
+
 /// Everything the window shows and draws with: the museum, and a renderer on the viewport's context.
 /// Tests put a smaller one in its place.
 class Gallery {
@@ -38,8 +44,8 @@ public:
     /// Returns whether any picture may have changed.
     virtual bool reloadChangedShaders() = 0;
     [[nodiscard]] virtual std::vector<render::gl::ShaderProblem> problems() const = 0;
-    /// A finished picture to make step by step; the gallery must stay open until it is finished.
-    [[nodiscard]] virtual std::unique_ptr<PictureMaker> makePicture(const Look&, const PictureRequest&) = 0;
+    /// A finished picture to make step by step, with the context current at every step and at its end.
+    [[nodiscard]] virtual PictureJob makePicture(const Look&, const PictureRequest&) = 0;
 };
 
 }  // namespace vitrine::ui

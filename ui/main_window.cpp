@@ -5,6 +5,7 @@
 #include "ui/ledger_view.h"
 #include "ui/log_view.h"
 #include "ui/parameter_panel.h"
+#include "ui/picture_export.h"
 #include "ui/preset_list.h"
 #include "ui/preset_shelf.h"
 #include "ui/session_keeper.h"
@@ -73,7 +74,11 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     viewport_->setFocus();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // Pictures in the making let go of the context while the viewport and the message strip are still there.
+    qDeleteAll(findChildren<PictureExport*>());
+}
 
 void MainWindow::connectParts()
 {

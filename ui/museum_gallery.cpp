@@ -82,9 +82,12 @@ std::vector<render::gl::ShaderProblem> MuseumGallery::problems() const
     return renderer_ ? renderer_->problems() : std::vector<render::gl::ShaderProblem>();
 }
 
-std::unique_ptr<PictureMaker> MuseumGallery::makePicture(const Look& look, const PictureRequest& request)
+PictureJob MuseumGallery::makePicture(const Look& look, const PictureRequest& request)
 {
-    return std::make_unique<PictureMaker>(museum_, *renderer_, look, request);
+    PictureJob job;
+    job.renderer = std::make_unique<render::gl::Renderer>();
+    job.maker = std::make_unique<PictureMaker>(museum_, *job.renderer, look, request);
+    return job;
 }
 
 }  // namespace vitrine::ui

@@ -25,7 +25,7 @@ public:
     void timeSteps(bool on) override;
     bool reloadChangedShaders() override;
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override;
-    [[nodiscard]] std::unique_ptr<PictureMaker> makePicture(const Look&, const PictureRequest&) override;
+    [[nodiscard]] PictureJob makePicture(const Look&, const PictureRequest&) override;
 
 private:
     const Museum& museum_;

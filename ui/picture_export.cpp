@@ -33,11 +33,27 @@ PictureExport::PictureExport(MainWindow& window, ExportWish wish)
 {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &PictureExport::step);
+    connect(&window.viewport(), &Viewport::contextClosing, this, [this] {
+        job_ = {};
+        fail(tr("%1 was not written: the graphics context was lost. Export again.").arg(QString::fromStdString(wish_.path.string())));
+    });
 }
 
 PictureExport::~PictureExport()
 {
-    if (maker_) window_.viewport().withContext([this] { maker_.reset(); });
+    drop();
+}
+
+void PictureExport::drop()
+{
+    if (job_.renderer) window_.viewport().withContext([this] { job_ = {}; });
+}
+
+void PictureExport::fail(const QString& why)
+{
+    timer_.stop();
+    emit failed(why);
+    deleteLater();
 }
 
 void PictureExport::start()
@@ -51,10 +67,9 @@ void PictureExport::start()
     request.samples = wish_.samples;
     const Look& look = window_.history().look();
     try {
-        window_.viewport().withContext([&] { maker_ = window_.gallery().makePicture(look, request); });
+        window_.viewport().withContext([&] { job_ = window_.gallery().makePicture(look, request); });
     } catch (const std::exception& failure) {
-        emit failed(QString::fromUtf8(failure.what()));
-        deleteLater();
+        fail(QString::fromUtf8(failure.what()));
         return;
     }
     elapsed_.start();
@@ -64,28 +79,27 @@ void PictureExport::start()
 void PictureExport::cancel()
 {
     timer_.stop();
+    drop();
     deleteLater();
 }
 
 void PictureExport::step()
 {
-    if (!maker_) {
-        emit failed(tr("No picture can be made: there is no renderer."));
-        deleteLater();
+    if (!job_.maker) {
+        fail(tr("No picture can be made: there is no renderer."));
         return;
     }
     try {
-        window_.viewport().withContext([this] { maker_->step(); });
-        if (maker_->finished()) {
+        window_.viewport().withContext([this] { job_.maker->step(); });
+        if (job_.maker->finished()) {
             write();
             return;
         }
     } catch (const std::exception& failure) {
-        emit failed(QString::fromUtf8(failure.what()));
-        deleteLater();
+        fail(QString::fromUtf8(failure.what()));
         return;
     }
-    const double part = maker_->progress();
+    const double part = job_.maker->progress();
     const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
     emit progressed(part, part > 0.02 ? seconds / part * (1 - part) : -1);
     timer_.start(0);
@@ -95,7 +109,7 @@ void PictureExport::write()
 {
     render::PictureMetadata inside;
     inside.preset = preset_;
-    render::writePicture(wish_.path, maker_->picture(), wish_.format, inside);
+    render::writePicture(wish_.path, job_.maker->picture(), wish_.format, inside);
     emit progressed(1, 0);
     emit finished(QString::fromStdString(wish_.path.string()));
     deleteLater();

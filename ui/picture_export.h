@@ -1,7 +1,7 @@
 #pragma once
 
-#include "exhibits/framework/picture.h"
 #include "render/image/image_io.h"
+#include "ui/gallery.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -46,11 +46,13 @@ signals:
 private:
     void step();
     void write();
+    void drop();
+    void fail(const QString& why);
 
     MainWindow& window_;
     ExportWish wish_;
     std::string preset_;
-    std::unique_ptr<PictureMaker> maker_;
+    PictureJob job_;
     QTimer timer_;
     QElapsedTimer elapsed_;
 };

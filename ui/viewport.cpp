@@ -86,6 +86,7 @@ void Viewport::closeGl()
     if (!opened_) return;
     opened_ = false;
     makeCurrent();
+    emit contextClosing();
     gallery_.close();
     doneCurrent();
 }

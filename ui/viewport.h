@@ -58,6 +58,8 @@ signals:
     /// The visitor pressed this exhibit's button.
     void pressed(std::size_t exhibit);
     void drawn(const vitrine::render::FrameReport& report, const QSize& pixels);
+    /// The context goes, and is current now: what was made on it has to be let go.
+    void contextClosing();
     /// Drawing failed; the last good picture stays.
     void failed(const QString& message);
 

@@ -138,17 +138,18 @@ private slots:
         wish.path = home_->filePath("picture.png").toStdString();
         wish.size = {160, 90};
         wish.samples = 2;
+        settle();
+        const long long drawn = window_->viewport().picturesDrawn();
         auto* work = new PictureExport(*window_, wish);
         QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
         work->start();
         QTRY_VERIFY_WITH_TIMEOUT(finished.count() + failed.count() == 1, 30000);
         QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The viewport and its picture are left alone.
         QVERIFY(render::embeddedPreset(wish.path).has_value());
         window_->history().stack().undo();
         window_->openFile(QString::fromStdString(wish.path.string()));
         QVERIFY(window_->history().look() == shown);
-        // The window draws on as before: exporting left no trace in it.
-        settle();
     }
 
     void aCancelledExportLeavesNoFile()

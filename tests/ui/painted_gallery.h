@@ -88,7 +88,7 @@ public:
     void timeSteps(bool) override {}
     bool reloadChangedShaders() override { return false; }
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return shaderProblems; }
-    [[nodiscard]] std::unique_ptr<PictureMaker> makePicture(const Look&, const PictureRequest&) override { return nullptr; }
+    [[nodiscard]] ui::PictureJob makePicture(const Look&, const PictureRequest&) override { return {}; }
 
     int opened = 0, closed = 0;
     std::vector<FrameRequest> requests;
