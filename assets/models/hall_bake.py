@@ -150,7 +150,7 @@ def _bake_light(static, size, samples, direct):
     room = covered & (place[..., 1] < P.Z + 0.5) & (place[..., 2] < P.SPRING + P.RISE + 0.3) & (place[..., 2] > -0.5)
     normal = normal * 2 - 1
     covered &= ~_buried(static, covered, place, normal)
-    return hall_filter.clean(light, covered, place, normal), room
+    return hall_filter.clean(light, covered, place, normal, 0.5 if direct else 1.2), room
 
 
 def _buried(static, covered, place, normal):

@@ -5,13 +5,15 @@ import warnings
 import numpy as np
 
 
-def clean(light, covered, place, normal):
-    """light, place and normal are (n, n, 3); texels with no light at all lie inside other solids."""
+def clean(light, covered, place, normal, tolerance=0.5):
+    """light, place and normal are (n, n, 3); texels with no light at all lie inside other solids.
+
+    tolerance: difference, as a fraction, that counts as noise rather than shade."""
     valid = covered & (light.max(axis=2) > 1e-6)
     valid &= ~_speck(valid, light)
     light = _calm(light, valid)
     for level in range(5):
-        light = _smooth(light, valid, place, normal, 1 << level, 0.5 / (1 << level))
+        light = _smooth(light, valid, place, normal, 1 << level, tolerance / (1 << level))
     return fill(light, valid)
 
 
