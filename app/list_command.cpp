@@ -1,7 +1,9 @@
 #include "app/command.h"
 
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall_table.h"
+#include "render/failure.h"
 #include "render/files/strict_json.h"
 
 #include <CLI/CLI.hpp>
@@ -53,6 +55,21 @@ Json exhibitJson(std::string_view name, std::string_view title, std::string_view
     return Json{{"name", std::string(name)}, {"title", std::string(title)}, {"summary", std::string(summary)}, {"parameters", rows}};
 }
 
+int manual(const std::string& name)
+{
+    const HallTable hall;
+    if (name == "hall") {
+        std::fputs(derive::manualTable(hall).c_str(), stdout);
+        return 0;
+    }
+    for (const auto& exhibit : allExhibits()) {
+        if (exhibit->name() != name) continue;
+        std::fputs(derive::manualTable(exhibit->parameters()).c_str(), stdout);
+        return 0;
+    }
+    throw Failure(Blame::usage, "list --manual: there is no exhibit \"" + name + "\"; `vitrine list` names them.");
+}
+
 int list(bool asJson)
 {
     // The tables alone: no asset is read, so this answers at once.
@@ -76,7 +93,9 @@ void addListCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand("list", "List the exhibits and their parameters");
     auto asJson = std::make_shared<bool>(false);
     command->add_flag("--json", *asJson, "Everything about every parameter, as JSON; numbers are in SI units");
-    command->callback([&chosen, asJson] { chosen = [asJson] { return list(*asJson); }; });
+    auto name = std::make_shared<std::string>();
+    command->add_option("--manual", *name, "The parameter table of one exhibit, as Markdown for its README");
+    command->callback([&chosen, asJson, name] { chosen = [asJson, name] { return name->empty() ? list(*asJson) : manual(*name); }; });
 }
 
 }  // namespace vitrine::app

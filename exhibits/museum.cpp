@@ -37,10 +37,11 @@ double buttonScale(double seconds)
     return 1 - 0.9 * t;
 }
 
-Museum::Museum() : model_(std::make_shared<const HallModel>())
+Museum::Museum() : Museum(allExhibits()) {}
+
+Museum::Museum(std::vector<std::unique_ptr<Exhibit>> guests) : model_(std::make_shared<const HallModel>())
 {
     auto hall = std::make_unique<Hall>(model_);
-    std::vector<std::unique_ptr<Exhibit>> guests = allExhibits();
     std::vector<Guest> plaques;
     for (const auto& guest : guests)
         plaques.push_back({guest->place(), std::string(guest->title()), std::string(guest->summary()), std::string(guest->tryThis()), std::string(guest->buttonText())});

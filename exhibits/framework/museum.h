@@ -53,8 +53,10 @@ class HallModel;
 /// The building and everything in it.
 class Museum {
 public:
-    /// Reads the hall and its markers. Throws Failure when an asset cannot be read.
+    /// With all exhibits. Reads the hall and its markers; throws Failure when an asset cannot be read.
     Museum();
+    /// With these exhibits, or none: for measurements and tests of the hall itself.
+    explicit Museum(std::vector<std::unique_ptr<Exhibit>> guests);
     ~Museum();
 
     [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const { return exhibits_; }

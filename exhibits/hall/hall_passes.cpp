@@ -91,16 +91,18 @@ void planButtons(const HallScene& scene, const Surroundings& light, const Channe
         const Guest& guest = scene.guests[i];
         const Place* place = guest.buttonText.empty() ? nullptr : scene.model.place(guest.place);
         if (!place || !place->worldFromButton) continue;
+        const glm::dvec3 at((*place->worldFromButton)[3]);
+        if (!plan.view.mayContain({at - 0.06, at + 0.06})) continue;
         const double squash = i < sincePressed.size() ? buttonScale(sincePressed[i]) : 1;
         moving += squash < 1;
         const glm::dmat4 world = *place->worldFromButton * glm::scale(glm::dmat4(1), 0.035 * glm::dvec3(1, squash, 1));
         pass.draws.push_back(surfaceDraw(domeMesh(), world, buttonMaterial()));
     }
     if (pass.draws.empty()) {
-        plan.skip(pass.name, "no exhibit here has a button");
+        plan.skip(pass.name, "no button is in view");
         return;
     }
-    pass.reason = moving > 0 ? "a button was pressed" : "exhibits with buttons stand here";
+    pass.reason = moving > 0 ? "a button was pressed" : "a button is in view";
     light.illuminate(pass);
     plan.add(std::move(pass));
 }
@@ -113,13 +115,14 @@ void planPlaques(const HallScene& scene, const Surroundings& light, render::Fram
     }
     Pass pass;
     pass.name = "hall/plaques";
-    pass.reason = "every place has a plaque";
+    pass.reason = "a plaque is in view";
     pass.stage = render::Stage::transparent;
     pass.shader = {"hall/text.vert", "hall/text.frag", "", {}};
     pass.colors = {{radianceImage, Load::keep, {}, -1, 0}};
     pass.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearerOrEqual, .cull = render::Cull::back, .blend = render::Blend::premultiplied, .depthBias = {-1, -4}};
     for (const PlaqueText::Plaque& plaque : scene.text->plaques()) {
+        if (!plan.view.mayContain(plaque.mesh->bounds.transformed(plaque.worldFromPlaque))) continue;
         SurfaceObject object = surfaceObject(plaque.worldFromPlaque, {});
         object.baseColor = {0.012F, 0.009F, 0.006F, 0.97F};
         object.tiling.x = static_cast<float>(2 * scene.text->spread());
@@ -128,6 +131,10 @@ void planPlaques(const HallScene& scene, const Surroundings& light, render::Fram
         draw.object = render::bytesOf(object);
         draw.inputs = {{UNIT_FONT, scene.text->atlas()}};
         pass.draws.push_back(std::move(draw));
+    }
+    if (pass.draws.empty()) {
+        plan.skip(pass.name, "no plaque is in view");
+        return;
     }
     light.illuminate(pass);
     plan.add(std::move(pass));

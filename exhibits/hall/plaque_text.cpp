@@ -121,6 +121,7 @@ std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const Guest* gue
 {
     auto mesh = std::make_shared<render::Mesh>();
     const std::string label = number == 10 ? "" : std::to_string(number);
+    mesh->bounds = {{-plateWidth / 2, -plateHeight / 2, -0.01}, {plateWidth / 2, plateHeight / 2, 0.01}};
     mesh->name = "plaque " + (label.empty() ? "free" : label);
     const double left = -plateWidth / 2 + margin;
     const double width = plateWidth - 2 * margin;

@@ -1,0 +1,152 @@
+// What the hall and its exhibit cost: every row of a table is measured in turn in each round, so that a
+// noisy machine disturbs all alike. Prints tables; passes or fails nothing.
+//   bench_hall_costs [--size 640x360] [--rounds 9]
+
+#include "exhibits/exhibits.h"
+#include "exhibits/framework/museum.h"
+#include "exhibits/sdf_morph/sdf_morph.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+#include "render/measure/clock.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace vitrine;
+
+struct Row {
+    std::string name;
+    std::function<render::FrameReport()> draw;
+    std::vector<double> cpu, wall;
+    render::FrameReport last;
+};
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+void measure(std::vector<Row>& rows, int rounds)
+{
+    for (Row& row : rows)
+        for (int warm = 0; warm < 3; ++warm) row.last = row.draw();
+    for (int round = 0; round < rounds; ++round) {
+        for (Row& row : rows) {
+            row.last = row.draw();
+            row.cpu.push_back(row.last.milliseconds);
+            row.wall.push_back(row.last.wallMilliseconds);
+        }
+    }
+}
+
+void print(const char* title, const std::vector<Row>& rows)
+{
+    std::printf("\n### %s\n\n| what | passes | draws | triangles | ms (clock) | lowest to highest | ms (wall) | against the first row |\n|---|---|---|---|---|---|---|---|\n", title);
+    for (const Row& row : rows) {
+        const auto [low, high] = std::minmax_element(row.cpu.begin(), row.cpu.end());
+        std::printf("| %s | %lld | %lld | %lld | %.2f | %.2f to %.2f | %.2f | %.3f |\n", row.name.c_str(), static_cast<long long>(row.last.counters.at("passes")),
+                    static_cast<long long>(row.last.counters.at("draws")), static_cast<long long>(row.last.counters.at("triangles")), median(row.cpu), *low, *high,
+                    median(row.wall), median(row.cpu) / median(rows.front().cpu));
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    glm::ivec2 size(640, 360);
+    int rounds = 9;
+    for (int i = 1; i + 1 < argc; i += 2) {
+        if (std::strcmp(argv[i], "--size") == 0) std::sscanf(argv[i + 1], "%dx%d", &size.x, &size.y);
+        if (std::strcmp(argv[i], "--rounds") == 0) rounds = std::max(std::atoi(argv[i + 1]), 3);
+    }
+
+    const double start = render::wallSeconds();
+    const render::gl::HeadlessContext context;
+    const double contextReady = render::wallSeconds();
+    const Museum museum;
+    const double museumReady = render::wallSeconds();
+    render::gl::Renderer renderer;
+    const Look look = museum.initialLook();
+    FrameRequest entrance;
+    entrance.camera = look.camera;
+    entrance.raster.size = size;
+    const render::FrameReport first = renderer.draw(museum.plan(look, entrance, renderer.kept()));
+    const double firstReady = render::wallSeconds();
+
+    std::printf("Renderer: %s\nClock: %s\nSize: %d x %d, %d rounds in turn after 3 warm-up frames, medians\n", context.info().renderer.c_str(), first.clock.c_str(), size.x, size.y, rounds);
+    std::printf("\n### Start to first frame\n\n| step | ms (wall) |\n|---|---|\n| OpenGL context | %.0f |\n| reading the hall | %.0f |\n| first frame: programs, uploads, shadow, probe, picture | %.0f |\n| together | %.0f |\n",
+                1e3 * (contextReady - start), 1e3 * (museumReady - contextReady), 1e3 * (firstReady - museumReady), 1e3 * (firstReady - start));
+
+    // The empty hall has a renderer of its own, so that neither disturbs what the other keeps.
+    const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
+    render::gl::Renderer emptyRenderer;
+    const Look emptyLook = empty.initialLook();
+    FrameRequest away = entrance;
+    away.camera = {{0.5, 1.65, 2.5}, {0.5, 2.2, 12}, 0.959931};
+    const std::size_t sdf = *museum.find("sdf_morph");
+    FrameRequest near = entrance;
+    near.camera = museum.bestView(sdf, look.values[sdf]);
+    FrameRequest alone = entrance;
+    alone.alone = sdf;
+    alone.camera = museum.exhibits()[sdf]->bestView(look.values[sdf]);
+    const auto draw = [&](const FrameRequest& request) { return [&museum, &renderer, &look, request] { return renderer.draw(museum.plan(look, request, renderer.kept())); }; };
+    const auto drawEmpty = [&](const FrameRequest& request) { return [&empty, &emptyRenderer, &emptyLook, request] { return emptyRenderer.draw(empty.plan(emptyLook, request, emptyRenderer.kept())); }; };
+    std::vector<Row> rows;
+    rows.push_back({"empty hall, towards the door", drawEmpty(away), {}, {}, {}});
+    rows.push_back({"hall with the exhibit out of view, towards the door", draw(away), {}, {}, {}});
+    rows.push_back({"empty hall, from the entrance", drawEmpty(entrance), {}, {}, {}});
+    rows.push_back({"hall with the exhibit in view, from the entrance", draw(entrance), {}, {}, {}});
+    rows.push_back({"hall, before the exhibit", draw(near), {}, {}, {}});
+    measure(rows, rounds);
+    print("Cost of the hall", rows);
+
+    std::vector<Row> sliders;
+    const auto& table = static_cast<const SdfMorph&>(*museum.exhibits()[sdf]).parameters();
+    double morph = 0;
+    sliders.push_back({"exhibit before the visitor: nothing moved", draw(near), {}, {}, {}});
+    sliders.push_back({"exhibit's slider (morph)", [&] {
+                           Look changed = look;
+                           changed.values[sdf].set(table.morph, morph = morph < 0.9 ? morph + 0.05 : 0.0);
+                           return renderer.draw(museum.plan(changed, near, renderer.kept()));
+                       }, {}, {}, {}});
+    double exposure = 0;
+    sliders.push_back({"hall's slider that develops only (exposure)", [&] {
+                           Look changed = look;
+                           changed.values[0].setRow(*changed.values[0].table().find("exposure"), exposure = exposure < 1 ? exposure + 0.1 : -1.0);
+                           return renderer.draw(museum.plan(changed, near, renderer.kept()));
+                       }, {}, {}, {}});
+    double elevation = 0.3;
+    sliders.push_back({"hall's slider that lights anew (sun elevation)", [&] {
+                           Look changed = look;
+                           changed.values[0].setRow(*changed.values[0].table().find("sunElevation"), elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
+                           return renderer.draw(museum.plan(changed, near, renderer.kept()));
+                       }, {}, {}, {}});
+    measure(sliders, rounds);
+    print("From a slider's change to the finished frame", sliders);
+
+    std::vector<Row> variants;
+    const auto variant = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
+        Look changed = look;
+        change(changed.values[sdf]);
+        variants.push_back({name, [&museum, &renderer, alone, changed] { return renderer.draw(museum.plan(changed, alone, renderer.kept())); }, {}, {}, {}});
+    };
+    variant("as it stands", [](ParameterValues&) {});
+    variant("without cone pre-pass", [&](ParameterValues& v) { v.set(table.conePrepass, false); });
+    variant("without cone pre-pass and relaxation", [&](ParameterValues& v) { v.set(table.conePrepass, false); v.set(table.relaxation, SdfRelaxation::none); });
+    variant("no bounces", [&](ParameterValues& v) { v.set(table.bounces, 0); });
+    variant("four bounces", [&](ParameterValues& v) { v.set(table.bounces, 4); });
+    variant("glass", [&](ParameterValues& v) { v.set(table.material, SdfMaterial::glass); });
+    variant("area shadow, 16 rays", [&](ParameterValues& v) { v.set(table.shadowMethod, SdfShadow::area); });
+    measure(variants, rounds);
+    print("The exhibit alone", variants);
+    return 0;
+}
