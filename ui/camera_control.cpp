@@ -8,9 +8,9 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double steepestLook = 1.5;    // Just short of straight up, where yaw loses its meaning.
-constexpr double longestStep = 0.1;     // Metres: shorter than any wall is thick.
-constexpr double slowest = 0.004;       // Metres per second: below it the visitor stands.
+constexpr double steepestLook = 1.5;  // Just short of straight up, where yaw loses its meaning.
+constexpr double longestStep = 0.1;   // Metres: shorter than any wall is thick.
+constexpr double slowest = 0.004;     // Metres per second: below it the visitor stands.
 
 double shortestTurn(double from, double to)
 {
@@ -35,29 +35,31 @@ glm::dvec3 directionOf(const Heading& h)
 
 void Walker::place(const render::Camera& camera)
 {
-    eye_ = camera.eye;
+    camera_ = camera;
     heading_ = headingOf(camera.target - camera.eye);
-    fovY_ = camera.fovY;
     stop();
 }
 
-render::Camera Walker::camera() const
+void Walker::moveTo(const glm::dvec3& eye)
 {
-    return {eye_, eye_ + directionOf(heading_), fovY_};
+    if (eye == camera_.eye) return;
+    camera_.target += eye - camera_.eye;
+    camera_.eye = eye;
 }
 
 void Walker::turn(double yaw, double pitch)
 {
     heading_.yaw = std::remainder(heading_.yaw + yaw, 2 * pi);
     heading_.pitch = std::clamp(heading_.pitch + pitch, -steepestLook, steepestLook);
+    camera_.target = camera_.eye + directionOf(heading_);
 }
 
 void Walker::advance(double seconds, const WalkKeys& keys, const Walkable& walkable)
 {
     const glm::dvec3 ahead(std::sin(heading_.yaw), 0, -std::cos(heading_.yaw));
     const glm::dvec3 aside(-ahead.z, 0, ahead.x);
-    glm::dvec3 wanted = ahead * static_cast<double>(keys.forward - keys.back) +
-                        aside * static_cast<double>(keys.right - keys.left);
+    glm::dvec3 wanted =
+        ahead * static_cast<double>(keys.forward - keys.back) + aside * static_cast<double>(keys.right - keys.left);
     const double length = glm::length(wanted);
     if (length > 0) wanted *= (keys.run ? runningSpeed : walkingSpeed) / length;
 
@@ -74,14 +76,14 @@ void Walker::step(double seconds, const glm::dvec3& wanted, const Walkable& walk
     const double decay = std::exp(-seconds / response);
     const glm::dvec3 way = wanted * seconds + (velocity_ - wanted) * (response * (1 - decay));
     velocity_ = wanted + (velocity_ - wanted) * decay;
-    const glm::dvec3 to = eye_ + way;
-    const glm::dvec3 reached = walkable ? walkable(eye_, to) : to;
+    const glm::dvec3 to = camera_.eye + way;
+    const glm::dvec3 reached = walkable ? walkable(camera_.eye, to) : to;
     if (glm::distance(reached, to) > 1e-9) {
-        const glm::dvec3 made = reached - eye_;
+        const glm::dvec3 made = reached - camera_.eye;
         const double distance = glm::length(made);
         velocity_ = distance > 1e-9 ? made / distance * std::max(0.0, glm::dot(velocity_, made / distance)) : glm::dvec3(0);
     }
-    eye_ = reached;
+    moveTo(reached);
 }
 
 void Orbit::start(const render::Camera& camera)
@@ -138,8 +140,11 @@ render::Camera Glide::camera() const
 
 void CameraControl::jumpTo(const render::Camera& camera)
 {
+    const bool stands = std::abs(camera.eye.y - Walker::eyeHeight) < 0.01;
+    if (!stands && mode_ == Mode::walk) beforeVisit_ = walker_.camera();
     walker_.place(camera);
-    mode_ = Mode::walk;
+    orbit_.start(camera);
+    mode_ = stands ? Mode::walk : Mode::orbit;
 }
 
 void CameraControl::visit(const render::Camera& bestView)

@@ -31,10 +31,11 @@ public:
     static constexpr double eyeHeight = 1.65;    ///< Metres.
     static constexpr double walkingSpeed = 1.4;  ///< Metres per second.
     static constexpr double runningSpeed = 3.5;
-    static constexpr double response = 0.12;     ///< Seconds in which 63% of a change of speed is made.
+    static constexpr double response = 0.12;  ///< Seconds in which 63% of a change of speed is made.
 
+    /// The camera is kept exactly until the first turn or step.
     void place(const render::Camera&);
-    [[nodiscard]] render::Camera camera() const;
+    [[nodiscard]] const render::Camera& camera() const { return camera_; }
     void turn(double yaw, double pitch);
     /// Walks for `seconds` (more than half a second counts as half). Speed follows its differential equation
     /// exactly, so that the way covered does not depend on how time is cut into frames.
@@ -44,19 +45,19 @@ public:
 
 private:
     void step(double seconds, const glm::dvec3& wanted, const Walkable&);
+    void moveTo(const glm::dvec3& eye);
 
-    glm::dvec3 eye_{0, eyeHeight, 0};
+    render::Camera camera_;
     glm::dvec3 velocity_{0};
     Heading heading_;
-    double fovY_ = render::Camera().fovY;
 };
 
 /// Looks at one point from all sides.
 class Orbit {
 public:
-    static constexpr double lowestEye = 0.2;      ///< Metres above the floor.
-    static constexpr double steepest = 1.48;      ///< Radians from the horizon, about 85 degrees.
-    static constexpr double nearestPart = 0.25;   ///< Of the distance at the start.
+    static constexpr double lowestEye = 0.2;     ///< Metres above the floor.
+    static constexpr double steepest = 1.48;     ///< Radians from the horizon, about 85 degrees.
+    static constexpr double nearestPart = 0.25;  ///< Of the distance at the start.
     static constexpr double farthestPart = 2.5;
 
     /// Around the camera's target; the camera is kept exactly until the first turn or zoom.
@@ -97,7 +98,7 @@ public:
     enum class Mode { walk, glide, orbit };
 
     void setWalkable(Walkable walkable) { walkable_ = std::move(walkable); }
-    /// At once, walking.
+    /// At once: walking where a visitor can stand, else orbiting the camera's target.
     void jumpTo(const render::Camera&);
     /// Glides there and then orbits its target.
     void visit(const render::Camera& bestView);

@@ -46,7 +46,7 @@ private:
 
     bool dirty_ = true;
     bool moving_ = false;
-    int refined_ = 0;        // Supersamples of the full picture that are drawn.
+    int refined_ = 0;  // Supersamples of the full picture that are drawn.
     double lastChange_ = -1e9;
     std::size_t level_ = 0;  // Index into `scales`.
     int fastFrames_ = 0;     // In a row that would have allowed a finer level.

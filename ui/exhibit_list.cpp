@@ -25,14 +25,19 @@ ExhibitList::ExhibitList(QWidget* parent) : QListWidget(parent)
     setItemDelegate(new TileDelegate(this));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setMouseTracking(true);
-    connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { emit chosen(item->data(exhibitRole).toULongLong()); });
-    connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { emit chosen(item->data(exhibitRole).toULongLong()); });
+    connect(this, &QListWidget::itemActivated, this,
+            [this](QListWidgetItem* item) { emit chosen(item->data(exhibitRole).toULongLong()); });
+    connect(this, &QListWidget::itemClicked, this,
+            [this](QListWidgetItem* item) { emit chosen(item->data(exhibitRole).toULongLong()); });
 }
 
 void ExhibitList::fill(std::span<const std::unique_ptr<Exhibit>> exhibits, const std::vector<int>& emptyPlaces)
 {
     clear();
-    struct Entry { int place; std::optional<std::size_t> exhibit; };
+    struct Entry {
+        int place;
+        std::optional<std::size_t> exhibit;
+    };
     std::vector<Entry> entries;
     for (std::size_t i = 0; i < exhibits.size(); ++i) entries.push_back({exhibits[i]->place(), i});
     for (const int place : emptyPlaces) entries.push_back({place, std::nullopt});
@@ -124,7 +129,8 @@ void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     QFont small = option.font;
     small.setPointSizeF(small.pointSizeF() * 0.9);
     painter->setFont(small);
-    painter->drawText(words, Qt::AlignBottom | Qt::AlignLeft, QFontMetrics(small).elidedText(second, Qt::ElideRight, words.width()));
+    painter->drawText(words, Qt::AlignBottom | Qt::AlignLeft,
+                      QFontMetrics(small).elidedText(second, Qt::ElideRight, words.width()));
     if (option.state & QStyle::State_HasFocus) {
         painter->setPen(colors.accent);
         painter->setBrush(Qt::NoBrush);

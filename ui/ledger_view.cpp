@@ -60,7 +60,8 @@ void LedgerView::renew()
         for (int column = 0; column < columnCount(); ++column) item->setForeground(column, ran ? theme().text : theme().dim);
     };
     for (const render::StepReport& s : report_.ran)
-        fill(s.name, s.work, s.milliseconds < 0 ? QStringLiteral("–") : QLocale::c().toString(s.milliseconds, 'f', 2), s.reason, true);
+        fill(s.name, s.work, s.milliseconds < 0 ? QStringLiteral("–") : QLocale::c().toString(s.milliseconds, 'f', 2), s.reason,
+             true);
     for (const render::Skipped& s : report_.skipped) fill(s.name, s.work, tr("skipped"), s.reason, false);
 }
 

@@ -14,7 +14,12 @@ void handle(QtMsgType type, const QMessageLogContext& context, const QString& te
     if (before) before(type, context, text);
     if (type == QtDebugMsg || !open) return;
     // From any thread, and never in the middle of what is going on.
-    QMetaObject::invokeMethod(open.data(), [text] { if (open) open->add(text); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        open.data(),
+        [text] {
+            if (open) open->add(text);
+        },
+        Qt::QueuedConnection);
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ Look lookFrom(const Gallery& gallery, std::string text, std::string fileName, st
 {
     Look look = gallery.initialLook();
     NamedValues initial;
-    for (std::size_t i = 0; i < gallery.exhibits().size(); ++i) initial.emplace_back(gallery.exhibits()[i]->name(), look.values[i]);
+    for (std::size_t i = 0; i < gallery.exhibits().size(); ++i)
+        initial.emplace_back(gallery.exhibits()[i]->name(), look.values[i]);
     Exhibition read = parseExhibition(std::move(text), std::move(fileName), initial);
     for (auto& [name, values] : read.values) {
         const auto at = std::find_if(initial.begin(), initial.end(), [&](const auto& entry) { return entry.first == name; });

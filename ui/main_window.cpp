@@ -13,6 +13,9 @@
 #include "ui/window_actions.h"
 
 #include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QVBoxLayout>
@@ -23,6 +26,12 @@ namespace {
 QString text(std::string_view s)
 {
     return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
+}
+
+QString thumbnailPath(const Exhibit& exhibit)
+{
+    const QString cache = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation);
+    return cache + QStringLiteral("/vitrine/thumbnails/") + text(exhibit.name()) + QStringLiteral(".png");
 }
 
 }  // namespace
@@ -53,6 +62,10 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     actions_ = std::make_unique<WindowActions>(*this);
     presets_->setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
     connectParts();
+    for (std::size_t i = 0; i < gallery_.exhibits().size(); ++i) {
+        const QPixmap kept(thumbnailPath(*gallery_.exhibits()[i]));
+        if (!kept.isNull()) exhibits_->setThumbnail(i, kept);
+    }
     choose(0);
     keeper_ = new SessionKeeper(*this);
     if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
@@ -136,20 +149,29 @@ void MainWindow::resetEverything()
 
 void MainWindow::keepThumbnail()
 {
-    if (chosen_ == 0 || exhibits_->hasThumbnail(chosen_) || !viewport_->schedule().still()) return;
-    if (viewport_->mode() != CameraControl::Mode::orbit) return;
+    if (exhibits_->hasThumbnail(chosen_) || !viewport_->schedule().still()) return;
+    const auto posed = chosen_ == 0 ? CameraControl::Mode::walk : CameraControl::Mode::orbit;
+    if (viewport_->mode() != posed) return;
     // After this picture is on the screen; grabbing draws again.
-    QMetaObject::invokeMethod(this, [this] {
-        const QImage picture = viewport_->grabFramebuffer();
-        if (!picture.isNull()) exhibits_->setThumbnail(chosen_, thumbnailOf(picture));
-    }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            const QImage picture = viewport_->grabFramebuffer();
+            if (picture.isNull()) return;
+            const QPixmap small = thumbnailOf(picture);
+            exhibits_->setThumbnail(chosen_, small);
+            const QString path = thumbnailPath(*gallery_.exhibits()[chosen_]);
+            if (QDir().mkpath(QFileInfo(path).path())) small.save(path, "PNG");  // A cache: the next visit makes another.
+        },
+        Qt::QueuedConnection);
 }
 
 QPixmap MainWindow::thumbnailOf(const QImage& picture)
 {
     const QSize size = TileDelegate::picture * 2;
     const QImage scaled = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-    return QPixmap::fromImage(scaled.copy(QRect(QPoint((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2), size)));
+    return QPixmap::fromImage(
+        scaled.copy(QRect(QPoint((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2), size)));
 }
 
 void MainWindow::openPalette()

@@ -114,9 +114,8 @@ void ParameterPanel::rebuild()
         row->setGaugeShown(gauges_);
         sections_.back()->add(row);
         rows_.push_back(row);
-        connect(row, &ParameterRow::edited, this, [this, i](const Value& value, int gesture) {
-            edit(i, value, gesture, changeText(values_->rows()[i]));
-        });
+        connect(row, &ParameterRow::edited, this,
+                [this, i](const Value& value, int gesture) { edit(i, value, gesture, changeText(values_->rows()[i])); });
         connect(row, &ParameterRow::resetAsked, this, [this, i] {
             edit(i, values_->rows()[i].initial, newGesture(), tr("Reset %1").arg(rowLabel(values_->rows()[i]).toLower()));
         });
@@ -150,7 +149,8 @@ QStringList ParameterPanel::foldedGroups() const
 void ParameterPanel::setFoldedGroups(const QStringList& groups)
 {
     folded_ = QSet<QString>(groups.begin(), groups.end());
-    for (ParameterSection* section : sections_) section->setFolded(folded_.contains(exhibit_ + QLatin1Char('/') + section->title()));
+    for (ParameterSection* section : sections_)
+        section->setFolded(folded_.contains(exhibit_ + QLatin1Char('/') + section->title()));
 }
 
 void ParameterPanel::focusFilter()
@@ -213,9 +213,8 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const ParameterInfo& info = values_->rows()[row];
-    QAction* reset = menu->addAction(tr("Reset to %1").arg(shownText(info, info.initial)), this, [this, row] {
-        emit rows_[row]->resetAsked();
-    });
+    QAction* reset = menu->addAction(tr("Reset to %1").arg(shownText(info, info.initial)), this,
+                                     [this, row] { emit rows_[row]->resetAsked(); });
     reset->setEnabled(!values_->isInitial(row));
     menu->addSeparator();
     menu->addAction(tr("Copy value"), this, [this, row] { copy(row); });

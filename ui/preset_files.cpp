@@ -26,7 +26,8 @@ QFileDialog* fileDialog(QWidget* window, const QString& title, QFileDialog::Acce
 
 void PresetShelf::importFile()
 {
-    QFileDialog* dialog = fileDialog(&window_, tr("Import preset"), QFileDialog::AcceptOpen, tr("Presets, and pictures with one inside (*.json *.png *.exr)"));
+    QFileDialog* dialog = fileDialog(&window_, tr("Import preset"), QFileDialog::AcceptOpen,
+                                     tr("Presets, and pictures with one inside (*.json *.png *.exr)"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         trySafely([&] {
             const std::filesystem::path copy = store_.importFile(path.toStdString(), exhibitName(), table());
@@ -45,9 +46,8 @@ void PresetShelf::exportFile()
         return;
     }
     QFileDialog* dialog = fileDialog(&window_, tr("Export preset"), QFileDialog::AcceptSave, tr("Presets (*.json)"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, id](const QString& target) {
-        trySafely([&] { store_.exportFile(id.toStdString(), target.toStdString()); });
-    });
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, id](const QString& target) { trySafely([&] { store_.exportFile(id.toStdString(), target.toStdString()); }); });
     dialog->open();
 }
 

@@ -32,11 +32,12 @@ PresetList::PresetList(QWidget* parent) : QWidget(parent), list_(new QListWidget
     auto* row = new QHBoxLayout(buttons_);
     row->setContentsMargins(8, 8, 8, 8);
     row->setSpacing(8);
-    connect(list_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { emit loadAsked(item->data(idRole).toString()); });
-    connect(list_, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { emit loadAsked(item->data(idRole).toString()); });
-    connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-        emit renamed(item->data(idRole).toString(), item->text());
-    });
+    connect(list_, &QListWidget::itemActivated, this,
+            [this](QListWidgetItem* item) { emit loadAsked(item->data(idRole).toString()); });
+    connect(list_, &QListWidget::itemClicked, this,
+            [this](QListWidgetItem* item) { emit loadAsked(item->data(idRole).toString()); });
+    connect(list_, &QListWidget::itemChanged, this,
+            [this](QListWidgetItem* item) { emit renamed(item->data(idRole).toString(), item->text()); });
     connect(list_, &QListWidget::customContextMenuRequested, this, [this](const QPoint& at) {
         if (QListWidgetItem* item = list_->itemAt(at)) {
             list_->setCurrentItem(item);

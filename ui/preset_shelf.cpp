@@ -102,7 +102,8 @@ void PresetShelf::load(const QString& id)
 Preset PresetShelf::presetOnShow(const QString& name) const
 {
     const Look& look = window_.history().look();
-    return {exhibitName(), name.toStdString(), look.values[window_.chosen()], look.camera, presetVersion, render::Json::object(), {}};
+    return {
+        exhibitName(), name.toStdString(), look.values[window_.chosen()], look.camera, presetVersion, render::Json::object(), {}};
 }
 
 void PresetShelf::save()
@@ -116,7 +117,9 @@ void PresetShelf::save()
         inUse_->preset.values = now.values;
         inUse_->preset.camera = now.camera;
         if (store_.save(*inUse_) == SaveOutcome::changedOnDisk) {
-            window_.say(MessageStrip::Mood::problem, tr("%1 was changed by someone else since it was loaded, and was not overwritten. Save under another name, or load it again.").arg(idOf(inUse_->path)));
+            window_.say(MessageStrip::Mood::problem, tr("%1 was changed by someone else since it was loaded, and was "
+                                                        "not overwritten. Save under another name, or load it again.")
+                                                         .arg(idOf(inUse_->path)));
             return;
         }
         keepThumbnail(inUse_->path);
@@ -188,7 +191,8 @@ void PresetShelf::remove()
         auto removed = std::make_shared<RemovedPreset>(store_.remove(pathOf(id)));
         auto first = std::make_shared<bool>(true);
         if (inUse_ && idOf(inUse_->path) == id) inUse_.reset();
-        window_.history().record(tr("Delete %1").arg(idOf(removed->original.stem())),
+        window_.history().record(
+            tr("Delete %1").arg(idOf(removed->original.stem())),
             [this, removed, first] {
                 if (!std::exchange(*first, false)) trySafely([&] { *removed = store_.remove(removed->original); });
                 refresh();

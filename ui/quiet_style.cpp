@@ -68,7 +68,8 @@ void drawCheckBox(QPainter* painter, const QStyleOption& option)
 
 QuietStyle::QuietStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
 
-void QuietStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const
+void QuietStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                               const QWidget* widget) const
 {
     switch (element) {
     case PE_PanelLineEdit:
@@ -95,7 +96,9 @@ void QuietStyle::drawControl(ControlElement element, const QStyleOption* option,
     if (element == CE_Splitter) return;
     if (element == CE_TabBarTabShape) {
         const bool selected = option->state & State_Selected;
-        if (selected) painter->fillRect(QRect(option->rect.left() + 8, option->rect.bottom() - 1, option->rect.width() - 16, 2), theme().accent);
+        if (selected)
+            painter->fillRect(QRect(option->rect.left() + 8, option->rect.bottom() - 1, option->rect.width() - 16, 2),
+                              theme().accent);
         else if (option->state & State_MouseOver) painter->fillRect(option->rect, veil(0.05F));
         if (option->state & State_HasFocus) drawField(painter, option->rect, State_Enabled | State_HasFocus);
         return;
@@ -112,18 +115,22 @@ void QuietStyle::drawControl(ControlElement element, const QStyleOption* option,
     if (element == CE_ProgressBarContents) {
         if (const auto* bar = qstyleoption_cast<const QStyleOptionProgressBar*>(option); bar && bar->maximum > bar->minimum) {
             const double part = static_cast<double>(bar->progress - bar->minimum) / (bar->maximum - bar->minimum);
-            painter->fillRect(QRectF(bar->rect.left(), bar->rect.top(), bar->rect.width() * std::clamp(part, 0.0, 1.0), bar->rect.height()), theme().accent);
+            painter->fillRect(
+                QRectF(bar->rect.left(), bar->rect.top(), bar->rect.width() * std::clamp(part, 0.0, 1.0), bar->rect.height()),
+                theme().accent);
         }
         return;
     }
     QProxyStyle::drawControl(element, option, painter, widget);
 }
 
-void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter, const QWidget* widget) const
+void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                                    const QWidget* widget) const
 {
     if (control == CC_ComboBox) {
         drawField(painter, option->rect, option->state & ~(State_Sunken | State_On));
-        drawChevron(painter, QPointF(option->rect.right() - 10, QRectF(option->rect).center().y()), option->state & State_Enabled);
+        drawChevron(painter, QPointF(option->rect.right() - 10, QRectF(option->rect).center().y()),
+                    option->state & State_Enabled);
         return;
     }
     if (control == CC_ScrollBar) {
@@ -161,7 +168,8 @@ QSize QuietStyle::sizeFromContents(ContentsType type, const QStyleOption* option
     return wanted;
 }
 
-QRect QuietStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part, const QWidget* widget) const
+QRect QuietStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                                 const QWidget* widget) const
 {
     const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option);
     if (control != CC_ScrollBar || !bar) return QProxyStyle::subControlRect(control, option, part, widget);
@@ -169,9 +177,14 @@ QRect QuietStyle::subControlRect(ComplexControl control, const QStyleOptionCompl
     const bool across = bar->orientation == Qt::Horizontal;
     const int length = across ? bar->rect.width() : bar->rect.height();
     const int range = bar->maximum - bar->minimum;
-    const int thumb = range <= 0 ? length : std::clamp(static_cast<int>(static_cast<double>(length) * bar->pageStep / (range + bar->pageStep)), 24, std::max(24, length));
+    const int thumb = range <= 0
+                          ? length
+                          : std::clamp(static_cast<int>(static_cast<double>(length) * bar->pageStep / (range + bar->pageStep)),
+                                       24, std::max(24, length));
     const int start = sliderPositionFromValue(bar->minimum, bar->maximum, bar->sliderPosition, length - thumb, bar->upsideDown);
-    const auto at = [&](int from, int size) { return across ? QRect(from, 0, size, bar->rect.height()) : QRect(0, from, bar->rect.width(), size); };
+    const auto at = [&](int from, int size) {
+        return across ? QRect(from, 0, size, bar->rect.height()) : QRect(0, from, bar->rect.width(), size);
+    };
     switch (part) {
     case SC_ScrollBarSlider: return at(start, thumb);
     case SC_ScrollBarSubPage: return at(0, start);

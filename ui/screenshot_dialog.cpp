@@ -34,7 +34,8 @@ constexpr std::array<FormatLine, 6> formats{{
     {"TIFF, 8 bit", "tif", render::PictureFormat::tiff8},
     {"TIFF, 16 bit", "tif", render::PictureFormat::tiff16},
 }};
-constexpr std::array<QSize, 5> usualSizes{QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160), QSize(7680, 4320), QSize(2048, 2048)};
+constexpr std::array<QSize, 5> usualSizes{QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160), QSize(7680, 4320),
+                                          QSize(2048, 2048)};
 
 QString duration(double seconds)
 {
@@ -74,7 +75,8 @@ ScreenshotDialog::ScreenshotDialog(MainWindow& window)
     });
     setBusy(false);
     const auto name = window.gallery().exhibits()[window.chosen()]->name();
-    path_->setText(QString::fromStdString(freeScreenshotPath(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
+    path_->setText(
+        QString::fromStdString(freeScreenshotPath(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
 }
 
 void ScreenshotDialog::build()
@@ -162,13 +164,17 @@ void ScreenshotDialog::browse()
 
 ExportWish ScreenshotDialog::wish() const
 {
-    return {path_->text().toStdString(), formats[static_cast<std::size_t>(format_->currentIndex())].format,
-            {width_->value(), height_->value()}, samples_->value(), transparent_->isChecked()};
+    return {path_->text().toStdString(),
+            formats[static_cast<std::size_t>(format_->currentIndex())].format,
+            {width_->value(), height_->value()},
+            samples_->value(),
+            transparent_->isChecked()};
 }
 
 void ScreenshotDialog::setBusy(bool busy)
 {
-    for (QWidget* input : std::initializer_list<QWidget*>{sizes_, width_, height_, samples_, format_, transparent_, path_}) input->setEnabled(!busy);
+    for (QWidget* input : std::initializer_list<QWidget*>{sizes_, width_, height_, samples_, format_, transparent_, path_})
+        input->setEnabled(!busy);
     go_->setEnabled(!busy);
     stop_->setText(busy ? tr("Cancel") : tr("Close"));
     if (!busy) progress_->setValue(0);

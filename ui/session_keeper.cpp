@@ -14,7 +14,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int quietTime = 2000;      // Milliseconds.
+constexpr int quietTime = 2000;  // Milliseconds.
 constexpr int longestWait = 10000;
 constexpr int layoutVersion = 1;
 
@@ -104,8 +104,9 @@ void SessionKeeper::saveLayout() const
     settings.setValue(QStringLiteral("geometry"), window_.saveGeometry());
     settings.setValue(QStringLiteral("docks"), window_.saveState(layoutVersion));
     settings.setValue(QStringLiteral("folded"), window_.panel().foldedGroups());
-    settings.setValue(QStringLiteral("chosen"), QString::fromUtf8(window_.gallery().exhibits()[window_.chosen()]->name().data(),
-        static_cast<qsizetype>(window_.gallery().exhibits()[window_.chosen()]->name().size())));
+    settings.setValue(QStringLiteral("chosen"),
+                      QString::fromUtf8(window_.gallery().exhibits()[window_.chosen()]->name().data(),
+                                        static_cast<qsizetype>(window_.gallery().exhibits()[window_.chosen()]->name().size())));
 }
 
 void SessionKeeper::restoreLayout()

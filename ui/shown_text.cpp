@@ -88,12 +88,16 @@ QString tooltipText(const ParameterInfo& row)
     if (isNumber(row)) {
         lines << QStringLiteral("Legal: %1").arg(legalRangeText(row));
         if (row.range.softLow != row.range.low || row.range.softHigh != row.range.high)
-            lines.last() += QStringLiteral("; the slider spans %1 to %2")
-                                .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
+            lines.last() +=
+                QStringLiteral("; the slider spans %1 to %2")
+                    .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
     }
     lines << QStringLiteral("Initial value: %1").arg(shownText(row, row.initial));
     lines << QStringLiteral("In presets: %1").arg(text(row.name));
-    if (isNumber(row)) lines << QString() << QStringLiteral("Drag the label or the number; click to type, 2*pi or 30deg too.\nShift is ten times finer, Ctrl ten times coarser.");
+    if (isNumber(row))
+        lines << QString()
+              << QStringLiteral("Drag the label or the number; click to type, 2*pi or 30deg too.\nShift is ten times "
+                                "finer, Ctrl ten times coarser.");
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -107,7 +111,8 @@ std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, 
     const std::optional<Value> meant = parseValue(row, typed.trimmed().toStdString());
     const std::optional<Value> legal = meant ? nearestLegal(row, *meant) : std::nullopt;
     if (!legal) {
-        if (problem) *problem = QStringLiteral("\"%1\" is no value for %2.").arg(typed.left(80), QString::fromStdString(label(row)));
+        if (problem)
+            *problem = QStringLiteral("\"%1\" is no value for %2.").arg(typed.left(80), QString::fromStdString(label(row)));
         return std::nullopt;
     }
     const bool brought = isNumber(row) && std::get<double>(*legal) != std::get<double>(*meant);
@@ -118,7 +123,8 @@ std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, 
 
 QString allAsJson(const ParameterValues& values, const QString& exhibit)
 {
-    return QString::fromStdString(presetText({exhibit.toStdString(), "Copied values", values, {}, presetVersion, render::Json::object(), {}}));
+    return QString::fromStdString(
+        presetText({exhibit.toStdString(), "Copied values", values, {}, presetVersion, render::Json::object(), {}}));
 }
 
 }  // namespace vitrine::ui

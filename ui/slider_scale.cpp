@@ -30,8 +30,8 @@ double factor(Gain gain)
 
 SliderScale::SliderScale(const ParameterInfo& row)
     : range_(row.range), whole_(row.kind == Kind::count),
-      logarithmic_(row.range.scale == Scale::logarithmic && row.range.softLow > 0), shownPerStored_(info(row.unit).shownPerStored),
-      step_(1)
+      logarithmic_(row.range.scale == Scale::logarithmic && row.range.softLow > 0),
+      shownPerStored_(info(row.unit).shownPerStored), step_(1)
 {
     const double span = (range_.softHigh - range_.softLow) * shownPerStored_;
     if (!whole_ && span > 0) step_ = roundStep(span / 50);

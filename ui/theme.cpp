@@ -5,7 +5,6 @@
 #include <QApplication>
 #include <QPalette>
 
-
 namespace vitrine::ui {
 namespace {
 
@@ -48,7 +47,8 @@ void applyTheme(QApplication& app, const Theme& chosen)
     palette.setColor(QPalette::AlternateBase, chosen.window);
     palette.setColor(QPalette::Button, chosen.dark ? chosen.base.lighter(115) : chosen.base);
     palette.setColor(QPalette::ToolTipBase, chosen.base);
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText, QPalette::BrightText})
+    for (const auto role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText, QPalette::BrightText})
         palette.setColor(role, chosen.text);
     palette.setColor(QPalette::PlaceholderText, chosen.dim);
     palette.setColor(QPalette::Highlight, chosen.accent);

@@ -12,9 +12,9 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double buttonTime = 0.25;       // Seconds in which a pressed button is still moving, with some to spare.
+constexpr double buttonTime = 0.25;  // Seconds in which a pressed button is still moving, with some to spare.
 constexpr double longestTick = 0.5;
-constexpr double firstTick = 1.0 / 60;    // After a rest no time has passed for those who walk.
+constexpr double firstTick = 1.0 / 60;  // After a rest no time has passed for those who walk.
 
 }  // namespace
 
@@ -258,7 +258,10 @@ void Viewport::showProblems()
 {
     QStringList lines;
     for (const render::gl::ShaderProblem& problem : gallery_.problems())
-        lines << QStringLiteral("%1:%2  %3").arg(QString::fromStdString(problem.file)).arg(problem.line).arg(QString::fromStdString(problem.message).trimmed());
+        lines << QStringLiteral("%1:%2  %3")
+                     .arg(QString::fromStdString(problem.file))
+                     .arg(problem.line)
+                     .arg(QString::fromStdString(problem.message).trimmed());
     if (!lines.isEmpty()) lines.prepend(tr("A shader did not build; the last good picture stays. Saving the file tries again."));
     problems_->say(lines.join(QLatin1Char('\n')));
 }

@@ -97,8 +97,8 @@ private:
     QTimer timer_;
     QTimer shaderPoll_;
     double lastTick_ = 0;
-    double time_ = 0;           // The exhibits' clock, seconds.
-    bool clockRuns_ = false;    // Time passed since the last tick, for someone.
+    double time_ = 0;         // The exhibits' clock, seconds.
+    bool clockRuns_ = false;  // Time passed since the last tick, for someone.
     bool paused_ = false;
     bool opened_ = false;
     bool drewOnce_ = false;

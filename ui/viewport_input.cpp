@@ -38,7 +38,8 @@ bool Viewport::event(QEvent* event)
     if (event->type() == QEvent::ShortcutOverride) {
         auto* key = static_cast<QKeyEvent*>(event);
         const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-        if (plain && std::string_view("WASDE").find(static_cast<char>(key->key())) != std::string_view::npos && key->key() < 128) {
+        if (plain && std::string_view("WASDE").find(static_cast<char>(key->key())) != std::string_view::npos &&
+            key->key() < 128) {
             event->accept();
             return true;
         }

@@ -71,23 +71,36 @@ WindowActions::WindowActions(MainWindow& window)
     PresetShelf& shelf = window.shelf();
 
     make.menu(tr("&File"));
-    make.add(tr("&Open…"), {QKeySequence(Qt::CTRL | Qt::Key_O)}, tr("A preset, a picture with one inside, a model or a panorama."), [&window] {
-        const QString path = QFileDialog::getOpenFileName(&window, tr("Open"), {}, tr("All that can be opened (*.json *.png *.exr *.hdr *.jpg *.glb *.gltf);;All files (*)"));
-        if (!path.isEmpty()) window.openFile(path);
-    });
-    savePreset = make.add(tr("&Save preset"), {QKeySequence(Qt::CTRL | Qt::Key_S)}, tr("Saves the exhibit's values to the preset in use."), [&shelf] { shelf.save(); });
-    savePresetAs = make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}, tr("Saves the exhibit's values under a new name."), [&shelf] { shelf.saveAs(); });
-    make.add(tr("Save e&xhibition…"), {}, tr("Saves everything in one file: all exhibits, the hall and where you stand."), [&shelf] { shelf.saveExhibition(); });
-    presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)}, tr("Gives the selected preset another name."), [&shelf] { shelf.rename(); });
-    presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to one of your own."), [&shelf] { shelf.duplicate(); });
-    presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."), [&shelf] { shelf.remove(); });
+    make.add(tr("&Open…"), {QKeySequence(Qt::CTRL | Qt::Key_O)},
+             tr("A preset, a picture with one inside, a model or a panorama."), [&window] {
+                 const QString path = QFileDialog::getOpenFileName(
+                     &window, tr("Open"), {},
+                     tr("All that can be opened (*.json *.png *.exr *.hdr *.jpg *.glb *.gltf);;All files (*)"));
+                 if (!path.isEmpty()) window.openFile(path);
+             });
+    savePreset = make.add(tr("&Save preset"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
+                          tr("Saves the exhibit's values to the preset in use."), [&shelf] { shelf.save(); });
+    savePresetAs = make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
+                            tr("Saves the exhibit's values under a new name."), [&shelf] { shelf.saveAs(); });
+    make.add(tr("Save e&xhibition…"), {}, tr("Saves everything in one file: all exhibits, the hall and where you stand."),
+             [&shelf] { shelf.saveExhibition(); });
+    presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)}, tr("Gives the selected preset another name."),
+                           [&shelf] { shelf.rename(); });
+    presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to one of your own."),
+                           [&shelf] { shelf.duplicate(); });
+    presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."),
+                           [&shelf] { shelf.remove(); });
     presetMenu << make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own."), [&shelf] { shelf.importFile(); });
-    presetMenu << make.add(tr("&Export preset…"), {}, tr("Writes the selected preset to a file."), [&shelf] { shelf.exportFile(); });
+    presetMenu << make.add(tr("&Export preset…"), {}, tr("Writes the selected preset to a file."),
+                           [&shelf] { shelf.exportFile(); });
     make.separator();
-    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves the picture at once, as PNG in your pictures folder."), [&window] { window.saveScreenshotNow(); });
-    make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)}, tr("Any size, supersampling, PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
+    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves the picture at once, as PNG in your pictures folder."),
+             [&window] { window.saveScreenshotNow(); });
+    make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
+             tr("Any size, supersampling, PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
     make.separator();
-    make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}, tr("Closes the window; everything comes back next time."), [&window] { window.close(); });
+    make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}, tr("Closes the window; everything comes back next time."),
+             [&window] { window.close(); });
 
     make.menu(tr("&Edit"));
     QAction* undo = window.history().stack().createUndoAction(&window, tr("&Undo"));
@@ -101,18 +114,27 @@ WindowActions::WindowActions(MainWindow& window)
         window.hidePanels(false);
         window.panel().focusFilter();
     });
-    make.add(tr("Reset &all parameters"), {}, tr("All values of the exhibit on show become the initial ones, as one step."), [&window] { window.resetEverything(); });
-    make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)}, tr("Finds and runs any command by name."), [&window] { window.openPalette(); });
+    make.add(tr("Reset &all parameters"), {}, tr("All values of the exhibit on show become the initial ones, as one step."),
+             [&window] { window.resetEverything(); });
+    make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)}, tr("Finds and runs any command by name."),
+             [&window] { window.openPalette(); });
 
     make.menu(tr("&View"));
-    panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)}, tr("Leaves nothing but the picture. Tab does the same while the picture has the focus."), [&window](bool hidden) { window.hidePanels(hidden); });
-    QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::Key_Tab)}, tr("Hides or shows everything but the picture."), [this] { panels->toggle(); });
+    panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
+                         tr("Leaves nothing but the picture. Tab does the same while the picture has the focus."),
+                         [&window](bool hidden) { window.hidePanels(hidden); });
+    QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::Key_Tab)}, tr("Hides or shows everything but the picture."),
+                             [this] { panels->toggle(); });
     make.inViewport(bare);
-    fullScreen = make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."), [&window](bool on) { window.setFullScreen(on); });
+    fullScreen = make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."),
+                             [&window](bool on) { window.setFullScreen(on); });
     make.separator();
-    pause = make.toggle(tr("Pause &clock"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Pause)}, tr("Stops and starts the exhibits' clock."), [&window](bool on) { window.viewport().setPaused(on); });
+    pause = make.toggle(tr("Pause &clock"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Pause)},
+                        tr("Stops and starts the exhibits' clock."), [&window](bool on) { window.viewport().setPaused(on); });
     make.inViewport(pause);
-    make.add(tr("&Reload shaders"), {QKeySequence(Qt::Key_F5), QKeySequence(Qt::CTRL | Qt::Key_R)}, tr("Builds changed shaders again; one that fails keeps its last good picture."), [&window] { window.viewport().reloadShaders(); });
+    make.add(tr("&Reload shaders"), {QKeySequence(Qt::Key_F5), QKeySequence(Qt::CTRL | Qt::Key_R)},
+             tr("Builds changed shaders again; one that fails keeps its last good picture."),
+             [&window] { window.viewport().reloadShaders(); });
 
     make.menu(tr("E&xhibit"));
     make.add(tr("&Entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)}, tr("Back to where the visit begins."), [&window] {
@@ -121,13 +143,17 @@ WindowActions::WindowActions(MainWindow& window)
     });
     for (std::size_t i = 1; i < window.gallery().exhibits().size(); ++i) {
         const Exhibit& exhibit = *window.gallery().exhibits()[i];
-        const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9 ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))} : Keys{};
-        make.add(tr("Visit %1").arg(QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()))), keys,
-                 QString::fromUtf8(exhibit.summary().data(), static_cast<qsizetype>(exhibit.summary().size())), [&window, i] { window.visit(i); });
+        const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
+                              ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))}
+                              : Keys{};
+        make.add(tr("Visit %1").arg(QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()))),
+                 keys, QString::fromUtf8(exhibit.summary().data(), static_cast<qsizetype>(exhibit.summary().size())),
+                 [&window, i] { window.visit(i); });
     }
 
     make.menu(tr("&Help"));
-    make.add(tr("&Keyboard and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)}, tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
+    make.add(tr("&Keyboard and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)},
+             tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
 }
 
 }  // namespace vitrine::ui

@@ -71,7 +71,8 @@ void MainWindow::buildDocks()
     // The tab bars of stacked docks are Qt's own, made when needed.
     for (const QDockWidget* each : docks_)
         connect(each, &QDockWidget::visibilityChanged, this, [this] {
-            for (QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) bar->setAccessibleName(tr("Stacked panels"));
+            for (QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+                bar->setAccessibleName(tr("Stacked panels"));
         });
     resizeDocks({exhibits, presets}, {400, 300}, Qt::Vertical);
     resizeDocks({exhibits, docks_[2]}, {240, 360}, Qt::Horizontal);

@@ -37,7 +37,8 @@ void MainWindow::setHallFile(const char* parameter, const QString& path)
     Look next = history_.look();
     const auto row = next.values[0].table().find(parameter);
     if (!row) {
-        say(MessageStrip::Mood::problem, tr("%1 was dropped, but this hall has no parameter \"%2\" to put it in.").arg(path, QLatin1String(parameter)));
+        say(MessageStrip::Mood::problem,
+            tr("%1 was dropped, but this hall has no parameter \"%2\" to put it in.").arg(path, QLatin1String(parameter)));
         return;
     }
     next.values[0].setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
@@ -48,13 +49,15 @@ void MainWindow::openFile(const QString& path)
 {
     const QString ending = QFileInfo(path).suffix().toLower();
     const QStringList models{QStringLiteral("glb"), QStringLiteral("gltf")};
-    const QStringList pictures{QStringLiteral("hdr"), QStringLiteral("exr"), QStringLiteral("jpg"), QStringLiteral("jpeg"), QStringLiteral("png"), QStringLiteral("tif"), QStringLiteral("tiff")};
+    const QStringList pictures{QStringLiteral("hdr"), QStringLiteral("exr"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
+                               QStringLiteral("png"), QStringLiteral("tif"), QStringLiteral("tiff")};
     if (ending == QLatin1String("json")) shelf_->loadFile(path);
     else if (models.contains(ending)) setHallFile("model", path);
     else if (pictures.contains(ending)) {
         if (!shelf_->loadFromPicture(path)) setHallFile("environment", path);
     } else {
-        say(MessageStrip::Mood::problem, tr("%1 cannot be opened: it is none of .json, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif.").arg(path));
+        say(MessageStrip::Mood::problem,
+            tr("%1 cannot be opened: it is none of .json, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif.").arg(path));
     }
 }
 
@@ -74,9 +77,8 @@ void MainWindow::saveScreenshotNow()
                  std::max(1, static_cast<int>(std::lround(viewport_->height() * ratio)))};
     wish.samples = DrawSchedule::samples;
     auto* work = new PictureExport(*this, wish);
-    connect(work, &PictureExport::finished, this, [this](const QString& path) {
-        say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(path));
-    });
+    connect(work, &PictureExport::finished, this,
+            [this](const QString& path) { say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(path)); });
     connect(work, &PictureExport::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     work->start();
 }

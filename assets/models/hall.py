@@ -157,6 +157,7 @@ def main():
     parser.add_argument("--eye", default="0,1.65,10.5")
     parser.add_argument("--look", default="0,1.9,-12")
     parser.add_argument("--mode", default="baked", choices=("clay", "baked", "traced"))
+    parser.add_argument("--size", default="1280x720")
     parser.add_argument("--samples", type=int, default=96)
     parser.add_argument("--out", default=os.path.join(HERE, "hall.glb"))
     args = parser.parse_args(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else [])
@@ -174,7 +175,8 @@ def main():
     if args.preview:
         import hall_preview
         number = lambda text: [float(c) for c in text.split(",")]
-        hall_preview.preview(args.preview, number(args.eye), number(args.look), args.samples, args.mode)
+        hall_preview.preview(args.preview, number(args.eye), number(args.look), args.samples, args.mode,
+                             [int(c) for c in args.size.split("x")])
 
 
 main()

@@ -13,7 +13,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 SUN, SUN_COLOR, SUN_MAP = 20.0, (1, 0.75, 0.5), 1
 
 
-def preview(path, eye, look, samples, mode, size=(1280, 720)):
+def preview(path, eye, look, samples, mode, size):
     """mode: clay (shape only), baked (lightmaps and direct sun) or traced (everything, noisy)."""
     clay = mode == "clay"
     for mat in list(bpy.data.materials):
@@ -28,7 +28,7 @@ def preview(path, eye, look, samples, mode, size=(1280, 720)):
     scene = bpy.context.scene
     scene.cycles.use_denoising = False
     scene.cycles.caustics_reflective = False
-    scene.cycles.sample_clamp_indirect = 10
+    scene.cycles.sample_clamp_indirect = 2
     sky = world(1.0)
     if mode == "baked":
         sky.cycles_visibility.diffuse = False
@@ -141,7 +141,7 @@ def _glossy(mat, baked):
         if static:
             tree.links.new(_baked(tree, spec["color"]), shine)
         else:
-            shine.default_value = tuple(0.1 * c for c in spec["color"]) + (1,)
+            shine.default_value = tuple(a * c for a, c in zip((0.115, 0.095, 0.075), spec["color"])) + (1,)
     if "tile" not in spec or not os.path.exists(base + "_color.png"):
         return
     uv = tree.nodes.new("ShaderNodeUVMap")

@@ -191,7 +191,8 @@ private:
             base = atom();
             if (base && take("^")) {
                 const std::optional<Quantity> exponent = power();
-                if (!exponent || exponent->dimension != Dimension{} || base->dimension != Dimension{}) return std::nullopt;
+                if (!exponent || exponent->dimension != Dimension{} || base->dimension != Dimension{})
+                    return std::nullopt;
                 base->value = std::pow(base->value, exponent->value);
             }
         }
@@ -227,7 +228,8 @@ private:
 
     static const UnitWord* findUnit(std::string_view word)
     {
-        const auto* found = std::find_if(unitWords.begin(), unitWords.end(), [&](const UnitWord& u) { return u.word == word; });
+        const auto* found =
+            std::find_if(unitWords.begin(), unitWords.end(), [&](const UnitWord& u) { return u.word == word; });
         return found == unitWords.end() ? nullptr : found;
     }
     static std::optional<Number> findConstant(std::string_view word)

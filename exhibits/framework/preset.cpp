@@ -15,7 +15,8 @@ using render::JsonDocument;
 
 constexpr std::string_view presetFormat = "vitrine-preset";
 constexpr std::string_view exhibitionFormat = "vitrine-exhibition";
-constexpr std::array<std::string_view, 7> knownKeys = {"format", "version", "app", "exhibit", "name", "values", "camera"};
+constexpr std::array<std::string_view, 7> knownKeys = {"format", "version", "app",   "exhibit",
+                                                       "name",   "values",  "camera"};
 
 std::string textAt(const JsonDocument& document, const Json& root, const char* key, bool required)
 {
@@ -35,7 +36,10 @@ struct Opened {
     Json values = Json::object();
     std::vector<std::string> notes;
 
-    [[nodiscard]] JsonPlace place(const std::string& path) const { return {document, path, originalPath(path, header.version)}; }
+    [[nodiscard]] JsonPlace place(const std::string& path) const
+    {
+        return {document, path, originalPath(path, header.version)};
+    }
 };
 
 Opened open(const JsonDocument& document)
@@ -56,7 +60,8 @@ Opened open(const JsonDocument& document)
 }
 
 /// Reads the rows of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
-ParameterValues readRows(Opened& file, const Parameters& table, const std::string& prefix, std::map<std::string, const Json*>& left)
+ParameterValues readRows(Opened& file, const Parameters& table, const std::string& prefix,
+                         std::map<std::string, const Json*>& left)
 {
     ParameterValues values = table.initial();
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
@@ -103,8 +108,8 @@ std::map<std::string, Json> keptValues(const Json& kept)
     return values;
 }
 
-std::string writeFile(std::string_view format, const std::string& exhibit, const std::string& name, const std::map<std::string, Json>& values,
-                      const std::optional<Json>& camera, const Json& kept)
+std::string writeFile(std::string_view format, const std::string& exhibit, const std::string& name,
+                      const std::map<std::string, Json>& values, const std::optional<Json>& camera, const Json& kept)
 {
     Json root = Json::object();
     root["format"] = format;
@@ -147,14 +152,23 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
 {
     const JsonDocument document = render::parseJson(std::move(text), std::move(fileName), presetLimits);
     Opened file = open(document);
-    if (file.header.isExhibition) throw document.failure("format", "this holds settings of the whole exhibition; open it as such.");
+    if (file.header.isExhibition)
+        throw document.failure("format", "this holds settings of the whole exhibition; open it as such.");
     if (file.header.exhibit != exhibit) {
-        throw document.failure("exhibit", "this preset is for " + file.header.exhibit + ", not for " + std::string(exhibit) + "; choose another.");
+        throw document.failure("exhibit", "this preset is for " + file.header.exhibit + ", not for " +
+                                              std::string(exhibit) + "; choose another.");
     }
     std::map<std::string, const Json*> left = entries(file.values);
-    Preset preset{file.header.exhibit, file.header.name, readRows(file, table, {}, left), std::nullopt, file.header.version, {}, {}};
+    Preset preset{file.header.exhibit,
+                  file.header.name,
+                  readRows(file, table, {}, left),
+                  std::nullopt,
+                  file.header.version,
+                  {},
+                  {}};
     noteUnknown(file, left);
-    if (file.root.contains("camera")) preset.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
+    if (file.root.contains("camera"))
+        preset.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
     preset.kept = std::move(file.root);
     preset.notes = std::move(file.notes);
     return preset;
@@ -181,7 +195,8 @@ Exhibition parseExhibition(std::string text, std::string fileName, const NamedVa
         exhibition.values.emplace_back(name, readRows(file, values.table(), name + ".", left));
     }
     noteUnknown(file, left);
-    if (file.root.contains("camera")) exhibition.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
+    if (file.root.contains("camera"))
+        exhibition.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
     exhibition.kept = std::move(file.root);
     exhibition.notes = std::move(file.notes);
     return exhibition;
@@ -191,7 +206,8 @@ std::string exhibitionText(const Exhibition& exhibition)
 {
     std::map<std::string, Json> values = keptValues(exhibition.kept);
     for (const auto& [name, ofExhibit] : exhibition.values) writeRows(ofExhibit, name + ".", values);
-    return writeFile(exhibitionFormat, {}, exhibition.name, values, jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.kept);
+    return writeFile(exhibitionFormat, {}, exhibition.name, values,
+                     jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.kept);
 }
 
 std::string renamedPreset(const JsonDocument& document, std::string_view name)

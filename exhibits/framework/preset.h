@@ -17,7 +17,8 @@ namespace vitrine {
 inline constexpr int presetVersion = 1;
 
 /// What a preset file may be at most: it is a few kilobytes, and a hostile one must not cost more.
-inline constexpr render::JsonLimits presetLimits{.bytes = 4U << 20U, .depth = 64, .nodes = 10'000, .stringBytes = 1U << 20U};
+inline constexpr render::JsonLimits presetLimits{
+    .bytes = 4U << 20U, .depth = 64, .nodes = 10'000, .stringBytes = 1U << 20U};
 
 /// Named settings of one exhibit. As a file:
 ///

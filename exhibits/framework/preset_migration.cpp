@@ -41,8 +41,9 @@ int declaredVersion(const render::JsonDocument& document)
     }
     const int number = version.get<int>();
     if (number > presetVersion) {
-        throw document.failure("version", "a newer Vitrine wrote this (version " + std::to_string(number) + "; this one reads up to " +
-                                              std::to_string(presetVersion) + "); open it with that one.");
+        throw document.failure("version", "a newer Vitrine wrote this (version " + std::to_string(number) +
+                                              "; this one reads up to " + std::to_string(presetVersion) +
+                                              "); open it with that one.");
     }
     return number;
 }
@@ -50,7 +51,8 @@ int declaredVersion(const render::JsonDocument& document)
 Json migrated(const Json& json, int fromVersion)
 {
     Json now = json;
-    for (int version = fromVersion; version < presetVersion; ++version) now = steps.at(static_cast<std::size_t>(version))(now);
+    for (int version = fromVersion; version < presetVersion; ++version)
+        now = steps.at(static_cast<std::size_t>(version))(now);
     return now;
 }
 

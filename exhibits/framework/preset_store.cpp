@@ -50,7 +50,8 @@ void move(const fs::path& from, const fs::path& to)
     }
     if (error) {
         std::string message = "Cannot move " + from.string();
-        throw Failure(Blame::file, ((message += " to ") += to.string()) += ": " + error.message() + "; check your permissions.");
+        throw Failure(Blame::file,
+                      ((message += " to ") += to.string()) += ": " + error.message() + "; check your permissions.");
     }
 }
 
@@ -74,7 +75,8 @@ PresetEntry entryFor(const fs::path& path, bool shipped)
     entry.shipped = shipped;
     entry.name = path.stem().string();
     std::error_code error;
-    if (fs::path picture = PresetStore::thumbnailPath(path); fs::exists(picture, error)) entry.thumbnail = std::move(picture);
+    if (fs::path picture = PresetStore::thumbnailPath(path); fs::exists(picture, error))
+        entry.thumbnail = std::move(picture);
     try {
         const PresetHeader header = presetHeader(render::readJson(path, presetLimits));
         if (!header.name.empty()) entry.name = header.name;
@@ -89,10 +91,12 @@ void appendFolder(const fs::path& folder, bool shipped, std::vector<PresetEntry>
     std::error_code error;
     const std::size_t first = out.size();
     for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
-        if (file.path().extension() == ".json" && !file.path().filename().string().starts_with('.')) out.push_back(entryFor(file.path(), shipped));
+        if (file.path().extension() == ".json" && !file.path().filename().string().starts_with('.'))
+            out.push_back(entryFor(file.path(), shipped));
     }
-    std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
-              [](const PresetEntry& a, const PresetEntry& b) { return std::tie(a.name, a.path) < std::tie(b.name, b.path); });
+    std::sort(
+        out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+        [](const PresetEntry& a, const PresetEntry& b) { return std::tie(a.name, a.path) < std::tie(b.name, b.path); });
 }
 
 /// Whether `stem` is `slug`, or `slug` with a number that made it unique.
@@ -100,7 +104,8 @@ bool standsFor(std::string_view stem, std::string_view slug)
 {
     if (!stem.starts_with(slug)) return false;
     stem.remove_prefix(slug.size());
-    return stem.empty() || (stem.size() > 1 && stem[0] == '-' && stem.find_first_not_of("0123456789", 1) == std::string_view::npos);
+    return stem.empty() ||
+           (stem.size() > 1 && stem[0] == '-' && stem.find_first_not_of("0123456789", 1) == std::string_view::npos);
 }
 
 bool isPicture(const fs::path& path)
@@ -177,13 +182,15 @@ fs::path PresetStore::rename(const fs::path& path, std::string_view name) const
     return to;
 }
 
-fs::path PresetStore::copyAs(const std::string& text, const fs::path& from, const std::string& exhibit, std::string_view name) const
+fs::path PresetStore::copyAs(const std::string& text, const fs::path& from, const std::string& exhibit,
+                             std::string_view name) const
 {
     const fs::path to = freePath(folders_.user / exhibit, slugFor(name));
     savePresetBytes(to, text);
     std::error_code error;
     const fs::path picture = thumbnailPath(from);
-    if (fs::exists(picture, error)) fs::copy_file(picture, thumbnailPath(to), fs::copy_options::overwrite_existing, error);
+    if (fs::exists(picture, error))
+        fs::copy_file(picture, thumbnailPath(to), fs::copy_options::overwrite_existing, error);
     return to;
 }
 
@@ -215,7 +222,9 @@ fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit,
     std::string text;
     if (isPicture(path)) {
         std::optional<std::string> embedded = render::embeddedPreset(path);
-        if (!embedded) throw Failure(Blame::file, "Cannot import " + path.string() + ": there is no preset in this picture; choose another.");
+        if (!embedded)
+            throw Failure(Blame::file,
+                          "Cannot import " + path.string() + ": there is no preset in this picture; choose another.");
         text = std::move(*embedded);
     } else {
         text = readText(path);
@@ -244,7 +253,8 @@ bool PresetStore::isShipped(const fs::path& path) const
 void PresetStore::refuseShipped(const fs::path& path) const
 {
     if (!isShipped(path)) return;
-    throw Failure(Blame::file, "Cannot change " + path.string() + ": it is part of Vitrine; save a copy under another name.");
+    throw Failure(Blame::file,
+                  "Cannot change " + path.string() + ": it is part of Vitrine; save a copy under another name.");
 }
 
 }  // namespace vitrine

@@ -96,8 +96,8 @@ public:
 private:
     [[nodiscard]] bool isShipped(const std::filesystem::path&) const;
     void refuseShipped(const std::filesystem::path&) const;
-    [[nodiscard]] std::filesystem::path copyAs(const std::string& text, const std::filesystem::path& from, const std::string& exhibit,
-                                               std::string_view name) const;
+    [[nodiscard]] std::filesystem::path copyAs(const std::string& text, const std::filesystem::path& from,
+                                               const std::string& exhibit, std::string_view name) const;
 
     Folders folders_;
 };

@@ -39,7 +39,8 @@ double numberAt(const Json& json, const JsonPlace& place)
 
 glm::dvec3 threeAt(const Json& json, const JsonPlace& place)
 {
-    const bool good = json.is_array() && json.size() == 3 && std::all_of(json.begin(), json.end(), [](const Json& x) { return x.is_number(); });
+    const bool good = json.is_array() && json.size() == 3 &&
+                      std::all_of(json.begin(), json.end(), [](const Json& x) { return x.is_number(); });
     if (!good) wrongType(place, "an array of three numbers", json);
     return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
 }
@@ -71,7 +72,8 @@ Value readValue(const ParameterInfo& row, const Json& json, const JsonPlace& pla
         if (!json.is_string()) wrongType(place, "the name of a choice", json);
         const auto& name = json.get_ref<const std::string&>();
         const auto found = std::find(row.choices.begin(), row.choices.end(), name);
-        if (found == row.choices.end()) throw place.failure("\"" + name + "\" is no choice here; choose one of " + joined(row.choices) + ".");
+        if (found == row.choices.end())
+            throw place.failure("\"" + name + "\" is no choice here; choose one of " + joined(row.choices) + ".");
         return static_cast<double>(found - row.choices.begin());
     }
     case Kind::color:

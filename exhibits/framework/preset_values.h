@@ -28,8 +28,8 @@ struct JsonPlace {
 /// The legal value nearest to the one written. What had to be changed is added to `notes`:
 /// "exposure 99 -> 16 (allowed -16 to 16)". Throws Failure naming file, line and key for a wrong type, an
 /// unknown choice or a direction without length.
-[[nodiscard]] Value valueFromJson(const ParameterInfo&, const render::Json&, const JsonPlace&, std::string_view shownName,
-                                  std::vector<std::string>& notes);
+[[nodiscard]] Value valueFromJson(const ParameterInfo&, const render::Json&, const JsonPlace&,
+                                  std::string_view shownName, std::vector<std::string>& notes);
 
 /// {"eye": [x, y, z], "target": [x, y, z], "fov": radians}. Keys of `kept` that are none of these stay.
 [[nodiscard]] render::Json jsonFromCamera(const render::Camera&, const render::Json& kept);

@@ -82,7 +82,8 @@ std::vector<AbandonedSession> RecoveryJournal::abandoned() const
         struct stat status {};
         if (::stat(file.path().c_str(), &status) != 0) continue;
         try {
-            sessions.push_back({file.path(), owner->pid, status.st_mtime, render::readFile(file.path(), presetLimits.bytes)});
+            sessions.push_back(
+                {file.path(), owner->pid, status.st_mtime, render::readFile(file.path(), presetLimits.bytes)});
         } catch (const Failure&) {
             continue;  // It may be gone, or someone else's.
         }

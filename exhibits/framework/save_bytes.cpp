@@ -32,7 +32,8 @@ void savePresetBytes(const fs::path& path, std::string_view bytes)
     QSaveFile file(QString::fromStdString(path.string()));
     const auto size = static_cast<qint64>(bytes.size());
     if (!file.open(QIODevice::WriteOnly)) fail(path, file.errorString().toStdString());
-    const bool written = file.write(bytes.data(), size) == size && file.flush() && file.error() == QFileDevice::NoError && file.size() == size;
+    const bool written = file.write(bytes.data(), size) == size && file.flush() &&
+                         file.error() == QFileDevice::NoError && file.size() == size;
     if (!written) {
         const std::string why = file.errorString().toStdString();
         file.cancelWriting();

@@ -8,7 +8,8 @@ std::string slugFor(std::string_view name)
 {
     constexpr std::size_t longest = 64;
     // Decomposed, "é" is "e" and a mark, and the mark is dropped below.
-    const QString decomposed = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())).normalized(QString::NormalizationForm_KD);
+    const QString decomposed =
+        QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())).normalized(QString::NormalizationForm_KD);
     std::string slug;
     for (const QChar c : decomposed.toLower()) {
         const char16_t unit = c.unicode();

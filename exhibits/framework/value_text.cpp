@@ -41,7 +41,8 @@ std::optional<Value> parseChoice(const ParameterInfo& row, std::string_view text
     const auto exact = std::find(row.choices.begin(), row.choices.end(), text);
     const auto found = exact != row.choices.end()
                            ? exact
-                           : std::find_if(row.choices.begin(), row.choices.end(), [&](std::string_view name) { return lower(name) == lower(text); });
+                           : std::find_if(row.choices.begin(), row.choices.end(),
+                                          [&](std::string_view name) { return lower(name) == lower(text); });
     if (found == row.choices.end()) return std::nullopt;
     return static_cast<double>(found - row.choices.begin());
 }
@@ -78,7 +79,8 @@ std::optional<glm::dvec3> parseThree(std::string_view text)
 template <typename Number> std::string digits(Number x, int count)
 {
     std::array<char, 64> text{};
-    const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, count);
+    const std::to_chars_result end =
+        std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, count);
     return std::string(text.data(), end.ptr);
 }
 
@@ -88,7 +90,8 @@ std::string formatNumber(double value, Unit unit)
     const double inUnit = shown(value, unit);
     for (int count = 1; std::isfinite(inUnit) && count <= 17; ++count) {
         const std::string text = digits(inUnit, count);
-        if (evaluate(text, unit) == value) return text.find('e') == std::string::npos ? text : render::shortestNumber(*render::parseNumber(text));
+        if (evaluate(text, unit) == value)
+            return text.find('e') == std::string::npos ? text : render::shortestNumber(*render::parseNumber(text));
     }
     // Between two doubles of the shown unit.
     const long double exact = static_cast<long double>(value) * static_cast<long double>(info(unit).shownPerStored);

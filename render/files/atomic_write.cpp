@@ -57,7 +57,10 @@ fs::path folderOf(const fs::path& file)
 /// Closes on every way out; `close` reports what a plain destructor cannot.
 class OpenFile {
 public:
-    OpenFile(FileOps& ops, const fs::path& path, int flags) : ops_(ops), fd_(ops.open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+    OpenFile(FileOps& ops, const fs::path& path, int flags)
+        : ops_(ops), fd_(ops.open(path.c_str(), flags | O_CLOEXEC, 0666))
+    {
+    }
     ~OpenFile()
     {
         if (fd_ >= 0) ops_.close(fd_);

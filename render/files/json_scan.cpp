@@ -81,7 +81,8 @@ public:
         if (reportPaths_) events_.place(path());
         return true;
     }
-    bool parse_error(std::size_t /*position*/, const std::string& lastToken, const nlohmann::detail::exception& e) override
+    bool parse_error(std::size_t /*position*/, const std::string& lastToken,
+                     const nlohmann::detail::exception& e) override
     {
         constexpr int outOfRange = 406;
         numberEnded = e.id == outOfRange;
@@ -121,7 +122,8 @@ private:
     bool count()
     {
         if (reportPaths_ && !levels_.empty() && !levels_.back().isObject) events_.place(path());
-        if (++nodes_ > limits_.nodes) return refuse("the file holds more than " + std::to_string(limits_.nodes) + " values");
+        if (++nodes_ > limits_.nodes)
+            return refuse("the file holds more than " + std::to_string(limits_.nodes) + " values");
         return true;
     }
     bool plain(Json value)

@@ -28,7 +28,8 @@ struct ReadOptions {
 /// NaN becomes 0; the count is one of the `warnings` (may be null), which are full sentences.
 /// Throws Failure naming the file when it is none of these, too large (before anything is allocated),
 /// broken, or cancelled.
-[[nodiscard]] Image readImage(const std::filesystem::path&, const ReadOptions& = {}, std::vector<std::string>* warnings = nullptr);
+[[nodiscard]] Image readImage(const std::filesystem::path&, const ReadOptions& = {},
+                              std::vector<std::string>* warnings = nullptr);
 
 /// `exr` stores 32-bit floats; `exrHalf` stores R, G, B and A as 16-bit floats, other channels as 32-bit.
 enum class PictureFormat : std::uint8_t { png8, png16, exr, exrHalf, tiff8, tiff16 };
@@ -62,7 +63,8 @@ void writePicture(const std::filesystem::path&, const Image&, PictureFormat, con
                                                          const ImageLimits& = {});
 
 /// The same from the bytes of a PNG or JPEG file, as glTF embeds them; `name` is for messages.
-[[nodiscard]] std::shared_ptr<const Texture> textureFromBytes(std::string_view bytes, const std::string& name, bool sRgb,
-                                                              bool repeat, bool mipmaps = true, const ImageLimits& = {});
+[[nodiscard]] std::shared_ptr<const Texture> textureFromBytes(std::string_view bytes, const std::string& name,
+                                                              bool sRgb, bool repeat, bool mipmaps = true,
+                                                              const ImageLimits& = {});
 
 }  // namespace vitrine::render

@@ -40,7 +40,8 @@ bool extensionAllows(const std::filesystem::path& path, ImageFormat format)
     return false;
 }
 
-std::string whyTooLarge(const DeclaredImage& image, ImageFormat format, std::uint64_t fileBytes, const ImageLimits& limits)
+std::string whyTooLarge(const DeclaredImage& image, ImageFormat format, std::uint64_t fileBytes,
+                        const ImageLimits& limits)
 {
     const auto more = [](std::uint64_t n, const std::string& what, std::uint64_t most) {
         return "it has " + std::to_string(n) + ' ' + what + ", more than the " + std::to_string(most) + " allowed";

@@ -118,13 +118,15 @@ std::string readChecked(const std::filesystem::path& path, const ImageLimits& li
 
 /// Repeats `from`'s samples in another order of channels; a source of -1 gives `fill`.
 template <typename Sample>
-std::vector<Sample> rearranged(const std::vector<Sample>& from, std::size_t channels, const std::vector<int>& sources, Sample fill)
+std::vector<Sample> rearranged(const std::vector<Sample>& from, std::size_t channels, const std::vector<int>& sources,
+                               Sample fill)
 {
     const std::size_t pixels = from.size() / channels;
     std::vector<Sample> out;
     out.reserve(pixels * sources.size());
     for (std::size_t p = 0; p < pixels; ++p) {
-        for (const int source : sources) out.push_back(source < 0 ? fill : from[p * channels + static_cast<std::size_t>(source)]);
+        for (const int source : sources)
+            out.push_back(source < 0 ? fill : from[p * channels + static_cast<std::size_t>(source)]);
     }
     return out;
 }
@@ -149,8 +151,8 @@ std::vector<int> textureChannels(const StoredPicture& picture)
     return {red, green, blue, alpha};
 }
 
-std::shared_ptr<const Texture> makeTexture(StoredPicture picture, ImageFormat format, const std::string& name, bool sRgb, bool repeat,
-                                           bool mipmaps)
+std::shared_ptr<const Texture> makeTexture(StoredPicture picture, ImageFormat format, const std::string& name,
+                                           bool sRgb, bool repeat, bool mipmaps)
 {
     auto texture = std::make_shared<Texture>();
     texture->name = name;
@@ -161,8 +163,8 @@ std::shared_ptr<const Texture> makeTexture(StoredPicture picture, ImageFormat fo
     const std::vector<int> sources = textureChannels(picture);
     texture->channels = static_cast<int>(sources.size());
     const auto channels = static_cast<std::size_t>(picture.channels);
-    const bool keep = sources.size() == channels && std::is_sorted(sources.begin(), sources.end()) && sources.front() == 0 &&
-                      sources.back() + 1 == picture.channels;
+    const bool keep = sources.size() == channels && std::is_sorted(sources.begin(), sources.end()) &&
+                      sources.front() == 0 && sources.back() + 1 == picture.channels;
     if (auto* bytes = std::get_if<0>(&picture.samples)) {
         texture->sRgb = sRgb;
         texture->bytes = keep ? std::move(*bytes) : rearranged<std::uint8_t>(*bytes, channels, sources, 0);
@@ -183,12 +185,13 @@ ImageFormat formatOf(std::string_view bytes, const std::string& name)
     return *format;
 }
 
-StoredPicture decodePicture(std::string_view bytes, ImageFormat format, const std::string& name, const ImageLimits& limits,
-                            const std::function<bool()>& cancelled)
+StoredPicture decodePicture(std::string_view bytes, ImageFormat format, const std::string& name,
+                            const ImageLimits& limits, const std::function<bool()>& cancelled)
 {
     if (format == ImageFormat::png) return decodePng(bytes, name, limits, cancelled);
     StoredPicture picture;
-    if (const std::string why = oiioCodec().decode(bytes, format, limits, cancelled, picture); !why.empty()) fail(name, why);
+    if (const std::string why = oiioCodec().decode(bytes, format, limits, cancelled, picture); !why.empty())
+        fail(name, why);
     return picture;
 }
 
@@ -214,22 +217,25 @@ std::optional<std::string> embeddedPreset(const std::filesystem::path& path)
     if (format == ImageFormat::png) return presetInPng(bytes, path.string());
     if (format != ImageFormat::exr) return std::nullopt;
     std::string text;
-    if (const std::string why = oiioCodec().readText(bytes, format, "vitrine:preset", text); !why.empty()) fail(path.string(), why);
+    if (const std::string why = oiioCodec().readText(bytes, format, "vitrine:preset", text); !why.empty())
+        fail(path.string(), why);
     if (text.empty()) return std::nullopt;
     return text;
 }
 
-std::shared_ptr<const Texture> loadTexture(const std::filesystem::path& path, bool sRgb, bool repeat, const ImageLimits& limits)
+std::shared_ptr<const Texture> loadTexture(const std::filesystem::path& path, bool sRgb, bool repeat,
+                                           const ImageLimits& limits)
 {
     ImageFormat format{};
     const std::string bytes = readChecked(path, limits, format);
     // Float pictures are linear: there is nothing to decode, and alpha still has to be divided out.
     const bool linear = sRgb || format == ImageFormat::exr;
-    return makeTexture(decodePicture(bytes, format, path.string(), limits), format, path.filename().string(), linear, repeat, true);
+    return makeTexture(decodePicture(bytes, format, path.string(), limits), format, path.filename().string(), linear,
+                       repeat, true);
 }
 
-std::shared_ptr<const Texture> textureFromBytes(std::string_view bytes, const std::string& name, bool sRgb, bool repeat, bool mipmaps,
-                                                const ImageLimits& limits)
+std::shared_ptr<const Texture> textureFromBytes(std::string_view bytes, const std::string& name, bool sRgb, bool repeat,
+                                                bool mipmaps, const ImageLimits& limits)
 {
     const ImageFormat format = formatOf(bytes, name);
     if (format != ImageFormat::png && format != ImageFormat::jpeg) {

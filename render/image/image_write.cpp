@@ -79,7 +79,8 @@ void check(const std::filesystem::path& path, const Image& image, PictureFormat 
         refuse(path, "the picture has " + std::to_string(image.channels) + " channels and this format holds " +
                          std::to_string(most) + "; choose OpenEXR");
     }
-    const bool misnamed = !image.channelNames.empty() && image.channelNames.size() != static_cast<std::size_t>(image.channels);
+    const bool misnamed =
+        !image.channelNames.empty() && image.channelNames.size() != static_cast<std::size_t>(image.channels);
     if (misnamed || (isExr(format) && image.channels > 4 && image.channelNames.empty())) {
         refuse(path, "the channels of the picture have no names");
     }
@@ -107,15 +108,15 @@ StoredPicture prepared(const Image& image, PictureFormat format)
 
 }  // namespace
 
-void writePicture(const std::filesystem::path& path, const Image& image, PictureFormat format, const PictureMetadata& metadata,
-                  FileOps& ops)
+void writePicture(const std::filesystem::path& path, const Image& image, PictureFormat format,
+                  const PictureMetadata& metadata, FileOps& ops)
 {
     check(path, image, format);
     const StoredPicture picture = prepared(image, format);
     if (format == PictureFormat::png8 || format == PictureFormat::png16) {
         constexpr double inchesPerMeter = 1 / 0.0254;
-        const std::string bytes =
-            encodePng(picture, {metadata.preset, metadata.description, metadata.pixelsPerInch * inchesPerMeter}, path.string());
+        const std::string bytes = encodePng(
+            picture, {metadata.preset, metadata.description, metadata.pixelsPerInch * inchesPerMeter}, path.string());
         requireSpace(path, bytes.size(), ops);
         atomicWrite(path, bytes, ops);
         return;

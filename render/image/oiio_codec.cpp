@@ -21,7 +21,8 @@ OiioCodec* openModule()
     std::error_code error;
     const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
     const std::array<fs::path, 4> places = {here / file, here.parent_path() / file,
-                                            here.parent_path() / "lib" / "vitrine" / file, fs::path(VITRINE_OIIO_BUILT)};
+                                            here.parent_path() / "lib" / "vitrine" / file,
+                                            fs::path(VITRINE_OIIO_BUILT)};
     std::string problems;
     for (const fs::path& place : places) {
         if (!fs::exists(place, error)) continue;

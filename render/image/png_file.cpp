@@ -167,7 +167,8 @@ bool writeHeader(Writer& writer, const Header& header, png_textp texts, int text
                  std::string* out)
 {
     if (setjmp(png_jmpbuf(writer.png))) return false;  // NOLINT(cert-err52-cpp)
-    constexpr std::array<int, 4> types = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGBA};
+    constexpr std::array<int, 4> types = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                                          PNG_COLOR_TYPE_RGBA};
     png_set_write_fn(writer.png, out, appendBytes, noFlush);
     png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_IHDR(writer.png, writer.info, header.width, header.height, header.bits,
@@ -254,7 +255,8 @@ std::string encodePng(const StoredPicture& picture, const PngText& extra, const 
                     picture.rowSamples() * (wide ? 2U : 1U), header.height};
     const auto perMeter = static_cast<png_uint_32>(std::lround(std::clamp(extra.pixelsPerMeter, 0.0, 1e9)));
     if (!writeHeader(writer, header, texts.data(), textCount, perMeter, &out) || !writeRows(writer, rows)) {
-        throw Failure(Blame::file, "Cannot write " + name + ": " + writer.problem.text.data() + "; try a smaller picture.");
+        throw Failure(Blame::file,
+                      "Cannot write " + name + ": " + writer.problem.text.data() + "; try a smaller picture.");
     }
     return out;
 }

@@ -30,7 +30,8 @@ std::uint8_t srgb8FromLinear(float linear)
     // The linear values halfway between two codes: a search among them is ten times faster than pow.
     static const std::array<double, 255> halfway = [] {
         std::array<double, 255> table{};
-        for (std::size_t i = 0; i < table.size(); ++i) table.at(i) = linearFromSrgb((static_cast<double>(i) + 0.5) / 255);
+        for (std::size_t i = 0; i < table.size(); ++i)
+            table.at(i) = linearFromSrgb((static_cast<double>(i) + 0.5) / 255);
         return table;
     }();
     const double x = unit(linear);

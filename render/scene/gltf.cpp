@@ -51,8 +51,8 @@ bool readWholeFile(std::vector<unsigned char>* out, std::string* error, const st
 }
 
 /// Keeps the packed bytes; nothing is decoded here.
-bool keepImage(tinygltf::Image* image, const int /*index*/, std::string* error, std::string* /*warning*/, int /*width*/, int /*height*/,
-               const unsigned char* bytes, int size, void* context)
+bool keepImage(tinygltf::Image* image, const int /*index*/, std::string* error, std::string* /*warning*/, int /*width*/,
+               int /*height*/, const unsigned char* bytes, int size, void* context)
 {
     // tinygltf does not check where a buffer view lies: those bytes are taken after validation.
     if (image->bufferView >= 0) return true;
@@ -78,8 +78,10 @@ tinygltf::Model parse(const std::string& bytes, const std::string& name, Sources
     const auto size = static_cast<unsigned int>(bytes.size());  // At most limits.fileBytes, below 2^32.
     bool good = false;
     try {
-        good = isGlb(bytes) ? loader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()), size, "")
-                            : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
+        good = isGlb(bytes)
+                   ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                                 reinterpret_cast<const unsigned char*>(bytes.data()), size, "")
+                   : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
     } catch (const std::exception& e) {
         good = false;
         error = e.what();
@@ -89,14 +91,16 @@ tinygltf::Model parse(const std::string& bytes, const std::string& name, Sources
     }
     if (!good) {
         while (!error.empty() && (error.back() == '\n' || error.back() == '.')) error.pop_back();
-        throw Failure(Blame::file, "Cannot read " + name + ": " + (error.empty() ? "it is not glTF" : error) + "; export it again.");
+        throw Failure(Blame::file,
+                      "Cannot read " + name + ": " + (error.empty() ? "it is not glTF" : error) + "; export it again.");
     }
     return model;
 }
 
 }  // namespace
 
-Model parseGltf(const std::string& bytes, const std::filesystem::path& path, const GltfLimits& limits, const std::function<bool()>& cancelled)
+Model parseGltf(const std::string& bytes, const std::filesystem::path& path, const GltfLimits& limits,
+                const std::function<bool()>& cancelled)
 {
     const std::string name = path.string();
     if (bytes.size() > std::min<std::uint64_t>(limits.fileBytes, 0x7FFFFFFF)) {

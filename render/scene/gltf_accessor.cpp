@@ -52,7 +52,8 @@ const unsigned char* dataAt(const tinygltf::Model& model, int view, std::size_t 
 
 std::size_t componentsOf(const tinygltf::Accessor& accessor)
 {
-    return static_cast<std::size_t>(std::max(0, tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type))));
+    return static_cast<std::size_t>(
+        std::max(0, tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type))));
 }
 
 std::vector<float> floatsOf(const Elements& from, int componentType, bool normalized)
@@ -83,21 +84,26 @@ std::vector<std::uint32_t> integersOf(const Elements& from, int componentType)
 Elements elementsOf(const tinygltf::Model& model, const tinygltf::Accessor& accessor)
 {
     const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-    const std::size_t stride = view.byteStride != 0 ? view.byteStride : static_cast<std::size_t>(elementBytes(accessor));
+    const std::size_t stride =
+        view.byteStride != 0 ? view.byteStride : static_cast<std::size_t>(elementBytes(accessor));
     return {dataAt(model, accessor.bufferView, accessor.byteOffset), stride, accessor.count, componentsOf(accessor)};
 }
 
 Elements sparseValuesOf(const tinygltf::Model& model, const tinygltf::Accessor& accessor)
 {
-    return {dataAt(model, accessor.sparse.values.bufferView, static_cast<std::size_t>(accessor.sparse.values.byteOffset)),
-            static_cast<std::size_t>(elementBytes(accessor)), static_cast<std::size_t>(accessor.sparse.count), componentsOf(accessor)};
+    return {
+        dataAt(model, accessor.sparse.values.bufferView, static_cast<std::size_t>(accessor.sparse.values.byteOffset)),
+        static_cast<std::size_t>(elementBytes(accessor)), static_cast<std::size_t>(accessor.sparse.count),
+        componentsOf(accessor)};
 }
 
 /// Reads the plain values with `read`, or zeros where there is no view, then replaces the sparse ones.
 template <typename Sample, typename Read>
-std::vector<Sample> withSparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor, std::size_t components, const Read& read)
+std::vector<Sample> withSparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor, std::size_t components,
+                               const Read& read)
 {
-    std::vector<Sample> out = accessor.bufferView >= 0 ? read(elementsOf(model, accessor)) : std::vector<Sample>(accessor.count * components);
+    std::vector<Sample> out =
+        accessor.bufferView >= 0 ? read(elementsOf(model, accessor)) : std::vector<Sample>(accessor.count * components);
     if (!accessor.sparse.isSparse) return out;
     const std::vector<std::uint32_t> positions = readSparsePositions(model, accessor);
     const std::vector<Sample> values = read(sparseValuesOf(model, accessor));
@@ -112,7 +118,9 @@ std::vector<Sample> withSparse(const tinygltf::Model& model, const tinygltf::Acc
 
 std::uint64_t elementBytes(const tinygltf::Accessor& accessor)
 {
-    if (accessor.componentType == TINYGLTF_COMPONENT_TYPE_INT || accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE) return 0;
+    if (accessor.componentType == TINYGLTF_COMPONENT_TYPE_INT ||
+        accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE)
+        return 0;
     const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
     return size > 0 ? static_cast<std::uint64_t>(size) * componentsOf(accessor) : 0;
 }
@@ -137,8 +145,8 @@ std::vector<float> readFloats(const tinygltf::Model& model, int index)
 std::vector<std::uint32_t> readIndices(const tinygltf::Model& model, int index)
 {
     const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
-    return withSparse<std::uint32_t>(model, accessor, 1,
-                                     [&](const Elements& elements) { return integersOf(elements, accessor.componentType); });
+    return withSparse<std::uint32_t>(
+        model, accessor, 1, [&](const Elements& elements) { return integersOf(elements, accessor.componentType); });
 }
 
 }  // namespace vitrine::render

@@ -50,8 +50,9 @@ std::vector<std::uint32_t> triangulated(std::vector<std::uint32_t> in, int mode)
     for (std::size_t i = 0; i + 2 < in.size(); ++i) {
         const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP;
         const bool odd = i % 2 == 1;
-        const std::array<std::size_t, 3> corner = strip ? std::array<std::size_t, 3>{i, i + (odd ? 2U : 1U), i + (odd ? 1U : 2U)}
-                                                        : std::array<std::size_t, 3>{i + 1, i + 2, 0};
+        const std::array<std::size_t, 3> corner =
+            strip ? std::array<std::size_t, 3>{i, i + (odd ? 2U : 1U), i + (odd ? 1U : 2U)}
+                  : std::array<std::size_t, 3>{i + 1, i + 2, 0};
         for (const std::size_t c : corner) out.push_back(in[c]);
     }
     return out;
@@ -59,7 +60,8 @@ std::vector<std::uint32_t> triangulated(std::vector<std::uint32_t> in, int mode)
 
 class Converter {
 public:
-    Converter(const tinygltf::Model& gltf, const JsonDocument& document, const GltfLimits& limits, const std::function<bool()>& cancelled)
+    Converter(const tinygltf::Model& gltf, const JsonDocument& document, const GltfLimits& limits,
+              const std::function<bool()>& cancelled)
         : gltf_(gltf), document_(document), cancelled_(cancelled), warnings_(out_.warnings),
           materials_(gltf, document, limits, cancelled, warnings_)
     {
@@ -81,10 +83,12 @@ public:
             const tinygltf::Node& node = gltf_.nodes[static_cast<std::size_t>(visit.node)];
             const glm::dmat4 modelFromNode = visit.modelFromParent * transformOf(node);
             if (!isFinite(modelFromNode)) {
-                throw document_.failure("nodes[" + std::to_string(visit.node) + "]", "its place overflows; export the file again.");
+                throw document_.failure("nodes[" + std::to_string(visit.node) + "]",
+                                        "its place overflows; export the file again.");
             }
             add(node, modelFromNode);
-            for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) open.push_back({*child, modelFromNode});
+            for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+                open.push_back({*child, modelFromNode});
         }
         return std::move(out_);
     }
@@ -93,7 +97,8 @@ private:
     std::vector<int> rootNodes() const
     {
         if (!gltf_.scenes.empty()) {
-            const std::vector<int>& listed = gltf_.scenes[static_cast<std::size_t>(std::max(gltf_.defaultScene, 0))].nodes;
+            const std::vector<int>& listed =
+                gltf_.scenes[static_cast<std::size_t>(std::max(gltf_.defaultScene, 0))].nodes;
             return listed;
         }
         std::vector<bool> isChild(gltf_.nodes.size(), false);
@@ -153,8 +158,8 @@ private:
         return meshes_[key] = convertPrimitive(source.primitives[p], source.name, path, material);
     }
 
-    std::shared_ptr<const Mesh> convertPrimitive(const tinygltf::Primitive& primitive, const std::string& name, const std::string& path,
-                                                 const Material& material)
+    std::shared_ptr<const Mesh> convertPrimitive(const tinygltf::Primitive& primitive, const std::string& name,
+                                                 const std::string& path, const Material& material)
     {
         const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
         if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -166,7 +171,8 @@ private:
             warnings_.add("Mesh " + name + " has a part without positions, which was left out.");
             return nullptr;
         }
-        if (!primitive.targets.empty()) warnings_.add("Morph targets are not supported; mesh " + name + " keeps its first shape.");
+        if (!primitive.targets.empty())
+            warnings_.add("Morph targets are not supported; mesh " + name + " keeps its first shape.");
 
         auto mesh = std::make_shared<Mesh>();
         mesh->name = name;
@@ -186,7 +192,8 @@ private:
         mesh->indices = triangulated(std::move(mesh->indices), mode);
         if (mesh->indices.empty()) return nullptr;
         if (!hasNormals) makeFlatNormals(*mesh);
-        if (material.normalMap && !hasUv) warnings_.add("Mesh " + name + " has a normal map but no texture coordinates.");
+        if (material.normalMap && !hasUv)
+            warnings_.add("Mesh " + name + " has a normal map but no texture coordinates.");
         if (material.normalMap && hasUv && (!hasTangents || !hasNormals)) makeTangents(*mesh);
         for (const Vertex& vertex : mesh->vertices) mesh->bounds.include(glm::dvec3(vertex.position));
         return mesh;
@@ -196,28 +203,33 @@ private:
     {
         constexpr std::array<std::pair<const char*, int>, 5> known = {
             {{"POSITION", 3}, {"NORMAL", 3}, {"TANGENT", 4}, {"TEXCOORD_0", 2}, {"TEXCOORD_1", 2}}};
-        const auto entry = std::find_if(known.begin(), known.end(), [&](const auto& k) { return attribute == k.first; });
+        const auto entry =
+            std::find_if(known.begin(), known.end(), [&](const auto& k) { return attribute == k.first; });
         if (entry == known.end()) {
             const bool ofSkin = attribute.starts_with("JOINTS_") || attribute.starts_with("WEIGHTS_");
             if (!ofSkin) warnings_.add("The vertex attribute " + attribute + " is not supported and was ignored.");
             return;
         }
         const auto components = static_cast<std::size_t>(entry->second);
-        if (tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(gltf_.accessors[static_cast<std::size_t>(accessor)].type)) != entry->second) {
-            throw document_.failure(path, "this must have " + std::to_string(components) + " components; export the file again.");
+        if (tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(
+                gltf_.accessors[static_cast<std::size_t>(accessor)].type)) != entry->second) {
+            throw document_.failure(path, "this must have " + std::to_string(components) +
+                                              " components; export the file again.");
         }
         const std::vector<float> values = readFloats(gltf_, accessor);
         if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); })) {
             throw document_.failure(path, "one of its values is not a finite number; export the file again.");
         }
-        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) store(mesh.vertices[i], attribute, values.data() + i * components);
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+            store(mesh.vertices[i], attribute, values.data() + i * components);
     }
 
     static void store(Vertex& vertex, const std::string& attribute, const float* x)
     {
         if (attribute == "POSITION") vertex.position = glm::make_vec3(x);
         else if (attribute == "NORMAL") vertex.normal = unit(glm::make_vec3(x), glm::vec3(0, 1, 0));
-        else if (attribute == "TANGENT") vertex.tangent = glm::vec4(unit(glm::make_vec3(x), glm::vec3(1, 0, 0)), x[3] < 0 ? -1.0F : 1.0F);
+        else if (attribute == "TANGENT")
+            vertex.tangent = glm::vec4(unit(glm::make_vec3(x), glm::vec3(1, 0, 0)), x[3] < 0 ? -1.0F : 1.0F);
         else if (attribute == "TEXCOORD_0") vertex.uv = glm::make_vec2(x);
         else vertex.lightmapUv = glm::make_vec2(x);
     }
@@ -241,7 +253,8 @@ private:
 
 }  // namespace
 
-Model convertGltf(const tinygltf::Model& gltf, const JsonDocument& document, const GltfLimits& limits, const std::function<bool()>& cancelled)
+Model convertGltf(const tinygltf::Model& gltf, const JsonDocument& document, const GltfLimits& limits,
+                  const std::function<bool()>& cancelled)
 {
     return Converter(gltf, document, limits, cancelled).convert();
 }

@@ -7,6 +7,7 @@
 namespace vitrine::render {
 
 /// Turns a validated file into a Model, as `loadGltf` says. Throws Failure.
-[[nodiscard]] Model convertGltf(const tinygltf::Model&, const JsonDocument&, const GltfLimits&, const std::function<bool()>& cancelled);
+[[nodiscard]] Model convertGltf(const tinygltf::Model&, const JsonDocument&, const GltfLimits&,
+                                const std::function<bool()>& cancelled);
 
 }  // namespace vitrine::render

@@ -69,7 +69,8 @@ std::uint64_t wholeNumber(const JsonDocument& document, const char* array, std::
                           std::optional<std::uint64_t> absent)
 {
     const Json& object = arrayAt(document, array)[i];
-    if (!object.is_object()) throw document.failure(element(array, i, ""), "this must be an object; export the file again.");
+    if (!object.is_object())
+        throw document.failure(element(array, i, ""), "this must be an object; export the file again.");
     const auto at = object.find(key);
     if (at == object.end() && absent) return *absent;
     if (at == object.end() || !at->is_number_unsigned()) {
@@ -96,8 +97,9 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
         if (length < 1) throw document.failure(element("buffers", i, "byteLength"), "a buffer cannot be empty.");
         // One at a time: the sum of two numbers below 2^31 cannot overflow.
         if (length > limits.bufferBytes || (total += length) > limits.bufferBytes) {
-            throw document.failure(element("buffers", i, "byteLength"),
-                                   "the buffers together are larger than " + std::to_string(limits.bufferBytes) + " bytes; simplify the model.");
+            throw document.failure(element("buffers", i, "byteLength"), "the buffers together are larger than " +
+                                                                            std::to_string(limits.bufferBytes) +
+                                                                            " bytes; simplify the model.");
         }
         lengths.push_back(length);
     }
@@ -105,7 +107,8 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
         const std::uint64_t buffer = wholeNumber(document, "bufferViews", i, "buffer", std::nullopt);
         const std::uint64_t offset = wholeNumber(document, "bufferViews", i, "byteOffset", 0);
         const std::uint64_t length = wholeNumber(document, "bufferViews", i, "byteLength", std::nullopt);
-        if (buffer >= lengths.size()) throw document.failure(element("bufferViews", i, "buffer"), "there is no such buffer.");
+        if (buffer >= lengths.size())
+            throw document.failure(element("bufferViews", i, "buffer"), "there is no such buffer.");
         if (length < 1) throw document.failure(element("bufferViews", i, "byteLength"), "a view cannot be empty.");
         if (offset > lengths[buffer] || length > lengths[buffer] - offset) {
             throw document.failure(element("bufferViews", i, "byteLength"), "this view reaches beyond its buffer.");
@@ -141,15 +144,18 @@ void checkReferences(const JsonDocument& document, const char* array)
 {
     for (std::size_t i = 0; i < arrayAt(document, array).size(); ++i) {
         const Json& object = arrayAt(document, array)[i];
-        if (!object.is_object()) throw document.failure(element(array, i, ""), "this must be an object; export the file again.");
+        if (!object.is_object())
+            throw document.failure(element(array, i, ""), "this must be an object; export the file again.");
         const auto uri = object.find("uri");
         if (uri == object.end()) continue;
-        if (!uri->is_string()) throw document.failure(element(array, i, "uri"), "this must be text; export the file again.");
+        if (!uri->is_string())
+            throw document.failure(element(array, i, "uri"), "this must be text; export the file again.");
         const auto& text = uri->get_ref<const std::string&>();
         if (text.starts_with("data:")) continue;
         if (const std::string why = whyRefused(percentDecoded(text)); !why.empty()) {
-            throw document.failure(element(array, i, "uri"), "this reference is refused because " + why +
-                                                                 "; put the file beside the model and name it relatively.");
+            throw document.failure(element(array, i, "uri"),
+                                   "this reference is refused because " + why +
+                                       "; put the file beside the model and name it relatively.");
         }
     }
 }
@@ -163,7 +169,8 @@ void checkExtensions(const JsonDocument& document)
         const std::string name = required[i].is_string() ? required[i].get<std::string>() : "?";
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             throw document.failure(element("extensionsRequired", i, ""),
-                                   "the file cannot be shown without " + name + ", which is not supported; export it without that.");
+                                   "the file cannot be shown without " + name +
+                                       ", which is not supported; export it without that.");
         }
     }
 }
@@ -177,7 +184,8 @@ void checkStrings(const JsonDocument& document, const Json& json, const std::str
         }
     } else if (json.is_object()) {
         for (const auto& [key, value] : json.items()) {
-            if (key.size() > most) throw document.failure(path, "one of its keys is longer than " + std::to_string(most) + " bytes.");
+            if (key.size() > most)
+                throw document.failure(path, "one of its keys is longer than " + std::to_string(most) + " bytes.");
             std::string next = path;
             if (!next.empty()) next += '.';
             checkStrings(document, value, next += key, most);

@@ -74,14 +74,16 @@ Material GltfMaterials::convert(const tinygltf::Material& m)
     out.occlusionStrength = unit(m.occlusionTexture.strength);
     if (m.emissiveFactor.size() == 3) {
         const auto strength = static_cast<float>(emissiveStrength(m));
-        out.emissive = strength * glm::vec3(unit(m.emissiveFactor[0]), unit(m.emissiveFactor[1]), unit(m.emissiveFactor[2]));
+        out.emissive =
+            strength * glm::vec3(unit(m.emissiveFactor[0]), unit(m.emissiveFactor[1]), unit(m.emissiveFactor[2]));
     }
     out.alphaMode = alphaModeOf(m.alphaMode);
     out.alphaCutoff = unit(m.alphaCutoff);
     out.doubleSided = m.doubleSided;
     const std::string user = "material " + (m.name.empty() ? std::string("without a name") : m.name);
     out.baseColorMap = texture(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord, Content::color, user);
-    out.metallicRoughnessMap = texture(pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord, Content::data, user);
+    out.metallicRoughnessMap =
+        texture(pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord, Content::data, user);
     out.normalMap = texture(m.normalTexture.index, m.normalTexture.texCoord, Content::data, user);
     out.occlusionMap = texture(m.occlusionTexture.index, m.occlusionTexture.texCoord, Content::data, user);
     out.emissiveMap = texture(m.emissiveTexture.index, m.emissiveTexture.texCoord, Content::color, user);
@@ -91,7 +93,8 @@ Material GltfMaterials::convert(const tinygltf::Material& m)
 std::shared_ptr<const Texture> GltfMaterials::texture(int index, int texCoord, Content content, const std::string& user)
 {
     if (index < 0) return nullptr;
-    if (texCoord != 0) warnings_.add("A picture of " + user + " uses the second texture coordinates; the first are used.");
+    if (texCoord != 0)
+        warnings_.add("A picture of " + user + " uses the second texture coordinates; the first are used.");
     const tinygltf::Texture& t = model_.textures[static_cast<std::size_t>(index)];
     if (t.source < 0) {
         warnings_.add("A texture of " + user + " has no picture of a known kind and is left out.");
@@ -102,8 +105,10 @@ std::shared_ptr<const Texture> GltfMaterials::texture(int index, int texCoord, C
     if (t.sampler >= 0) {
         const tinygltf::Sampler& s = model_.samplers[static_cast<std::size_t>(t.sampler)];
         repeat = s.wrapS != TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
-        if (s.wrapS != s.wrapT) warnings_.add("A texture of " + user + " wraps differently along u and v; both wrap as u does.");
-        if (s.wrapS == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) warnings_.add("Mirrored repeat is not supported; textures repeat.");
+        if (s.wrapS != s.wrapT)
+            warnings_.add("A texture of " + user + " wraps differently along u and v; both wrap as u does.");
+        if (s.wrapS == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT)
+            warnings_.add("Mirrored repeat is not supported; textures repeat.");
         mipmaps = s.minFilter != TINYGLTF_TEXTURE_FILTER_NEAREST && s.minFilter != TINYGLTF_TEXTURE_FILTER_LINEAR;
     }
     const TextureKey key{t.source, content, repeat, mipmaps};
@@ -125,7 +130,9 @@ std::shared_ptr<const Texture> GltfMaterials::picture(const TextureKey& key)
     const auto& [index, content, repeat, mipmaps] = key;
     if (cancelled_ && cancelled_()) throw document_.failure({}, "loading was cancelled.");
     const tinygltf::Image& image = model_.images[static_cast<std::size_t>(index)];
-    const std::string shown = "picture " + named(image.uri.empty() ? image.name : image.uri, static_cast<std::size_t>(index)) + " of " + document_.name();
+    const std::string shown = "picture " +
+                              named(image.uri.empty() ? image.name : image.uri, static_cast<std::size_t>(index)) +
+                              " of " + document_.name();
     const std::string_view bytes = bytesOf(image);
     if (bytes.empty()) {
         warnings_.add("The " + shown + " is missing and is left out.");
@@ -133,9 +140,11 @@ std::shared_ptr<const Texture> GltfMaterials::picture(const TextureKey& key)
     }
     try {
         ImageLimits limits;
-        limits.decodedBytes = limits_.textureBytes - textureBytes_;  // The budget is counted before anything is unpacked.
+        limits.decodedBytes =
+            limits_.textureBytes - textureBytes_;  // The budget is counted before anything is unpacked.
         auto texture = textureFromBytes(bytes, shown, content == Content::color, repeat, mipmaps, limits);
-        textureBytes_ += std::min<std::uint64_t>(texture->bytes.size() + 4 * texture->floats.size(), limits.decodedBytes);
+        textureBytes_ +=
+            std::min<std::uint64_t>(texture->bytes.size() + 4 * texture->floats.size(), limits.decodedBytes);
         return texture;
     } catch (const Failure& failure) {
         warnings_.add("It is left out: " + std::string(failure.what()));

@@ -25,7 +25,8 @@ private:
 /// The materials and pictures of a validated file, each converted once.
 class GltfMaterials {
 public:
-    GltfMaterials(const tinygltf::Model&, const JsonDocument&, const GltfLimits&, const std::function<bool()>& cancelled, Warnings&);
+    GltfMaterials(const tinygltf::Model&, const JsonDocument&, const GltfLimits&,
+                  const std::function<bool()>& cancelled, Warnings&);
 
     /// Material `i`, or glTF's default material for -1.
     [[nodiscard]] std::shared_ptr<const Material> material(int i);

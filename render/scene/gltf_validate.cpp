@@ -41,7 +41,8 @@ public:
         const std::vector<bool> hasParent = parents();
         tree(hasParent);
         optionalIndex(model_.defaultScene, model_.scenes.size(), "scene");
-        for (std::size_t i = 0; i < model_.scenes.size(); ++i) scene(model_.scenes[i], at("scenes", i, ".nodes"), hasParent);
+        for (std::size_t i = 0; i < model_.scenes.size(); ++i)
+            scene(model_.scenes[i], at("scenes", i, ".nodes"), hasParent);
     }
 
 private:
@@ -51,7 +52,8 @@ private:
     }
     void index(int i, std::size_t size, const std::string& path) const
     {
-        if (i < 0 || static_cast<std::size_t>(i) >= size) fail(path, std::to_string(i) + " names nothing: there are " + std::to_string(size));
+        if (i < 0 || static_cast<std::size_t>(i) >= size)
+            fail(path, std::to_string(i) + " names nothing: there are " + std::to_string(size));
     }
     void optionalIndex(int i, std::size_t size, const std::string& path) const
     {
@@ -71,9 +73,10 @@ private:
     {
         const std::uint64_t length = model_.bufferViews[static_cast<std::size_t>(view)].byteLength;
         std::uint64_t end = 0;
-        const bool overflow = __builtin_mul_overflow(stride, count - 1, &end) || __builtin_add_overflow(end, offset, &end) ||
-                              __builtin_add_overflow(end, size, &end);
-        if (overflow || end > length) fail(path, "its elements reach beyond the buffer view, which has " + std::to_string(length) + " bytes");
+        const bool overflow = __builtin_mul_overflow(stride, count - 1, &end) ||
+                              __builtin_add_overflow(end, offset, &end) || __builtin_add_overflow(end, size, &end);
+        if (overflow || end > length)
+            fail(path, "its elements reach beyond the buffer view, which has " + std::to_string(length) + " bytes");
     }
 
     void view(std::size_t i) const
@@ -82,7 +85,8 @@ private:
         index(v.buffer, model_.buffers.size(), at("bufferViews", i, ".buffer"));
         const std::uint64_t size = model_.buffers[static_cast<std::size_t>(v.buffer)].data.size();
         if (v.byteLength < 1 || v.byteOffset > size || v.byteLength > size - v.byteOffset) {
-            fail(at("bufferViews", i, ".byteLength"), "this view reaches beyond its buffer, which has " + std::to_string(size) + " bytes");
+            fail(at("bufferViews", i, ".byteLength"),
+                 "this view reaches beyond its buffer, which has " + std::to_string(size) + " bytes");
         }
         if (v.byteStride != 0 && (v.byteStride < 4 || v.byteStride > 252)) {
             fail(at("bufferViews", i, ".byteStride"), "a stride must be 4 to 252");
@@ -100,8 +104,10 @@ private:
         optionalIndex(a.bufferView, model_.bufferViews.size(), at("accessors", i, ".bufferView"));
         if (a.bufferView >= 0) {
             const std::uint64_t stride = model_.bufferViews[static_cast<std::size_t>(a.bufferView)].byteStride;
-            if (stride != 0 && stride < size) fail(at("accessors", i, ".bufferView"), "its stride is smaller than an element");
-            inside(a.bufferView, a.byteOffset, stride != 0 ? stride : size, a.count, size, at("accessors", i, ".count"));
+            if (stride != 0 && stride < size)
+                fail(at("accessors", i, ".bufferView"), "its stride is smaller than an element");
+            inside(a.bufferView, a.byteOffset, stride != 0 ? stride : size, a.count, size,
+                   at("accessors", i, ".count"));
         }
         if (a.sparse.isSparse) sparse(i, a, size);
     }
@@ -110,7 +116,8 @@ private:
     {
         const std::string path = at("accessors", i, ".sparse");
         const auto& s = a.sparse;
-        if (s.count < 1 || static_cast<std::size_t>(s.count) > a.count) fail(path + ".count", "this must be 1 to the accessor's count");
+        if (s.count < 1 || static_cast<std::size_t>(s.count) > a.count)
+            fail(path + ".count", "this must be 1 to the accessor's count");
         const int type = s.indices.componentType;
         if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
             type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
@@ -121,12 +128,16 @@ private:
         if (s.indices.byteOffset < 0) fail(path + ".indices.byteOffset", "this must not be negative");
         if (s.values.byteOffset < 0) fail(path + ".values.byteOffset", "this must not be negative");
         const auto count = static_cast<std::uint64_t>(s.count);
-        const auto indexBytes = static_cast<std::uint64_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
-        inside(s.indices.bufferView, static_cast<std::uint64_t>(s.indices.byteOffset), indexBytes, count, indexBytes, path + ".indices");
-        inside(s.values.bufferView, static_cast<std::uint64_t>(s.values.byteOffset), size, count, size, path + ".values");
+        const auto indexBytes =
+            static_cast<std::uint64_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
+        inside(s.indices.bufferView, static_cast<std::uint64_t>(s.indices.byteOffset), indexBytes, count, indexBytes,
+               path + ".indices");
+        inside(s.values.bufferView, static_cast<std::uint64_t>(s.values.byteOffset), size, count, size,
+               path + ".values");
         std::int64_t last = -1;
         for (const std::uint32_t position : readSparsePositions(model_, a)) {
-            if (position <= last || position >= a.count) fail(path + ".indices", "these must rise and stay below the accessor's count");
+            if (position <= last || position >= a.count)
+                fail(path + ".indices", "these must rise and stay below the accessor's count");
             last = position;
         }
     }
@@ -136,7 +147,8 @@ private:
         const tinygltf::Material& m = model_.materials[i];
         const auto& pbr = m.pbrMetallicRoughness;
         const std::size_t textures = model_.textures.size();
-        optionalIndex(pbr.baseColorTexture.index, textures, at("materials", i, ".pbrMetallicRoughness.baseColorTexture.index"));
+        optionalIndex(pbr.baseColorTexture.index, textures,
+                      at("materials", i, ".pbrMetallicRoughness.baseColorTexture.index"));
         optionalIndex(pbr.metallicRoughnessTexture.index, textures,
                       at("materials", i, ".pbrMetallicRoughness.metallicRoughnessTexture.index"));
         optionalIndex(m.normalTexture.index, textures, at("materials", i, ".normalTexture.index"));
@@ -144,14 +156,16 @@ private:
         optionalIndex(m.emissiveTexture.index, textures, at("materials", i, ".emissiveTexture.index"));
         finite(pbr.baseColorFactor, 4, at("materials", i, ".pbrMetallicRoughness.baseColorFactor"));
         finite(m.emissiveFactor, 3, at("materials", i, ".emissiveFactor"));
-        finite({pbr.metallicFactor, pbr.roughnessFactor, m.alphaCutoff, m.normalTexture.scale, m.occlusionTexture.strength}, 5,
-               at("materials", i));
+        finite({pbr.metallicFactor, pbr.roughnessFactor, m.alphaCutoff, m.normalTexture.scale,
+                m.occlusionTexture.strength},
+               5, at("materials", i));
     }
 
     void mesh(std::size_t i)
     {
         for (std::size_t p = 0; p < model_.meshes[i].primitives.size(); ++p) {
-            if (++primitives_ > limits_.primitives) fail(at("meshes", i), "there are more than " + std::to_string(limits_.primitives) + " primitives");
+            if (++primitives_ > limits_.primitives)
+                fail(at("meshes", i), "there are more than " + std::to_string(limits_.primitives) + " primitives");
             primitive(model_.meshes[i].primitives[p], at("meshes", i, at(".primitives", p)));
         }
     }
@@ -164,12 +178,24 @@ private:
         for (const auto& [name, accessor] : p.attributes) {
             index(accessor, model_.accessors.size(), path + ".attributes." + name);
             const std::size_t count = model_.accessors[static_cast<std::size_t>(accessor)].count;
-            if (vertices != 0 && count != vertices) fail(path + ".attributes." + name, "its count differs from that of other attributes");
+            if (vertices != 0 && count != vertices)
+                fail(path + ".attributes." + name, "its count differs from that of other attributes");
             vertices = count;
         }
         // Counted per use: many primitives may share one accessor, each would get vertices of its own.
-        if ((vertices_ += vertices) > limits_.vertices) fail(path, "there are more than " + std::to_string(limits_.vertices) + " vertices");
+        if ((vertices_ += verticesMade(p, vertices)) > limits_.vertices) {
+            fail(path, "there are more than " + std::to_string(limits_.vertices) + " vertices");
+        }
         if (p.indices >= 0) indices(p.indices, vertices, path + ".indices");
+    }
+
+    /// Flat normals give each triangle three vertices of its own, and strips and fans name each up to three times.
+    std::uint64_t verticesMade(const tinygltf::Primitive& p, std::uint64_t vertices) const
+    {
+        if (p.attributes.contains("NORMAL")) return vertices;
+        const std::uint64_t corners =
+            p.indices >= 0 ? model_.accessors[static_cast<std::size_t>(p.indices)].count : vertices;
+        return std::max(vertices, p.mode > TINYGLTF_MODE_TRIANGLES ? 3 * corners : corners);
     }
 
     void indices(int accessor, std::size_t vertices, const std::string& path)
@@ -179,7 +205,8 @@ private:
                                 a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
                                 a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
         if (a.type != TINYGLTF_TYPE_SCALAR || !isUnsigned) fail(path, "indices must be unsigned integers");
-        if ((indices_ += a.count) > limits_.indices) fail(path, "there are more than " + std::to_string(limits_.indices) + " indices");
+        if ((indices_ += a.count) > limits_.indices)
+            fail(path, "there are more than " + std::to_string(limits_.indices) + " indices");
         const std::vector<std::uint32_t> values = readIndices(model_, accessor);
         if (*std::max_element(values.begin(), values.end()) >= vertices) {
             fail(path, "one of them names a vertex beyond the " + std::to_string(vertices) + " that there are");
@@ -204,7 +231,8 @@ private:
         for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
             for (const int child : model_.nodes[i].children) {
                 const auto c = static_cast<std::size_t>(child);
-                if (hasParent[c]) fail(at("nodes", i, ".children"), "node " + std::to_string(child) + " has two parents");
+                if (hasParent[c])
+                    fail(at("nodes", i, ".children"), "node " + std::to_string(child) + " has two parents");
                 hasParent[c] = true;
             }
         }
@@ -229,9 +257,11 @@ private:
             open.pop_back();
             ++reached;
             if (place.depth > limits_.nodeDepth) {
-                fail(at("nodes", place.node), "nodes are nested more than " + std::to_string(limits_.nodeDepth) + " deep");
+                fail(at("nodes", place.node),
+                     "nodes are nested more than " + std::to_string(limits_.nodeDepth) + " deep");
             }
-            for (const int child : model_.nodes[place.node].children) open.push_back({static_cast<std::size_t>(child), place.depth + 1});
+            for (const int child : model_.nodes[place.node].children)
+                open.push_back({static_cast<std::size_t>(child), place.depth + 1});
         }
         if (reached != model_.nodes.size()) fail("nodes", "some nodes are their own ancestors");
     }

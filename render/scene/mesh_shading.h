@@ -8,9 +8,9 @@ namespace vitrine::render {
 void makeFlatNormals(Mesh&);
 
 /// Tangents along +u from normals and texture coordinates, orthogonal to the normal; w is the sign
-/// that makes cross(normal, tangent) * w point up in the picture (along -v, glTF's convention). Each vertex sums the tangents of its triangles, weighted by area; where texture coordinates
-/// say nothing it gets any tangent. Charts mirrored across a shared vertex cancel there: such meshes should
-/// bring their own tangents.
+/// that makes cross(normal, tangent) * w point up in the picture (along -v, glTF's convention). Each vertex sums the
+/// tangents of its triangles, weighted by area; where texture coordinates say nothing it gets any tangent. Charts
+/// mirrored across a shared vertex cancel there: such meshes should bring their own tangents.
 void makeTangents(Mesh&);
 
 }  // namespace vitrine::render

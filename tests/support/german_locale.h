@@ -14,7 +14,8 @@ public:
     GermanLocale()
     {
         if (set()) return;
-        const std::string command = "localedef -i de_DE -f UTF-8 " + (folder_ / "de_DE.UTF-8").string() + " >/dev/null 2>&1";
+        const std::string command =
+            "localedef -i de_DE -f UTF-8 " + (folder_ / "de_DE.UTF-8").string() + " >/dev/null 2>&1";
         if (std::system(command.c_str()) != 0) return;
         ::setenv("LOCPATH", folder_.path().c_str(), 1);
         set();

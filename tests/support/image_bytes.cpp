@@ -65,13 +65,15 @@ std::string pngChunk(const std::string& type, const std::string& data)
 
 std::string pngClaiming(std::uint32_t width, std::uint32_t height, int bits, int colorType, const std::string& idat)
 {
-    const std::string header = bigEndian32(width) + bigEndian32(height) + static_cast<char>(bits) + static_cast<char>(colorType) + std::string(3, '\0');
+    const std::string header = bigEndian32(width) + bigEndian32(height) + static_cast<char>(bits) +
+                               static_cast<char>(colorType) + std::string(3, '\0');
     return "\x89PNG\r\n\x1a\n" + pngChunk("IHDR", header) + pngChunk("IDAT", idat) + pngChunk("IEND", "");
 }
 
 std::string hdrClaiming(std::uint32_t width, std::uint32_t height, const std::string& rgbe)
 {
-    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n" + rgbe;
+    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " + std::to_string(width) +
+           "\n" + rgbe;
 }
 
 std::string tiffClaiming(std::uint32_t width, std::uint32_t height, std::uint32_t channels, const std::string& pixels)
@@ -81,15 +83,23 @@ std::string tiffClaiming(std::uint32_t width, std::uint32_t height, std::uint32_
     };
     constexpr std::uint32_t isShort = 3;
     constexpr std::uint32_t isLong = 4;
-    const std::vector<Tag> tags = {
-        {256, isLong, 1, width}, {257, isLong, 1, height}, {258, isShort, 1, 8}, {259, isShort, 1, 1}, {262, isShort, 1, channels == 1 ? 1U : 2U},
-        {273, isLong, 1, 8}, {277, isShort, 1, channels}, {278, isLong, 1, height}, {279, isLong, 1, static_cast<std::uint32_t>(pixels.size())}};
+    const std::vector<Tag> tags = {{256, isLong, 1, width},
+                                   {257, isLong, 1, height},
+                                   {258, isShort, 1, 8},
+                                   {259, isShort, 1, 1},
+                                   {262, isShort, 1, channels == 1 ? 1U : 2U},
+                                   {273, isLong, 1, 8},
+                                   {277, isShort, 1, channels},
+                                   {278, isLong, 1, height},
+                                   {279, isLong, 1, static_cast<std::uint32_t>(pixels.size())}};
     std::string padded = pixels;
     if (padded.size() % 2 == 1) padded += '\0';
-    std::string bytes = std::string("II*\0", 4) + littleEndian32(8 + static_cast<std::uint32_t>(padded.size())) + padded;
+    std::string bytes =
+        std::string("II*\0", 4) + littleEndian32(8 + static_cast<std::uint32_t>(padded.size())) + padded;
     bytes += littleEndian16(static_cast<std::uint32_t>(tags.size()));
     for (const Tag& tag : tags) {
-        bytes += littleEndian16(tag.id) + littleEndian16(tag.type) + littleEndian32(tag.count) + littleEndian32(tag.value);
+        bytes +=
+            littleEndian16(tag.id) + littleEndian16(tag.type) + littleEndian32(tag.count) + littleEndian32(tag.value);
     }
     return bytes + littleEndian32(0);
 }
@@ -97,13 +107,18 @@ std::string tiffClaiming(std::uint32_t width, std::uint32_t height, std::uint32_
 std::string tiledExr(std::uint32_t width, std::uint32_t height, std::uint32_t tile)
 {
     const auto real = [](float x) { return littleEndian32(std::bit_cast<std::uint32_t>(x)); };
-    const std::string window = littleEndian32(0) + littleEndian32(0) + littleEndian32(width - 1) + littleEndian32(height - 1);
-    const std::string channel = std::string("Y\0", 2) + littleEndian32(2) + std::string(4, '\0') + littleEndian32(1) + littleEndian32(1) + '\0';
+    const std::string window =
+        littleEndian32(0) + littleEndian32(0) + littleEndian32(width - 1) + littleEndian32(height - 1);
+    const std::string channel =
+        std::string("Y\0", 2) + littleEndian32(2) + std::string(4, '\0') + littleEndian32(1) + littleEndian32(1) + '\0';
     std::string bytes = "\x76\x2f\x31\x01" + littleEndian32(2 | 0x200);
-    bytes += exrAttribute("channels", "chlist", channel) + exrAttribute("compression", "compression", std::string(1, '\0'));
+    bytes +=
+        exrAttribute("channels", "chlist", channel) + exrAttribute("compression", "compression", std::string(1, '\0'));
     bytes += exrAttribute("dataWindow", "box2i", window) + exrAttribute("displayWindow", "box2i", window);
-    bytes += exrAttribute("lineOrder", "lineOrder", std::string(1, '\0')) + exrAttribute("pixelAspectRatio", "float", real(1));
-    bytes += exrAttribute("screenWindowCenter", "v2f", real(0) + real(0)) + exrAttribute("screenWindowWidth", "float", real(1));
+    bytes += exrAttribute("lineOrder", "lineOrder", std::string(1, '\0')) +
+             exrAttribute("pixelAspectRatio", "float", real(1));
+    bytes += exrAttribute("screenWindowCenter", "v2f", real(0) + real(0)) +
+             exrAttribute("screenWindowWidth", "float", real(1));
     bytes += exrAttribute("tiles", "tiledesc", littleEndian32(tile) + littleEndian32(tile) + '\0') + '\0';
 
     const std::uint32_t across = (width + tile - 1) / tile;
@@ -115,7 +130,8 @@ std::string tiledExr(std::uint32_t width, std::uint32_t height, std::uint32_t ti
         for (std::uint32_t tx = 0; tx < across; ++tx) {
             std::string pixels;
             for (std::uint32_t y = ty * tile; y < std::min(height, (ty + 1) * tile); ++y) {
-                for (std::uint32_t x = tx * tile; x < std::min(width, (tx + 1) * tile); ++x) pixels += real(static_cast<float>(x + 100 * y));
+                for (std::uint32_t x = tx * tile; x < std::min(width, (tx + 1) * tile); ++x)
+                    pixels += real(static_cast<float>(x + 100 * y));
             }
             offsets += littleEndian32(static_cast<std::uint32_t>(first + tiles.size())) + littleEndian32(0);
             tiles += littleEndian32(tx) + littleEndian32(ty) + littleEndian32(0) + littleEndian32(0);
@@ -135,7 +151,8 @@ std::string jpegBytes()
         "ZWZnaGlqc3R1dnd4eXqDhIWGh4iJipKTlJWWl5iZmqKjpKWmp6ipqrKztLW2t7i5usLDxMXGx8jJytLT1NXW19jZ2uHi4+Tl5ufo6erx8vP09f"
         "b3+Pn6/8QAHwEAAwEBAQEBAQEBAQAAAAAAAAECAwQFBgcICQoL/8QAtREAAgECBAQDBAcFBAQAAQJ3AAECAxEEBSExBhJBUQdhcRMiMoEIFEKR"
         "obHBCSMzUvAVYnLRChYkNOEl8RcYGRomJygpKjU2Nzg5OkNERUZHSElKU1RVVldYWVpjZGVmZ2hpanN0dXZ3eHl6goOEhYaHiImKkpOUlZaXmJ"
-        "maoqOkpaanqKmqsrO0tba3uLm6wsPExcbHyMnK0tPU1dbX2Nna4uPk5ebn6Onq8vP09fb3+Pn6/9oADAMBAAIRAxEAPwDn6/yvP9sAoA//2Q==");
+        "maoqOkpaanqKmqsrO0tba3uLm6wsPExcbHyMnK0tPU1dbX2Nna4uPk5ebn6Onq8vP09fb3+Pn6/9oADAMBAAIRAxEAPwDn6/yvP9sAoA//"
+        "2Q==");
 }
 
 std::string base64(std::string_view bytes)
@@ -143,8 +160,10 @@ std::string base64(std::string_view bytes)
     std::string out;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         std::uint32_t bits = 0;
-        for (std::size_t k = 0; k < 3; ++k) bits = bits << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k) out += i + k > bytes.size() ? '=' : base64Digits[bits >> (18 - 6 * static_cast<unsigned>(k)) & 63U];
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k)
+            out += i + k > bytes.size() ? '=' : base64Digits[bits >> (18 - 6 * static_cast<unsigned>(k)) & 63U];
     }
     return out;
 }

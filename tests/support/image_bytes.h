@@ -15,13 +15,15 @@ namespace vitrine::test {
 /// A chunk of a PNG file with its checksum.
 [[nodiscard]] std::string pngChunk(const std::string& type, const std::string& data);
 /// A PNG whose header claims this size and whose pixels are `idat`, taken as they are.
-[[nodiscard]] std::string pngClaiming(std::uint32_t width, std::uint32_t height, int bits, int colorType, const std::string& idat);
+[[nodiscard]] std::string pngClaiming(std::uint32_t width, std::uint32_t height, int bits, int colorType,
+                                      const std::string& idat);
 
 /// A Radiance HDR file that claims this size; the pixels are `rgbe`, not run-length encoded.
 [[nodiscard]] std::string hdrClaiming(std::uint32_t width, std::uint32_t height, const std::string& rgbe);
 
 /// A little-endian TIFF that claims this size, with 8-bit samples in one strip.
-[[nodiscard]] std::string tiffClaiming(std::uint32_t width, std::uint32_t height, std::uint32_t channels, const std::string& pixels);
+[[nodiscard]] std::string tiffClaiming(std::uint32_t width, std::uint32_t height, std::uint32_t channels,
+                                       const std::string& pixels);
 
 /// A tiled, uncompressed OpenEXR with one float channel "Y"; pixel (x, y) is x + 100 y.
 [[nodiscard]] std::string tiledExr(std::uint32_t width, std::uint32_t height, std::uint32_t tile);

@@ -59,7 +59,8 @@ private slots:
     {
         // The differential equation is solved exactly, so only rounding may differ.
         const double fine = walked(2, 1.0 / 240, forward());
-        for (const double frame : {1.0 / 120, 1.0 / 60, 1.0 / 17, 0.1, 0.25, 0.5}) QVERIFY(std::abs(walked(2, frame, forward()) - fine) < 1e-9);
+        for (const double frame : {1.0 / 120, 1.0 / 60, 1.0 / 17, 0.1, 0.25, 0.5})
+            QVERIFY(std::abs(walked(2, frame, forward()) - fine) < 1e-9);
         // 2 s at 1.4 m/s, less the soft start: speed × response.
         QVERIFY(std::abs(fine - (1.4 * 2 - 1.4 * Walker::response)) < 1e-6);
     }
@@ -210,6 +211,21 @@ private slots:
         QCOMPARE(control.mode(), CameraControl::Mode::walk);
         QCOMPARE(control.camera().eye.y, Walker::eyeHeight);
         QVERIFY(!control.moving());
+    }
+
+    void aJumpIsExactAndOrbitsWhereNobodyCanStand()
+    {
+        CameraControl control;
+        const Camera standing{{1, 1.65, 2}, {0.3, 1.1, -4.7}, 0.8}, flying{{1, 3, 2}, {0, 1, 0}, 0.8};
+        control.jumpTo(standing);
+        QVERIFY(control.camera() == standing);
+        QCOMPARE(control.mode(), CameraControl::Mode::walk);
+        control.jumpTo(flying);
+        QVERIFY(control.camera() == flying);
+        QCOMPARE(control.mode(), CameraControl::Mode::orbit);
+        control.walkOn();
+        for (int i = 0; i < 20; ++i) control.advance(0.05, {});
+        QCOMPARE(control.camera().eye.y, Walker::eyeHeight);
     }
 
     void walkingOnFromInsideAWallGoesBackToWhereTheVisitBegan()

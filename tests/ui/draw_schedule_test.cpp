@@ -72,9 +72,9 @@ private slots:
         }
         QCOMPARE(schedule.scaleWhileMoving(), 0.35);  // 0.4 s × 0.35² = 49 ms: within the target.
         schedule.setMoving(false, now);
-        QCOMPARE(schedule.next(now)->scale, 0.35);    // Feedback first ...
+        QCOMPARE(schedule.next(now)->scale, 0.35);  // Feedback first ...
         const int rest = drawAll(schedule, now, 0.4);
-        QCOMPARE(rest, 17);                           // ... then sixteen at full resolution.
+        QCOMPARE(rest, 17);  // ... then sixteen at full resolution.
     }
 
     void theResolutionDoesNotSwing()
@@ -95,7 +95,8 @@ private slots:
                     now += seconds;
                     schedule.drawn(*order, seconds);
                 }
-                QVERIFY2(changes <= 1, qPrintable(QStringLiteral("full %1 s, share %2: %3 changes").arg(full).arg(share).arg(changes)));
+                QVERIFY2(changes <= 1,
+                         qPrintable(QStringLiteral("full %1 s, share %2: %3 changes").arg(full).arg(share).arg(changes)));
             }
         }
     }

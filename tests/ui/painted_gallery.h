@@ -49,8 +49,14 @@ public:
     {
         return {{exhibits_[0]->parameters().initial(), exhibits_[1]->parameters().initial()}, {}};
     }
-    [[nodiscard]] render::Camera bestView(std::size_t, const ParameterValues&) const override { return {{0, 1.5, 3}, {0, 1, 0}, 0.9}; }
-    [[nodiscard]] glm::dvec3 walk(const glm::dvec3&, const glm::dvec3& to) const override { return {to.x, to.y, std::max(to.z, 2.0)}; }
+    [[nodiscard]] render::Camera bestView(std::size_t, const ParameterValues&) const override
+    {
+        return {{0, 1.5, 3}, {0, 1, 0}, 0.9};
+    }
+    [[nodiscard]] glm::dvec3 walk(const glm::dvec3&, const glm::dvec3& to) const override
+    {
+        return {to.x, to.y, std::max(to.z, 2.0)};
+    }
     [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override { return std::nullopt; }
     [[nodiscard]] std::optional<std::size_t> pick(const Look&, glm::dvec2 ndc, double) const override
     {
@@ -66,7 +72,8 @@ public:
         red_ = static_cast<float>(look.values[1][table(1).roughness]);
         requests.push_back(request);
         render::FrameReport report;
-        report.ran = {{"hall/opaque", "in view", render::Work::raster, 12.25}, {"sdf_morph/march", "in view, 1.2 m away", render::Work::raster, 31.5}};
+        report.ran = {{"hall/opaque", "in view", render::Work::raster, 12.25},
+                      {"sdf_morph/march", "in view, 1.2 m away", render::Work::raster, 31.5}};
         report.skipped = {{"probe/capture", "unchanged since the last frame", render::Work::raster}};
         report.milliseconds = 43.8;
         report.clock = "process CPU time around glFinish";

@@ -56,7 +56,8 @@ class PanelTest : public QObject {
         QTest::mousePress(widget, Qt::LeftButton, modifiers, from);
         const int sign = pixels < 0 ? -1 : 1;
         for (int x = 0; x != pixels + sign; x += sign) {
-            QMouseEvent move(QEvent::MouseMove, from + QPoint(x, 0), widget->mapToGlobal(QPointF(from) + QPointF(x, 0)), Qt::NoButton, Qt::LeftButton, modifiers);
+            QMouseEvent move(QEvent::MouseMove, from + QPoint(x, 0), widget->mapToGlobal(QPointF(from) + QPointF(x, 0)),
+                             Qt::NoButton, Qt::LeftButton, modifiers);
             QApplication::sendEvent(widget, &move);
         }
     }
@@ -73,9 +74,10 @@ private slots:
     {
         history_ = std::make_unique<History>(Look{{table_.initial()}, {}});
         panel_ = std::make_unique<ParameterPanel>();
-        connect(panel_.get(), &ParameterPanel::edited, history_.get(), [this](const ParameterValues& next, int gesture, const QString& text) {
-            history_->change(text, {{next}, {}}, gesture);
-        });
+        connect(panel_.get(), &ParameterPanel::edited, history_.get(),
+                [this](const ParameterValues& next, int gesture, const QString& text) {
+                    history_->change(text, {{next}, {}}, gesture);
+                });
         connect(history_.get(), &History::changed, panel_.get(), [this] { panel_->showValues(values(), "sample"); });
         panel_->showValues(values(), "sample");
         panel_->resize(360, 400);

@@ -23,10 +23,13 @@ struct SampleTable final : Parameters {
     File environment = file("environment", "A panorama (EXR, HDR, PNG) in place of the sky.");
 
     Group tracing = group("Tracing");
-    Count stepLimit = count("stepLimit", 96, {1, 512, logarithmic}, "Steps a ray may take before it ends on its best candidate.", quality(512));
+    Count stepLimit =
+        count("stepLimit", 96, {1, 512, logarithmic}, "Steps a ray may take before it ends on its best candidate.", quality(512));
     Count bounces = count("reflectionBounces", 2, {0, 4}, "Reflections of reflections: 0 sees only the room.", quality(4));
-    Real tolerance = real("hitTolerance", 0.5, pixel, {0.01, 8, logarithmic}, "A ray has hit when it is this near.", quality(0.01));
-    Choice<Method> normal = choice("normalMethod", Method::central, {"forward", "tetrahedron", "central"}, "How the normal is estimated.", quality(2));
+    Real tolerance =
+        real("hitTolerance", 0.5, pixel, {0.01, 8, logarithmic}, "A ray has hit when it is this near.", quality(0.01));
+    Choice<Method> normal = choice("normalMethod", Method::central, {"forward", "tetrahedron", "central"},
+                                   "How the normal is estimated.", quality(2));
     Real exposure = real("exposure", 0, stop, Range{-16, 16}.soft(-4, 4), "Brightens by powers of two.");
     Real haze = real("haze", 0.1, percent, {0, 1}, "Light scattered on the way.");
 };

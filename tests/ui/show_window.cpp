@@ -53,7 +53,9 @@ int main(int argc, char** argv)
         std::printf("entrance: %lld pictures drawn\n", window.viewport().picturesDrawn());
         window.visit(1);
         if (!real) {
-            window.say(ui::MessageStrip::Mood::problem, QStringLiteral("Preset shiny.json, line 4, key \"roughnes\": there is no such parameter. Everything stays as it was."));
+            window.say(ui::MessageStrip::Mood::problem,
+                       QStringLiteral("Preset shiny.json, line 4, key \"roughnes\": there is no such parameter. "
+                                      "Everything stays as it was."));
             window.say(ui::MessageStrip::Mood::notice, QStringLiteral("Screenshot saved to sdf_morph-2026-11-21-103512.png"));
         }
         for (auto* dock : window.findChildren<QDockWidget*>())

@@ -87,7 +87,8 @@ private slots:
     {
         History history(start());
         int there = 1;
-        history.record("Delete preset", [&] { there = 0; }, [&] { there = 1; });
+        history.record(
+            "Delete preset", [&] { there = 0; }, [&] { there = 1; });
         QCOMPARE(there, 0);
         history.stack().undo();
         QCOMPARE(there, 1);

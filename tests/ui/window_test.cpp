@@ -195,13 +195,15 @@ private slots:
         const Look before = window_->history().look();
         QFile file(home_->filePath("broken.json"));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("{\n \"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"sdf_morph\",\n \"values\": {\"roughness\": \"very\"}}\n");
+        file.write("{\n \"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"sdf_morph\",\n \"values\": "
+                   "{\"roughness\": \"very\"}}\n");
         file.close();
         window_->openFile(file.fileName());
         QVERIFY(window_->history().look() == before);
         const QStringList said = window_->findChild<MessageStrip*>()->texts();
         QCOMPARE(said.size(), 1);
-        QVERIFY2(said[0].contains("broken.json") && said[0].contains("line 3") && said[0].contains("roughness"), qPrintable(said[0]));
+        QVERIFY2(said[0].contains("broken.json") && said[0].contains("line 3") && said[0].contains("roughness"),
+                 qPrintable(said[0]));
     }
 
     void aCrashedSessionComesBack()
@@ -260,7 +262,8 @@ private slots:
             }
         }
         QVERIFY(commands >= 20);
-        for (const char* key : {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+O", "Ctrl+F", "Ctrl+Shift+P", "F5", "Ctrl+R", "Space", "Pause", "F12", "Ctrl+Shift+E", "Ctrl+B", "F11", "F1", "?", "Tab"})
+        for (const char* key : {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+O", "Ctrl+F", "Ctrl+Shift+P",
+                                "F5", "Ctrl+R", "Space", "Pause", "F12", "Ctrl+Shift+E", "Ctrl+B", "F11", "F1", "?", "Tab"})
             QVERIFY2(keys.contains(key), key);
     }
 
@@ -272,7 +275,9 @@ private slots:
         for (QWidget* widget : window_->findChildren<QWidget*>()) {
             if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isVisible() || !widget->isEnabled()) continue;
             if (widget->inherits("QScrollArea") || widget->objectName().startsWith("qt_")) continue;
-            QVERIFY2(!widget->accessibleName().isEmpty(), qPrintable(QString("%1 in %2").arg(widget->metaObject()->className(), widget->parentWidget()->metaObject()->className())));
+            QVERIFY2(!widget->accessibleName().isEmpty(),
+                     qPrintable(QString("%1 in %2")
+                                    .arg(widget->metaObject()->className(), widget->parentWidget()->metaObject()->className())));
         }
     }
 

@@ -42,7 +42,8 @@ public:
     {
         return guarded([&] { return writeWithOiio(picture, target); });
     }
-    std::string readText(std::string_view bytes, ImageFormat format, const std::string& key, std::string& out) noexcept override
+    std::string readText(std::string_view bytes, ImageFormat format, const std::string& key,
+                         std::string& out) noexcept override
     {
         return guarded([&] { return readTextWithOiio(bytes, format, key, out); });
     }

@@ -44,7 +44,8 @@ std::string whyUnsupported(const OIIO::ImageSpec& spec, ImageFormat format)
     if (spec.deep) return "it is a deep picture; flatten it first";
     if (spec.depth != 1) return "it is a volume";
     // CVE-2026-63422: the OpenEXR plugin writes beyond its buffer for tiles that stick out of the picture.
-    const bool partialTiles = spec.tile_width > 0 && (spec.width % spec.tile_width != 0 || spec.height % spec.tile_height != 0);
+    const bool partialTiles =
+        spec.tile_width > 0 && (spec.width % spec.tile_width != 0 || spec.height % spec.tile_height != 0);
     if (format == ImageFormat::exr && partialTiles) {
         return "its tiles do not fit its size; save it by scanlines";
     }
@@ -62,9 +63,10 @@ std::string readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, OIIO:
         const int begin = spec.y + row;
         const int end = spec.y + std::min(row + band, spec.height);
         Sample* at = samples.data() + static_cast<std::size_t>(row) * out.rowSamples();
-        const bool good = spec.tile_width > 0 ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0,
-                                                                 spec.nchannels, type, at)
-                                              : input.read_scanlines(0, 0, begin, end, spec.z, 0, spec.nchannels, type, at);
+        const bool good = spec.tile_width > 0
+                              ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0,
+                                                 spec.nchannels, type, at)
+                              : input.read_scanlines(0, 0, begin, end, spec.z, 0, spec.nchannels, type, at);
         if (!good) return "it is broken (" + input.geterror() + ")";
     }
     return {};
@@ -107,8 +109,10 @@ std::string decodeWithOiio(std::string_view bytes, ImageFormat format, const Ima
     out.channels = spec.nchannels;
     if (format == ImageFormat::exr) {
         out.channelNames = spec.channelnames;
-        if (spec.get_int_attribute("oiio:subimages", 1) > 1) out.warnings.push_back("Only the first of its parts was read.");
-        if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width || spec.height != spec.full_height) {
+        if (spec.get_int_attribute("oiio:subimages", 1) > 1)
+            out.warnings.push_back("Only the first of its parts was read.");
+        if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
+            spec.height != spec.full_height) {
             out.warnings.push_back("Its data window differs from its display window: the data window was read.");
         }
     }

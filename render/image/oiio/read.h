@@ -9,7 +9,8 @@ namespace vitrine::render {
                                          const std::function<bool()>& cancelled, StoredPicture& out);
 
 /// The work of OiioCodec::readText; may throw.
-[[nodiscard]] std::string readTextWithOiio(std::string_view bytes, ImageFormat, const std::string& key, std::string& out);
+[[nodiscard]] std::string readTextWithOiio(std::string_view bytes, ImageFormat, const std::string& key,
+                                           std::string& out);
 
 /// "openexr", "tiff", ...: the plugin's name.
 [[nodiscard]] const char* pluginName(ImageFormat);

@@ -83,7 +83,8 @@ std::vector<std::size_t> channelMap(const StoredPicture& picture, const std::vec
 }
 
 template <typename Sample>
-std::string compareRows(OIIO::ImageInput& input, const StoredPicture& picture, const std::vector<Sample>& written, bool halfColor)
+std::string compareRows(OIIO::ImageInput& input, const StoredPicture& picture, const std::vector<Sample>& written,
+                        bool halfColor)
 {
     const std::vector<std::size_t> map = channelMap(picture, input.spec().channelnames);
     if (map.empty()) return "the file lost a channel";
@@ -121,7 +122,8 @@ std::string verify(const StoredPicture& picture, const OiioTarget& target)
     if (spec.width != picture.width || spec.height != picture.height || spec.nchannels != picture.channels) {
         return "the written file has another size";
     }
-    return std::visit([&](const auto& samples) { return compareRows(*input, picture, samples, target.halfColor); }, picture.samples);
+    return std::visit([&](const auto& samples) { return compareRows(*input, picture, samples, target.halfColor); },
+                      picture.samples);
 }
 
 }  // namespace
@@ -131,7 +133,8 @@ std::string writeWithOiio(const StoredPicture& picture, const OiioTarget& target
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(pluginName(target.format));
     if (!output) return "this OpenImageIO cannot write the format";
     if (!output->open(target.path, specFor(picture, target))) return "creating it failed (" + output->geterror() + ")";
-    std::string problem = std::visit([&](const auto& samples) { return writeRows(*output, picture, samples); }, picture.samples);
+    std::string problem =
+        std::visit([&](const auto& samples) { return writeRows(*output, picture, samples); }, picture.samples);
     const bool closed = output->close();
     if (!problem.empty()) return problem;
     if (!closed || output->has_error()) return "closing it failed (" + output->geterror() + ")";

@@ -37,7 +37,8 @@ rc::Gen<ParameterValues> legalValues()
     return rc::gen::exec([]() {
         ParameterValues values = table.initial();
         for (std::size_t i = 0; i < values.rows().size(); ++i) {
-            if (values.rows()[i].kind == Kind::file) values.setRow(i, std::string("picture ") + std::to_string(*rc::gen::inRange(0, 99)) + ".png");
+            if (values.rows()[i].kind == Kind::file)
+                values.setRow(i, std::string("picture ") + std::to_string(*rc::gen::inRange(0, 99)) + ".png");
             else if (*rc::gen::arbitrary<bool>()) values.setRow(i, *legalValue(values.rows()[i]));
         }
         return values;
@@ -64,7 +65,8 @@ rc::Gen<Json> anyJson(int depth)
         }
         default: {
             Json object = Json::object();
-            for (int n = *rc::gen::inRange(0, 4); n > 0; --n) object["k" + std::to_string(*rc::gen::inRange(0, 99))] = *anyJson(depth - 1);
+            for (int n = *rc::gen::inRange(0, 4); n > 0; --n)
+                object["k" + std::to_string(*rc::gen::inRange(0, 99))] = *anyJson(depth - 1);
             return object;
         }
         }
@@ -91,9 +93,12 @@ RC_GTEST_PROP(PresetProperty, EveryValueReadsBackFromItsText, ())
 
 RC_GTEST_PROP(PresetProperty, UnknownKeysSurviveLoadingEditingAndSaving, ())
 {
-    Json root = Json::parse(R"({"format": "vitrine-preset", "version": 1, "exhibit": "everything", "name": "A", "values": {"morph": 0.75}})");
-    for (int n = *rc::gen::inRange(0, 5); n > 0; --n) root["values"]["unknown" + std::to_string(*rc::gen::inRange(0, 99))] = *anyJson(4);
-    for (int n = *rc::gen::inRange(0, 5); n > 0; --n) root["unknown" + std::to_string(*rc::gen::inRange(0, 99))] = *anyJson(4);
+    Json root = Json::parse(
+        R"({"format": "vitrine-preset", "version": 1, "exhibit": "everything", "name": "A", "values": {"morph": 0.75}})");
+    for (int n = *rc::gen::inRange(0, 5); n > 0; --n)
+        root["values"]["unknown" + std::to_string(*rc::gen::inRange(0, 99))] = *anyJson(4);
+    for (int n = *rc::gen::inRange(0, 5); n > 0; --n)
+        root["unknown" + std::to_string(*rc::gen::inRange(0, 99))] = *anyJson(4);
     Preset preset = parsePreset(render::writeJson(root), "a.json", "everything", table);
     preset.values.set(table.exposure, 1.0);
     const Json back = Json::parse(presetText(preset));

@@ -111,7 +111,9 @@ TEST_F(Store, LeavesShippedPresetsAlone)
 TEST_F(Store, RenamesWithPictureAndUnknownKeys)
 {
     const fs::path path = folder / "user/everything/a.json";
-    test::writeBytes(path, R"({"format": "vitrine-preset", "version": 1, "exhibit": "everything", "name": "A", "values": {"future": [1]}})");
+    test::writeBytes(
+        path,
+        R"({"format": "vitrine-preset", "version": 1, "exhibit": "everything", "name": "A", "values": {"future": [1]}})");
     test::writeBytes(PresetStore::thumbnailPath(path), "picture");
     const fs::path renamed = store.rename(path, "B & C");
     EXPECT_EQ(renamed.filename(), "b-c.json");
@@ -164,12 +166,14 @@ TEST_F(Store, ImportsFilesAndPicturesAndExports)
     EXPECT_EQ(test::bytesOf(folder / "out/x.json"), test::bytesOf(folder / "in/some.json"));
 
     const render::Image image(4, 4, 3, 0.5F);
-    render::writePicture(folder / "in/a.png", image, render::PictureFormat::png8, {.preset = presetText(preset("In a picture 😀"))});
+    render::writePicture(folder / "in/a.png", image, render::PictureFormat::png8,
+                         {.preset = presetText(preset("In a picture 😀"))});
     EXPECT_EQ(load(store.importFile(folder / "in/a.png", "everything", table)).preset.name, "In a picture 😀");
     render::writePicture(folder / "in/b.png", image, render::PictureFormat::png8);
     EXPECT_FAILURE(store.importFile(folder / "in/b.png", "everything", table), "no preset in this picture");
     EXPECT_FAILURE(store.importFile(folder / "in/none.json", "everything", table), "no such file");
-    test::writeBytes(folder / "in/other.json", R"({"format": "vitrine-preset", "version": 1, "exhibit": "fur", "name": "x"})");
+    test::writeBytes(folder / "in/other.json",
+                     R"({"format": "vitrine-preset", "version": 1, "exhibit": "fur", "name": "x"})");
     EXPECT_FAILURE(store.importFile(folder / "in/other.json", "everything", table), "this preset is for fur");
 }
 

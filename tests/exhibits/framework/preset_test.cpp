@@ -24,7 +24,9 @@ Preset read(const std::string& text)
 /// A preset file with these values.
 std::string fileWith(const std::string& values, const std::string& more = "")
 {
-    return "{\n\"format\": \"vitrine-preset\",\n\"version\": 1,\n\"exhibit\": \"everything\",\n\"name\": \"A\",\n\"values\": {\n" + values + "\n}" + more + "\n}";
+    return "{\n\"format\": \"vitrine-preset\",\n\"version\": 1,\n\"exhibit\": \"everything\",\n\"name\": "
+           "\"A\",\n\"values\": {\n" +
+           values + "\n}" + more + "\n}";
 }
 
 Preset plain()
@@ -81,8 +83,9 @@ TEST(Preset, HoldsOnlyWhatDiffersFromTheInitialValues)
 
 TEST(Preset, KeepsUnknownKeysOnSave)
 {
-    const Preset preset = read(fileWith(R"("aFuture": {"z": 1, "a": [true, null, 1.0, 2]}, "morph": 0.75, "zFuture": "x")",
-                                        ",\n\"seed\": 7, \"camera\": {\"lens\": 50, \"fov\": 0.5}, \"locked\": [\"morph\"]"));
+    const Preset preset =
+        read(fileWith(R"("aFuture": {"z": 1, "a": [true, null, 1.0, 2]}, "morph": 0.75, "zFuture": "x")",
+                      ",\n\"seed\": 7, \"camera\": {\"lens\": 50, \"fov\": 0.5}, \"locked\": [\"morph\"]"));
     EXPECT_EQ(preset.notes.size(), 4U);
     const std::string text = presetText(preset);
     const Json root = Json::parse(text);
@@ -96,28 +99,35 @@ TEST(Preset, KeepsUnknownKeysOnSave)
 TEST(Preset, ReportsEveryClamp)
 {
     const Preset preset = read(fileWith(R"("exposure": 99, "stepLimit": 64.4, "tint": [2, 0, 0], "sun": [0, 3, 4])"));
-    EXPECT_EQ(preset.notes, (std::vector<std::string>{"exposure 99 -> 16 (allowed -16 to 16)", "stepLimit 64.4 -> 64 (whole numbers only)",
-                                                      "tint (2, 0, 0) -> (1, 0, 0) (allowed 0 to 1)", "sun (0, 3, 4) -> (0, 0.6, 0.8) (made unit length)"}));
+    EXPECT_EQ(preset.notes, (std::vector<std::string>{"exposure 99 -> 16 (allowed -16 to 16)",
+                                                      "stepLimit 64.4 -> 64 (whole numbers only)",
+                                                      "tint (2, 0, 0) -> (1, 0, 0) (allowed 0 to 1)",
+                                                      "sun (0, 3, 4) -> (0, 0.6, 0.8) (made unit length)"}));
     EXPECT_EQ(preset.values[table.exposure], 16);
     EXPECT_EQ(read(fileWith("", ", \"camera\": {\"fov\": 9}")).notes.size(), 1U);
 }
 
 TEST(Preset, NamesFileLineAndKeyOfWhatIsWrong)
 {
-    EXPECT_FAILURE(read(fileWith("\"morph\": 0,\n\"exposure\": \"bright\"")), "a.json, line 8, values.exposure: this must be a number, not text");
+    EXPECT_FAILURE(read(fileWith("\"morph\": 0,\n\"exposure\": \"bright\"")),
+                   "a.json, line 8, values.exposure: this must be a number, not text");
     EXPECT_FAILURE(read(fileWith("\"wind\": 1")), "values.wind: this must be true or false, not a number");
     EXPECT_FAILURE(read(fileWith("\"morph\": null")), "values.morph: this must be a number, not null");
     EXPECT_FAILURE(read(fileWith("\"morph\": true")), "values.morph: this must be a number");
-    EXPECT_FAILURE(read(fileWith("\"way\": \"sideways\"")), "\"sideways\" is no choice here; choose one of plain, Fancy, both");
+    EXPECT_FAILURE(read(fileWith("\"way\": \"sideways\"")),
+                   "\"sideways\" is no choice here; choose one of plain, Fancy, both");
     EXPECT_FAILURE(read(fileWith("\"way\": 1")), "values.way: this must be the name of a choice");
     EXPECT_FAILURE(read(fileWith("\"tint\": [1, 2]")), "values.tint: this must be an array of three numbers");
     EXPECT_FAILURE(read(fileWith("\"tint\": [1, 2, \"3\"]")), "values.tint");
     EXPECT_FAILURE(read(fileWith("\"sun\": [0, 0, 0]")), "values.sun: this direction has no length");
     EXPECT_FAILURE(read(fileWith("\"picture\": 3")), "values.picture: this must be a file name");
-    EXPECT_FAILURE(read(fileWith("\"morph\": 1e999")), "line 7, column 14, values.morph: the number 1e999 is too large");
+    EXPECT_FAILURE(read(fileWith("\"morph\": 1e999")),
+                   "line 7, column 14, values.morph: the number 1e999 is too large");
     EXPECT_FAILURE(read(fileWith("\"morph\": NaN")), "line 7");
-    EXPECT_FAILURE(read(fileWith("\"morph\": 0,\n\"morph\": 1")), "line 8, column 7, values.morph: this key stands twice");
-    EXPECT_FAILURE(read(fileWith("", ",\n\"camera\": {\"eye\": [1, 2]}")), "line 9, camera.eye: this must be an array of three numbers");
+    EXPECT_FAILURE(read(fileWith("\"morph\": 0,\n\"morph\": 1")),
+                   "line 8, column 7, values.morph: this key stands twice");
+    EXPECT_FAILURE(read(fileWith("", ",\n\"camera\": {\"eye\": [1, 2]}")),
+                   "line 9, camera.eye: this must be an array of three numbers");
     EXPECT_FAILURE(read(fileWith("", ",\n\"camera\": 3")), "line 9, camera: this must be an object");
 }
 
@@ -127,14 +137,18 @@ TEST(Preset, RefusesOtherFormatsExhibitsAndVersions)
     EXPECT_FAILURE(read("{}"), "says neither format nor version");
     EXPECT_FAILURE(read(R"({"version": 1})"), "\"format\" is missing");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "other"})"), "no format of Vitrine");
-    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "fur"})"), "this preset is for fur, not for everything");
+    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "fur"})"),
+                   "this preset is for fur, not for everything");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset"})"), "\"exhibit\" is missing");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-exhibition"})"), "whole exhibition");
-    EXPECT_FAILURE(read(R"({"version": 2, "format": "vitrine-preset", "exhibit": "everything"})"), "line 1, version: a newer Vitrine wrote this (version 2");
+    EXPECT_FAILURE(read(R"({"version": 2, "format": "vitrine-preset", "exhibit": "everything"})"),
+                   "line 1, version: a newer Vitrine wrote this (version 2");
     EXPECT_FAILURE(read(R"({"version": 1.5, "format": "vitrine-preset"})"), "version: this must be a whole number");
     EXPECT_FAILURE(read(R"({"version": "1", "format": "vitrine-preset"})"), "version: this must be a whole number");
-    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "everything", "values": 3})"), "values: this must be an object");
-    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "everything", "name": 3})"), "name: this must be text");
+    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "everything", "values": 3})"),
+                   "values: this must be an object");
+    EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "everything", "name": 3})"),
+                   "name: this must be text");
 }
 
 TEST(Preset, OfVersionZeroIsMigrated)
@@ -157,7 +171,8 @@ TEST(Preset, OfVersionZeroIsMigrated)
 
 TEST(Preset, OfVersionZeroIsRefusedWithTheLinesOfItsOwnFile)
 {
-    EXPECT_FAILURE(read("{\"schema\": \"vitrine\", \"exhibit\": \"everything\",\n\"params\": {\n\"morph\": \"x\"}}"), "a.json, line 3, params.morph");
+    EXPECT_FAILURE(read("{\"schema\": \"vitrine\", \"exhibit\": \"everything\",\n\"params\": {\n\"morph\": \"x\"}}"),
+                   "a.json, line 3, params.morph");
 }
 
 TEST(Preset, IsTheSameInAGermanLocale)
@@ -183,13 +198,17 @@ TEST(Preset, OfTheWholeExhibitionHasDottedKeys)
     EXPECT_EQ(back.values, exhibition.values);
     EXPECT_EQ(back.camera, exhibition.camera);
 
-    const std::string more = R"({"format": "vitrine-exhibition", "version": 1, "values": {"gone.size": 3, "hall.exposure": 99}})";
+    const std::string more =
+        R"({"format": "vitrine-exhibition", "version": 1, "values": {"gone.size": 3, "hall.exposure": 99}})";
     const Exhibition other = parseExhibition(more, "all.json", initial);
-    EXPECT_EQ(other.notes, (std::vector<std::string>{"hall.exposure 99 -> 16 (allowed -16 to 16)", "values.gone.size is not known here; it is kept"}));
+    EXPECT_EQ(other.notes, (std::vector<std::string>{"hall.exposure 99 -> 16 (allowed -16 to 16)",
+                                                     "values.gone.size is not known here; it is kept"}));
     EXPECT_NE(exhibitionText(other).find("\"gone.size\": 3"), std::string::npos);
     EXPECT_FAILURE(parseExhibition(fileWith(""), "all.json", initial), "preset of one exhibit");
-    EXPECT_FAILURE(parseExhibition("{\"format\": \"vitrine-exhibition\", \"version\": 1, \"values\":\n{\"hall.exposure\": true}}", "all.json", initial),
-                   "all.json, line 2, values.hall.exposure");
+    EXPECT_FAILURE(
+        parseExhibition("{\"format\": \"vitrine-exhibition\", \"version\": 1, \"values\":\n{\"hall.exposure\": true}}",
+                        "all.json", initial),
+        "all.json, line 2, values.hall.exposure");
 }
 
 // Whatever a damaged file says: a legal set of values, or a Failure and nothing changed.
@@ -205,7 +224,10 @@ TEST(Preset, NeverCrashesOnDamagedFiles)
     rich.values.set(table.picture, std::string("a.png"));
     rich.camera = render::Camera{};
     const std::string good = presetText(rich);
-    const std::vector<std::string> pieces = {"1e999", "NaN", "-1e308", "null", "{}", "[]", "\"\"", "true", "\"morph\": 1,", "}", "{", "\\u0000", ",", "\xff", "99999999999999999999", "-0.0"};
+    const std::vector<std::string> pieces = {"1e999", "NaN",     "-1e308", "null",          "{}",
+                                             "[]",    "\"\"",    "true",   "\"morph\": 1,", "}",
+                                             "{",     "\\u0000", ",",      "\xff",          "99999999999999999999",
+                                             "-0.0"};
     std::mt19937 generator(8);
     const auto random = [&generator] { return static_cast<unsigned>(generator()); };
     ParameterValues current = table.initial();

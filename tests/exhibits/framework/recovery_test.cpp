@@ -55,7 +55,8 @@ TEST(Recovery, TellsANewProcessWithAnOldNumberApart)
 TEST(Recovery, IgnoresFilesThatAreNotItsOwn)
 {
     const TemporaryFolder folder;
-    for (const char* name : {"notes.txt", "x-1.json", "-5-1.json", "99999999999999-1.json", "1.json"}) test::writeBytes(folder / name, "x");
+    for (const char* name : {"notes.txt", "x-1.json", "-5-1.json", "99999999999999-1.json", "1.json"})
+        test::writeBytes(folder / name, "x");
     EXPECT_TRUE(RecoveryJournal(folder.path()).abandoned().empty());
     EXPECT_TRUE(RecoveryJournal(folder / "none").abandoned().empty());
 }

@@ -47,7 +47,8 @@ TEST(SaveBytes, RefusesWhatIsNoFile)
 TEST(SaveBytes, KeepsTheOldFileOnAFullDisk)
 {
     const TemporaryFolder folder;
-    if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=16k") != 0) GTEST_SKIP() << "only root can mount a small disk";
+    if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=16k") != 0)
+        GTEST_SKIP() << "only root can mount a small disk";
     test::writeBytes(folder / "a.json", "old");
     for (const std::size_t size : {20'000UL, 14'000UL, 12'289UL}) {
         EXPECT_FAILURE(savePresetBytes(folder / "a.json", std::string(size, 'x')), "the old content is untouched");

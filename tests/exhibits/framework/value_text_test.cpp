@@ -61,7 +61,8 @@ TEST(ValueText, UnderstandsUnits)
 
 TEST(ValueText, RefusesWhatMeansNothing)
 {
-    for (const char* text : {"", " ", "1,5", "1 2", "x", "1+", "(1", "1)", "1//2", "0x10", "nan", "inf", "1e999", "1/0", "--", "3 furlongs", "1e9999"}) {
+    for (const char* text : {"", " ", "1,5", "1 2", "x", "1+", "(1", "1)", "1//2", "0x10", "nan", "inf", "1e999", "1/0",
+                             "--", "3 furlongs", "1e9999"}) {
         EXPECT_EQ(evaluate(text, Unit::none), std::nullopt) << text;
     }
     EXPECT_EQ(evaluate("3 m", Unit::degree), std::nullopt);

@@ -24,9 +24,18 @@ class FailingOps : public render::FileOps {
 public:
     FailingOps(int failing, int error) : failing_(failing), error_(error) {}
 
-    int open(const char* path, int flags, mode_t mode) override { return fails() ? -1 : FileOps::open(path, flags, mode); }
-    ssize_t write(int fd, const void* bytes, std::size_t size) override { return fails() ? -1 : FileOps::write(fd, bytes, size); }
-    ssize_t read(int fd, void* bytes, std::size_t size) override { return fails() ? -1 : FileOps::read(fd, bytes, size); }
+    int open(const char* path, int flags, mode_t mode) override
+    {
+        return fails() ? -1 : FileOps::open(path, flags, mode);
+    }
+    ssize_t write(int fd, const void* bytes, std::size_t size) override
+    {
+        return fails() ? -1 : FileOps::write(fd, bytes, size);
+    }
+    ssize_t read(int fd, void* bytes, std::size_t size) override
+    {
+        return fails() ? -1 : FileOps::read(fd, bytes, size);
+    }
     int fchmod(int fd, mode_t mode) override { return fails() ? -1 : FileOps::fchmod(fd, mode); }
     int fstat(int fd, struct stat* status) override { return fails() ? -1 : FileOps::fstat(fd, status); }
     int fsync(int fd) override { return fails() ? -1 : FileOps::fsync(fd); }
@@ -193,7 +202,8 @@ TEST(AtomicWrite, RefusesWhatIsNoFile)
 TEST(AtomicWrite, TakesNamesOfAllKinds)
 {
     const test::TemporaryFolder folder;
-    for (const std::string& name : {std::string(255, 'x'), std::string("two\nlines"), std::string("😀 é"), std::string("-rf"), std::string("\xff\xfe")}) {
+    for (const std::string& name : {std::string(255, 'x'), std::string("two\nlines"), std::string("😀 é"),
+                                    std::string("-rf"), std::string("\xff\xfe")}) {
         atomicWrite(folder / name, name);
         EXPECT_EQ(test::bytesOf(folder / name), name);
     }
@@ -217,7 +227,8 @@ TEST(AtomicWrite, LetsOneOfManyWritersWin)
 TEST(AtomicWrite, KeepsTheOldFileOnAFullDisk)
 {
     const test::TemporaryFolder folder;
-    if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0) GTEST_SKIP() << "only root can mount a small disk";
+    if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0)
+        GTEST_SKIP() << "only root can mount a small disk";
     test::writeBytes(folder / "a", "old");
     EXPECT_FAILURE(atomicWrite(folder / "a", std::string(100'000, 'x')), "free some space");
     EXPECT_FAILURE(render::requireSpace(folder / "a", 100'000), "free some space");

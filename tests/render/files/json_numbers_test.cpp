@@ -28,7 +28,14 @@ TEST(JsonNumbers, AreTheShortestThatReadBack)
 TEST(JsonNumbers, ReadBackBitForBit)
 {
     std::mt19937_64 random(2);
-    std::vector<double> numbers = {0.0, -0.0, 5e-324, 2.2250738585072014e-308, 1.7976931348623157e308, 9007199254740993.0, 1e22, 123456789012345680000.0};
+    std::vector<double> numbers = {0.0,
+                                   -0.0,
+                                   5e-324,
+                                   2.2250738585072014e-308,
+                                   1.7976931348623157e308,
+                                   9007199254740993.0,
+                                   1e22,
+                                   123456789012345680000.0};
     while (numbers.size() < 1'000'000) {
         const double x = std::bit_cast<double>(random());
         if (std::isfinite(x)) numbers.push_back(x);
@@ -39,8 +46,10 @@ TEST(JsonNumbers, ReadBackBitForBit)
     ASSERT_EQ(back.root().size(), numbers.size());
     std::size_t different = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        different += std::bit_cast<std::uint64_t>(back.root()[i].get<double>()) != std::bit_cast<std::uint64_t>(numbers[i]);
-        different += std::bit_cast<std::uint64_t>(*parseNumber(shortestNumber(numbers[i]))) != std::bit_cast<std::uint64_t>(numbers[i]);
+        different +=
+            std::bit_cast<std::uint64_t>(back.root()[i].get<double>()) != std::bit_cast<std::uint64_t>(numbers[i]);
+        different += std::bit_cast<std::uint64_t>(*parseNumber(shortestNumber(numbers[i]))) !=
+                     std::bit_cast<std::uint64_t>(numbers[i]);
     }
     EXPECT_EQ(different, 0U);
 }

@@ -43,7 +43,8 @@ TEST(ReadFile, FollowsReferencesOnlyBelowTheirFolder)
     fs::create_directory_symlink("..", folder / "in/up");
     EXPECT_EQ(readFileBeneath(folder / "in", "sub/a", 100), "inside");
     EXPECT_EQ(readFileBeneath(folder / "in", "./sub//a", 100), "inside");
-    for (const char* reference : {"../secret", "sub/../../secret", "/etc/passwd", "~/x", "$HOME", "C:/x", "file:///etc/passwd", "a\\b", "a\nb", "", "sub/", ".."}) {
+    for (const char* reference : {"../secret", "sub/../../secret", "/etc/passwd", "~/x", "$HOME", "C:/x",
+                                  "file:///etc/passwd", "a\\b", "a\nb", "", "sub/", ".."}) {
         EXPECT_FAILURE(readFileBeneath(folder / "in", reference, 100), "use a plain relative path");
     }
     EXPECT_FAILURE(readFileBeneath(folder / "in", "link", 100), "symbolic link");

@@ -22,7 +22,8 @@ std::string nested(std::size_t depth)
 
 TEST(StrictJson, ReadsWhatTheGrammarAllows)
 {
-    const auto document = parseJson(R"( {"b": [1, -2, 3.5, 4e-324, true, false, null], "a": {"text": "é\u00e9\"\\\n"}} )", "x.json");
+    const auto document =
+        parseJson(R"( {"b": [1, -2, 3.5, 4e-324, true, false, null], "a": {"text": "é\u00e9\"\\\n"}} )", "x.json");
     EXPECT_EQ(document.root()["b"][3].get<double>(), 4e-324);
     EXPECT_EQ(document.root()["a"]["text"].get<std::string>(), "éé\"\\\n");
     EXPECT_EQ(document.root().begin().key(), "b") << "the order of keys is kept";
@@ -30,7 +31,8 @@ TEST(StrictJson, ReadsWhatTheGrammarAllows)
 
 TEST(StrictJson, RefusesAKeyThatStandsTwiceAndNamesLineAndPath)
 {
-    EXPECT_FAILURE(parseJson("{\n  \"values\": {\n    \"a\": 1,\n    \"a\": 2\n  }\n}", "x.json"), "x.json, line 4, column 7, values.a: this key stands twice");
+    EXPECT_FAILURE(parseJson("{\n  \"values\": {\n    \"a\": 1,\n    \"a\": 2\n  }\n}", "x.json"),
+                   "x.json, line 4, column 7, values.a: this key stands twice");
 }
 
 TEST(StrictJson, RefusesNumbersBeyondDouble)
@@ -103,8 +105,8 @@ TEST(StrictJson, SaysOnWhichLineAKeyStands)
 TEST(StrictJson, WritesTextThatDiffsWell)
 {
     const Json json = Json::parse(R"({"b": 1.5, "a": [0.1, 2], "c": {}, "d": ["x"], "whole": 2.0, "count": 2})");
-    EXPECT_EQ(writeJson(json),
-              "{\n  \"b\": 1.5,\n  \"a\": [0.1, 2],\n  \"c\": {},\n  \"d\": [\n    \"x\"\n  ],\n  \"whole\": 2.0,\n  \"count\": 2\n}\n");
+    EXPECT_EQ(writeJson(json), "{\n  \"b\": 1.5,\n  \"a\": [0.1, 2],\n  \"c\": {},\n  \"d\": [\n    \"x\"\n  ],\n  "
+                               "\"whole\": 2.0,\n  \"count\": 2\n}\n");
     EXPECT_TRUE(writeJson(json, render::KeyOrder::sorted).starts_with("{\n  \"a\""));
 }
 
@@ -142,7 +144,8 @@ TEST(StrictJson, RefusesFilesThatAreNone)
 
 TEST(StrictJson, NeverCrashesOnDamagedText)
 {
-    const std::string good = R"({"format":"vitrine-preset","values":{"a":[1,2.5e-3,true],"b":"\u00e9\n","c":{"d":null}}})";
+    const std::string good =
+        R"({"format":"vitrine-preset","values":{"a":[1,2.5e-3,true],"b":"\u00e9\n","c":{"d":null}}})";
     std::mt19937 generator(1);
     const auto random = [&generator] { return static_cast<unsigned>(generator()); };
     for (int i = 0; i < 20'000; ++i) {

@@ -44,7 +44,8 @@ TEST(HostileImage, OfGiantClaimedSizeIsRefusedBeforeMemoryIsTaken)
 
 TEST(HostileImage, IsKnownByItsContentAndNotItsName)
 {
-    EXPECT_FAILURE(read("a.png", test::hdrClaiming(1, 1, "\x80\x80\x80\x80")), "its content is HDR although its name ends in \".png\"");
+    EXPECT_FAILURE(read("a.png", test::hdrClaiming(1, 1, "\x80\x80\x80\x80")),
+                   "its content is HDR although its name ends in \".png\"");
     EXPECT_FAILURE(read("a.png", test::jpegBytes()), "its content is JPEG");
     EXPECT_FAILURE(read("a.png", "SDPX" + std::string(4000, '\0')), "not a PNG, JPEG, TIFF, OpenEXR or HDR");
     EXPECT_FAILURE(read("a.dpx", "SDPX" + std::string(4000, '\0')), "not a PNG, JPEG, TIFF, OpenEXR or HDR");
@@ -106,12 +107,15 @@ TEST(HostileImage, NeverCrashesWhenDamaged)
         const std::string whole = test::bytesOf(folder / name);
         for (int i = 0; i < 300; ++i) {
             std::string bytes = whole;
-            for (unsigned n = random() % 6 + 1; n > 0; --n) bytes[4 + random() % (bytes.size() - 4)] = static_cast<char>(random());
+            for (unsigned n = random() % 6 + 1; n > 0; --n)
+                bytes[4 + random() % (bytes.size() - 4)] = static_cast<char>(random());
             const std::string damaged = "damaged" + std::filesystem::path(name).extension().string();
             test::writeBytes(folder / damaged, bytes);
             try {
                 const Image back = readImage(folder / damaged);
-                EXPECT_EQ(back.pixels.size(), static_cast<std::size_t>(back.width) * static_cast<std::size_t>(back.height) * static_cast<std::size_t>(back.channels));
+                EXPECT_EQ(back.pixels.size(), static_cast<std::size_t>(back.width) *
+                                                  static_cast<std::size_t>(back.height) *
+                                                  static_cast<std::size_t>(back.channels));
                 (void)embeddedPreset(folder / damaged);
             } catch (const Failure& failure) {
                 EXPECT_NE(std::string(failure.what()).find(damaged), std::string::npos);

@@ -19,7 +19,8 @@ using test::TemporaryFolder;
 Image gradient(int width, int height, int channels)
 {
     Image image(width, height, channels);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<float>(linearFromSrgb(static_cast<double>(i % 256) / 255));
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = static_cast<float>(linearFromSrgb(static_cast<double>(i % 256) / 255));
     return image;
 }
 
@@ -27,12 +28,14 @@ TEST(ReadImage, ReturnsLinearLightForEightAndSixteenBits)
 {
     const TemporaryFolder folder;
     const Image image = gradient(33, 17, 3);
-    for (const auto& [name, format] : {std::pair("a.png", PictureFormat::png8), std::pair("b.png", PictureFormat::png16),
-                                       std::pair("a.tif", PictureFormat::tiff8), std::pair("b.tiff", PictureFormat::tiff16)}) {
+    for (const auto& [name, format] :
+         {std::pair("a.png", PictureFormat::png8), std::pair("b.png", PictureFormat::png16),
+          std::pair("a.tif", PictureFormat::tiff8), std::pair("b.tiff", PictureFormat::tiff16)}) {
         writePicture(folder / name, image, format);
         const Image back = readImage(folder / name);
         ASSERT_EQ(back.pixels.size(), image.pixels.size());
-        for (std::size_t i = 0; i < image.pixels.size(); ++i) EXPECT_NEAR(back.pixels[i], image.pixels[i], 1e-6) << name;
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            EXPECT_NEAR(back.pixels[i], image.pixels[i], 1e-6) << name;
     }
 }
 
@@ -50,7 +53,9 @@ TEST(ReadImage, KeepsTheTopRowFirst)
     const TemporaryFolder folder;
     Image image(1, 3, 1);
     image.pixels = {1, 0, 0};
-    for (const auto& [name, format] : {std::pair("a.png", PictureFormat::png8), std::pair("a.tif", PictureFormat::tiff8), std::pair("a.exr", PictureFormat::exr)}) {
+    for (const auto& [name, format] :
+         {std::pair("a.png", PictureFormat::png8), std::pair("a.tif", PictureFormat::tiff8),
+          std::pair("a.exr", PictureFormat::exr)}) {
         writePicture(folder / name, image, format);
         EXPECT_EQ(readImage(folder / name).pixels, image.pixels) << name;
     }
@@ -99,7 +104,8 @@ TEST(ReadImage, StopsWhenCancelled)
     const TemporaryFolder folder;
     int asked = 0;
     const ReadOptions options{.cancelled = [&asked] { return ++asked > 1; }};
-    for (const auto& [name, format] : {std::pair("a.png", PictureFormat::png8), std::pair("a.exr", PictureFormat::exr)}) {
+    for (const auto& [name, format] :
+         {std::pair("a.png", PictureFormat::png8), std::pair("a.exr", PictureFormat::exr)}) {
         writePicture(folder / name, gradient(4, 300, 3), format);
         asked = 0;
         EXPECT_FAILURE(readImage(folder / name, options), "cancelled");
@@ -146,10 +152,10 @@ TEST(Texture, TakesGrayWithAlphaAndSixteenBitsAndExr)
 TEST(TextureDeathTest, OfAPngDoesNotLoadOpenImageIo)
 {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
+    static const TemporaryFolder folder;  // Removed by the exit below as well.
+    writePicture(folder / "a.png", gradient(8, 8, 3), PictureFormat::png8, {.preset = "{}"});
     EXPECT_EXIT(
         {
-            const TemporaryFolder folder;
-            writePicture(folder / "a.png", gradient(8, 8, 3), PictureFormat::png8, {.preset = "{}"});
             (void)loadTexture(folder / "a.png", true, true);
             (void)embeddedPreset(folder / "a.png");
             const bool mapped = test::bytesOf("/proc/self/maps").find("OpenImageIO") != std::string::npos;

@@ -45,11 +45,14 @@ TEST(WritePicture, KeepsEveryBitOfAllChannelsOfAFloatExr)
     const Image back = readImage(folder / "a.exr");
     ASSERT_EQ(back.channels, 9);
     for (int c = 0; c < 9; ++c) {
-        const auto at = std::find(back.channelNames.begin(), back.channelNames.end(), image.channelNames[static_cast<std::size_t>(c)]);
+        const auto at = std::find(back.channelNames.begin(), back.channelNames.end(),
+                                  image.channelNames[static_cast<std::size_t>(c)]);
         ASSERT_NE(at, back.channelNames.end());
         const int from = static_cast<int>(at - back.channelNames.begin());
         for (int y = 0; y < 300; ++y) {
-            for (int x = 0; x < 37; ++x) ASSERT_EQ(std::bit_cast<std::uint32_t>(back.at(x, y, from)), std::bit_cast<std::uint32_t>(image.at(x, y, c)));
+            for (int x = 0; x < 37; ++x)
+                ASSERT_EQ(std::bit_cast<std::uint32_t>(back.at(x, y, from)),
+                          std::bit_cast<std::uint32_t>(image.at(x, y, c)));
         }
     }
 }
@@ -73,7 +76,8 @@ TEST(WritePicture, KeepsAlphaApartFromColor)
     for (const auto& [name, format] : formats) {
         writePicture(folder / name, image, format);
         const Image back = readImage(folder / name);
-        for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(back.pixels[i], image.pixels[i], 0.004) << name << " channel " << i;
+        for (std::size_t i = 0; i < 4; ++i)
+            EXPECT_NEAR(back.pixels[i], image.pixels[i], 0.004) << name << " channel " << i;
     }
 }
 
@@ -82,9 +86,11 @@ TEST(WritePicture, CarriesThePreset)
     const TemporaryFolder folder;
     const std::string preset = "{\n  \"name\": \"Tasse für 杯 😀\"\n}\n";
     for (const char* name : {"a.png", "a.exr"}) {
-        writePicture(folder / name, noise(4, 4, 3), std::string(name) == "a.png" ? PictureFormat::png8 : PictureFormat::exr, {.preset = preset});
+        writePicture(folder / name, noise(4, 4, 3),
+                     std::string(name) == "a.png" ? PictureFormat::png8 : PictureFormat::exr, {.preset = preset});
         EXPECT_EQ(embeddedPreset(folder / name), preset) << name;
-        writePicture(folder / name, noise(4, 4, 3), std::string(name) == "a.png" ? PictureFormat::png16 : PictureFormat::exrHalf);
+        writePicture(folder / name, noise(4, 4, 3),
+                     std::string(name) == "a.png" ? PictureFormat::png16 : PictureFormat::exrHalf);
         EXPECT_EQ(embeddedPreset(folder / name), std::nullopt) << name;
     }
     writePicture(folder / "a.tif", noise(4, 4, 3), PictureFormat::tiff8, {.preset = preset, .pixelsPerInch = 300});
@@ -156,7 +162,8 @@ TEST(WritePicture, KeepsTheOldFileOnAFullDisk)
         unsigned long long freeBytes(const char* /*folder*/) override { return 1ULL << 40U; }
     };
     const TemporaryFolder folder;
-    if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0) GTEST_SKIP() << "only root can mount a small disk";
+    if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0)
+        GTEST_SKIP() << "only root can mount a small disk";
     for (const auto& [name, format] : formats) {
         for (const int size : {150, 400}) {
             test::writeBytes(folder / name, "old");

@@ -10,7 +10,8 @@ using render::Json;
 
 GltfBuilder::GltfBuilder()
 {
-    json = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": []}], "nodes": [], "meshes": [],
+    json =
+        Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": []}], "nodes": [], "meshes": [],
                            "accessors": [], "bufferViews": []})");
 }
 
@@ -27,7 +28,8 @@ int GltfBuilder::floats(const std::vector<float>& values, const std::string& typ
     const std::size_t components = type == "SCALAR" ? 1 : static_cast<std::size_t>(type.back() - '0');
     std::string bytes(values.size() * sizeof(float), '\0');
     std::memcpy(bytes.data(), values.data(), bytes.size());
-    json["accessors"].push_back({{"bufferView", view(bytes)}, {"componentType", 5126}, {"count", values.size() / components}, {"type", type}});
+    json["accessors"].push_back(
+        {{"bufferView", view(bytes)}, {"componentType", 5126}, {"count", values.size() / components}, {"type", type}});
     return static_cast<int>(json["accessors"].size()) - 1;
 }
 
@@ -35,7 +37,8 @@ int GltfBuilder::indices(const std::vector<std::uint16_t>& values)
 {
     std::string bytes(values.size() * sizeof(std::uint16_t), '\0');
     std::memcpy(bytes.data(), values.data(), bytes.size());
-    json["accessors"].push_back({{"bufferView", view(bytes)}, {"componentType", 5123}, {"count", values.size()}, {"type", "SCALAR"}});
+    json["accessors"].push_back(
+        {{"bufferView", view(bytes)}, {"componentType", 5123}, {"count", values.size()}, {"type", "SCALAR"}});
     return static_cast<int>(json["accessors"].size()) - 1;
 }
 

@@ -24,7 +24,8 @@ Model modelOf(const GltfBuilder& builder)
 
 bool warnsOf(const Model& model, const std::string& part)
 {
-    return std::any_of(model.warnings.begin(), model.warnings.end(), [&](const std::string& w) { return w.find(part) != std::string::npos; });
+    return std::any_of(model.warnings.begin(), model.warnings.end(),
+                       [&](const std::string& w) { return w.find(part) != std::string::npos; });
 }
 
 std::string smallPng()
@@ -41,7 +42,8 @@ GltfBuilder textured(const Json& picture)
     GltfBuilder builder;
     builder.json["images"] = Json::array({picture});
     builder.json["textures"] = Json::parse(R"([{"source": 0}])");
-    builder.json["materials"] = Json::parse(R"([{"name": "paint", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "normalTexture": {"index": 0}}])");
+    builder.json["materials"] = Json::parse(
+        R"([{"name": "paint", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "normalTexture": {"index": 0}}])");
     builder.triangle();
     builder.json["meshes"][0]["primitives"][0]["material"] = 0;
     builder.node({{"name", "thing"}, {"mesh", 0}});
@@ -72,7 +74,8 @@ TEST(Gltf, FlattensTheNodeTree)
 {
     GltfBuilder builder;
     const int mesh = builder.triangle();
-    builder.node(Json::parse(R"({"name": "parent", "translation": [1, 2, 3], "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476], "children": [1]})"));
+    builder.node(Json::parse(
+        R"({"name": "parent", "translation": [1, 2, 3], "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476], "children": [1]})"));
     builder.json["nodes"].push_back({{"name", "child"}, {"mesh", mesh}, {"scale", {2, -2, 2}}});
     const Model model = modelOf(builder);
     ASSERT_EQ(model.markers.size(), 1U);
@@ -109,7 +112,8 @@ TEST(Gltf, ReadsMaterials)
     GltfBuilder builder;
     builder.node({{"mesh", builder.triangle()}});
     builder.json["meshes"][0]["primitives"][0]["material"] = 0;
-    builder.json["materials"] = Json::parse(R"([{"name": "glow", "alphaMode": "MASK", "alphaCutoff": 0.25, "doubleSided": true,
+    builder.json["materials"] =
+        Json::parse(R"([{"name": "glow", "alphaMode": "MASK", "alphaCutoff": 0.25, "doubleSided": true,
         "emissiveFactor": [1, 0.5, 0], "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}},
         "pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5, "roughnessFactor": 0.75}}])");
     builder.json["extensionsUsed"] = Json::array({"KHR_materials_emissive_strength", "KHR_materials_clearcoat"});
@@ -145,7 +149,8 @@ TEST(Gltf, DecodesPicturesWithItsOwnReader)
     test::writeBytes(folder / "view.glb", withView.glb());
     test::writeBytes(folder / "data.gltf", textured({{"uri", "data:image/png;base64," + test::base64(png)}}).text());
     test::writeBytes(folder / "file.gltf", textured({{"uri", "pictures/a%20b.png"}}).text());
-    test::writeBytes(folder / "jpeg.gltf", textured({{"uri", "data:image/jpeg;base64," + test::base64(test::jpegBytes())}}).text());
+    test::writeBytes(folder / "jpeg.gltf",
+                     textured({{"uri", "data:image/jpeg;base64," + test::base64(test::jpegBytes())}}).text());
     for (const char* name : {"view.glb", "data.gltf", "file.gltf", "jpeg.gltf"}) {
         const Model model = loadGltf(folder / name);
         EXPECT_TRUE(model.warnings.empty()) << name << ": " << (model.warnings.empty() ? "" : model.warnings[0]);
@@ -172,7 +177,8 @@ TEST(Gltf, CountsUnpackedPicturesBeforeUnpackingThem)
 {
     GltfLimits limits;
     limits.textureBytes = 11;
-    const Model model = parseGltf(textured({{"uri", "data:image/png;base64," + test::base64(smallPng())}}).text(), "model.gltf", limits);
+    const Model model = parseGltf(textured({{"uri", "data:image/png;base64," + test::base64(smallPng())}}).text(),
+                                  "model.gltf", limits);
     EXPECT_FALSE(model.parts.at(0).material->baseColorMap) << "2 x 2 x 3 is 12 bytes";
     EXPECT_TRUE(warnsOf(model, "bytes once unpacked"));
 }
@@ -180,7 +186,8 @@ TEST(Gltf, CountsUnpackedPicturesBeforeUnpackingThem)
 // The picture's right is +x and its up is +y, and the triangle faces +z.
 TEST(Gltf, MakesTangentsWhereANormalMapNeedsThem)
 {
-    const Model model = parseGltf(textured({{"uri", "data:image/png;base64," + test::base64(smallPng())}}).text(), "model.gltf");
+    const Model model =
+        parseGltf(textured({{"uri", "data:image/png;base64," + test::base64(smallPng())}}).text(), "model.gltf");
     for (const Vertex& vertex : model.parts.at(0).mesh->vertices) EXPECT_EQ(vertex.tangent, glm::vec4(1, 0, 0, 1));
 }
 
@@ -191,10 +198,13 @@ TEST(Gltf, AppliesSparseAccessorsAndNormalizedIntegers)
     const int positions = builder.view(std::string("\1", 1));
     const float moved[3] = {5, 6, 7};
     const int values = builder.view(std::string_view(reinterpret_cast<const char*>(moved), sizeof moved));
-    builder.json["accessors"][0]["sparse"] = {{"count", 1}, {"indices", {{"bufferView", positions}, {"componentType", 5121}}}, {"values", {{"bufferView", values}}}};
+    builder.json["accessors"][0]["sparse"] = {{"count", 1},
+                                              {"indices", {{"bufferView", positions}, {"componentType", 5121}}},
+                                              {"values", {{"bufferView", values}}}};
     const int coordinates = builder.view(std::string("\xff\x00\x00\x00\x80\xff\x00\x00\x33\x00\x00\x00", 12));
     builder.json["bufferViews"][static_cast<std::size_t>(coordinates)]["byteStride"] = 4U;
-    builder.json["accessors"][1] = {{"bufferView", coordinates}, {"componentType", 5121}, {"normalized", true}, {"count", 3}, {"type", "VEC2"}};
+    builder.json["accessors"][1] = {
+        {"bufferView", coordinates}, {"componentType", 5121}, {"normalized", true}, {"count", 3}, {"type", "VEC2"}};
     builder.node({{"mesh", mesh}});
     const Model model = modelOf(builder);
     EXPECT_EQ(model.parts.at(0).mesh->vertices[1].position, glm::vec3(5, 6, 7));
@@ -204,7 +214,8 @@ TEST(Gltf, AppliesSparseAccessorsAndNormalizedIntegers)
 
 TEST(Gltf, TurnsStripsAndFansIntoTriangles)
 {
-    for (const auto& [mode, expected] : {std::pair(5, std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2}), std::pair(6, std::vector<std::uint32_t>{1, 2, 0, 2, 3, 0})}) {
+    for (const auto& [mode, expected] : {std::pair(5, std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2}),
+                                         std::pair(6, std::vector<std::uint32_t>{1, 2, 0, 2, 3, 0})}) {
         GltfBuilder builder;
         Json primitive;
         primitive["attributes"]["POSITION"] = builder.floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, "VEC3");
@@ -226,11 +237,13 @@ TEST(Gltf, ListsWhatItDoesNotSupport)
     builder.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 0;
     builder.json["meshes"][0]["primitives"].push_back(Json::parse(R"({"mode": 1, "attributes": {"POSITION": 0}})"));
     builder.json["skins"] = Json::parse(R"([{"joints": [0]}])");
-    builder.json["animations"] = Json::parse(R"([{"channels": [{"sampler": 0, "target": {"node": 0, "path": "scale"}}], "samplers": [{"input": 0, "output": 0}]}])");
+    builder.json["animations"] = Json::parse(
+        R"([{"channels": [{"sampler": 0, "target": {"node": 0, "path": "scale"}}], "samplers": [{"input": 0, "output": 0}]}])");
     builder.node({{"mesh", mesh}});
     const Model model = modelOf(builder);
     EXPECT_EQ(model.parts.size(), 1U);
-    for (const char* what : {"Morph targets", "COLOR_0", "Lines and points", "Skins", "Animations"}) EXPECT_TRUE(warnsOf(model, what)) << what;
+    for (const char* what : {"Morph targets", "COLOR_0", "Lines and points", "Skins", "Animations"})
+        EXPECT_TRUE(warnsOf(model, what)) << what;
 }
 
 TEST(Gltf, StopsWhenCancelled)

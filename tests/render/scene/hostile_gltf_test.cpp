@@ -26,7 +26,8 @@ template <typename Break> std::string refusalOf(const Break& breakIt)
     return test::failureOf([&] { (void)parseGltf(builder.glb(), "model.glb"); });
 }
 
-#define EXPECT_REFUSED(statement, part) EXPECT_PRED_FORMAT2(::testing::IsSubstring, part, refusalOf([](Json& json) { statement; }))
+#define EXPECT_REFUSED(statement, part)                                                                                \
+    EXPECT_PRED_FORMAT2(::testing::IsSubstring, part, refusalOf([](Json& json) { statement; }))
 
 TEST(HostileGltf, WithABrokenContainerIsRefused)
 {
@@ -65,12 +66,14 @@ TEST(HostileGltf, WithBrokenJsonIsRefusedWithItsLine)
     std::string deep;
     for (int i = 0; i < 200'000; ++i) deep += "{\"a\":";
     EXPECT_FAILURE(parseGltf("{\"extras\":" + deep, "a.gltf"), "more than 64 deep");
-    EXPECT_FAILURE(parseGltf(R"({"asset":{"version":"2.0"},"nodes":[{"translation":[1e400,0,0]}]})", "a.gltf"), "too large");
+    EXPECT_FAILURE(parseGltf(R"({"asset":{"version":"2.0"},"nodes":[{"translation":[1e400,0,0]}]})", "a.gltf"),
+                   "too large");
 }
 
 TEST(HostileGltf, WithEmptyOrLyingBuffersIsRefused)
 {
-    EXPECT_REFUSED(json["buffers"] = Json::parse(R"([{"byteLength": 0}])"), "buffers[0].byteLength: a buffer cannot be empty");
+    EXPECT_REFUSED(json["buffers"] = Json::parse(R"([{"byteLength": 0}])"),
+                   "buffers[0].byteLength: a buffer cannot be empty");
     EXPECT_REFUSED(json["buffers"] = Json::parse(R"([{"byteLength": 4000000000}])"), "larger than");
     EXPECT_REFUSED(json["buffers"] = Json::parse(R"([{"byteLength": 500}])"), "model.glb");
     EXPECT_REFUSED(json["buffers"] = Json::parse(R"([{"byteLength": -1}])"), "whole number");
@@ -84,7 +87,8 @@ TEST(HostileGltf, WithEmptyOrLyingBuffersIsRefused)
 
 TEST(HostileGltf, WithPicturesBeyondTheirBufferIsRefused)
 {
-    EXPECT_REFUSED((json["images"] = Json::parse(R"([{"bufferView": 0, "mimeType": "image/png"}])"), json["bufferViews"][0]["byteOffset"] = 100'000'000),
+    EXPECT_REFUSED((json["images"] = Json::parse(R"([{"bufferView": 0, "mimeType": "image/png"}])"),
+                    json["bufferViews"][0]["byteOffset"] = 100'000'000),
                    "reaches beyond its buffer");
     EXPECT_REFUSED(json["images"] = Json::parse(R"([{"bufferView": 99, "mimeType": "image/png"}])"), "bufferView");
 }
@@ -107,7 +111,9 @@ TEST(HostileGltf, WithAccessorsOutOfRangeIsRefused)
 TEST(HostileGltf, WithBadSparseAccessorsIsRefused)
 {
     const auto sparse = [](Json& json, int count, int indexView, const char* more) {
-        json["accessors"][0]["sparse"] = {{"count", count}, {"indices", {{"bufferView", indexView}, {"componentType", 5123}}}, {"values", {{"bufferView", 0}}}};
+        json["accessors"][0]["sparse"] = {{"count", count},
+                                          {"indices", {{"bufferView", indexView}, {"componentType", 5123}}},
+                                          {"values", {{"bufferView", 0}}}};
         json["accessors"][0]["sparse"].update(Json::parse(more));
     };
     // View 2 holds the 16-bit indices 0, 1, 2: they rise and are below the count of 3.
@@ -115,9 +121,12 @@ TEST(HostileGltf, WithBadSparseAccessorsIsRefused)
     good.node({{"mesh", good.triangle()}});
     sparse(good.json, 3, 2, "{}");
     EXPECT_NO_THROW((void)parseGltf(good.glb(), "model.glb"));
-    EXPECT_PRED_FORMAT2(::testing::IsSubstring, "sparse.count", refusalOf([&](Json& json) { sparse(json, 4, 2, "{}"); }));
-    EXPECT_PRED_FORMAT2(::testing::IsSubstring, "sparse.count", refusalOf([&](Json& json) { sparse(json, -1, 2, "{}"); }));
-    EXPECT_PRED_FORMAT2(::testing::IsSubstring, "names nothing", refusalOf([&](Json& json) { sparse(json, 3, 77, "{}"); }));
+    EXPECT_PRED_FORMAT2(::testing::IsSubstring, "sparse.count",
+                        refusalOf([&](Json& json) { sparse(json, 4, 2, "{}"); }));
+    EXPECT_PRED_FORMAT2(::testing::IsSubstring, "sparse.count",
+                        refusalOf([&](Json& json) { sparse(json, -1, 2, "{}"); }));
+    EXPECT_PRED_FORMAT2(::testing::IsSubstring, "names nothing",
+                        refusalOf([&](Json& json) { sparse(json, 3, 77, "{}"); }));
     EXPECT_PRED_FORMAT2(::testing::IsSubstring, "must rise", refusalOf([&](Json& json) { sparse(json, 3, 0, "{}"); }));
     EXPECT_PRED_FORMAT2(::testing::IsSubstring, "must not be negative", refusalOf([&](Json& json) {
                             sparse(json, 3, 2, R"({"values": {"bufferView": 0, "byteOffset": -4}})");
@@ -154,8 +163,10 @@ TEST(HostileGltf, WithReferencesToNothingIsRefused)
     EXPECT_REFUSED(json["scenes"][0]["nodes"] = Json::array({4}), "scenes[0].nodes");
     EXPECT_REFUSED(json["meshes"][0]["primitives"][0]["material"] = 9, "material: 9 names nothing");
     EXPECT_REFUSED(json["meshes"][0]["primitives"][0]["indices"] = 9, "model.glb");
-    EXPECT_REFUSED(json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = 9, "attributes.NORMAL: 9 names nothing");
-    EXPECT_REFUSED(json["materials"][0]["normalTexture"] = Json::parse(R"({"index": 2})"), "normalTexture.index: 2 names nothing");
+    EXPECT_REFUSED(json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = 9,
+                   "attributes.NORMAL: 9 names nothing");
+    EXPECT_REFUSED(json["materials"][0]["normalTexture"] = Json::parse(R"({"index": 2})"),
+                   "normalTexture.index: 2 names nothing");
     EXPECT_REFUSED(json["textures"] = Json::parse(R"([{"source": 3}])"), "textures[0].source: 3 names nothing");
     EXPECT_REFUSED(json["nodes"][0]["matrix"] = Json::array({1, 2, 3}), "model.glb");
 }
@@ -163,8 +174,12 @@ TEST(HostileGltf, WithReferencesToNothingIsRefused)
 TEST(HostileGltf, WhoseNodesAreNoTreeIsRefused)
 {
     EXPECT_REFUSED(json["nodes"][0]["children"] = Json::array({0}), "nodes");
-    EXPECT_REFUSED((json["nodes"][0]["children"] = Json::array({1}), json["nodes"].push_back(Json::parse(R"({"children": [0]})"))), "nodes");
-    EXPECT_REFUSED((json["nodes"][0]["children"] = Json::parse("[1, 1]"), json["nodes"].push_back(Json::parse(R"({"name": "x"})"))), "two parents");
+    EXPECT_REFUSED(
+        (json["nodes"][0]["children"] = Json::array({1}), json["nodes"].push_back(Json::parse(R"({"children": [0]})"))),
+        "nodes");
+    EXPECT_REFUSED((json["nodes"][0]["children"] = Json::parse("[1, 1]"),
+                    json["nodes"].push_back(Json::parse(R"({"name": "x"})"))),
+                   "two parents");
     EXPECT_REFUSED(json["scenes"][0]["nodes"] = Json::array({0, 0}), "named twice");
     EXPECT_PRED_FORMAT2(::testing::IsSubstring, "nested more than 256 deep", refusalOf([](Json& json) {
                             for (int i = 1; i <= 300; ++i) {
@@ -176,17 +191,22 @@ TEST(HostileGltf, WhoseNodesAreNoTreeIsRefused)
 
 TEST(HostileGltf, ThatReachesForOtherFilesIsRefused)
 {
-    for (const char* uri : {"/etc/passwd", "../../../etc/passwd", "%2e%2e/%2e%2e/etc/passwd", "%2Fetc/passwd", "file:///etc/passwd", "http://example.com/a", "~/a", "a\\b"}) {
-        const std::string buffer = Json{{"asset", {{"version", "2.0"}}}, {"buffers", Json::array({Json{{"byteLength", 10U}, {"uri", uri}}})}}.dump();
+    for (const char* uri : {"/etc/passwd", "../../../etc/passwd", "%2e%2e/%2e%2e/etc/passwd", "%2Fetc/passwd",
+                            "file:///etc/passwd", "http://example.com/a", "~/a", "a\\b"}) {
+        const std::string buffer =
+            Json{{"asset", {{"version", "2.0"}}}, {"buffers", Json::array({Json{{"byteLength", 10U}, {"uri", uri}}})}}
+                .dump();
         EXPECT_FAILURE(parseGltf(buffer, "a.gltf"), "buffers[0].uri: this reference is refused");
-        const std::string image = Json{{"asset", {{"version", "2.0"}}}, {"images", Json::array({Json{{"uri", uri}}})}}.dump();
+        const std::string image =
+            Json{{"asset", {{"version", "2.0"}}}, {"images", Json::array({Json{{"uri", uri}}})}}.dump();
         EXPECT_FAILURE(parseGltf(image, "a.gltf"), "images[0].uri: this reference is refused");
     }
 }
 
 TEST(HostileGltf, ThatRequiresWhatIsNotThereIsRefused)
 {
-    EXPECT_REFUSED(json["extensionsRequired"] = Json::array({"KHR_draco_mesh_compression"}), "KHR_draco_mesh_compression, which is not supported");
+    EXPECT_REFUSED(json["extensionsRequired"] = Json::array({"KHR_draco_mesh_compression"}),
+                   "KHR_draco_mesh_compression, which is not supported");
 }
 
 TEST(HostileGltf, BeyondTheLimitsIsRefused)
@@ -227,7 +247,9 @@ TEST(HostileGltf, NeverCrashesWhenDamaged)
         std::string bytes = good;
         for (unsigned n = random() % 3 + 1; n > 0; --n) {
             char& c = bytes[random() % bytes.size()];
-            c = c >= '0' && c <= '9' ? static_cast<char>('0' + random() % 10) : random() % 4 == 0 ? static_cast<char>(random()) : c;
+            c = c >= '0' && c <= '9' ? static_cast<char>('0' + random() % 10)
+                : random() % 4 == 0  ? static_cast<char>(random())
+                                     : c;
         }
         try {
             (void)parseGltf(bytes, "model.glb");

@@ -1,0 +1,172 @@
+#include "exhibits/framework/museum.h"
+#include "render/failure.h"
+#include "render/image/image_io.h"
+#include "ui/gl_probe.h"
+#include "ui/main_window.h"
+#include "ui/message_strip.h"
+#include "ui/museum_gallery.h"
+#include "ui/parameter_panel.h"
+#include "ui/parameter_row.h"
+#include "ui/picture_export.h"
+#include "ui/preset_list.h"
+#include "ui/preset_shelf.h"
+#include "ui/theme.h"
+#include "ui/value_slider.h"
+#include "ui/viewport.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QListWidget>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <clocale>
+#include <memory>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// The window over the real museum and the real renderer.
+class MuseumWindowTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> home_;
+    std::unique_ptr<Museum> museum_;
+    std::unique_ptr<MuseumGallery> gallery_;
+    std::unique_ptr<MainWindow> window_;
+    std::size_t exhibit_ = 0;
+
+    void openWindow()
+    {
+        gallery_ = std::make_unique<MuseumGallery>(*museum_);
+        window_ = std::make_unique<MainWindow>(*gallery_);
+        window_->resize(1000, 560);  // A small picture: a software renderer draws it too.
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        settle();
+    }
+    void settle() { QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().schedule().still(), 60000); }
+    [[nodiscard]] QImage picture()
+    {
+        settle();
+        return window_->viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    }
+    /// Mean difference per channel, 0 to 255.
+    [[nodiscard]] static double difference(const QImage& a, const QImage& b)
+    {
+        if (a.size() != b.size()) return 255;
+        double sum = 0;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x) {
+                const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+                sum += std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q));
+            }
+        return sum / (3.0 * a.width() * a.height());
+    }
+    [[nodiscard]] const ParameterValues& values() { return window_->history().look().values[exhibit_]; }
+    void dragMorph(int pixels)
+    {
+        auto* slider = window_->panel().row("morph")->findChild<ValueSlider*>();
+        const QPoint from(12, slider->height() / 2);
+        QTest::mousePress(slider, Qt::LeftButton, {}, from);
+        for (int x = 0; x <= pixels; x += 4) QTest::mouseMove(slider, from + QPoint(x, 0));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(pixels, 0));
+    }
+
+private slots:
+    void initTestCase()
+    {
+        std::setlocale(LC_NUMERIC, "C");
+        applyTheme(*qApp, darkTheme());
+        QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
+        try {
+            museum_ = std::make_unique<Museum>();
+        } catch (const std::exception& failure) {
+            QFAIL(failure.what());
+        }
+        exhibit_ = museum_->find("sdf_morph").value();
+    }
+    void init()
+    {
+        // Every case has folders of its own; nothing of the user's is ever touched.
+        home_ = std::make_unique<QTemporaryDir>();
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+            qputenv(name, home_->path().toLocal8Bit());
+        openWindow();
+    }
+    void cleanup()
+    {
+        if (window_) window_->close();
+        window_.reset();
+    }
+
+    void aSliderChangesThePictureUndoRestoresItAndAPresetBringsItBackInTheNextSession()
+    {
+        window_->visit(exhibit_);
+        const QImage before = picture();
+        dragMorph(10);
+        const ParameterValues changed = values();
+        const QImage after = picture();
+        // The object fills a good part of the picture: another shape is no rounding.
+        QVERIFY2(difference(before, after) > 1, qPrintable(QString::number(difference(before, after))));
+        window_->history().stack().undo();
+        // Same inputs, same picture; the average of sixteen samples is kept in half floats.
+        QVERIFY2(difference(before, picture()) < 0.5, qPrintable(QString::number(difference(before, picture()))));
+        window_->history().stack().redo();
+        window_->shelf().saveUnder("Half melted");
+        window_->history().stack().undo();
+        window_->close();
+        window_.reset();
+
+        openWindow();
+        auto* list = window_->findChild<PresetList*>()->findChild<QListWidget*>();
+        const auto items = list->findItems("Half melted", Qt::MatchExactly);
+        QCOMPARE(items.size(), 1);
+        window_->shelf().load(items.first()->data(Qt::UserRole).toString());
+        QVERIFY(values() == changed);
+        QVERIFY2(difference(after, picture()) < 0.5, qPrintable(QString::number(difference(after, picture()))));
+    }
+
+    void aPictureCarriesTheLookAndBringsItBackWhenDropped()
+    {
+        window_->visit(exhibit_);
+        settle();
+        dragMorph(60);
+        const Look shown = window_->history().look();
+        ExportWish wish;
+        wish.path = home_->filePath("picture.png").toStdString();
+        wish.size = {160, 90};
+        wish.samples = 2;
+        auto* work = new PictureExport(*window_, wish);
+        QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
+        work->start();
+        QTRY_VERIFY_WITH_TIMEOUT(finished.count() + failed.count() == 1, 30000);
+        QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
+        QVERIFY(render::embeddedPreset(wish.path).has_value());
+        window_->history().stack().undo();
+        window_->openFile(QString::fromStdString(wish.path.string()));
+        QVERIFY(window_->history().look() == shown);
+        // The window draws on as before: exporting left no trace in it.
+        settle();
+    }
+
+    void aCancelledExportLeavesNoFile()
+    {
+        ExportWish wish;
+        wish.path = home_->filePath("never.png").toStdString();
+        wish.size = {640, 360};
+        wish.samples = 64;
+        auto* work = new PictureExport(*window_, wish);
+        QSignalSpy progressed(work, &PictureExport::progressed);
+        work->start();
+        QTRY_VERIFY_WITH_TIMEOUT(progressed.count() >= 2, 30000);
+        work->cancel();
+        QTest::qWait(200);
+        QCOMPARE(QDir(home_->path()).entryList({"*never*"}, QDir::Files | QDir::Hidden), QStringList());
+    }
+};
+
+QTEST_MAIN(MuseumWindowTest)
+
+#include "museum_window_test.moc"
