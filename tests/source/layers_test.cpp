@@ -118,8 +118,9 @@ TEST(Layers, EveryIncludeOfOursExists)
     for (const char* folder : {"app", "ui", "exhibits", "render", "tests"})
         for (const std::string& file : test::sourceFiles(folder, test::cppExtensions))
             for (const Include& include : test::includesOf(file))
-                if (isOurs(include.target) && include.target.find("cpu32.h") == std::string::npos)  // Made by the build.
+                if (isOurs(include.target) && include.target.find("cpu32.h") == std::string::npos) {  // That one the build makes.
                     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / include.target)) << file << ':' << include.line << ' ' << include.target;
+                }
 }
 
 TEST(Layers, NoFileOfTheProgramIsLongerThan500Lines)

@@ -74,7 +74,7 @@ TEST(Tables, HelpIsOneOrTwoSentences)
             const std::string help(row.help);
             ASSERT_GE(help.size(), 10U) << exhibit << '.' << row.name;
             EXPECT_TRUE(help.back() == '.') << exhibit << '.' << row.name << ": " << help;
-            EXPECT_TRUE(std::isupper(static_cast<unsigned char>(help.front()))) << exhibit << '.' << row.name << ": " << help;
+            EXPECT_FALSE(std::islower(static_cast<unsigned char>(help.front()))) << exhibit << '.' << row.name << ": " << help;
         }
     }
 }
