@@ -28,6 +28,13 @@ render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun)
     return swept;
 }
 
+/// Empty when the sun may reach the box and the shadow that it then throws may be seen.
+std::string whyNoShadow(const HallScene& scene, const render::Box& box, const render::View& view)
+{
+    if (std::string why = whyUnlit(scene, box); !why.empty()) return why;
+    return view.mayContain(withShadow(box, towardsSun(scene))) ? std::string() : "neither it nor its shadow is in view";
+}
+
 }  // namespace
 
 double buttonScale(double seconds)
@@ -125,8 +132,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(p.worldFromExhibit);
         p.hidden = request.runEverything ? std::string() : whyHidden(box, plan.view);
-        p.noShadow = whyUnlit(scene, box);
-        if (p.noShadow.empty() && !request.runEverything && !plan.view.mayContain(withShadow(box, towardsSun(scene)))) p.noShadow = "neither it nor its shadow is in view";
+        p.noShadow = request.runEverything ? whyUnlit(scene, box) : whyNoShadow(scene, box, plan.view);
         if (p.noShadow.empty()) {
             casters.include(box.low);
             casters.include(box.high);
@@ -190,11 +196,13 @@ double Museum::nextChange(const Look& look, const FrameRequest& request) const
     for (const double since : request.sincePressed)
         if (since < 0.2) next = 0;
     const render::View view = render::makeView(request.camera, request.raster);
+    const HallScene scene = static_cast<const Hall&>(hall()).scene(look.values.front(), request.alone.has_value());
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {
         if (request.alone && *request.alone != i) continue;
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(request.alone ? glm::dmat4(1) : worldFromExhibit(i));
-        // What is hidden may move unseen.
-        if (whyHidden(box, view).empty()) next = std::min(next, exhibits_[i]->nextChange(look.values[i], request.time));
+        // What is hidden may move unseen, and so may its shadow.
+        const bool shadowSeen = !request.alone && whyNoShadow(scene, box, view).empty();
+        if (shadowSeen || whyHidden(box, view).empty()) next = std::min(next, exhibits_[i]->nextChange(look.values[i], request.time));
     }
     return next;
 }

@@ -223,7 +223,8 @@ void planSky(const HallScene& scene, const Surroundings& light, render::FramePla
     Pass sky;
     sky.name = "sky";
     sky.reason = scene.alone ? "the environment is behind the exhibit" : "it may be seen through window and oculus";
-    sky.stage = render::Stage::transparent;
+    // Last of the opaque ones: what is translucent is blended over it.
+    sky.stage = render::Stage::opaque;
     sky.shader = {"lib/fullscreen.vert", "hall/sky.frag", "", {}};
     sky.colors = {{radianceImage, Load::keep, {}, -1, 0}};
     sky.depth = Attachment{depthImage, Load::keep, {}, -1, 0};

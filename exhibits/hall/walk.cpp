@@ -8,6 +8,7 @@ namespace {
 
 constexpr double visitorHeight = 1.8;
 constexpr double longestStep = 0.1;
+constexpr double longestWalk = 100;  ///< Longer ones end after this: the house is smaller.
 
 /// Out of a box, by the shortest way in the horizontal plane.
 glm::dvec2 pushedOutOfBox(glm::dvec2 p, glm::dvec2 halfSize)
@@ -52,10 +53,11 @@ glm::dvec3 pushedOut(const Collider& collider, const glm::dvec3& eye)
 
 glm::dvec3 walkAround(const std::vector<Collider>& colliders, const glm::dvec3& from, const glm::dvec3& to)
 {
-    const glm::dvec3 whole = to - from;
+    glm::dvec3 whole = to - from;
     if (!std::isfinite(whole.x) || !std::isfinite(whole.y) || !std::isfinite(whole.z)) return from;
     const double length = std::hypot(whole.x, whole.z);
-    const int steps = std::clamp(static_cast<int>(std::ceil(length / longestStep)), 1, 1000);
+    if (length > longestWalk) whole *= longestWalk / length;
+    const int steps = std::max(static_cast<int>(std::ceil(std::min(length, longestWalk) / longestStep)), 1);
     glm::dvec3 eye = from;
     for (int i = 0; i < steps; ++i) {
         const glm::dvec3 before = eye;

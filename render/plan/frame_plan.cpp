@@ -91,12 +91,13 @@ void FramePlan::prune(const std::vector<std::string>& outputs, const KeptKeys& k
     for (auto pass = passes_.rbegin(); pass != passes_.rend(); ++pass) {
         const std::vector<std::string> written = outputsOf(*pass);
         const bool called = std::any_of(written.begin(), written.end(), [&](const std::string& n) { return wanted.contains(n); });
-        if (!called) {
-            skip(pass->name, "nothing reads what it writes", pass->work);
-            continue;
-        }
+        // What fed only an unchanged pass is read by nothing, but that it is unchanged says more.
         if (unchanged(*pass)) {
             skip(pass->name, "unchanged since it last ran", pass->work);
+            continue;
+        }
+        if (!called) {
+            skip(pass->name, "nothing reads what it writes", pass->work);
             continue;
         }
         forEachAttachment(*pass, [&](const Attachment& a) {

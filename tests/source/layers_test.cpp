@@ -1,0 +1,134 @@
+// Who may include whom: app > ui > exhibits > render > shaders/lib. A folder includes itself and what is
+// to its right.
+
+#include "tests/source/source_files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+
+namespace vitrine {
+namespace {
+
+using test::Include;
+
+const std::map<std::string, std::vector<std::string>> allowed{
+    {"app", {"app/", "ui/", "exhibits/", "render/", "shaders/lib/"}},
+    {"ui", {"ui/", "exhibits/framework/", "exhibits/exhibits.h", "render/", "shaders/lib/"}},
+    {"exhibits", {"exhibits/", "render/", "shaders/lib/"}},
+    {"render", {"render/", "shaders/lib/"}},
+};
+
+bool startsWith(const std::string& text, const std::string& start)
+{
+    return text.rfind(start, 0) == 0;
+}
+
+bool isOurs(const std::string& target)
+{
+    for (const char* folder : {"app/", "ui/", "exhibits/", "render/", "shaders/", "tests/"})
+        if (startsWith(target, folder)) return true;
+    return false;
+}
+
+bool isGl(const std::string& target)
+{
+    return startsWith(target, "epoxy/") || startsWith(target, "GL/") || startsWith(target, "EGL/") || startsWith(target, "GLES");
+}
+
+/// Headers of QtGui, QtWidgets, QtOpenGL: those of QtCore are named, so that an unknown one is not let through.
+bool isQt(const std::string& target)
+{
+    return target.size() > 1 && target[0] == 'Q' && (std::isupper(static_cast<unsigned char>(target[1])) || startsWith(target, "Qt"));
+}
+
+bool isQtCore(const std::string& target)
+{
+    static const std::regex core("(QtCore/.*|QString|QStringList|QByteArray|QFile|QFileInfo|QDir|QSaveFile|QStandardPaths|QLockFile|QDateTime|"
+                                 "QCoreApplication|QLocale|QtGlobal|QObject|QTimer|QIODevice|QTemporaryFile|QStringView|QStorageInfo)");
+    return std::regex_match(target, core);
+}
+
+/// Empty when `include` is allowed, else why not.
+std::string complaint(const Include& include)
+{
+    const std::string folder = include.file.substr(0, include.file.find('/'));
+    const std::string& target = include.target;
+    if (isOurs(target)) {
+        bool good = false;
+        for (const std::string& start : allowed.at(folder)) good = good || startsWith(target, start);
+        if (!good) return folder + " may not include it";
+        if (folder == "exhibits" && startsWith(target, "render/gl/")) return "exhibits never sees GL";
+        if (folder == "render" && startsWith(target, "render/gl/") && !startsWith(include.file, "render/gl/")) return "only render/gl knows render/gl";
+    }
+    if (isGl(target) && !startsWith(include.file, "render/gl/")) return "only render/gl includes GL headers";
+    if (isQt(target)) {
+        if (folder == "render") return "render knows no Qt";
+        if (folder == "exhibits" && (!isQtCore(target) || !startsWith(include.file, "exhibits/framework/"))) return "only exhibits/framework, and only QtCore";
+    }
+    return {};
+}
+
+class Layers : public testing::TestWithParam<const char*> {};
+
+TEST_P(Layers, IncludeOnlyWhatLiesToTheirRight)
+{
+    for (const std::string& file : test::sourceFiles(GetParam(), test::cppExtensions))
+        for (const Include& include : test::includesOf(file))
+            EXPECT_EQ(complaint(include), "") << include.file << ':' << include.line << " includes " << include.target;
+}
+
+INSTANTIATE_TEST_SUITE_P(Folders, Layers, testing::Values("app", "ui", "exhibits", "render"), [](const auto& p) { return std::string(p.param); });
+
+TEST(LayersControl, ForbiddenIncludesAreSeen)
+{
+    EXPECT_NE(complaint({"render/plan/a.h", 1, "exhibits/museum.h"}), "");
+    EXPECT_NE(complaint({"exhibits/hall/a.h", 1, "ui/main_window.h"}), "");
+    EXPECT_NE(complaint({"exhibits/hall/a.h", 1, "render/gl/renderer.h"}), "");
+    EXPECT_NE(complaint({"exhibits/hall/a.h", 1, "QString"}), "");
+    EXPECT_NE(complaint({"exhibits/framework/a.h", 1, "QImage"}), "");
+    EXPECT_NE(complaint({"ui/a.cpp", 1, "exhibits/sdf_morph/sdf_morph.h"}), "");
+    EXPECT_NE(complaint({"ui/a.cpp", 1, "epoxy/gl.h"}), "");
+    EXPECT_NE(complaint({"render/plan/a.h", 1, "render/gl/renderer.h"}), "");
+    EXPECT_NE(complaint({"render/image/a.cpp", 1, "QImage"}), "");
+    EXPECT_EQ(complaint({"exhibits/framework/a.cpp", 1, "QSaveFile"}), "");
+    EXPECT_EQ(complaint({"render/gl/a.cpp", 1, "epoxy/gl.h"}), "");
+    EXPECT_EQ(complaint({"app/a.cpp", 1, "exhibits/sdf_morph/sdf_morph.h"}), "");
+}
+
+TEST(Layers, NoExhibitIncludesAnotherButTheHall)
+{
+    // The hall lends meshes and surface draws to its guests; guests do not know each other.
+    for (const std::string& file : test::sourceFiles("exhibits", test::cppExtensions)) {
+        const std::string own = file.substr(0, file.rfind('/') + 1);
+        if (own == "exhibits/") continue;  // The list of exhibits and the museum know everyone.
+        for (const Include& include : test::includesOf(file)) {
+            if (!startsWith(include.target, "exhibits/")) continue;
+            const bool good = startsWith(include.target, own) || startsWith(include.target, "exhibits/framework/") ||
+                              (own != "exhibits/framework/" && startsWith(include.target, "exhibits/hall/"));
+            EXPECT_TRUE(good) << file << ':' << include.line << " includes " << include.target;
+        }
+    }
+}
+
+TEST(Layers, EveryIncludeOfOursExists)
+{
+    for (const char* folder : {"app", "ui", "exhibits", "render", "tests"})
+        for (const std::string& file : test::sourceFiles(folder, test::cppExtensions))
+            for (const Include& include : test::includesOf(file))
+                if (isOurs(include.target) && include.target.find("cpu32.h") == std::string::npos) {  // That one the build makes.
+                    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / include.target)) << file << ':' << include.line << ' ' << include.target;
+                }
+}
+
+TEST(Layers, NoFileOfTheProgramIsLongerThan500Lines)
+{
+    for (const char* folder : {"app", "ui", "exhibits", "render"})
+        for (const std::string& file : test::sourceFiles(folder, test::cppExtensions)) EXPECT_LE(test::lines(test::sourceText(file)).size(), 500U) << file;
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions)) EXPECT_LE(test::lines(test::sourceText(file)).size(), 500U) << file;
+}
+
+}  // namespace
+}  // namespace vitrine

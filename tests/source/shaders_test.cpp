@@ -1,0 +1,102 @@
+// Faults of GLSL that compile on one driver and break on another.
+
+#include "tests/source/source_files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+
+namespace vitrine {
+namespace {
+
+/// Names of `out` parameters of functions that are read before they are written, "function:parameter".
+std::vector<std::string> readBeforeWritten(const std::string& source)
+{
+    static const std::regex function(R"((\w+)\s*\(([^(){};]*\bout\s[^(){};]*)\)\s*\{)");
+    static const std::regex parameter(R"(\bout\s+\w+\s+(\w+))");
+    std::vector<std::string> found;
+    const std::string text = test::withoutComments(source);
+    for (auto f = std::sregex_iterator(text.begin(), text.end(), function); f != std::sregex_iterator(); ++f) {
+        const std::string parameters = (*f)[2];
+        auto end = static_cast<std::size_t>(f->position() + f->length());
+        const std::size_t begin = end;
+        for (int depth = 1; end < text.size() && depth > 0; ++end) depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
+        const std::string body = text.substr(begin, end - begin);
+        for (auto p = std::sregex_iterator(parameters.begin(), parameters.end(), parameter); p != std::sregex_iterator(); ++p) {
+            const std::string name = (*p)[1];
+            std::smatch first;
+            if (!std::regex_search(body, first, std::regex("\\b" + name + "\\b"))) {
+                found.push_back((*f)[1].str() + ':' + name + " (never written)");
+                continue;
+            }
+            // Written whole: `name = ...`. A component, or `+=`, leaves or reads the rest undefined.
+            const std::string after = first.suffix();
+            if (!std::regex_search(after, std::regex(R"(^\s*=[^=])"))) found.push_back((*f)[1].str() + ':' + name);
+        }
+    }
+    return found;
+}
+
+TEST(Shaders, ReadNoOutParameterBeforeItIsWritten)
+{
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
+        for (const std::string& fault : readBeforeWritten(test::sourceText(file))) ADD_FAILURE() << file << ": " << fault;
+
+    EXPECT_EQ(readBeforeWritten("void f(float a, out vec3 n) { n.x += a; n = vec3(0.0); }").size(), 1U);
+    EXPECT_EQ(readBeforeWritten("float f(out float d)\n{\n  return min(d, 1.0);\n}").size(), 1U);
+    EXPECT_EQ(readBeforeWritten("float f(out float d)\n{\n  d = 1.0;\n  return d;\n}").size(), 0U);
+    EXPECT_EQ(readBeforeWritten("layout(location = 0) out vec4 color; void main() { color = vec4(1.0); }").size(), 0U);
+}
+
+TEST(Shaders, HashWithIntegersAndNeverWithSines)
+{
+    // fract(sin(x) * 43758) differs between drivers, for sin is not specified, and repeats far from 0.
+    static const std::regex sine(R"(fract\s*\(\s*(?:[^;]*\b)?sin\s*\(|43758|12\.9898)");
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions)) EXPECT_FALSE(std::regex_search(test::withoutComments(test::sourceText(file)), sine)) << file;
+    EXPECT_TRUE(std::regex_search(std::string("return fract(sin(dot(p, k)) * 1e4);"), sine));
+}
+
+TEST(Shaders, IncludeOnlyFilesThatExist)
+{
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
+        for (const test::Include& include : test::includesOf(file))
+            EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders" / include.target)) << file << ':' << include.line << ' ' << include.target;
+}
+
+TEST(Shaders, OfTheLibraryKnowNoExhibit)
+{
+    for (const std::string& file : test::sourceFiles("shaders/lib", test::glslExtensions))
+        for (const test::Include& include : test::includesOf(file)) EXPECT_EQ(include.target.rfind("lib/", 0), 0U) << file << ':' << include.line << ' ' << include.target;
+}
+
+TEST(Shaders, NamedInPlansExist)
+{
+    static const std::regex name(R"re("((?:lib|hall|probe|sdf_morph)/[\w/]+\.(?:vert|frag|comp|glsl))")re");
+    int found = 0;
+    for (const char* folder : {"exhibits", "render"}) {
+        for (const std::string& file : test::sourceFiles(folder, test::cppExtensions)) {
+            const std::string text = test::withoutComments(test::sourceText(file));
+            for (auto match = std::sregex_iterator(text.begin(), text.end(), name); match != std::sregex_iterator(); ++match) {
+                ++found;
+                EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders" / (*match)[1].str())) << file << ": " << (*match)[1];
+            }
+        }
+    }
+    EXPECT_GT(found, 10);
+}
+
+TEST(Shaders, ShareTheirBlocksWithTheCodeByNumber)
+{
+    // A literal binding number could drift away from bindings.glsl unseen.
+    static const std::regex literal(R"(binding\s*=\s*\d)");
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions)) {
+        const std::string text = test::withoutComments(test::sourceText(file));
+        if (file.find(".comp") == std::string::npos) {  // Writable images of a compute pass are bound by their order.
+            EXPECT_FALSE(std::regex_search(text, literal)) << file;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace vitrine

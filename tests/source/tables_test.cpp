@@ -1,0 +1,195 @@
+// What is derived from a parameter table, and what a table promises by its form.
+
+#include "exhibits/exhibits.h"
+#include "exhibits/framework/derive.h"
+#include "exhibits/hall/hall_table.h"
+#include "tests/source/source_files.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace vitrine {
+namespace {
+
+/// Every table of the program by the name of its exhibit. The tables live as long as the tests.
+const std::map<std::string, const Parameters*>& tables()
+{
+    static const HallTable hall;
+    static const auto exhibits = allExhibits();
+    static const std::map<std::string, const Parameters*> all = [] {
+        std::map<std::string, const Parameters*> result{{"hall", &hall}};
+        for (const auto& exhibit : exhibits) result.emplace(std::string(exhibit->name()), &exhibit->parameters());
+        return result;
+    }();
+    return all;
+}
+
+struct DeclaredRow {
+    std::string member, name;
+};
+
+/// The rows as they are written in a table's header.
+std::vector<DeclaredRow> declaredRows(const std::string& text)
+{
+    static const std::regex row(R"re((\w+)\s*=\s*(?:real|count|toggle|choice|color|direction|file)\("(\w+)")re");
+    std::vector<DeclaredRow> rows;
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), row); match != std::sregex_iterator(); ++match) rows.push_back({(*match)[1], (*match)[2]});
+    return rows;
+}
+
+TEST(Tables, EveryRowIsNamedAfterItsMember)
+{
+    for (const auto& [exhibit, table] : tables()) {
+        const std::vector<DeclaredRow> rows = declaredRows(test::withoutComments(test::sourceText("exhibits/" + exhibit + '/' + exhibit + "_table.h")));
+        ASSERT_EQ(rows.size(), table->rows().size()) << exhibit;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            EXPECT_EQ(rows[i].member, rows[i].name) << exhibit;
+            EXPECT_EQ(rows[i].name, table->rows()[i].name) << exhibit;
+        }
+    }
+    EXPECT_NE(declaredRows(R"(Real morf = real("morph", 1)").front().member, "morph");
+}
+
+TEST(Tables, NamesAreUniqueAndFitForPresetsFlagsAndGlsl)
+{
+    static const std::regex form("[a-z][A-Za-z0-9]*");
+    for (const auto& [exhibit, table] : tables()) {
+        std::set<std::string_view> seen;
+        for (const ParameterInfo& row : table->rows()) {
+            EXPECT_TRUE(seen.insert(row.name).second) << exhibit << '.' << row.name;
+            EXPECT_TRUE(std::regex_match(std::string(row.name), form)) << exhibit << '.' << row.name;
+        }
+    }
+}
+
+TEST(Tables, HelpIsOneOrTwoSentences)
+{
+    for (const auto& [exhibit, table] : tables()) {
+        for (const ParameterInfo& row : table->rows()) {
+            const std::string help(row.help);
+            ASSERT_GE(help.size(), 10U) << exhibit << '.' << row.name;
+            EXPECT_TRUE(help.back() == '.') << exhibit << '.' << row.name << ": " << help;
+            EXPECT_FALSE(std::islower(static_cast<unsigned char>(help.front()))) << exhibit << '.' << row.name << ": " << help;
+        }
+    }
+}
+
+TEST(Tables, RangesHoldTheInitialValueAndTheComfortableRange)
+{
+    for (const auto& [exhibit, table] : tables()) {
+        for (const ParameterInfo& row : table->rows()) {
+            SCOPED_TRACE(exhibit + '.' + std::string(row.name));
+            const std::optional<Value> legal = nearestLegal(row, row.initial);
+            ASSERT_TRUE(legal);
+            // A direction is normalized again, which may round; numbers must stay the same to the bit.
+            if (row.kind != Kind::direction) {
+                EXPECT_EQ(*legal, row.initial);
+            }
+            if (row.kind != Kind::real && row.kind != Kind::count) continue;
+            EXPECT_LT(row.range.low, row.range.high);
+            EXPECT_LE(row.range.low, row.range.softLow);
+            EXPECT_LT(row.range.softLow, row.range.softHigh);
+            EXPECT_LE(row.range.softHigh, row.range.high);
+            EXPECT_LE(row.range.softLow, std::get<double>(row.initial));
+            EXPECT_GE(row.range.softHigh, std::get<double>(row.initial));
+            if (row.range.scale == Scale::logarithmic) {
+                EXPECT_GT(row.range.low, 0);
+            }
+            if (row.qualityReference) {
+                EXPECT_EQ(*nearestLegal(row, *row.qualityReference), Value(*row.qualityReference));
+            }
+        }
+    }
+}
+
+TEST(Tables, EveryExhibitTradesAccuracyForTimeSomewhere)
+{
+    for (const auto& [exhibit, table] : tables())
+        EXPECT_TRUE(std::any_of(table->rows().begin(), table->rows().end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); })) << exhibit;
+}
+
+TEST(Tables, EveryRowIsReadSomewhere)
+{
+    // A slider that nothing reads would be a lie. Either C++ takes it from the table, or a shader from its block.
+    for (const auto& [exhibit, table] : tables()) {
+        std::string text;
+        for (const std::string& file : test::sourceFiles("exhibits", {".cpp"})) text += test::withoutComments(test::sourceText(file));
+        if (std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders" / exhibit))
+            for (const std::string& file : test::sourceFiles("shaders/" + exhibit, test::glslExtensions)) text += test::withoutComments(test::sourceText(file));
+        for (const ParameterInfo& row : table->rows()) {
+            const std::regex use("(parameters|table|table_|parameters\\(\\))\\." + std::string(row.name) + "\\b");
+            EXPECT_TRUE(std::regex_search(text, use)) << exhibit << '.' << row.name;
+        }
+    }
+}
+
+TEST(Tables, ShadersUseOnlyFieldsThatTheirTableHas)
+{
+    static const std::regex field(R"(\bparameters\.(\w+))");
+    int found = 0;
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions)) {
+        const std::string exhibit = file.substr(8, file.find('/', 8) - 8);
+        const std::string text = test::withoutComments(test::sourceText(file));
+        for (auto match = std::sregex_iterator(text.begin(), text.end(), field); match != std::sregex_iterator(); ++match) {
+            ASSERT_TRUE(tables().contains(exhibit)) << file << " uses " << match->str() << " but belongs to no exhibit";
+            const std::string name = (*match)[1];
+            ++found;
+            EXPECT_NE(derive::uniformBlock(*tables().at(exhibit)).find(' ' + name + ';'), std::string::npos) << file << ": " << name;
+        }
+    }
+    EXPECT_GT(found, 10);
+    EXPECT_EQ(derive::uniformBlock(*tables().at("sdf_morph")).find(" noSuchField;"), std::string::npos);
+}
+
+TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)
+{
+    // Rules of OpenGL 4.5, 7.6.2.2: scalars align to 4, vec3 to 16 and takes 12.
+    for (const auto& [exhibit, table] : tables()) {
+        std::size_t expected = 0;
+        for (const ParameterInfo& row : table->rows()) {
+            if (row.kind == Kind::file) continue;
+            const bool vector = row.kind == Kind::color || row.kind == Kind::direction;
+            expected = vector ? (expected + 15) / 16 * 16 + 12 : expected + 4;
+        }
+        EXPECT_EQ(derive::uniformBytes(table->initial()).size(), expected) << exhibit;
+    }
+}
+
+TEST(Tables, TheManualShowsTheTableAsItIs)
+{
+    for (const auto& [exhibit, table] : tables()) {
+        const std::string file = "exhibits/" + exhibit + "/README.md";
+        if (!std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / file)) continue;
+        EXPECT_NE(test::sourceText(file).find(derive::manualTable(*table)), std::string::npos)
+            << file << ": its parameter table is not the one derived from the rows; it should read\n" << derive::manualTable(*table);
+    }
+}
+
+TEST(Tables, TheSweepOfAStudyHoldsBothEndsAndTheInitialValue)
+{
+    for (const auto& [exhibit, table] : tables()) {
+        for (const ParameterInfo& row : table->rows()) {
+            const std::vector<double> points = derive::sweep(row, 7);
+            SCOPED_TRACE(exhibit + '.' + std::string(row.name));
+            if (row.kind == Kind::color || row.kind == Kind::direction || row.kind == Kind::file) {
+                EXPECT_TRUE(points.empty());
+                continue;
+            }
+            const auto has = [&](double x) { return std::find(points.begin(), points.end(), x) != points.end(); };
+            EXPECT_TRUE(has(std::get<double>(row.initial)));
+            if (row.kind == Kind::real || row.kind == Kind::count) {
+                EXPECT_TRUE(has(row.range.softLow));
+                EXPECT_TRUE(has(row.range.softHigh));
+            }
+            for (const double x : points) EXPECT_EQ(*nearestLegal(row, x), Value(x));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace vitrine
