@@ -4,6 +4,7 @@
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/walk.h"
+#include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -17,6 +18,16 @@ namespace {
 
 constexpr double reachOfButton = 2.0;   ///< Metres at which a button can be pressed (the source's ray length).
 constexpr double radiusOfAim = 0.09;    ///< Metres around a button that still count as looking at it.
+
+void addToKey(render::Hash& key, const ParameterValues& values)
+{
+    for (std::size_t i = 0; i < values.rows().size(); ++i) {
+        const Value& value = values.row(i);
+        if (const auto* x = std::get_if<double>(&value)) key.addValue(*x);
+        else if (const auto* v = std::get_if<glm::dvec3>(&value)) key.addValue(*v);
+        else key.add(std::get<std::string>(value)).addValue('\n');
+    }
+}
 
 /// The box together with the shadow it throws on the floor (or 15 m of it, where the sun is low).
 render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun)
@@ -126,6 +137,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     };
     std::vector<Present> present;
     render::Box casters;
+    render::Hash shadowKey;
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {
         if (alone && i != *request.alone) continue;
         Present p{i, alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}};
@@ -136,19 +148,23 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         if (p.noShadow.empty()) {
             casters.include(box.low);
             casters.include(box.high);
+            addToKey(shadowKey, look.values[i]);
+            shadowKey.addValue(i).addValue(p.worldFromExhibit);
+            if (exhibits_[i]->nextChange(look.values[i], request.time) < std::numeric_limits<double>::infinity()) shadowKey.addValue(request.time);
         }
         present.push_back(std::move(p));
     }
 
     if (!casters.empty()) {
-        const int size = std::max(look.values.front()[theHall.parameters().shadowMapSize] / 2, 64);
+        const int size = std::max(look.values.front()[theHall.parameters().shadowMapSize] / 4, 64);
         light.castsShadows = true;
         light.exhibitShadowView = lightView(casters, towardsSun(scene), glm::ivec2(size), 30);
         light.light.exhibitShadowFromWorld = shadowFromWorld(light.exhibitShadowView);
         light.light.sunLightmap.w = 1;
         light.light.filtering.y = static_cast<float>(2 / light.exhibitShadowView.clipFromView[0][0] / size);
+        light.exhibitShadowKey = shadowKey.addValue(light.exhibitShadowView.clipFromWorld).value();
         light.inputs.push_back({UNIT_SHADOW_EXHIBITS, std::string(exhibitShadowImage)});
-        plan.image({.name = exhibitShadowImage, .format = render::Format::depth32f, .size = glm::ivec2(size), .comparison = true});
+        plan.image({.name = exhibitShadowImage, .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true, .comparison = true});
         render::Pass clear;
         clear.name = "exhibits/shadow";
         clear.reason = "an exhibit stands in the sun";
@@ -156,6 +172,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         clear.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
         clear.view = light.exhibitShadowView;
         clear.depth = render::Attachment{exhibitShadowImage, render::Load::clear, glm::vec4(0), -1, 0};
+        clear.key = light.exhibitShadowKey;
         plan.add(std::move(clear));
     } else {
         plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);

@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace vitrine {
@@ -32,6 +33,9 @@ struct Surroundings {
     /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while `castsShadows`.
     render::View exhibitShadowView;
     bool castsShadows = false;
+    /// Changes whenever any exhibit's shadow may: the key of every pass that draws into that map, so that all
+    /// of them run, or none.
+    std::uint64_t exhibitShadowKey = 0;
 
     /// Gives a pass the light block and everything that shaders/lib/light.glsl samples.
     void illuminate(render::Pass&) const;

@@ -5,6 +5,7 @@
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
 #include "render/scene/gltf.h"
+#include "render/scene/mesh_shading.h"
 
 #include <algorithm>
 #include <numbers>
@@ -45,6 +46,16 @@ std::shared_ptr<const render::Texture> map(const Json& row, const char* key, boo
     return render::loadTexture(render::asset("models/" + file->get<std::string>()), sRgb, true);
 }
 
+/// The hall's file names no pictures, so the loader saw no need for tangents; its normal maps do need them.
+render::Part withTangents(render::Part part, const HallMaterial& material)
+{
+    if (!material.material.normalMap) return part;
+    auto mesh = std::make_shared<render::Mesh>(*part.mesh);
+    render::makeTangents(*mesh);
+    part.mesh = mesh;
+    return part;
+}
+
 Json readAsset(const char* relative)
 {
     return render::readJson(render::asset(relative)).root();
@@ -73,8 +84,12 @@ std::shared_ptr<const render::Texture> joined(const std::vector<std::shared_ptr<
 
 HallModel::HallModel()
 {
-    readMaterials();
-    readLightmaps();
+    try {
+        readMaterials();
+        readLightmaps();
+    } catch (const Json::exception& error) {
+        throw Failure(Blame::file, "assets/models/materials.json or hall_light.json: " + std::string(error.what()) + "; reinstall the program, or write them anew with the scripts beside them.");
+    }
     const render::Model model = render::loadGltf(render::asset("models/hall.glb"));
     sortParts(model);
     sortMarkers(model);
@@ -123,7 +138,7 @@ void HallModel::sortParts(const render::Model& model)
         if (const auto n = placeNumber(part.name, "cloth_")) places_[*n].cloth.push_back(part);
         else if (const auto m = placeNumber(part.name, "stand_")) places_[*m].stand.push_back(part);
         else if (part.name.rfind("hall_", 0) == 0) {
-            walls_.push_back(part);
+            walls_.push_back(withTangents(part, material(part.material ? part.material->name : std::string())));
             const render::Box box = part.mesh->bounds.transformed(part.modelFromPart);
             bounds_.include(box.low);
             bounds_.include(box.high);

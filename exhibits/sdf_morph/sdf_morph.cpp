@@ -62,6 +62,7 @@ void planShadow(const Scene& s, render::FramePlan& plan)
     Pass pass = s.pass("shadow", "the sun reaches it and its shadow may be seen", "sdf_morph/proxy.vert", "sdf_morph/shadow.frag");
     pass.stage = render::Stage::shadow;
     pass.view = s.context.surroundings.exhibitShadowView;
+    pass.key = s.context.surroundings.exhibitShadowKey;
     pass.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
     pass.draws = {s.proxy()};

@@ -21,7 +21,7 @@ struct SdfMorphTable final : Parameters {
     Real mugRadius = real("mugRadius", 0.28, metre, Range{0.01, 10}.soft(0.1, 0.5), "Of the mug's outside.");
     Real mugHeight = real("mugHeight", 0.66, metre, Range{0.01, 10}.soft(0.2, 1.2), "Of the mug, from its foot to its lip.");
     Real wallThickness = real("wallThickness", 0.045, metre, Range{0.001, 1}.soft(0.01, 0.12), "Of the mug's wall: thin needs small steps.");
-    Real handleRadius = real("handleRadius", 0.155, metre, Range{0.01, 2}.soft(0.05, 0.3), "Of the handle, from its center to the middle of its tube.");
+    Real handleRadius = real("handleRadius", 0.165, metre, Range{0.01, 2}.soft(0.05, 0.3), "Of the handle, from its center to the middle of its tube.");
     Real handleThickness = real("handleThickness", 0.09, metre, Range{0.001, 1}.soft(0.02, 0.2), "Diameter of the handle's tube.");
     Real blend = real("blend", 0.06, metre, Range{0, 1}.soft(0, 0.2), "Width of the fillet where the handle meets the cup; 0 joins them hard.");
 

@@ -75,6 +75,7 @@ int main(int argc, char** argv)
     const Museum museum;
     const double museumReady = render::wallSeconds();
     render::gl::Renderer renderer;
+    render::gl::Renderer aloneRenderer;
     const Look look = museum.initialLook();
     FrameRequest entrance;
     entrance.camera = look.camera;
@@ -91,7 +92,7 @@ int main(int argc, char** argv)
     render::gl::Renderer emptyRenderer;
     const Look emptyLook = empty.initialLook();
     FrameRequest away = entrance;
-    away.camera = {{0.5, 1.65, 2.5}, {0.5, 2.2, 12}, 0.959931};
+    away.camera = {{0.5, 1.65, 2.5}, {0.5, 6.2, 12}, 0.959931};  // Above the floor: the exhibit's shadow is out of view, too.
     const std::size_t sdf = *museum.find("sdf_morph");
     FrameRequest near = entrance;
     near.camera = museum.bestView(sdf, look.values[sdf]);
@@ -125,10 +126,11 @@ int main(int argc, char** argv)
                            return renderer.draw(museum.plan(changed, near, renderer.kept()));
                        }, {}, {}, {}});
     double elevation = 0.3;
+    render::gl::Renderer sunRenderer;  // Of its own: a moving sun leaves nothing to keep.
     sliders.push_back({"hall's slider that lights anew (sun elevation)", [&] {
                            Look changed = look;
                            changed.values[0].setRow(*changed.values[0].table().find("sunElevation"), elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
-                           return renderer.draw(museum.plan(changed, near, renderer.kept()));
+                           return sunRenderer.draw(museum.plan(changed, near, sunRenderer.kept()));
                        }, {}, {}, {}});
     measure(sliders, rounds);
     print("From a slider's change to the finished frame", sliders);
@@ -137,7 +139,7 @@ int main(int argc, char** argv)
     const auto variant = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
         Look changed = look;
         change(changed.values[sdf]);
-        variants.push_back({name, [&museum, &renderer, alone, changed] { return renderer.draw(museum.plan(changed, alone, renderer.kept())); }, {}, {}, {}});
+        variants.push_back({name, [&museum, &aloneRenderer, alone, changed] { return aloneRenderer.draw(museum.plan(changed, alone, aloneRenderer.kept())); }, {}, {}, {}});
     };
     variant("as it stands", [](ParameterValues&) {});
     variant("without cone pre-pass", [&](ParameterValues& v) { v.set(table.conePrepass, false); });
