@@ -113,11 +113,12 @@ int main(int argc, char** argv)
     std::vector<Row> sliders;
     const auto& table = static_cast<const SdfMorph&>(*museum.exhibits()[sdf]).parameters();
     double morph = 0;
+    render::gl::Renderer morphRenderer;
     sliders.push_back({"exhibit before the visitor: nothing moved", draw(near), {}, {}, {}});
     sliders.push_back({"exhibit's slider (morph)", [&] {
                            Look changed = look;
                            changed.values[sdf].set(table.morph, morph = morph < 0.9 ? morph + 0.05 : 0.0);
-                           return renderer.draw(museum.plan(changed, near, renderer.kept()));
+                           return morphRenderer.draw(museum.plan(changed, near, morphRenderer.kept()));
                        }, {}, {}, {}});
     double exposure = 0;
     sliders.push_back({"hall's slider that develops only (exposure)", [&] {
