@@ -13,6 +13,8 @@
 #include "ui/viewport.h"
 #include "ui/window_actions.h"
 
+#include "render/files/assets.h"
+
 #include <QAction>
 #include <QDir>
 #include <QFileInfo>
@@ -64,7 +66,10 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     presets_->setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
     connectParts();
     for (std::size_t i = 0; i < gallery_.exhibits().size(); ++i) {
-        const QPixmap kept(thumbnailPath(*gallery_.exhibits()[i]));
+        // The shipped one shows the exhibit's best view; one kept from the screen serves those that ship none.
+        const std::string shipped = "thumbnails/" + std::string(gallery_.exhibits()[i]->name()) + ".png";
+        QPixmap kept(QString::fromStdString(render::asset(shipped).string()));
+        if (kept.isNull()) kept.load(thumbnailPath(*gallery_.exhibits()[i]));
         if (!kept.isNull()) exhibits_->setThumbnail(i, kept);
     }
     choose(0);
