@@ -17,6 +17,7 @@
 
 #include <QAction>
 #include <QDir>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <QStatusBar>
@@ -186,7 +187,9 @@ QPixmap MainWindow::thumbnailOf(const QImage& picture)
 
 void MainWindow::openPalette()
 {
-    (new CommandPalette(actions_->all, this))->show();
+    QList<QAction*> commands = actions_->all;
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) commands << dock->toggleViewAction();
+    (new CommandPalette(commands, this))->show();
 }
 
 void MainWindow::openShortcutSheet()

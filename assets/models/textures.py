@@ -231,7 +231,8 @@ def materials_json():
                      "normal": f"textures/{name}_normal.png", "orm": f"textures/{name}_orm.png"}
         flat = "tile" not in spec
         entry["baseColor"] = list(spec["color"]) if flat else [1.0, 1.0, 1.0]
-        entry["roughness"] = spec["roughness"] if flat else 1.0
+        # Polished stone against the sun would burn out; a worn floor keeps its drawing.
+        entry["roughness"] = spec["roughness"] if flat else (1.65 if name == "terrazzo" else 1.0)
         entry["metalness"] = spec["metalness"] if flat else 1.0
         entry["mean"] = {"baseColor": list(spec["color"]), "roughness": spec["roughness"],
                          "metalness": spec["metalness"]}

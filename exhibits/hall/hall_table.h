@@ -14,14 +14,14 @@ struct HallTable final : Parameters {
     Group sun = group("Sun");
     Real sunElevation = real("sunElevation", 0.331613, degree, Range{0.0349066, 1.535890}.soft(0.139626, 0.872665), "Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.");
     Real sunAzimuth = real("sunAzimuth", -0.0523599, degree, Range{-3.141593, 3.141593}.soft(-0.785398, 0.785398), "Where the sun stands, seen through the window: negative is to the left.");
-    Real sunStrength = real("sunStrength", 4.2, none, Range{0, 1000}.soft(0, 30), "Light of the sun against that of the sky: 0 is an overcast day.");
+    Real sunStrength = real("sunStrength", 3.6, none, Range{0, 1000}.soft(0, 30), "Light of the sun against that of the sky: 0 is an overcast day.");
     Real sunTemperature = real("sunTemperature", 4700, kelvin, Range{1000, 20000}.soft(2000, 8000), "Color of the sunlight: low is the red of evening, high is bluish.");
     Toggle sunShadows = toggle("sunShadows", true, "Let walls and exhibits keep the sun off; without it, the sun shines through everything.");
     Choice<ShadowFilter> shadowFilter = choice("shadowFilter", ShadowFilter::tent5, {"hard", "tent 3x3", "tent 5x5"}, "How softly the edge of a shadow is drawn: more comparisons, smoother edge.", quality(2));
     Count shadowMapSize = count("shadowMapSize", 2048, {256, 8192, logarithmic}, "Texels along one side of the sun's depth map: fewer give coarser shadow edges.", quality(8192));
 
     Group sky = group("Sky");
-    Real skyStrength = real("skyStrength", 1.6, none, Range{0, 1000}.soft(0, 4), "Light of the sky through window and oculus.");
+    Real skyStrength = real("skyStrength", 2.3, none, Range{0, 1000}.soft(0, 4), "Light of the sky through window and oculus.");
     Real skyTemperature = real("skyTemperature", 9500, kelvin, Range{1000, 25000}.soft(5000, 20000), "Color of the sky's light: high is bluer.");
     Toggle bakedLight = toggle("bakedLight", true, "Light the walls with baked sky light and occlusion; without it, they get one even ambient light.");
     File environment = file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.");
