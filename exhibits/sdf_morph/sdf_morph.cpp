@@ -141,6 +141,10 @@ Pass meshPass(const Scene& s, const char* name, std::string reason, std::vector<
     pass.reason = std::move(reason);
     pass.shader = {"hall/surface.vert", "hall/surface.frag", "", std::move(defines), {}};
     pass.colors = {{radianceImage, Load::keep, {}, -1, 0}};
+    if (s.context.channels.normal) {
+        pass.shader.defines.emplace_back("WRITE_NORMAL");
+        pass.colors.push_back({normalImage, Load::keep, {}, -1, 0});
+    }
     pass.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::back};
     s.context.surroundings.illuminate(pass);

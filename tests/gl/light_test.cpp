@@ -150,7 +150,8 @@ TEST_F(Light, H42_InAWhiteRoomNothingIsBrighterThanTheRoom)
                 picture.each([&](int x, int y) { brightest = std::max(brightest, picture.luminance(x, y)); });
                 // 2 %: the fit of the lobe's albedo, and nine coefficients of a constant.
                 EXPECT_LE(brightest, 1.02) << metalness << ' ' << roughness << ' ' << bounces;
-                EXPECT_GE(brightest, 0.85) << metalness << ' ' << roughness << ' ' << bounces;
+                // A polished or white surface gives all of it back; rough metal, by the lobe's fit, down to 0.44.
+                EXPECT_GE(brightest, roughness == 0 || metalness == 0 ? 0.95 : 0.44) << metalness << ' ' << roughness << ' ' << bounces;
             }
 }
 
@@ -172,36 +173,67 @@ TEST_F(Light, H41_AConstantRoomIsMirroredWithoutAcne)
     for (const int bounces : {0, 4}) {
         o.set(sdfTable().bounces, bounces);
         const Picture picture = shot.take();
-        double least = 1e9, most = 0;
-        picture.each([&](int x, int y) {
-            if (!picture.hit(x, y)) return;
-            least = std::min(least, picture.luminance(x, y));
-            most = std::max(most, picture.luminance(x, y));
-        });
-        EXPECT_LT(most - least, 0.03) << bounces << " bounces";
+        int spots = 0;
+        for (int y = 1; y + 1 < picture.height(); ++y)
+            for (int x = 1; x + 1 < picture.width(); ++x) {
+                if (!picture.hit(x, y) || !picture.hit(x - 1, y) || !picture.hit(x + 1, y)) continue;
+                const double around = 0.5 * (picture.luminance(x - 1, y) + picture.luminance(x + 1, y));
+                spots += std::abs(picture.luminance(x, y) - around) > 0.01;
+                EXPECT_GT(picture.luminance(x, y), bounces == 0 ? 0.95 : 0.9);
+            }
+        EXPECT_EQ(spots, 0) << bounces << " bounces";
     }
 }
 
-TEST_F(Light, S13_EachBounceAddsLessThanTheOneBefore)
+TEST_F(Light, S13_EachBounceTakesLessThanTheOneBefore)
+{
+    // In a white room a grey mirror shows how often each ray met it: every meeting leaves 60 % of the light.
+    test::TemporaryFolder folder;
+    writePanorama(folder / "white.hdr", [](double) { return dvec3(1); });
+    Shot shot;
+    shot.hall().set(hallTable().sunStrength, 0.0);
+    shot.hall().set(hallTable().environment, (folder / "white.hdr").string());
+    ParameterValues& o = shot.object();
+    o.set(sdfTable().morph, 1.0);
+    o.set(sdfTable().roughness, 0.0);
+    o.set(sdfTable().metalness, 1.0);
+    o.set(sdfTable().baseColor, ColorValue{dvec3(0.6)});
+    o.set(sdfTable().ambientOcclusion, false);
+    shot.see({0.5, 0.9, 1.3}, {-0.1, 0, 0});  // Into the cup, which mirrors itself.
+    std::vector<double> light;
+    for (int bounces = 0; bounces <= 4; ++bounces) {
+        o.set(sdfTable().bounces, bounces);
+        light.push_back(shot.take().mean());
+    }
+    for (std::size_t i = 1; i < light.size(); ++i) {
+        EXPECT_LT(light[i], light[i - 1]) << "bounce " << i;
+        if (i >= 2) {
+            EXPECT_LT(light[i - 1] - light[i], 0.75 * (light[i - 2] - light[i - 1])) << "bounce " << i;
+        }
+    }
+    EXPECT_GT(light[0] - light[1], 0.01);
+}
+
+TEST_F(Light, S13_EachBounceChangesFewerPixels)
 {
     Shot shot;
     ParameterValues& o = shot.object();
     o.set(sdfTable().morph, 1.0);
     o.set(sdfTable().roughness, 0.0);
-    shot.see({0.5, 0.9, 1.3}, {-0.1, 0, 0});  // Into the cup, which mirrors itself.
+    shot.see({0.5, 0.9, 1.3}, {-0.1, 0, 0});
     std::vector<Picture> pictures;
     for (int bounces = 0; bounces <= 4; ++bounces) {
         o.set(sdfTable().bounces, bounces);
         pictures.push_back(shot.take());
     }
-    double last = 1e9;
+    int last = 96 * 54;
     for (std::size_t i = 1; i < pictures.size(); ++i) {
-        const double change = test::colorDifference(pictures[i], pictures[i - 1]);
-        EXPECT_LT(change, last) << "bounce " << i;
-        last = change;
+        int changed = 0;
+        pictures[i].each([&](int x, int y) { changed += pictures[i].color(x, y) != pictures[i - 1].color(x, y); });
+        EXPECT_LT(changed, last) << "bounce " << i;
+        EXPECT_GT(changed, 0) << "bounce " << i;
+        last = changed;
     }
-    EXPECT_GT(test::colorDifference(pictures[1], pictures[0]), 1e-3);
-    EXPECT_GT(test::colorDifference(pictures[2], pictures[1]), 1e-4);
 }
 
 TEST_F(Light, ShadowMethodsAgreeWhereTheSunIsASharpPoint)

@@ -251,11 +251,11 @@ TEST_F(Shape, S3_S12_OutlineAndDepthAreThoseOfTheRasterizedTwin)
         shot.object().set(sdfTable().hitTolerance, 0.05);
         shot.transform(transform).see({0.9, 0.6, 2.6}, {0, 0, 0});
         const Picture marched = shot.take();
-        const Picture mesh = meshTwin(shot, 96);
+        const Picture mesh = meshTwin(shot, 160);
         EXPECT_GT(mesh.hits(), 100) << name;
         EXPECT_EQ(differenceOffTheEdge(marched, mesh), 0) << name;
-        // Away from the edge the two agree to the mesh's chords: cells of about 1 cm (times 2 of scale) on
-        // curves of 2 cm sag by less than 1 mm; at the rim and in the handle's fillet by a few.
+        // Away from the edge the two agree to the mesh's chords: cells of 6 mm (times 2 of scale) on curves of
+        // 5 cm sag by up to 0.4 mm, seen aslant twice that; at the rim and in the handle's fillet by more.
         std::vector<double> errors;
         marched.each([&](int x, int y) {
             if (marched.hit(x, y) && mesh.hit(x, y)) errors.push_back(std::abs(marched.depth(x, y) - mesh.depth(x, y)));
@@ -315,14 +315,15 @@ TEST_F(Shape, H53_NormalsStayQuietFarAway)
         const Solid solid(shot.object(), dmat4(1));
         std::vector<double> angles;
         picture.each([&](int x, int y) {
-            const Found truth = solid.trace(picture.view, x, y);
-            if (truth.hit && truth.cosine > 0.3 && picture.hit(x, y)) angles.push_back(std::acos(std::clamp(glm::dot(picture.normal(x, y), truth.normal), -1.0, 1.0)));
+            if (!picture.hit(x, y)) return;
+            // Where the picture says that the surface is, so that only the estimate of the normal counts.
+            const test::Ray ray = test::pixelRay(picture.view, x, y);
+            const dvec3 truth = solid.normalAt(ray.origin + ray.direction * picture.depth(x, y));
+            angles.push_back(std::acos(std::clamp(glm::dot(picture.normal(x, y), truth), -1.0, 1.0)));
         });
         ASSERT_GT(angles.size(), 200U) << far;
         std::sort(angles.begin(), angles.end());
-        // A hit half a pixel early, seen at 70 degrees, is 1.5 pixels beside the truth: on a tube that is 18
-        // pixels thick, five degrees. Noise of a step too small would be tens of degrees.
-        EXPECT_LT(angles[angles.size() * 95 / 100], 0.09) << far << " m";
+        EXPECT_LT(angles[angles.size() * 95 / 100], 0.1 * 0.0174533) << far << " m";
     }
 }
 
@@ -341,7 +342,7 @@ TEST_F(Shape, H15_GrazingRaysLeaveNoHolesWithFewSteps)
     // A ray out of steps ends on its best candidate: everything that is solid is drawn even so.
     Shot shot;
     shot.object().set(sdfTable().morph, 1.0);
-    shot.object().set(sdfTable().stepLimit, 24);
+    shot.object().set(sdfTable().stepLimit, 9);
     shot.object().set(sdfTable().relaxation, SdfRelaxation::none);
     shot.object().set(sdfTable().conePrepass, false);
     const Picture picture = shot.take();

@@ -57,6 +57,11 @@ glm::dvec3 Solid::gradient(const glm::dvec3& p) const
     return g;
 }
 
+glm::dvec3 Solid::normalAt(const glm::dvec3& world) const
+{
+    return glm::normalize(glm::transpose(glm::dmat3(localFromWorld_)) * gradient(toLocal(world)));
+}
+
 bool Solid::meetsBox(const Ray& ray, double margin) const
 {
     const glm::dvec3 origin = toLocal(ray.origin);
@@ -106,7 +111,7 @@ Found Solid::trace(const Ray& ray, double nearest, double halfPixel, double half
             found.hit = true;
             found.distance = t / length;
             found.world = glm::dvec3(worldFromLocal_ * glm::dvec4(local, 1));
-            found.normal = glm::normalize(glm::transpose(glm::dmat3(localFromWorld_)) * gradient(local));
+            found.normal = normalAt(found.world);
             found.cosine = side * -glm::dot(glm::normalize(gradient(local)), direction);
             return found;
         }

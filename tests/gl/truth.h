@@ -43,6 +43,8 @@ public:
     [[nodiscard]] bool meetsBox(const Ray&, double margin = 0) const;
     [[nodiscard]] double distance(const glm::dvec3& local) const;
     [[nodiscard]] glm::dvec3 toLocal(const glm::dvec3& world) const { return glm::dvec3(localFromWorld_ * glm::dvec4(world, 1)); }
+    /// Of the field at a point of the world, world space, unit length, outward.
+    [[nodiscard]] glm::dvec3 normalAt(const glm::dvec3& world) const;
     [[nodiscard]] const render::Box& box() const { return box_; }
 
 private:
