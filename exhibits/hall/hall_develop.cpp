@@ -33,7 +33,7 @@ void planDevelop(const Surroundings& surroundings, const FrameRequest& request, 
         if (averaged) plan.image({.name = target, .format = render::Format::rgba16f});
         render::Pass tone = fullscreen("tone", "lib/tonemap.frag", source, target, "the screen shows less than the eye sees");
         tone.stage = render::Stage::resolve;
-        surroundings.illuminate(tone);
+        tone.blocks[BLOCK_LIGHT] = render::bytesOf(surroundings.light);  // For the exposure alone: no map, no probe.
         // Every pixel is written, so what was in the image before is of no interest.
         tone.colors[0].load = render::Load::clear;
         plan.add(std::move(tone));

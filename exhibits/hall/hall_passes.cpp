@@ -231,6 +231,8 @@ void planSky(const HallScene& scene, const Surroundings& light, render::FramePla
     sky.state.depthTest = render::DepthTest::nearerOrEqual;  // The triangle lies at depth 0, the far plane.
     sky.draws = {Draw{}};
     light.illuminate(sky);
+    // Neither shadow nor mirror image falls on the sky: it must not keep them alive where nothing else reads them.
+    std::erase_if(sky.inputs, [](const render::Input& input) { return input.unit != UNIT_ENVIRONMENT; });
     plan.add(std::move(sky));
 }
 

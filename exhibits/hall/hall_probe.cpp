@@ -52,13 +52,16 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
 void planFace(const HallScene& scene, const Surroundings& light, int face, int size, std::uint64_t key, render::FramePlan& plan)
 {
     const glm::dvec3 eye = probePosition(scene);
+    // The probe must not read itself while it is being made; and it holds the hall alone, for its key does not
+    // tell where the exhibits' shadows lie.
+    Surroundings hallLight = light;
+    hallLight.light.sunLightmap.w = 0;
+    std::erase_if(hallLight.inputs, [](const render::Input& input) { return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS; });
     Pass sky = capturePass("sky", face, eye, size, key);
     sky.shader = {"lib/fullscreen.vert", "hall/sky.frag", "", {"CAPTURE"}};
     sky.colors = {{"probe.captured", Load::keep, {}, face, 0}};
     sky.draws = {render::Draw{}};
-    light.illuminate(sky);
-    // The probe must not read itself while it is being made.
-    std::erase_if(sky.inputs, [](const render::Input& input) { return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE; });
+    hallLight.illuminate(sky);
     if (scene.alone && face == 5) sky.mipmaps = {"probe.captured"};
     plan.add(std::move(sky));
     if (scene.alone) return;
@@ -74,8 +77,7 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
     }
     walls.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
     walls.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
-    light.illuminate(walls);
-    std::erase_if(walls.inputs, [](const render::Input& input) { return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE; });
+    hallLight.illuminate(walls);
     if (face == 5) walls.mipmaps = {"probe.captured"};
     plan.add(std::move(walls));
 }

@@ -97,6 +97,8 @@ Pass marchPass(const Scene& s, const char* name, std::string reason)
     if (s.values[s.table.material] == SdfMaterial::glass) pass.shader.defines.emplace_back("GLASS");
     if (s.values[s.table.heatMap] != SdfHeatMap::none) pass.shader.defines.emplace_back("HEAT_MAP");
     s.context.surroundings.illuminate(pass);
+    // It shades itself by rays of its own; the exhibits' shadow map holds nothing but itself.
+    std::erase_if(pass.inputs, [](const render::Input& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
     return pass;
 }
 
@@ -140,6 +142,10 @@ Pass meshPass(const Scene& s, const char* name, std::string reason, std::vector<
     pass.reason = std::move(reason);
     pass.shader = {"hall/surface.vert", "hall/surface.frag", "", std::move(defines), {}};
     pass.colors = {{radianceImage, Load::keep, {}, -1, 0}};
+    if (s.context.channels.normal) {
+        pass.shader.defines.emplace_back("WRITE_NORMAL");
+        pass.colors.push_back({normalImage, Load::keep, {}, -1, 0});
+    }
     pass.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::back};
     s.context.surroundings.illuminate(pass);

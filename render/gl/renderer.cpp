@@ -108,9 +108,10 @@ struct Renderer::State {
         }
     }
 
-    void forget(const std::vector<std::string>& freshImages)
+    /// What was written into these images is not there any more.
+    void forget(const std::vector<std::string>& images)
     {
-        for (const std::string& image : freshImages) {
+        for (const std::string& image : images) {
             for (const std::string& pass : writersOfKept[image]) kept.erase(pass);
             writersOfKept.erase(image);
         }

@@ -31,9 +31,13 @@ std::vector<std::string> Resources::prepare(const FramePlan& plan, glm::ivec2 fr
     }
     for (const auto& [name, info] : plan.images())
         if (info.kept) used.insert(name);
-    std::erase_if(images_, [&](const auto& entry) { return !used.contains(entry.first); });
+    std::vector<std::string> lost;
+    std::erase_if(images_, [&](const auto& entry) {
+        if (used.contains(entry.first)) return false;
+        if (entry.second.info.kept) lost.push_back(entry.first);
+        return true;
+    });
 
-    std::vector<std::string> fresh;
     for (const auto& [name, info] : plan.images()) {
         if (!used.contains(name)) continue;
         const glm::ivec2 size = sizeOf(info, frameSize);
@@ -41,9 +45,9 @@ std::vector<std::string> Resources::prepare(const FramePlan& plan, glm::ivec2 fr
         if (stored != images_.end() && sameStorage(stored->second.info, info) && stored->second.texture.size() == size) continue;
         if (stored != images_.end()) images_.erase(stored);
         images_.emplace(name, StoredImage{info, Texture(info, size)});
-        if (info.kept) fresh.push_back(name);
+        if (info.kept) lost.push_back(name);
     }
-    return fresh;
+    return lost;
 }
 
 const Texture& Resources::image(const std::string& name) const

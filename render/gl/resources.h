@@ -14,8 +14,8 @@ namespace vitrine::render::gl {
 /// did not declare or use is freed.
 class Resources {
 public:
-    /// Makes the images that the plan's passes use. Returns the names of kept images that are new, and
-    /// hence hold nothing yet.
+    /// Makes the images that the plan's passes use and frees the others. Returns the names of kept images that
+    /// are new, and hence hold nothing yet, or gone: what was kept in them must be made again.
     std::vector<std::string> prepare(const FramePlan&, glm::ivec2 frameSize);
 
     [[nodiscard]] const Texture& image(const std::string& name) const;  ///< std::out_of_range when unknown.

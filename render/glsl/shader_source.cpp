@@ -15,6 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Mesa (22.3) reports errors inside an expression as of source 0, whatever `#line` said (its YYLLOC_DEFAULT
+/// drops the source). So the line tells the file, too: line n of file i is line i * linesPerFile + n.
+constexpr int linesPerFile = 100000;
+
 /// Replaces includes depth-first, each file once, keeping `#line` so that messages name real places.
 class Resolver {
 public:
@@ -58,7 +62,7 @@ private:
 
     void line(int number, std::size_t index)
     {
-        result_.text += "#line " + std::to_string(number) + ' ' + std::to_string(index) + '\n';
+        result_.text += "#line " + std::to_string(static_cast<int>(index) * linesPerFile + number) + ' ' + std::to_string(index) + '\n';
     }
 
     const ShaderSource& source_;
@@ -124,8 +128,9 @@ ShaderMessage firstError(std::string_view log, const std::vector<std::string>& f
         if (first.empty()) first = line;
         std::smatch match;
         if (!std::regex_search(line, match, intel) && !std::regex_search(line, match, mesa) && !std::regex_search(line, match, nvidia)) continue;
-        const auto index = static_cast<std::size_t>(std::stoul(match[1]));
-        return {index < files.size() ? files[index] : std::string(), std::stoi(match[2]), match[3]};
+        const int number = std::stoi(match[2]);
+        const auto index = number >= linesPerFile ? static_cast<std::size_t>(number / linesPerFile) : static_cast<std::size_t>(std::stoul(match[1]));
+        return {index < files.size() ? files[index] : std::string(), number % linesPerFile, match[3]};
     }
     return {files.empty() ? std::string() : files.front(), 0, first};
 }

@@ -8,7 +8,7 @@
 
 namespace vitrine::render {
 
-/// A shader with its includes resolved. `files[n]` is the file that `#line … n` means.
+/// A shader with its includes resolved. `files[n]` is the file that `#line … n` means; `firstError` knows how.
 struct ShaderText {
     std::string text;
     std::vector<std::string> files;

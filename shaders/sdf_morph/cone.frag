@@ -8,7 +8,6 @@ const float BLOCK = 8.0;
 
 void main()
 {
-    shape = objectShape();
     vec2 corner = floor(gl_FragCoord.xy) * BLOCK;
     LocalRay axis = localRay(corner + 0.5 * BLOCK);
     float chord = 0.0;

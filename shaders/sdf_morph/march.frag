@@ -36,7 +36,6 @@ vec3 heat(March march, Hit hit)
 
 void main()
 {
-    shape = objectShape();
     evaluations = 0;
     LocalRay ray = localRay(gl_FragCoord.xy);
     float coneShare = 0.0;

@@ -12,8 +12,6 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
     vec4 wipe;      // x: pixels from the left edge at which the marched half ends
 } object;
 
-TorusMugShape shape;  // Set first thing in main.
-
 TorusMugShape objectShape()
 {
     TorusMugShape s;
@@ -37,6 +35,8 @@ TorusMugShape objectShape()
     s.lip = object.shape[5].x;
     return s;
 }
+
+TorusMugShape shape = objectShape();
 
 float fieldDistance(vec3 p)
 {

@@ -200,6 +200,17 @@ TEST(MuseumPlan, AloneThereIsNoHall)
     EXPECT_FALSE(runs(plan, "probe/walls"));
 }
 
+TEST(MuseumPlan, AloneItsShadowIsDrawnOnlyForAMeshToFallOn)
+{
+    Scene scene;
+    scene.request.alone = scene.sdf;
+    scene.see(test::museum().exhibits()[scene.sdf]->bestView(scene.object()));
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "nothing reads what it writes");
+    EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "nothing reads what it writes");
+    scene.object().set(test::sdfTable().compareMesh, true);
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "it ran");
+}
+
 TEST(MuseumPlan, TransparentLeavesOutTheSky)
 {
     Scene scene;

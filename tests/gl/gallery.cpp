@@ -1,0 +1,150 @@
+#include "tests/gl/gallery.h"
+
+#include "render/failure.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+namespace vitrine::test {
+namespace {
+
+/// Empty, or why the driver that the environment asks for cannot be tested here.
+std::string whyNoDriver()
+{
+    const char* driver = std::getenv("GALLIUM_DRIVER");
+    if (!driver || std::strcmp(driver, "zink") != 0) return {};
+    try {
+        const std::string renderer = gallery().context.info().renderer;
+        return renderer.find("zink") != std::string::npos ? std::string() : "no OpenGL 4.5 from zink here: " + renderer;
+    } catch (const Failure& failure) {
+        if (failure.blame() != Blame::openGl) throw;
+        return std::string("no OpenGL 4.5 from zink here: ") + failure.what();
+    }
+}
+
+}  // namespace
+
+Gallery& gallery()
+{
+    static auto* opened = new Gallery;  // Never closed: the driver is unloaded before statics are destroyed.
+    return *opened;
+}
+
+void GlTest::SetUp()
+{
+    static const std::string why = whyNoDriver();
+    if (!why.empty()) GTEST_SKIP() << why;
+    errorsBefore_ = gallery().log.errors().size();
+}
+
+void GlTest::TearDown()
+{
+    if (IsSkipped()) return;
+    EXPECT_EQ(gallery().log.errors().substr(errorsBefore_), "");
+}
+
+int Picture::hits() const
+{
+    int count = 0;
+    each([&](int x, int y) { count += hit(x, y); });
+    return count;
+}
+
+double Picture::mean() const
+{
+    double sum = 0;
+    each([&](int x, int y) { sum += luminance(x, y); });
+    return sum / (width() * height());
+}
+
+Shot::Shot()
+{
+    const Museum& museum = gallery().museum;
+    look = museum.initialLook();
+    sdf = *museum.find("sdf_morph");
+    hall().set(hallTable().shadowMapSize, 512);
+    hall().set(hallTable().probeSize, 32);
+    hall().set(hallTable().probeSamples, 16);
+    FrameRequest& frame = request.frame;
+    frame.alone = sdf;
+    frame.transparent = true;
+    frame.averageIn = AverageIn::radiance;
+    frame.channels.normal = true;
+    request.depth = true;
+    frame.raster.size = {96, 54};
+    frame.camera = museum.exhibits()[sdf]->bestView(object());
+}
+
+Shot& Shot::inHall()
+{
+    request.frame.alone.reset();
+    request.frame.subject = sdf;
+    request.frame.transparent = false;
+    request.frame.camera = gallery().museum.bestView(sdf, object());
+    return *this;
+}
+
+Shot& Shot::size(int width, int height)
+{
+    request.frame.raster.size = {width, height};
+    return *this;
+}
+
+Shot& Shot::see(const glm::dvec3& eye, const glm::dvec3& target)
+{
+    request.frame.camera.eye = eye;
+    request.frame.camera.target = target;
+    return *this;
+}
+
+Shot& Shot::transform(const glm::dmat4& m)
+{
+    request.frame.exhibitTransform = m;
+    return *this;
+}
+
+glm::dmat4 Shot::worldFromExhibit() const
+{
+    return (request.frame.alone ? glm::dmat4(1) : gallery().museum.worldFromExhibit(sdf)) * request.frame.exhibitTransform;
+}
+
+Picture Shot::take() const
+{
+    PictureMaker maker(gallery().museum, gallery().renderer, look, request);
+    while (maker.step()) {}
+    return {maker.picture(), render::makeView(request.frame.camera, request.frame.raster)};
+}
+
+double largestDifference(const render::Image& a, const render::Image& b)
+{
+    if (a.pixels.size() != b.pixels.size()) return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        if (a.pixels[i] == b.pixels[i]) continue;  // Both infinite where nothing was hit.
+        const double difference = std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]));
+        largest = std::isfinite(difference) ? std::max(largest, difference) : std::numeric_limits<double>::infinity();
+    }
+    return largest;
+}
+
+double colorDifference(const Picture& a, const Picture& b)
+{
+    double sum = 0;
+    a.each([&](int x, int y) {
+        const glm::dvec3 d = a.color(x, y) - b.color(x, y);
+        sum += glm::dot(d, d);
+    });
+    return std::sqrt(sum / (3.0 * a.width() * a.height()));
+}
+
+std::string notFinite(const render::Image& image, int channels)
+{
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < channels; ++c)
+                if (!std::isfinite(image.at(x, y, c))) return "pixel " + std::to_string(x) + ',' + std::to_string(y) + " channel " + std::to_string(c);
+    return {};
+}
+
+}  // namespace vitrine::test

@@ -1,0 +1,218 @@
+// S7, S14: glass, the rasterized twin, heat maps.
+
+#include "tests/gl/gallery.h"
+#include "tests/gl/truth.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+using glm::dvec3;
+using test::hallTable;
+using test::Picture;
+using test::sdfTable;
+using test::Shot;
+
+class Material : public test::GlTest {};
+
+Shot glass(double index)
+{
+    Shot shot;
+    shot.hall().set(hallTable().sunStrength, 0.0);
+    shot.hall().set(hallTable().probeSize, 256);
+    ParameterValues& o = shot.object();
+    o.set(sdfTable().material, SdfMaterial::glass);
+    o.set(sdfTable().refractiveIndex, index);
+    o.set(sdfTable().baseColor, ColorValue{dvec3(1)});
+    o.set(sdfTable().roughness, 0.0);
+    o.set(sdfTable().bounces, 4);
+    return shot;
+}
+
+TEST_F(Material, S14_GlassIsFiniteAndRefracts)
+{
+    for (const double morph : {0.0, 0.5, 1.0}) {
+        Shot shot = glass(1.5);
+        shot.object().set(sdfTable().morph, morph);
+        const Picture refracted = shot.take();
+        EXPECT_EQ(test::notFinite(refracted.image, 4), "");
+        shot.object().set(sdfTable().material, SdfMaterial::opaque);
+        EXPECT_GT(test::colorDifference(refracted, shot.take()), 0.02) << morph;
+    }
+}
+
+TEST_F(Material, S14_AnotherIndexBendsOtherwise)
+{
+    EXPECT_GT(test::colorDifference(glass(1.3).take(), glass(1.9).take()), 0.01);
+}
+
+TEST_F(Material, S14_H93_ClearGlassOfIndex1IsNotThere)
+{
+    // Rays go straight on, and nothing mirrors: what is seen is the room behind, as the probe has it.
+    Shot shot = glass(1.0);
+    shot.object().set(sdfTable().morph, 0.0);
+    shot.request.frame.transparent = false;
+    const Picture through = shot.take();
+    shot.object().set(sdfTable().majorRadius, 0.05);
+    shot.object().set(sdfTable().minorRadius, 0.001);
+    shot.request.frame.exhibitTransform[3] = glm::dvec4(0, -500, 0, 1);
+    const Picture room = shot.take();
+    ASSERT_EQ(room.hits(), 0);
+    std::vector<double> errors;
+    through.each([&](int x, int y) {
+        if (through.hit(x, y)) errors.push_back(std::abs(through.luminance(x, y) - room.luminance(x, y)) / room.mean());
+    });
+    ASSERT_GT(errors.size(), 300U);
+    std::sort(errors.begin(), errors.end());
+    // The probe's texels, 256 to a face, blur the edges of the studio's lamps.
+    EXPECT_LT(errors[errors.size() / 2], 0.01);
+    EXPECT_LT(errors[errors.size() * 9 / 10], 0.06);
+    // Control: glass is.
+    Shot other = glass(1.5);
+    other.object().set(sdfTable().morph, 0.0);
+    other.request.frame.transparent = false;
+    EXPECT_GT(test::colorDifference(other.take(), through), 0.05);
+}
+
+TEST_F(Material, S14_ColoredGlassDarkensWithDepth)
+{
+    Shot shot = glass(1.0);
+    shot.object().set(sdfTable().morph, 0.0);
+    shot.object().set(sdfTable().hitTolerance, 0.05);  // The way inside starts two tolerances below the surface.
+    const Picture clear = shot.take();
+    shot.object().set(sdfTable().baseColor, ColorValue{dvec3(0.5)});
+    const Picture tinted = shot.take();
+    const test::Solid solid(shot.object(), glm::dmat4(1));
+    int compared = 0;
+    std::vector<double> errors;
+    clear.each([&](int x, int y) {
+        const test::Found front = solid.trace(clear.view, x, y);
+        if (!front.hit || front.cosine < 0.5) return;
+        // The length of the way inside, by walking it.
+        const test::Ray ray = test::pixelRay(clear.view, x, y);
+        const double step = 0.0005;
+        double inside = 0;
+        for (double t = front.distance; t < front.distance + 1.5; t += step)
+            if (solid.distance(ray.origin + ray.direction * t) < 0) inside += step * glm::length(ray.direction);
+        ++compared;
+        errors.push_back(std::abs(tinted.luminance(x, y) / clear.luminance(x, y) / std::pow(0.5, inside / 0.1) - 1));
+    });
+    ASSERT_GT(compared, 100);
+    std::sort(errors.begin(), errors.end());
+    EXPECT_LT(errors[errors.size() / 2], 0.02);
+    EXPECT_LT(errors[errors.size() * 9 / 10], 0.06);
+}
+
+Picture twin(int cells)
+{
+    Shot shot;
+    shot.object().set(sdfTable().compareMesh, true);
+    shot.object().set(sdfTable().wipe, 0.0);
+    shot.object().set(sdfTable().tessellation, cells);
+    return shot.take();
+}
+
+TEST_F(Material, S7_TheMeshComesNearerToTheMarchedObjectTheFinerItIs)
+{
+    Shot shot;
+    shot.object().set(sdfTable().hitTolerance, 0.05);
+    const Picture marched = shot.take();
+    double last = 1e9;
+    for (const int cells : {6, 16, 48, 128}) {
+        const Picture mesh = twin(cells);
+        double sum = 0;
+        int n = 0, outline = 0;
+        marched.each([&](int x, int y) {
+            outline += marched.hit(x, y) != mesh.hit(x, y);
+            if (!marched.hit(x, y) || !mesh.hit(x, y)) return;
+            sum += std::min(std::abs(marched.depth(x, y) - mesh.depth(x, y)), 0.05);
+            ++n;
+        });
+        EXPECT_LT(sum / n, last) << cells;
+        last = sum / n;
+        if (cells == 6) {
+            EXPECT_GT(sum / n, 2e-3) << "so few cells must show";
+        }
+        if (cells == 128) {
+            EXPECT_LT(sum / n, 1e-3);
+            EXPECT_LT(outline, 40);
+        }
+    }
+}
+
+TEST_F(Material, S7_TheWipeDividesThePicture)
+{
+    Shot shot;
+    const Picture marched = shot.take();
+    const Picture mesh = twin(24);
+    shot.object().set(sdfTable().compareMesh, true);
+    shot.object().set(sdfTable().tessellation, 24);
+    shot.object().set(sdfTable().wipe, 0.5);
+    const Picture both = shot.take();
+    int left = 0, right = 0;
+    both.each([&](int x, int y) {
+        const Picture& source = x < both.width() / 2 ? marched : mesh;
+        EXPECT_EQ(both.hit(x, y), source.hit(x, y)) << x << ',' << y;
+        EXPECT_EQ(both.color(x, y), source.color(x, y)) << x << ',' << y;
+        (x < both.width() / 2 ? left : right) += both.hit(x, y);
+    });
+    EXPECT_GT(left, 50);
+    EXPECT_GT(right, 50);
+}
+
+TEST_F(Material, S7_TheMeshFillsTheNormalChannelToo)
+{
+    const Picture mesh = twin(48);
+    mesh.each([&](int x, int y) {
+        if (mesh.hit(x, y)) {
+            EXPECT_NEAR(glm::length(mesh.normal(x, y)), 1, 1e-3) << x << ',' << y;
+        }
+    });
+}
+
+TEST_F(Material, HeatMapsShowFromBlackToWhiteWhatEachPixelCosts)
+{
+    Shot shot;
+    shot.request.frame.averageIn = AverageIn::display;
+    shot.request.frame.channels.evaluations = true;
+    const Picture plain = shot.take();
+    std::vector<Picture> maps;
+    for (const SdfHeatMap map : {SdfHeatMap::steps, SdfHeatMap::evaluations, SdfHeatMap::normals, SdfHeatMap::distance}) {
+        shot.object().set(sdfTable().heatMap, map);
+        maps.push_back(shot.take());
+        EXPECT_GT(test::colorDifference(maps.back(), plain), 0.02) << static_cast<int>(map);
+        EXPECT_EQ(maps.back().hits(), plain.hits());
+    }
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) EXPECT_GT(test::colorDifference(maps[i], maps[j]), 0.02);
+
+    shot.object().set(sdfTable().heatMap, SdfHeatMap::evaluations);
+    shot.object().set(sdfTable().heatScale, 1.0);
+    const Picture white = shot.take();
+    shot.object().set(sdfTable().heatScale, 4096.0);
+    const Picture black = shot.take();
+    white.each([&](int x, int y) {
+        if (!white.hit(x, y)) return;
+        EXPECT_GT(white.luminance(x, y), 0.85);
+        EXPECT_LT(black.luminance(x, y), 0.12);
+    });
+}
+
+TEST_F(Material, TheNormalsMapShowsTheNormals)
+{
+    Shot shot;
+    shot.request.frame.averageIn = AverageIn::display;
+    shot.object().set(sdfTable().heatMap, SdfHeatMap::normals);
+    const Picture p = shot.take();
+    double worst = 0;
+    p.each([&](int x, int y) {
+        // 2 %: colors are stored as half floats, and saturated ones are drawn together by the tone curve and back.
+        if (p.hit(x, y)) worst = std::max(worst, glm::length(p.color(x, y) - (p.normal(x, y) * 0.5 + 0.5) * 0.98));
+    });
+    EXPECT_LT(worst, 0.05);
+}
+
+}  // namespace
+}  // namespace vitrine
