@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vitrine::test {
+
+/// What a child process left.
+struct Ended {
+    int code = -1;  ///< Its exit code; 128 and more: the signal that ended it, plus 128.
+    std::string out, err;
+};
+
+using Environment = std::vector<std::pair<std::string, std::string>>;
+
+/// Runs the program with these arguments, without a display, and waits. `changes` to the environment: an
+/// empty value takes the variable away.
+[[nodiscard]] Ended vitrine(const std::vector<std::string>& arguments, const Environment& changes = {});
+
+/// Expects one line on standard error that says who speaks, contains every part, and ends as a sentence; and
+/// nothing on standard output.
+void expectOneSentence(const Ended&, const std::vector<std::string>& parts);
+
+}  // namespace vitrine::test

@@ -1,0 +1,99 @@
+#include "render/files/strict_json.h"
+#include "tests/app/child_process.h"
+#include "tests/support/german_locale.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace vitrine {
+namespace {
+
+using render::Json;
+using test::Ended;
+
+std::set<std::string> keysOf(const Json& object)
+{
+    std::set<std::string> keys;
+    for (const auto& [key, value] : object.items()) keys.insert(key);
+    return keys;
+}
+
+TEST(List, NamesTheHallAndTheExhibits)
+{
+    const Ended ended = test::vitrine({"list"});
+    EXPECT_EQ(ended.code, 0);
+    EXPECT_EQ(ended.err, "");
+    EXPECT_EQ(ended.out.rfind("hall ", 0), 0U) << ended.out;
+    EXPECT_NE(ended.out.find("\nsdf_morph "), std::string::npos) << ended.out;
+}
+
+TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
+{
+    const Ended ended = test::vitrine({"list", "--json"});
+    ASSERT_EQ(ended.code, 0);
+    EXPECT_EQ(ended.err, "");
+    const Json all = render::parseJson(ended.out, "list").root();
+    ASSERT_TRUE(all.is_array());
+    const std::set<std::string> kinds{"real", "count", "toggle", "choice", "color", "direction", "file"};
+    int rows = 0, qualities = 0;
+    for (const Json& exhibit : all) {
+        EXPECT_EQ(keysOf(exhibit), (std::set<std::string>{"name", "title", "summary", "parameters"}));
+        for (const Json& row : exhibit["parameters"]) {
+            ++rows;
+            EXPECT_EQ(keysOf(row), (std::set<std::string>{"name", "kind", "unit", "low", "high", "softLow", "softHigh", "scale", "initial", "help", "choices", "quality"})) << row["name"];
+            EXPECT_TRUE(kinds.contains(row["kind"].get<std::string>())) << row["kind"];
+            EXPECT_TRUE(row["scale"] == "linear" || row["scale"] == "logarithmic");
+            EXPECT_TRUE(row["choices"].is_array());
+            EXPECT_EQ(row["choices"].empty(), row["kind"] != "choice");
+            if (!row["quality"].is_null()) {
+                ++qualities;
+                EXPECT_EQ(keysOf(row["quality"]), std::set<std::string>{"reference"});
+            }
+            if (row["kind"] == "real" || row["kind"] == "count") {
+                EXPECT_LE(row["low"].get<double>(), row["initial"].get<double>());
+                EXPECT_GE(row["high"].get<double>(), row["initial"].get<double>());
+            }
+        }
+    }
+    EXPECT_GT(rows, 40);
+    EXPECT_GT(qualities, 5);
+    const auto sdf = std::find_if(all.begin(), all.end(), [](const Json& e) { return e["name"] == "sdf_morph"; });
+    ASSERT_NE(sdf, all.end());
+    EXPECT_EQ((*sdf)["parameters"][0]["name"], "morph");
+}
+
+TEST(List, SpeaksTheSameInEveryLocale)
+{
+    const test::GermanLocale german;
+    if (!german.active()) GTEST_SKIP() << "there is no German locale here";
+    const std::string plain = test::vitrine({"list", "--json"}, {{"LC_ALL", "C"}}).out;
+    EXPECT_NE(plain.find("0.62"), std::string::npos);
+    EXPECT_EQ(test::vitrine({"list", "--json"}, {{"LC_ALL", "de_DE.UTF-8"}}).out, plain);
+}
+
+TEST(Doctor, SaysWhatThisMachineCanDo)
+{
+    const Ended ended = test::vitrine({"doctor", "--json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.err, "");
+    const Json report = render::parseJson(ended.out, "doctor").root();
+    EXPECT_TRUE(report["opengl"]["usable"].get<bool>());
+    EXPECT_GE(report["limits"]["textureSize"].get<int>(), 4096);
+    EXPECT_FALSE(report["clock"]["method"].get<std::string>().empty());
+    EXPECT_FALSE(report["clock"]["why"].get<std::string>().empty());
+    for (const char* library : {"Qt", "GLM", "OpenImageIO"}) EXPECT_TRUE(report["libraries"].contains(library)) << library;
+    EXPECT_NE(test::vitrine({"doctor"}).out.find(report["opengl"]["renderer"].get<std::string>()), std::string::npos);
+}
+
+TEST(Doctor, OnAnOldMachineSaysWhatIsThereAndWhatIsNeeded)
+{
+    const Ended ended = test::vitrine({"doctor", "--json"}, {{"MESA_GL_VERSION_OVERRIDE", "3.3"}});
+    EXPECT_EQ(ended.code, 3);
+    const Json report = render::parseJson(ended.out, "doctor").root();
+    EXPECT_FALSE(report["opengl"]["usable"].get<bool>());
+    EXPECT_NE(report["opengl"]["why"].get<std::string>().find("4.5"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,258 @@
+#include "render/files/strict_json.h"
+#include "render/image/image_io.h"
+#include "tests/app/child_process.h"
+#include "tests/support/german_locale.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace vitrine {
+namespace {
+
+using render::Json;
+using test::Ended;
+using test::TemporaryFolder;
+
+using Words = std::vector<std::string>;
+
+Words rendering(const std::string& exhibit, const std::string& out, const Words& more = {})
+{
+    Words words{"render", exhibit, "--size", "48x27", "--samples", "1", "--set", "hall.probeSize=32", "--set", "hall.shadowMapSize=512", "--out", out};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+const Words everyChannel{"--alone", "--transparent", "--channels", "color,depth,normal,evaluations"};
+
+TEST(RenderCommand, AnOpenExrCarriesTheChannelsAskedFor)
+{
+    const TemporaryFolder folder;
+    const Ended ended = test::vitrine(rendering("sdf_morph", folder / "x.exr", everyChannel));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.out, "");
+    EXPECT_EQ(ended.err, "");
+    const render::Image image = render::readImage(folder / "x.exr");
+    EXPECT_EQ(image.width, 48);
+    EXPECT_EQ(image.height, 27);
+    const std::set<std::string> names(image.channelNames.begin(), image.channelNames.end());
+    EXPECT_EQ(names, (std::set<std::string>{"R", "G", "B", "A", "depth.Z", "normal.X", "normal.Y", "normal.Z", "evaluations"}));
+    const auto channel = [&](const char* name) { return static_cast<int>(std::find(image.channelNames.begin(), image.channelNames.end(), name) - image.channelNames.begin()); };
+    int hits = 0, counted = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const bool hit = image.at(x, y, channel("A")) > 0;
+            hits += hit;
+            counted += image.at(x, y, channel("evaluations")) > 0;
+            if (hit) {
+                EXPECT_GT(image.at(x, y, channel("depth.Z")), 0.5F);
+                EXPECT_LT(image.at(x, y, channel("depth.Z")), 5.0F);
+                EXPECT_NEAR(std::hypot(image.at(x, y, channel("normal.X")), image.at(x, y, channel("normal.Y")), image.at(x, y, channel("normal.Z"))), 1, 1e-3);
+                EXPECT_GT(image.at(x, y, channel("evaluations")), 0);
+            }
+        }
+    EXPECT_GT(hits, 100);
+    EXPECT_GE(counted, hits);
+}
+
+TEST(RenderCommand, TheReportSaysWhatRanWhatWasSkippedAndWhatItCost)
+{
+    const TemporaryFolder folder;
+    Words words = rendering("sdf_morph", folder / "x.png", {"--report", folder / "report.json"});
+    const Ended ended = test::vitrine(words);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.out, "");
+    const Json report = render::readJson(folder / "report.json").root();
+    std::set<std::string> keys;
+    for (const auto& [key, value] : report.items()) keys.insert(key);
+    EXPECT_EQ(keys, (std::set<std::string>{"exhibit", "size", "renderer", "clock", "ran", "skipped", "counters", "ms"}));
+    EXPECT_EQ(report["exhibit"], "sdf_morph");
+    EXPECT_EQ(report["size"], Json::array({48, 27}));
+    EXPECT_FALSE(report["renderer"].get<std::string>().empty());
+    EXPECT_FALSE(report["clock"]["method"].get<std::string>().empty());
+    EXPECT_TRUE(report["clock"]["trusted"].is_boolean());
+    std::set<std::string> ran;
+    for (const Json& step : report["ran"]) {
+        ran.insert(step["name"].get<std::string>());
+        EXPECT_FALSE(step["reason"].get<std::string>().empty());
+        EXPECT_TRUE(step["kind"] == "raster" || step["kind"] == "compute" || step["kind"] == "simulation");
+        EXPECT_TRUE(step.contains("ms"));
+    }
+    EXPECT_TRUE(ran.contains("sdf_morph/march"));
+    EXPECT_TRUE(ran.contains("hall/walls"));
+    for (const Json& step : report["skipped"]) {
+        EXPECT_FALSE(step["reason"].get<std::string>().empty()) << step["name"];
+        EXPECT_TRUE(step.contains("kind"));
+        EXPECT_FALSE(ran.contains(step["name"].get<std::string>())) << step["name"];
+    }
+    for (const char* counter : {"draws", "triangles", "passes", "evaluations"}) EXPECT_GT(report["counters"][counter].get<std::int64_t>(), 0) << counter;
+    const Json& ms = report["ms"];
+    EXPECT_GT(ms["runs"].get<int>(), 2);
+    EXPECT_GT(ms["low"].get<double>(), 0);
+    EXPECT_LE(ms["low"].get<double>(), ms["median"].get<double>());
+    EXPECT_LE(ms["median"].get<double>(), ms["high"].get<double>());
+}
+
+TEST(RenderCommand, CountersDoNotDependOnTheRun)
+{
+    const TemporaryFolder folder;
+    Json counters[2];
+    for (Json& c : counters) {
+        ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "x.exr", {"--alone", "--transparent", "--report", folder / "r.json"})).code, 0);
+        c = render::readJson(folder / "r.json").root()["counters"];
+    }
+    EXPECT_EQ(counters[0], counters[1]);
+}
+
+TEST(RenderCommand, TheSameInputsGiveTheSameBytes)
+{
+    const TemporaryFolder folder;
+    for (const char* name : {"a.png", "b.png"}) ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / name, {"--time", "3.5", "--set", "animate=on"})).code, 0);
+    EXPECT_EQ(test::bytesOf(folder / "a.png"), test::bytesOf(folder / "b.png"));
+    for (const char* name : {"a.exr", "b.exr"}) ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / name, everyChannel)).code, 0);
+    EXPECT_EQ(test::bytesOf(folder / "a.exr"), test::bytesOf(folder / "b.exr"));
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "c.png", {"--time", "4.5", "--set", "animate=on"})).code, 0);
+    EXPECT_NE(test::bytesOf(folder / "a.png"), test::bytesOf(folder / "c.png"));
+}
+
+TEST(RenderCommand, EveryLocaleAndThreadCountGivesTheSameBytes)
+{
+    const TemporaryFolder folder;
+    const Words setting{"--alone", "--set", "morph=0.35", "--eye", "0.5,0.4,1.7", "--report", folder / "r.json"};
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "plain.exr", setting), {{"LC_ALL", "C"}}).code, 0);
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "threads.exr", setting), {{"LP_NUM_THREADS", "0"}}).code, 0);
+    EXPECT_EQ(test::bytesOf(folder / "plain.exr"), test::bytesOf(folder / "threads.exr"));
+    const test::GermanLocale german;
+    if (!german.active()) GTEST_SKIP() << "there is no German locale here";
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "german.exr", setting), {{"LC_ALL", "de_DE.UTF-8"}}).code, 0);
+    EXPECT_EQ(test::bytesOf(folder / "plain.exr"), test::bytesOf(folder / "german.exr"));
+}
+
+TEST(RenderCommand, APictureBringsItsLookBack)
+{
+    const TemporaryFolder folder;
+    for (const char* extension : {".png", ".exr"}) {
+        const std::string first = folder / (std::string("first") + extension);
+        const std::string again = folder / (std::string("again") + extension);
+        const Ended made = test::vitrine(rendering("sdf_morph", first, {"--set", "morph=0.2", "--set", "baseColor=#c08040", "--eye", "0.4,1.9,1.6", "--target", "0,1.4,0"}));
+        ASSERT_EQ(made.code, 0) << made.err;
+        const Ended ended = test::vitrine(rendering("sdf_morph", again, {"--preset", first}));
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        EXPECT_EQ(render::readImage(again).pixels, render::readImage(first).pixels) << extension;
+    }
+}
+
+TEST(RenderCommand, AValueOutOfRangeIsBroughtBackAndSaidSo)
+{
+    const TemporaryFolder folder;
+    const Ended ended = test::vitrine(rendering("sdf_morph", folder / "x.png", {"--alone", "--set", "morph=7"}));
+    EXPECT_EQ(ended.code, 0);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_NE(ended.err.find("morph"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("nearest legal"), std::string::npos) << ended.err;
+}
+
+TEST(RenderCommand, DottedNamesSetAnyExhibitInTheHall)
+{
+    const TemporaryFolder folder;
+    const Words eye{"--eye", "0.62,1.87,1.9", "--target", "0,1.42,0"};
+    Words changed = eye;
+    changed.insert(changed.end(), {"--set", "sdf_morph.morph=0"});
+    ASSERT_EQ(test::vitrine(rendering("hall", folder / "a.png", eye)).code, 0);
+    ASSERT_EQ(test::vitrine(rendering("hall", folder / "b.png", changed)).code, 0);
+    EXPECT_NE(render::readImage(folder / "a.png").pixels, render::readImage(folder / "b.png").pixels);
+}
+
+TEST(RenderCommand, ScaleAndRotationTurnTheExhibit)
+{
+    const TemporaryFolder folder;
+    std::set<std::string> pictures;
+    for (const Words& more : {Words{}, Words{"--scale", "1,2,0.5"}, Words{"--scale", "-1,1,1"}, Words{"--rotate", "0,90,0"}}) {
+        Words words = rendering("sdf_morph", folder / "x.exr", {"--alone", "--transparent", "--set", "morph=1"});
+        words.insert(words.end(), more.begin(), more.end());
+        ASSERT_EQ(test::vitrine(words).code, 0);
+        pictures.insert(test::bytesOf(folder / "x.exr"));
+    }
+    EXPECT_EQ(pictures.size(), 4U);
+}
+
+TEST(RenderCommand, WhatCannotBeWrittenIsExit5AndNothingIsLeft)
+{
+    const TemporaryFolder folder;
+    const Ended ended = test::vitrine(rendering("sdf_morph", folder / "no/such/folder/x.png", {"--alone"}));
+    EXPECT_EQ(ended.code, 5);
+    test::expectOneSentence(ended, {"x.png"});
+    EXPECT_TRUE(folder.files().empty());
+    const Ended device = test::vitrine(rendering("sdf_morph", "/dev/full/x.png", {"--alone"}));
+    EXPECT_EQ(device.code, 5);
+    // The report cannot be written: said, too.
+    const Ended report = test::vitrine(rendering("sdf_morph", folder / "x.png", {"--alone", "--report", folder / "no/r.json"}));
+    EXPECT_EQ(report.code, 5);
+    test::expectOneSentence(report, {"r.json"});
+}
+
+TEST(RenderCommand, WhatCannotBeReadIsExit5)
+{
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "broken.json", "{\"format\": ");
+    test::writeBytes(folder / "broken.glb", "glTF but not really");
+    for (const Words& more : {Words{"--preset", folder / "none.json"}, Words{"--preset", folder / "broken.json"}, Words{"--environment", folder / "none.hdr"}, Words{"--model", folder / "broken.glb"}}) {
+        const Ended ended = test::vitrine(rendering("hall", folder / "x.png", more));
+        EXPECT_EQ(ended.code, 5) << more[1];
+        test::expectOneSentence(ended, {std::filesystem::path(more[1]).filename().string()});
+    }
+    EXPECT_EQ(folder.files().size(), 2U);
+}
+
+TEST(RenderCommand, WithoutAssetsSaysWhatToDo)
+{
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "models/materials.json", "{");
+    const Ended ended = test::vitrine(rendering("sdf_morph", folder / "x.png"), {{"VITRINE_ASSETS", folder.path().string()}});
+    EXPECT_EQ(ended.code, 5);
+    test::expectOneSentence(ended, {"materials.json"});
+}
+
+std::string preset(const std::string& values)
+{
+    return "{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"sdf_morph\", \"name\": \"Test\", \"values\": {" + values + "}}";
+}
+
+TEST(PresetCheck, TellsGoodFilesFromBad)
+{
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "good.json", preset("\"morph\": 0.25"));
+    const Ended good = test::vitrine({"preset", "check", folder / "good.json"});
+    EXPECT_EQ(good.code, 0) << good.err;
+    EXPECT_NE(good.out.find("good"), std::string::npos);
+
+    const std::vector<std::pair<std::string, std::string>> bad{{"type", preset("\"morph\": \"soup\"")}, {"duplicate", preset("\"morph\": 0.1, \"morph\": 0.2")}, {"nan", preset("\"morph\": NaN")}, {"torn", preset("").substr(0, 40)}};
+    for (const auto& [name, text] : bad) {
+        test::writeBytes(folder / (name + ".json"), text);
+        const Ended ended = test::vitrine({"preset", "check", folder / (name + ".json")});
+        EXPECT_EQ(ended.code, 1) << name << ": the check failed; the file could be read";
+        EXPECT_EQ(ended.out, "");
+        EXPECT_NE(ended.err.find(name + ".json, line 1"), std::string::npos) << ended.err;
+    }
+    // One bad file among good ones fails the check, and the good ones are still said to be good.
+    const Ended both = test::vitrine({"preset", "check", folder / "good.json", folder / "type.json"});
+    EXPECT_EQ(both.code, 1);
+    EXPECT_NE(both.out.find("good.json: good"), std::string::npos);
+
+    EXPECT_EQ(test::vitrine({"preset", "check", folder / "none.json"}).code, 5) << "a file that is not there cannot be checked";
+}
+
+TEST(PresetCheck, SaysWhatReadingWouldChange)
+{
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "x.json", preset("\"morph\": 7, \"fromTheFuture\": 1"));
+    const Ended ended = test::vitrine({"preset", "check", folder / "x.json"});
+    EXPECT_EQ(ended.code, 0);
+    EXPECT_NE(ended.out.find("morph"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("fromTheFuture"), std::string::npos) << ended.out;
+}
+
+}  // namespace
+}  // namespace vitrine
