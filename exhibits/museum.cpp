@@ -100,9 +100,10 @@ render::Camera Museum::bestView(std::size_t i, const ParameterValues& values) co
     return camera;
 }
 
-std::string Museum::whyHidden(const render::Box& box, const render::View& view) const
+std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
 {
     if (!view.mayContain(box)) return "out of view";
+    if (alone) return {};  // No walls stand here.
     for (const Occluder& occluder : model_->occluders())
         if (isBehind(occluder, box, view.eye)) return "behind a wall";
     return {};
@@ -143,7 +144,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         Present p{i, alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}};
         if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(p.worldFromExhibit);
-        p.hidden = request.runEverything ? std::string() : whyHidden(box, plan.view);
+        p.hidden = request.runEverything ? std::string() : whyHidden(box, plan.view, alone);
         p.noShadow = request.runEverything ? whyUnlit(scene, box) : whyNoShadow(scene, box, plan.view);
         if (p.noShadow.empty()) {
             casters.include(box.low);
@@ -219,7 +220,7 @@ double Museum::nextChange(const Look& look, const FrameRequest& request) const
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(request.alone ? glm::dmat4(1) : worldFromExhibit(i));
         // What is hidden may move unseen, and so may its shadow.
         const bool shadowSeen = !request.alone && whyNoShadow(scene, box, view).empty();
-        if (shadowSeen || whyHidden(box, view).empty()) next = std::min(next, exhibits_[i]->nextChange(look.values[i], request.time));
+        if (shadowSeen || whyHidden(box, view, request.alone.has_value()).empty()) next = std::min(next, exhibits_[i]->nextChange(look.values[i], request.time));
     }
     return next;
 }
@@ -254,7 +255,7 @@ std::optional<std::size_t> Museum::pick(const Look& look, glm::dvec2 ndc, double
     double nearestDistance = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(worldFromExhibit(i));
-        if (!whyHidden(box, view).empty()) continue;
+        if (!whyHidden(box, view, false).empty()) continue;
         const glm::dvec3 a = (box.low - look.camera.eye) / direction;
         const glm::dvec3 b = (box.high - look.camera.eye) / direction;
         const glm::dvec3 entries = glm::min(a, b);

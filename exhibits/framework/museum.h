@@ -87,7 +87,7 @@ public:
     [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const;
 
 private:
-    [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&) const;
+    [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&, bool alone) const;
 
     std::vector<std::unique_ptr<Exhibit>> exhibits_;
     std::shared_ptr<const HallModel> model_;

@@ -14,7 +14,9 @@ PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, Look 
     const glm::ivec2 size = request_.frame.raster.size;
     if (size.x < 1 || size.y < 1) throw Failure(Blame::usage, "A picture needs at least 1 × 1 pixels; " + std::to_string(size.x) + " × " + std::to_string(size.y) + " were asked for.");
     request_.samples = std::max(request_.samples, 1);
-    const int side = std::max(std::min(request_.largestTile, painter_.largestSide()), 1);
+    int side = std::max(std::min(request_.largestTile, painter_.largestSide()), 1);
+    // Textures are filtered by differences within blocks of 2 × 2 pixels: these must lie as in the whole picture.
+    if (side > 1) side -= side % 2;
     for (int y = 0; y < size.y; y += side)
         for (int x = 0; x < size.x; x += side) tiles_.push_back({{x, y}, glm::min(glm::ivec2(side), size - glm::ivec2(x, y))});
 

@@ -75,7 +75,10 @@ void planCone(const Scene& s, render::FramePlan& plan)
         plan.skip("sdf_morph/cone", "the cone pre-pass is switched off");
         return;
     }
-    plan.image({.name = "sdf_morph.cone", .format = render::Format::rgba32f, .scale = 1.0 / blockOfCone, .nearest = true});
+    // Blocks lie on the grid of the whole picture, so that tiles join to the bit: a tile may begin within one.
+    const render::Raster& raster = plan.view.raster;
+    const glm::ivec2 blocks = (raster.offset % blockOfCone + raster.drawn() + blockOfCone - 1) / blockOfCone;
+    plan.image({.name = "sdf_morph.cone", .format = render::Format::rgba32f, .size = glm::max(blocks, glm::ivec2(1)), .nearest = true});
     Pass pass = s.pass("cone", "it saves every ray the way to the object", "lib/fullscreen.vert", "sdf_morph/cone.frag");
     pass.stage = render::Stage::prepare;
     pass.colors = {{"sdf_morph.cone", Load::clear, {}, -1, 0}};

@@ -96,7 +96,7 @@ glm::dvec2 samplePosition(int i, int n)
     const double plastic = 1.32471795724474602596;
     const glm::dvec2 step(1 / plastic, 1 / (plastic * plastic));
     const glm::dvec2 p = glm::dvec2(0.5) + step * static_cast<double>(i);
-    return p - glm::floor(p) - 0.5;
+    return glm::floor((p - glm::floor(p)) * 512.0) / 512.0 - 0.5;
 }
 
 }  // namespace vitrine::render

@@ -52,7 +52,8 @@ struct View {
 [[nodiscard]] glm::dmat4 reversedOrthographic(const glm::dvec2& low, const glm::dvec2& high, double nearest, double farthest);
 
 /// Position `i` of `n` inside a pixel, in ±0.5: sample 0 is the center, the rest follow the R2 sequence
-/// (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences").
+/// (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"), in steps of 1/512: added to a
+/// pixel's number it is exact in float32 up to pixel 32768, so that tiles see the same rays to the bit.
 [[nodiscard]] glm::dvec2 samplePosition(int i, int n);
 
 }  // namespace vitrine::render

@@ -18,6 +18,12 @@ vec2 framePixel(vec2 fragCoord)
     return fragCoord + frame.sampling.xy;
 }
 
+// Lower left corner of the tile in the whole picture, pixels: a jitter below half a pixel rounds away.
+vec2 frameTile()
+{
+    return floor(frame.sampling.xy + 0.5);
+}
+
 // Direction through a position of the whole picture, world space, with length 1 along the view axis.
 // Taken from gl_FragCoord, not from a varying, so that tiles join to the bit.
 vec3 frameRay(vec2 fragCoord)

@@ -67,6 +67,19 @@ float schlick(float cosine, float atNormalIncidence)
     return atNormalIncidence + (1.0 - atNormalIncidence) * (m2 * m2 * m);
 }
 
+// Share of the light that a clear surface mirrors, for both polarizations alike: 0 to 1. `cosine` of the
+// incoming ray, 0 to 1; `index` of the far side over that of the near side. 1 on total reflection, 0 for index 1.
+// Cook and Torrance 1982, "A Reflectance Model for Computer Graphics".
+float fresnelDielectric(float cosine, float index)
+{
+    float g2 = index * index - 1.0 + cosine * cosine;
+    if (g2 <= 0.0) return index == 1.0 ? 0.0 : 1.0;
+    float g = sqrt(g2);
+    float a = (g - cosine) / (g + cosine);
+    float b = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
+    return 0.5 * a * a * (1.0 + b * b);
+}
+
 // Fractional part in [0, 1), never 1. Guards: fract(-1e-9) rounds to 1.0 and indexes past a table.
 float fractBelowOne(float x)
 {

@@ -4,11 +4,9 @@
 
 layout(location = 0) out vec4 start;
 
-const float BLOCK = 8.0;
-
 void main()
 {
-    vec2 corner = floor(gl_FragCoord.xy) * BLOCK;
+    vec2 corner = floor(gl_FragCoord.xy) * BLOCK - tileInBlock();
     LocalRay axis = localRay(corner + 0.5 * BLOCK);
     float chord = 0.0;
     for (int i = 0; i < 4; ++i) {

@@ -40,7 +40,7 @@ void main()
     LocalRay ray = localRay(gl_FragCoord.xy);
     float coneShare = 0.0;
 #ifdef CONE_PREPASS
-    vec4 cone = texelFetch(coneStart, ivec2(gl_FragCoord.xy) / 8, 0);
+    vec4 cone = texelFetch(coneStart, ivec2((gl_FragCoord.xy + tileInBlock()) / BLOCK), 0);
     coneShare = cone.y / 64.0;
     ray.span.x = max(ray.span.x, cone.x);
 #endif

@@ -24,3 +24,12 @@ LocalRay localRay(vec2 fragCoord)
     r.span.x = max(r.span.x, frame.eye.w * r.perDepth);
     return r;
 }
+
+// Pixels along a side of the block that one cone covers; blocks lie on the grid of the whole picture.
+const float BLOCK = 8.0;
+
+// Where the tile begins within its first block.
+vec2 tileInBlock()
+{
+    return mod(frameTile(), BLOCK);
+}

@@ -140,11 +140,10 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
 vec3 shadeGlass(vec3 toEye, Hit hit, MarchSettings settings)
 {
     float index = max(parameters.refractiveIndex, 1.0);
-    float f0 = (index - 1.0) * (index - 1.0) / ((index + 1.0) * (index + 1.0));
     Surface s = surfaceOf(hit);
     s.metalness = 0.0;
     float cosine = clamp(dot(s.normal, toEye), 0.0, 1.0);
-    float mirror = schlick(cosine, f0);
+    float mirror = fresnelDielectric(cosine, index);
     vec3 mirrored = reflect(-toEye, s.normal);
     s.baseColor = vec3(0.0);
     vec3 color = mirror * probeRadiance(hit.world, mirrored, s.roughness) + sunReflected(s, toEye, sunReaches(hit));
@@ -172,8 +171,7 @@ vec3 shadeGlass(vec3 toEye, Hit hit, MarchSettings settings)
             hit.localNormal = -hit.localNormal;
             continue;
         }
-        float c = abs(dot(side < 0.0 ? through : direction, hit.worldNormal));
-        throughput *= 1.0 - schlick(c, f0);
+        throughput *= 1.0 - fresnelDielectric(min(abs(dot(direction, hit.worldNormal)), 1.0), 1.0 / eta);
         direction = through;
         side = -side;
     }

@@ -1,10 +1,14 @@
 #include "tests/gl/gallery.h"
 
 #include "render/failure.h"
+#include "tests/support/image_bytes.h"
+#include "tests/support/temporary_folder.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <numbers>
 
 namespace vitrine::test {
 namespace {
@@ -136,6 +140,24 @@ double colorDifference(const Picture& a, const Picture& b)
         sum += glm::dot(d, d);
     });
     return std::sqrt(sum / (3.0 * a.width() * a.height()));
+}
+
+void writePanorama(const std::filesystem::path& file, const std::function<glm::dvec3(const glm::dvec3& d)>& radiance)
+{
+    constexpr int height = 64;
+    constexpr double pi = std::numbers::pi;
+    std::string rgbe;
+    for (int y = 0; y < height; ++y) {
+        const double down = pi * (y + 0.5) / height;
+        for (int x = 0; x < 2 * height; ++x) {
+            // The middle of the picture is straight ahead, -z; to its right is +x.
+            const double right = 2 * pi * ((x + 0.5) / (2 * height) - 0.5);
+            const glm::dvec3 c = radiance({std::sin(right) * std::sin(down), std::cos(down), -std::cos(right) * std::sin(down)});
+            for (int i = 0; i < 3; ++i) rgbe += static_cast<char>(static_cast<unsigned char>(std::clamp(c[i] * 64, 0.0, 255.0)));
+            rgbe += static_cast<char>(130);  // Times 2^(130 - 128) / 256.
+        }
+    }
+    writeBytes(file, hdrClaiming(2 * height, height, rgbe));
 }
 
 std::string notFinite(const render::Image& image, int channels)

@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <functional>
 #include <string>
 
 namespace vitrine::test {
@@ -97,6 +99,9 @@ struct Shot {
 [[nodiscard]] double largestDifference(const render::Image&, const render::Image&);
 /// Root of the mean squared difference of the colors.
 [[nodiscard]] double colorDifference(const Picture&, const Picture&);
+/// Writes a small panorama (Radiance HDR) in which direction `d` of the world sends `radiance(d)`, each
+/// component 0 to 3.9 in steps of 1/64.
+void writePanorama(const std::filesystem::path&, const std::function<glm::dvec3(const glm::dvec3& d)>& radiance);
 /// Empty, or the first pixel and channel among the first `channels` that is NaN or infinite.
 [[nodiscard]] std::string notFinite(const render::Image&, int channels);
 

@@ -2,12 +2,11 @@
 
 #include "tests/gl/gallery.h"
 #include "tests/gl/truth.h"
-#include "tests/support/image_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -20,21 +19,6 @@ using test::sdfTable;
 using test::Shot;
 
 class Light : public test::GlTest {};
-
-/// A panorama in which every pixel's radiance is `radiance(v)`, v from 0 at the zenith to 1 at the nadir.
-void writePanorama(const std::filesystem::path& file, const std::function<dvec3(double)>& radiance)
-{
-    constexpr int height = 32;
-    std::string rgbe;
-    for (int y = 0; y < height; ++y) {
-        const dvec3 c = radiance((y + 0.5) / height);
-        for (int x = 0; x < 2 * height; ++x) {
-            for (int i = 0; i < 3; ++i) rgbe += static_cast<char>(static_cast<unsigned char>(std::clamp(c[i] * 64, 0.0, 255.0)));
-            rgbe += static_cast<char>(130);  // 2^(130-128) / 256: one step is 1/64.
-        }
-    }
-    test::writeBytes(file, test::hdrClaiming(2 * height, height, rgbe));
-}
 
 dvec3 meanOfObject(const Picture& p)
 {
@@ -84,7 +68,7 @@ TEST_F(Light, S6_TheEnvironmentsColorAppearsOnTheObject)
         const std::filesystem::path file = folder / ("only" + std::to_string(channel) + ".hdr");
         dvec3 color(0.05);
         color[channel] = 1;
-        writePanorama(file, [&](double) { return color; });
+        test::writePanorama(file, [&](const dvec3&) { return color; });
         shot.hall().set(hallTable().environment, file.string());
         const dvec3 seen = meanOfObject(shot.take());
         for (int other = 0; other < 3; ++other)
@@ -96,13 +80,14 @@ TEST_F(Light, S6_TheEnvironmentsColorAppearsOnTheObject)
 
 TEST_F(Light, S6_AMirrorShowsTheEnvironmentWhereTheReflectedRayGoes)
 {
-    // A sky that is bright above and dark below, and a smooth torus: each pixel shows the height to which its
-    // mirrored ray goes. The ramp is linear in the angle, so blurring it does not change it but at the poles.
+    // A smooth room that differs in every direction, and a smooth torus: each pixel shows what lies where its
+    // mirrored ray goes. Linear in the direction, so that blurring hardly changes it.
     test::TemporaryFolder folder;
-    writePanorama(folder / "ramp.hdr", [](double v) { return dvec3(2.0 - 1.5 * v); });
+    const auto room = [](const dvec3& d) { return dvec3(1 + 0.7 * d.x, 1 + 0.7 * d.y, 1 + 0.7 * d.z); };
+    test::writePanorama(folder / "room.hdr", room);
     Shot shot;
     shot.hall().set(hallTable().sunStrength, 0.0);
-    shot.hall().set(hallTable().environment, (folder / "ramp.hdr").string());
+    shot.hall().set(hallTable().environment, (folder / "room.hdr").string());
     shot.hall().set(hallTable().probeSize, 256);
     ParameterValues& o = shot.object();
     o.set(sdfTable().morph, 0.0);
@@ -119,19 +104,20 @@ TEST_F(Light, S6_AMirrorShowsTheEnvironmentWhereTheReflectedRayGoes)
         const test::Found truth = solid.trace(picture.view, x, y);
         if (!truth.hit || truth.cosine < 0.4) return;
         const dvec3 mirrored = glm::reflect(glm::normalize(test::pixelRay(picture.view, x, y).direction), truth.normal);
-        const double v = std::acos(std::clamp(mirrored.y, -1.0, 1.0)) / 3.14159265358979;
-        errors.push_back(std::abs(picture.luminance(x, y) / (2.0 - 1.5 * v) - 1));
+        const dvec3 ratio = picture.color(x, y) / room(mirrored);
+        errors.push_back(std::max({std::abs(ratio.r - 1), std::abs(ratio.g - 1), std::abs(ratio.b - 1)}));
     });
     ASSERT_GT(errors.size(), 200U);
     std::sort(errors.begin(), errors.end());
-    EXPECT_LT(errors[errors.size() / 2], 0.03);
-    EXPECT_LT(errors[errors.size() * 95 / 100], 0.08);
+    // 3 % by the lobe's fit, the rest by texels and by half a pixel of the torus.
+    EXPECT_LT(errors[errors.size() / 2], 0.05);
+    EXPECT_LT(errors[errors.size() * 95 / 100], 0.12);
 }
 
 TEST_F(Light, H42_InAWhiteRoomNothingIsBrighterThanTheRoom)
 {
     test::TemporaryFolder folder;
-    writePanorama(folder / "white.hdr", [](double) { return dvec3(1); });
+    test::writePanorama(folder / "white.hdr", [](const dvec3&) { return dvec3(1); });
     Shot shot;
     shot.size(64, 36);
     shot.hall().set(hallTable().sunStrength, 0.0);
@@ -160,7 +146,7 @@ TEST_F(Light, H41_AConstantRoomIsMirroredWithoutAcne)
     // A mirror torus in a constant room, seen with any number of bounces: where a ray starts on the surface
     // it left, it would find that surface and darken a pixel here and there.
     test::TemporaryFolder folder;
-    writePanorama(folder / "white.hdr", [](double) { return dvec3(1); });
+    test::writePanorama(folder / "white.hdr", [](const dvec3&) { return dvec3(1); });
     Shot shot;
     shot.hall().set(hallTable().sunStrength, 0.0);
     shot.hall().set(hallTable().environment, (folder / "white.hdr").string());
@@ -170,26 +156,31 @@ TEST_F(Light, H41_AConstantRoomIsMirroredWithoutAcne)
     o.set(sdfTable().metalness, 1.0);
     o.set(sdfTable().roughness, 0.0);
     o.set(sdfTable().ambientOcclusion, false);
-    for (const int bounces : {0, 4}) {
-        o.set(sdfTable().bounces, bounces);
-        const Picture picture = shot.take();
-        int spots = 0;
-        for (int y = 1; y + 1 < picture.height(); ++y)
-            for (int x = 1; x + 1 < picture.width(); ++x) {
-                if (!picture.hit(x, y) || !picture.hit(x - 1, y) || !picture.hit(x + 1, y)) continue;
-                const double around = 0.5 * (picture.luminance(x - 1, y) + picture.luminance(x + 1, y));
-                spots += std::abs(picture.luminance(x, y) - around) > 0.01;
-                EXPECT_GT(picture.luminance(x, y), bounces == 0 ? 0.95 : 0.9);
-            }
-        EXPECT_EQ(spots, 0) << bounces << " bounces";
-    }
+    o.set(sdfTable().bounces, 0);
+    const Picture none = shot.take();
+    o.set(sdfTable().bounces, 4);
+    const Picture all = shot.take();
+    const test::Solid solid(o, glm::dmat4(1));
+    int open = 0;
+    all.each([&](int x, int y) {
+        const test::Found truth = solid.trace(all.view, x, y);
+        if (!truth.hit || truth.cosine < 0.1) return;
+        const dvec3 mirrored = glm::reflect(glm::normalize(test::pixelRay(all.view, x, y).direction), truth.normal);
+        // Where the mirrored ray truly leaves, bounces must find nothing. It starts two tolerances off the
+        // surface; one is half a pixel of 16 mm after 2 m.
+        const test::Found again = solid.trace({truth.world + 0.03 * truth.normal, mirrored}, 0, 0, 0.022);
+        if (again.hit || again.closest < 1) return;
+        ++open;
+        EXPECT_EQ(all.color(x, y), none.color(x, y)) << x << ',' << y;
+    });
+    EXPECT_GT(open, 300);
 }
 
 TEST_F(Light, S13_EachBounceTakesLessThanTheOneBefore)
 {
     // In a white room a grey mirror shows how often each ray met it: every meeting leaves 60 % of the light.
     test::TemporaryFolder folder;
-    writePanorama(folder / "white.hdr", [](double) { return dvec3(1); });
+    test::writePanorama(folder / "white.hdr", [](const dvec3&) { return dvec3(1); });
     Shot shot;
     shot.hall().set(hallTable().sunStrength, 0.0);
     shot.hall().set(hallTable().environment, (folder / "white.hdr").string());
@@ -211,7 +202,7 @@ TEST_F(Light, S13_EachBounceTakesLessThanTheOneBefore)
             EXPECT_LT(light[i - 1] - light[i], 0.75 * (light[i - 2] - light[i - 1])) << "bounce " << i;
         }
     }
-    EXPECT_GT(light[0] - light[1], 0.01);
+    EXPECT_GT(light[0] - light[1], 0.005);
 }
 
 TEST_F(Light, S13_EachBounceChangesFewerPixels)
@@ -246,7 +237,8 @@ TEST_F(Light, ShadowMethodsAgreeWhereTheSunIsASharpPoint)
     o.set(sdfTable().roughness, 1.0);
     o.set(sdfTable().sunWidth, 0.000174533);
     shot.hall().set(hallTable().sunAzimuth, 2.2);
-    shot.hall().set(hallTable().sunElevation, 0.7);
+    shot.hall().set(hallTable().sunElevation, 0.6);
+    shot.see({0.3, 1.5, 1.0}, {-0.1, 0.1, 0});  // Into the cup, half of which lies in shade.
     o.set(sdfTable().shadowMethod, SdfShadow::none);
     const Picture none = shot.take();
     o.set(sdfTable().shadowMethod, SdfShadow::hard);
@@ -283,7 +275,7 @@ TEST_F(Light, H51_TowardsASunBehindTheSurfaceNoRayIsSent)
     shot.hall().set(hallTable().sunAzimuth, 3.0);
     const double inFront = evaluations(SdfShadow::hard) - evaluations(SdfShadow::none);
     EXPECT_LT(behind, 0.35 * inFront);
-    EXPECT_GT(inFront, 1000);
+    EXPECT_GT(inFront, 300);
 }
 
 }  // namespace

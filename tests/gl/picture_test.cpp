@@ -91,24 +91,24 @@ TEST_F(PictureTest, AloneIsTheSameByTilesToTheBit)
         shot.request.largestTile = side;
         const Picture tiled = shot.take();
         int different = 0;
-        for (std::size_t i = 0; i < whole.image.pixels.size(); ++i) different += whole.image.pixels[i] != tiled.image.pixels[i];
-        EXPECT_EQ(different, 0) << "values of " << whole.image.pixels.size() << " with tiles of " << side << ", largest difference " << test::largestDifference(whole.image, tiled.image);
+        std::string where;
+        for (std::size_t i = 0; i < whole.image.pixels.size(); ++i) {
+            if (whole.image.pixels[i] == tiled.image.pixels[i]) continue;
+            ++different;
+            where = " last in channel " + whole.image.channelNames[i % static_cast<std::size_t>(whole.image.channels)];
+        }
+        EXPECT_EQ(different, 0) << where << "values of " << whole.image.pixels.size() << " with tiles of " << side << ", largest difference " << test::largestDifference(whole.image, tiled.image);
     }
 }
 
-TEST_F(PictureTest, AloneIsTheSameByTilesWithSupersampling)
+TEST_F(PictureTest, AloneIsTheSameByTilesWithSupersamplingToo)
 {
     Shot shot;
     shot.size(61, 45);
-    shot.request.samples = 4;
+    shot.request.samples = 5;
     const Picture whole = shot.take();
     shot.request.largestTile = 37;
-    // A sample's position is added to pixel numbers of another size: its last bit may round otherwise, and
-    // with it, rarely, the color of a pixel at the object's edge.
-    const Picture tiled = shot.take();
-    int different = 0;
-    whole.each([&](int x, int y) { different += glm::length(whole.color(x, y) - tiled.color(x, y)) > 1e-3; });
-    EXPECT_LE(different, 61 * 45 / 500);
+    EXPECT_EQ(test::largestDifference(whole.image, shot.take().image), 0);
 }
 
 TEST_F(PictureTest, InTheHallIsTheSameByTilesToOneLevel)
@@ -205,12 +205,12 @@ TEST_F(PictureTest, EveryShadowFilterAndMapSizeDrawsTheSameShadow)
     shot.hall().set(hallTable().shadowMapSize, 2048);
     const Picture fine = shot.take();
     for (const ShadowFilter filter : {ShadowFilter::hard, ShadowFilter::tent3})
-        for (const int size : {512, 2048}) {
+        for (const int size : {1024, 2048}) {
             shot.hall().set(hallTable().shadowFilter, filter);
             shot.hall().set(hallTable().shadowMapSize, size);
             const Picture other = shot.take();
             EXPECT_GT(test::largestDifference(other.image, fine.image), 0);
-            EXPECT_NEAR(other.mean() / fine.mean(), 1, 0.03) << size;
+            EXPECT_NEAR(other.mean() / fine.mean(), 1, 0.02) << size;
         }
 }
 

@@ -166,14 +166,14 @@ TEST_F(Scene, S11_TheShadowMapHoldsWhereTheSunsRaysHit)
         shot.inHall();
         shineOnTheExhibit(shot);
         shot.object().set(sdfTable().morph, morph);
-        shot.hall().set(hallTable().shadowMapSize, 256);
+        shot.hall().set(hallTable().shadowMapSize, 512);
         const render::FramePlan plan = gallery().museum.plan(shot.look, shot.request.frame, gallery().renderer.kept());
         const render::Pass* pass = plan.find("sdf_morph/shadow");
         ASSERT_TRUE(pass);
         const render::View light = *pass->view;
         (void)gallery().renderer.draw(plan);
         const render::Image map = gallery().renderer.read(exhibitShadowImage);
-        ASSERT_EQ(map.width, 128);
+        ASSERT_EQ(map.width, light.raster.size.x);
 
         const Solid solid(shot.object(), shot.worldFromExhibit());
         const dmat4 worldFromView = glm::inverse(light.viewFromWorld);
@@ -188,13 +188,13 @@ TEST_F(Scene, S11_TheShadowMapHoldsWhereTheSunsRaysHit)
                 hits += truth.hit;
                 missing += truth.hit && truth.cosine > 0.05 && map.at(x, y) == 0;
                 extra += !truth.hit && truth.closest > 1.05 && map.at(x, y) > 0;
-                if (truth.hit && truth.cosine > 0.3 && map.at(x, y) > 0) {
+                if (truth.hit && !truth.grazed && truth.cosine > 0.3 && map.at(x, y) > 0) {
                     const double depth = (light.clipFromWorld * glm::dvec4(truth.world, 1)).z;
                     // In metres: within two half texels over the slant.
                     EXPECT_NEAR(map.at(x, y), depth, std::abs(light.clipFromView[2][2]) * (2 * halfTexel / truth.cosine + 1e-4)) << x << ',' << y;
                 }
             }
-        EXPECT_GT(hits, 1000);
+        EXPECT_GT(hits, 500);
         EXPECT_EQ(missing, 0) << "of " << hits;
         EXPECT_EQ(extra, 0);
     }
@@ -237,7 +237,7 @@ TEST_F(Scene, S11_TheFloorIsDarkExactlyWhereTheObjectHidesTheSun)
         }
     });
     EXPECT_GT(shaded, 50);
-    EXPECT_GT(open, 200);
+    EXPECT_GT(open, 100);
     EXPECT_EQ(wrong, 0);
 }
 

@@ -105,7 +105,9 @@ Found Solid::trace(const Ray& ray, double nearest, double halfPixel, double half
         const double value = distance(origin + direction * t);
         if (side == 0) side = value < 0 ? -1 : 1;
         const double d = side * value;
-        found.closest = std::min(found.closest, d / toleranceAt(t));
+        const double share = d / toleranceAt(t);
+        found.grazed = found.grazed || (found.closest < 1.05 && share > found.closest);
+        found.closest = std::min(found.closest, share);
         if (d < 1e-9) {
             const glm::dvec3 local = origin + direction * t;
             found.hit = true;

@@ -26,6 +26,7 @@ struct Found {
     /// How near the ray came to the surface, as a share of the tolerance there: 1 and less is a hit by the
     /// rules of the exhibit, even where `hit` is false.
     double closest = 0;
+    bool grazed = false;      ///< Came within the tolerance before, and left it again.
 };
 
 /// The torus-mug as float64 sees it.

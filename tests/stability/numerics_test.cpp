@@ -29,6 +29,28 @@ TEST(Numerics, H43_FresnelSurvivesACosineAboveOne)
     }
 }
 
+TEST(Numerics, FresnelOfClearSurfacesIsThatOfTheTwoPolarizations)
+{
+    for (const double index : {1.0, 1.33, 1.5, 2.4, 1 / 1.33, 1 / 1.5, 1 / 2.4}) {
+        for (int i = 1; i <= 1000; ++i) {
+            const double cosine = i / 1000.0;
+            const double sineBehind = std::sqrt(1 - cosine * cosine) / index;
+            double expected = 1;  // Total reflection.
+            if (sineBehind < 1) {
+                // Fresnel 1823, amplitudes of either polarization.
+                const double behind = std::sqrt(1 - sineBehind * sineBehind);
+                const double s = (cosine - index * behind) / (cosine + index * behind);
+                const double p = (index * cosine - behind) / (index * cosine + behind);
+                expected = 0.5 * (s * s + p * p);
+            }
+            EXPECT_NEAR(f64::fresnelDielectric(cosine, index), expected, 1e-9) << index << ' ' << cosine;
+            EXPECT_NEAR(f32::fresnelDielectric(static_cast<float>(cosine), static_cast<float>(index)), expected, 2e-3) << index << ' ' << cosine;
+        }
+        EXPECT_EQ(f64::fresnelDielectric(0, index), index == 1 ? 0 : 1);
+    }
+    for (const float cosine : {0.0F, 1e-20F, 0.3F, 1.0F}) EXPECT_NEAR(f32::fresnelDielectric(cosine, 1), 0, 1e-12) << cosine;  // H93
+}
+
 TEST(Numerics, H44_AnglesOfCosinesBeyondOneAreDefinedAndAccurate)
 {
     EXPECT_TRUE(std::isnan(std::acos(1.0000001F)));
