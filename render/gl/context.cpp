@@ -69,6 +69,18 @@ EGLContext makeContext(EGLDisplay display, bool debug)
     return EGL_NO_CONTEXT;
 }
 
+/// What the display offers when no version is asked for; for the message only.
+ContextInfo anyContextInfo(EGLDisplay display)
+{
+    ContextInfo info;
+    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
+    if (context == EGL_NO_CONTEXT) return info;
+    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) info = currentContextInfo();
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display, context);
+    return info;
+}
+
 }  // namespace
 
 struct HeadlessContext::State {
@@ -112,7 +124,11 @@ HeadlessContext::HeadlessContext(bool debug) : state_(std::make_unique<State>())
         EGLint minor = 0;
         if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) continue;
         const EGLContext context = makeContext(display, debug);
-        if (context == EGL_NO_CONTEXT) continue;
+        if (context == EGL_NO_CONTEXT) {
+            const ContextInfo offered = anyContextInfo(display);
+            if (found.empty() && !offered.version.empty()) found = whyUnusable(offered);
+            continue;
+        }
         info_ = currentContextInfo();
         found = whyUnusable(info_);
         if (found.empty()) {
