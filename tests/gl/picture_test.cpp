@@ -114,7 +114,9 @@ TEST_F(PictureTest, AloneIsTheSameByTilesWithSupersamplingToo)
 TEST_F(PictureTest, InTheHallIsTheSameByTilesToOneLevel)
 {
     // Positions on the walls are interpolated from the corners of each tile's own clip space, and round
-    // otherwise: a level of 255 at most, but where a comparison with the shadow map falls the other way.
+    // otherwise: a level of 255 at most, but where a comparison with the shadow map falls the other way. One of
+    // the 25 texels under the tent weighs at most 49/144 of a quarter, 8.5 % of the sun's light: 22 levels of a
+    // pixel that is white in the sun and black in the shade. Such pixels are counted.
     Shot shot;
     shot.inHall().size(101, 75);
     shot.request.frame.averageIn = AverageIn::display;
@@ -129,7 +131,7 @@ TEST_F(PictureTest, InTheHallIsTheSameByTilesToOneLevel)
             worst = std::max(worst, 255 * std::abs(code(whole.image.at(x, y, c)) - code(tiled.image.at(x, y, c))));
         }
         beyond += worst > 1;
-        EXPECT_LE(worst, 3) << x << ',' << y;
+        EXPECT_LE(worst, 22) << x << ',' << y;
     });
     EXPECT_LE(beyond, 101 * 75 / 1000);
     EXPECT_EQ(whole.hits(), tiled.hits());
