@@ -44,7 +44,7 @@ vec3 skyRadiance(vec3 direction)
 {
     vec3 d = normalize(direction);
     if (light.skyHorizon.w > 1.5) return studioRadiance(d);
-    if (light.skyHorizon.w > 0.5) return textureLod(environmentPicture, equirectangular(d), 0.0).rgb;
+    if (light.skyHorizon.w > 0.5) return max(textureLod(environmentPicture, equirectangular(d), 0.0).rgb, vec3(0.0));  // Files may hold negative light.
     float up = max(d.y, 0.0);
     float haze = exp2(-4.0 * up);
     vec3 sky = mix(light.skyZenith.rgb, light.skyHorizon.rgb, haze);

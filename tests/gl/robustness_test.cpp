@@ -1,7 +1,9 @@
 // Odd sizes, extreme values, hostile times: no GL error, nothing that is not a number.
 
 #include "tests/gl/gallery.h"
+#include "render/image/image_io.h"
 #include "tests/stability/fields.h"
+#include "tests/support/temporary_folder.h"
 
 #include <cmath>
 #include <limits>
@@ -124,6 +126,46 @@ TEST_F(Robustness, LegalValuesNeverMakeWhatIsNotANumber)
         });
         if (!shot.hall()[hallTable().reflectionProbe]) continue;
         for (const float value : gallery().renderer.read("probe.irradiance").pixels) EXPECT_TRUE(std::isfinite(value)) << "probe";
+    }
+}
+
+TEST_F(Robustness, H48_APanoramaWithTexelsThatAreNoNumbersLeavesThePictureFinite)
+{
+    const test::TemporaryFolder folder;
+    render::Image panorama(16, 8, 3, 0.5F);
+    panorama.at(3, 3, 0) = std::numeric_limits<float>::infinity();
+    panorama.at(5, 4, 1) = std::numeric_limits<float>::quiet_NaN();
+    panorama.at(9, 2, 2) = -std::numeric_limits<float>::infinity();
+    render::writePicture(folder / "hostile.exr", panorama, render::PictureFormat::exr);
+    Shot shot;
+    shot.hall().set(hallTable().environment, (folder / "hostile.exr").string());
+    shot.request.frame.transparent = false;
+    for (const double roughness : {0.0, 1.0}) {
+        shot.object().set(sdfTable().roughness, roughness);
+        const Picture p = shot.take();
+        EXPECT_EQ(test::notFinite(p.image, 4), "");
+        p.each([&](int x, int y) { EXPECT_GE(p.luminance(x, y), -1e-4) << x << ',' << y; });
+    }
+}
+
+TEST_F(Robustness, H6_WhereNothingIsThereIsNeitherDepthNorNormal)
+{
+    for (const bool inHall : {false, true}) {
+        Shot shot;
+        if (inHall) shot.inHall().see({0, 3, 6}, {0, 4, -20});  // Through the window, the sky.
+        shot.request.frame.transparent = false;
+        const Picture p = shot.take();
+        int sky = 0;
+        p.each([&](int x, int y) {
+            if (p.hit(x, y)) {
+                EXPECT_NEAR(glm::length(p.normal(x, y)), 1, 1e-3) << x << ',' << y;
+                return;
+            }
+            ++sky;
+            EXPECT_EQ(p.normal(x, y), glm::dvec3(0)) << x << ',' << y;
+            EXPECT_EQ(p.alpha(x, y), 1);
+        });
+        EXPECT_GT(sky, 20) << (inHall ? "hall" : "alone");
     }
 }
 
