@@ -1,6 +1,7 @@
 #include "exhibits/framework/museum.h"
 
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/walk.h"
@@ -18,16 +19,6 @@ namespace {
 
 constexpr double reachOfButton = 2.0;   ///< Metres at which a button can be pressed (the source's ray length).
 constexpr double radiusOfAim = 0.09;    ///< Metres around a button that still count as looking at it.
-
-void addToKey(render::Hash& key, const ParameterValues& values)
-{
-    for (std::size_t i = 0; i < values.rows().size(); ++i) {
-        const Value& value = values.row(i);
-        if (const auto* x = std::get_if<double>(&value)) key.addValue(*x);
-        else if (const auto* v = std::get_if<glm::dvec3>(&value)) key.addValue(*v);
-        else key.add(std::get<std::string>(value)).addValue('\n');
-    }
-}
 
 /// The box together with the shadow it throws on the floor (or 15 m of it, where the sun is low).
 render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun)
@@ -149,7 +140,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         if (p.noShadow.empty()) {
             casters.include(box.low);
             casters.include(box.high);
-            addToKey(shadowKey, look.values[i]);
+            derive::addToKey(shadowKey, look.values[i]);
             shadowKey.addValue(i).addValue(p.worldFromExhibit);
             if (exhibits_[i]->nextChange(look.values[i], request.time) < std::numeric_limits<double>::infinity()) shadowKey.addValue(request.time);
         }

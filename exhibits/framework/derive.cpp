@@ -110,4 +110,15 @@ std::vector<double> sweep(const ParameterInfo& row, int points)
     return values;
 }
 
+void addToKey(render::Hash& key, const ParameterValues& values, std::optional<std::size_t> except)
+{
+    for (std::size_t i = 0; i < values.rows().size(); ++i) {
+        if (i == except) continue;
+        const Value& value = values.row(i);
+        if (const auto* x = std::get_if<double>(&value)) key.addValue(*x);
+        else if (const auto* v = std::get_if<glm::dvec3>(&value)) key.addValue(*v);
+        else key.add(std::get<std::string>(value)).addValue('\n');
+    }
+}
+
 }  // namespace vitrine::derive

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "render/hash.h"
 #include "render/plan/frame_plan.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,5 +25,8 @@ namespace vitrine::derive {
 /// Up to `points` values that span the comfortable range, ends and initial value included, spaced by the
 /// row's scale; all choices of a choice. Empty for colors, directions and files.
 [[nodiscard]] std::vector<double> sweep(const ParameterInfo&, int points);
+
+/// Adds every value but that of row `except` to the key of something that depends on them.
+void addToKey(render::Hash&, const ParameterValues&, std::optional<std::size_t> except = {});
 
 }  // namespace vitrine::derive

@@ -14,7 +14,7 @@ struct PictureRequest {
     FrameRequest frame;             ///< `raster.tile`, `raster.jitter` and `sample` are set here, not by the caller.
     int samples = 1;                ///< Supersamples per pixel, averaged.
     bool depth = false;             ///< Add the channel "depth.Z". Channels other than color are of the pixel's center.
-    int largestTile = 2048;         ///< Side in pixels; never above what the painter can draw.
+    int largestTile = 2048;         ///< Side in pixels, rounded down to a multiple of 8; never above what the painter can draw.
 };
 
 /// Makes a picture step by step, so that a window can show progress and cancel between steps.

@@ -1,5 +1,6 @@
 #include "exhibits/hall/hall_scene.h"
 
+#include "exhibits/framework/derive.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -124,15 +125,8 @@ std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 std::uint64_t lightKey(const HallScene& scene)
 {
     render::Hash hash;
-    const HallTable& table = scene.table;
-    for (std::size_t i = 0; i < scene.values.rows().size(); ++i) {
-        // Exposure develops the picture; it does not light the room.
-        if (i == table.exposure.row) continue;
-        const Value& value = scene.values.row(i);
-        if (const auto* x = std::get_if<double>(&value)) hash.addValue(*x);
-        else if (const auto* v = std::get_if<glm::dvec3>(&value)) hash.addValue(v->x).addValue(v->y).addValue(v->z);
-        else hash.add(std::get<std::string>(value)).addValue('\n');
-    }
+    // Exposure develops the picture; it does not light the room.
+    derive::addToKey(hash, scene.values, scene.table.exposure.row);
     hash.addValue(scene.alone).addValue(scene.environment.get()).addValue(scene.visitorModel.get());
     for (const Guest& guest : scene.guests) hash.addValue(guest.place);
     return hash.value();

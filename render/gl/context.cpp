@@ -113,7 +113,7 @@ std::string whyUnusable(const ContextInfo& info)
     if (info.version.empty()) return "No OpenGL was found; OpenGL 4.5 is needed: install a graphics driver, or Mesa's software one (libgl1-mesa-dri).";
     if (info.major * 10 + info.minor >= 45) return {};
     return "OpenGL " + std::to_string(info.major) + '.' + std::to_string(info.minor) + " found (" + info.renderer +
-           "), 4.5 needed: update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw with Mesa's software renderer.";
+           "), OpenGL 4.5 needed: update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw with Mesa's software renderer.";
 }
 
 HeadlessContext::HeadlessContext(bool debug) : state_(std::make_unique<State>())
