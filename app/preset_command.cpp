@@ -4,6 +4,7 @@
 #include "exhibits/framework/preset.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
+#include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 
 #include <CLI/CLI.hpp>
@@ -15,11 +16,15 @@
 namespace vitrine::app {
 namespace {
 
-/// Checks one file; prints what it is and what reading it changes. Returns whether it can be loaded.
-bool check(const std::string& file, const NamedValues& tables)
+/// Checks one file; prints what it is and what reading it changes. Returns 0 when it can be loaded, the code
+/// of a failed check when its content is bad, and that of a failed read when it cannot be read at all.
+int check(const std::string& file, const NamedValues& tables)
 {
+    Blame blame = Blame::file;
     try {
-        const render::JsonDocument document = render::readJson(file, presetLimits);
+        std::string text = render::readFile(file, presetLimits.bytes);
+        blame = Blame::check;
+        const render::JsonDocument document = render::parseJson(std::move(text), file, presetLimits);
         const PresetHeader header = presetHeader(document);
         std::vector<std::string> notes;
         if (header.isExhibition) {
@@ -31,10 +36,10 @@ bool check(const std::string& file, const NamedValues& tables)
         }
         std::printf("%s: good (%s \"%s\")\n", file.c_str(), header.isExhibition ? "exhibition" : header.exhibit.c_str(), header.name.c_str());
         for (const std::string& note : notes) std::printf("  %s\n", note.c_str());
-        return true;
+        return 0;
     } catch (const Failure& failure) {
         std::fprintf(stderr, "vitrine: %s\n", failure.what());
-        return false;
+        return static_cast<int>(blame);
     }
 }
 
@@ -44,9 +49,9 @@ int checkAll(const std::vector<std::string>& files)
     const auto exhibits = allExhibits();
     NamedValues tables{{"hall", hall.initial()}};
     for (const auto& exhibit : exhibits) tables.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
-    int bad = 0;
-    for (const std::string& file : files) bad += check(file, tables) ? 0 : 1;
-    return bad == 0 ? 0 : static_cast<int>(Blame::file);
+    int worst = 0;
+    for (const std::string& file : files) worst = std::max(worst, check(file, tables));
+    return worst;
 }
 
 }  // namespace

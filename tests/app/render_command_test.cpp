@@ -248,13 +248,13 @@ TEST(PresetCheck, TellsGoodFilesFromBad)
     for (const auto& [name, text] : bad) {
         test::writeBytes(folder / (name + ".json"), text);
         const Ended ended = test::vitrine({"preset", "check", folder / (name + ".json")});
-        EXPECT_EQ(ended.code, 5) << name;
+        EXPECT_EQ(ended.code, 1) << name;
         EXPECT_EQ(ended.out, "");
         EXPECT_NE(ended.err.find(name + ".json, line 1"), std::string::npos) << ended.err;
     }
     // One bad file among good ones fails the check, and the good ones are still said to be good.
     const Ended both = test::vitrine({"preset", "check", folder / "good.json", folder / "type.json"});
-    EXPECT_EQ(both.code, 5);
+    EXPECT_EQ(both.code, 1);
     EXPECT_NE(both.out.find("good.json: good"), std::string::npos);
 
     EXPECT_EQ(test::vitrine({"preset", "check", folder / "none.json"}).code, 5);

@@ -113,9 +113,11 @@ TEST_F(PictureTest, AloneIsTheSameByTilesWithSupersamplingToo)
 
 TEST_F(PictureTest, InTheHallIsTheSameByTilesToOneLevel)
 {
-    // Corners of the walls are rounded in each tile's own clip space: where two surfaces meet within the rounding,
-    // the other one may be seen (one pixel in a thousand at most); everywhere else it is one level of 255. What is
-    // marched is the same to the bit.
+    // Corners of the walls are rounded in each tile's own clip space. That is a level of 255 at most, but for one
+    // pixel in a thousand: where two surfaces meet within the rounding the other one may be seen, and a comparison
+    // with the shadow map may fall the other way. One of the 25 texels under the tent weighs at most 49/144 of a
+    // quarter, 8.5 % of the sun's light: 22 levels of a pixel that is white in the sun and black in the shade.
+    // What is marched is the same to the bit.
     Shot shot;
     shot.inHall().size(101, 75);
     shot.request.frame.averageIn = AverageIn::display;
@@ -126,7 +128,7 @@ TEST_F(PictureTest, InTheHallIsTheSameByTilesToOneLevel)
     const Picture object = alone.transform(shot.worldFromExhibit()).take();
     shot.request.largestTile = 37;
     const Picture tiled = shot.take();
-    int otherSurface = 0;
+    int beyond = 0;
     whole.each([&](int x, int y) {
         double worst = 0;
         for (int c = 0; c < 4; ++c) {
@@ -134,15 +136,15 @@ TEST_F(PictureTest, InTheHallIsTheSameByTilesToOneLevel)
             worst = std::max(worst, 255 * std::abs(code(whole.image.at(x, y, c)) - code(tiled.image.at(x, y, c))));
         }
         const bool same = glm::length(whole.normal(x, y) - tiled.normal(x, y)) < 0.1;
-        otherSurface += !same;
+        beyond += !same || worst > 1;
         if (same) {
-            EXPECT_LE(worst, 1) << x << ',' << y;
+            EXPECT_LE(worst, 22) << x << ',' << y;
         }
         if (object.hit(x, y) && object.depth(x, y) == whole.depth(x, y)) {
             EXPECT_EQ(worst, 0) << x << ',' << y;
         }
     });
-    EXPECT_LE(otherSurface, 101 * 75 / 1000);
+    EXPECT_LE(beyond, 101 * 75 / 1000);
     EXPECT_EQ(whole.hits(), tiled.hits());
 }
 
