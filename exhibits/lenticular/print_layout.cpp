@@ -125,7 +125,7 @@ PrintNumbers numbersOf(const PrintLayout& layout, double storedDpi)
             const double inside = std::min(to, center + strip / 2) - std::max(from, center - strip / 2);
             own += part.share * std::max(0.0, inside) / (to - from);
         }
-        numbers.ownShare.push_back(own);
+        numbers.ownShare.push_back(std::min(own, 1.0));
     }
     if (!s.reverse) std::reverse(numbers.ownShare.begin(), numbers.ownShare.end());
     return numbers;
