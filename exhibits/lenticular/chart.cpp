@@ -70,7 +70,8 @@ Chart::Chart(const PrintLayout& layout, ChartKind kind, double span) : layout_(l
         levels[levels.size() / 2] = 0;
         add(0, room, changed(layout, layout.printLpi(), s.phase, static_cast<int>(levels.size())), levels, "ROTATION");
     } else {
-        const int count = std::min(fit, kind == ChartKind::pitch ? pitchBands : kind == ChartKind::phase ? 16 : std::max(s.views, 2) - 1);
+        int count = std::min(fit, kind == ChartKind::pitch ? pitchBands : kind == ChartKind::phase ? 16 : std::max(s.views, 2) - 1);
+        if (kind == ChartKind::pitch && count % 2 == 0) --count;  // One band has the sheet's own pitch.
         for (int i = 0; i < count; ++i) {
             const double from = i * bandHeight + gap;
             const double to = (i + 1) * bandHeight;
@@ -98,10 +99,8 @@ bool Chart::inked(double along, double across) const
     if (end > 6 && end < 9 && along > margin && along < along_ - margin) return std::abs(end - std::round(end)) < 0.05;
     if (rulerInk(across - margin, along) && across < across_ - margin) return true;
     if (rulerInk(along - margin, across) && along < along_ - margin) return true;
-    if (textInk(title_ + (upright_ ? "  LENSES UP  FEED TOP FIRST: X  SIDE FIRST: Y" : "  LENSES SIDEWAYS  FEED TOP FIRST: Y  SIDE FIRST: X"),
-                across - margin, along - (along_ - 7))) {
-        return true;
-    }
+    if (textInk(title_, across - margin, along - (along_ - 8))) return true;
+    if (textInk(upright_ ? "LENSES UP - FEED: TOP / SIDE" : "LENSES ACROSS - FEED: TOP / SIDE", across - margin, along - (along_ - 5))) return true;
     for (const Band& band : bands_) {
         const double y = along - (band.from - gap + 0.6);
         if (y < 0 || y > 7 * cell) continue;

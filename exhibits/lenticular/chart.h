@@ -20,7 +20,8 @@ enum class ChartKind : std::uint8_t {
 ///
 /// Each band carries its value in ink at both ends and in the middle. Around the bands: lines that are not at
 /// lens pitch, to square the sheet by; a ruler in millimeters along both sides, to see whether the printer
-/// scaled; the feed directions' names, since a printer's scale differs between them.
+/// scaled; the two feed directions to tick one of, since a printer's scale
+/// differs between them: print the chart once each way.
 class Chart {
 public:
     /// Makes a chart of the layout's size, sheet, direction and (for views and rotation) number of views.

@@ -72,12 +72,17 @@ void Interlacer::prepareVertical()
     BoxTaps box;
     for (int k = 0; k < views_.count(); ++k) {
         const int viewWidth = views_.view(k).width;
+        int alike = 0;
+        while (views_.view(alike).width != viewWidth) ++alike;
+        spanStart_.push_back(alike < k ? spanStart_[static_cast<std::size_t>(alike)] : spans_.size());
+        if (alike < k) continue;
         const double scale = viewWidth / printWidth;
         for (std::int64_t lens = firstLens; lens <= lastLens; ++lens) {
             const double axis = (static_cast<double>(lens) - layout_.settings().phase) / layout_.lensesPerPixelX() + printWidth / 2;
             boxTaps(axis * scale, scale / layout_.lensesPerPixelX(), viewWidth, box);
-            spans_.push_back({box.first, static_cast<int>(box.weights.size()), static_cast<std::uint32_t>(weights_.size())});
-            weights_.insert(weights_.end(), box.weights.begin(), box.weights.end());
+            if (box.weights.size() % 2 != 0) box.weights.push_back(0);
+            spans_.push_back({box.first, static_cast<int>(box.weights.size() / 2), static_cast<std::uint32_t>(weights_.size())});
+            for (const float weight : box.weights) weights_.insert(weights_.end(), 4, weight);
         }
     }
     std::vector<Tap> taps;
@@ -98,7 +103,7 @@ void Interlacer::interlaceViewRow(int row, const Region& region, std::vector<flo
 {
     for (int k = 0; k < views_.count(); ++k) {
         const std::size_t slot = static_cast<std::size_t>(k) * lensCount_;
-        kernels::filterLenses(views_.row(k, row), spans_.data() + slot, lensCount_, weights_.data(), lenses.data() + slot * 4);
+        kernels::filterLenses(views_.row(k, row), spans_.data() + spanStart_[static_cast<std::size_t>(k)], lensCount_, weights_.data(), lenses.data() + slot * 4);
     }
     kernels::mixColumns(lenses.data(), taps_.data(), columnStart_.data() + region.x0, static_cast<std::size_t>(region.x1 - region.x0), out);
 }

@@ -36,10 +36,11 @@ public:
         std::uint32_t slot;  ///< view * lenses + lens.
         float weight;
     };
-    /// The columns of a view that a lens shows, with weights from `weights_[first]`.
+    /// The columns of a view that a lens shows, two by two. From `weights_[first]` on stand the weight of the
+    /// first column four times, of the second four times, and so on.
     struct LensSpan {
         int column;
-        int count;
+        int pairs;
         std::uint32_t first;
     };
 
@@ -55,7 +56,8 @@ private:
     std::size_t lensCount_ = 0;
     std::vector<std::uint32_t> columnStart_;  ///< Into taps_, one more than there are columns.
     std::vector<ColumnTap> taps_;
-    std::vector<LensSpan> spans_;             ///< Per slot.
+    std::vector<LensSpan> spans_;             ///< Per lens, for every width that views have.
+    std::vector<std::size_t> spanStart_;      ///< Per view, into spans_.
     std::vector<float> weights_;
 };
 

@@ -17,13 +17,10 @@ namespace {
 using Four = float __attribute__((vector_size(16)));
 using FourCodes = std::uint16_t __attribute__((vector_size(8)));
 using FourInts = std::int32_t __attribute__((vector_size(16)));
+using Eight = float __attribute__((vector_size(32)));
+using EightCodes = std::uint16_t __attribute__((vector_size(16)));
+using EightInts = std::int32_t __attribute__((vector_size(32)));
 
-[[gnu::always_inline]] inline Four loadCodes(const std::uint16_t* at)
-{
-    FourCodes codes;
-    std::memcpy(&codes, at, sizeof codes);
-    return __builtin_convertvector(__builtin_convertvector(codes, FourInts), Four);
-}
 
 [[gnu::always_inline]] inline Four load(const float* at)
 {
@@ -39,9 +36,16 @@ using FourInts = std::int32_t __attribute__((vector_size(16)));
         const Interlacer::LensSpan span = spans[i];
         const std::uint16_t* at = row + static_cast<std::size_t>(span.column) * 4;
         const float* w = weights + span.first;
-        Four sum = loadCodes(at) * w[0];
-        for (int c = 1; c < span.count; ++c) sum += loadCodes(at + static_cast<std::size_t>(c) * 4) * w[c];
-        std::memcpy(lenses + i * 4, &sum, sizeof sum);
+        Eight sum{};
+        for (int pair = 0; pair < span.pairs; ++pair, at += 8, w += 8) {
+            EightCodes codes;
+            Eight weight;
+            std::memcpy(&codes, at, sizeof codes);
+            std::memcpy(&weight, w, sizeof weight);
+            sum += __builtin_convertvector(__builtin_convertvector(codes, EightInts), Eight) * weight;
+        }
+        const Four mean = __builtin_shufflevector(sum, sum, 0, 1, 2, 3) + __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
+        std::memcpy(lenses + i * 4, &mean, sizeof mean);
     }
 }
 

@@ -98,7 +98,7 @@ void ViewSet::add(const render::Image& image)
     View view;
     view.width = image.width;
     const auto channels = static_cast<std::size_t>(image.channels);
-    view.samples.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(height_) * 4);
+    view.samples.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(height_) * 4 + 4);
     std::vector<double> row(static_cast<std::size_t>(image.width) * channels);
     const bool gray = channels < 3;
     const std::size_t alphaAt = channels == 2 ? 1 : channels == 4 ? 3 : channels;

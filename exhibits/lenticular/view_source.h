@@ -16,7 +16,7 @@ class ViewSet {
 public:
     struct View {
         int width = 0;
-        std::vector<std::uint16_t> samples{};  ///< width * height * 4.
+        std::vector<std::uint16_t> samples{};  ///< width * height * 4, and one unused pixel behind: columns are read two by two.
     };
 
     /// Adds a picture of linear light with 1 to 4 channels, over white where it is transparent. A picture of

@@ -15,8 +15,9 @@ TEST(Chart, ThePitchChartsMiddleBandHasTheSheetsPitchAndHalfTheInk)
         s.direction = direction;
         const PrintLayout layout(s);
         const Chart chart(layout, ChartKind::pitch, 0.01);
-        ASSERT_EQ(chart.bands().size(), 10U);  // What fits on 101.6 mm.
+        ASSERT_EQ(chart.bands().size(), 9U);  // What fits on 101.6 mm.
         EXPECT_NEAR(chart.bands().front().layout.printLpi(), 39.6, 1e-9);
+        EXPECT_NEAR(chart.bands().at(4).layout.printLpi(), 40, 1e-9);
         EXPECT_NEAR(chart.bands().back().layout.printLpi(), 40.4, 1e-9);
         std::vector<std::uint16_t> out(1200 * 1200 * 3);
         chart.fill({0, 0, 1200, 1200}, out.data());
