@@ -77,9 +77,18 @@ void Interlacer::prepareVertical()
         spanStart_.push_back(alike < k ? spanStart_[static_cast<std::size_t>(alike)] : spans_.size());
         if (alike < k) continue;
         const double scale = viewWidth / printWidth;
+        // All spans as long as the longest, with weights of 0, where the view is wide enough for that.
+        const double columns = scale / layout_.lensesPerPixelX();
+        const int longest = columns <= 1 ? 2 : 2 * ((static_cast<int>(std::ceil(columns)) + 2) / 2);
         for (std::int64_t lens = firstLens; lens <= lastLens; ++lens) {
             const double axis = (static_cast<double>(lens) - layout_.settings().phase) / layout_.lensesPerPixelX() + printWidth / 2;
             boxTaps(axis * scale, scale / layout_.lensesPerPixelX(), viewWidth, box);
+            if (viewWidth >= longest && static_cast<int>(box.weights.size()) <= longest) {
+                const int back = std::max(0, box.first + longest - viewWidth);
+                box.first -= back;
+                box.weights.insert(box.weights.begin(), static_cast<std::size_t>(back), 0.0F);
+                box.weights.resize(std::max(box.weights.size(), static_cast<std::size_t>(longest)), 0.0F);
+            }
             if (box.weights.size() % 2 != 0) box.weights.push_back(0);
             spans_.push_back({box.first, static_cast<int>(box.weights.size() / 2), static_cast<std::uint32_t>(weights_.size())});
             for (const float weight : box.weights) weights_.insert(weights_.end(), 4, weight);

@@ -29,15 +29,19 @@ using EightInts = std::int32_t __attribute__((vector_size(32)));
     return four;
 }
 
-[[gnu::always_inline]] inline void filterLensesBody(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count,
-                                                    const float* weights, float* lenses)
+/// `pairs` is that of every span, or 0 when they differ: a known count needs no guessing of branches.
+template <int pairs>
+[[gnu::always_inline]] inline void filterLensesOf(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count,
+                                                  const float* weights, float* lenses)
 {
     for (std::size_t i = 0; i < count; ++i) {
         const Interlacer::LensSpan span = spans[i];
         const std::uint16_t* at = row + static_cast<std::size_t>(span.column) * 4;
+        __builtin_prefetch(at + 1024);  // Rows of other views are far apart: the processor does not foresee them.
         const float* w = weights + span.first;
         Eight sum{};
-        for (int pair = 0; pair < span.pairs; ++pair, at += 8, w += 8) {
+        const int all = pairs > 0 ? pairs : span.pairs;
+        for (int pair = 0; pair < all; ++pair, at += 8, w += 8) {
             EightCodes codes;
             Eight weight;
             std::memcpy(&codes, at, sizeof codes);
@@ -46,6 +50,20 @@ using EightInts = std::int32_t __attribute__((vector_size(32)));
         }
         const Four mean = __builtin_shufflevector(sum, sum, 0, 1, 2, 3) + __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
         std::memcpy(lenses + i * 4, &mean, sizeof mean);
+    }
+}
+
+[[gnu::always_inline]] inline void filterLensesBody(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count,
+                                                    const float* weights, float* lenses)
+{
+    bool alike = true;
+    for (std::size_t i = 1; i < count; ++i) alike = alike && spans[i].pairs == spans[0].pairs;
+    switch (alike ? spans[0].pairs : 0) {
+    case 1: return filterLensesOf<1>(row, spans, count, weights, lenses);
+    case 2: return filterLensesOf<2>(row, spans, count, weights, lenses);
+    case 3: return filterLensesOf<3>(row, spans, count, weights, lenses);
+    case 4: return filterLensesOf<4>(row, spans, count, weights, lenses);
+    default: return filterLensesOf<0>(row, spans, count, weights, lenses);
     }
 }
 
