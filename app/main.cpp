@@ -30,6 +30,8 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addRenderCommand(parser, chosen);
     vitrine::app::addTourCommand(parser, chosen);
     vitrine::app::addPresetCommand(parser, chosen);
+    vitrine::app::addPrintCommand(parser, chosen);
+    vitrine::app::addProofCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);
     try {
         parser.parse(argc, argv);

@@ -21,6 +21,33 @@ struct OiioTarget {
     double pixelsPerInch = 0;                                   ///< 0: not said.
 };
 
+/// A TIFF that is written a few rows at a time: RGB, 8 or 16 bits, sRGB-encoded.
+struct OiioRowTarget {
+    std::string path;
+    int width = 0;
+    int height = 0;
+    int bits = 8;
+    std::string compression = "none";  ///< "none", "zip" or "zstd".
+    double dpiX = 0, dpiY = 0;         ///< Stored as rational numbers of dots per inch.
+    std::string description{};         ///< ASCII, for ImageDescription.
+    std::string profile{};             ///< ICC profile; none when empty.
+};
+
+/// The rows of an open file. Each function returns a half sentence on what went wrong, empty when nothing did.
+class OiioRows {
+public:
+    virtual ~OiioRows() = default;
+    /// `rows` are `count` whole rows from row `first`; they come in order.
+    [[nodiscard]] virtual std::string write(const void* rows, int first, int count) noexcept = 0;
+    [[nodiscard]] virtual std::string close() noexcept = 0;
+};
+
+/// A row that was written, to compare with what the file says.
+struct WrittenRow {
+    int row = 0;
+    std::string bytes{};
+};
+
 /// What the OpenImageIO module does for the rest. Linking OpenImageIO loads 261 libraries and costs
 /// 131 MB and 0.17 s, so it lives in a library of its own that is opened when the first picture asks.
 ///
@@ -39,6 +66,15 @@ public:
     /// Writes the file, opens it again and compares rows spread over the whole picture. Leaves a broken
     /// file behind when it fails: the caller removes it.
     [[nodiscard]] virtual std::string write(const StoredPicture&, const OiioTarget&) noexcept = 0;
+
+    /// Creates a TIFF to be written by rows; BigTIFF when its pixels take more than 4000 MiB.
+    [[nodiscard]] virtual std::string openRows(const OiioRowTarget&, std::unique_ptr<OiioRows>& out) noexcept = 0;
+
+    /// Opens a file that `openRows` made and compares size, resolution and some rows.
+    [[nodiscard]] virtual std::string checkRows(const OiioRowTarget&, const std::vector<WrittenRow>&) noexcept = 0;
+
+    /// The ICC profile in a file; empty when there is none.
+    [[nodiscard]] virtual std::string readProfile(std::string_view bytes, ImageFormat, std::string& out) noexcept = 0;
 
     /// The text attribute `key` of a file; empty when there is none.
     [[nodiscard]] virtual std::string readText(std::string_view bytes, ImageFormat, const std::string& key,
@@ -59,5 +95,5 @@ public:
 }  // namespace vitrine::render
 
 /// The one symbol of the module. `version` must be `vitrineOiioVersion`; otherwise the answer is null.
-inline constexpr int vitrineOiioVersion = 1;
+inline constexpr int vitrineOiioVersion = 2;
 extern "C" vitrine::render::OiioCodec* vitrineOiio(int version);

@@ -263,6 +263,26 @@ std::string encodePng(const StoredPicture& picture, const PngText& extra, const 
 
 std::optional<std::string> presetInPng(std::string_view bytes, const std::string& name)
 {
+    return textInPng(bytes, presetKey, name);
+}
+
+std::string profileInPng(std::string_view bytes, const std::string& name)
+{
+    checkChunks(bytes, name);
+    Reader reader;
+    Source source{bytes};
+    Header header;
+    if (!readHeader(reader, source, ImageLimits{}, header)) failReading(name, reader.problem.text.data());
+    png_charp title = nullptr;
+    int compression = 0;
+    png_bytep profile = nullptr;
+    png_uint_32 size = 0;
+    if (png_get_iCCP(reader.png, reader.info, &title, &compression, &profile, &size) == 0) return {};
+    return {reinterpret_cast<const char*>(profile), size};
+}
+
+std::optional<std::string> textInPng(std::string_view bytes, const char* key, const std::string& name)
+{
     checkChunks(bytes, name);
     Reader reader;
     Source source{bytes};
@@ -271,7 +291,7 @@ std::optional<std::string> presetInPng(std::string_view bytes, const std::string
     png_textp texts = nullptr;
     const int count = png_get_text(reader.png, reader.info, &texts, nullptr);
     for (int i = 0; i < count; ++i) {
-        if (std::strcmp(texts[i].key, presetKey) == 0 && texts[i].text) return std::string(texts[i].text);
+        if (std::strcmp(texts[i].key, key) == 0 && texts[i].text) return std::string(texts[i].text);
     }
     return std::nullopt;
 }

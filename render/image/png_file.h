@@ -30,5 +30,9 @@ struct PngText {
 
 /// The text of the first tEXt or iTXt chunk "vitrine:preset", if any. Reads no pixels.
 [[nodiscard]] std::optional<std::string> presetInPng(std::string_view bytes, const std::string& name);
+/// The same of any chunk `key`.
+[[nodiscard]] std::optional<std::string> textInPng(std::string_view bytes, const char* key, const std::string& name);
+/// The ICC profile, empty when there is none. Reads no pixels.
+[[nodiscard]] std::string profileInPng(std::string_view bytes, const std::string& name);
 
 }  // namespace vitrine::render

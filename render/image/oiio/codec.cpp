@@ -1,26 +1,12 @@
+#include "render/image/oiio/guarded.h"
 #include "render/image/oiio/read.h"
+#include "render/image/oiio/rows.h"
 #include "render/image/oiio/write.h"
 
 #include <OpenImageIO/imageio.h>
 
-#include <exception>
-
 namespace vitrine::render {
 namespace {
-
-/// Calls `work` and turns what it throws into a half sentence.
-template <typename Work> std::string guarded(const Work& work) noexcept
-{
-    try {
-        return work();
-    } catch (const std::bad_alloc&) {
-        return "memory is full";
-    } catch (const std::exception& e) {
-        return "OpenImageIO failed (" + std::string(e.what()) + ")";
-    } catch (...) {
-        return "OpenImageIO failed";
-    }
-}
 
 class Codec final : public OiioCodec {
 public:
@@ -41,6 +27,18 @@ public:
     std::string write(const StoredPicture& picture, const OiioTarget& target) noexcept override
     {
         return guarded([&] { return writeWithOiio(picture, target); });
+    }
+    std::string openRows(const OiioRowTarget& target, std::unique_ptr<OiioRows>& out) noexcept override
+    {
+        return guarded([&] { return openRowsWithOiio(target, out); });
+    }
+    std::string checkRows(const OiioRowTarget& target, const std::vector<WrittenRow>& rows) noexcept override
+    {
+        return guarded([&] { return checkRowsWithOiio(target, rows); });
+    }
+    std::string readProfile(std::string_view bytes, ImageFormat format, std::string& out) noexcept override
+    {
+        return guarded([&] { return readProfileWithOiio(bytes, format, out); });
     }
     std::string readText(std::string_view bytes, ImageFormat format, const std::string& key,
                          std::string& out) noexcept override

@@ -133,4 +133,16 @@ std::string readTextWithOiio(std::string_view bytes, ImageFormat format, const s
     return {};
 }
 
+std::string readProfileWithOiio(std::string_view bytes, ImageFormat format, std::string& out)
+{
+    const std::unique_ptr<Proxy> file = fileOf(bytes, format);
+    std::string problem;
+    const std::unique_ptr<OIIO::ImageInput> input = openWith(*file, format, problem);
+    if (!input) return problem;
+    if (const OIIO::ParamValue* profile = input->spec().find_attribute("ICCProfile")) {
+        out.assign(static_cast<const char*>(profile->data()), static_cast<std::size_t>(profile->datasize()));
+    }
+    return {};
+}
+
 }  // namespace vitrine::render

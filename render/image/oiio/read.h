@@ -12,6 +12,9 @@ namespace vitrine::render {
 [[nodiscard]] std::string readTextWithOiio(std::string_view bytes, ImageFormat, const std::string& key,
                                            std::string& out);
 
+/// The work of OiioCodec::readProfile; may throw.
+[[nodiscard]] std::string readProfileWithOiio(std::string_view bytes, ImageFormat, std::string& out);
+
 /// "openexr", "tiff", ...: the plugin's name.
 [[nodiscard]] const char* pluginName(ImageFormat);
 

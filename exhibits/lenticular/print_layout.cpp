@@ -1,0 +1,152 @@
+#include "exhibits/lenticular/print_layout.h"
+
+#include "exhibits/lenticular/numbers.h"
+#include "exhibits/lenticular/optics.h"
+#include "render/failure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::lenticular {
+namespace {
+
+constexpr double mostPixels = 2147483647;  // Per side; PNG and TIFF end there.
+
+[[noreturn]] void refuse(const std::string& why)
+{
+    throw Failure(Blame::usage, "This print cannot be made: " + why + ".");
+}
+
+void requirePositive(double value, const char* what)
+{
+    if (!(value > 0) || !std::isfinite(value)) refuse(std::string(what) + " is " + shortText(value) + "; give a positive number");
+}
+
+std::int64_t pixels(double mm, double dpi, const char* what)
+{
+    const double count = std::round(mm / mmPerInch * dpi);
+    if (count < 1) refuse(std::string("the ") + what + " is less than a pixel");
+    if (count > mostPixels) refuse(std::string("the ") + what + " is " + shortText(count) + " pixels; picture files end at 2147483647");
+    return static_cast<std::int64_t>(count);
+}
+
+void checkSettings(const PrintSettings& s)
+{
+    if (s.views < 1) refuse("there are no views");
+    if (s.views > mostViews) refuse("there are " + std::to_string(s.views) + " views, and " + std::to_string(mostViews) + " is the most");
+    check(s.sheet);
+    requirePositive(s.dpiX, "dpi");
+    requirePositive(s.dpiY, "dpi-y");
+    requirePositive(s.width, "the width");
+    requirePositive(s.height, "the height");
+    if (!(s.bleed >= 0) || !std::isfinite(s.bleed)) refuse("the bleed is " + shortText(s.bleed) + "; give 0 or more");
+    if (std::isnan(s.distance) || s.distance <= s.sheet.thickness) {
+        refuse("the viewing distance is " + shortText(s.distance) + " mm; the eye must be farther away than the sheet is thick, " +
+               shortText(s.sheet.thickness) + " mm");
+    }
+    if (!(s.visualLpi >= 0) || !std::isfinite(s.visualLpi)) refuse("the visual LPI is " + shortText(s.visualLpi));
+    if (!std::isfinite(s.phase) || std::abs(s.phase) > 1e6) refuse("the phase is " + shortText(s.phase) + "; give a part of a lens, 0 to 1");
+    if (!(std::abs(s.direction) <= 90)) refuse("the direction is " + shortText(s.direction) + " degrees; give -90 to 90");
+    if (!(s.guard >= 0 && s.guard <= 1)) refuse("the guard is " + shortText(s.guard) + "; give a part of a strip, 0 to 1");
+}
+
+}  // namespace
+
+const char* toString(Method method)
+{
+    switch (method) {
+    case Method::nearest: return "nearest";
+    case Method::area: return "area";
+    case Method::guard: return "guard";
+    }
+    return "";
+}
+
+double printPitch(const Sheet& sheet, double distance)
+{
+    if (std::isinf(distance)) return sheet.pitch();
+    return sheet.pitch() * (distance + sheet.thickness) / (distance + sheet.radius);
+}
+
+PrintLayout::PrintLayout(const PrintSettings& settings) : settings_(settings)
+{
+    checkSettings(settings_);
+    width_ = pixels(settings_.width + 2 * settings_.bleed, settings_.dpiX, "width");
+    height_ = pixels(settings_.height + 2 * settings_.bleed, settings_.dpiY, "height");
+    pitch_ = settings_.visualLpi > 0 ? mmPerInch / settings_.visualLpi : vitrine::lenticular::printPitch(settings_.sheet, settings_.distance);
+    // The two directions that nearly all prints have are exact: no 6e-17 where 0 is meant.
+    const bool horizontal = std::abs(settings_.direction) == 90;
+    cos_ = horizontal ? 0 : std::cos(settings_.direction * radiansPerDegree);
+    sin_ = horizontal ? 1 : std::sin(settings_.direction * radiansPerDegree);
+    perX_ = cos_ * mmPerInch / (settings_.dpiX * pitch_);
+    perY_ = sin_ * mmPerInch / (settings_.dpiY * pitch_);
+    if (!(pixelsPerLens() > 1)) {
+        refuse(shortText(printLpi()) + " LPI at " + shortText(perX_ != 0 ? settings_.dpiX : settings_.dpiY) +
+               " dpi leaves no more than one pixel for a lens; choose a finer printer or a coarser sheet");
+    }
+}
+
+double PrintLayout::pixelsPerLens() const
+{
+    return 1 / std::max(std::abs(perX_), std::abs(perY_));
+}
+
+int PrintLayout::viewOfStrip(std::int64_t strip) const
+{
+    const std::int64_t views = settings_.views;
+    const auto within = static_cast<int>(((strip % views) + views) % views);
+    return settings_.reverse ? within : settings_.views - 1 - within;
+}
+
+PrintNumbers numbersOf(const PrintLayout& layout, double storedDpi)
+{
+    const PrintSettings& s = layout.settings();
+    PrintNumbers numbers;
+    numbers.pixelsPerLens = layout.pixelsPerLens();
+    numbers.effectiveLpi = layout.printLpi() * storedDpi / s.dpiX;
+    numbers.effectiveViews = std::min<double>(s.views, std::floor(numbers.pixelsPerLens));
+    numbers.zoneDegrees = zoneByAperture(s.sheet) / radiansPerDegree;
+    numbers.depthBudget = 2 * numbers.effectiveViews * s.sheet.thickness / s.sheet.index;
+    const double strip = s.sheet.pitch() / s.views;
+    const double halfPixel = s.sheet.pitch() / numbers.pixelsPerLens / 2;
+    for (int k = 0; k < s.views; ++k) {
+        const double center = ((k + 0.5) / s.views - 0.5) * s.sheet.pitch();  // Of strip s = k, mirrored views alike.
+        double low = -1.4;
+        double high = 1.4;
+        for (int i = 0; i < 40; ++i) {
+            const double middle = (low + high) / 2;
+            (aperture(s.sheet, middle, 0, 64).mean > center ? low : high) = middle;
+        }
+        double own = 0;
+        for (const Aperture::Part& part : aperture(s.sheet, (low + high) / 2).parts) {
+            // The piece of print that a part sees, spread by the pixel, against the strip.
+            const double from = std::min(part.from, part.to) - halfPixel;
+            const double to = std::max(part.from, part.to) + halfPixel;
+            const double inside = std::min(to, center + strip / 2) - std::max(from, center - strip / 2);
+            own += part.share * std::max(0.0, inside) / (to - from);
+        }
+        numbers.ownShare.push_back(std::min(own, 1.0));
+    }
+    if (!s.reverse) std::reverse(numbers.ownShare.begin(), numbers.ownShare.end());
+    return numbers;
+}
+
+std::vector<std::string> warningsOf(const PrintLayout& layout)
+{
+    std::vector<std::string> warnings;
+    const PrintSettings& s = layout.settings();
+    const double perLens = layout.pixelsPerLens();
+    if (perLens < 2) {
+        warnings.push_back("With " + shortText(perLens) + " pixels per lens the printer cannot separate views.");
+    } else if (s.views > perLens) {
+        warnings.push_back(std::to_string(s.views) + " views share " + shortText(perLens) + " pixels per lens: no more than " +
+                           shortText(std::floor(perLens)) + " of them can be told apart.");
+    }
+    if (s.views == 1) warnings.push_back("With one view the print shows the same picture from everywhere.");
+    if (s.visualLpi > 0 && std::abs(s.visualLpi / s.sheet.lpi() - 1) > 0.02) {
+        warnings.push_back("The visual LPI " + shortText(s.visualLpi) + " is far from the sheet's " + shortText(s.sheet.lpi()) + ".");
+    }
+    return warnings;
+}
+
+}  // namespace vitrine::lenticular

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace vitrine::lenticular {
+
+/// A sheet of cylindrical lenses. Lengths in millimeters; the print lies `thickness` below the lens tops.
+///
+/// Radius and thickness are independent: wide-angle sheets are made thinner than their focal length.
+struct Sheet {
+    std::string name{};
+    double nominalLpi = 0;    ///< What it is sold as.
+    double effectiveLpi = 0;  ///< What was measured; 0: not measured, the nominal value counts.
+    double radius = 0;        ///< Of curvature, at the lens top.
+    double thickness = 0;     ///< From lens top to print.
+    double index = 1.56;      ///< Of refraction.
+    double conic = 0;         ///< 0 is a circle, -1/index^2 the ellipse without spherical aberration.
+
+    [[nodiscard]] double lpi() const { return effectiveLpi > 0 ? effectiveLpi : nominalLpi; }
+    [[nodiscard]] double pitch() const { return 25.4 / lpi(); }  ///< Millimeters per lens.
+};
+
+/// Throws Failure (Blame::usage) naming the value that cannot be and the limit that it breaks: lengths and
+/// LPI positive and finite, index above 1, the curve reaching the cusp, the print below the cusp.
+void check(const Sheet&);
+
+/// A sheet focused on its back that shows its views over `zoneDegrees`: t = n p / (2 tan(V/2)) and
+/// r = t (n-1)/n, the paraxial focus. Throws Failure when that zone needs a lens wider than a circle.
+[[nodiscard]] Sheet derivedSheet(const std::string& name, double lpi, double zoneDegrees, double index = 1.56);
+
+/// Sheets to start from: "20-3d" (zone of 30 degrees) and "20-flip" (50 degrees) for the usual LPI, derived
+/// from LPI, angle and index, and one that was measured, "75-measured". Makers differ: edit and calibrate.
+[[nodiscard]] const std::vector<Sheet>& knownSheets();
+
+/// The known sheet of that name. Throws Failure (Blame::usage) listing the names.
+[[nodiscard]] const Sheet& knownSheet(const std::string& name);
+
+}  // namespace vitrine::lenticular

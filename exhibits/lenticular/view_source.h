@@ -1,0 +1,51 @@
+#pragma once
+
+#include "render/image/image.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace vitrine::lenticular {
+
+/// The views of a print, as the interlacer reads them: linear Rec. 709 in 16 bits, four samples a pixel (the
+/// fourth is unused), so that one pixel is one load. Row 0 at the top. All have the same height; widths differ.
+class ViewSet {
+public:
+    struct View {
+        int width = 0;
+        std::vector<std::uint16_t> samples{};  ///< width * height * 4, and one unused pixel behind: columns are read two by two.
+    };
+
+    /// Adds a picture of linear light with 1 to 4 channels, over white where it is transparent. A picture of
+    /// another height than the first is scaled along its columns to the first one's.
+    void add(const render::Image&);
+
+    [[nodiscard]] int count() const { return static_cast<int>(views_.size()); }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] const View& view(int k) const { return views_[static_cast<std::size_t>(k)]; }
+    [[nodiscard]] const std::uint16_t* row(int k, int y) const
+    {
+        const View& v = view(k);
+        return v.samples.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(v.width) * 4;
+    }
+
+private:
+    int height_ = 0;
+    std::vector<View> views_;
+};
+
+/// The picture files that `names` mean, in viewing order from the left: files as given, folders by the names
+/// in them, where numbers count by value (view2 before view10). Throws Failure when there is none.
+[[nodiscard]] std::vector<std::filesystem::path> viewFiles(const std::vector<std::string>& names);
+
+/// Reads the files into views. `progress` (may be empty) is told how many are read; false stops with a Failure.
+[[nodiscard]] ViewSet readViews(const std::vector<std::filesystem::path>&, const std::function<bool(std::size_t)>& progress = {});
+
+/// Cuts a grid of views: the first at the bottom left, rows upwards, as quilts are.
+/// Throws Failure when the picture does not divide into the grid.
+[[nodiscard]] ViewSet viewsOfQuilt(const render::Image&, int columns, int rows);
+
+}  // namespace vitrine::lenticular

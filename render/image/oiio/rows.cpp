@@ -1,0 +1,111 @@
+#include "render/image/oiio/rows.h"
+
+#include "render/image/oiio/guarded.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace vitrine::render {
+namespace {
+
+OIIO::TypeDesc typeOf(const OiioRowTarget& target)
+{
+    return target.bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
+}
+
+/// OpenImageIO 2.4.7 overrules a vertical resolution that is not, to the last bit, this times the horizontal.
+float aspectFor(float dpiX, float dpiY)
+{
+    const float aspect = dpiY / dpiX;
+    if (aspect * dpiX == dpiY) return aspect;
+    for (const float near : {std::nextafter(aspect, 0.0F), std::nextafter(aspect, 2 * aspect)})
+        if (near * dpiX == dpiY) return near;
+    return aspect;
+}
+
+class Rows final : public OiioRows {
+public:
+    Rows(std::unique_ptr<OIIO::ImageOutput> output, OIIO::TypeDesc type) : output_(std::move(output)), type_(type) {}
+
+    std::string write(const void* rows, int first, int count) noexcept override
+    {
+        return guarded([&]() -> std::string {
+            const bool good = output_->write_scanlines(first, first + count, 0, type_, rows);
+            // The writers of 2.4.7 may return true although the disk is full.
+            if (!good || output_->has_error()) return "writing failed (" + output_->geterror() + ")";
+            return {};
+        });
+    }
+    std::string close() noexcept override
+    {
+        return guarded([&]() -> std::string {
+            const bool closed = output_->close();
+            if (!closed || output_->has_error()) return "closing it failed (" + output_->geterror() + ")";
+            return {};
+        });
+    }
+
+private:
+    std::unique_ptr<OIIO::ImageOutput> output_;
+    OIIO::TypeDesc type_;
+};
+
+/// Lifts OpenImageIO's limit on a picture's size, to look into our own file row by row. A decode that runs
+/// meanwhile is still held by `whyTooLarge`, before it takes memory.
+class Unlimited {
+public:
+    Unlimited() { OIIO::attribute("limits:imagesize_MB", 0); }
+    ~Unlimited() { OIIO::attribute("limits:imagesize_MB", 2048); }
+    Unlimited(const Unlimited&) = delete;
+    Unlimited& operator=(const Unlimited&) = delete;
+};
+
+}  // namespace
+
+std::string openRowsWithOiio(const OiioRowTarget& target, std::unique_ptr<OiioRows>& out)
+{
+    std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("tiff");
+    if (!output) return "this OpenImageIO cannot write TIFF";
+    OIIO::ImageSpec spec(target.width, target.height, 3, typeOf(target));
+    spec.attribute("compression", target.compression);
+    if (target.compression != "none") spec.attribute("tiff:predictor", 2);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("XResolution", static_cast<float>(target.dpiX));
+    spec.attribute("YResolution", static_cast<float>(target.dpiY));
+    spec.attribute("ResolutionUnit", "in");
+    spec.attribute("PixelAspectRatio", aspectFor(static_cast<float>(target.dpiX), static_cast<float>(target.dpiY)));
+    if (!target.description.empty()) spec.attribute("ImageDescription", target.description);
+    if (!target.profile.empty()) {
+        spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(target.profile.size())), target.profile.data());
+    }
+    if (!output->open(target.path, spec)) return "creating it failed (" + output->geterror() + ")";
+    out = std::make_unique<Rows>(std::move(output), typeOf(target));
+    return {};
+}
+
+std::string checkRowsWithOiio(const OiioRowTarget& target, const std::vector<WrittenRow>& rows)
+{
+    const Unlimited unlimited;
+    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("tiff");
+    OIIO::ImageSpec spec;
+    if (!input || !input->open(target.path, spec)) {
+        return "the written file cannot be opened (" + (input ? input->geterror() : std::string()) + ")";
+    }
+    if (spec.width != target.width || spec.height != target.height || spec.nchannels != 3 || spec.format != typeOf(target)) {
+        return "the written file has another size";
+    }
+    const auto stored = [&](const char* key) { return static_cast<double>(spec.get_float_attribute(key)); };
+    if (std::abs(stored("XResolution") / target.dpiX - 1) > 1e-6 || std::abs(stored("YResolution") / target.dpiY - 1) > 1e-6) {
+        return "the written file has another resolution";
+    }
+    std::string row(spec.scanline_bytes(), '\0');
+    for (const WrittenRow& written : rows) {
+        if (!input->read_scanline(written.row, 0, typeOf(target), row.data())) return "reading it back failed (" + input->geterror() + ")";
+        if (row != written.bytes) return "reading it back gave other pixels in row " + std::to_string(written.row);
+    }
+    return {};
+}
+
+}  // namespace vitrine::render

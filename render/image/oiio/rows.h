@@ -1,0 +1,13 @@
+#pragma once
+
+#include "render/image/oiio_codec.h"
+
+namespace vitrine::render {
+
+/// The work of OiioCodec::openRows; may throw.
+[[nodiscard]] std::string openRowsWithOiio(const OiioRowTarget&, std::unique_ptr<OiioRows>& out);
+
+/// The work of OiioCodec::checkRows; may throw.
+[[nodiscard]] std::string checkRowsWithOiio(const OiioRowTarget&, const std::vector<WrittenRow>&);
+
+}  // namespace vitrine::render

@@ -1,0 +1,122 @@
+#include "render/image/picture_stream.h"
+
+#include "render/failure.h"
+#include "render/files/extension.h"
+#include "render/files/read_file.h"
+#include "render/files/strict_json.h"
+#include "render/image/decode.h"
+#include "render/image/png_file.h"
+
+#include <cmath>
+
+namespace vitrine::render {
+namespace {
+
+constexpr const char* printKey = "vitrine:print";
+constexpr std::int64_t tiffSide = 1 << 20;  // OpenImageIO reads no TIFF beyond this.
+constexpr std::int64_t keptRows = 16;
+
+bool isPng(const std::filesystem::path& path) { return lowerExtension(path) == ".png"; }
+bool isTiff(const std::filesystem::path& path)
+{
+    const std::string extension = lowerExtension(path);
+    return extension == ".tif" || extension == ".tiff";
+}
+
+const char* nameOf(StreamCompression compression)
+{
+    switch (compression) {
+    case StreamCompression::none: return "none";
+    case StreamCompression::deflate: return "zip";
+    case StreamCompression::zstd: return "zstd";
+    }
+    return "none";
+}
+
+}  // namespace
+
+PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec& spec, FileOps& ops) : path_(path), spec_(spec), part_(path, ops)
+{
+    if (!isPng(path) && !isTiff(path)) throw Failure(Blame::usage, "Cannot write " + path.string() + ": give a name that ends in .tif, .tiff or .png.");
+    const std::int64_t most = isPng(path) ? 2147483647 : tiffSide;
+    if (spec.width > most || spec.height > most) {
+        throw Failure(Blame::usage, "Cannot write " + path.string() + ": " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
+                                        " pixels are too many for this format, which ends at " + std::to_string(most) +
+                                        " per side; print it in parts.");
+    }
+    const auto bytes = static_cast<unsigned long long>(spec.width) * static_cast<unsigned long long>(spec.height) * 3ULL *
+                       static_cast<unsigned long long>(spec.bits / 8);
+    const bool packed = isPng(path) || spec.compression != StreamCompression::none;
+    requireSpace(path, packed ? bytes / 4 : bytes, ops);
+    if (isPng(path)) {
+        pngRows_ = std::make_unique<PngRows>(PngRowTarget{part_.path().string(), spec.width, spec.height, spec.bits, spec.dpiX, spec.dpiY,
+                                                          spec.likeRowAbove, printKey, spec.json, spec.profile},
+                                             ops);
+        if (const std::string why = pngRows_->begin(); !why.empty()) refuse(why);
+        return;
+    }
+    tiff_ = {part_.path().string(), static_cast<int>(spec.width), static_cast<int>(spec.height), spec.bits, nameOf(spec.compression),
+             spec.dpiX, spec.dpiY, asciiJson(spec.json), spec.profile};
+    if (const std::string why = oiioCodec().openRows(tiff_, tiffRows_); !why.empty()) refuse(why);
+}
+
+void PictureStream::refuse(const std::string& why) const
+{
+    throw Failure(Blame::file, "Cannot write " + path_.string() + ": " + why + "; the old content is untouched; free some space or choose another disk.");
+}
+
+void PictureStream::write(const void* rows, std::int64_t count)
+{
+    const std::string why = pngRows_ ? pngRows_->write(rows, count) : tiffRows_->write(rows, static_cast<int>(done_), static_cast<int>(count));
+    if (!why.empty()) refuse(why);
+    if (tiffRows_) {
+        // Rows spread over the picture, the last one included: a full disk cuts off the end.
+        const std::size_t stride = static_cast<std::size_t>(spec_.width) * 3 * static_cast<std::size_t>(spec_.bits / 8);
+        const std::int64_t step = spec_.height / keptRows + 1;
+        for (std::int64_t y = 0; y < count; ++y) {
+            const std::int64_t row = done_ + y;
+            if (row % step != 0 && row != spec_.height - 1) continue;
+            kept_.push_back({static_cast<int>(row), std::string(static_cast<const char*>(rows) + static_cast<std::size_t>(y) * stride, stride)});
+        }
+    }
+    done_ += count;
+}
+
+void PictureStream::finish()
+{
+    if (std::string why = pngRows_ ? pngRows_->close() : tiffRows_->close(); !why.empty()) refuse(why);
+    if (!tiffRows_) return;
+    if (const std::string why = oiioCodec().checkRows(tiff_, kept_); !why.empty()) refuse(why);
+}
+
+double storedDpi(const std::filesystem::path& path, double dpi)
+{
+    if (isPng(path)) return std::round(dpi / 0.0254) * 0.0254;
+    return static_cast<double>(static_cast<float>(dpi));
+}
+
+std::optional<std::string> embeddedPrint(const std::filesystem::path& path)
+{
+    const std::string bytes = readFile(path, ImageLimits{}.fileBytes);
+    const ImageFormat format = formatOf(bytes, path.string());
+    if (format == ImageFormat::png) return textInPng(bytes, printKey, path.string());
+    if (format != ImageFormat::tiff) return std::nullopt;
+    std::string text;
+    if (const std::string why = oiioCodec().readText(bytes, format, "ImageDescription", text); !why.empty())
+        throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + ".");
+    if (text.empty()) return std::nullopt;
+    return text;
+}
+
+std::string embeddedProfile(const std::filesystem::path& path)
+{
+    const std::string bytes = readFile(path, ImageLimits{}.fileBytes);
+    const ImageFormat format = formatOf(bytes, path.string());
+    if (format == ImageFormat::png) return profileInPng(bytes, path.string());
+    std::string profile;
+    if (const std::string why = oiioCodec().readProfile(bytes, format, profile); !why.empty())
+        throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + ".");
+    return profile;
+}
+
+}  // namespace vitrine::render
