@@ -20,13 +20,6 @@ std::string presetTextOf(const std::string& file)
     return *text;
 }
 
-NamedValues named(const Museum& museum, const Look& look)
-{
-    NamedValues values;
-    for (std::size_t i = 0; i < look.values.size(); ++i) values.emplace_back(std::string(museum.exhibits()[i]->name()), look.values[i]);
-    return values;
-}
-
 void append(std::vector<std::string>& notes, const std::string& file, const std::vector<std::string>& more)
 {
     for (const std::string& note : more) notes.push_back(file + ": " + note);
@@ -39,7 +32,7 @@ void applyPreset(const Museum& museum, const std::string& file, PictureJob& job)
     const std::string text = presetTextOf(file);
     const PresetHeader header = presetHeader(render::parseJson(text, file, presetLimits));
     if (header.isExhibition) {
-        Exhibition exhibition = parseExhibition(text, file, named(museum, museum.initialLook()));
+        Exhibition exhibition = parseExhibition(text, file, namedValues(museum.exhibits(), museum.initialLook().values));
         for (auto& [name, values] : exhibition.values)
             if (const auto i = museum.find(name)) job.look.values[*i] = values;
         job.look.camera = exhibition.camera;

@@ -75,7 +75,7 @@ int list(bool asJson)
     // The tables alone: no asset is read, so this answers at once.
     const HallTable hall;
     Json all = Json::array();
-    all.push_back(exhibitJson("hall", "The hall", "The museum itself: its sun, its sky, its reflections and the exposure of the picture.", hall));
+    all.push_back(exhibitJson("hall", hallTitle, hallSummary, hall));
     for (const auto& exhibit : allExhibits()) all.push_back(exhibitJson(exhibit->name(), exhibit->title(), exhibit->summary(), exhibit->parameters()));
     if (asJson) {
         std::fputs(render::writeJson(all).c_str(), stdout);

@@ -40,9 +40,7 @@ std::string presetOf(const Museum& museum, const PictureJob& job)
         const Exhibit& exhibit = *museum.exhibits()[job.subject];
         return presetText(Preset{std::string(exhibit.name()), "Picture", job.look.values[job.subject], job.look.camera});
     }
-    Exhibition everything{"Picture", {}, job.look.camera};
-    for (std::size_t i = 0; i < job.look.values.size(); ++i) everything.values.emplace_back(std::string(museum.exhibits()[i]->name()), job.look.values[i]);
-    return exhibitionText(everything);
+    return exhibitionText({"Picture", namedValues(museum.exhibits(), job.look.values), job.look.camera});
 }
 
 int renderPicture(const RenderOptions& options)

@@ -11,17 +11,14 @@ std::string textOf(const Gallery& gallery, const Look& look, const std::string& 
     Exhibition everything;
     everything.name = name;
     everything.camera = look.camera;
-    for (std::size_t i = 0; i < gallery.exhibits().size(); ++i)
-        everything.values.emplace_back(gallery.exhibits()[i]->name(), look.values[i]);
+    everything.values = namedValues(gallery.exhibits(), look.values);
     return exhibitionText(everything);
 }
 
 Look lookFrom(const Gallery& gallery, std::string text, std::string fileName, std::vector<std::string>& notes)
 {
     Look look = gallery.initialLook();
-    NamedValues initial;
-    for (std::size_t i = 0; i < gallery.exhibits().size(); ++i)
-        initial.emplace_back(gallery.exhibits()[i]->name(), look.values[i]);
+    const NamedValues initial = namedValues(gallery.exhibits(), look.values);
     Exhibition read = parseExhibition(std::move(text), std::move(fileName), initial);
     for (auto& [name, values] : read.values) {
         const auto at = std::find_if(initial.begin(), initial.end(), [&](const auto& entry) { return entry.first == name; });

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "exhibits/framework/exhibit.h"
 #include "exhibits/framework/parameters.h"
 #include "render/files/strict_json.h"
 #include "render/scene/camera.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,6 +58,9 @@ struct Preset {
 
 /// Values of all exhibits by name, in the order of the museum.
 using NamedValues = std::vector<std::pair<std::string, ParameterValues>>;
+
+/// Values beside the names of the exhibits that they belong to; both in the same order.
+[[nodiscard]] NamedValues namedValues(std::span<const std::unique_ptr<Exhibit>>, std::span<const ParameterValues>);
 
 /// Settings of everything: "format" is "vitrine-exhibition", there is no "exhibit", and the keys of
 /// `values` are "sdf_morph.morph", "hall.exposure", ...

@@ -18,11 +18,8 @@ public:
     ~Hall() override;
 
     [[nodiscard]] std::string_view name() const override { return "hall"; }
-    [[nodiscard]] std::string_view title() const override { return "The hall"; }
-    [[nodiscard]] std::string_view summary() const override
-    {
-        return "The museum itself: its sun, its sky, its reflections and the exposure of the picture.";
-    }
+    [[nodiscard]] std::string_view title() const override { return hallTitle; }
+    [[nodiscard]] std::string_view summary() const override { return hallSummary; }
     [[nodiscard]] int place() const override { return 0; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;

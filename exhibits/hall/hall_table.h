@@ -6,6 +6,10 @@ namespace vitrine {
 
 enum class ShadowFilter : int { hard, tent3, tent5 };
 
+/// What the hall is called; here, so that lists need not read the building itself.
+inline constexpr std::string_view hallTitle = "The hall";
+inline constexpr std::string_view hallSummary = "The museum itself: its sun, its sky, its reflections and the exposure of the picture.";
+
 /// What can be set about the building: light, reflections, and how the picture is developed.
 struct HallTable final : Parameters {
     Group picture = group("Picture");

@@ -2,6 +2,7 @@
 // constants and the cosine lobe so that lib/light.glsl evaluates a plain polynomial of the normal.
 // Ramamoorthi and Hanrahan 2001. One group of 64 threads walks one small mip level.
 #include "lib/bindings.glsl"
+#include "lib/cube.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -15,16 +16,6 @@ layout(rgba32f, binding = 0) uniform writeonly image2D coefficients;
 shared vec3 sums[64][9];
 shared float weights[64];
 
-vec3 cubeDirection(int face, vec2 p)
-{
-    if (face == 0) return vec3(1.0, -p.y, -p.x);
-    if (face == 1) return vec3(-1.0, -p.y, p.x);
-    if (face == 2) return vec3(p.x, 1.0, p.y);
-    if (face == 3) return vec3(p.x, -1.0, -p.y);
-    if (face == 4) return vec3(p.x, -p.y, 1.0);
-    return vec3(-p.x, -p.y, -1.0);
-}
-
 void main()
 {
     int me = int(gl_LocalInvocationIndex);
@@ -33,8 +24,7 @@ void main()
     float weight = 0.0;
     for (int i = me; i < 6 * size * size; i += 64) {
         int face = i / (size * size), rest = i % (size * size);
-        vec2 p = (vec2(float(rest % size), float(rest / size)) + 0.5) / float(size) * 2.0 - 1.0;
-        vec3 d = cubeDirection(face, p);
+        vec3 d = cubeDirection(face, cubeTexel(vec2(float(rest % size), float(rest / size)), float(size)));
         float length2 = dot(d, d);
         float solidAngle = 1.0 / (length2 * sqrt(length2));
         vec3 n = d * inversesqrt(length2);

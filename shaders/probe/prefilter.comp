@@ -2,6 +2,7 @@
 // direction are the lookup direction (Karis 2013), by importance sampling that reads the mip level
 // whose texels are as wide as the samples are apart (Krivanek and Colbert 2008).
 #include "lib/bindings.glsl"
+#include "lib/cube.glsl"
 #include "lib/hash.glsl"
 
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
@@ -15,23 +16,12 @@ layout(rgba16f, binding = 0) uniform writeonly imageCube filtered;
 
 const float PI = 3.14159265358979;
 
-vec3 cubeDirection(ivec3 texel, float size)
-{
-    vec2 p = (vec2(texel.xy) + 0.5) / size * 2.0 - 1.0;
-    if (texel.z == 0) return vec3(1.0, -p.y, -p.x);
-    if (texel.z == 1) return vec3(-1.0, -p.y, p.x);
-    if (texel.z == 2) return vec3(p.x, 1.0, p.y);
-    if (texel.z == 3) return vec3(p.x, -1.0, -p.y);
-    if (texel.z == 4) return vec3(p.x, -p.y, 1.0);
-    return vec3(-p.x, -p.y, -1.0);
-}
-
 void main()
 {
     ivec3 texel = ivec3(gl_GlobalInvocationID);
     ivec2 size = imageSize(filtered);
     if (any(greaterThanEqual(texel.xy, size))) return;
-    vec3 n = normalize(cubeDirection(texel, float(size.x)));
+    vec3 n = normalize(cubeDirection(texel.z, cubeTexel(vec2(texel.xy), float(size.x))));
     float roughness = object.level.x;
     int count = int(object.level.y);
     if (roughness <= 0.0 || count <= 1) {
