@@ -44,6 +44,15 @@ struct PlanContext {
     std::span<const double> sincePressed;  ///< For the hall: seconds since each guest's button was pressed.
 };
 
+/// A fixed situation in which an accuracy study measures: seen from `camera` (in the exhibit's space) at
+/// `time`, with `values` in place of what the study started from: "spin of 120 degrees".
+struct StudyView {
+    std::string name;
+    render::Camera camera;
+    double time = 0;                       ///< Seconds.
+    ParameterValues values;
+};
+
 /// One technique on show: its parameter table, and the passes that draw it.
 class Exhibit {
 public:
@@ -65,6 +74,12 @@ public:
     [[nodiscard]] virtual double nextChange(const ParameterValues&, double time) const = 0;
     /// What pressing its button does to the values; returns whether anything changed.
     virtual bool press(ParameterValues&) const { return false; }
+
+    /// The views of its accuracy studies, easy and hard ones, starting from these values; at least one.
+    [[nodiscard]] virtual std::vector<StudyView> studyViews(const ParameterValues& values) const
+    {
+        return {{"best view", bestView(values), 0, values}};
+    }
 
     virtual void plan(const PlanContext&, render::FramePlan&) const = 0;
 };

@@ -43,6 +43,7 @@ inline void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
 inline void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
 inline void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
 inline void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+inline void deleteQuery(GLuint name) { glDeleteQueries(1, &name); }
 inline void deleteProgram(GLuint name) { glDeleteProgram(name); }
 inline void deleteShader(GLuint name) { glDeleteShader(name); }
 
@@ -50,6 +51,7 @@ using TextureName = Object<deleteTexture>;
 using BufferName = Object<deleteBuffer>;
 using VertexArrayName = Object<deleteVertexArray>;
 using FramebufferName = Object<deleteFramebuffer>;
+using QueryName = Object<deleteQuery>;
 using ProgramName = Object<deleteProgram>;
 using ShaderName = Object<deleteShader>;
 

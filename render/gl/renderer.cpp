@@ -30,7 +30,31 @@ void countDraws(const Pass& pass, std::map<std::string, std::int64_t>& counters)
         const std::int64_t triangles = draw.mesh ? static_cast<std::int64_t>(draw.mesh->indices.size() / 3) : 1;
         counters["triangles"] += triangles * draw.instances;
     }
+    for (const auto& [name, count] : pass.counts) counters[name] += count;
 }
+
+/// Counts the samples that the draws between its making and `end` let pass.
+class SamplesQuery {
+public:
+    SamplesQuery()
+    {
+        GLuint name = 0;
+        glCreateQueries(GL_SAMPLES_PASSED, 1, &name);
+        query_ = QueryName(name);
+        glBeginQuery(GL_SAMPLES_PASSED, name);
+    }
+    static void end() { glEndQuery(GL_SAMPLES_PASSED); }
+    /// Waits for the draws to finish.
+    [[nodiscard]] std::int64_t result() const
+    {
+        GLint64 count = 0;
+        glGetQueryObjecti64v(query_.name(), GL_QUERY_RESULT, &count);
+        return count;
+    }
+
+private:
+    QueryName query_;
+};
 
 }  // namespace
 
@@ -158,11 +182,14 @@ FrameReport Renderer::draw(const FramePlan& plan)
     for (const Pass& pass : plan.passes()) ranges.push_back(s.gather(pass, plan, planFrame));
     s.arena.upload();
 
+    std::vector<SamplesQuery> samplesQueries;
     for (std::size_t i = 0; i < plan.passes().size(); ++i) {
         const Pass& pass = plan.passes()[i];
         const double stepStart = s.clock();
         glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass.name.c_str());
+        if (pass.countSamples) samplesQueries.emplace_back();
         s.run(pass, ranges[i]);
+        if (pass.countSamples) SamplesQuery::end();
         glPopDebugGroup();
         s.remember(pass);
         if (s.timeSteps) glFinish();
@@ -170,6 +197,7 @@ FrameReport Renderer::draw(const FramePlan& plan)
         countDraws(pass, report.counters);
     }
     glFinish();
+    for (const SamplesQuery& query : samplesQueries) report.counters["samples"] += query.result();
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(callersFramebuffer));
     report.counters["passes"] = static_cast<std::int64_t>(plan.passes().size());
     report.counters["images"] = static_cast<std::int64_t>(s.resources.imageCount());

@@ -123,6 +123,10 @@ struct Pass {
     glm::ivec3 groups{1};                 ///< Compute.
     std::vector<std::string> mipmaps;     ///< Images whose lower levels are made from level 0 afterwards.
     std::function<void()> simulate;
+    /// Work that the plan knows this pass does, by counter name ("fetches", "marchSteps"): added to the
+    /// report's counters when it runs.
+    std::map<std::string, std::int64_t> counts;
+    bool countSamples = false;            ///< Raster: samples that pass the depth test go to the counter "samples".
 
     /// When set and all outputs are kept images last written under the same key, the pass is skipped
     /// as unchanged. It must cover everything that the output depends on.
