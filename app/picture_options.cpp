@@ -26,27 +26,6 @@ std::vector<std::string> split(const std::string& text, char separator)
     return parts;
 }
 
-/// A number typed on the command line is in SI units unless it names its own.
-std::optional<Value> typedValue(const ParameterInfo& row, const std::string& text)
-{
-    if (row.kind == Kind::real || row.kind == Kind::count)
-        if (const auto plain = evaluate(text, Unit::none)) return *plain;
-    return parseValue(row, text);
-}
-
-std::string whatItTakes(const ParameterInfo& row)
-{
-    if (row.kind == Kind::choice) {
-        std::string names;
-        for (const std::string_view choice : row.choices) names += (names.empty() ? "" : ", ") + std::string(choice);
-        return "one of " + names;
-    }
-    if (row.kind == Kind::toggle) return "on or off";
-    if (row.kind == Kind::color) return "#rrggbb or r,g,b";
-    if (row.kind == Kind::direction) return "x,y,z";
-    return "a number from " + render::shortestNumber(row.range.low) + " to " + render::shortestNumber(row.range.high) + ' ' + std::string(info(row.unit).storedSymbol);
-}
-
 bool isExr(const std::string& file)
 {
     return render::lowerExtension(file) == ".exr";
@@ -86,6 +65,26 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
 }
 
 }  // namespace
+
+std::optional<Value> typedValue(const ParameterInfo& row, const std::string& text)
+{
+    if (row.kind == Kind::real || row.kind == Kind::count)
+        if (const auto plain = evaluate(text, Unit::none)) return *plain;
+    return parseValue(row, text);
+}
+
+std::string whatItTakes(const ParameterInfo& row)
+{
+    if (row.kind == Kind::choice) {
+        std::string names;
+        for (const std::string_view choice : row.choices) names += (names.empty() ? "" : ", ") + std::string(choice);
+        return "one of " + names;
+    }
+    if (row.kind == Kind::toggle) return "on or off";
+    if (row.kind == Kind::color) return "#rrggbb or r,g,b";
+    if (row.kind == Kind::direction) return "x,y,z";
+    return "a number from " + render::shortestNumber(row.range.low) + " to " + render::shortestNumber(row.range.high) + ' ' + std::string(info(row.unit).storedSymbol);
+}
 
 render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
 {

@@ -53,6 +53,12 @@ void applyPreset(const Museum&, const std::string& file, PictureJob&);
 /// `list --json` and presets have them; "30deg" and "12mm" name their own.
 void applySet(const Museum&, Look&, std::size_t subject, const std::string& assignment, std::vector<std::string>& notes);
 
+/// The value that someone typed on the command line, where a number is in SI units unless it names its own; nothing
+/// when the text means none.
+[[nodiscard]] std::optional<Value> typedValue(const ParameterInfo&, const std::string& text);
+/// "a number from 0 to 1", "one of none, hard": after "give ".
+[[nodiscard]] std::string whatItTakes(const ParameterInfo&);
+
 /// What a picture's file name ends in says how it is written. Throws Failure (Blame::usage) naming the option.
 [[nodiscard]] render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit);
 
