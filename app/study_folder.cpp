@@ -114,6 +114,7 @@ void ensureApplication()
     static char* arguments[] = {name, nullptr};
     if (QApplication::instance()) return;
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});  // What it says of a display concerns nobody here.
     static QApplication application(count, arguments);
     std::setlocale(LC_NUMERIC, "C");  // Qt brings the user's.
     ui::applyTheme(application, ui::lightTheme());

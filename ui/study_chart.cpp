@@ -14,15 +14,21 @@ namespace {
 
 constexpr double fingerWidth = 18;  // Pixels around a point that count as on it.
 
-/// Ticks that remain readable when the range is less than a decade.
-QSharedPointer<QCPAxisTicker> logTicker(double low, double high)
-{
-    QSharedPointer<QCPAxisTickerLog> ticker(new QCPAxisTickerLog);
-    const bool narrow = high < 100 * low;
-    ticker->setLogBase(narrow ? 2 : 10);
-    ticker->setSubTickCount(narrow ? 1 : 8);
-    return ticker;
-}
+/// Ticks at 1, 2 and 5 of each decade, at 1 alone over many, and evenly spaced within less than one.
+class DecadeTicker final : public QCPAxisTicker {
+protected:
+    int getSubTickCount(double) override { return 0; }
+    QVector<double> createTickVector(double step, const QCPRange& range) override
+    {
+        const double decades = std::log10(range.upper / range.lower);
+        if (!(decades > 0.8)) return QCPAxisTicker::createTickVector(step, range);
+        QVector<double> ticks;
+        for (double decade = std::pow(10, std::floor(std::log10(range.lower))); decade <= range.upper; decade *= 10)
+            for (const double m : {1.0, 2.0, 5.0})
+                if (m == 1 || decades < 4) ticks.append(m * decade);
+        return ticks;
+    }
+};
 
 }  // namespace
 
@@ -33,8 +39,9 @@ StudyChart::StudyChart(QWidget* parent) : QCustomPlot(parent)
     for (QCPAxis* axis : {xAxis, yAxis}) {
         axis->setScaleType(QCPAxis::stLogarithmic);
         axis->setNumberFormat(QStringLiteral("gb"));
-        axis->setNumberPrecision(2);
+        axis->setNumberPrecision(3);
         axis->grid()->setSubGridVisible(false);
+        axis->setTicker(QSharedPointer<QCPAxisTicker>(new DecadeTicker));
     }
     setMinimumSize(280, 160);
     applyColors();
@@ -98,8 +105,6 @@ void StudyChart::scaleAxes()
     floor_ = lowY / (marginY * marginY);
     xAxis->setRange(lowX / marginX, highX * marginX * std::pow(highX / lowX, 0.05));
     yAxis->setRange(anyExact_ ? floor_ / marginY : lowY / marginY, highY * marginY);
-    xAxis->setTicker(logTicker(xAxis->range().lower, xAxis->range().upper));
-    yAxis->setTicker(logTicker(yAxis->range().lower, yAxis->range().upper));
 }
 
 void StudyChart::rebuild()
@@ -162,13 +167,24 @@ void StudyChart::addMarks()
         graph->addData(p.cost, shownError(p.error));
     };
     const bool crowded = points_.size() > 24;
+    const auto isSpecial = [&](std::size_t i) { return points_[i].knee || points_[i].present || emphasized_ == i; };
+    // Where a marked point says its value, a neighbor that would write over it does not.
+    const auto isBesideSpecial = [&](std::size_t i) {
+        for (std::size_t j = 0; j < points_.size(); ++j) {
+            if (j == i || !isSpecial(j) || !(points_[j].cost > 0)) continue;
+            const double dx = std::log(points_[i].cost / points_[j].cost) / std::log(xAxis->range().upper / xAxis->range().lower);
+            const double dy = std::log(shownError(points_[i].error) / shownError(points_[j].error)) / std::log(yAxis->range().upper / yAxis->range().lower);
+            if (std::abs(dx) < 0.12 && std::abs(dy) < 0.05) return true;
+        }
+        return false;
+    };
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const ChartPoint& p = points_[i];
         if (!(p.cost > 0)) continue;
         if (p.present) ring(p, t.text, 15, QCPScatterStyle::ssDiamond);
         if (p.knee) ring(p, t.good, 15, QCPScatterStyle::ssCircle);
         if (emphasized_ == i) ring(p, t.accent, 20, QCPScatterStyle::ssCircle);
-        if (crowded && !p.knee && !p.present && emphasized_ != i) continue;
+        if (!isSpecial(i) && (crowded || isBesideSpecial(i))) continue;
         auto* label = new QCPItemText(this);
         QString text = p.text;
         if (p.knee) text += tr(" · knee");
