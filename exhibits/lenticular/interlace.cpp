@@ -16,13 +16,13 @@
 namespace vitrine::lenticular {
 namespace {
 
-constexpr int whole = 32768;  // Weight 1 of kernels::blendAndEncode.
+constexpr double whole = 65536;  // Weight 1 of kernels::blendAndEncode.
 
 /// Which rows of the views a printed row shows.
 struct RowBlend {
     int first = 0;
     int count = 1;      ///< 1 or 2 rows when enlarging; more when the views have more rows than the print.
-    int part = 0;       ///< Of the second row, when there are two.
+    std::uint16_t part = 0;  ///< Of the second row, when there are two.
     double from = 0, to = 0;
 };
 
@@ -44,7 +44,7 @@ RowBlend rowBlend(std::int64_t y, std::int64_t height, int viewHeight, bool near
     }
     const double at = std::clamp(center - 0.5, 0.0, static_cast<double>(viewHeight - 1));
     rows.first = std::min(static_cast<int>(at), viewHeight - 1);
-    rows.part = static_cast<int>(std::lround((at - rows.first) * whole));
+    rows.part = static_cast<std::uint16_t>(std::min(std::round((at - rows.first) * whole), whole - 1));
     rows.count = rows.part > 0 ? 2 : 1;
     return rows;
 }
@@ -141,7 +141,7 @@ template <typename Code> void Interlacer::fillVertical(const Region& region, Cod
         } else if (rows.count <= 2 && rows.to == 0) {
             const std::uint16_t* a = interlaced(rows.first);
             const std::uint16_t* b = rows.count == 2 ? interlaced(rows.first + 1) : a;
-            kernels::blendAndEncode(a, b, rows.count == 2 ? rows.part : 0, samples, out);
+            kernels::blendAndEncode(a, b, rows.part, samples, out);
         } else {
             sum.assign(samples, 0.5F);
             for (int r = rows.first; r < rows.first + rows.count; ++r) {
