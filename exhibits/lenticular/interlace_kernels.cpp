@@ -190,6 +190,20 @@ void filterLenses(const std::uint16_t* row, const Interlacer::LensSpan* spans, s
     }
 }
 
+void combineViews(const float* lenses, const double* matrix, std::size_t views, std::size_t lensCount, float* out)
+{
+    const std::size_t samples = lensCount * 4;
+    for (std::size_t i = 0; i < views; ++i, out += samples) {
+        std::fill_n(out, samples, 0.0F);
+        for (std::size_t k = 0; k < views; ++k) {
+            const auto weight = static_cast<float>(matrix[i * views + k]);
+            const float* from = lenses + k * samples;
+            for (std::size_t j = 0; j < samples; ++j) out[j] += weight * from[j];
+        }
+        for (std::size_t j = 0; j < samples; ++j) out[j] = std::clamp(out[j], 0.0F, 65535.0F);
+    }
+}
+
 void mixColumns(const float* lenses, const Interlacer::ColumnTap* taps, const std::uint32_t* start, std::size_t columns, std::uint16_t* out)
 {
 #if defined(VITRINE_AVX2)

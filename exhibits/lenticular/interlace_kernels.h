@@ -12,6 +12,10 @@ namespace vitrine::lenticular::kernels {
 /// lenses[slot] = the mean of `row` (four samples a pixel) over each span; four floats a lens.
 void filterLenses(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count, const float* weights, float* lenses);
 
+/// Every lens of view i as the sum of that lens in all views k, weighted by `matrix` [i * views + k], held to 0 and
+/// 65535.
+void combineViews(const float* lenses, const double* matrix, std::size_t views, std::size_t lensCount, float* out);
+
 /// out[3 x + c] = the weighted sum of lenses, rounded. Writes one sample beyond the last pixel.
 void mixColumns(const float* lenses, const Interlacer::ColumnTap* taps, const std::uint32_t* start, std::size_t columns, std::uint16_t* out);
 
