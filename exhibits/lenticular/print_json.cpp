@@ -85,6 +85,13 @@ Json printJson(const PrintLayout& layout, double storedDpiX, const std::vector<s
     return json;
 }
 
+std::string withCrossTalk(const std::string& json, const CrossTalk& talk)
+{
+    Json changed = render::parseJson(json, "the print's description").root();
+    changed["crossTalk"] = {{"before", talk.before}, {"after", talk.after}, {"clipped", talk.clipped}};
+    return render::writeJson(changed);
+}
+
 PrintSettings settingsFromJson(const render::JsonDocument& document)
 {
     const Reader read(document);
