@@ -38,6 +38,9 @@ const char* nameOf(StreamCompression compression)
 PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec& spec, FileOps& ops) : path_(path), spec_(spec), part_(path, ops)
 {
     if (!isPng(path) && !isTiff(path)) throw Failure(Blame::usage, "Cannot write " + path.string() + ": give a name that ends in .tif, .tiff or .png.");
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error)) throw Failure(Blame::file, "Cannot write " + path.string() + ": there is no folder " + folder.string() + "; create it first.");
     const std::int64_t most = isPng(path) ? 2147483647 : tiffSide;
     if (spec.width > most || spec.height > most) {
         throw Failure(Blame::usage, "Cannot write " + path.string() + ": " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
