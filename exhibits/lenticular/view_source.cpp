@@ -142,13 +142,13 @@ ViewSet readViews(const std::vector<fs::path>& files, const std::function<bool(s
     return views;
 }
 
-ViewSet viewsOfQuilt(const render::Image& image, int columns, int rows)
+std::vector<render::Image> quiltViews(const render::Image& image, int columns, int rows)
 {
     if (columns < 1 || rows < 1 || image.width % columns != 0 || image.height % rows != 0) {
         throw Failure(Blame::usage, "A quilt of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels does not divide into " +
                                         std::to_string(columns) + " x " + std::to_string(rows) + " views.");
     }
-    ViewSet views;
+    std::vector<render::Image> views;
     const int width = image.width / columns;
     const int height = image.height / rows;
     for (int row = rows - 1; row >= 0; --row) {
@@ -158,9 +158,16 @@ ViewSet viewsOfQuilt(const render::Image& image, int columns, int rows)
                 const float* from = image.pixels.data() + image.index(column * width, row * height + y);
                 std::copy_n(from, static_cast<std::size_t>(width) * static_cast<std::size_t>(image.channels), view.pixels.data() + view.index(0, y));
             }
-            views.add(view);
+            views.push_back(std::move(view));
         }
     }
+    return views;
+}
+
+ViewSet viewsOfQuilt(const render::Image& image, int columns, int rows)
+{
+    ViewSet views;
+    for (const render::Image& view : quiltViews(image, columns, rows)) views.add(view);
     return views;
 }
 

@@ -46,6 +46,7 @@ private:
 
 /// Cuts a grid of views: the first at the bottom left, rows upwards, as quilts are.
 /// Throws Failure when the picture does not divide into the grid.
+[[nodiscard]] std::vector<render::Image> quiltViews(const render::Image&, int columns, int rows);
 [[nodiscard]] ViewSet viewsOfQuilt(const render::Image&, int columns, int rows);
 
 }  // namespace vitrine::lenticular
