@@ -20,6 +20,12 @@ QString millimeters(double metres)
     return QString::number(metres * 1000, 'f', metres < 0.01 ? 2 : 1) + QStringLiteral(" mm");
 }
 
+QString reach(double from, double to)
+{
+    const auto metres = [](double m) { return std::isinf(m) ? QString(QChar(0x221e)) : QString::number(m, 'f', m < 10 ? 1 : 0); };
+    return metres(from) + QChar(0x2013) + metres(to) + QStringLiteral(" m");
+}
+
 QString bytesText(double bytes)
 {
     const char* const units[] = {"B", "kB", "MB", "GB", "TB"};
@@ -75,7 +81,7 @@ PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
     views_ = addNumber(tr("Views that show"), tr("How many views can be told apart."));
     zone_ = addNumber(tr("Viewing zone"), tr("Angle in which all views are seen once; beyond it they start again."));
     depth_ = addNumber(tr("Depth budget"), tr("How far the scene may reach before and behind the print, together, without doubled contours."));
-    scene_ = addNumber(tr("Scene's depth"), tr("How far it does reach, at this strength of depth."));
+    scene_ = addNumber(tr("Scene"), tr("From where to where it reaches, and in brackets what the print holds of it, from the camera."));
     size_ = addNumber(tr("Size"), tr("Of the raster, bleed included."));
     bytes_ = addNumber(tr("File"), tr("Uncompressed."));
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -140,7 +146,7 @@ QString PrintNumbersView::messages() const
     return messages_->text();
 }
 
-void PrintNumbersView::showSummary(const PrintSummary& summary, double sceneDepth)
+void PrintNumbersView::showSummary(const PrintSummary& summary, const std::optional<SceneDepth>& scene)
 {
     const bool possible = summary.refusal.empty();
     const QString none = QStringLiteral("–");
@@ -149,7 +155,7 @@ void PrintNumbersView::showSummary(const PrintSummary& summary, double sceneDept
     views_->setText(possible ? tr("%1 of %2").arg(std::lround(summary.effectiveViews)).arg(summary.ownShare.size()) : none);
     zone_->setText(possible ? QString::number(summary.zone * 180 / std::numbers::pi, 'f', 1) + QChar(0xb0) : none);
     depth_->setText(possible ? millimeters(summary.depthBudget) : none);
-    scene_->setText(possible && sceneDepth >= 0 ? millimeters(sceneDepth) : none);
+    scene_->setText(possible && scene ? tr("%1 (%2)").arg(reach(scene->nearest, scene->farthest), reach(scene->nearestHeld, scene->farthestHeld)) : none);
     size_->setText(possible ? tr("%1 × %2 px").arg(summary.width).arg(summary.height) : none);
     bytes_->setText(possible ? bytesText(summary.bytes) : none);
     bars_->showShares(summary.ownShare);
@@ -163,8 +169,8 @@ void PrintNumbersView::showSummary(const PrintSummary& summary, double sceneDept
     QStringList lines;
     if (!possible) lines << QString::fromStdString(summary.refusal);
     for (const std::string& warning : summary.warnings) lines << QString::fromStdString(warning);
-    if (possible && sceneDepth > summary.depthBudget)
-        lines << tr("The scene is deeper than the budget: what is farthest from the print will show doubled contours. Lower the depth.");
+    if (possible && scene)
+        for (const std::string& warning : scene->warnings) lines << QString::fromStdString(warning);
     messages_->setText(lines.join(QLatin1Char('\n')));
     QPalette palette = this->palette();
     palette.setColor(QPalette::WindowText, possible ? theme().accent : theme().error);

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 class QLabel;
@@ -32,8 +33,8 @@ class PrintNumbersView final : public QWidget {
 public:
     explicit PrintNumbersView(QWidget* parent = nullptr);
 
-    /// `sceneDepth` in metres as it will lie before and behind the print, or negative when it is not known.
-    void showSummary(const PrintSummary&, double sceneDepth);
+    /// The scene's depth is known for rendered views only.
+    void showSummary(const PrintSummary&, const std::optional<SceneDepth>&);
     /// "Pixels per lens" and so on, as on the screen.
     [[nodiscard]] QString shown(const QString& label) const;
     [[nodiscard]] QString messages() const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/picture.h"
 #include "render/image/image.h"
 
 #include <cstdint>
@@ -28,6 +29,20 @@ public:
     [[nodiscard]] virtual int count() const = 0;
     /// Adds a picture of linear light, row 0 at the top, as the new rightmost view. Throws Failure when it is empty.
     virtual void add(const render::Image&) = 0;
+};
+
+/// One view of what is shown, to be rendered; the picture goes to PrintViews::add.
+struct PrintShot {
+    Look look;
+    PictureRequest request;
+};
+
+/// How far the scene reaches from the camera, and from where to where the print holds it, in metres; the far
+/// ends may be infinite.
+struct SceneDepth {
+    double nearest = 0, farthest = 0;
+    double nearestHeld = 0, farthestHeld = 0;
+    std::vector<std::string> warnings{};
 };
 
 /// What a printer and a visitor want to know about a print, or why it cannot be. Lengths in metres.
@@ -126,6 +141,11 @@ public:
     /// Reads what is asked for, or throws Failure naming the file; PrintStopped when told to.
     [[nodiscard]] virtual std::shared_ptr<const PrintViews> readViews(const ParameterValues&, const std::vector<std::string>& files,
                                                                       const PrintProgress&) const = 0;
+    /// What to render, from left to right, with the look's camera in the middle. `draft`: small and quick, to look
+    /// at while setting up. `frame` gives all but camera, size and seed. Throws Failure as `summary` refuses.
+    [[nodiscard]] virtual std::vector<PrintShot> shots(const ParameterValues&, const Look&, const FrameRequest& frame, bool draft) const = 0;
+    /// From a picture of the look with the channel "depth.Z". Throws Failure as `summary` refuses.
+    [[nodiscard]] virtual SceneDepth sceneDepth(const ParameterValues&, const Look&, const render::Image&) const = 0;
 
     // The print.
     /// What will be; the name of the file decides the format. Never throws for settings that cannot be: they are

@@ -7,6 +7,8 @@
 #include "exhibits/lenticular/numbers.h"
 #include "exhibits/lenticular/print_file.h"
 #include "exhibits/lenticular/print_json.h"
+#include "exhibits/lenticular/view_maker.h"
+#include "exhibits/lenticular/view_sequence.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
 #include "render/files/read_file.h"
@@ -22,6 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int smallSide = 400;
+constexpr int draftWidth = 240;
+constexpr int largestView = 16384;
 constexpr std::size_t mostJsonBytes = 4U << 20U;
 
 /// Box-filtered by a whole factor, so that its longer side is at most about twice `side`.
@@ -47,16 +51,12 @@ render::Image shrunk(const render::Image& image, int side)
     return small;
 }
 
-/// `count` of the files, evenly spread, the first and the last included.
-std::vector<fs::path> spread(std::vector<fs::path> files, int count)
+/// Of the print's shape.
+glm::ivec2 viewSize(const PrintLayout& layout, int width)
 {
-    if (count >= static_cast<int>(files.size())) return files;
-    std::vector<fs::path> chosen;
-    for (int i = 0; i < count; ++i) {
-        const double at = count == 1 ? 0.5 * static_cast<double>(files.size() - 1) : static_cast<double>(files.size() - 1) * i / (count - 1);
-        chosen.push_back(files[static_cast<std::size_t>(at + 0.5)]);
-    }
-    return chosen;
+    const PrintSettings& s = layout.settings();
+    const double height = width * (s.height + 2 * s.bleed) / (s.width + 2 * s.bleed);
+    return {width, static_cast<int>(std::clamp(std::round(height), 1.0, static_cast<double>(largestView)))};
 }
 
 int threadCount()
@@ -116,8 +116,15 @@ bool LenticularDesk::matters(const ParameterInfo& row, const ParameterValues& va
 
 bool LenticularDesk::sameViews(const ParameterValues& a, const ParameterValues& b) const
 {
+    const bool rendered = b[table_.origin] == ViewOrigin::shown;
+    const auto decides = [&](const ParameterInfo& row) {
+        if (row.group == "Views") return row.name == table_.rows()[table_.origin.row].name || matters(row, b, false);
+        // The cameras stand as the lenses show, and frame what the print's shape takes.
+        return rendered && (row.group == "Sheet" || row.name == "width" || row.name == "height" || row.name == "bleed" || row.name == "direction" ||
+                            row.name == "distance" || row.name == "infiniteDistance" || row.name == "visualLpi");
+    };
     for (std::size_t i = 0; i < a.rows().size(); ++i)
-        if (a.rows()[i].group == "Views" && a.row(i) != b.row(i) && (matters(a.rows()[i], b, false) || i == table_.origin.row)) return false;
+        if (a.row(i) != b.row(i) && decides(a.rows()[i])) return false;
     return true;
 }
 
@@ -191,18 +198,50 @@ std::shared_ptr<const PrintViews> LenticularDesk::readViews(const ParameterValue
         if (names.empty()) throw Failure(Blame::usage, "There is no quilt; choose a picture with a grid of views.");
         tell(0);
         const render::Image quilt = render::readImage(names.front());
-        for (const render::Image& view : quiltViews(quilt, values[table_.quiltColumns], values[table_.quiltRows])) views->add(view);
+        const int columns = values[table_.quiltColumns];
+        const int rows = values[table_.quiltRows];
+        for (int k = 0; k < columns * rows; ++k) {
+            tell(static_cast<double>(k) / (columns * rows));
+            views->add(viewOfQuilt(quilt, columns, rows, k));
+        }
         views->setProfile(render::embeddedProfile(names.front()));
         return views;
     }
     if (names.empty()) throw Failure(Blame::usage, "There are no views; choose a folder or pictures.");
-    const std::vector<fs::path> files = spread(viewFiles(names), values[table_.views]);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        tell(static_cast<double>(i) / static_cast<double>(files.size()));
-        views->add(render::readImage(files[i]));
+    const std::vector<fs::path> files = viewFiles(names);
+    const std::vector<std::size_t> chosen = chosenViews(files.size(), {1, false, std::min(values[table_.views], static_cast<int>(files.size()))});
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        tell(static_cast<double>(i) / static_cast<double>(chosen.size()));
+        views->add(render::readImage(files[chosen[i]]));
     }
-    views->setProfile(render::embeddedProfile(files.front()));
+    views->setProfile(render::embeddedProfile(files[chosen.front()]));
     return views;
+}
+
+ViewRig LenticularDesk::rigOf(const ParameterValues& values, const Look& look) const
+{
+    const PrintLayout layout = layoutOf(values, nullptr);
+    return {layout, look.camera, viewSize(layout, values[table_.viewWidth]), {values[table_.depth], values[table_.convergence]}};
+}
+
+std::vector<PrintShot> LenticularDesk::shots(const ParameterValues& values, const Look& look, const FrameRequest& frame, bool draft) const
+{
+    const PrintLayout layout = layoutOf(values, nullptr);
+    ViewShot base{look, {}};
+    base.request.frame = frame;
+    base.request.frame.raster.size = viewSize(layout, draft ? std::min(values[table_.viewWidth], draftWidth) : values[table_.viewWidth]);
+    base.request.samples = draft ? 1 : values[table_.samples];
+    std::vector<PrintShot> shots;
+    for (ViewShot& shot : shotsOf(rigOf(values, look), base)) shots.push_back({std::move(shot.look), std::move(shot.request)});
+    return shots;
+}
+
+SceneDepth LenticularDesk::sceneDepth(const ParameterValues& values, const Look& look, const render::Image& picture) const
+{
+    const ViewRig rig = rigOf(values, look);
+    const DepthRange scene = depthRange(picture);
+    const DepthRange budget = rig.budget();
+    return {scene.nearest, scene.farthest, budget.nearest, budget.farthest, warningsOf(rig, scene)};
 }
 
 PrintLayout LenticularDesk::layoutOf(const ParameterValues& values, const PrintViews* views) const

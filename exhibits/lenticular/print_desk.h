@@ -2,6 +2,7 @@
 
 #include "exhibits/lenticular/desk_table.h"
 #include "exhibits/lenticular/own_sheets.h"
+#include "exhibits/lenticular/view_rig.h"
 #include "exhibits/lenticular/view_source.h"
 
 namespace vitrine::lenticular {
@@ -48,6 +49,9 @@ public:
     [[nodiscard]] std::shared_ptr<const PrintViews> readViews(const ParameterValues&, const std::vector<std::string>& files,
                                                               const PrintProgress&) const override;
 
+    [[nodiscard]] std::vector<PrintShot> shots(const ParameterValues&, const Look&, const FrameRequest&, bool draft) const override;
+    [[nodiscard]] SceneDepth sceneDepth(const ParameterValues&, const Look&, const render::Image&) const override;
+
     [[nodiscard]] PrintSummary summary(const ParameterValues&, const PrintViews*, bool chart, const std::filesystem::path&) const override;
     [[nodiscard]] std::shared_ptr<const PrintPreview> preview(const ParameterValues&, std::shared_ptr<const PrintViews>) const override;
     std::vector<std::filesystem::path> write(const ParameterValues&, std::shared_ptr<const PrintViews>, const std::vector<std::string>& sources,
@@ -59,6 +63,7 @@ public:
 
 private:
     [[nodiscard]] std::vector<Sheet> allSheets(std::string& problem) const;
+    [[nodiscard]] ViewRig rigOf(const ParameterValues&, const Look&) const;
     /// For a chart, of as many views as it is to try.
     [[nodiscard]] PrintLayout layoutOf(const ParameterValues&, const PrintViews*) const;
 
