@@ -1,5 +1,6 @@
 #include "ui/shown_views.h"
 
+#include "render/failure.h"
 #include "ui/main_window.h"
 #include "ui/viewport.h"
 

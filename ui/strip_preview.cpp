@@ -120,12 +120,18 @@ void StripPreview::paintLenses(QPainter& painter) const
     const double perPixel = std::hypot(grid.perX, grid.perY);
     if (!(perPixel > 0) || zoom_ / perPixel < leastLensOnScreen) return;
     const QRectF paper = QRectF(toScreen(0, 0), toScreen(static_cast<double>(preview_->width()), static_cast<double>(preview_->height()))) & QRectF(rect());
-    QColor line = theme().accent;
-    line.setAlphaF(0.7F);
+    // A dark line beside a light one: seen on any picture.
+    const QColor dark(0, 0, 0, 150);
+    const QColor light(255, 255, 255, 150);
+    const auto draw = [&](const QPointF& from, const QPointF& to, const QPointF& aside) {
+        painter.setPen(QPen(dark, 1));
+        painter.drawLine(from, to);
+        painter.setPen(QPen(light, 1));
+        painter.drawLine(from + aside, to + aside);
+    };
     painter.save();
     painter.setClipRect(paper);
     painter.setRenderHint(QPainter::Antialiasing, grid.perX != 0 && grid.perY != 0);
-    painter.setPen(QPen(line, 1));
     const auto lensAt = [&](const QPointF& screen) {
         return grid.at0 + grid.perX * ((screen.x() - width() / 2.0) / zoom_ + middle_.x()) + grid.perY * ((screen.y() - height() / 2.0) / zoom_ + middle_.y());
     };
@@ -141,10 +147,10 @@ void StripPreview::paintLenses(QPainter& painter) const
             const auto at = [&](double y) { return (cusp - grid.at0 - grid.perY * ((y - height() / 2.0) / zoom_ + middle_.y())) / grid.perX; };
             const double x0 = toScreen(at(paper.top()), 0).x();
             const double x1 = toScreen(at(paper.bottom()), 0).x();
-            painter.drawLine(QPointF(x0, paper.top()), QPointF(x1, paper.bottom()));
+            draw(QPointF(x0, paper.top()), QPointF(x1, paper.bottom()), {1, 0});
         } else {
             const auto at = [&](double x) { return (cusp - grid.at0 - grid.perX * ((x - width() / 2.0) / zoom_ + middle_.x())) / grid.perY; };
-            painter.drawLine(QPointF(paper.left(), toScreen(0, at(paper.left())).y()), QPointF(paper.right(), toScreen(0, at(paper.right())).y()));
+            draw(QPointF(paper.left(), toScreen(0, at(paper.left())).y()), QPointF(paper.right(), toScreen(0, at(paper.right())).y()), {0, 1});
         }
     }
     painter.restore();

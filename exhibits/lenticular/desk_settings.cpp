@@ -36,7 +36,7 @@ Sheet sheetOf(const DeskTable& table, const ParameterValues& values)
     } else {
         sheet = {"", values[table.lensesPerInch], 0, mm(values[table.radius]), mm(values[table.thickness]), values[table.refractiveIndex], values[table.conic]};
     }
-    sheet.effectiveLpi = values[table.measuredLpi];
+    sheet.effectiveLpi = values[table.measuredPerInch];
     check(sheet);
     return sheet;
 }
@@ -44,7 +44,7 @@ Sheet sheetOf(const DeskTable& table, const ParameterValues& values)
 ParameterValues withSheet(const DeskTable& table, ParameterValues values, const Sheet& sheet)
 {
     values.set(table.lensesPerInch, sheet.nominalLpi);
-    values.set(table.measuredLpi, sheet.effectiveLpi);
+    values.set(table.measuredPerInch, sheet.effectiveLpi);
     values.set(table.radius, sheet.radius / 1000);
     values.set(table.thickness, sheet.thickness / 1000);
     values.set(table.refractiveIndex, sheet.index);
@@ -66,7 +66,7 @@ PrintSettings printSettings(const DeskTable& table, const ParameterValues& value
     s.height = mm(values[table.height]);
     s.bleed = mm(values[table.bleed]);
     s.distance = values[table.infiniteDistance] ? std::numeric_limits<double>::infinity() : mm(values[table.distance]);
-    s.visualLpi = values[table.visualLpi];
+    s.visualLpi = values[table.visualPerInch];
     s.phase = values[table.phase];
     s.direction = degrees(values[table.direction]);
     s.reverse = values[table.reverse];
@@ -87,7 +87,7 @@ ParameterValues withSettings(const DeskTable& table, ParameterValues values, con
     values.set(table.bleed, s.bleed / 1000);
     values.set(table.infiniteDistance, std::isinf(s.distance));
     if (!std::isinf(s.distance)) values.set(table.distance, s.distance / 1000);
-    values.set(table.visualLpi, s.visualLpi);
+    values.set(table.visualPerInch, s.visualLpi);
     values.set(table.phase, s.phase);
     values.set(table.direction, s.direction * radiansPerDegree);
     values.set(table.reverse, s.reverse);

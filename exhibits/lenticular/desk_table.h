@@ -29,7 +29,7 @@ struct DeskTable final : Parameters {
 
     Group sheetGroup = group("Sheet");
     Real lensesPerInch = real("lensesPerInch", 60, none, Range{1, 1000, logarithmic}.soft(10, 200), "LPI that the sheet is sold as.");
-    Real measuredLpi = real("measuredLpi", 0, none, Range{0, 1000}.soft(0, 200), "LPI as a pitch chart showed it with this printer; 0: not measured, the one above counts.");
+    Real measuredPerInch = real("measuredPerInch", 0, none, Range{0, 1000}.soft(0, 200), "LPI as a pitch chart showed it with this printer; 0: not measured, the one above counts.");
     Choice<LensShape> lens = choice("lens", LensShape::derived, {"from the zone", "as given"},
         "Whether radius and thickness follow from LPI, zone and index, focused on the back, or are as given below.");
     Real zone = real("zone", 0.5235987755982988, degree, Range{0.01, 2}.soft(0.2, 1.1), "Angle in which all views are seen once: about 30° for depth, 50° for flips.");
@@ -46,7 +46,7 @@ struct DeskTable final : Parameters {
     Real dotsDown = real("dotsDown", 0, none, Range{0, 100000}.soft(0, 2880), "Dots per inch the other way, when they differ; 0: the same.");
     Toggle infiniteDistance = toggle("infiniteDistance", false, "For no distance in particular: strips lie exactly at lens pitch.");
     Real distance = real("distance", 0.4, centimetre, Range{0.0001, 1000, logarithmic}.soft(0.1, 10), "From which it is looked at; the strips' pitch follows from it.");
-    Real visualLpi = real("visualLpi", 0, none, Range{0, 1000}.soft(0, 200), "LPI read from a pitch chart at that distance, in place of the one that follows from it; 0: not measured.");
+    Real visualPerInch = real("visualPerInch", 0, none, Range{0, 1000}.soft(0, 200), "LPI read from a pitch chart at that distance, in place of the one that follows from it; 0: not measured.");
     Real phase = real("phase", 0, none, Range{-1e6, 1e6}.soft(-0.5, 0.5), "Moves the strips under the lenses, in lenses; a phase chart tells.");
     Real direction = real("direction", 0, degree, {-1.5707963267948966, 1.5707963267948966}, "Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.");
     Toggle reverse = toggle("reverse", false, "The first view on the left under each lens: turns depth inside out, or a reversed sequence right.");

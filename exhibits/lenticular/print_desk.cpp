@@ -121,7 +121,7 @@ bool LenticularDesk::sameViews(const ParameterValues& a, const ParameterValues& 
         if (row.group == "Views") return row.name == table_.rows()[table_.origin.row].name || matters(row, b, false);
         // The cameras stand as the lenses show, and frame what the print's shape takes.
         return rendered && (row.group == "Sheet" || row.name == "width" || row.name == "height" || row.name == "bleed" || row.name == "direction" ||
-                            row.name == "distance" || row.name == "infiniteDistance" || row.name == "visualLpi");
+                            row.name == "distance" || row.name == "infiniteDistance" || row.name == "visualPerInch");
     };
     for (std::size_t i = 0; i < a.rows().size(); ++i)
         if (a.row(i) != b.row(i) && decides(a.rows()[i])) return false;
@@ -244,6 +244,11 @@ SceneDepth LenticularDesk::sceneDepth(const ParameterValues& values, const Look&
     return {scene.nearest, scene.farthest, budget.nearest, budget.farthest, warningsOf(rig, scene)};
 }
 
+double LenticularDesk::tileWidth(const ParameterValues& values) const
+{
+    return values[table_.direction] == 0 ? values[table_.tileWidth] * 1000 : 0;  // Only upright lenses can be cut between.
+}
+
 PrintLayout LenticularDesk::layoutOf(const ParameterValues& values, const PrintViews* views) const
 {
     return PrintLayout(printSettings(table_, values, views ? views->count() : values[table_.views]));
@@ -255,7 +260,7 @@ PrintSummary LenticularDesk::summary(const ParameterValues& values, const PrintV
     try {
         const PrintLayout layout = layoutOf(values, views);
         if (chart) static_cast<void>(Chart(layout, values[table_.chart], values[table_.chartSpan]));
-        else static_cast<void>(tileCuts(layout, values[table_.tileWidth] * 1000));
+        else static_cast<void>(tileCuts(layout, tileWidth(values)));
         const PrintNumbers numbers = numbersOf(layout, render::storedDpi(path, layout.settings().dpiX));
         summary.warnings = warningsOf(layout);
         summary.width = layout.width();
@@ -295,7 +300,7 @@ std::vector<fs::path> LenticularDesk::write(const ParameterValues& values, std::
     file.path = path;
     file.bits = values[table_.bits] == 0 ? 8 : 16;
     file.compression = values[table_.compression];
-    file.tileWidth = values[table_.tileWidth] * 1000;
+    file.tileWidth = tileWidth(values);
     file.threads = threadCount();
     file.progress = [&](double part) {
         stopped = progress && !progress(part);
