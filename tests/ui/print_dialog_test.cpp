@@ -165,7 +165,8 @@ private slots:
         dialog_->open(solidViews(4));
         settle();
         QVERIFY(button("Export")->isEnabled());
-        set("zone", 1.2);  // Of 58.5 degrees at most, with this index.
+        set("width", 0.1575);  // The views' shape.
+        set("zone", 1.2);      // Of 58.5 degrees at most, with this index.
         QVERIFY2(warnings().contains("58.49"), qPrintable(warnings()));
         QVERIFY(!button("Export")->isEnabled());
         set("zone", 0.9);
