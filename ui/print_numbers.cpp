@@ -43,7 +43,7 @@ CrosstalkBars::CrosstalkBars(QWidget* parent) : QWidget(parent)
 {
     setMinimumSize(160, 48);
     setAccessibleName(tr("Cross-talk of every view"));
-    setToolTip(tr("For every view, from left to right: how much of the light at its own angle comes from other views.\nOptics and printed dots; ink that spreads is not counted."));
+    setToolTip(tr("For every view, from left to right: how much of the light at its own angle comes from other views.\nOptics, printed dots, and ink that spreads as far as is set."));
 }
 
 void CrosstalkBars::showShares(std::vector<double> ownShare)

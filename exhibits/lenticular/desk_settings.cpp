@@ -74,6 +74,10 @@ PrintSettings printSettings(const DeskTable& table, const ParameterValues& value
     s.views = views;
     s.method = values[table.method];
     s.guard = values[table.guard];
+    s.border = mm(values[table.border]);
+    s.inkSpread = mm(values[table.inkSpread]);
+    s.compensate = values[table.compensate];
+    s.dither = values[table.dither] && values[table.bits] == 0;  // 16 bits need none.
     return s;
 }
 
@@ -95,6 +99,10 @@ ParameterValues withSettings(const DeskTable& table, ParameterValues values, con
     values.set(table.views, s.views);
     values.set(table.method, s.method);
     values.set(table.guard, s.guard);
+    values.set(table.border, s.border / 1000);
+    values.set(table.inkSpread, s.inkSpread / 1000);
+    values.set(table.compensate, s.compensate);
+    values.set(table.dither, s.dither);
     return values;
 }
 

@@ -42,6 +42,7 @@ struct DeskTable final : Parameters {
     Real width = real("width", 0.148, millimetre, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "After trimming.");
     Real height = real("height", 0.105, millimetre, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "After trimming.");
     Real bleed = real("bleed", 0, millimetre, Range{0, 1}.soft(0, 0.02), "Beyond the trim on every side; lenses and views go on there.");
+    Real border = real("border", 0, millimetre, Range{0, 1}.soft(0, 0.05), "White paper around trim and bleed, on every side.");
     Real dotsPerInch = real("dotsPerInch", 720, none, Range{1, 100000, logarithmic}.soft(150, 5760), "Of the printer, across; its native resolution or a whole fraction of it.");
     Real dotsDown = real("dotsDown", 0, none, Range{0, 100000}.soft(0, 2880), "Dots per inch the other way, when they differ; 0: the same.");
     Toggle infiniteDistance = toggle("infiniteDistance", false, "For no distance in particular: strips lie exactly at lens pitch.");
@@ -53,10 +54,13 @@ struct DeskTable final : Parameters {
     Toggle mirror = toggle("mirror", false, "For printing on the sheet's back.");
     Choice<Method> method = choice("method", Method::area, {"nearest", "area", "guard"},
         "How a printed dot chooses among the views under it: the one at its middle, all by area, or by area with blended strip edges.");
+    Real inkSpread = real("inkSpread", 0, micrometre, Range{0, 0.001}.soft(0, 0.00006), "How far a printed point spreads (standard deviation): counts as cross-talk; 10 to 40 µm are usual.");
+    Toggle compensate = toggle("compensate", false, "Change the views so that the sheet's mixing of them shows less; costs contrast.");
     Real guard = real("guard", 0.25, percent, {0, 1}, "Part of a strip that its two blended edges take.");
 
     Group outputGroup = group("Output");
     Choice<int> bits = choice("bits", 0, {"8", "16"}, "Bits per channel.");
+    Toggle dither = toggle("dither", false, "Spread what 8 bits cannot say over neighboring dots.");
     Choice<render::StreamCompression> compression = choice("compression", render::StreamCompression::none, {"none", "deflate", "zstd"},
         "Of TIFF: none is what every print shop reads. PNG is always compressed.");
     Real tileWidth = real("tileWidth", 0, millimetre, Range{0, 100}.soft(0, 1), "Cuts the print into files of about this width, between lenses; 0: one file.");

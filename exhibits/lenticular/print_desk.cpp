@@ -109,6 +109,8 @@ bool LenticularDesk::matters(const ParameterInfo& row, const ParameterValues& va
     if (is(table_.zone)) return values[table_.lens] == LensShape::derived;
     if (is(table_.radius) || is(table_.thickness)) return values[table_.lens] == LensShape::given;
     if (is(table_.distance)) return !values[table_.infiniteDistance];
+    if (is(table_.border) || is(table_.compensate)) return !chart;
+    if (is(table_.dither)) return values[table_.bits] == 0;
     if (is(table_.guard)) return values[table_.method] == Method::guard;
     if (is(table_.tileWidth)) return values[table_.direction] == 0;
     return true;
@@ -254,11 +256,19 @@ PrintLayout LenticularDesk::layoutOf(const ParameterValues& values, const PrintV
     return PrintLayout(printSettings(table_, values, views ? views->count() : values[table_.views]));
 }
 
+PrintLayout LenticularDesk::chartLayout(const ParameterValues& values) const
+{
+    PrintSettings settings = printSettings(table_, values, values[table_.views]);
+    settings.border = 0;  // Charts have one of their own.
+    settings.compensate = false;
+    return PrintLayout(settings);
+}
+
 PrintSummary LenticularDesk::summary(const ParameterValues& values, const PrintViews* views, bool chart, const fs::path& path) const
 {
     PrintSummary summary;
     try {
-        const PrintLayout layout = layoutOf(values, views);
+        const PrintLayout layout = chart ? chartLayout(values) : layoutOf(values, views);
         if (chart) static_cast<void>(Chart(layout, values[table_.chart], values[table_.chartSpan]));
         else static_cast<void>(tileCuts(layout, tileWidth(values)));
         const PrintNumbers numbers = numbersOf(layout, render::storedDpi(path, layout.settings().dpiX));
@@ -286,15 +296,14 @@ PrintSummary LenticularDesk::summary(const ParameterValues& values, const PrintV
 
 std::shared_ptr<const PrintPreview> LenticularDesk::preview(const ParameterValues& values, std::shared_ptr<const PrintViews> views) const
 {
-    const PrintLayout layout = layoutOf(values, views.get());
-    if (!views) return std::make_shared<ChartPreview>(layout, values[table_.chart], values[table_.chartSpan]);
-    return std::make_shared<ViewsPreview>(layout, std::static_pointer_cast<const DeskViews>(views));
+    if (!views) return std::make_shared<ChartPreview>(chartLayout(values), values[table_.chart], values[table_.chartSpan]);
+    return std::make_shared<ViewsPreview>(layoutOf(values, views.get()), std::static_pointer_cast<const DeskViews>(views));
 }
 
 std::vector<fs::path> LenticularDesk::write(const ParameterValues& values, std::shared_ptr<const PrintViews> views, const std::vector<std::string>& sources,
                                             const fs::path& path, const PrintProgress& progress) const
 {
-    const PrintLayout layout = layoutOf(values, views.get());
+    const PrintLayout layout = views ? layoutOf(values, views.get()) : chartLayout(values);
     bool stopped = false;
     PrintFile file;
     file.path = path;
@@ -313,6 +322,10 @@ std::vector<fs::path> LenticularDesk::write(const ParameterValues& values, std::
         if (views) {
             const auto& set = static_cast<const DeskViews&>(*views);
             file.profile = set.profile();
+            if (layout.settings().compensate) {
+                const ViewMatrix mixing = viewMixing(layout);
+                file.json = withCrossTalk(file.json, crossTalkOf(set.full(), mixing, compensation(mixing)));
+            }
             return writePrint(layout, set.full(), file);
         }
         file.tileWidth = 0;
@@ -364,11 +377,7 @@ PrintDesk::Settings LenticularDesk::settingsFrom(const std::string& text, const 
 std::string LenticularDesk::settingsIn(const fs::path& path) const
 {
     if (render::lowerExtension(path) == ".json") return render::readFile(path, mostJsonBytes);
-    std::error_code error;
-    const fs::path beside = path.string() + ".json";
-    if (fs::exists(beside, error)) return render::readFile(beside, mostJsonBytes);
-    if (const auto inside = render::embeddedPrint(path)) return *inside;
-    throw Failure(Blame::file, path.string() + " carries no description of a print, and there is no " + beside.string() + "; choose a print that Vitrine made, or its .json.");
+    return printDescription(path).text();
 }
 
 }  // namespace vitrine::lenticular

@@ -63,6 +63,7 @@ public:
 
 private:
     [[nodiscard]] std::vector<Sheet> allSheets(std::string& problem) const;
+    [[nodiscard]] PrintLayout chartLayout(const ParameterValues&) const;
     [[nodiscard]] double tileWidth(const ParameterValues&) const;  ///< In millimeters.
     [[nodiscard]] ViewRig rigOf(const ParameterValues&, const Look&) const;
     /// For a chart, of as many views as it is to try.

@@ -5,6 +5,7 @@
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/image/decode.h"
+#include "render/image/picture_rows.h"
 #include "render/image/png_file.h"
 
 #include <cmath>
@@ -12,7 +13,6 @@
 namespace vitrine::render {
 namespace {
 
-constexpr const char* printKey = "vitrine:print";
 constexpr std::int64_t tiffSide = 1 << 20;  // OpenImageIO reads no TIFF beyond this.
 constexpr std::int64_t keptRows = 16;
 
@@ -97,13 +97,7 @@ double storedDpi(const std::filesystem::path& path, double dpi)
 
 std::optional<std::string> embeddedPrint(const std::filesystem::path& path)
 {
-    const std::string bytes = readFile(path, ImageLimits{}.fileBytes);
-    const ImageFormat format = formatOf(bytes, path.string());
-    if (format == ImageFormat::png) return textInPng(bytes, printKey, path.string());
-    if (format != ImageFormat::tiff) return std::nullopt;
-    std::string text;
-    if (const std::string why = oiioCodec().readText(bytes, format, "ImageDescription", text); !why.empty())
-        throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + ".");
+    std::string text = PictureRows(path).json();
     if (text.empty()) return std::nullopt;
     return text;
 }

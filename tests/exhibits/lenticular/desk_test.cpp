@@ -385,7 +385,7 @@ TEST_F(Desk, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
     values_.set(table_.views, 3);
     const auto three = std::static_pointer_cast<const DeskViews>(desk_.readViews(values_, files, {}));
     ASSERT_EQ(three->count(), 3);
-    for (int k = 0; k < 3; ++k) EXPECT_NEAR(three->full().view(k).samples[0], 65535.0 * k / 2, 12);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(three->full().row(k, 0)[0], 65535.0 * k / 2, 12);
     values_.set(table_.views, 40);
     EXPECT_EQ(desk_.readViews(values_, {folder_.path().string()}, {})->count(), 9);  // No more than there are.
     EXPECT_THROW(static_cast<void>(desk_.readViews(values_, {}, {})), Failure);
@@ -401,7 +401,7 @@ TEST_F(Desk, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
     values_.set(table_.quiltRows, 2);
     const auto four = std::static_pointer_cast<const DeskViews>(desk_.readViews(values_, {(folder_.path() / "quilt.png").string()}, {}));
     ASSERT_EQ(four->count(), 4);
-    for (int k = 0; k < 4; ++k) EXPECT_NEAR(four->full().view(k).samples[0], 65535.0 * k / 3, 12);
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(four->full().row(k, 0)[0], 65535.0 * k / 3, 12);
 }
 
 TEST_F(Desk, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
