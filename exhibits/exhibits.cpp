@@ -1,5 +1,6 @@
 #include "exhibits/exhibits.h"
 
+#include "exhibits/lenticular/print_desk.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 
 namespace vitrine {
@@ -9,6 +10,11 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     std::vector<std::unique_ptr<Exhibit>> exhibits;
     exhibits.push_back(std::make_unique<SdfMorph>());
     return exhibits;
+}
+
+std::unique_ptr<PrintDesk> makePrintDesk()
+{
+    return std::make_unique<lenticular::LenticularDesk>();
 }
 
 }  // namespace vitrine

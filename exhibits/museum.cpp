@@ -241,7 +241,7 @@ std::optional<std::size_t> Museum::pick(const Look& look, glm::dvec2 ndc, double
 {
     const int height = 1000;
     const render::View view = render::makeView(look.camera, {.size = {static_cast<int>(height * aspect), height}});
-    const glm::dvec3 direction = glm::dvec3(glm::transpose(glm::dmat3(view.viewFromWorld)) * glm::dvec3(ndc * view.tanHalfFov, -1));
+    const glm::dvec3 direction = view.direction(ndc);
     std::optional<std::size_t> nearest;
     double nearestDistance = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {
