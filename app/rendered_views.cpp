@@ -135,9 +135,12 @@ PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
         for (std::size_t k = 0; k < shots.size(); ++k) shots[k].look.camera = shots[k].request.frame.camera = fitted[k].look.camera;
     }
     const DepthRange budget = rig.budget();
-    result.numbers.push_back(text("cameras over %.3f m (%.3g of true depth), converging at %.2f m; the scene reaches from %s to %s, the print holds %s to %s", rig.baseline(),
-                                  rig.strength(), rig.convergence(), depthText(depth.nearest).c_str(), depthText(depth.farthest).c_str(),
-                                  depthText(budget.nearest).c_str(), depthText(budget.farthest).c_str()));
+    result.numbers.push_back(rig.baseline() == 0 ? std::string("all views from one camera")
+                                                 : text("%d cameras over %.3f m (%.3g of true depth), converging at %.2f m", count, rig.baseline(), rig.strength(), rig.convergence()));
+    if (rig.baseline() > 0) {
+        result.numbers.push_back(text("the scene reaches from %s to %s, and the print holds %s to %s without doubled contours", depthText(depth.nearest).c_str(),
+                                      depthText(depth.farthest).c_str(), depthText(budget.nearest).c_str(), depthText(budget.farthest).c_str()));
+    }
     for (const std::string& warning : lenticular::warningsOf(rig, depth)) result.notes.push_back(warning);
     if (layout.settings().reverse && rig.baseline() > 0) result.notes.emplace_back("With --order reverse the depth of rendered views is inside out.");
 
