@@ -22,7 +22,7 @@ const int MOST_PARTS = 64;
 const int MOST_STRIPS = 64;    // Wider spots skip strips evenly.
 const vec3 PAPER = vec3(0.86, 0.855, 0.84);
 
-int traces;  // Rays traced for this pixel.
+int traces = 0;  // Rays traced for this pixel.
 
 // A pixel's place on a print, and how wide it is there.
 struct Spot {
@@ -65,10 +65,10 @@ float spotRate(LensShape s, vec2 plane)
 }
 
 // Landing and weight of the ray through x on the lens. The magnification scales the spot around its middle.
-vec2 landing(LensShape s, float x, vec2 plane, float middle)
+vec2 landing(LensShape s, float x, vec2 plane, float middle, float views)
 {
     ++traces;
-    if (parameters.model == 0) return vec2(middle - parameters.magnification * x / float(parameters.views), 1.0);
+    if (parameters.model == 0) return vec2(middle - parameters.magnification * x / views, 1.0);
     if (parameters.model == 1) return vec2(middle + parameters.magnification * x * (1.0 - s.thickness * (s.index - 1.0) / (s.index * s.radius)), 1.0);
     LensRay ray = lensTrace(s, x, plane.x, plane.y);
     return vec2(middle + parameters.magnification * (ray.x - middle), ray.weight);
@@ -155,17 +155,17 @@ vec4 lensPiece(int slot, Print print, Spot spot, float lens, float from, float t
     float low = 1.0e9;
     float high = -1.0e9;
     float total = 0.0;
-    vec2 left = landing(s, from, spot.eyePlane, middle);
+    vec2 left = landing(s, from, spot.eyePlane, middle, print.area.z);
     for (int i = 0; i < parts; ++i) {
-        vec2 at = landing(s, mix(from, to, (float(i) + 0.5) / float(parts)), spot.eyePlane, middle);
-        vec2 right = landing(s, mix(from, to, (float(i) + 1.0) / float(parts)), spot.eyePlane, middle);
+        vec2 at = landing(s, mix(from, to, (float(i) + 0.5) / float(parts)), spot.eyePlane, middle, print.area.z);
+        vec2 right = landing(s, mix(from, to, (float(i) + 1.0) / float(parts)), spot.eyePlane, middle, print.area.z);
         if (at.y > 0.0) {
             float a = left.y > 0.0 ? left.x : at.x;
             float b = right.y > 0.0 ? right.x : at.x;
-            pieces[found] = vec3(min(a, b), max(a, b), at.y);
+            pieces[found] = vec3(min(a, b), max(a, b), at.y * (to - from) / float(parts));
             low = min(low, pieces[found].x);
             high = max(high, pieces[found].y);
-            total += at.y;
+            total += pieces[found].z;
             ++found;
         }
         left = right;
