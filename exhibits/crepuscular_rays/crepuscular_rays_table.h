@@ -41,11 +41,11 @@ struct CrepuscularRaysTable final : Parameters {
     Real lightSize = real("lightSize", 0.785398, degree, Range{0.001, 3.141593}.soft(0.0174533, 1.570796), "How far around the sun the sky gives rays: 180° is all of it.");
 
     Group air = group("Air");
-    Real airDensity = real("airDensity", 0.011, perMetre, Range{0, 10}.soft(0, 0.05), "Dust in the air: what a metre of it takes out of a beam near the floor; 0 is clear air.");
+    Real airDensity = real("airDensity", 0.014, perMetre, Range{0, 10}.soft(0, 0.05), "Dust in the air: what a metre of it takes out of a beam near the floor; 0 is clear air.");
     Real airThinning = real("airThinning", 0.08, perMetre, Range{0, 10}.soft(0, 0.5), "How fast the dust thins with height: 0 is even, high keeps it near the floor.");
-    Real anisotropy = real("anisotropy", 0.45, none, Range{-0.95, 0.95}.soft(-0.5, 0.9), "How much the dust scatters forward: 0 to all sides, high glows towards the sun.");
-    Real beamStrength = real("beamStrength", 1.0, none, Range{0, 100}.soft(0, 4), "Of the light that the beams scatter: 1 is physical.");
-    Real ambient = real("ambient", 1.0, none, Range{0, 100}.soft(0, 2), "Of the hall's own light that the air scatters: 1 is physical, 0 makes the dust only darken.");
+    Real anisotropy = real("anisotropy", 0.5, none, Range{-0.95, 0.95}.soft(-0.5, 0.9), "How much the dust scatters forward: 0 to all sides, high glows towards the sun.");
+    Real beamStrength = real("beamStrength", 1.6, none, Range{0, 100}.soft(0, 4), "Of the light that the beams scatter: 1 is physical for the density above.");
+    Real ambient = real("ambient", 0.35, none, Range{0, 100}.soft(0, 2), "Of the hall's own light that the air scatters: 1 is physical, 0 makes the dust only darken.");
     Color airColor = color("airColor", {1.0, 0.97, 0.93}, "Share of the light that the dust scatters rather than swallows: white swallows none.");
     Real unevenness = real("unevenness", 0.35, none, {0, 1}, "How much the dust gathers in drifts; 0 is even air.");
 

@@ -35,17 +35,14 @@ render::View viewOfWhole(const render::View& view, glm::ivec2 size)
 
 void fillBeams(const std::vector<Beam>& beams, RaysBlock& block)
 {
-    render::Box air;
     const std::size_t count = std::min<std::size_t>(beams.size(), 2);
     for (std::size_t i = 0; i < count; ++i) {
         block.low[i] = glm::vec4(glm::vec3(beams[i].opening.low), static_cast<float>(beams[i].axis));
         block.high[i] = glm::vec4(glm::vec3(beams[i].opening.high), static_cast<float>(beams[i].plane));
-        air.include(beams[i].box.low);
-        air.include(beams[i].box.high);
+        block.airLow[i] = glm::vec4(glm::vec3(beams[i].box.low), 0);
+        block.airHigh[i] = glm::vec4(glm::vec3(beams[i].box.high), 0);
     }
-    if (count == 0) return;
-    block.airLow = glm::vec4(glm::vec3(air.low), static_cast<float>(count));
-    block.airHigh = glm::vec4(glm::vec3(air.high), 0);
+    block.airLow[0].w = static_cast<float>(count);
 }
 
 }  // namespace
@@ -124,7 +121,7 @@ std::string whyNoBeams(const RaysScene& s, const render::View& view)
     if (!(s.values[s.table.airDensity] > 0)) return "the air is clear";
     if (s.beams.empty()) return "the sun shines neither through the window nor through the oculus";
     if (!(s.context.surroundings.light.sunIrradiance.x + s.context.surroundings.light.sunIrradiance.y + s.context.surroundings.light.sunIrradiance.z > 0)) return "the sun's strength is 0";
-    if (!view.mayContain({glm::dvec3(s.block.airLow), glm::dvec3(s.block.airHigh)})) return "the beams are out of view";
+    if (std::none_of(s.beams.begin(), s.beams.end(), [&](const Beam& beam) { return view.mayContain(beam.box); })) return "the beams are out of view";
     return {};
 }
 

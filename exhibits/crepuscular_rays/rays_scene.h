@@ -23,8 +23,8 @@ struct RaysBlock {
     glm::vec4 mask{0};
     glm::vec4 low[2]{};
     glm::vec4 high[2]{};
-    glm::vec4 airLow{0};
-    glm::vec4 airHigh{0};
+    glm::vec4 airLow[2]{};
+    glm::vec4 airHigh[2]{};
 };
 
 /// Everything that the passes of one frame share.

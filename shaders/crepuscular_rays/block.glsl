@@ -12,6 +12,6 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
     vec4 mask;        // x: threshold; y: angle around the sun; z: 1 for the colors of the sky; w: 1 to shift samples
     vec4 low[2];      // of the openings, world space; w: axis across it
     vec4 high[2];     // w: the plane of the opening on that axis
-    vec4 airLow;      // the box of air, world space; w: number of openings
-    vec4 airHigh;
+    vec4 airLow[2];   // box of air around each beam, world space; w of the first: number of openings
+    vec4 airHigh[2];
 } rays;

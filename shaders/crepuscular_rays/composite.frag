@@ -60,11 +60,8 @@ void main()
         vec3 ray = frameRay(gl_FragCoord.xy);
         float stretch = length(ray);
         vec3 direction = ray / stretch;
-        vec2 air = airBox(frame.eye.xyz, direction, rays.airLow.xyz, rays.airHigh.xyz);
-        float begin = max(air.x, 0.0);
-        float end = min(air.y, depth * stretch);
-        if (end > begin) {
-            float hidden = 1.0 - airThrough(frame.eye.xyz, direction, begin, end);
+        float hidden = 1.0 - airThrough(frame.eye.xyz, direction, airStretches(frame.eye.xyz, direction), depth * stretch);
+        if (hidden > 0.0) {
             vec3 hallLight = light.probePosition.w < 0.5 ? light.skyZenith.rgb * 0.05 : max(texelFetch(probeIrradiance, ivec2(0), 0).rgb, vec3(0.0));
             over.rgb += parameters.airColor * hallLight * (hidden * parameters.ambient);
             over.a = hidden;

@@ -1,9 +1,25 @@
 // The dust in the hall's air.
 
-// Share of the light that comes through the air from `begin` to `end`, distances along the ray.
-float airThrough(vec3 eye, vec3 direction, float begin, float end)
+// The ray inside the boxes of air, one or two stretches that do not overlap: entry and exit, twice. An exit before
+// its entry is no stretch.
+vec4 airStretches(vec3 eye, vec3 direction)
 {
-    return exp(-airOpticalDepth(eye.y + direction.y * begin, direction.y, end - begin, parameters.airDensity, parameters.airThinning));
+    vec2 none = vec2(0.0, -1.0);
+    vec2 a = rays.airLow[0].w > 0.5 ? airBox(eye, direction, rays.airLow[0].xyz, rays.airHigh[0].xyz) : none;
+    vec2 b = rays.airLow[0].w > 1.5 ? airBox(eye, direction, rays.airLow[1].xyz, rays.airHigh[1].xyz) : none;
+    a.x = max(a.x, 0.0);
+    b.x = max(b.x, 0.0);
+    if (a.y < a.x) return vec4(b, none);
+    if (b.y < b.x || b.x > a.y || a.x > b.y) return vec4(a, b);
+    return vec4(min(a.x, b.x), max(a.y, b.y), none);
+}
+
+// Share of the light that comes through the air up to `end`, a distance along the ray.
+float airThrough(vec3 eye, vec3 direction, vec4 stretches, float end)
+{
+    float depth = airOpticalDepth(eye.y + direction.y * stretches.x, direction.y, min(stretches.y, end) - stretches.x, parameters.airDensity, parameters.airThinning);
+    depth += airOpticalDepth(eye.y + direction.y * stretches.z, direction.y, min(stretches.w, end) - stretches.z, parameters.airDensity, parameters.airThinning);
+    return exp(-depth);
 }
 
 // Value noise on a lattice of one unit, 0 to 1, smooth.

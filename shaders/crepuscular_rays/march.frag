@@ -24,24 +24,23 @@ void main()
     float stretch = length(ray);
     vec3 direction = ray / stretch;
     vec3 eye = frame.eye.xyz;
-    vec2 air = airBox(eye, direction, rays.airLow.xyz, rays.airHigh.xyz);
-    float begin = max(air.x, 0.0);
-    float end = min(air.y, depth * stretch);
+    vec4 air = airStretches(eye, direction);
+    float end = depth * stretch;
     float shift = grainAt(cell);
     float sum = 0.0;
     vec2 before = vec2(1.0, -1.0);
-    for (int beam = 0; beam < int(rays.airLow.w); ++beam) {
+    for (int beam = 0; beam < int(rays.airLow[0].w); ++beam) {
         int axis = int(rays.low[beam].w);
         vec3 along = light.sunDirection.xyz / light.sunDirection[axis];
-        vec2 inside = airBeam(eye, direction, rays.low[beam].xyz, rays.high[beam].xyz, axis, rays.high[beam].w, along, rays.airLow.xyz, rays.airHigh.xyz);
-        float first = max(inside.x, begin);
-        float length_ = min(inside.y, end) - first;
-        if (!(length_ > 0.0)) continue;
-        float step_ = length_ / float(parameters.volumeSteps);
-        float through = airThrough(eye, direction, begin, first);
+        vec2 inside = airBeam(eye, direction, rays.low[beam].xyz, rays.high[beam].xyz, axis, rays.high[beam].w, along, rays.airLow[beam].xyz, rays.airHigh[beam].xyz);
+        float first = max(inside.x, 0.0);
+        float way = min(inside.y, end) - first;
+        if (!(way > 0.0)) continue;
+        float stride = way / float(parameters.volumeSteps);
+        float through = airThrough(eye, direction, air, first);
         for (int i = 0; i < parameters.volumeSteps; ++i) {
-            float at = first + (float(i) + 0.5 + shift) * step_;
-            float throughEnd = airThrough(eye, direction, begin, first + float(i + 1) * step_);
+            float at = first + (float(i) + 0.5 + shift) * stride;
+            float throughEnd = airThrough(eye, direction, air, first + float(i + 1) * stride);
             // Where two beams cross, the first has counted.
             if (at < before.x || at > before.y) {
                 vec3 world = eye + direction * at;
@@ -50,7 +49,7 @@ void main()
             }
             through = throughEnd;
         }
-        before = vec2(first, first + length_);
+        before = vec2(first, first + way);
     }
     float phase = airPhase(dot(direction, light.sunDirection.xyz), parameters.anisotropy);
     scattered = vec4(min(parameters.airColor * light.sunIrradiance.rgb * (sum * phase * parameters.beamStrength), vec3(6e4)), depth);
