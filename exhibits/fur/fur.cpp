@@ -25,7 +25,7 @@ constexpr const char* names[furBodyCount] = {"ball", "roll", "ring"};
 }  // namespace
 
 struct Fur::Wardrobe {
-    std::shared_ptr<const render::Mesh> skins[furBodyCount] = {ballSkin(ballRadius, 12), rollSkin(rollRadius, rollHalfLength, 40), ringSkin(ringRadius, ringTube, 56)};
+    std::shared_ptr<const render::Mesh> skins[furBodyCount] = {ballSkin(ballRadius, 8), rollSkin(rollRadius, rollHalfLength, 26), ringSkin(ringRadius, ringTube, 40)};
     std::shared_ptr<const render::Mesh> fins[furBodyCount];
 };
 
@@ -145,6 +145,7 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
         plan.image({.name = tintedImage, .format = render::Format::rgba8, .nearest = true});
         coat.reason = "in view: " + seen;
         coat.countSamples = true;
+        for (const render::Draw& draw : coat.draws) coat.counts["shells"] += draw.instances;
         coat.colors = {{foundImage, Load::clear, {}, -1, 0}, {tintedImage, Load::clear, {}, -1, 0}};
         coat.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
         if (context.channels.normal) {
@@ -156,7 +157,7 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
         Pass shade;
         shade.name = "fur/shade";
         shade.reason = "light on the strands that were found";
-        shade.shader = {"lib/fullscreen.vert", "fur/shade.frag", "", {}, derive::uniformBlock(table_)};
+        shade.shader = {"fur/shade.vert", "fur/shade.frag", "", {}, derive::uniformBlock(table_)};
         shade.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
         shade.colors = {{radianceImage, Load::keep, {}, -1, 0}};
         context.surroundings.illuminate(shade);

@@ -20,21 +20,33 @@ vec3 spinePoint(FurBody b, vec3 p)
     return vec3(clamp(p.x, -b.spine.x, b.spine.x) * 1.0, 0.0, 0.0);
 }
 
-// Share of the sky over a surface that a body leaves: the cosine-weighted solid angle of a sphere, for
-// spheres above the horizon (Quilez 2006, "Sphere ambient occlusion"), around the nearest point of the spine.
-float openSky(FurBody b, vec3 world, vec3 normal)
+// What one body leaves of the light at a point: of the sky over a surface with unit `normal`, and of a lamp
+// towards unit `l`. Both from spheres on its spine: for the sky the nearest one, by the cosine-weighted solid
+// angle it takes (Quilez 2006, "Sphere ambient occlusion"); for the lamp the one its ray passes nearest.
+vec2 openTo(FurBody b, vec3 world, vec3 normal, vec3 l)
 {
     vec3 p = (b.bodyFromWorld * vec4(world, 1.0)).xyz;
-    vec3 center = (b.worldFromBody * vec4(spinePoint(b, p), 1.0)).xyz;
-    float radius = b.spine.z * b.pull.w + 0.6 * b.coat.x;
-    vec3 d = center - world;
-    float distance_ = max(length(d), radius * 1.001);
-    float cosine = clamp(0.5 + 0.5 * dot(normal, d) / max(length(d), 1e-5), 0.0, 1.0);
-    float share = radius * radius / (distance_ * distance_);
-    return 1.0 - cosine * cosine * share;
+    vec3 n = mat3(b.bodyFromWorld) * normal;
+    vec3 d = mat3(b.bodyFromWorld) * l;
+    float skin = b.spine.z * b.pull.w;
+    vec3 nearest = spinePoint(b, p);
+    vec3 to = nearest - p;
+    float apart = max(length(to), 1e-5);
+    float radius = skin + 0.6 * b.coat.x;
+    float cosine = clamp(0.5 + 0.5 * dot(n, to) / apart, 0.0, 1.0);
+    float share = min(radius * radius / (apart * apart), 1.0);
+    float t = max(dot(to, d), 0.0);
+    for (int k = 0; k < 2; ++k) {
+        nearest = spinePoint(b, p + d * t);
+        t = max(dot(nearest - p, d), 0.0);
+    }
+    float away = length(p + d * t - nearest);
+    // A fringe half as wide as the fur is long lets light through; the lamp is no point either.
+    float soft = 0.5 * b.coat.x + 0.06 * t + 0.01;
+    return vec2(1.0 - cosine * cosine * share, smoothStep(skin + 0.3 * b.coat.x - soft, skin + 0.5 * b.coat.x + soft, away));
 }
 
-// The lamp in the vault above the pit: unit vector towards it, and its irradiance on what faces it.
+// Unit vector towards the lamp in the vault above the pit, and its irradiance on what faces it.
 vec3 lampDirection()
 {
     return normalize(mat3(worldFromPit) * parameters.lampDirection);
@@ -43,29 +55,4 @@ vec3 lampDirection()
 vec3 lampLight()
 {
     return vec3(1.0, 0.86, 0.68) * parameters.lamp;
-}
-
-// Share of the lamp that reaches a point past all bodies but `own` (-1: past all): their spines' nearest
-// approach to the ray, found by going back and forth, against their thickness.
-float lampShadow(vec3 world, int own)
-{
-    vec3 l = lampDirection();
-    float visible = 1.0;
-    for (int i = 0; i < FUR_BODIES; ++i) {
-        if (i == own) continue;
-        vec3 p = (body[i].bodyFromWorld * vec4(world, 1.0)).xyz;
-        vec3 d = mat3(body[i].bodyFromWorld) * l;
-        float t = max(-dot(p, d), 0.0);
-        vec3 nearest = vec3(0.0);
-        for (int k = 0; k < 4; ++k) {
-            nearest = spinePoint(body[i], p + d * t);
-            t = max(dot(nearest - p, d), 0.0);
-        }
-        float away = length(p + d * t - nearest);
-        float radius = body[i].spine.z * body[i].pull.w;
-        // A fringe half as wide as the fur is long lets light through; the lamp is no point either.
-        float soft = 0.5 * body[i].coat.x + 0.06 * t + 0.01;
-        visible *= smoothStep(radius + 0.3 * body[i].coat.x - soft, radius + 0.5 * body[i].coat.x + soft, away);
-    }
-    return visible;
 }

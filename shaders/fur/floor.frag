@@ -10,13 +10,12 @@ layout(location = 0) out vec4 radiance;
 void main()
 {
     vec3 up = normalize(mat3(worldFromPit) * vec3(0.0, 1.0, 0.0));
-    float open = 1.0;
-    for (int i = 0; i < FUR_BODIES; ++i) open *= openSky(body[i], world, up);
-    open = open * open;
+    vec2 left = vec2(1.0);
+    for (int i = 0; i < FUR_BODIES; ++i) left *= openTo(body[i], world, up, lampDirection());
+    float open = left.x * left.x;
     vec3 local = (pitFromWorld * vec4(world, 1.0)).xyz;
     float r = length(local.xz) / pit.x;
-    vec3 lamp = vec3(0.0);
-    if (parameters.lamp > 0.0) lamp = lampLight() * (lampShadow(world, -1) * max(dot(up, lampDirection()), 0.0) * open / PI);
+    vec3 lamp = lampLight() * (left.y * max(dot(up, lampDirection()), 0.0) * open / PI);
     if (pit.z < 0.5) {
         // Premultiplied: it darkens what is there, and adds the lamp's light on a dark felt, out to the wall.
         radiance = vec4(lamp * vec3(0.05, 0.045, 0.04) * (1.0 - smoothStep(0.55, 1.0, r)), 1.0 - open);

@@ -7,6 +7,8 @@ layout(binding = UNIT_EXHIBIT_A) uniform sampler2D coatFound;
 layout(binding = UNIT_EXHIBIT_B) uniform sampler2D coatTinted;
 layout(binding = UNIT_EXHIBIT_C) uniform sampler2D coatDepth;
 
+flat in vec3 keyDirection;
+
 layout(location = 0) out vec4 radiance;
 
 vec3 fromOctahedral(vec2 p)
@@ -68,9 +70,11 @@ void main()
     // What the coat hides from itself.
     float occlusion = clamp(powPositive(height, parameters.occlusionAttenuation) + parameters.occlusionBias, 0.0, 1.0);
     // What the other bodies, the floor and the wall of the pit hide.
-    float open = 1.0;
+    vec3 toLamp = lampDirection();
+    vec2 left = vec2(1.0);
     for (int i = 0; i < FUR_BODIES; ++i)
-        if (i != which) open *= openSky(body[i], world, skinNormal);
+        if (i != which) left *= openTo(body[i], world, skinNormal, toLamp);
+    float open = left.x;
     vec3 inPit = (pitFromWorld * vec4(world, 1.0)).xyz;
     float below = 0.5 - 0.5 * skinNormal.y;
     open *= 1.0 - 0.9 * below * exp(-max(inPit.y, 0.0) * 1.1);
@@ -78,18 +82,11 @@ void main()
     open *= 1.0 - 0.35 * wallShade;
 
     vec3 bent = normalize(mix(skinNormal, hairNormal, 0.6));
-    // The side from which most of the hall's light comes (Sloan 2008, "Stupid Spherical Harmonics Tricks").
-    vec3 key = vec3(0.0, 1.0, 0.0);
-    if (light.probePosition.w > 0.5) {
-        vec3 weights = vec3(0.2126, 0.7152, 0.0722);
-        key = safeNormalize(vec3(dot(texelFetch(probeIrradiance, ivec2(3, 0), 0).rgb, weights), dot(texelFetch(probeIrradiance, ivec2(1, 0), 0).rgb, weights),
-                                 dot(texelFetch(probeIrradiance, ivec2(2, 0), 0).rgb, weights)), key);
-    }
     // A coat is thick: what faces away from that side gets its light through more hair.
-    float wrapped = 0.5 + 0.5 * dot(bent, key);
+    float wrapped = 0.5 + 0.5 * dot(bent, keyDirection);
     vec3 ambient = probeAmbient(bent) * (open * mix(1.0, 1.7 * wrapped * wrapped, parameters.contrast));
     vec3 color = albedo * ambient * occlusion;
-    color += ambient * (parameters.sheen * occlusion * open * (0.12 * hairLobe(along, key, toEye, 0.06, 40.0) + albedo * 0.35 * hairLobe(along, key, toEye, -0.08, 9.0)));
+    color += ambient * (parameters.sheen * occlusion * open * (0.12 * hairLobe(along, keyDirection, toEye, 0.06, 40.0) + albedo * 0.35 * hairLobe(along, keyDirection, toEye, -0.08, 9.0)));
 
     if (dot(light.sunIrradiance.rgb, vec3(1.0)) > 0.0) {
         vec3 l = light.sunDirection.xyz;
@@ -98,19 +95,13 @@ void main()
         color += directLight(sun, l, albedo, bent, skinNormal, along, toEye, height, occlusion);
     }
     if (parameters.lamp > 0.0) {
-        vec3 l = lampDirection();
-        vec3 lamp = lampLight() * lampShadow(world, which);
-        color += directLight(lamp, l, albedo, bent, skinNormal, along, toEye, height, occlusion);
+        color += directLight(lampLight() * left.y, toLamp, albedo, bent, skinNormal, along, toEye, height, occlusion);
     }
 
-    // The window as seen by hair: its mirror image around the strand, and its light through the fringe.
-    vec3 mirrored = normalize(reflect(-toEye, normalize(hairNormal + skinNormal)));
-    vec3 aside = normalize(mirrored - along * dot(mirrored, along) * 0.7);
-    vec3 gloss = probeRadiance(world, aside, 0.45);
+    // The window's light through the fringe, and what glances off it.
     float grazing = 1.0 - clamp(dot(skinNormal, toEye), 0.0, 1.0);
-    color += gloss * open * occlusion * parameters.sheen * mix(0.035, 0.22, grazing * grazing) * mix(vec3(1.0), albedo * 1.6, 0.5);
-    vec3 behind = probeRadiance(world, normalize(-toEye + skinNormal * 0.5), 0.5);
-    color += behind * open * albedo * (parameters.rimLight * 1.5 * height * height * grazing * grazing * grazing);
+    vec3 behind = probeRadiance(world, normalize(-toEye + skinNormal * 0.5), 0.5) * (open * height * grazing * grazing);
+    color += behind * albedo * (parameters.rimLight * 1.5 * height * grazing) + behind * (0.15 * parameters.sheen * occlusion);
 
     radiance = vec4(min(color, vec3(6e4)), 1.0);
 }
