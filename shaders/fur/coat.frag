@@ -10,7 +10,7 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
 in vec3 skin;
 in vec3 skinNormal;
 in vec3 strandWay;
-in vec3 place;
+in vec3 seenAlong;
 in float curvature;
 #ifdef FIN
 in float height;
@@ -48,10 +48,8 @@ void main()
     uint seed = uint(body.shells.z);
     float strandLength = body.coat.x;
     float cellSize = body.coat.y;
-    vec3 eye = (body.bodyFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
-    vec3 v = place - eye;
-    float distance_ = length(v);
-    v /= distance_;
+    float distance_ = length(seenAlong);
+    vec3 v = seenAlong / distance_;
 
     vec3 way = normalize(strandWay);
     float rise = max(dot(way, n), 0.12);

@@ -14,8 +14,8 @@ layout(location = 4) in vec2 form;  // x: mean curvature of the skin, 1/metre; y
 out vec3 skin;       // at rest, body space
 out vec3 skinNormal;
 out vec3 strandWay;  // direction of the strands here
-out vec3 place;      // body space
 out float curvature;
+out vec3 seenAlong;  // from the eye to here, body space
 #ifdef FIN
 out float height;
 #else
@@ -68,7 +68,7 @@ void main()
     skin = position;
     skinNormal = n;
     strandWay = safeNormalize(strandDirection(n, tip, powPositive(height, bend), model), n);
-    place = p;
+    seenAlong = p - (body.bodyFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
     curvature = form.x / grown;
     gl_Position = frame.clipFromWorld * (body.worldFromBody * vec4(p, 1.0));
 }

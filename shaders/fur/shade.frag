@@ -8,6 +8,7 @@ layout(binding = UNIT_EXHIBIT_B) uniform sampler2D coatTinted;
 layout(binding = UNIT_EXHIBIT_C) uniform sampler2D coatDepth;
 
 flat in vec3 keyDirection;
+flat in vec3 toLamp;
 
 layout(location = 0) out vec4 radiance;
 
@@ -25,6 +26,15 @@ float hairLobe(vec3 along, vec3 toLight, vec3 toEye, float shift, float exponent
     float cosV = dot(along, toEye);
     float sines = safeSqrt(1.0 - cosL * cosL) * safeSqrt(1.0 - cosV * cosV);
     return powPositive(clamp(sines - cosL * cosV, 0.0, 1.0), exponent);
+}
+
+// One comparison in each map: the edge of a shadow frays by itself where it falls on fur.
+float sunOnFur(vec3 world)
+{
+    float visible = 1.0;
+    if (light.sunIrradiance.w > 0.5) visible = shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, world), 0);
+    if (light.sunLightmap.w > 0.5) visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, world), 0);
+    return visible;
 }
 
 // Light from one direction, as hair sends it on: half Lambert (Mitchell, McTaggart and Green 2006, "Shading
@@ -70,7 +80,6 @@ void main()
     // What the coat hides from itself.
     float occlusion = clamp(powPositive(height, parameters.occlusionAttenuation) + parameters.occlusionBias, 0.0, 1.0);
     // What the other bodies, the floor and the wall of the pit hide.
-    vec3 toLamp = lampDirection();
     vec2 left = vec2(1.0);
     for (int i = 0; i < FUR_BODIES; ++i)
         if (i != which) left *= openTo(body[i], world, skinNormal, toLamp);
@@ -91,7 +100,7 @@ void main()
     if (dot(light.sunIrradiance.rgb, vec3(1.0)) > 0.0) {
         vec3 l = light.sunDirection.xyz;
         // Looked up a little towards the sun, so that a strand is not kept off the light by its own shell.
-        vec3 sun = light.sunIrradiance.rgb * sunVisibility(world + l * 0.012, l);
+        vec3 sun = light.sunIrradiance.rgb * sunOnFur(world + l * 0.012);
         color += directLight(sun, l, albedo, bent, skinNormal, along, toEye, height, occlusion);
     }
     if (parameters.lamp > 0.0) {
