@@ -4,6 +4,7 @@
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
+#include "exhibits/hall/hall_table.h"
 #include "exhibits/hall/walk.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
@@ -74,6 +75,13 @@ Look Museum::initialLook() const
     for (const auto& exhibit : exhibits_) look.values.push_back(exhibit->parameters().initial());
     look.camera = hall().bestView(look.values.front());
     return look;
+}
+
+PictureQuality Museum::pictureQuality(const Look& look)
+{
+    const HallTable names;
+    const ParameterValues& hall = look.values.front();
+    return {hall[names.supersamples], hall[names.resolutionScale]};
 }
 
 glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
