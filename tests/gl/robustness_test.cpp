@@ -19,7 +19,7 @@ using test::Shot;
 
 class Robustness : public test::GlTest {};
 
-TEST_F(Robustness, IsErrorFreeAtEverySizeWithEverySwitch)
+TEST_F(Robustness, H10_IsErrorFreeAtEverySizeWithEverySwitch)
 {
     for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(3, 2), glm::ivec2(101, 57)}) {
         for (const bool inHall : {false, true}) {
@@ -63,7 +63,7 @@ TEST_F(Robustness, ThinAndTallPicturesAreNoSpecialCase)
     }
 }
 
-TEST_F(Robustness, APictureOfNothingIsRefused)
+TEST_F(Robustness, H113_APictureOfNothingIsRefused)
 {
     Shot shot;
     shot.size(0, 5);
@@ -170,7 +170,7 @@ TEST_F(Robustness, H6_WhereNothingIsThereIsNeitherDepthNorNormal)
     }
 }
 
-TEST_F(Robustness, ATimeFarOffShowsWhatItsPhaseShows)
+TEST_F(Robustness, H97_ATimeFarOffShowsWhatItsPhaseShows)
 {
     Shot shot;
     shot.object().set(sdfTable().animate, true);
