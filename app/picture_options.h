@@ -34,6 +34,8 @@ struct PictureOptions {
 
 /// Adds the options that describe a picture to a sub-command.
 void addPictureOptions(CLI::App&, PictureOptions&);
+/// Those of them that say what is shown and from where, not how large and into what file; all under one heading.
+void addSceneOptions(CLI::App&, PictureOptions&, const std::string& heading = "Options");
 
 /// Values, camera and request that the options ask for. Throws Failure naming the option and what to give.
 struct PictureJob {

@@ -90,6 +90,7 @@ public:
     bool reloadChangedShaders() override { return false; }
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return shaderProblems; }
     [[nodiscard]] ui::PictureJob makePicture(const Look&, const PictureRequest&) override { return {}; }
+    void nextPicture(ui::PictureJob&, const Look&, const PictureRequest&) override {}
 
     int opened = 0, closed = 0;
     std::vector<FrameRequest> requests;
