@@ -134,7 +134,7 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
     add("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
     add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
     command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light")->group(heading);
-    add("--samples", o.samples, "Samples per pixel")->capture_default_str()->check(CLI::Range(1, 4096));
+    add("--samples", o.samples, "Samples per pixel; without it 4, or the hall's supersamples where a preset or --set changes them")->check(CLI::Range(1, 4096));
     command.add_flag("--transparent", o.transparent, "Nothing behind it: alpha 0")->group(heading);
     add("--environment", o.environment, "A panorama in place of the sky");
     add("--model", o.model, "A glTF object for the free plinth");
@@ -214,7 +214,8 @@ PictureJob pictureJob(const Museum& museum, const PictureOptions& options)
     frame.exhibitTransform = exhibitTransform(options);
     if (options.alone) frame.alone = *subject;
     else if (!isHall) frame.subject = *subject;
-    job.request.samples = options.samples;
+    const bool asInHall = !hall.isInitial(names.supersamples.row);
+    job.request.samples = options.samples > 0 ? options.samples : asInHall ? hall[names.supersamples] : 4;
 
     bool beyondColor = false;
     frame.channels = parseChannels(options.channels, job.request, beyondColor);

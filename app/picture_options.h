@@ -27,7 +27,7 @@ struct PictureOptions {
     bool alone = false;
     bool transparent = false;
     bool everything = false;
-    int samples = 4;
+    int samples = 0;                     ///< 0: as the hall's supersamples were set, or 4.
     std::string channels = "color";
     std::string environment, model;
 };

@@ -45,7 +45,7 @@ private:
     int shown_ = -1;
 };
 
-void printTable(const Museum& museum, const StudyRequest& request, const StudyResult& result)
+void printTable(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
 {
     std::printf("%-44s %12s %14s %12s %10s\n", "setting", std::string(toString(request.metric)).c_str(), costTitle(result.costName).c_str(), "ms, median", "spread");
     for (std::size_t i = 0; i < result.points.size(); ++i) {
@@ -56,10 +56,10 @@ void printTable(const Museum& museum, const StudyRequest& request, const StudyRe
         if (result.present == i) marks += " present";
         if (p.dominated) marks += " dominated";
         if (p.uncertain) marks += " uncertain";
-        std::printf("%-44s %12.4g %14.8g %12.3f %10.3f%s\n", pointText(museum, request, p).c_str(), p.error, p.cost, p.time ? p.time->median : 0.0, p.time ? p.time->spread : 0.0, marks.c_str());
+        std::printf("%-44s %12.4g %14.8g %12.3f %10.3f%s\n", pointText(exhibits, request, p).c_str(), p.error, p.cost, p.time ? p.time->median : 0.0, p.time ? p.time->spread : 0.0, marks.c_str());
     }
     std::printf("Clock: %s, %s; taking a time adds %.4f ms to a picture.\n%s\n", result.clock.c_str(), result.clockTrusted ? "trusted" : "not trusted", result.overheadMilliseconds, result.convergence.c_str());
-    for (const std::string& sentence : {lawSentence(result), choiceSentence(museum, request, result)})
+    for (const std::string& sentence : {lawSentence(result), choiceSentence(exhibits, request, result)})
         if (!sentence.empty()) std::printf("%s\n", sentence.c_str());
 }
 
@@ -93,15 +93,15 @@ int runStudy(const StudyOptions& options)
     const render::gl::ContextInfo& gl = context.info();
     const Json machine{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"software", gl.software}, {"processors", sysconf(_SC_NPROCESSORS_ONLN)}};
     const std::string preset = chosenPreset(museum, study);
-    writeStudyFolder(options.out, museum, study, machine, preset);
-    printTable(museum, study.request(), study.result());
+    writeStudyFolder(options.out, museum.exhibits(), study, machine, preset);
+    printTable(museum.exhibits(), study.request(), study.result());
     std::printf("The study is in %s/index.html\n", options.out.c_str());
     if (!options.maxError && !options.maxMilliseconds) return 0;
     if (!preset.empty()) {
         std::printf("The preset is %s/preset.json\n", options.out.c_str());
         return 0;
     }
-    std::fprintf(stderr, "vitrine: %s Nothing was chosen; allow more, or study other parameters.\n", choiceSentence(museum, study.request(), study.result()).c_str());
+    std::fprintf(stderr, "vitrine: %s Nothing was chosen; allow more, or study other parameters.\n", choiceSentence(museum.exhibits(), study.request(), study.result()).c_str());
     return static_cast<int>(Blame::check);
 }
 

@@ -80,7 +80,7 @@ bool isShown(const StudyRequest& request, const StudyResult& result, std::size_t
     return result.present == point || (result.choice && result.choice->point == point) || std::find(result.front.begin(), result.front.end(), point) != result.front.end();
 }
 
-std::vector<StudyPagePoint> writePictures(const fs::path& folder, const Museum& museum, const Study& study)
+std::vector<StudyPagePoint> writePictures(const fs::path& folder, Exhibits exhibits, const Study& study)
 {
     const StudyResult& result = study.result();
     for (std::size_t v = 0; v < result.references.size(); ++v)
@@ -102,7 +102,7 @@ std::vector<StudyPagePoint> writePictures(const fs::path& folder, const Museum& 
             render::writePicture(folder / (name + "-heat.png"), render::heatMap(map, full > 0 ? full : 1), render::PictureFormat::png8);
         }
     }
-    for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back({pointText(museum, study.request(), result.points[i]), isShown(study.request(), result, i), {}});
+    for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back({pointText(exhibits, study.request(), result.points[i]), isShown(study.request(), result, i), {}});
     return points;
 }
 
@@ -130,18 +130,18 @@ void requireStudyFolder(const fs::path& folder)
     if (!fs::is_empty(folder, error) && !fs::exists(folder / "study.json", error)) throw Failure(Blame::usage, "--out " + folder.string() + ": this folder holds something else than a study; name another.");
 }
 
-void writeStudyFolder(const fs::path& folder, const Museum& museum, const Study& study, const render::Json& machine, const std::string& presetText)
+void writeStudyFolder(const fs::path& folder, Exhibits exhibits, const Study& study, const render::Json& machine, const std::string& presetText)
 {
     requireStudyFolder(folder);
     const StudyRequest& request = study.request();
     const StudyResult& result = study.result();
     const PartFolder part(folder);
-    std::vector<StudyPagePoint> points = writePictures(part.path() / "pictures", museum, study);
+    std::vector<StudyPagePoint> points = writePictures(part.path() / "pictures", exhibits, study);
 
     ensureApplication();
     ui::StudyChart chart;
     chart.setTitles(QString::fromStdString(costTitle(result.costName) + (result.costName == "ms" ? " of a frame, " + result.clock : " in all views")), QString::fromStdString(std::string(title(request.metric))));
-    chart.setPoints(ui::chartPoints(museum, request, result));
+    chart.setPoints(ui::chartPoints(exhibits, request, result));
     const QImage png = chart.picture(chartSize, chartScale);
     const QByteArray svg = chart.svg(chartSize);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -152,12 +152,12 @@ void writeStudyFolder(const fs::path& folder, const Museum& museum, const Study&
     QBuffer buffer(&pngBytes);
     if (!png.save(&buffer, "PNG")) throw Failure(Blame::file, folder.string() + ": the chart could not be drawn; check that Qt's offscreen platform and a font are installed.");
 
-    const render::Json json = studyJson(museum, request, result, machine);
+    const render::Json json = studyJson(exhibits, request, result, machine);
     render::atomicWrite(part.path() / "study.json", render::writeJson(json));
-    render::atomicWrite(part.path() / "study.csv", studyCsv(museum, request, result));
+    render::atomicWrite(part.path() / "study.csv", studyCsv(exhibits, request, result));
     render::atomicWrite(part.path() / "chart.svg", svg.toStdString());
     render::atomicWrite(part.path() / "chart.png", pngBytes.toStdString());
-    render::atomicWrite(part.path() / "index.html", studyPage(museum, request, result, svg.toStdString(), {chartSize.width(), chartSize.height()}, points));
+    render::atomicWrite(part.path() / "index.html", studyPage(exhibits, request, result, svg.toStdString(), {chartSize.width(), chartSize.height()}, points));
     if (!presetText.empty()) render::atomicWrite(part.path() / "preset.json", presetText);
     part.publish();
 }

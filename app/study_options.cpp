@@ -18,7 +18,7 @@ constexpr int pointsOfSeveral = 5;
 std::string qualityNames(const Museum& museum, std::size_t exhibit)
 {
     std::string names;
-    for (const StudyAxis& axis : qualityAxes(museum, exhibit, 2)) names += (names.empty() ? "" : ", ") + std::string(rowOf(museum, axis).name);
+    for (const StudyAxis& axis : qualityAxes(museum.exhibits(), exhibit, 2)) names += (names.empty() ? "" : ", ") + std::string(rowOf(museum.exhibits(), axis).name);
     return names;
 }
 
@@ -33,7 +33,7 @@ StudyAxis axisNamed(const Museum& museum, std::size_t subject, const std::string
         name = text.substr(dot + 1);
     }
     const auto row = museum.exhibits()[exhibit]->parameters().find(name);
-    const std::optional<StudyAxis> axis = row ? studyAxis(museum, exhibit, *row, points) : std::nullopt;
+    const std::optional<StudyAxis> axis = row ? studyAxis(museum.exhibits(), exhibit, *row, points) : std::nullopt;
     if (!axis) throw Failure(Blame::usage, "study " + text + ": " + std::string(museum.exhibits()[exhibit]->name()) + (row ? " has it, but accuracy does not depend on it" : " has no such parameter") + "; give one of " + qualityNames(museum, exhibit) + '.');
     return *axis;
 }
@@ -41,7 +41,7 @@ StudyAxis axisNamed(const Museum& museum, std::size_t subject, const std::string
 void setValues(const Museum& museum, StudyAxis& axis, const std::string& text)
 {
     axis.values.clear();
-    const ParameterInfo& row = rowOf(museum, axis);
+    const ParameterInfo& row = rowOf(museum.exhibits(), axis);
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');) {
         const std::optional<Value> value = typedValue(row, part);
@@ -103,7 +103,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     request.runs = options.runs;
     request.metric = metricOption("--metric", options.metric);
     request.pixelsPerDegree = options.pixelsPerDegree;
-    request.alone = !options.inHall && job.subject != 0;
+    request.alone = !options.inHall && job.subject != 0 && !museum.exhibits()[job.subject]->studiedInHall();
     request.modelError = !options.noModelError;
     request.settings = options.settings;
     request.maxError = options.maxError;
@@ -118,7 +118,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
         if (!one) throw Failure(Blame::usage, "--values: name exactly one parameter before it.");
         setValues(museum, request.axes.front(), options.values);
     }
-    if (request.axes.empty()) request.axes = qualityAxes(museum, job.subject, points);
+    if (request.axes.empty()) request.axes = qualityAxes(museum.exhibits(), job.subject, points);
     if (request.axes.empty()) throw Failure(Blame::usage, options.subject + " has no parameter of which accuracy depends.");
     return request;
 }

@@ -149,11 +149,11 @@ std::string table(const StudyRequest& request, const StudyResult& result, const 
 
 }  // namespace
 
-std::string studyPage(const Museum& museum, const StudyRequest& request, const StudyResult& result, const std::string& chartSvg, glm::ivec2 chartSize, const std::vector<StudyPagePoint>& points)
+std::string studyPage(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, const std::string& chartSvg, glm::ivec2 chartSize, const std::vector<StudyPagePoint>& points)
 {
-    const Exhibit& exhibit = *museum.exhibits()[request.subject];
+    const Exhibit& exhibit = *exhibits[request.subject];
     std::string names;
-    for (const StudyAxis& axis : request.axes) names += (names.empty() ? "" : ", ") + axisName(museum, request.subject, axis);
+    for (const StudyAxis& axis : request.axes) names += (names.empty() ? "" : ", ") + axisName(exhibits, request.subject, axis);
     const std::string title = std::string(exhibit.title()) + ": what " + (request.axes.size() > 2 ? std::string("accuracy") : names) + " costs";
 
     std::string page = with(head, "@TITLE@", escaped(title));
@@ -162,7 +162,7 @@ std::string studyPage(const Museum& museum, const StudyRequest& request, const S
             " interleaved runs after one that was not timed. Clock: " + escaped(result.clock) + (result.clockTrusted ? ", trusted" : ", not trusted") + "; taking a time adds " + number(1000 * result.overheadMilliseconds, 2) + " µs to a picture.</p>\n";
     page += "<p class=\"dim\">" + escaped(result.convergence) + "</p>\n";
     if (const std::string law = lawSentence(result); !law.empty()) page += "<p class=\"law\">" + escaped(law) + "</p>\n";
-    if (const std::string choice = choiceSentence(museum, request, result); !choice.empty()) page += "<p class=\"law\">" + escaped(choice) + "</p>\n";
+    if (const std::string choice = choiceSentence(exhibits, request, result); !choice.empty()) page += "<p class=\"law\">" + escaped(choice) + "</p>\n";
 
     // The drawing alone: within HTML there is no place for an XML declaration.
     const std::size_t start = chartSvg.find("<svg");

@@ -4,7 +4,6 @@
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
-#include "exhibits/hall/hall_table.h"
 #include "exhibits/hall/walk.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
@@ -77,11 +76,12 @@ Look Museum::initialLook() const
     return look;
 }
 
-PictureQuality Museum::pictureQuality(const Look& look)
+PictureQuality pictureQuality(const ParameterValues& hall)
 {
-    const HallTable names;
-    const ParameterValues& hall = look.values.front();
-    return {hall[names.supersamples], hall[names.resolutionScale]};
+    PictureQuality quality;
+    if (const auto row = hall.table().find(supersamplesRow)) quality.supersamples = static_cast<int>(std::get<double>(hall.row(*row)));
+    if (const auto row = hall.table().find(resolutionScaleRow)) quality.resolutionScale = std::get<double>(hall.row(*row));
+    return quality;
 }
 
 glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
@@ -173,6 +173,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         clear.view = light.exhibitShadowView;
         clear.depth = render::Attachment{exhibitShadowImage, render::Load::clear, glm::vec4(0), -1, 0};
         clear.key = light.exhibitShadowKey;
+        clear.bound = std::max({light.light.sunIrradiance.x, light.light.sunIrradiance.y, light.light.sunIrradiance.z});
         plan.add(std::move(clear));
     } else {
         plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);

@@ -41,7 +41,7 @@ public:
 
 signals:
     void hovered(int point);  ///< -1: none.
-    void clicked(std::size_t point);
+    
 
 protected:
     void mouseMoveEvent(QMouseEvent*) override;
@@ -62,6 +62,6 @@ private:
 };
 
 /// The points of a study that are measured so far, as the chart shows them.
-[[nodiscard]] std::vector<ChartPoint> chartPoints(const Museum&, const StudyRequest&, const StudyResult&);
+[[nodiscard]] std::vector<ChartPoint> chartPoints(Exhibits, const StudyRequest&, const StudyResult&);
 
 }  // namespace vitrine::ui

@@ -53,13 +53,13 @@ Json shotJson(const std::string& view, const StudyShot& shot)
     return Json{{"view", view}, {"errors", errorsJson(shot.errors)}, {"modelError", number(shot.modelError)}, {"counters", countersJson(shot.counters)}, {"ms", milliseconds}};
 }
 
-Json pointJson(const Museum& museum, const StudyRequest& request, const StudyResult& result, std::size_t i)
+Json pointJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, std::size_t i)
 {
     const StudyPoint& point = result.points[i];
     Json values = Json::object();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        values[axisName(museum, request.subject, axis)] = valueJson(rowOf(museum, axis), axis.values[point.setting[a]]);
+        values[axisName(exhibits, request.subject, axis)] = valueJson(rowOf(exhibits, axis), axis.values[point.setting[a]]);
     }
     Json json{{"values", values},
               {"error", number(point.error)},
@@ -96,11 +96,11 @@ std::string numberText(double x)
 
 }  // namespace
 
-std::string pointText(const Museum& museum, const StudyRequest& request, const StudyPoint& point)
+std::string pointText(Exhibits exhibits, const StudyRequest& request, const StudyPoint& point)
 {
     std::string text;
     for (std::size_t a = 0; a < request.axes.size(); ++a)
-        text += (a > 0 ? ", " : "") + axisName(museum, request.subject, request.axes[a]) + ' ' + axisValueText(museum, request.axes[a], request.axes[a].values[point.setting[a]]);
+        text += (a > 0 ? ", " : "") + axisName(exhibits, request.subject, request.axes[a]) + ' ' + axisValueText(exhibits, request.axes[a], request.axes[a].values[point.setting[a]]);
     return text;
 }
 
@@ -121,13 +121,13 @@ std::string lawSentence(const StudyResult& result)
     return text + '.';
 }
 
-std::string choiceSentence(const Museum& museum, const StudyRequest& request, const StudyResult& result)
+std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
 {
     if (!request.maxError && !request.maxMilliseconds) return {};
     const std::string limit = request.maxError ? std::string(toString(request.metric)) + " " + shortNumber(*request.maxError) : shortNumber(*request.maxMilliseconds) + " ms";
     if (!result.choice) return "No setting that was measured stays within " + limit + '.';
     const StudyPoint& point = result.points[result.choice->point];
-    std::string text = std::string(request.maxError ? "Cheapest" : "Best") + " within " + limit + ": " + pointText(museum, request, point) + "; error " + shortNumber(point.worstError) + " at worst, " +
+    std::string text = std::string(request.maxError ? "Cheapest" : "Best") + " within " + limit + ": " + pointText(exhibits, request, point) + "; error " + shortNumber(point.worstError) + " at worst, " +
                        (point.time ? shortNumber(point.time->median) + " ms a frame" : shortNumber(point.cost) + ' ' + costTitle(result.costName));
     if (result.present && result.points[*result.present].cost > 0 && point.cost > 0) text += ", " + shortNumber(result.points[*result.present].cost / point.cost) + " times cheaper than at present";
     text += ". In " + std::to_string(result.choice->heldOutViews.size()) + " held-out view" + (result.choice->heldOutViews.size() == 1 ? "" : "s") + ": error " + shortNumber(result.choice->heldOutError);
@@ -135,18 +135,18 @@ std::string choiceSentence(const Museum& museum, const StudyRequest& request, co
     return text + (result.choice->holds ? ", within the limit." : ", beyond the limit.");
 }
 
-Json studyJson(const Museum& museum, const StudyRequest& request, const StudyResult& result, Json machine)
+Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, Json machine)
 {
     Json axes = Json::array();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        const ParameterInfo& row = rowOf(museum, axis);
+        const ParameterInfo& row = rowOf(exhibits, axis);
         Json values = Json::array();
         for (const double value : axis.values) values.push_back(valueJson(row, value));
-        axes.push_back(Json{{"name", axisName(museum, request.subject, axis)}, {"unit", std::string(info(row.unit).storedSymbol)}, {"values", values}, {"reference", valueJson(row, result.exact[a])}});
+        axes.push_back(Json{{"name", axisName(exhibits, request.subject, axis)}, {"unit", std::string(info(row.unit).storedSymbol)}, {"values", values}, {"reference", valueJson(row, result.exact[a])}});
     }
     Json points = Json::array();
-    for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back(pointJson(museum, request, result, i));
+    for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back(pointJson(exhibits, request, result, i));
     Json front = Json::array();
     for (const std::size_t i : result.front) front.push_back(i);
     Json views = Json::array();
@@ -155,7 +155,7 @@ Json studyJson(const Museum& museum, const StudyRequest& request, const StudyRes
     Json json{{"format", "vitrine-study"},
               {"version", 1},
               {"app", VITRINE_VERSION},
-              {"exhibit", std::string(museum.exhibits()[request.subject]->name())},
+              {"exhibit", std::string(exhibits[request.subject]->name())},
               {"alone", request.alone},
               {"size", Json::array({request.size.x, request.size.y})},
               {"views", views},
@@ -177,12 +177,12 @@ Json studyJson(const Museum& museum, const StudyRequest& request, const StudyRes
     if (result.choice) {
         Json heldOut = Json::array();
         for (const std::string& view : result.choice->heldOutViews) heldOut.push_back(view);
-        json["choice"] = Json{{"point", result.choice->point}, {"heldOutViews", heldOut}, {"heldOutError", number(result.choice->heldOutError)}, {"holds", result.choice->holds}, {"sentence", choiceSentence(museum, request, result)}};
+        json["choice"] = Json{{"point", result.choice->point}, {"heldOutViews", heldOut}, {"heldOutError", number(result.choice->heldOutError)}, {"holds", result.choice->holds}, {"sentence", choiceSentence(exhibits, request, result)}};
     }
     return json;
 }
 
-std::string studyCsv(const Museum& museum, const StudyRequest& request, const StudyResult& result)
+std::string studyCsv(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
 {
     std::set<std::string> counters;
     std::set<render::Metric> metrics;
@@ -193,7 +193,7 @@ std::string studyCsv(const Museum& museum, const StudyRequest& request, const St
         }
     }
     std::string text;
-    for (const StudyAxis& axis : request.axes) text += axisName(museum, request.subject, axis) + ',';
+    for (const StudyAxis& axis : request.axes) text += axisName(exhibits, request.subject, axis) + ',';
     text += "view";
     for (const render::Metric metric : metrics) text += ',' + std::string(toString(metric));
     if (request.modelError) text += ",model_" + std::string(toString(request.metric));
@@ -202,7 +202,7 @@ std::string studyCsv(const Museum& museum, const StudyRequest& request, const St
     for (const StudyPoint& point : result.points) {
         for (std::size_t v = 0; v < point.shots.size(); ++v) {
             const StudyShot& shot = point.shots[v];
-            for (std::size_t a = 0; a < request.axes.size(); ++a) text += quoted(formatValue(rowOf(museum, request.axes[a]), request.axes[a].values[point.setting[a]])) + ',';
+            for (std::size_t a = 0; a < request.axes.size(); ++a) text += quoted(formatValue(rowOf(exhibits, request.axes[a]), request.axes[a].values[point.setting[a]])) + ',';
             text += quoted(result.views[v]);
             for (const render::Metric metric : metrics) text += ',' + (shot.errors.contains(metric) ? numberText(shot.errors.at(metric)) : std::string());
             if (request.modelError) text += ',' + numberText(shot.modelError);

@@ -8,7 +8,7 @@
 namespace vitrine {
 
 /// "steps 64" or "steps 64, method fair": a point's values for people.
-[[nodiscard]] std::string pointText(const Museum&, const StudyRequest&, const StudyPoint&);
+[[nodiscard]] std::string pointText(Exhibits, const StudyRequest&, const StudyPoint&);
 
 /// What the cost is counted in: "field evaluations", "milliseconds", or the counter's own name.
 [[nodiscard]] std::string costTitle(const std::string& costName);
@@ -17,12 +17,12 @@ namespace vitrine {
 [[nodiscard]] std::string lawSentence(const StudyResult&);
 
 /// What was chosen and whether it held, with its numbers; or that nothing keeps the limit. Empty when no limit was set.
-[[nodiscard]] std::string choiceSentence(const Museum&, const StudyRequest&, const StudyResult&);
+[[nodiscard]] std::string choiceSentence(Exhibits, const StudyRequest&, const StudyResult&);
 
 /// Everything that was measured but the pictures; `machine` is put beside it as it is.
-[[nodiscard]] render::Json studyJson(const Museum&, const StudyRequest&, const StudyResult&, render::Json machine);
+[[nodiscard]] render::Json studyJson(Exhibits, const StudyRequest&, const StudyResult&, render::Json machine);
 
 /// One line per point and view, with every metric and counter that any of them has; times are medians of the runs.
-[[nodiscard]] std::string studyCsv(const Museum&, const StudyRequest&, const StudyResult&);
+[[nodiscard]] std::string studyCsv(Exhibits, const StudyRequest&, const StudyResult&);
 
 }  // namespace vitrine
