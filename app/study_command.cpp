@@ -12,8 +12,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <numeric>
 
 namespace vitrine::app {
 namespace {
@@ -48,9 +50,15 @@ private:
 void printTable(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
 {
     std::printf("%-44s %12s %14s %12s %10s\n", "setting", std::string(toString(request.metric)).c_str(), costTitle(result.costName).c_str(), "ms, median", "spread");
-    for (std::size_t i = 0; i < result.points.size(); ++i) {
+    // A curve by its parameter; of a search, the front and the present setting, by cost.
+    std::vector<std::size_t> shown(result.points.size());
+    std::iota(shown.begin(), shown.end(), std::size_t{0});
+    if (request.axes.size() > 2) {
+        std::erase_if(shown, [&](std::size_t i) { return result.points[i].dominated && result.present != i; });
+        std::sort(shown.begin(), shown.end(), [&](std::size_t a, std::size_t b) { return result.points[a].cost < result.points[b].cost; });
+    }
+    for (const std::size_t i : shown) {
         const StudyPoint& p = result.points[i];
-        if (request.axes.size() > 2 && p.dominated && result.present != i) continue;
         std::string marks;
         if (result.knee == i) marks += " knee";
         if (result.present == i) marks += " present";

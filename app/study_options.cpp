@@ -78,7 +78,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& o)
     command.add_option("--pixels-per-degree", o.pixelsPerDegree, "For flip: how large a pixel looks")->capture_default_str()->check(CLI::Range(1.0, 1000.0));
     command.add_option("--preset", o.preset, "What the study starts from");
     command.add_option("--set", o.sets, "name=value, before the study starts")->take_all()->allow_extra_args(true);
-    command.add_flag("--in-hall", o.inHall, "At its place in the hall; else alone, in the environment's light");
+    command.add_flag("--alone", o.alone, "Without the hall, in the environment's light: quicker, but neither sun nor shadow");
     command.add_flag("--no-model-error", o.noModelError, "Leave out the comparison with everything at its most exact");
     CLI::Option* error = command.add_option("--max-error", o.maxError, "Choose the cheapest setting with no larger error in any view");
     command.add_option("--max-ms", o.maxMilliseconds, "Choose the most exact setting whose frame takes no longer")->excludes(error);
@@ -103,7 +103,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     request.runs = options.runs;
     request.metric = metricOption("--metric", options.metric);
     request.pixelsPerDegree = options.pixelsPerDegree;
-    request.alone = !options.inHall && job.subject != 0 && !museum.exhibits()[job.subject]->studiedInHall();
+    request.alone = options.alone && job.subject != 0;
     request.modelError = !options.noModelError;
     request.settings = options.settings;
     request.maxError = options.maxError;

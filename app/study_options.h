@@ -31,7 +31,7 @@ struct StudyOptions {
     double pixelsPerDegree = render::flipPixelsPerDegree;
     std::string preset;
     std::vector<std::string> sets;
-    bool inHall = false;
+    bool alone = false;
     bool noModelError = false;
     std::optional<double> maxError, maxMilliseconds;
     std::string out;

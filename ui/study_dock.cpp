@@ -143,7 +143,6 @@ StudyRequest StudyDock::requestFor(std::vector<StudyAxis> axes) const
     request.subject = subject_;
     request.look = history_.look();
     request.axes = std::move(axes);
-    request.alone = subject_ != 0 && !gallery_.exhibits()[subject_]->studiedInHall();
     request.size = size_;
     request.runs = runs_;
     request.largestTile = shortTile;

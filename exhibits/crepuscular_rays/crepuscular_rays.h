@@ -23,7 +23,6 @@ public:
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
-    [[nodiscard]] bool studiedInHall() const override { return true; }
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     bool press(ParameterValues&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override {}

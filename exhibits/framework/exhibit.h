@@ -76,8 +76,6 @@ public:
     /// What pressing its button does to the values; returns whether anything changed.
     virtual bool press(ParameterValues&) const { return false; }
 
-    /// Whether it is studied at its place in the hall, for what it shows is made of the hall; else alone.
-    [[nodiscard]] virtual bool studiedInHall() const { return false; }
     /// The views of its accuracy studies, easy and hard ones, starting from these values; at least one.
     [[nodiscard]] virtual std::vector<StudyView> studyViews(const ParameterValues& values) const
     {

@@ -252,7 +252,7 @@ void Study::addTimes()
     // In a search, what is dearer and no better by a margin beyond the noise of one frame stays untimed.
     if (request_.axes.size() > 2) {
         std::erase_if(timed, [&](std::size_t i) {
-            return std::any_of(result_.points.begin(), result_.points.end(), [&](const StudyPoint& other) { return other.error <= result_.points[i].error && other.cost * 1.3 < result_.points[i].cost; });
+            return result_.present != i && std::any_of(result_.points.begin(), result_.points.end(), [&](const StudyPoint& other) { return other.error <= result_.points[i].error && other.cost * 1.3 < result_.points[i].cost; });
         });
     }
     for (std::size_t run = 0; run < static_cast<std::size_t>(request_.runs); ++run) {

@@ -99,9 +99,13 @@ std::string numberText(double x)
 std::string pointText(Exhibits exhibits, const StudyRequest& request, const StudyPoint& point)
 {
     std::string text;
-    for (std::size_t a = 0; a < request.axes.size(); ++a)
-        text += (a > 0 ? ", " : "") + axisName(exhibits, request.subject, request.axes[a]) + ' ' + axisValueText(exhibits, request.axes[a], request.axes[a].values[point.setting[a]]);
-    return text;
+    for (std::size_t a = 0; a < request.axes.size(); ++a) {
+        const StudyAxis& axis = request.axes[a];
+        const bool asAtPresent = std::get<double>(request.look.values[axis.exhibit].row(axis.row)) == axis.values[point.setting[a]];
+        if (asAtPresent && request.axes.size() > 2) continue;
+        text += (text.empty() ? "" : ", ") + axisName(exhibits, request.subject, axis) + ' ' + axisValueText(exhibits, axis, axis.values[point.setting[a]]);
+    }
+    return text.empty() ? "as at present" : text;
 }
 
 std::string costTitle(const std::string& costName)

@@ -7,7 +7,8 @@
 
 namespace vitrine {
 
-/// "steps 64" or "steps 64, method fair": a point's values for people.
+/// "steps 64" or "steps 64, method fair": a point's values for people; of more than two parameters, those that differ
+/// from the present ones.
 [[nodiscard]] std::string pointText(Exhibits, const StudyRequest&, const StudyPoint&);
 
 /// What the cost is counted in: "field evaluations", "milliseconds", or the counter's own name.

@@ -27,7 +27,7 @@ std::string textOf(const std::string& file)
 /// A small study that takes a second or two.
 Ended study(const std::string& out, std::vector<std::string> more)
 {
-    std::vector<std::string> words{"study", "sdf_morph", "--size", "48x27", "--views", "2", "--runs", "3", "--no-model-error", "--out", out};
+    std::vector<std::string> words{"study", "sdf_morph", "--size", "48x27", "--views", "2", "--runs", "3", "--no-model-error", "--alone", "--out", out};
     words.insert(words.begin() + 2, more.begin(), more.end());
     return test::vitrine(words);
 }

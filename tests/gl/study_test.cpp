@@ -29,6 +29,7 @@ StudyRequest requestFor(std::size_t exhibit, std::string_view row, std::vector<d
     request.size = {64, 36};
     request.runs = 1;
     request.views = 2;
+    request.alone = true;
     request.modelError = false;
     return request;
 }

@@ -35,7 +35,9 @@ TEST(FramePlan, APassThatCanChangeNothingIsNotRunUnlessEverythingIs)
         plan.add(std::move(faint));
         plan.prune({"a"});
         EXPECT_EQ(toString(plan), everything ? "invisible > faint" : "faint");
-        if (!everything) EXPECT_NE(reasonFor(plan, "invisible").find("bound is 0"), std::string::npos);
+        if (!everything) {
+            EXPECT_NE(reasonFor(plan, "invisible").find("bound is 0"), std::string::npos);
+        }
     }
 }
 

@@ -43,6 +43,7 @@ struct Subject {
         r.look = museum.initialLook();
         for (const std::string& row : rows) r.axes.push_back(*studyAxis(museum.exhibits(), 1, *table.find(row), points));
         r.size = {16, 9};
+        r.alone = true;
         return r;
     }
     StudyResult run(const StudyRequest& r)
