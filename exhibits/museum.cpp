@@ -170,7 +170,8 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);
     }
 
-    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {}, request.sincePressed};
+    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {},
+                                  request.sincePressed.empty() ? std::span<const double>() : std::span(request.sincePressed).subspan(1)};
     theHall.plan(hallContext, plan);
     if (alone) {
         render::Pass clear;
@@ -185,7 +186,8 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         plan.add(std::move(clear));
     }
     for (Present& p : present) {
-        const PlanContext context{look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}};
+        const PlanContext context{look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow),
+                                  p.index < request.sincePressed.size() ? std::span(request.sincePressed).subspan(p.index, 1) : std::span<const double>()};
         exhibits_[p.index]->plan(context, plan);
     }
     if (request.transparent) plan.skip("sky", "a transparent background is asked for");
@@ -202,8 +204,8 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
 double Museum::nextChange(const Look& look, const FrameRequest& request) const
 {
     double next = std::numeric_limits<double>::infinity();
-    for (const double since : request.sincePressed)
-        if (since < 0.2) next = 0;
+    for (std::size_t i = 0; i < request.sincePressed.size() && i < exhibits_.size(); ++i)
+        if (request.sincePressed[i] < std::max(0.2, exhibits_[i]->pressTime())) next = 0;
     const render::View view = render::makeView(request.camera, request.raster);
     const HallScene scene = static_cast<const Hall&>(hall()).scene(look.values.front(), request.alone.has_value());
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {

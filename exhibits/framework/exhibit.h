@@ -41,7 +41,8 @@ struct PlanContext {
     bool alone = false;              ///< No hall: the environment is the only light.
     std::string hiddenBecause;       ///< Empty when its bounds may be visible from the camera.
     std::string noShadowBecause;     ///< Empty when its shadow may be seen and the sun may reach its bounds.
-    std::span<const double> sincePressed;  ///< For the hall: seconds since each guest's button was pressed.
+    /// Seconds since buttons were pressed: for the hall every guest's, for a guest its own. May be empty.
+    std::span<const double> sincePressed;
 };
 
 /// A fixed situation in which an accuracy study measures: seen from `camera` (in the exhibit's space) at
@@ -74,6 +75,8 @@ public:
     [[nodiscard]] virtual double nextChange(const ParameterValues&, double time) const = 0;
     /// What pressing its button does to the values; returns whether anything changed.
     virtual bool press(ParameterValues&) const { return false; }
+    /// Seconds for which its picture moves after its button was pressed; the button itself moves for 0.2.
+    [[nodiscard]] virtual double pressTime() const { return 0; }
 
     /// The views of its accuracy studies, easy and hard ones, starting from these values; at least one.
     [[nodiscard]] virtual std::vector<StudyView> studyViews(const ParameterValues& values) const
