@@ -184,9 +184,9 @@ double Lenticular::nextChange(const ParameterValues& values, double time) const
     return values[table_.scroll] ? scrollRest(time, values[table_.period], values[table_.hold]) : std::numeric_limits<double>::infinity();
 }
 
-double Lenticular::pressTime() const
+double Lenticular::nextChangeAfterPress(const ParameterValues& values, double time, double sinceOwnPress) const
 {
-    return rollTime;
+    return sinceOwnPress < rollTime ? 0 : nextChange(values, time);
 }
 
 bool Lenticular::press(ParameterValues& values) const
@@ -215,7 +215,7 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
         return;
     }
     const lenticular::CardSheetFound found = lenticular::cardSheet(table_, context.values);
-    const Moment moment = momentAt(table_, context.values, context.time, context.sincePressed.empty() ? -1 : context.sincePressed[0]);
+    const Moment moment = momentAt(table_, context.values, context.time, context.sinceOwnPress);
     if (moment.roll > 0) scene.reason += ", and one print rolls in after the other";
     if (!found.note.empty()) scene.reason += "; the sheet cannot be: " + found.note;
     Pass card = cardPass(scene, plan.view, moment, found.sheet, cache_->prints);
