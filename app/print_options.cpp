@@ -90,11 +90,10 @@ lenticular::PrintSettings printSettings(const PrintOptions& options, int views)
 
 void addPrintOptions(CLI::App& command, PrintOptions& o)
 {
-    command.add_option("--views", o.views, "A folder of pictures, or the pictures, in the order seen from left to right");
+    addViewOptions(command, o.views);
     command.add_option("--chart", o.chart, "Instead of views, a sheet to calibrate with: pitch, phase, views or rotation")->check(CLI::IsMember({"pitch", "phase", "views", "rotation"}));
     command.add_option("--chart-span", o.chartSpan, "Of a pitch chart, in percent each way: 1 is coarse, 0.1 fine")->capture_default_str();
-    command.add_option("--count", o.count, "How many of the views, spread evenly; by default all");
-    command.add_option("--out", o.out, "The print: .tif or .png")->required();
+    command.add_option("--out", o.out, "The print: .tif or .png; may be left out with --save-views");
     command.add_option("--report", o.report, "Also write the print's description here, as JSON; it always lies beside the print and in it");
     command.add_option("--lpi", o.lpi, "Lenses per inch of the sheet");
     command.add_option("--effective-lpi", o.effectiveLpi, "Lenses per inch as measured");

@@ -1,6 +1,5 @@
 #include "exhibits/lenticular/view_source.h"
 
-#include "exhibits/lenticular/print_layout.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
 #include "render/image/image_io.h"
@@ -52,18 +51,6 @@ bool looksLikePicture(const fs::path& file)
     for (const char* known : {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"})
         if (extension == known) return true;
     return false;
-}
-
-std::vector<fs::path> picturesIn(const fs::path& folder)
-{
-    std::error_code error;
-    std::vector<fs::path> files;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-        if (at->is_regular_file(error) && looksLikePicture(at->path()) && at->path().filename().string()[0] != '.') files.push_back(at->path());
-    if (error) throw Failure(Blame::file, "Cannot read the folder " + folder.string() + ": " + error.message() + ".");
-    if (files.empty()) throw Failure(Blame::file, "There are no pictures in " + folder.string() + "; give a folder with the views as PNG, JPEG, TIFF, EXR or HDR.");
-    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) { return beforeByNumber(a.filename().string(), b.filename().string()); });
-    return files;
 }
 
 std::uint16_t code(double linear)
@@ -151,21 +138,31 @@ void ViewSet::allIsRead() const
     }
 }
 
+std::vector<fs::path> picturesIn(const fs::path& folder)
+{
+    std::error_code error;
+    std::vector<fs::path> files;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+        if (at->is_regular_file(error) && looksLikePicture(at->path()) && at->path().filename().string()[0] != '.') files.push_back(at->path());
+    if (error) throw Failure(Blame::file, "Cannot read the folder " + folder.string() + ": " + error.message() + ".");
+    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) { return beforeByNumber(a.filename().string(), b.filename().string()); });
+    return files;
+}
+
 std::vector<fs::path> viewFiles(const std::vector<std::string>& names)
 {
     std::vector<fs::path> files;
     for (const std::string& name : names) {
         std::error_code error;
         if (fs::is_directory(name, error)) {
-            for (fs::path& file : picturesIn(name)) files.push_back(std::move(file));
+            std::vector<fs::path> found = picturesIn(name);
+            if (found.empty()) throw Failure(Blame::file, "There are no pictures in " + name + "; give a folder with the views as PNG, JPEG, TIFF, EXR or HDR.");
+            for (fs::path& file : found) files.push_back(std::move(file));
         } else {
             files.emplace_back(name);
         }
     }
     if (files.empty()) throw Failure(Blame::usage, "There are no views; give a folder or files with --views.");
-    if (files.size() > static_cast<std::size_t>(mostViews)) {
-        throw Failure(Blame::usage, "There are " + std::to_string(files.size()) + " views, and " + std::to_string(mostViews) + " is the most.");
-    }
     return files;
 }
 
@@ -179,26 +176,20 @@ ViewSet readViews(const std::vector<fs::path>& files, const std::function<bool(s
     return views;
 }
 
-ViewSet viewsOfQuilt(const render::Image& image, int columns, int rows)
+render::Image viewOfQuilt(const render::Image& image, int columns, int rows, int k, QuiltOrder order)
 {
     if (columns < 1 || rows < 1 || image.width % columns != 0 || image.height % rows != 0) {
         throw Failure(Blame::usage, "A quilt of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels does not divide into " +
                                         std::to_string(columns) + " x " + std::to_string(rows) + " views.");
     }
-    ViewSet views;
-    const int width = image.width / columns;
-    const int height = image.height / rows;
-    for (int row = rows - 1; row >= 0; --row) {
-        for (int column = 0; column < columns; ++column) {
-            render::Image view(width, height, image.channels);
-            for (int y = 0; y < height; ++y) {
-                const float* from = image.pixels.data() + image.index(column * width, row * height + y);
-                std::copy_n(from, static_cast<std::size_t>(width) * static_cast<std::size_t>(image.channels), view.pixels.data() + view.index(0, y));
-            }
-            views.add(view);
-        }
+    render::Image view(image.width / columns, image.height / rows, image.channels);
+    const int left = k % columns * view.width;
+    const int row = order == QuiltOrder::topLeft ? k / columns : rows - 1 - k / columns;
+    for (int y = 0; y < view.height; ++y) {
+        const float* from = image.pixels.data() + image.index(left, row * view.height + y);
+        std::copy_n(from, static_cast<std::size_t>(view.width) * static_cast<std::size_t>(image.channels), view.pixels.data() + view.index(0, y));
     }
-    return views;
+    return view;
 }
 
 }  // namespace vitrine::lenticular

@@ -58,15 +58,22 @@ private:
     std::shared_ptr<render::ScratchFile> scratch_;
 };
 
+/// The pictures in a folder, hidden ones left out; numbers in their names count by value (view2 before view10).
+/// Throws Failure (Blame::file) when it cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folder);
+
 /// The picture files that `names` mean, in viewing order from the left: files as given, folders by the names
-/// in them, where numbers count by value (view2 before view10). Throws Failure when there is none.
+/// in them. Throws Failure when there is none.
 [[nodiscard]] std::vector<std::filesystem::path> viewFiles(const std::vector<std::string>& names);
 
 /// Reads the files into views. `progress` (may be empty) is told how many are read; false stops with a Failure.
 [[nodiscard]] ViewSet readViews(const std::vector<std::filesystem::path>&, const std::function<bool(std::size_t)>& progress = {});
 
-/// Cuts a grid of views: the first at the bottom left, rows upwards, as quilts are.
-/// Throws Failure when the picture does not divide into the grid.
-[[nodiscard]] ViewSet viewsOfQuilt(const render::Image&, int columns, int rows);
+/// Where a quilt's first view is: rows upwards as Looking Glass has them, or downwards as one reads.
+enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };
+
+/// View `k` (0 to columns * rows - 1) of a grid of views of one size. Throws Failure (Blame::usage) when the
+/// picture does not divide into the grid.
+[[nodiscard]] render::Image viewOfQuilt(const render::Image&, int columns, int rows, int k, QuiltOrder = QuiltOrder::bottomLeft);
 
 }  // namespace vitrine::lenticular

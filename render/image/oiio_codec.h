@@ -15,7 +15,7 @@ namespace vitrine::render {
 /// How a file is written by OpenImageIO.
 struct OiioTarget {
     std::string path;
-    ImageFormat format = ImageFormat::exr;                      ///< exr or tiff.
+    ImageFormat format = ImageFormat::exr;                      ///< exr, tiff or jpeg.
     bool halfColor = false;                                     ///< EXR: R, G, B and A as 16-bit float.
     std::vector<std::pair<std::string, std::string>> texts;     ///< Attributes.
     double pixelsPerInch = 0;                                   ///< 0: not said.
@@ -75,7 +75,7 @@ public:
     [[nodiscard]] virtual std::string decode(std::string_view bytes, ImageFormat, const ImageLimits&,
                                              const std::function<bool()>& cancelled, StoredPicture& out) noexcept = 0;
 
-    /// Writes the file, opens it again and compares rows spread over the whole picture. Leaves a broken
+    /// Writes the file, opens it again and compares rows spread over the whole picture (JPEG loosely). Leaves a broken
     /// file behind when it fails: the caller removes it.
     [[nodiscard]] virtual std::string write(const StoredPicture&, const OiioTarget&) noexcept = 0;
 
