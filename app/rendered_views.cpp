@@ -23,7 +23,8 @@ using lenticular::PrintLayout;
 using lenticular::ViewRig;
 using lenticular::ViewShot;
 
-constexpr int longestSide = 1200;
+constexpr int longestSide = 1200;     ///< Where no size is asked for.
+constexpr int mostSide = 8192;        ///< A print of a meter at 40 LPI has 1600 lenses.
 constexpr int mostOfItself = 24;  ///< Views, where none are asked for: more cost time and show little.
 
 template <typename... Args> std::string text(const char* format, Args... args)
@@ -118,6 +119,7 @@ PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
     const PictureJob job = pictureJob(museum, scene);
     const ViewShot base{job.look, job.request};
     const glm::ivec2 size = job.request.frame.raster.size;
+    if (size.x > mostSide || size.y > mostSide) throw Failure(Blame::usage, "--view-size " + scene.size + ": a view has at most " + std::to_string(mostSide) + " pixels on a side.");
     const auto rigOf = [&](double s) { return ViewRig(layout, job.look.camera, size, {s, options.convergence}); };
     ViewRig rig = rigOf(strength.value_or(1));
     std::vector<ViewShot> shots = shotsOf(rig, base);
