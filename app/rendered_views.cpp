@@ -138,7 +138,8 @@ PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
     }
     const DepthRange budget = rig.budget();
     result.numbers.push_back(rig.baseline() == 0 ? std::string("all views from one camera")
-                                                 : text("%d cameras over %.3f m (%.3g of true depth), converging at %.2f m", count, rig.baseline(), rig.strength(), rig.convergence()));
+                                                 : text("%d cameras over %.3f m (%.3g of true depth), converging at %.2f m, the perspective of an eye at %.0f mm", count,
+                                                        rig.baseline(), rig.strength(), rig.convergence(), rig.convergence() / rig.scale()));
     if (rig.baseline() > 0) {
         result.numbers.push_back(text("the scene reaches from %s to %s, and the print holds %s to %s without doubled contours", depthText(depth.nearest).c_str(),
                                       depthText(depth.farthest).c_str(), depthText(budget.nearest).c_str(), depthText(budget.farthest).c_str()));
