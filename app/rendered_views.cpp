@@ -112,14 +112,14 @@ PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
     if (options.every != 1 || options.pingPong) throw Failure(Blame::usage, "--every and --ping-pong choose among pictures; the views of an exhibit are made as many as --count says.");
     const int count = countFor(options, layoutOf);
     const PrintLayout layout = layoutOf(count);
-    const render::gl::HeadlessContext context;
-    const Museum museum;
     PictureOptions scene = options.scene;
     scene.size = options.viewSize.empty() ? sizeFor(layout) : options.viewSize;
+    const glm::ivec2 size = parseSize("--view-size", scene.size);
+    if (size.x > mostSide || size.y > mostSide) throw Failure(Blame::usage, "--view-size " + scene.size + ": a view has at most " + std::to_string(mostSide) + " pixels on a side.");
+    const render::gl::HeadlessContext context;
+    const Museum museum;
     const PictureJob job = pictureJob(museum, scene);
     const ViewShot base{job.look, job.request};
-    const glm::ivec2 size = job.request.frame.raster.size;
-    if (size.x > mostSide || size.y > mostSide) throw Failure(Blame::usage, "--view-size " + scene.size + ": a view has at most " + std::to_string(mostSide) + " pixels on a side.");
     const auto rigOf = [&](double s) { return ViewRig(layout, job.look.camera, size, {s, options.convergence}); };
     ViewRig rig = rigOf(strength.value_or(1));
     std::vector<ViewShot> shots = shotsOf(rig, base);

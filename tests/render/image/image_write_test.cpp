@@ -105,8 +105,8 @@ TEST(WritePicture, WritesJpegNearlyAndOverWhite)
     Image smooth(64, 48, 4, 1);
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 64; ++x) {
-            smooth.at(x, y, 0) = static_cast<float>(x) / 64;
-            smooth.at(x, y, 1) = static_cast<float>(y) / 48;
+            smooth.at(x, y, 0) = static_cast<float>(linearFromSrgb(x / 64.0));
+            smooth.at(x, y, 1) = static_cast<float>(linearFromSrgb(y / 48.0));
             smooth.at(x, y, 3) = x < 32 ? 1.0F : 0.0F;
         }
     writePicture(folder / "a.jpg", smooth, PictureFormat::jpeg, {.preset = "{}", .pixelsPerInch = 300});
@@ -117,7 +117,7 @@ TEST(WritePicture, WritesJpegNearlyAndOverWhite)
             if (x >= 24 && x < 40) continue;  // The blocks on either side of the sharp edge ring.
             for (int c = 0; c < 3; ++c) {
                 const double expected = x < 32 ? srgbFromLinear(static_cast<double>(smooth.at(x, y, c))) : 1;
-                // Quality 92 keeps gradients to a few codes; the darkest are steepest in codes.
+                // Quality 92 keeps even slopes of codes to a few of them.
                 EXPECT_NEAR(static_cast<double>(back.at(x, y, c)), expected, 6 / 255.0) << x << ',' << y << ',' << c;
             }
         }
