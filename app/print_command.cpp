@@ -7,7 +7,6 @@
 #include "exhibits/lenticular/numbers.h"
 #include "exhibits/lenticular/print_file.h"
 #include "exhibits/lenticular/print_json.h"
-#include "exhibits/lenticular/proof.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/extension.h"
@@ -117,6 +116,13 @@ int makePrint(const PrintOptions& options)
     lenticular::PrintFile file = printFile(options, layout, made.sources, made.scene);
     if (!options.out.empty()) {
         file.profile = made.profile;
+        if (layout.settings().compensate) {
+            const lenticular::ViewMatrix mixing = lenticular::viewMixing(layout);
+            const lenticular::CrossTalk talk = lenticular::crossTalkOf(made.views, mixing, lenticular::compensation(mixing));
+            file.json = lenticular::withCrossTalk(file.json, talk);
+            std::printf("cross-talk %.4f before, %.4f after compensation (root mean square, simulated); %.1f %% beyond black or white\n", talk.before,
+                        talk.after, 100 * talk.clipped);
+        }
         ProgressLine line("interlacing");
         file.progress = [&](double part) { return line.show(part); };
         written = lenticular::writePrint(layout, made.views, file);
@@ -144,35 +150,6 @@ int makeStoppably(const PrintOptions& options)
     }
 }
 
-struct ProofOptions {
-    std::string print, out;
-    double angle = 0, angleY = 0;
-    std::string distance = "inf";
-};
-
-/// The description beside the print, or else the one inside.
-render::JsonDocument descriptionOf(const std::string& print)
-{
-    std::error_code error;
-    if (fs::exists(print + ".json", error)) return render::readJson(print + ".json");
-    if (const auto text = render::embeddedPrint(print)) return render::parseJson(*text, print);
-    throw Failure(Blame::file, "Cannot look at " + print + ": it carries no description of its sheet, and there is no " + print +
-                                   ".json beside it; choose a file that vitrine print wrote.");
-}
-
-int makeProof(const ProofOptions& options)
-{
-    const bool png = fs::path(options.out).extension() == ".png";
-    if (!png && fs::path(options.out).extension() != ".tif") throw Failure(Blame::usage, "--out " + options.out + ": give a name that ends in .png or .tif.");
-    const render::Image raster = render::readImage(options.print);
-    const PrintLayout layout(lenticular::settingsFromJson(descriptionOf(options.print)));
-    const lenticular::Eye eye{options.angle * lenticular::radiansPerDegree, options.angleY * lenticular::radiansPerDegree,
-                              distanceOf("--distance-mm", options.distance)};
-    const render::Image seen = lenticular::lookThrough(layout, raster, eye);
-    render::writePicture(options.out, seen, png ? render::PictureFormat::png8 : render::PictureFormat::tiff8, {.pixelsPerInch = layout.settings().sheet.lpi()});
-    return 0;
-}
-
 }  // namespace
 
 void addPrintCommand(CLI::App& parser, Action& chosen)
@@ -181,18 +158,6 @@ void addPrintCommand(CLI::App& parser, Action& chosen)
     auto options = std::make_shared<PrintOptions>();
     addPrintOptions(*command, *options);
     command->callback([&chosen, options] { chosen = [options] { return makeStoppably(*options); }; });
-}
-
-void addProofCommand(CLI::App& parser, Action& chosen)
-{
-    CLI::App* command = parser.add_subcommand("proof", "Show an interlaced print as it looks through its sheet");
-    auto options = std::make_shared<ProofOptions>();
-    command->add_option("print", options->print, "A file that vitrine print wrote")->required();
-    command->add_option("--angle", options->angle, "Of the eye across the lenses, in degrees; positive to the right, or below")->required();
-    command->add_option("--angle-y", options->angleY, "Of the eye along the lenses, in degrees; positive above, or to the right");
-    command->add_option("--distance-mm", options->distance, "Of the eye, or inf")->capture_default_str();
-    command->add_option("--out", options->out, "The picture: .png or .tif, one pixel for each lens")->required();
-    command->callback([&chosen, options] { chosen = [options] { return makeProof(*options); }; });
 }
 
 }  // namespace vitrine::app

@@ -79,6 +79,12 @@ lenticular::PrintSettings printSettings(const PrintOptions& options, int views)
                       : options.method == "guard" ? lenticular::Method::guard
                                                   : lenticular::Method::area;
     settings.guard = options.guard;
+    settings.border = options.borderMm;
+    settings.inkSpread = options.inkUm / 1000;
+    settings.dither = options.dither;
+    settings.compensate = options.compensate;
+    if (options.dither && options.bits == 16) throw Failure(Blame::usage, "--dither is for 8 bits; 16 bits need none.");
+    if (options.borderMm != 0 && !options.chart.empty()) throw Failure(Blame::usage, "--border-mm: charts have a border of their own.");
     return settings;
 }
 
@@ -104,6 +110,10 @@ void addPrintOptions(CLI::App& command, PrintOptions& o)
     command.add_flag("--mirror", o.mirror, "For printing on the sheet's back");
     command.add_option("--method", o.method, "nearest, area or guard")->capture_default_str()->check(CLI::IsMember({"nearest", "area", "guard"}));
     command.add_option("--guard", o.guard, "With --method guard: part of a strip that its blended edges take")->capture_default_str();
+    command.add_option("--border-mm", o.borderMm, "White paper around trim and bleed, on every side");
+    command.add_flag("--dither", o.dither, "Spread what 8 bits cannot say over neighboring pixels");
+    command.add_flag("--crosstalk-compensation", o.compensate, "Change the views so that the sheet's mixing of them shows less");
+    command.add_option("--ink-um", o.inkUm, "How far a printed point spreads (standard deviation), for cross-talk");
     command.add_option("--bits", o.bits, "8 or 16")->capture_default_str()->check(CLI::IsMember({8, 16}));
     command.add_option("--compression", o.compression, "Of TIFF: none, deflate or zstd")->capture_default_str()->check(CLI::IsMember({"none", "deflate", "zstd"}));
     command.add_option("--tile-mm", o.tileMm, "Cut into files of about this width, between lenses");

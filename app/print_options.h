@@ -27,6 +27,8 @@ struct PrintOptions {
     bool mirror = false;
     std::string method = "area";
     double guard = 0.25;
+    double borderMm = 0, inkUm = 0;
+    bool dither = false, compensate = false;
     int bits = 8;
     std::string compression = "none";
     double tileMm = 0;

@@ -4,6 +4,7 @@
 #include "render/files/extension.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -81,23 +82,51 @@ void ViewSet::add(const render::Image& image)
 {
     if (image.width < 1 || image.height < 1 || image.channels < 1) throw Failure(Blame::file, "A view is empty; choose another picture.");
     if (height_ == 0) height_ = image.height;
-    View view;
-    view.width = image.width;
     const auto channels = static_cast<std::size_t>(image.channels);
-    view.samples.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(height_) * 4 + 4);
+    const std::size_t rowSamples = static_cast<std::size_t>(image.width) * 4;
+    const std::size_t samples = rowSamples * static_cast<std::size_t>(height_) + 4;
+    const bool onDisk = scratch_ || samples * 2 > memory_ - used_;
+    if (onDisk && !scratch_) {
+        scratch_ = std::make_shared<render::ScratchFile>();
+        firstOnDisk_ = views_.size();
+    }
+    const std::uint64_t begin = onDisk ? scratch_->size() : 0;
+    auto kept = onDisk ? nullptr : std::make_shared<std::vector<std::uint16_t>>(samples);
+    std::vector<std::uint16_t> passing(onDisk ? rowSamples : 0);
     std::vector<double> row(static_cast<std::size_t>(image.width) * channels);
     const bool gray = channels < 3;
     const std::size_t alphaAt = channels == 2 ? 1 : channels == 4 ? 3 : channels;
-    std::uint16_t* out = view.samples.data();
     for (int y = 0; y < height_; ++y) {
         resampledRow(image, y, height_, row);
+        std::uint16_t* out = onDisk ? passing.data() : kept->data() + static_cast<std::size_t>(y) * rowSamples;
         for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x, out += 4) {
             const double* pixel = row.data() + x * channels;
             const double alpha = alphaAt < channels ? std::clamp(pixel[alphaAt], 0.0, 1.0) : 1.0;
             for (std::size_t c = 0; c < 3; ++c) out[c] = code(pixel[gray ? 0 : c] * alpha + (1 - alpha));
         }
+        if (onDisk) scratch_->append(passing.data(), rowSamples * 2);
     }
-    views_.push_back(std::move(view));
+    if (!onDisk) {
+        used_ += samples * 2;
+        views_.push_back({image.width, {kept, kept->data()}});
+        return;
+    }
+    const std::array<std::uint16_t, 4> behind{};
+    scratch_->append(behind.data(), sizeof behind);
+    scratch_->align();
+    const auto* mapped = static_cast<const std::uint16_t*>(scratch_->map(begin, samples * 2));
+    views_.push_back({image.width, {mapped, [samples](const std::uint16_t* at) { render::unmapPages(at, samples * 2); }}});
+}
+
+void ViewSet::rowIsRead(int y) const
+{
+    for (std::size_t k = firstOnDisk_; k < views_.size(); ++k) render::releasePages(row(static_cast<int>(k), y), static_cast<std::size_t>(views_[k].width) * 8);
+}
+
+void ViewSet::allIsRead() const
+{
+    for (std::size_t k = firstOnDisk_; k < views_.size(); ++k)
+        render::releasePages(views_[k].samples.get(), static_cast<std::size_t>(views_[k].width) * 8 * static_cast<std::size_t>(height_));
 }
 
 std::vector<fs::path> picturesIn(const fs::path& folder)
