@@ -2,7 +2,6 @@
 
 #include "render/failure.h"
 #include "render/files/extension.h"
-#include "render/image/image_io.h"
 
 #include <algorithm>
 #include <array>
@@ -164,16 +163,6 @@ std::vector<fs::path> viewFiles(const std::vector<std::string>& names)
     }
     if (files.empty()) throw Failure(Blame::usage, "There are no views; give a folder or files with --views.");
     return files;
-}
-
-ViewSet readViews(const std::vector<fs::path>& files, const std::function<bool(std::size_t)>& progress)
-{
-    ViewSet views;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (progress && !progress(i)) throw Failure(Blame::usage, "Reading the views was stopped.");
-        views.add(render::readImage(files[i]));
-    }
-    return views;
 }
 
 render::Image viewOfQuilt(const render::Image& image, int columns, int rows, int k, QuiltOrder order)
