@@ -37,6 +37,12 @@ std::string whyNoShadow(const HallScene& scene, const render::Box& box, const re
     return view.mayContain(withShadow(box, towardsSun(scene))) ? std::string() : "neither it nor its shadow is in view";
 }
 
+/// Seconds since the button of exhibit `i` was pressed.
+double sincePress(const FrameRequest& request, std::size_t i)
+{
+    return i < request.sincePressed.size() ? request.sincePressed[i] : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 double buttonScale(double seconds)
@@ -142,7 +148,8 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
             casters.include(box.high);
             derive::addToKey(shadowKey, look.values[i]);
             shadowKey.addValue(i).addValue(p.worldFromExhibit);
-            if (exhibits_[i]->nextChange(look.values[i], request.time) < std::numeric_limits<double>::infinity()) shadowKey.addValue(request.time);
+            const double since = sincePress(request, i);
+            if (exhibits_[i]->nextChangeAfterPress(look.values[i], request.time, since) < std::numeric_limits<double>::infinity()) shadowKey.addValue(request.time).addValue(since);
         }
         present.push_back(std::move(p));
     }
@@ -170,7 +177,8 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);
     }
 
-    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {}, request.sincePressed};
+    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {},
+                                  std::span(request.sincePressed).subspan(std::min<std::size_t>(request.sincePressed.size(), 1))};
     theHall.plan(hallContext, plan);
     if (alone) {
         render::Pass clear;
@@ -185,7 +193,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         plan.add(std::move(clear));
     }
     for (Present& p : present) {
-        const PlanContext context{look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}};
+        const PlanContext context{look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}, sincePress(request, p.index)};
         exhibits_[p.index]->plan(context, plan);
     }
     if (request.transparent) plan.skip("sky", "a transparent background is asked for");
@@ -211,7 +219,7 @@ double Museum::nextChange(const Look& look, const FrameRequest& request) const
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(request.alone ? glm::dmat4(1) : worldFromExhibit(i));
         // What is hidden may move unseen, and so may its shadow.
         const bool shadowSeen = !request.alone && whyNoShadow(scene, box, view).empty();
-        if (shadowSeen || whyHidden(box, view, request.alone.has_value()).empty()) next = std::min(next, exhibits_[i]->nextChange(look.values[i], request.time));
+        if (shadowSeen || whyHidden(box, view, request.alone.has_value()).empty()) next = std::min(next, exhibits_[i]->nextChangeAfterPress(look.values[i], request.time, sincePress(request, i)));
     }
     return next;
 }
