@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <tuple>
 
 namespace vitrine::lenticular {
 namespace {
@@ -69,6 +70,16 @@ bool sameLens(const Sheet& a, const Sheet& b)
     const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-6 * std::max(std::abs(x), std::abs(y)); };
     return near(a.nominalLpi, b.nominalLpi) && near(a.effectiveLpi, b.effectiveLpi) && near(a.radius, b.radius) && near(a.thickness, b.thickness) &&
            near(a.index, b.index) && near(a.conic, b.conic);
+}
+
+/// In all but the sheet.
+bool samePrint(const PrintSettings& a, const PrintSettings& b)
+{
+    const auto all = [](const PrintSettings& s) {
+        return std::tuple(s.dpiX, s.dpiY, s.width, s.height, s.bleed, s.distance, s.visualLpi, s.phase, s.direction, s.reverse, s.mirror, s.views, s.method,
+                          s.guard, s.border, s.dither, s.compensate, s.inkSpread);
+    };
+    return all(a) == all(b);
 }
 
 }  // namespace
@@ -374,9 +385,7 @@ PrintDesk::Settings LenticularDesk::settingsFrom(const std::string& text, const 
     const PrintSettings read = settingsFromJson(document);
     try {
         const PrintSettings here = printSettings(table_, settings.values, read.views);
-        PrintSettings named = here;
-        named.sheet.name = read.sheet.name;
-        if (printJson(PrintLayout(named), 1, {})["print"] == printJson(PrintLayout(read), 1, {})["print"] && sameLens(here.sheet, read.sheet)) return settings;
+        if (samePrint(here, read) && sameLens(here.sheet, read.sheet)) return settings;
     } catch (const Failure&) {  // The desk's part has no such print: the print's own part counts.
     }
     settings.values = withSettings(table_, settings.values, read);

@@ -67,6 +67,7 @@ int main(int argc, char** argv)
         if (real) {
             window.openPrintDialog();
             auto* dialog = window.findChild<ui::PrintDialog*>();
+            dialog->setPath(QStringLiteral("/home/visitor/Pictures/lenticular-print.tif"));
             QElapsedTimer passed;
             passed.start();
             do QApplication::processEvents(QEventLoop::AllEvents, 50);
