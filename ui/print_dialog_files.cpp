@@ -72,8 +72,9 @@ void PrintDialog::recall()
     setValues(desk_->parameters().initial());
 }
 
-void PrintDialog::remember() const
+void PrintDialog::remember()
 {
+    remembered_ = true;
     try {
         savePresetBytes(rememberedPath(), desk_->settingsText(*values_, textsOf(files_)));
         QSettings places(placesPath(), QSettings::IniFormat);

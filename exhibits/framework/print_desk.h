@@ -42,6 +42,7 @@ struct PrintShot {
 struct SceneDepth {
     double nearest = 0, farthest = 0;
     double nearestHeld = 0, farthestHeld = 0;
+    double scaleThatHolds = 1;  ///< Baseline scale at which the print holds all of it, at most 1.
     std::vector<std::string> warnings{};
 };
 
@@ -144,6 +145,8 @@ public:
     /// What to render, from left to right, with the look's camera in the middle. `draft`: small and quick, to look
     /// at while setting up. `frame` gives all but camera, size and seed. Throws Failure as `summary` refuses.
     [[nodiscard]] virtual std::vector<PrintShot> shots(const ParameterValues&, const Look&, const FrameRequest& frame, bool draft) const = 0;
+    /// The values with another baseline scale.
+    [[nodiscard]] virtual ParameterValues withBaselineScale(const ParameterValues&, double) const = 0;
     /// From a picture of the look with the channel "depth.Z". Throws Failure as `summary` refuses.
     [[nodiscard]] virtual SceneDepth sceneDepth(const ParameterValues&, const Look&, const render::Image&) const = 0;
 

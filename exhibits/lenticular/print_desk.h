@@ -50,6 +50,7 @@ public:
                                                               const PrintProgress&) const override;
 
     [[nodiscard]] std::vector<PrintShot> shots(const ParameterValues&, const Look&, const FrameRequest&, bool draft) const override;
+    [[nodiscard]] ParameterValues withBaselineScale(const ParameterValues&, double) const override;
     [[nodiscard]] SceneDepth sceneDepth(const ParameterValues&, const Look&, const render::Image&) const override;
 
     [[nodiscard]] PrintSummary summary(const ParameterValues&, const PrintViews*, bool chart, const std::filesystem::path&) const override;
