@@ -1,6 +1,5 @@
 #include "app/command.h"
 #include "render/failure.h"
-#include "render/failure.h"
 #include "ui/run_window.h"
 
 #include <CLI/CLI.hpp>
@@ -30,6 +29,7 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addRenderCommand(parser, chosen);
     vitrine::app::addTourCommand(parser, chosen);
     vitrine::app::addPresetCommand(parser, chosen);
+    vitrine::app::addCompareCommand(parser, chosen);
     vitrine::app::addPrintCommand(parser, chosen);
     vitrine::app::addProofCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);

@@ -18,6 +18,11 @@ Box Box::transformed(const glm::dmat4& transform) const
     return result;
 }
 
+glm::dvec3 View::direction(glm::dvec2 ndc) const
+{
+    return glm::transpose(glm::dmat3(viewFromWorld)) * glm::dvec3(ndc * tanHalfFov + tanShift, -1);
+}
+
 bool View::mayContain(const Box& box) const
 {
     if (box.empty()) return false;
@@ -69,6 +74,8 @@ View makeView(const Camera& camera, const Raster& raster)
     const glm::dvec2 size = glm::max(raster.size, glm::ivec2(1));
     view.tanHalfFov = std::tan(fov / 2) * glm::dvec2(size.x / size.y, 1);
 
+    view.tanShift = {std::isfinite(camera.lensShift.x) ? camera.lensShift.x : 0, std::isfinite(camera.lensShift.y) ? camera.lensShift.y : 0};
+
     // Maps the tile's pixels to [-1, 1]; the jitter moves the sample, so it moves the picture back.
     const glm::dvec2 drawn = glm::max(raster.drawn(), glm::ivec2(1));
     const glm::dvec2 scale = size / drawn;
@@ -78,16 +85,18 @@ View makeView(const Camera& camera, const Raster& raster)
     tileFromWhole[1][1] = scale.y;
     tileFromWhole[3][0] = shift.x;
     tileFromWhole[3][1] = shift.y;
-    view.clipFromView = tileFromWhole * reversedPerspective(view.tanHalfFov, view.nearPlane);
+    view.clipFromView = tileFromWhole * reversedPerspective(view.tanHalfFov, view.nearPlane, view.tanShift);
     view.clipFromWorld = view.clipFromView * view.viewFromWorld;
     return view;
 }
 
-glm::dmat4 reversedPerspective(glm::dvec2 tanHalfFov, double nearPlane)
+glm::dmat4 reversedPerspective(glm::dvec2 tanHalfFov, double nearPlane, glm::dvec2 tanShift)
 {
     glm::dmat4 clipFromView(0);
     clipFromView[0][0] = 1 / tanHalfFov.x;
     clipFromView[1][1] = 1 / tanHalfFov.y;
+    clipFromView[2][0] = tanShift.x / tanHalfFov.x;
+    clipFromView[2][1] = tanShift.y / tanHalfFov.y;
     clipFromView[2][3] = -1;
     clipFromView[3][2] = nearPlane;
     return clipFromView;
