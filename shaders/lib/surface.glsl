@@ -31,7 +31,7 @@ vec2 environmentBrdf(float roughness, float cosNV)
 {
     vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float a = min(r.x * r.x, exp2(-9.28 * cosNV)) * r.x + r.y;
-    return vec2(-1.04, 1.04) * a + r.zw;
+    return max(vec2(-1.04, 1.04) * a + r.zw, vec2(0.0));  // The fit falls to -0.0003 where rough surfaces graze.
 }
 
 // Radiance of the sun's light reflected towards `toEye`.
