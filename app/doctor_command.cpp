@@ -4,6 +4,7 @@
 #include "render/files/assets.h"
 #include "render/files/strict_json.h"
 #include "render/gl/context.h"
+#include "render/gl/frame_clock.h"
 #include "render/image/oiio_codec.h"
 
 #include <CLI/CLI.hpp>
@@ -37,10 +38,8 @@ Json examine()
         const render::gl::ContextInfo& gl = context.info();
         report["opengl"] = Json{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"shadingLanguage", gl.shadingLanguage}, {"software", gl.software}, {"usable", true}};
         report["limits"] = Json{{"textureSize", gl.maxTextureSize}, {"samples", gl.maxSamples}, {"uniformBlockBytes", gl.maxUniformBlockSize}};
-        report["clock"] = Json{{"method", gl.software ? "process CPU time around glFinish" : "wall time around glFinish"},
-                               {"trusted", true},
-                               {"why", gl.software ? "the renderer runs on the processor, and its timer queries cover only the last tile"
-                                                   : "no timer query is used: a wall clock around glFinish includes everything"}};
+        const render::ClockChoice& clock = render::gl::trustedClock(gl.software);
+        report["clock"] = Json{{"method", clock.name}, {"trusted", clock.trusted}, {"why", clock.why}, {"overheadMs", 1e3 * clock.overheadSeconds}};
     } catch (const Failure& failure) {
         report["opengl"] = Json{{"usable", false}, {"why", failure.what()}};
     }

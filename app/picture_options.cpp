@@ -87,6 +87,15 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
 
 }  // namespace
 
+render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
+{
+    const std::string extension = render::lowerExtension(file);
+    if (extension == ".png") return sixteenBit ? render::PictureFormat::png16 : render::PictureFormat::png8;
+    if (extension == ".exr") return render::PictureFormat::exr;
+    if (extension == ".tif" || extension == ".tiff") return sixteenBit ? render::PictureFormat::tiff16 : render::PictureFormat::tiff8;
+    throw Failure(Blame::usage, option + ' ' + file + ": give a name that ends in .png, .exr or .tif.");
+}
+
 glm::dvec3 parseTriple(const std::string& option, const std::string& text)
 {
     const std::vector<std::string> parts = split(text, ',');

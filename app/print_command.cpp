@@ -8,12 +8,17 @@
 #include "exhibits/lenticular/print_file.h"
 #include "exhibits/lenticular/print_json.h"
 #include "render/failure.h"
+#include "render/files/atomic_write.h"
+#include "render/files/extension.h"
 #include "render/image/image_io.h"
 
 #include <CLI/CLI.hpp>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <thread>
 
@@ -67,6 +72,16 @@ void say(const PrintLayout& layout, const PrintOptions& options, const std::vect
                 100 * (1 - *most), 100 * (1 - *least), numbers.effectiveViews);
 }
 
+/// Rendering views takes minutes: a print that cannot be written is refused before.
+void checkTarget(const std::string& out)
+{
+    const std::string extension = render::lowerExtension(out);
+    if (extension != ".tif" && extension != ".tiff" && extension != ".png") throw Failure(Blame::usage, "--out " + out + ": give a name that ends in .tif or .png.");
+    const fs::path folder = render::PartFile(out).target().parent_path();
+    if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
+        throw Failure(Blame::file, "Cannot write " + out + ": " + std::strerror(errno) + "; choose another folder.");
+}
+
 int makeChart(const PrintOptions& options)
 {
     using lenticular::ChartKind;
@@ -91,6 +106,7 @@ int makePrint(const PrintOptions& options)
 {
     if (options.out.empty() && (options.views.saveViews.empty() || !options.chart.empty())) throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in .tif or .png.");
     if (!options.chart.empty()) return makeChart(options);
+    if (!options.out.empty()) checkTarget(options.out);
     const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
     PrintViews made = printViews(options.views, layoutOf);
     for (const std::string& note : made.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
@@ -111,9 +127,12 @@ int makePrint(const PrintOptions& options)
         file.progress = [&](double part) { return line.show(part); };
         written = lenticular::writePrint(layout, made.views, file);
     }
-    if (made.folder) made.folder->publish();
     if (!options.report.empty()) render::atomicWrite(options.report, file.json);
-    say(layout, options, written);
+    if (made.folder) {
+        made.folder->publish();
+        std::printf("%d views in %s\n", made.views.count(), options.views.saveViews.c_str());
+    }
+    if (!written.empty()) say(layout, options, written);
     for (const std::string& line : made.numbers) std::printf("%s\n", line.c_str());
     return 0;
 }

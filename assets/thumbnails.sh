@@ -5,7 +5,7 @@ set -e
 cd "$(dirname "$0")/.."
 program=build/release/vitrine
 mkdir -p assets/thumbnails assets/pictures
-for exhibit in hall sdf_morph; do
+for exhibit in hall sdf_morph lenticular; do
     $program render $exhibit --size 192x120 --samples 16 --out assets/thumbnails/$exhibit.png
     for preset in assets/presets/$exhibit/*.json; do
         $program render $exhibit --preset "$preset" --size 192x120 --samples 16 --out "${preset%.json}.png"

@@ -1,5 +1,8 @@
 #include "exhibits/exhibits.h"
 
+#include "exhibits/crepuscular_rays/crepuscular_rays.h"
+#include "exhibits/fur/fur.h"
+#include "exhibits/lenticular/lenticular.h"
 #include "exhibits/lenticular/print_desk.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 
@@ -9,6 +12,9 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
 {
     std::vector<std::unique_ptr<Exhibit>> exhibits;
     exhibits.push_back(std::make_unique<SdfMorph>());
+    exhibits.push_back(std::make_unique<Lenticular>());
+    exhibits.push_back(std::make_unique<Fur>());
+    exhibits.push_back(std::make_unique<CrepuscularRays>());
     return exhibits;
 }
 

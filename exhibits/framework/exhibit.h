@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -42,6 +43,8 @@ struct PlanContext {
     std::string hiddenBecause;       ///< Empty when its bounds may be visible from the camera.
     std::string noShadowBecause;     ///< Empty when its shadow may be seen and the sun may reach its bounds.
     std::span<const double> sincePressed;  ///< For the hall: seconds since each guest's button was pressed.
+    std::span<const double> turns;         ///< For the hall: each guest's `turnOfHangings`.
+    double sinceOwnPress = std::numeric_limits<double>::infinity();  ///< For a guest: seconds since its own was; infinity: never.
 };
 
 /// A fixed situation in which an accuracy study measures: seen from `camera` (in the exhibit's space) at
@@ -72,6 +75,11 @@ public:
     [[nodiscard]] virtual render::Camera bestView(const ParameterValues&) const = 0;
     /// Seconds until its picture next changes by itself: 0 while animated, infinity when still.
     [[nodiscard]] virtual double nextChange(const ParameterValues&, double time) const = 0;
+    /// The same, `sinceOwnPress` seconds after its button was pressed (infinity: never).
+    [[nodiscard]] virtual double nextChangeAfterPress(const ParameterValues& values, double time, double /*sinceOwnPress*/) const
+    {
+        return nextChange(values, time);
+    }
     /// What pressing its button does to the values; returns whether anything changed.
     virtual bool press(ParameterValues&) const { return false; }
 
@@ -82,6 +90,12 @@ public:
     }
 
     virtual void plan(const PlanContext&, render::FramePlan&) const = 0;
+    /// What it lays over the frame: called when every exhibit has planned its part, before the sky.
+    virtual void planOverFrame(const PlanContext&, render::FramePlan&) const {}
+    /// Whether it draws into the exhibits' shadow map; false for what is made of light alone.
+    [[nodiscard]] virtual bool castsShadow() const { return true; }
+    /// How far the hanging parts of its place have turned about their own upright axis, radians.
+    [[nodiscard]] virtual double turnOfHangings(const ParameterValues&, double time) const { (void)time; return 0; }
 };
 
 }  // namespace vitrine

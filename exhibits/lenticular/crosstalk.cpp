@@ -1,28 +1,31 @@
 #include "exhibits/lenticular/crosstalk.h"
 
+#include "exhibits/lenticular/numbers.h"
 #include "exhibits/lenticular/optics.h"
 #include "exhibits/lenticular/proof.h"
+#include "exhibits/lenticular/strip_weights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vitrine::lenticular {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr int places = 64;         ///< On the print, at which its pixels lie differently under the lens.
+constexpr int apertureParts = 128;
 
-/// The integral of the normal distribution's integral; of a step when `sigma` is 0.
-double ramp(double x, double sigma)
+double fraction(double x)
 {
-    if (!(sigma > 0)) return std::max(x, 0.0);
-    const double t = x / sigma;
-    return x * 0.5 * std::erfc(-t / std::sqrt(2.0)) + sigma * std::exp(-t * t / 2) / std::sqrt(2 * pi);
+    return x - std::floor(x);
 }
 
-/// The share before `x` of a box of `width` around 0 that a Gaussian has spread.
-double shareBefore(double x, double width, double sigma)
+/// Evenly spread over 0 to 1, in a different order for each `stream` (Kronecker sequences of square roots of primes).
+double spread(int stream, double index)
 {
-    return (ramp(x + width / 2, sigma) - ramp(x - width / 2, sigma)) / width;
+    constexpr std::array<double, 5> roots{1.4142135623730951, 1.7320508075688772, 2.2360679774997898, 2.6457513110645907, 3.3166247903554};
+    return fraction(0.5 + index * roots.at(static_cast<std::size_t>(stream)));
 }
 
 /// Solves a x = b for all columns of b by elimination; `a` is symmetric and positive definite.
@@ -52,23 +55,29 @@ ViewMatrix zeros(int views)
 ViewMatrix viewMixing(const PrintLayout& layout)
 {
     const PrintSettings& s = layout.settings();
-    const double pitch = s.sheet.pitch();
-    const double strip = pitch / s.views;
-    const double pixel = pitch / layout.pixelsPerLens();
+    const double axis = 0.5 + s.phase;  // Of a lens, in the layout's lenses.
+    const double pixelsX = layout.printPitch() * s.dpiX / mmPerInch * layout.cosine();  // From lens to lens, across.
+    const double pixelsY = layout.printPitch() * s.dpiY / mmPerInch * layout.sine();
     ViewMatrix mixing = zeros(s.views);
+    std::vector<Tap> taps;
     for (int i = 0; i < s.views; ++i) {
-        for (const Aperture::Part& part : aperture(s.sheet, angleOfView(layout, i)).parts) {
-            // In lenses from the left cusp of the lens looked through, so that strips count as in the layout.
-            const double center = (part.from + part.to) / 2 + (0.5 + s.phase) * pitch;
-            const double width = pixel + std::abs(part.to - part.from);
-            const double reach = width / 2 + 5 * s.inkSpread;
-            for (auto at = static_cast<std::int64_t>(std::floor((center - reach) / strip)); static_cast<double>(at) * strip < center + reach; ++at) {
-                const double from = static_cast<double>(at) * strip - center;
-                mixing.at(i, layout.viewOfStrip(at)) += part.share * (shareBefore(from + strip, width, s.inkSpread) - shareBefore(from, width, s.inkSpread));
+        const Aperture seen = aperture(s.sheet, angleOfView(layout, i), 0, apertureParts);
+        double sum = 0;
+        for (int place = 0; place < places; ++place) {
+            const double x = spread(0, place) * static_cast<double>(layout.width());
+            const double y = spread(1, place) * static_cast<double>(layout.height());
+            const double u = layout.lensAt(x, y);
+            const double toAxis = std::round(u - axis) + axis - u;
+            double index = place;
+            for (const Aperture::Part& part : seen.parts) {
+                index += places;
+                const double ink = s.inkSpread * std::sqrt(-2 * std::log(std::max(spread(3, index), 1e-9))) * std::cos(2 * pi * spread(4, index));
+                const double at = toAxis + (part.from + (part.to - part.from) * spread(2, index) + ink) / s.sheet.pitch();
+                tapsAt(layout, std::floor(x + at * pixelsX) + 0.5, std::floor(y + at * pixelsY) + 0.5, taps);
+                for (const Tap& tap : taps) mixing.at(i, tap.view) += part.share * tap.weight;
+                sum += part.share;
             }
         }
-        double sum = 0;
-        for (int k = 0; k < s.views; ++k) sum += mixing.at(i, k);
         for (int k = 0; k < s.views && sum > 0; ++k) mixing.at(i, k) /= sum;
     }
     return mixing;
@@ -93,7 +102,6 @@ ViewMatrix compensation(const ViewMatrix& mixing, double weight)
 
 CrossTalk crossTalkOf(const ViewSet& views, const ViewMatrix& mixing, const ViewMatrix& compensated)
 {
-    constexpr int places = 64;  // Each way.
     const auto n = static_cast<std::size_t>(views.count());
     std::vector<double> plain(n);
     std::vector<double> printed(n);

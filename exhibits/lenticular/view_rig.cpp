@@ -64,7 +64,8 @@ double ViewRig::strengthThatHolds(const DepthRange& range) const
 {
     if (count_ == 1) return std::numeric_limits<double>::infinity();
     const double needed = std::max({0.0, convergence_ / range.nearest - 1, 1 - convergence_ / range.farthest});
-    return freeDepth_ * scale_ / convergence_ / needed;
+    // A hair less, so that rounding does not bring the horizon of a fitted rig back to finite distance.
+    return freeDepth_ * scale_ / convergence_ / needed * (1 - 1e-9);
 }
 
 DepthRange depthRange(const render::Image& image, double share)
@@ -86,8 +87,7 @@ DepthRange depthRange(const render::Image& image, double share)
 std::vector<std::string> warningsOf(const ViewRig& rig, const DepthRange& scene)
 {
     const DepthRange budget = rig.budget();
-    // A hair's breadth, so that the strength named below is not warned of again.
-    if (scene.nearest >= budget.nearest * (1 - 1e-3) && scene.farthest <= budget.farthest * (1 + 1e-3)) return {};
+    if (scene.nearest >= budget.nearest && scene.farthest <= budget.farthest) return {};
     const auto meters = [](double d) { return std::isinf(d) ? std::string("the horizon") : shortText(std::round(d * 1000) / 1000) + " m"; };
     const double holds = rig.strengthThatHolds(scene);
     return {"The scene reaches from " + meters(scene.nearest) + " to " + meters(scene.farthest) + ", and the print holds " + meters(budget.nearest) + " to " + meters(budget.farthest) +

@@ -22,8 +22,8 @@ std::vector<std::size_t> chosenViews(std::size_t available, const SequenceSettin
     const auto most = static_cast<std::size_t>(mostViews);
     const std::size_t count = settings.count == 0 ? row.size() : static_cast<std::size_t>(settings.count);
     if (count > most) {
-        throw Failure(Blame::usage, "There are " + std::to_string(count) + " views, and " + std::to_string(mostViews) + " is the most; take every " +
-                                        std::to_string((row.size() + most - 1) / most * static_cast<std::size_t>(settings.every)) + "th with --every, or fewer with --count.");
+        throw Failure(Blame::usage, "There are " + std::to_string(count) + " views, and " + std::to_string(mostViews) + " is the most; take fewer with --every " +
+                                        std::to_string((row.size() + most - 1) / most * static_cast<std::size_t>(settings.every)) + " or --count " + std::to_string(mostViews) + ".");
     }
     std::vector<std::size_t> chosen;
     const std::size_t last = row.size() - 1;

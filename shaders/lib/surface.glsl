@@ -40,7 +40,7 @@ vec3 sunReflected(Surface s, vec3 toEye, float visibility)
     vec3 l = light.sunDirection.xyz;
     float cosL = dot(s.normal, l);
     if (cosL <= 0.0 || visibility <= 0.0) return vec3(0.0);
-    vec3 h = normalize(l + toEye);
+    vec3 h = safeNormalize(l + toEye, s.normal);  // Looking into the light through a surface, it is zero.
     float cosV = max(dot(s.normal, toEye), 1e-3);
     float cosH = clamp(dot(s.normal, h), 0.0, 1.0);
     float a = max(s.roughness * s.roughness, 0.003);

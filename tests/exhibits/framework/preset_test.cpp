@@ -212,7 +212,7 @@ TEST(Preset, OfTheWholeExhibitionHasDottedKeys)
 }
 
 // Whatever a damaged file says: a legal set of values, or a Failure and nothing changed.
-TEST(Preset, NeverCrashesOnDamagedFiles)
+TEST(Preset, H106_NeverCrashesOnDamagedFiles)
 {
     Preset rich = plain();
     rich.values.set(table.morph, 0.123456789);

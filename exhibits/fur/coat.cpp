@@ -1,0 +1,122 @@
+#include "exhibits/fur/coat.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+/// How thick a body is around its spine.
+double bodyRadius(int body)
+{
+    return body == furBall ? ballRadius : body == furRoll ? rollRadius : ringTube;
+}
+
+/// The point of the spine of `state`'s body nearest to `p`, pit space.
+glm::dvec3 spinePoint(int body, const FurState& state, const glm::dvec3& p)
+{
+    if (body == furBall) return state.position;
+    const glm::dvec3 local = glm::conjugate(state.turn) * (p - state.position);
+    if (body == furRoll) return state.position + state.turn * glm::dvec3(std::clamp(local.x, -rollHalfLength, rollHalfLength), 0, 0);
+    glm::dvec3 flat(local.x, 0, local.z);
+    const double length = glm::length(flat);
+    flat = length > 1e-9 ? flat * (ringRadius / length) : glm::dvec3(ringRadius, 0, 0);
+    return state.position + state.turn * flat;
+}
+
+glm::vec4 vec4Of(const glm::dquat& q)
+{
+    return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
+}
+
+}  // namespace
+
+CoatRows coatRows(const FurTable& t, int body)
+{
+    if (body == furBall) return {t.ballLength, t.ballUniformity, t.ballDensity, t.ballThickness, t.ballRoot, t.ballTip};
+    if (body == furRoll) return {t.rollLength, t.rollUniformity, t.rollDensity, t.rollThickness, t.rollRoot, t.rollTip};
+    return {t.ringLength, t.ringUniformity, t.ringDensity, t.ringThickness, t.ringRoot, t.ringTip};
+}
+
+double colliderRadius(const FurTable& table, const ParameterValues& values, int body, double grown)
+{
+    return bodyRadius(body) * grown + (1 - values[table.flattening]) * values[coatRows(table, body).length];
+}
+
+double shellsAtDistance(int wanted, double length, double distance, double pixelAngle)
+{
+    const double pixels = length / std::max(distance * pixelAngle, 1e-9);
+    return std::clamp(pixels / 1.6, std::min<double>(wanted, 5), static_cast<double>(wanted));
+}
+
+glm::dmat4 Coats::worldFromBody(int index) const
+{
+    const FurState& state = states[static_cast<std::size_t>(index)];
+    return worldFromPit * glm::translate(glm::dmat4(1), state.position) * glm::mat4_cast(state.turn);
+}
+
+render::Box Coats::bounds(int index, const render::Box& skin) const
+{
+    const FurState& state = states[static_cast<std::size_t>(index)];
+    const double reach = values[coatRows(table, index).length];
+    return render::Box{skin.low * state.grown - reach, skin.high * state.grown + reach}.transformed(worldFromBody(index));
+}
+
+FurBody Coats::body(int index) const
+{
+    const auto which = static_cast<std::size_t>(index);
+    const FurState& state = states[which];
+    const CoatRows rows = coatRows(table, index);
+    const double length = values[rows.length];
+    const glm::dquat bodyFromPit = glm::conjugate(state.turn);
+    FurBody body;
+    body.worldFromBody = glm::mat4(worldFromBody(index));
+    body.bodyFromWorld = glm::mat4(glm::inverse(worldFromBody(index)));
+    body.pull = glm::vec4(glm::vec3(bodyFromPit * state.pull), static_cast<float>(state.grown));
+    body.turn = vec4Of(bodyFromPit * state.lag * state.turn);
+    const double gusts = std::fmod(0.35 * time, 1.0) * 2 * std::numbers::pi;
+    body.wind = glm::vec4(glm::vec3(bodyFromPit * (values[table.windDirection].value * values[table.wind])), static_cast<float>(gusts));
+
+    const double cell = 1 / std::sqrt(std::sqrt(3.0) * values[rows.density]);
+    body.coat = {static_cast<float>(length), static_cast<float>(cell), static_cast<float>(0.5 * values[rows.thickness]), static_cast<float>(values[rows.uniformity])};
+    body.rootColor = glm::vec4(glm::vec3(values[rows.root].value), static_cast<float>(index + 1));
+    body.tipColor = glm::vec4(glm::vec3(values[rows.tip].value), 0);
+    body.shells = {static_cast<float>(length > 0 ? values[table.shellCount] : 1),
+                   static_cast<float>(values[table.silhouette] == FurSilhouette::march ? values[table.samplesBetween] : 1),
+                   static_cast<float>((seed + 131U * static_cast<unsigned>(index)) % 65536U), values[table.drawOrder] == FurOrder::innerFirst ? 1.0F : 0.0F};
+    body.spine = {static_cast<float>(index == furRoll ? rollHalfLength : 0), static_cast<float>(index == furRing ? ringRadius : 0), static_cast<float>(bodyRadius(index)), 0};
+
+    int planes = 0;
+    const auto press = [&](const glm::dvec3& normal, double distance) {
+        // From pit space, where points p with dot(normal, p) > distance are free, to body space.
+        if (planes < 4) body.planes[planes++] = glm::vec4(glm::vec3(bodyFromPit * normal), static_cast<float>(distance - glm::dot(normal, state.position)));
+    };
+    press({0, 1, 0}, 0);
+    const double out = std::hypot(state.position.x, state.position.z);
+    if (out > 0.3 && state.position.y < pitRim + 0.3) press(-glm::dvec3(state.position.x, 0, state.position.z) / out, -pitRadius);
+    for (int other = 0; other < furBodyCount; ++other) {
+        if (other == index) continue;
+        // Between the nearest points of two spines, found by going back and forth, the middle of the gap.
+        const FurState& theirs = states[static_cast<std::size_t>(other)];
+        glm::dvec3 mine = state.position;
+        glm::dvec3 its = theirs.position;
+        for (int round = 0; round < 4; ++round) {
+            its = spinePoint(other, theirs, mine);
+            mine = spinePoint(index, state, its);
+        }
+        const double apart = glm::length(mine - its);
+        const double myRadius = bodyRadius(index) * state.grown;
+        const double itsRadius = bodyRadius(other) * theirs.grown;
+        const double room = apart - myRadius - itsRadius;
+        if (apart < 1e-6 || room > length + values[coatRows(table, other).length]) continue;
+        const glm::dvec3 normal = (mine - its) / apart;
+        press(normal, glm::dot(normal, its) + itsRadius + 0.5 * room);
+    }
+    body.tipColor.w = static_cast<float>(planes);
+    return body;
+}
+
+}  // namespace vitrine

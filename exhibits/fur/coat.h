@@ -1,0 +1,88 @@
+#pragma once
+
+#include "exhibits/fur/fur_table.h"
+#include "render/scene/camera.h"
+#include "render/scene/mesh.h"
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <array>
+
+namespace vitrine {
+
+inline constexpr int furBodyCount = 3;
+enum FurBodyIndex : int { furBall, furRoll, furRing };
+
+// Sizes of the bodies' skins and of their pit, metres. The pit is that of assets/models/hall_props.py.
+inline constexpr double ballRadius = 0.33;
+inline constexpr double rollRadius = 0.22, rollHalfLength = 0.26;
+inline constexpr double ringRadius = 0.35, ringTube = 0.15;
+inline constexpr double pitRadius = 1.6, pitRim = 0.35;
+
+/// The rows of one body's own coat.
+struct CoatRows {
+    Real length, uniformity;
+    Count density;
+    Real thickness;
+    Color root, tip;
+};
+[[nodiscard]] CoatRows coatRows(const FurTable&, int body);
+
+/// Where a body is and how its fur hangs back, at one moment. Pit space: the middle of the pit's floor, y up.
+struct FurState {
+    glm::dvec3 position{0};
+    glm::dquat turn{1, 0, 0, 0};   ///< Pit from body.
+    double grown = 1;              ///< Skin over skin at rest.
+    glm::dvec3 pull{0};            ///< Where the tips are drawn, strand lengths.
+    glm::dquat lag{1, 0, 0, 0};    ///< By how much the tips have turned less than the body.
+};
+using FurStates = std::array<FurState, furBodyCount>;
+
+/// Mirrors FurBody of shaders/fur/body.glsl.
+struct FurBody {
+    glm::mat4 worldFromBody{1};
+    glm::mat4 bodyFromWorld{1};
+    glm::vec4 pull{0, 0, 0, 1};
+    glm::vec4 turn{0, 0, 0, 1};
+    glm::vec4 wind{0};
+    glm::vec4 coat{0};
+    glm::vec4 rootColor{0};
+    glm::vec4 tipColor{0};
+    glm::vec4 shells{0};
+    glm::vec4 planes[4]{};
+    glm::vec4 spine{0};
+};
+
+/// Mirrors the block Object of shaders/fur/bodies.glsl.
+struct FurBodies {
+    FurBody body[furBodyCount];
+    glm::mat4 worldFromPit{1};
+    glm::mat4 pitFromWorld{1};
+    glm::vec4 pit{0};
+};
+
+/// A coat at one moment, ready to be drawn.
+struct Coats {
+    const FurTable& table;
+    const ParameterValues& values;
+    FurStates states;
+    glm::dmat4 worldFromPit{1};
+    double time = 0;
+    std::uint32_t seed = 1;
+
+    [[nodiscard]] FurBody body(int index) const;
+    [[nodiscard]] glm::dmat4 worldFromBody(int index) const;
+    /// The space that a body with its fur may fill, world space.
+    [[nodiscard]] render::Box bounds(int index, const render::Box& skin) const;
+};
+
+/// How many shells a coat of `length` metres is given, `distance` metres away: all of `wanted` while the coat
+/// spans enough pixels (each `pixelAngle` radians wide), continuously fewer after that, never under 4 of 5.
+[[nodiscard]] double shellsAtDistance(int wanted, double length, double distance, double pixelAngle);
+
+/// Radius of the sphere, roll or tube that collides: the skin at its present size, and what of the fur the
+/// contact does not flatten.
+[[nodiscard]] double colliderRadius(const FurTable&, const ParameterValues&, int body, double grown);
+
+}  // namespace vitrine

@@ -1,0 +1,153 @@
+#include "exhibits/fur/fur.h"
+
+#include "exhibits/fur/bounce.h"
+#include "exhibits/fur/coat_mesh.h"
+#include "exhibits/fur/fur_passes.h"
+#include "render/scene/gltf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+namespace vitrine {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+std::string seconds(double s)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f s", s);
+    return text;
+}
+
+}  // namespace
+
+struct Fur::Wardrobe {
+    std::shared_ptr<const render::Mesh> skins[furBodyCount] = {ballSkin(ballRadius, 8), rollSkin(rollRadius, rollHalfLength, 26), ringSkin(ringRadius, ringTube, 40)};
+    std::shared_ptr<const render::Mesh> fins[furBodyCount];
+    std::string modelPath;
+    std::shared_ptr<const render::Mesh> model;
+    std::vector<std::string> notes;  ///< What of the model was left out or mended.
+    std::optional<Bounce> bounce;
+};
+
+/// What the motion is at one moment, and why.
+struct Fur::Moment {
+    FurStates states;
+    bool moving = false;
+    std::string reason;         ///< Of the simulation step, or of its absence.
+    std::int64_t steps = 0;     ///< Simulated for this moment and never before.
+};
+
+Fur::Fur() : wardrobe_(std::make_unique<Wardrobe>()) {}
+
+Fur::~Fur() = default;
+
+render::Box Fur::bounds(const ParameterValues&) const
+{
+    return {{-pitRadius, 0, -pitRadius}, {pitRadius, 1.9, pitRadius}};
+}
+
+render::Camera Fur::bestView(const ParameterValues&) const
+{
+    return {{0.1, 1.35, 2.7}, {-0.05, 0.38, 0}, 0.66};
+}
+
+double Fur::nextChange(const ParameterValues& values, double time) const
+{
+    return nextChangeAfterPress(values, time, never);
+}
+
+double Fur::nextChangeAfterPress(const ParameterValues& values, double time, double sinceOwnPress) const
+{
+    if (values[table_.wind] > 0 && values[table_.gustiness] > 0) return 0;
+    return moment(values, time, sinceOwnPress, 1).moving ? 0 : never;
+}
+
+Fur::Moment Fur::moment(const ParameterValues& values, double time, double sinceOwnPress, std::uint32_t seed) const
+{
+    Wardrobe& w = *wardrobe_;
+    if (const std::string path = values[table_.ringModel]; path != w.modelPath) {
+        w.notes.clear();
+        w.model = path.empty() ? nullptr : modelSkin(render::loadGltf(path), path, ringRadius + ringTube, w.notes);
+        w.modelPath = path;
+    }
+    const double now = std::isfinite(time) ? time : 0;
+    double since = std::isfinite(sinceOwnPress) && sinceOwnPress >= 0 && sinceOwnPress < 1e6 ? sinceOwnPress : never;
+    const bool byItself = values[table_.bouncePeriod] > 0;
+    const bool frozen = values[table_.frozenAt] > 0;
+    if (byItself) since = now - std::floor(now / values[table_.bouncePeriod]) * values[table_.bouncePeriod];
+    if (frozen) since = values[table_.frozenAt];
+    if (values[table_.byHand]) since = never;
+    const bool growing = values[table_.growing] && values[table_.growth] > 0 && values[table_.growthRate] > 0 && !values[table_.byHand];
+
+    Moment m;
+    const BounceSettings settings = bounceSettings(table_, values, w.model, seed, since == never || frozen ? now : now - since);
+    if (since == never) {
+        m.states = restStates(settings, 0);
+        m.moving = growing;
+        m.reason = growing ? "the ball grows and shrinks" : "at rest";
+        if (values[table_.byHand]) {
+            m.reason = "set by hand";
+            for (FurState& state : m.states) {
+                state.grown = 1;
+                state.pull = {values[table_.handX], values[table_.handY], values[table_.handZ]};
+                state.lag = glm::angleAxis(values[table_.handTurn], glm::dvec3(0, 0, 1));
+            }
+        }
+        return m;
+    }
+    if (!w.bounce || !(w.bounce->settings() == settings)) w.bounce.emplace(settings);
+    const std::int64_t before = w.bounce->steps();
+    m.states = w.bounce->at(since);
+    m.steps = w.bounce->steps() - before;
+    const double rested = w.bounce->restedAt(since);
+    m.moving = !frozen && (growing || byItself || rested > since);
+    if (frozen) m.reason = "frozen " + seconds(since) + " after the jump";
+    else if (rested <= since) m.reason = growing ? "the ball grows and shrinks" : "at rest since " + seconds(since - rested);
+    else m.reason = (byItself ? "jumped by themselves " : "woken by the button ") + seconds(since) + " ago";
+    return m;
+}
+
+void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
+{
+    const ParameterValues& values = context.values;
+    constexpr const char* motion = "fur/motion";
+    if (!context.hiddenBecause.empty() && !context.noShadowBecause.empty()) {
+        // Nobody sees where they are; when somebody does again, the jump is simulated up to then.
+        plan.skip(motion, context.hiddenBecause, render::Work::simulation);
+        for (const char* name : {"fur/coat", "fur/fins", "fur/shade", "fur/floor"}) plan.skip(name, context.hiddenBecause);
+        plan.skip("fur/shadow", context.noShadowBecause);
+        return;
+    }
+    const Moment now = moment(values, context.time, context.sinceOwnPress, plan.seed);
+    if (now.moving || now.steps > 0) {
+        // Where things are decides what is drawn, so planning has already taken these steps.
+        render::Pass pass;
+        pass.name = motion;
+        pass.reason = now.reason;
+        pass.stage = render::Stage::simulate;
+        pass.work = render::Work::simulation;
+        pass.writes = {"fur.bodies"};
+        pass.counts["simulationSteps"] = now.steps;
+        plan.add(std::move(pass));
+    } else {
+        plan.skip(motion, now.reason, render::Work::simulation);
+    }
+    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, context.time, plan.seed}, {}, {}};
+    Wardrobe& w = *wardrobe_;
+    for (int i = 0; i < furBodyCount; ++i) {
+        scene.skins[i] = i == furRing && w.model ? w.model : w.skins[i];
+        if (values[table_.silhouette] != FurSilhouette::fins) continue;
+        if (i == furRing && w.model) continue;  // Fins are for the comparison on known skins.
+        if (!w.fins[i]) w.fins[i] = finsOf(*w.skins[i], 6);
+        scene.fins[i] = w.fins[i];
+    }
+    for (const std::string& note : w.notes) plan.skip("fur/model", note);
+    planCoats(scene, plan);
+}
+
+}  // namespace vitrine

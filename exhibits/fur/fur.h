@@ -1,0 +1,41 @@
+#pragma once
+
+#include "exhibits/framework/exhibit.h"
+#include "exhibits/fur/fur_table.h"
+
+#include <memory>
+
+namespace vitrine {
+
+/// Three furry bodies in a pit that bounce when the red button is pressed. Shell texturing: the skin is drawn
+/// many times, each time a little further out, and keeps only what is inside a strand.
+class Fur final : public Exhibit {
+public:
+    using Table = FurTable;
+
+    Fur();
+    ~Fur() override;
+
+    [[nodiscard]] std::string_view name() const override { return "fur"; }
+    [[nodiscard]] std::string_view title() const override { return "Fur with Physics"; }
+    [[nodiscard]] std::string_view summary() const override { return "No hair is stored anywhere: a skin drawn again and again, a little further out each time."; }
+    [[nodiscard]] std::string_view tryThis() const override { return "press the button, then look along the backs towards the window."; }
+    [[nodiscard]] std::string_view buttonText() const override { return "make them jump"; }
+    [[nodiscard]] int place() const override { return 3; }
+    [[nodiscard]] const Table& parameters() const override { return table_; }
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
+    [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
+    [[nodiscard]] double nextChangeAfterPress(const ParameterValues&, double time, double sinceOwnPress) const override;
+    void plan(const PlanContext&, render::FramePlan&) const override;
+
+private:
+    struct Wardrobe;
+    struct Moment;
+    [[nodiscard]] Moment moment(const ParameterValues&, double time, double sinceOwnPress, std::uint32_t seed) const;
+
+    Table table_;
+    std::unique_ptr<Wardrobe> wardrobe_;  ///< Skins and fins, made once; the visitor's model; the last jump as far as it was simulated.
+};
+
+}  // namespace vitrine

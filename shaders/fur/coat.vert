@@ -1,0 +1,74 @@
+// A shell of the coat, or a fin along an edge of the mesh (FIN): the skin, carried outwards along bent
+// strands. One instance per shell.
+#include "lib/frame.glsl"
+#include "fur/body.glsl"
+
+layout(std140, binding = BLOCK_OBJECT) uniform Object {
+    FurBody body;
+};
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 4) in vec2 form;  // x: mean curvature of the skin, 1/metre; y: height, of a fin
+
+out vec3 skin;       // at rest, body space
+out vec3 skinNormal;
+out vec3 strandWay;  // direction of the strands here
+out float curvature;
+out vec3 seenAlong;  // from the eye to here, body space
+#ifdef FIN
+out float height;
+#else
+flat out float height;
+flat out float gap;  // to the next shell inwards, in height
+#endif
+
+// Smooth and never the same twice within a body: what makes a coat lie in swirls.
+vec3 swirl(vec3 p)
+{
+    return vec3(sin(p.y * 1.7 + 2.1 * sin(p.z * 1.3 + 0.4)), sin(p.z * 1.9 + 1.8 * sin(p.x * 1.1 + 1.9)), sin(p.x * 1.6 + 2.3 * sin(p.y * 1.2 + 3.1)));
+}
+
+void main()
+{
+    float grown = body.pull.w;
+    float strandLength = body.coat.x;
+    vec3 n = safeNormalize(normal, safeNormalize(position, vec3(0.0, 1.0, 0.0)));
+    vec3 root = position * grown;
+
+    vec3 pull = body.pull.xyz + swirl(position * 7.0) * parameters.disorder;
+    vec3 gust = body.wind.xyz;
+    if (dot(gust, gust) > 0.0) {
+        float wave = sin(body.wind.w + dot(root, gust) * 9.0 / length(gust)) + 0.6 * sin(2.7 * body.wind.w + root.y * 13.0 + root.x * 7.0);
+        pull += gust * max(1.0 + parameters.gustiness * 0.6 * wave, 0.0);
+    }
+    vec3 combed = parameters.comb * (vec3(0.45, -0.75, 0.3) - n * dot(n, vec3(0.45, -0.75, 0.3)));
+    vec3 tip = safeNormalize(turned(body.turn, n) + pull + combed, n);
+    float bend = parameters.curvature;
+    for (int i = 0; i < int(body.tipColor.w); ++i) {
+        vec4 plane = body.planes[i];
+        float room = (dot(plane.xyz, root) - plane.w) / max(strandLength, 1e-6);
+        tip = strandPressed(n, tip, plane.xyz, room);
+        // What lies on the ground is bent from the root on.
+        float pressed = clamp(1.0 - max(room, 0.0), 0.0, 1.0) * clamp(-dot(n, plane.xyz), 0.0, 1.0);
+        bend *= 1.0 - 0.85 * pressed * pressed;
+    }
+
+#ifdef FIN
+    height = form.y;
+#else
+    int drawn = int(ceil(body.shells.x));
+    int shell = body.shells.w > 0.5 ? drawn - 1 - gl_InstanceID : gl_InstanceID;
+    float attenuation = parameters.distanceAttenuation;
+    height = powPositive(shellHeight(float(shell), body.shells.x), attenuation);
+    gap = height - powPositive(shellHeight(float(shell) + 1.0, body.shells.x), attenuation);
+#endif
+    int model = parameters.rotationModel;
+    vec3 p = root + strandLength * strandPoint(n, tip, height, bend, model);
+    skin = position;
+    skinNormal = n;
+    strandWay = safeNormalize(strandDirection(n, tip, powPositive(height, bend), model), n);
+    seenAlong = p - (body.bodyFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
+    curvature = form.x / grown;
+    gl_Position = frame.clipFromWorld * (body.worldFromBody * vec4(p, 1.0));
+}

@@ -1,0 +1,121 @@
+// Strands of a coat: where they are rooted, how thick they are, how they bend. Lengths in metres on the
+// skin at rest; heights along a strand from 0 (skin) to 1 (tip of the longest).
+//
+// Roots lie on a lattice in the plane that the surface faces most (Lagae and Dutre 2005 hash cells the same
+// way), one per cell. A cell seen at an angle covers more surface, so cells are dropped at random where the
+// surface faces its plane squarely: the density is the same everywhere, on any mesh, without poles or seams.
+//
+// GLSL 4.50 and C++ (render/glsl/cpu.h).
+
+const int STRAND_MATRIX_MIX = 0;
+const int STRAND_NLERP = 1;
+const int STRAND_SLERP = 2;
+
+struct Strand {
+    vec3 offset;        // from the root to the point, in the surface's tangent plane
+    float rank;         // [0, 1), for the strand's length
+    float tint;         // [0, 1), for its color and whatever else differs
+    bool rooted;        // false: the cell holds no strand
+};
+
+// Cells of this side, one strand in each that is kept, give `density` strands per square metre.
+float strandCellSize(float density)
+{
+    return inversesqrt(1.7320508075688772 * density);
+}
+
+// The strand whose cell `q` lies in. `q`: on the skin, `n`: unit normal there. `jitter` 0 to 1: how far
+// roots stray from the middle of their cells.
+Strand strandAt(vec3 q, vec3 n, float cellSize, float jitter, uint seed)
+{
+    vec3 a = abs(n);
+    int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+    vec2 flat_ = axis == 0 ? vec2(q.y, q.z) : axis == 1 ? vec2(q.z, q.x) : vec2(q.x, q.y);
+    vec2 slope = axis == 0 ? vec2(n.y, n.z) / n.x : axis == 1 ? vec2(n.z, n.x) / n.y : vec2(n.x, n.y) / n.z;
+    vec2 cell = floor(flat_ / cellSize);
+    // The two sides of a body have lattices of their own.
+    bool behind = axis == 0 ? n.x < 0.0 : axis == 1 ? n.y < 0.0 : n.z < 0.0;
+    uvec3 bits = pcg3d(uvec3(uint(int(cell.x)), uint(int(cell.y)), seed + uint(2 * axis + (behind ? 1 : 0))));
+    vec2 root = (cell + 0.5 + (vec2(unitFromBits(bits.x), unitFromBits(bits.y)) - 0.5) * jitter) * cellSize;
+    vec2 d = flat_ - root;
+    float out_ = -(d.x * slope.x + d.y * slope.y);  // Along the axis, so that the offset stays in the tangent plane.
+    Strand s;
+    s.offset = axis == 0 ? vec3(out_, d.x, d.y) : axis == 1 ? vec3(d.y, out_, d.x) : vec3(d.x, d.y, out_);
+    s.rank = unitFromBits(bits.z);
+    // Independent enough of the rank: other bits of the same word, turned over once more.
+    uint more = pcg(bits.z ^ bits.x);
+    s.tint = unitFromBits(more);
+    float facing = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+    s.rooted = unitFromBits(pcg(more)) * facing < 0.5773502691896258;
+    return s;
+}
+
+// Radius at height `h`, against that at the root, of a strand that ends at `end`. `roundness` 0 is a cone,
+// towards 1 a cylinder with a blunt tip. 0 from the tip on.
+float strandTaper(float h, float end, float roundness)
+{
+    if (!(h < end)) return 0.0;
+    return powPositive(1.0 - h / end, 1.0 - roundness);
+}
+
+// Angle between unit vectors, exact near 0 and pi where the arc cosine is not.
+float angleBetween(vec3 a, vec3 b)
+{
+    return 2.0 * angleOf(length(a - b), length(a + b));
+}
+
+// Any unit vector at a right angle to unit `n`, the same for the same n.
+vec3 perpendicularTo(vec3 n)
+{
+    return abs(n.x) < 0.6 ? safeNormalize(cross(n, vec3(1.0, 0.0, 0.0)), vec3(0.0, 1.0, 0.0))
+                          : safeNormalize(cross(n, vec3(0.0, 1.0, 0.0)), vec3(0.0, 0.0, 1.0));
+}
+
+// Direction of a strand that leaves the skin along `root` and ends along `tip` (unit vectors), after share
+// `k` (0 to 1) of the turn. The mix shortens what it turns, down to nothing at 180 degrees; nlerp keeps the
+// length but not the pace; slerp (Shoemake 1985) keeps both. At 180 degrees slerp and nlerp take one way
+// of many, always the same.
+vec3 strandDirection(vec3 root, vec3 tip, float k, int model)
+{
+    vec3 mixed = root * (1.0 - k) + tip * k;
+    if (model == STRAND_MATRIX_MIX) return mixed;
+    if (model == STRAND_NLERP) return safeNormalize(mixed, perpendicularTo(root));
+    float theta = angleBetween(root, tip);
+    if (theta < 1.0e-3) return safeNormalize(mixed, root);
+    vec3 across = safeNormalize(tip - root * dot(root, tip), perpendicularTo(root));
+    return root * cos(k * theta) + across * sin(k * theta);
+}
+
+// Where height `h` of a strand of length 1 lies, from its root: the integral of its direction, in 3-point
+// Gauss-Legendre quadrature. `curvature`: how late it bends; the share of the turn at height h is h^curvature.
+vec3 strandPoint(vec3 root, vec3 tip, float h, float curvature, int model)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 3; ++i) {
+        float x = i == 0 ? 0.1127016653792583 : i == 1 ? 0.5 : 0.8872983346207417;
+        float w = i == 1 ? 0.4444444444444444 : 0.2777777777777778;
+        sum += strandDirection(root, tip, powPositive(h * x, curvature), model) * w;
+    }
+    return sum * h;
+}
+
+// `v` turned by a unit quaternion (x, y, z, w).
+vec3 turned(vec4 q, vec3 v)
+{
+    vec3 axis = vec3(q.x, q.y, q.z);
+    vec3 t = cross(axis, v) * 2.0;
+    return v + t * q.w + cross(axis, t);
+}
+
+// Tip direction of a strand pressed against a plane that its root is `gap` strand lengths away from: turned
+// aside until the tip reaches no deeper. `away`: the plane's unit normal on the free side.
+vec3 strandPressed(vec3 root, vec3 tip, vec3 away, float gap)
+{
+    float deepest = clamp(gap, 0.0, 1.0);
+    float depth = -dot(tip, away);
+    if (depth <= deepest) return tip;
+    vec3 along = tip + away * depth;
+    vec3 outwards = root - away * dot(root, away);
+    vec3 side = safeNormalize(along + outwards * 0.5, perpendicularTo(away));
+    return side * safeSqrt(1.0 - deepest * deepest) - away * deepest;
+}
