@@ -29,6 +29,8 @@ public:
     [[nodiscard]] virtual int count() const = 0;
     /// Adds a picture of linear light, row 0 at the top, as the new rightmost view. Throws Failure when it is empty.
     virtual void add(const render::Image&) = 0;
+    /// The JSON text of the look that was rendered, for the print to carry.
+    virtual void setLook(std::string) = 0;
 };
 
 /// One view of what is shown, to be rendered; the picture goes to PrintViews::add.

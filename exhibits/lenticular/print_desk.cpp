@@ -337,6 +337,10 @@ std::vector<fs::path> LenticularDesk::write(const ParameterValues& values, std::
     };
     render::Json json = printJson(layout, render::storedDpi(path, layout.settings().dpiX), sources);
     json["desk"] = deskJson(values, sources);
+    if (views) {
+        const std::string& look = static_cast<const DeskViews&>(*views).look();
+        if (!look.empty()) json["scene"] = {{"preset", render::parseJson(look, "the look").root()}};
+    }
     file.json = render::writeJson(json);
     try {
         if (views) {

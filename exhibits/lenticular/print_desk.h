@@ -13,6 +13,9 @@ public:
     [[nodiscard]] int count() const override { return full_.count(); }
     void add(const render::Image&) override;
 
+    void setLook(std::string look) override { look_ = std::move(look); }
+    [[nodiscard]] const std::string& look() const { return look_; }
+
     [[nodiscard]] const ViewSet& full() const { return full_; }
     [[nodiscard]] const ViewSet& small() const { return small_; }
     [[nodiscard]] const std::string& profile() const { return profile_; }
@@ -20,7 +23,7 @@ public:
 
 private:
     ViewSet full_, small_;
-    std::string profile_;
+    std::string profile_, look_;
 };
 
 /// The desk over the interlacer, the charts and the sheets of this folder.
