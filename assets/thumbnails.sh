@@ -15,3 +15,5 @@ $program render hall --size 1280x720 --samples 16 --out assets/pictures/hall.png
 for look in glazed-in-sea-green glass old-gold what-a-ray-costs; do
     $program render sdf_morph --preset assets/presets/sdf_morph/$look.json --size 480x300 --samples 16 --out assets/pictures/$look.png
 done
+$program render lenticular --size 480x300 --samples 16 --out assets/pictures/lenticular-card.png
+$program render lenticular --eye=-3.0444,1.114,3.0205 --target=-3.1905,1.084,2.9535 --fov 40 --size 480x300 --samples 16 --out assets/pictures/lenticular-lenses.png
