@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/stability_report.h"
 
 #include "render/failure.h"
 #include "render/files/assets.h"
@@ -77,9 +78,22 @@ int doctor(bool asJson)
 void addDoctorCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand("doctor", "Say what this machine can do: OpenGL, limits, clock, libraries");
-    auto asJson = std::make_shared<bool>(false);
-    command->add_flag("--json", *asJson, "As JSON");
-    command->callback([&chosen, asJson] { chosen = [asJson] { return doctor(*asJson); }; });
+    struct Given {
+        bool asJson = false;
+        bool stability = false;
+        StabilityOptions options;
+    };
+    auto given = std::make_shared<Given>();
+    command->add_flag("--json", given->asJson, "As JSON");
+    command->add_flag("--stability", given->stability, "Try the hard cases on this machine's driver, and print what holds and what does not");
+    command->add_option("--presets", given->options.presets, "With --stability: random settings of each exhibit")->capture_default_str()->check(CLI::Range(1, 1'000'000));
+    command->add_option("--first-seed", given->options.firstSeed, "With --stability: the seed to begin with; a fault names its own")->capture_default_str();
+    command->callback([&chosen, given] {
+        chosen = [given] {
+            given->options.asJson = given->asJson;
+            return given->stability ? stabilityReport(given->options) : doctor(given->asJson);
+        };
+    });
 }
 
 }  // namespace vitrine::app

@@ -37,6 +37,12 @@ std::string whyNoShadow(const HallScene& scene, const render::Box& box, const re
     return view.mayContain(withShadow(box, towardsSun(scene))) ? std::string() : "neither it nor its shadow is in view";
 }
 
+/// Seconds since the button of exhibit `i` was pressed.
+double sincePress(const FrameRequest& request, std::size_t i)
+{
+    return i < request.sincePressed.size() ? request.sincePressed[i] : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 double buttonScale(double seconds)
@@ -150,7 +156,8 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
             casters.include(box.high);
             derive::addToKey(shadowKey, look.values[i]);
             shadowKey.addValue(i).addValue(p.worldFromExhibit);
-            if (exhibits_[i]->nextChange(look.values[i], request.time) < std::numeric_limits<double>::infinity()) shadowKey.addValue(request.time);
+            const double since = sincePress(request, i);
+            if (exhibits_[i]->nextChangeAfterPress(look.values[i], request.time, since) < std::numeric_limits<double>::infinity()) shadowKey.addValue(request.time).addValue(since);
         }
         present.push_back(std::move(p));
     }
@@ -181,7 +188,8 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
 
     std::vector<double> turns;
     for (std::size_t i = 1; i < exhibits_.size(); ++i) turns.push_back(exhibits_[i]->turnOfHangings(look.values[i], request.time));
-    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {}, request.sincePressed, turns};
+    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {},
+                                  std::span(request.sincePressed).subspan(std::min<std::size_t>(request.sincePressed.size(), 1)), turns};
     theHall.plan(hallContext, plan);
     if (alone) {
         render::Pass clear;
@@ -197,7 +205,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     }
     std::vector<PlanContext> contexts;
     for (Present& p : present)
-        contexts.push_back({look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}, {}});
+        contexts.push_back({look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}, {}, sincePress(request, p.index)});
     for (std::size_t i = 0; i < present.size(); ++i) exhibits_[present[i].index]->plan(contexts[i], plan);
     for (std::size_t i = 0; i < present.size(); ++i) exhibits_[present[i].index]->planOverFrame(contexts[i], plan);
     if (request.transparent) plan.skip("sky", "a transparent background is asked for");
@@ -223,7 +231,7 @@ double Museum::nextChange(const Look& look, const FrameRequest& request) const
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(request.alone ? glm::dmat4(1) : worldFromExhibit(i));
         // What is hidden may move unseen, and so may its shadow.
         const bool shadowSeen = !request.alone && exhibits_[i]->castsShadow() && whyNoShadow(scene, box, view).empty();
-        if (shadowSeen || whyHidden(box, view, request.alone.has_value()).empty()) next = std::min(next, exhibits_[i]->nextChange(look.values[i], request.time));
+        if (shadowSeen || whyHidden(box, view, request.alone.has_value()).empty()) next = std::min(next, exhibits_[i]->nextChangeAfterPress(look.values[i], request.time, sincePress(request, i)));
     }
     return next;
 }

@@ -28,7 +28,7 @@ render::View viewOfWhole(const render::View& view, glm::ivec2 size)
     const glm::dvec2 moved = -2.0 * whole.raster.jitter / glm::dvec2(size);
     shift[3][0] = moved.x;
     shift[3][1] = moved.y;
-    whole.clipFromView = shift * render::reversedPerspective(view.tanHalfFov, view.nearPlane);
+    whole.clipFromView = shift * render::reversedPerspective(view.tanHalfFov, view.nearPlane, view.tanShift);
     whole.clipFromWorld = whole.clipFromView * view.viewFromWorld;
     return whole;
 }

@@ -1,7 +1,5 @@
 #include "render/scene/camera.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -43,16 +41,33 @@ bool View::mayContain(const Box& box) const
     return std::none_of(outside.begin(), outside.end(), [](int n) { return n == 8; });
 }
 
+namespace {
+
+/// A position that float32 matrices can hold; what is no number is the origin.
+glm::dvec3 insideTheWorld(const glm::dvec3& p)
+{
+    glm::dvec3 result(0);
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isnan(p[axis])) result[axis] = std::clamp(p[axis], -farthestPlace, farthestPlace);
+    return result;
+}
+
+}  // namespace
+
 View makeView(const Camera& camera, const Raster& raster)
 {
     View view;
     view.raster = raster;
-    view.eye = camera.eye;
-    const glm::dvec3 toTarget = camera.target - camera.eye;
+    view.eye = insideTheWorld(camera.eye);
+    const glm::dvec3 toTarget = insideTheWorld(camera.target) - view.eye;
     const double distance = glm::length(toTarget);
     const glm::dvec3 forward = distance > 1e-9 ? toTarget / distance : glm::dvec3(0, 0, -1);
     const glm::dvec3 up = std::abs(forward.y) > 0.99999 ? glm::dvec3(0, 0, forward.y > 0 ? 1 : -1) : glm::dvec3(0, 1, 0);
-    view.viewFromWorld = glm::lookAt(camera.eye, camera.eye + forward, up);
+    // Not from a point one metre ahead, as lookAt wants it: far from the origin that is where the eye is.
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
+    const glm::dmat3 viewFromWorld = glm::transpose(glm::dmat3(right, glm::cross(right, forward), -forward));
+    view.viewFromWorld = glm::dmat4(viewFromWorld);
+    view.viewFromWorld[3] = glm::dvec4(-(viewFromWorld * view.eye), 1);
 
     const double degree = std::numbers::pi / 180;
     const double fov = std::clamp(std::isfinite(camera.fovY) ? camera.fovY : 55 * degree, degree, 175 * degree);

@@ -8,7 +8,10 @@
 
 namespace vitrine::render {
 
-/// Where one looks from. World space: y up, metres.
+/// How far from the origin anything may be, along each axis, metres: a thousand kilometers.
+inline constexpr double farthestPlace = 1e6;
+
+/// Where one looks from. World space: y up, metres, within `farthestPlace`.
 struct Camera {
     glm::dvec3 eye{0, 1.65, 10.5};
     glm::dvec3 target{0, 1.75, 0};
@@ -47,7 +50,8 @@ struct View {
     [[nodiscard]] bool mayContain(const Box& worldBox) const;
 };
 
-/// Handles a target equal to the eye, a vertical look direction, and a field of view out of range.
+/// Handles a target equal to the eye, a vertical look direction, a field of view out of range, and positions out of
+/// range or NaN: they are brought into it.
 [[nodiscard]] View makeView(const Camera&, const Raster&);
 
 /// Reversed infinite perspective: near plane at depth 1, infinity at 0. `tanHalfFov` > 0, `nearPlane` > 0;

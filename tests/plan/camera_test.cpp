@@ -1,6 +1,7 @@
 #include "render/scene/camera.h"
 #include "tests/stability/fields.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,6 +83,27 @@ TEST(Camera, H14_AnyFieldOfViewAndDirectionGivesAFinitePicture)
             }
         }
     }
+}
+
+TEST(Camera, H14_NoPlaceIsTooFarOrTooStrangeToLookFrom)
+{
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const glm::dvec3 far(0, 0, 1e17);
+    EXPECT_FALSE(allFinite(glm::lookAt(far, far + glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0))));  // The point ahead is the eye.
+    const double places[] = {0, 1e5, 1e6, -1e17, 1e300, infinity, -infinity, nan};
+    for (const double x : places) {
+        for (const double y : places) {
+            const View view = makeView({.eye = {x, 1, y}, .target = {y, x, -3}}, {});
+            EXPECT_TRUE(allFinite(glm::dmat4(glm::mat4(view.clipFromWorld)))) << x << ' ' << y;
+            const glm::dmat3 turn(view.viewFromWorld);
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j) EXPECT_NEAR(glm::dot(turn[i], turn[j]), i == j ? 1 : 0, 1e-9) << x << ' ' << y;
+        }
+    }
+    // Far off, the direction keeps its digits.
+    const View view = makeView({.eye = {1e5, 0, 1e5}, .target = {1e5 + 1, 0, 1e5 - 1}}, {});
+    EXPECT_NEAR(view.viewFromWorld[0][2], -std::sqrt(0.5), 1e-12);
 }
 
 TEST(Camera, NeverCallsHiddenWhatHasAPointInView)

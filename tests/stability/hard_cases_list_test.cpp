@@ -61,7 +61,7 @@ std::map<int, std::set<std::string>> allNamedTests()
 std::string fault(const std::string& heldBy, const std::set<std::string>& tests, const fs::path& project)
 {
     static const std::regex name(R"(`(\w+\.\w+)`)");
-    static const std::regex exhibit(R"(^with `(exhibits/\w+)`)");
+    static const std::regex exhibit(R"(^with `(exhibits/[\w/.]+)`)");
     bool named = false;
     for (auto n = std::sregex_iterator(heldBy.begin(), heldBy.end(), name); n != std::sregex_iterator(); ++n) {
         named = true;
