@@ -10,8 +10,8 @@ namespace vitrine {
 namespace {
 
 // Where they lie, metres from the middle of the pit, and how they are turned about y.
-const glm::dvec3 homes[furBodyCount] = {{-0.62, 0, -0.30}, {0.60, 0, -0.38}, {0.22, 0, 0.66}};
-constexpr double homeTurns[furBodyCount] = {0, -0.5, 0.2};
+const glm::dvec3 homes[furBodyCount] = {{-0.66, 0, -0.05}, {0.28, 0, 0.72}, {0.45, 0, -0.55}};
+constexpr double homeTurns[furBodyCount] = {0, 0.35, 0.2};
 
 constexpr double strandScale = 0.15;    ///< Metres of lag that count as one strand length (the source's strands).
 constexpr double homeStart = 1.5, homeFull = 3.0;  ///< Seconds: when they begin to be drawn back, and when fully.
@@ -233,7 +233,7 @@ void Bounce::block()
 
 void Bounce::extend(double since)
 {
-    while (static_cast<double>(moments_.size() - 1) * dt < since && end_ == std::numeric_limits<double>::infinity()) {
+    while (static_cast<double>(moments_.size() - 1) * dt <= since && end_ == std::numeric_limits<double>::infinity()) {
         block();
         const double now = static_cast<double>(moments_.size() - 1) * dt;
         if (now >= longest || (now > landed_ + settling && still(moments_.back()))) {

@@ -86,14 +86,14 @@ vec3 strandDirection(vec3 root, vec3 tip, float k, int model)
     return root * cos(k * theta) + across * sin(k * theta);
 }
 
-// Where height `h` of a strand of length 1 lies, from its root: the integral of its direction, in 3-point
+// Where height `h` of a strand of length 1 lies, from its root: the integral of its direction, in 4-point
 // Gauss-Legendre quadrature. `curvature`: how late it bends; the share of the turn at height h is h^curvature.
 vec3 strandPoint(vec3 root, vec3 tip, float h, float curvature, int model)
 {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < 3; ++i) {
-        float x = i == 0 ? 0.1127016653792583 : i == 1 ? 0.5 : 0.8872983346207417;
-        float w = i == 1 ? 0.4444444444444444 : 0.2777777777777778;
+    for (int i = 0; i < 4; ++i) {
+        float x = i == 0 ? 0.0694318442029737 : i == 1 ? 0.3300094782075719 : i == 2 ? 0.6699905217924281 : 0.9305681557970263;
+        float w = i == 0 || i == 3 ? 0.1739274225687269 : 0.3260725774312731;
         sum += strandDirection(root, tip, powPositive(h * x, curvature), model) * w;
     }
     return sum * h;
