@@ -16,9 +16,11 @@ const FurTable& table()
     return made;
 }
 
-BounceSettings settings(std::uint32_t seed = 1)
+BounceSettings settings(int toss = 1)
 {
-    return bounceSettings(table(), table().initial(), nullptr, seed, 0);
+    ParameterValues values = table().initial();
+    values.set(table().toss, toss);
+    return bounceSettings(table(), values, nullptr, 0);
 }
 
 double apart(const FurStates& a, const FurStates& b)
@@ -48,7 +50,7 @@ TEST(Bounce, IsTheSameInWhateverOrderOneAsks)
     std::vector<FurStates> seen;
     for (int i = 0; i < 100; ++i) seen.push_back(forwards.at(0.05 * i));
     for (int i = 99; i >= 0; --i) EXPECT_TRUE(same(backwards.at(0.05 * i), seen[static_cast<std::size_t>(i)])) << i;
-    // And another seed is another throw.
+    // And another number is another throw.
     Bounce other(settings(2));
     EXPECT_GT(apart(other.at(0.5), forwards.at(0.5)), 0.01);
 }
@@ -142,7 +144,7 @@ TEST(Bounce, CollidesWithTheRadiusThatIsDrawn)
     values.set(table().flattening, 1.0);  // Nothing of the fur carries: skin on the ground.
     values.set(table().growing, true);
     values.set(table().growth, 0.08);
-    const BounceSettings s = bounceSettings(table(), values, nullptr, 1, 0.3);
+    const BounceSettings s = bounceSettings(table(), values, nullptr, 0.3);
     render::RigidBodies world({pitRadius, 4, 9.81});
     const int ball = world.add(render::BallShape{ballRadius}, {{0, 1, 0}}, 1);
     bool grew = false;
@@ -162,7 +164,7 @@ TEST(Bounce, RestsOnTheFloorWhateverTheFurCarries)
     ParameterValues values = table().initial();
     for (const double flattening : {0.0, 0.5, 1.0}) {
         values.set(table().flattening, flattening);
-        const BounceSettings s = bounceSettings(table(), values, nullptr, 1, 0);
+        const BounceSettings s = bounceSettings(table(), values, nullptr, 0);
         for (int i = 0; i < furBodyCount; ++i) {
             const double skin = i == furBall ? ballRadius : i == furRoll ? rollRadius : ringTube;
             const double length = values[coatRows(table(), i).length];
