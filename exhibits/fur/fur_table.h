@@ -89,8 +89,8 @@ struct FurTable final : Parameters {
     Real handTurn = real("handTurn", 0.0, degree, Range{-3.141593, 3.141593}, "By hand: how far they are turned about the axis towards the entrance.");
 
     Group accuracy = group("Accuracy");
-    Count shellCount = count("shellCount", 16, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
-    Count samplesBetween = count("samplesBetween", 8, {1, 32}, "Points at most that a ray visits between two shells, where it grazes them.", quality(32));
+    Count shellCount = count("shellCount", 10, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
+    Count samplesBetween = count("samplesBetween", 16, {1, 32}, "Points at most that a ray visits between two shells, where it grazes them.", quality(32));
     Choice<FurSilhouette> silhouette = choice("silhouette", FurSilhouette::march, {"none", "fins", "march"},
         "What fills the gaps between shells seen from the side: nothing, fins along the edges, or a march from shell to shell.", quality(2));
     Choice<FurOrder> drawOrder = choice("drawOrder", FurOrder::outerFirst, {"outer first", "inner first"},

@@ -128,8 +128,9 @@ int main(int argc, char** argv)
 {
     glm::ivec2 size(640, 360);
     int rounds = 5;
-    const bool brief = argc == 2;
-    for (int i = 1; i + 1 < argc; i += 2) {
+    bool brief = false;
+    for (int i = 1; i < argc; ++i) brief = brief || std::strcmp(argv[i], "--brief") == 0;
+    for (int i = 1; i + 1 < argc; ++i) {
         if (std::strcmp(argv[i], "--size") == 0) std::sscanf(argv[i + 1], "%dx%d", &size.x, &size.y);
         if (std::strcmp(argv[i], "--rounds") == 0) rounds = std::max(std::atoi(argv[i + 1]), 1);
     }
@@ -143,8 +144,20 @@ int main(int argc, char** argv)
     };
     const Row reference = bench.row("", [&](ParameterValues& v) { set(v, 256, FurSilhouette::march, FurOrder::outerFirst, false); v.set(t.samplesBetween, 32); });
 
+    std::vector<Row> between{bench.row("as it stands", [](ParameterValues&) {})};
+    for (const int shells : {8, 12, 16}) {
+        for (const int samples : {1, 3, 5, 8}) {
+            between.push_back(bench.row(std::to_string(shells) + " shells, up to " + std::to_string(samples) + " samples between", [&](ParameterValues& v) {
+                set(v, shells, FurSilhouette::march, FurOrder::outerFirst, false);
+                v.set(t.samplesBetween, samples);
+            }));
+        }
+    }
+    if (brief) between.erase(between.begin() + 1, between.end());
+    bench.run("Samples between shells", between, reference.values);
+    if (brief) return 0;
+
     std::vector<Row> counts{bench.row("as it stands", [](ParameterValues&) {})};
-    if (brief) { bench.run("As it stands", counts, counts[0].values); return 0; }
     for (const int shells : {8, 16, 32, 64, 128, 256}) {
         const std::string name = std::to_string(shells) + " shells";
         counts.push_back(bench.row(name + ", inner first", [&](ParameterValues& v) { set(v, shells, FurSilhouette::none, FurOrder::innerFirst, false); }));

