@@ -62,7 +62,7 @@ struct FurTable final : Parameters {
 
     Group jumping = group("Jump");
     Real jump = real("jump", 3.1, none, Range{0, 8}.soft(1, 5), "How fast they leave the ground when the button is pressed, in metres a second.");
-    Count toss = count("toss", 1, Range{1, 9999}.soft(1, 20), "Which of many ways they are tossed: the same number is the same jump.");
+    Count toss = count("toss", 2, Range{1, 9999}.soft(1, 20), "Which of many ways they are tossed: the same number is the same jump.");
     Real frozenAt = real("frozenAt", 0.0, second, Range{0, 10}.soft(0, 5), "Shows them so long after a jump and stops the clock there; 0 lets the button and the clock decide.");
     Real bouncePeriod = real("bouncePeriod", 0.0, second, Range{0, 60}.soft(0, 12), "Lets them jump by themselves every so often; 0 leaves it to the button.");
     Real growth = real("growth", 0.05, metre, Range{0, 0.2}.soft(0, 0.12), "How much the ball's radius grows and shrinks.");

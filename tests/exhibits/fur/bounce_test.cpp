@@ -51,7 +51,7 @@ TEST(Bounce, IsTheSameInWhateverOrderOneAsks)
     for (int i = 0; i < 100; ++i) seen.push_back(forwards.at(0.05 * i));
     for (int i = 99; i >= 0; --i) EXPECT_TRUE(same(backwards.at(0.05 * i), seen[static_cast<std::size_t>(i)])) << i;
     // And another number is another throw.
-    Bounce other(settings(2));
+    Bounce other(settings(3));
     EXPECT_GT(apart(other.at(0.5), forwards.at(0.5)), 0.01);
 }
 
