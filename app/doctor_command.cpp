@@ -1,9 +1,11 @@
 #include "app/command.h"
+#include "app/stability_report.h"
 
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/files/strict_json.h"
 #include "render/gl/context.h"
+#include "render/gl/frame_clock.h"
 #include "render/image/oiio_codec.h"
 
 #include <CLI/CLI.hpp>
@@ -37,10 +39,8 @@ Json examine()
         const render::gl::ContextInfo& gl = context.info();
         report["opengl"] = Json{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"shadingLanguage", gl.shadingLanguage}, {"software", gl.software}, {"usable", true}};
         report["limits"] = Json{{"textureSize", gl.maxTextureSize}, {"samples", gl.maxSamples}, {"uniformBlockBytes", gl.maxUniformBlockSize}};
-        report["clock"] = Json{{"method", gl.software ? "process CPU time around glFinish" : "wall time around glFinish"},
-                               {"trusted", true},
-                               {"why", gl.software ? "the renderer runs on the processor, and its timer queries cover only the last tile"
-                                                   : "no timer query is used: a wall clock around glFinish includes everything"}};
+        const render::ClockChoice& clock = render::gl::trustedClock(gl.software);
+        report["clock"] = Json{{"method", clock.name}, {"trusted", clock.trusted}, {"why", clock.why}, {"overheadMs", 1e3 * clock.overheadSeconds}};
     } catch (const Failure& failure) {
         report["opengl"] = Json{{"usable", false}, {"why", failure.what()}};
     }
@@ -78,9 +78,22 @@ int doctor(bool asJson)
 void addDoctorCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand("doctor", "Say what this machine can do: OpenGL, limits, clock, libraries");
-    auto asJson = std::make_shared<bool>(false);
-    command->add_flag("--json", *asJson, "As JSON");
-    command->callback([&chosen, asJson] { chosen = [asJson] { return doctor(*asJson); }; });
+    struct Given {
+        bool asJson = false;
+        bool stability = false;
+        StabilityOptions options;
+    };
+    auto given = std::make_shared<Given>();
+    command->add_flag("--json", given->asJson, "As JSON");
+    command->add_flag("--stability", given->stability, "Try the hard cases on this machine's driver, and print what holds and what does not");
+    command->add_option("--presets", given->options.presets, "With --stability: random settings of each exhibit")->capture_default_str()->check(CLI::Range(1, 1'000'000));
+    command->add_option("--first-seed", given->options.firstSeed, "With --stability: the seed to begin with; a fault names its own")->capture_default_str();
+    command->callback([&chosen, given] {
+        chosen = [given] {
+            given->options.asJson = given->asJson;
+            return given->stability ? stabilityReport(given->options) : doctor(given->asJson);
+        };
+    });
 }
 
 }  // namespace vitrine::app

@@ -87,6 +87,15 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
 
 }  // namespace
 
+render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
+{
+    const std::string extension = render::lowerExtension(file);
+    if (extension == ".png") return sixteenBit ? render::PictureFormat::png16 : render::PictureFormat::png8;
+    if (extension == ".exr") return render::PictureFormat::exr;
+    if (extension == ".tif" || extension == ".tiff") return sixteenBit ? render::PictureFormat::tiff16 : render::PictureFormat::tiff8;
+    throw Failure(Blame::usage, option + ' ' + file + ": give a name that ends in .png, .exr or .tif.");
+}
+
 glm::dvec3 parseTriple(const std::string& option, const std::string& text)
 {
     const std::vector<std::string> parts = split(text, ',');
@@ -113,25 +122,31 @@ glm::ivec2 parseSize(const std::string& option, const std::string& text)
     return size;
 }
 
+void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& heading)
+{
+    const auto add = [&](const char* name, auto& value, const char* help) { return command.add_option(name, value, help)->group(heading); };
+    add("--preset", o.preset, "A preset of the exhibit, an exhibition, or a picture that carries one");
+    add("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")->take_all()->allow_extra_args(true);
+    add("--time", o.time, "Seconds on the exhibit's clock")->capture_default_str();
+    add("--seed", o.seed, "Of everything random")->capture_default_str();
+    add("--eye", o.eye, "Where the camera is: x,y,z in metres (the exhibit's own space with --alone)");
+    add("--target", o.target, "What it looks at: x,y,z in metres");
+    add("--fov", o.fovDegrees, "Vertical field of view in degrees");
+    add("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
+    add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
+    command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light")->group(heading);
+    add("--samples", o.samples, "Samples per pixel")->capture_default_str()->check(CLI::Range(1, 4096));
+    command.add_flag("--transparent", o.transparent, "Nothing behind it: alpha 0")->group(heading);
+    add("--environment", o.environment, "A panorama in place of the sky");
+    add("--model", o.model, "A glTF object for the free plinth");
+}
+
 void addPictureOptions(CLI::App& command, PictureOptions& o)
 {
     command.add_option("--size", o.size, "Width x height in pixels")->capture_default_str();
-    command.add_option("--preset", o.preset, "A preset of the exhibit, an exhibition, or a picture that carries one");
-    command.add_option("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")->take_all()->allow_extra_args(true);
-    command.add_option("--time", o.time, "Seconds on the exhibit's clock")->capture_default_str();
-    command.add_option("--seed", o.seed, "Of everything random")->capture_default_str();
-    command.add_option("--eye", o.eye, "Where the camera is: x,y,z in metres (the exhibit's own space with --alone)");
-    command.add_option("--target", o.target, "What it looks at: x,y,z in metres");
-    command.add_option("--fov", o.fovDegrees, "Vertical field of view in degrees");
-    command.add_option("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
-    command.add_option("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
-    command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light");
-    command.add_option("--samples", o.samples, "Samples per pixel")->capture_default_str()->check(CLI::Range(1, 4096));
-    command.add_flag("--transparent", o.transparent, "Nothing behind it: alpha 0");
+    addSceneOptions(command, o);
     command.add_flag("--run-everything", o.everything, "Run every pass, called for or not: the picture must not change");
     command.add_option("--channels", o.channels, "color,depth,normal,evaluations (EXR)")->capture_default_str();
-    command.add_option("--environment", o.environment, "A panorama in place of the sky");
-    command.add_option("--model", o.model, "A glTF object for the free plinth");
 }
 
 void applySet(const Museum& museum, Look& look, std::size_t subject, const std::string& assignment, std::vector<std::string>& notes)

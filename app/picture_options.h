@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/picture.h"
+#include "render/image/image_io.h"
 
 #include <optional>
 #include <string>
@@ -33,6 +34,8 @@ struct PictureOptions {
 
 /// Adds the options that describe a picture to a sub-command.
 void addPictureOptions(CLI::App&, PictureOptions&);
+/// Those of them that say what is shown and from where, not how large and into what file; all under one heading.
+void addSceneOptions(CLI::App&, PictureOptions&, const std::string& heading = "Options");
 
 /// Values, camera and request that the options ask for. Throws Failure naming the option and what to give.
 struct PictureJob {
@@ -51,6 +54,9 @@ void applyPreset(const Museum&, const std::string& file, PictureJob&);
 /// Sets one "name=value"; `subject` is what an undotted name belongs to. Plain numbers are in SI units, as
 /// `list --json` and presets have them; "30deg" and "12mm" name their own.
 void applySet(const Museum&, Look&, std::size_t subject, const std::string& assignment, std::vector<std::string>& notes);
+
+/// What a picture's file name ends in says how it is written. Throws Failure (Blame::usage) naming the option.
+[[nodiscard]] render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit);
 
 /// "1.5,2,0" to three finite numbers. Throws Failure (Blame::usage) naming the option.
 [[nodiscard]] glm::dvec3 parseTriple(const std::string& option, const std::string& text);

@@ -1,18 +1,24 @@
 #include "app/command.h"
 #include "app/print_options.h"
+#include "app/print_views.h"
+#include "app/progress.h"
 
 #include "exhibits/lenticular/chart.h"
 #include "exhibits/lenticular/numbers.h"
 #include "exhibits/lenticular/print_file.h"
 #include "exhibits/lenticular/print_json.h"
-#include "exhibits/lenticular/proof.h"
 #include "render/failure.h"
+#include "render/files/atomic_write.h"
+#include "render/files/extension.h"
 #include "render/image/image_io.h"
 
 #include <CLI/CLI.hpp>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <thread>
 
@@ -25,21 +31,6 @@ using lenticular::PrintLayout;
 int threadCount()
 {
     return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
-}
-
-/// Evenly spread, the first and the last included.
-std::vector<fs::path> chosenViews(std::vector<fs::path> files, int count)
-{
-    if (count == 0) return files;
-    if (count < 0 || static_cast<std::size_t>(count) > files.size()) {
-        throw Failure(Blame::usage, "--count " + std::to_string(count) + ": there are " + std::to_string(files.size()) + " views.");
-    }
-    std::vector<fs::path> chosen;
-    for (int i = 0; i < count; ++i) {
-        const double at = count == 1 ? 0.5 * static_cast<double>(files.size() - 1) : static_cast<double>(files.size() - 1) * i / (count - 1);
-        chosen.push_back(files[static_cast<std::size_t>(at + 0.5)]);
-    }
-    return chosen;
 }
 
 void warnOfShapes(const PrintLayout& layout, const lenticular::ViewSet& views)
@@ -55,7 +46,7 @@ void warnOfShapes(const PrintLayout& layout, const lenticular::ViewSet& views)
     }
 }
 
-lenticular::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout, const std::vector<std::string>& sources)
+lenticular::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout, const std::vector<std::string>& sources, const render::Json& scene)
 {
     lenticular::PrintFile file;
     file.path = options.out;
@@ -63,7 +54,9 @@ lenticular::PrintFile printFile(const PrintOptions& options, const PrintLayout& 
     file.compression = streamCompression(options.compression);
     file.tileWidth = options.tileMm;
     file.threads = threadCount();
-    file.json = render::writeJson(lenticular::printJson(layout, render::storedDpi(options.out, layout.settings().dpiX), sources));
+    render::Json json = lenticular::printJson(layout, render::storedDpi(options.out, layout.settings().dpiX), sources);
+    if (!scene.is_null()) json["scene"] = scene;
+    file.json = render::writeJson(json);
     return file;
 }
 
@@ -79,6 +72,16 @@ void say(const PrintLayout& layout, const PrintOptions& options, const std::vect
                 100 * (1 - *most), 100 * (1 - *least), numbers.effectiveViews);
 }
 
+/// Rendering views takes minutes: a print that cannot be written is refused before.
+void checkTarget(const std::string& out)
+{
+    const std::string extension = render::lowerExtension(out);
+    if (extension != ".tif" && extension != ".tiff" && extension != ".png") throw Failure(Blame::usage, "--out " + out + ": give a name that ends in .tif or .png.");
+    const fs::path folder = render::PartFile(out).target().parent_path();
+    if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
+        throw Failure(Blame::file, "Cannot write " + out + ": " + std::strerror(errno) + "; choose another folder.");
+}
+
 int makeChart(const PrintOptions& options)
 {
     using lenticular::ChartKind;
@@ -86,9 +89,9 @@ int makeChart(const PrintOptions& options)
                            : options.chart == "phase" ? ChartKind::phase
                            : options.chart == "views" ? ChartKind::views
                                                       : ChartKind::rotation;
-    const PrintLayout layout(printSettings(options, options.count == 0 ? 12 : options.count));
+    const PrintLayout layout(printSettings(options, options.views.count == 0 ? 12 : options.views.count));
     const lenticular::Chart chart(layout, kind, options.chartSpan / 100);
-    const lenticular::PrintFile file = printFile(options, layout, {options.chart + " chart"});
+    const lenticular::PrintFile file = printFile(options, layout, {options.chart + " chart"}, nullptr);
     const std::vector<fs::path> written = lenticular::writeRaster(
         layout,
         {[&](const lenticular::Region& region, std::uint8_t* out) { chart.fill(region, out); },
@@ -101,50 +104,50 @@ int makeChart(const PrintOptions& options)
 
 int makePrint(const PrintOptions& options)
 {
+    if (options.out.empty() && (options.views.saveViews.empty() || !options.chart.empty())) throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in .tif or .png.");
     if (!options.chart.empty()) return makeChart(options);
-    if (options.views.empty()) throw Failure(Blame::usage, "There are no views; give a folder or files with --views.");
-    const std::vector<fs::path> files = chosenViews(lenticular::viewFiles(options.views), options.count);
-    // Everything that can be refused without reading a picture is refused first.
-    const PrintLayout layout(printSettings(options, static_cast<int>(files.size())));
-    std::vector<std::string> sources;
-    for (const fs::path& file : files) sources.push_back(file.filename().string());
-    const lenticular::ViewSet views = lenticular::readViews(files);
-    warnOfShapes(layout, views);
-    lenticular::PrintFile file = printFile(options, layout, sources);
-    file.profile = render::embeddedProfile(files.front());
-    const std::vector<fs::path> written = lenticular::writePrint(layout, views, file);
+    if (!options.out.empty()) checkTarget(options.out);
+    const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
+    PrintViews made = printViews(options.views, layoutOf);
+    for (const std::string& note : made.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    const PrintLayout layout = layoutOf(made.views.count());
+    warnOfShapes(layout, made.views);
+    std::vector<fs::path> written;
+    lenticular::PrintFile file = printFile(options, layout, made.sources, made.scene);
+    if (!options.out.empty()) {
+        file.profile = made.profile;
+        if (layout.settings().compensate) {
+            const lenticular::ViewMatrix mixing = lenticular::viewMixing(layout);
+            const lenticular::CrossTalk talk = lenticular::crossTalkOf(made.views, mixing, lenticular::compensation(mixing));
+            file.json = lenticular::withCrossTalk(file.json, talk);
+            std::printf("cross-talk %.4f before, %.4f after compensation (root mean square, simulated); %.1f %% beyond black or white\n", talk.before,
+                        talk.after, 100 * talk.clipped);
+        }
+        ProgressLine line("interlacing");
+        file.progress = [&](double part) { return line.show(part); };
+        written = lenticular::writePrint(layout, made.views, file);
+    }
     if (!options.report.empty()) render::atomicWrite(options.report, file.json);
-    say(layout, options, written);
+    if (made.folder) {
+        made.folder->publish();
+        std::printf("%d views in %s\n", made.views.count(), options.views.saveViews.c_str());
+    }
+    if (!written.empty()) say(layout, options, written);
+    for (const std::string& line : made.numbers) std::printf("%s\n", line.c_str());
     return 0;
 }
 
-struct ProofOptions {
-    std::string print, out;
-    double angle = 0, angleY = 0;
-    std::string distance = "inf";
-};
-
-/// The description beside the print, or else the one inside.
-render::JsonDocument descriptionOf(const std::string& print)
+/// Ctrl-C is an orderly end: what was begun is undone, and the message is the one of the step that was stopped.
+int makeStoppably(const PrintOptions& options)
 {
-    std::error_code error;
-    if (fs::exists(print + ".json", error)) return render::readJson(print + ".json");
-    if (const auto text = render::embeddedPrint(print)) return render::parseJson(*text, print);
-    throw Failure(Blame::file, "Cannot look at " + print + ": it carries no description of its sheet, and there is no " + print +
-                                   ".json beside it; choose a file that vitrine print wrote.");
-}
-
-int makeProof(const ProofOptions& options)
-{
-    const bool png = fs::path(options.out).extension() == ".png";
-    if (!png && fs::path(options.out).extension() != ".tif") throw Failure(Blame::usage, "--out " + options.out + ": give a name that ends in .png or .tif.");
-    const render::Image raster = render::readImage(options.print);
-    const PrintLayout layout(lenticular::settingsFromJson(descriptionOf(options.print)));
-    const lenticular::Eye eye{options.angle * lenticular::radiansPerDegree, options.angleY * lenticular::radiansPerDegree,
-                              distanceOf("--distance-mm", options.distance)};
-    const render::Image seen = lenticular::lookThrough(layout, raster, eye);
-    render::writePicture(options.out, seen, png ? render::PictureFormat::png8 : render::PictureFormat::tiff8, {.pixelsPerInch = layout.settings().sheet.lpi()});
-    return 0;
+    const StopSignal signal;
+    try {
+        return makePrint(options);
+    } catch (const Failure& failure) {
+        if (!StopSignal::stopped()) throw;
+        std::fprintf(stderr, "vitrine: %s\n", failure.what());
+        return StopSignal::exitCode;
+    }
 }
 
 }  // namespace
@@ -154,19 +157,7 @@ void addPrintCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand("print", "Interlace views into a print for a lenticular sheet");
     auto options = std::make_shared<PrintOptions>();
     addPrintOptions(*command, *options);
-    command->callback([&chosen, options] { chosen = [options] { return makePrint(*options); }; });
-}
-
-void addProofCommand(CLI::App& parser, Action& chosen)
-{
-    CLI::App* command = parser.add_subcommand("proof", "Show an interlaced print as it looks through its sheet");
-    auto options = std::make_shared<ProofOptions>();
-    command->add_option("print", options->print, "A file that vitrine print wrote")->required();
-    command->add_option("--angle", options->angle, "Of the eye across the lenses, in degrees; positive to the right, or below")->required();
-    command->add_option("--angle-y", options->angleY, "Of the eye along the lenses, in degrees; positive above, or to the right");
-    command->add_option("--distance-mm", options->distance, "Of the eye, or inf")->capture_default_str();
-    command->add_option("--out", options->out, "The picture: .png or .tif, one pixel for each lens")->required();
-    command->callback([&chosen, options] { chosen = [options] { return makeProof(*options); }; });
+    command->callback([&chosen, options] { chosen = [options] { return makeStoppably(*options); }; });
 }
 
 }  // namespace vitrine::app

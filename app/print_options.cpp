@@ -79,16 +79,21 @@ lenticular::PrintSettings printSettings(const PrintOptions& options, int views)
                       : options.method == "guard" ? lenticular::Method::guard
                                                   : lenticular::Method::area;
     settings.guard = options.guard;
+    settings.border = options.borderMm;
+    settings.inkSpread = options.inkUm / 1000;
+    settings.dither = options.dither;
+    settings.compensate = options.compensate;
+    if (options.dither && options.bits == 16) throw Failure(Blame::usage, "--dither is for 8 bits; 16 bits need none.");
+    if (options.borderMm != 0 && !options.chart.empty()) throw Failure(Blame::usage, "--border-mm: charts have a border of their own.");
     return settings;
 }
 
 void addPrintOptions(CLI::App& command, PrintOptions& o)
 {
-    command.add_option("--views", o.views, "A folder of pictures, or the pictures, in the order seen from left to right");
+    addViewOptions(command, o.views);
     command.add_option("--chart", o.chart, "Instead of views, a sheet to calibrate with: pitch, phase, views or rotation")->check(CLI::IsMember({"pitch", "phase", "views", "rotation"}));
     command.add_option("--chart-span", o.chartSpan, "Of a pitch chart, in percent each way: 1 is coarse, 0.1 fine")->capture_default_str();
-    command.add_option("--count", o.count, "How many of the views, spread evenly; by default all");
-    command.add_option("--out", o.out, "The print: .tif or .png")->required();
+    command.add_option("--out", o.out, "The print: .tif or .png; may be left out with --save-views");
     command.add_option("--report", o.report, "Also write the print's description here, as JSON; it always lies beside the print and in it");
     command.add_option("--lpi", o.lpi, "Lenses per inch of the sheet");
     command.add_option("--effective-lpi", o.effectiveLpi, "Lenses per inch as measured");
@@ -105,6 +110,10 @@ void addPrintOptions(CLI::App& command, PrintOptions& o)
     command.add_flag("--mirror", o.mirror, "For printing on the sheet's back");
     command.add_option("--method", o.method, "nearest, area or guard")->capture_default_str()->check(CLI::IsMember({"nearest", "area", "guard"}));
     command.add_option("--guard", o.guard, "With --method guard: part of a strip that its blended edges take")->capture_default_str();
+    command.add_option("--border-mm", o.borderMm, "White paper around trim and bleed, on every side");
+    command.add_flag("--dither", o.dither, "Spread what 8 bits cannot say over neighboring pixels");
+    command.add_flag("--crosstalk-compensation", o.compensate, "Change the views so that the sheet's mixing of them shows less");
+    command.add_option("--ink-um", o.inkUm, "How far a printed point spreads (standard deviation), for cross-talk");
     command.add_option("--bits", o.bits, "8 or 16")->capture_default_str()->check(CLI::IsMember({8, 16}));
     command.add_option("--compression", o.compression, "Of TIFF: none, deflate or zstd")->capture_default_str()->check(CLI::IsMember({"none", "deflate", "zstd"}));
     command.add_option("--tile-mm", o.tileMm, "Cut into files of about this width, between lenses");

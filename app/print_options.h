@@ -1,10 +1,10 @@
 #pragma once
 
+#include "app/view_options.h"
 #include "exhibits/lenticular/print_layout.h"
 #include "render/image/picture_stream.h"
 
 #include <string>
-#include <vector>
 
 namespace CLI {
 class App;
@@ -14,11 +14,10 @@ namespace vitrine::app {
 
 /// What `print` can be told, as typed.
 struct PrintOptions {
-    std::vector<std::string> views;
+    ViewOptions views;
     std::string chart;               ///< "pitch", "phase", "views", "rotation"; empty: a print of views.
     double chartSpan = 1;            ///< Of a pitch chart, in percent each way.
     std::string out, report;
-    int count = 0;                   ///< 0: all views.
     double lpi = 0, effectiveLpi = 0, dpi = 600, dpiY = 0;
     double widthMm = 0, heightMm = 0, bleedMm = 0;
     std::string distance = "inf";
@@ -28,6 +27,8 @@ struct PrintOptions {
     bool mirror = false;
     std::string method = "area";
     double guard = 0.25;
+    double borderMm = 0, inkUm = 0;
+    bool dither = false, compensate = false;
     int bits = 8;
     std::string compression = "none";
     double tileMm = 0;

@@ -4,7 +4,6 @@
 
 #include "exhibits/framework/preset.h"
 #include "render/failure.h"
-#include "render/files/extension.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/image/image_io.h"
@@ -24,15 +23,6 @@ struct RenderOptions {
     bool sixteenBit = false;
 };
 
-render::PictureFormat formatOf(const std::string& file, bool sixteenBit)
-{
-    const std::string extension = render::lowerExtension(file);
-    if (extension == ".png") return sixteenBit ? render::PictureFormat::png16 : render::PictureFormat::png8;
-    if (extension == ".exr") return render::PictureFormat::exr;
-    if (extension == ".tif" || extension == ".tiff") return sixteenBit ? render::PictureFormat::tiff16 : render::PictureFormat::tiff8;
-    throw Failure(Blame::usage, "--out " + file + ": give a name that ends in .png, .exr or .tif.");
-}
-
 /// The preset that brings this picture back: of the exhibit, or of everything.
 std::string presetOf(const Museum& museum, const PictureJob& job)
 {
@@ -45,7 +35,7 @@ std::string presetOf(const Museum& museum, const PictureJob& job)
 
 int renderPicture(const RenderOptions& options)
 {
-    const render::PictureFormat format = formatOf(options.picture.out, options.sixteenBit);
+    const render::PictureFormat format = pictureFormat("--out", options.picture.out, options.sixteenBit);
     const render::gl::HeadlessContext context;
     const Museum museum;
     const PictureJob job = pictureJob(museum, options.picture);

@@ -63,7 +63,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     const Json report{{"exhibit", std::string(museum.exhibits()[job.subject]->name())},
                       {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},
                       {"renderer", gl.renderer},
-                      {"clock", Json{{"method", first.clock}, {"trusted", first.clockTrusted}}},
+                      {"clock", Json{{"method", first.clock}, {"trusted", first.clockTrusted}, {"overheadMs", first.overheadMilliseconds}}},
                       {"ran", ran},
                       {"skipped", skipped},
                       {"counters", counters},

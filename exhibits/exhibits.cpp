@@ -1,6 +1,9 @@
 #include "exhibits/exhibits.h"
 
+#include "exhibits/crepuscular_rays/crepuscular_rays.h"
 #include "exhibits/fur/fur.h"
+#include "exhibits/lenticular/lenticular.h"
+#include "exhibits/lenticular/print_desk.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 
 namespace vitrine {
@@ -9,8 +12,15 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
 {
     std::vector<std::unique_ptr<Exhibit>> exhibits;
     exhibits.push_back(std::make_unique<SdfMorph>());
+    exhibits.push_back(std::make_unique<Lenticular>());
     exhibits.push_back(std::make_unique<Fur>());
+    exhibits.push_back(std::make_unique<CrepuscularRays>());
     return exhibits;
+}
+
+std::unique_ptr<PrintDesk> makePrintDesk()
+{
+    return std::make_unique<lenticular::LenticularDesk>();
 }
 
 }  // namespace vitrine

@@ -4,6 +4,7 @@
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
+#include "exhibits/hall/hall_table.h"
 #include "exhibits/hall/walk.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
@@ -82,6 +83,13 @@ Look Museum::initialLook() const
     return look;
 }
 
+PictureQuality Museum::pictureQuality(const Look& look)
+{
+    const HallTable names;
+    const ParameterValues& hall = look.values.front();
+    return {hall[names.supersamples], hall[names.resolutionScale]};
+}
+
 glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
 {
     const Place* place = model_->place(exhibits_[i]->place());
@@ -142,7 +150,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(p.worldFromExhibit);
         p.hidden = request.runEverything ? std::string() : whyHidden(box, plan.view, alone);
-        p.noShadow = request.runEverything ? whyUnlit(scene, box) : whyNoShadow(scene, box, plan.view);
+        p.noShadow = !exhibits_[i]->castsShadow() ? "it is made of light" : request.runEverything ? whyUnlit(scene, box) : whyNoShadow(scene, box, plan.view);
         if (p.noShadow.empty()) {
             casters.include(box.low);
             casters.include(box.high);
@@ -177,8 +185,10 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);
     }
 
+    std::vector<double> turns;
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) turns.push_back(exhibits_[i]->turnOfHangings(look.values[i], request.time));
     const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {},
-                                  std::span(request.sincePressed).subspan(std::min<std::size_t>(request.sincePressed.size(), 1))};
+                                  std::span(request.sincePressed).subspan(std::min<std::size_t>(request.sincePressed.size(), 1)), turns};
     theHall.plan(hallContext, plan);
     if (alone) {
         render::Pass clear;
@@ -192,10 +202,11 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         clear.depth = render::Attachment{depthImage, render::Load::clear, {}, -1, 0};
         plan.add(std::move(clear));
     }
-    for (Present& p : present) {
-        const PlanContext context{look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}, sincePress(request, p.index)};
-        exhibits_[p.index]->plan(context, plan);
-    }
+    std::vector<PlanContext> contexts;
+    for (Present& p : present)
+        contexts.push_back({look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}, {}, sincePress(request, p.index)});
+    for (std::size_t i = 0; i < present.size(); ++i) exhibits_[present[i].index]->plan(contexts[i], plan);
+    for (std::size_t i = 0; i < present.size(); ++i) exhibits_[present[i].index]->planOverFrame(contexts[i], plan);
     if (request.transparent) plan.skip("sky", "a transparent background is asked for");
     else planSky(scene, light, plan);
     planDevelop(light, request, plan);
@@ -218,7 +229,7 @@ double Museum::nextChange(const Look& look, const FrameRequest& request) const
         if (request.alone && *request.alone != i) continue;
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(request.alone ? glm::dmat4(1) : worldFromExhibit(i));
         // What is hidden may move unseen, and so may its shadow.
-        const bool shadowSeen = !request.alone && whyNoShadow(scene, box, view).empty();
+        const bool shadowSeen = !request.alone && exhibits_[i]->castsShadow() && whyNoShadow(scene, box, view).empty();
         if (shadowSeen || whyHidden(box, view, request.alone.has_value()).empty()) next = std::min(next, exhibits_[i]->nextChangeAfterPress(look.values[i], request.time, sincePress(request, i)));
     }
     return next;
@@ -249,7 +260,7 @@ std::optional<std::size_t> Museum::pick(const Look& look, glm::dvec2 ndc, double
 {
     const int height = 1000;
     const render::View view = render::makeView(look.camera, {.size = {static_cast<int>(height * aspect), height}});
-    const glm::dvec3 direction = glm::dvec3(glm::transpose(glm::dmat3(view.viewFromWorld)) * glm::dvec3(ndc * view.tanHalfFov, -1));
+    const glm::dvec3 direction = view.direction(ndc);
     std::optional<std::size_t> nearest;
     double nearestDistance = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {

@@ -46,6 +46,8 @@ public:
     [[nodiscard]] virtual std::vector<render::gl::ShaderProblem> problems() const = 0;
     /// A finished picture to make step by step, with the context current at every step and at its end.
     [[nodiscard]] virtual PictureJob makePicture(const Look&, const PictureRequest&) = 0;
+    /// Another one on the same renderer, which keeps its programs and textures.
+    virtual void nextPicture(PictureJob&, const Look&, const PictureRequest&) = 0;
 };
 
 }  // namespace vitrine::ui

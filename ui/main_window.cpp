@@ -8,6 +8,7 @@
 #include "ui/picture_export.h"
 #include "ui/preset_list.h"
 #include "ui/preset_shelf.h"
+#include "ui/print_dialog.h"
 #include "ui/session_keeper.h"
 #include "ui/status_line.h"
 #include "ui/viewport.h"
@@ -83,6 +84,7 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
 MainWindow::~MainWindow()
 {
     // Pictures in the making let go of the context while the viewport and the message strip are still there.
+    qDeleteAll(findChildren<PrintDialog*>());
     qDeleteAll(findChildren<PictureExport*>());
 }
 

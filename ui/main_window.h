@@ -54,6 +54,7 @@ public:
     void setFullScreen(bool);
     void saveScreenshotNow();
     void openScreenshotDialog();
+    void openPrintDialog();
     void resetEverything();
     void openPalette();
     void openShortcutSheet();

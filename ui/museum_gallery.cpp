@@ -86,8 +86,13 @@ PictureJob MuseumGallery::makePicture(const Look& look, const PictureRequest& re
 {
     PictureJob job;
     job.renderer = std::make_unique<render::gl::Renderer>();
-    job.maker = std::make_unique<PictureMaker>(museum_, *job.renderer, look, request);
+    nextPicture(job, look, request);
     return job;
+}
+
+void MuseumGallery::nextPicture(PictureJob& job, const Look& look, const PictureRequest& request)
+{
+    job.maker = std::make_unique<PictureMaker>(museum_, *job.renderer, look, request);
 }
 
 }  // namespace vitrine::ui

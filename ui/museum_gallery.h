@@ -26,6 +26,7 @@ public:
     bool reloadChangedShaders() override;
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override;
     [[nodiscard]] PictureJob makePicture(const Look&, const PictureRequest&) override;
+    void nextPicture(PictureJob&, const Look&, const PictureRequest&) override;
 
 private:
     const Museum& museum_;

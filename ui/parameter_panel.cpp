@@ -133,6 +133,17 @@ ParameterRow* ParameterPanel::row(std::string_view name) const
     return i ? rows_[*i] : nullptr;
 }
 
+void ParameterPanel::setWanted(const std::function<bool(const ParameterInfo&)>& wanted)
+{
+    bool changed = false;
+    for (ParameterRow* row : rows_) {
+        const bool now = !wanted || wanted(row->info());
+        changed = changed || now != row->wanted();
+        row->setWanted(now);
+    }
+    if (changed) applyFilter();
+}
+
 void ParameterPanel::setGaugesShown(bool shown)
 {
     gauges_ = shown;

@@ -6,6 +6,7 @@
 #include <QSet>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,8 @@ public:
     void showValues(const ParameterValues&, const QString& exhibit);
     [[nodiscard]] const std::optional<ParameterValues>& values() const { return values_; }
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
+    /// Shows only rows that are wanted; an empty function wants all.
+    void setWanted(const std::function<bool(const ParameterInfo&)>&);
     /// Connect `accuracyAsked` before showing the gauge: a mark that does nothing is no mark.
     void setGaugesShown(bool);
 

@@ -64,6 +64,9 @@ public:
     [[nodiscard]] bool differs() const { return differs_; }
     /// Whether label, name, group, help or a choice contains `words`, whatever the case.
     [[nodiscard]] bool matches(const QString& words) const;
+    /// A row that means nothing at the moment is not shown, whatever is searched for.
+    void setWanted(bool wanted) { wanted_ = wanted; }
+    [[nodiscard]] bool wanted() const { return wanted_; }
     /// Quality parameters show their gauge only once something answers it.
     void setGaugeShown(bool);
 
@@ -77,6 +80,7 @@ private:
     ResetDot* dot_;
     GaugeMark* gauge_ = nullptr;
     bool differs_ = false;
+    bool wanted_ = true;
 };
 
 }  // namespace vitrine::ui

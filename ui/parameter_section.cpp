@@ -94,7 +94,7 @@ int ParameterSection::filter(const QString& words, bool onlyChanged)
     onlyChanged_ = onlyChanged;
     layOut();
     return static_cast<int>(std::count_if(rows_.begin(), rows_.end(), [&](const ParameterRow* row) {
-        return row->matches(words_) && (!onlyChanged_ || row->differs());
+        return row->wanted() && row->matches(words_) && (!onlyChanged_ || row->differs());
     }));
 }
 
@@ -109,7 +109,7 @@ void ParameterSection::layOut()
     const bool filtering = !words_.isEmpty() || onlyChanged_;
     bool any = false;
     for (ParameterRow* row : rows_) {
-        const bool matches = row->matches(words_) && (!onlyChanged_ || row->differs());
+        const bool matches = row->wanted() && row->matches(words_) && (!onlyChanged_ || row->differs());
         any = any || matches;
         row->setVisible(matches && (filtering || !folded()));
     }

@@ -31,6 +31,7 @@ void StatusLine::note(const render::FrameReport& report, const QSize& pixels)
     pixels_ = pixels;
     milliseconds_ = report.milliseconds;
     clock_ = QString::fromStdString(report.clock);
+    if (!report.clockTrusted) clock_ += tr(", not trusted");
     ran_ = report.ran.size();
     skipped_ = report.skipped.size();
     if (!timer_.isActive()) timer_.start();

@@ -98,6 +98,9 @@ WindowActions::WindowActions(MainWindow& window)
              [&window] { window.saveScreenshotNow(); });
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
              tr("Any size, supersampling, PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
+    make.add(tr("Export &lenticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
+             tr("Views of what is shown, or of your own, interlaced for a sheet of lenses; and charts to calibrate it with."),
+             [&window] { window.openPrintDialog(); });
     make.separator();
     make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}, tr("Closes the window; everything comes back next time."),
              [&window] { window.close(); });

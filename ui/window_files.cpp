@@ -1,10 +1,13 @@
 // Files that come to the window and pictures that leave it.
 #include "ui/main_window.h"
 
+#include "exhibits/exhibits.h"
 #include "ui/picture_export.h"
 #include "ui/preset_shelf.h"
+#include "ui/print_dialog.h"
 #include "ui/screenshot_dialog.h"
 #include "ui/session_keeper.h"
+#include "ui/shown_views.h"
 #include "ui/viewport.h"
 
 #include <QCloseEvent>
@@ -86,6 +89,15 @@ void MainWindow::saveScreenshotNow()
 void MainWindow::openScreenshotDialog()
 {
     (new ScreenshotDialog(*this))->show();
+}
+
+void MainWindow::openPrintDialog()
+{
+    auto* dialog = findChild<PrintDialog*>();
+    if (!dialog) dialog = new PrintDialog(makePrintDesk(), new ShownViews(*this), this);
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
 }
 
 }  // namespace vitrine::ui

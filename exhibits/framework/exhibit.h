@@ -43,6 +43,7 @@ struct PlanContext {
     std::string hiddenBecause;       ///< Empty when its bounds may be visible from the camera.
     std::string noShadowBecause;     ///< Empty when its shadow may be seen and the sun may reach its bounds.
     std::span<const double> sincePressed;  ///< For the hall: seconds since each guest's button was pressed.
+    std::span<const double> turns;         ///< For the hall: each guest's `turnOfHangings`.
     double sinceOwnPress = std::numeric_limits<double>::infinity();  ///< For a guest: seconds since its own was; infinity: never.
 };
 
@@ -89,6 +90,12 @@ public:
     }
 
     virtual void plan(const PlanContext&, render::FramePlan&) const = 0;
+    /// What it lays over the frame: called when every exhibit has planned its part, before the sky.
+    virtual void planOverFrame(const PlanContext&, render::FramePlan&) const {}
+    /// Whether it draws into the exhibits' shadow map; false for what is made of light alone.
+    [[nodiscard]] virtual bool castsShadow() const { return true; }
+    /// How far the hanging parts of its place have turned about their own upright axis, radians.
+    [[nodiscard]] virtual double turnOfHangings(const ParameterValues&, double time) const { (void)time; return 0; }
 };
 
 }  // namespace vitrine

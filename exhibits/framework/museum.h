@@ -48,6 +48,14 @@ struct LookedAt {
     std::string text;  ///< "E – melt it".
 };
 
+/// How finely a picture is drawn: rows of the hall's table that are no part of what is shown.
+struct PictureQuality {
+    int supersamples = 16;
+    double resolutionScale = 1;
+};
+inline constexpr std::string_view supersamplesRow = "supersamples";
+inline constexpr std::string_view resolutionScaleRow = "resolutionScale";
+
 class HallModel;
 
 /// The building and everything in it.
@@ -63,6 +71,8 @@ public:
     [[nodiscard]] const Exhibit& hall() const { return *exhibits_.front(); }
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     [[nodiscard]] Look initialLook() const;
+
+    [[nodiscard]] static PictureQuality pictureQuality(const Look&);
 
     /// Where exhibit `i` stands.
     [[nodiscard]] glm::dmat4 worldFromExhibit(std::size_t i) const;

@@ -7,6 +7,11 @@
 #include <limits>
 
 namespace vitrine {
+namespace {
+
+constexpr int apron = 8;  ///< Pixels: two cells of the coarsest image that is brought up to the picture's size.
+
+}  // namespace
 
 PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, Look look, PictureRequest request)
     : museum_(museum), painter_(painter), look_(std::move(look)), request_(std::move(request))
@@ -15,10 +20,19 @@ PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, Look 
     if (size.x < 1 || size.y < 1) throw Failure(Blame::usage, "A picture needs at least 1 × 1 pixels; " + std::to_string(size.x) + " × " + std::to_string(size.y) + " were asked for.");
     request_.samples = std::max(request_.samples, 1);
     int side = std::max(std::min(request_.largestTile, painter_.largestSide()), 1);
+    // A tile is drawn with the pixels around it, for effects that look at a pixel's neighbors.
+    const bool whole = side >= size.x && side >= size.y;
+    if (!whole) side = std::max(std::min(side, painter_.largestSide() - 2 * apron), 1);
     // Textures are filtered by differences within blocks of 2 × 2 pixels: these must lie as in the whole picture.
     if (side > 1) side -= side % 2;
-    for (int y = 0; y < size.y; y += side)
-        for (int x = 0; x < size.x; x += side) tiles_.push_back({{x, y}, glm::min(glm::ivec2(side), size - glm::ivec2(x, y))});
+    for (int y = 0; y < size.y; y += side) {
+        for (int x = 0; x < size.x; x += side) {
+            const glm::ivec2 offset(x, y);
+            const glm::ivec2 tile = glm::min(glm::ivec2(side), size - offset);
+            const glm::ivec2 low = glm::max(offset - apron, glm::ivec2(0));
+            tiles_.push_back({offset, tile, low, glm::min(offset + tile + apron, size) - low});
+        }
+    }
 
     std::vector<std::string> names{"R", "G", "B", "A"};
     if (request_.depth) names.emplace_back("depth.Z");
@@ -46,8 +60,8 @@ bool PictureMaker::step()
     FrameRequest frame = request_.frame;
     frame.sample = static_cast<int>(stepsDone_ % samples);
     frame.samples = request_.samples;
-    frame.raster.offset = tile.offset;
-    frame.raster.tile = tile.size;
+    frame.raster.offset = tile.drawnOffset;
+    frame.raster.tile = tile.drawnSize;
     if (frame.sample > 0) frame.channels = {};
     render::FrameReport report = painter_.draw(museum_.plan(look_, frame, painter_.kept()));
     if (stepsDone_ == 0) report_ = std::move(report);
@@ -82,9 +96,11 @@ void PictureMaker::takeColor(const Tile& tile)
 void PictureMaker::copyChannels(const render::Image& from, const Tile& tile, int first, int count, int to)
 {
     const int top = picture_.height - tile.offset.y - tile.size.y;
+    const int left = tile.offset.x - tile.drawnOffset.x;
+    const int above = tile.drawnOffset.y + tile.drawnSize.y - tile.offset.y - tile.size.y;
     for (int y = 0; y < tile.size.y; ++y)
         for (int x = 0; x < tile.size.x; ++x)
-            for (int c = 0; c < count; ++c) picture_.at(tile.offset.x + x, top + y, to + c) = from.at(x, y, first + c);
+            for (int c = 0; c < count; ++c) picture_.at(tile.offset.x + x, top + y, to + c) = from.at(left + x, above + y, first + c);
 }
 
 void PictureMaker::finish()

@@ -37,7 +37,8 @@ public:
 
 private:
     struct Tile {
-        glm::ivec2 offset, size;  ///< Pixels, from the lower left corner of the picture.
+        glm::ivec2 offset, size;            ///< Pixels, from the lower left corner of the picture.
+        glm::ivec2 drawnOffset, drawnSize;  ///< The same with an apron around it, as far as the picture goes.
     };
     void takeChannels(const Tile&);
     void takeColor(const Tile&);

@@ -168,8 +168,16 @@ render::Camera cameraFromJson(const Json& json, const JsonPlace& place, std::vec
 {
     if (!json.is_object()) wrongType(place, "an object", json);
     render::Camera camera;
-    if (json.contains("eye")) camera.eye = threeAt(json["eye"], place.inside("eye"));
-    if (json.contains("target")) camera.target = threeAt(json["target"], place.inside("target"));
+    const auto position = [&](const char* key, glm::dvec3& into) {
+        if (!json.contains(key)) return;
+        const glm::dvec3 written = threeAt(json[key], place.inside(key));
+        into = glm::clamp(written, -render::farthestPlace, render::farthestPlace);
+        if (into == written) return;
+        notes.push_back(std::string("camera.") + key + ' ' + textOf(written) + " -> " + textOf(into) + " (allowed -" + shortestNumber(render::farthestPlace) + " to " +
+                        shortestNumber(render::farthestPlace) + " m)");
+    };
+    position("eye", camera.eye);
+    position("target", camera.target);
     if (json.contains("fov")) {
         const double written = numberAt(json["fov"], place.inside("fov"));
         // The limits of render::makeView, 1° and 175°.

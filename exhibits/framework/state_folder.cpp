@@ -23,4 +23,9 @@ std::filesystem::path userPresetFolder()
     return std::filesystem::path(data.toStdString()) / "vitrine" / "presets";
 }
 
+std::filesystem::path configFolder()
+{
+    return std::filesystem::path(QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation).toStdString()) / "vitrine";
+}
+
 }  // namespace vitrine

@@ -12,4 +12,7 @@ namespace vitrine {
 /// application is called ("~/.local/share/vitrine/presets"). Not created here.
 [[nodiscard]] std::filesystem::path userPresetFolder();
 
+/// Where settings live: "~/.config/vitrine", whatever the application is called. Not created here.
+[[nodiscard]] std::filesystem::path configFolder();
+
 }  // namespace vitrine

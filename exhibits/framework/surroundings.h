@@ -30,6 +30,11 @@ struct Surroundings {
     LightBlock light;
     std::vector<render::Input> inputs;  ///< Shadow maps, probe, environment picture.
 
+    /// Through these the sun shines into the hall and the sky is seen: each flat along one axis. World space;
+    /// none when there is no hall.
+    std::vector<render::Box> openings;
+    render::Box room;  ///< The air between walls, floor and vault; empty when there is no hall.
+
     /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while `castsShadows`.
     render::View exhibitShadowView;
     bool castsShadows = false;

@@ -55,7 +55,7 @@ HallScene Hall::scene(const ParameterValues& values, bool alone) const
         loaded_->model = model.empty() ? nullptr : std::make_shared<render::Model>(render::loadGltf(model));
         loaded_->modelPath = model;
     }
-    HallScene scene{*model_, table_, values, alone, loaded_->environment, nullptr, glm::dmat4(1), text_, guests_};
+    HallScene scene{*model_, table_, values, alone, loaded_->environment, nullptr, glm::dmat4(1), text_, guests_, {}};
     if (alone || !loaded_->model) return scene;
 
     scene.visitorModel = loaded_->model;
@@ -73,7 +73,8 @@ HallScene Hall::scene(const ParameterValues& values, bool alone) const
 
 void Hall::plan(const PlanContext& context, render::FramePlan& plan) const
 {
-    const HallScene hall = scene(context.values, context.alone);
+    HallScene hall = scene(context.values, context.alone);
+    hall.turns = context.turns;
     planHallShadow(hall, context.surroundings, plan);
     planProbe(hall, context.surroundings, plan);
     if (context.alone) plan.skip("hall/walls", "the exhibit is shown alone");

@@ -14,6 +14,8 @@ namespace {
 // Openings of the hall, metres: the arched window in the far wall and the oculus above the middle.
 const render::Box windowOpening{{-1.2, 1.4, -12.5}, {1.2, 6.4, -11.9}};
 const render::Box oculusOpening{{-1.4, 9.0, -1.4}, {1.4, 9.8, 1.4}};
+/// The nave, from floor to vault.
+const render::Box room{{-6, 0, -12}, {6, 9, 12}};
 
 /// The exposure at which plaster in the shade of the default light is about a quarter grey.
 constexpr double baseExposure = 6.5;
@@ -91,7 +93,9 @@ Surroundings surroundings(const HallScene& scene)
         light.sunDirection.w = static_cast<float>(2 / view.clipFromView[0][0] / mapSize);
         result.inputs.push_back({UNIT_SHADOW_HALL, std::string("shadow.hall")});
     }
-    if (scene.alone == false) {
+    if (!scene.alone) {
+        result.openings = {windowOpening, oculusOpening};
+        result.room = room;
         const glm::dvec3 weights = lightmapWeights(scene.model.sunLightmapInfo(), values[table.sunElevation]);
         for (int i = 0; i < 3; ++i) light.sunLightmap[i] = static_cast<float>(weights[i] * scene.model.sunLightmapInfo()[static_cast<std::size_t>(i)].scale);
     }

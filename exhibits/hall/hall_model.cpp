@@ -137,6 +137,8 @@ void HallModel::sortParts(const render::Model& model)
     for (const render::Part& part : model.parts) {
         if (const auto n = placeNumber(part.name, "cloth_")) places_[*n].cloth.push_back(part);
         else if (const auto m = placeNumber(part.name, "stand_")) places_[*m].stand.push_back(part);
+        else if (const auto b = placeNumber(part.name, "banner_")) places_[*b].stand.push_back(part);
+        else if (const auto t = placeNumber(part.name, "mobile_")) places_[*t].turning.push_back(part);
         else if (part.name.rfind("hall_", 0) == 0) {
             walls_.push_back(withTangents(part, material(part.material ? part.material->name : std::string())));
             const render::Box box = part.mesh->bounds.transformed(part.modelFromPart);

@@ -22,6 +22,7 @@ struct Place {
     std::optional<glm::dmat4> worldFromButton;  ///< +y the way out of the button.
     std::vector<render::Part> cloth;            ///< Drawn while the place is empty.
     std::vector<render::Part> stand;            ///< Drawn while it is not.
+    std::vector<render::Part> turning;          ///< The same, turned about the y axis of its node.
 };
 
 /// An upright obstacle: a box (oriented by its transform) or a cylinder around its y axis.

@@ -2,6 +2,7 @@
 
 #include "exhibits/hall/plaque_text.h"
 #include "exhibits/hall/surface_draw.h"
+#include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -22,12 +23,26 @@ bool isOccupied(const HallScene& scene, int place)
     return std::any_of(scene.guests.begin(), scene.guests.end(), [&](const Guest& g) { return g.place == place; });
 }
 
-/// Cloths over empty places, stands of occupied ones: what stands in the hall beside its walls.
-std::vector<const Part*> standing(const HallScene& scene)
+double turnAt(const HallScene& scene, int place)
 {
-    std::vector<const Part*> parts;
-    for (const auto& [number, place] : scene.model.places())
-        for (const Part& part : isOccupied(scene, number) ? place.stand : place.cloth) parts.push_back(&part);
+    for (std::size_t i = 0; i < scene.guests.size() && i < scene.turns.size(); ++i)
+        if (scene.guests[i].place == place) return scene.turns[i];
+    return 0;
+}
+
+/// Cloths over empty places, stands and hangings of occupied ones: what is in the hall beside its walls.
+std::vector<Part> standing(const HallScene& scene)
+{
+    std::vector<Part> parts;
+    for (const auto& [number, place] : scene.model.places()) {
+        const bool occupied = isOccupied(scene, number);
+        for (const Part& part : occupied ? place.stand : place.cloth) parts.push_back(part);
+        if (!occupied) continue;
+        for (Part part : place.turning) {
+            part.modelFromPart = glm::rotate(part.modelFromPart, turnAt(scene, number), glm::dvec3(0, 1, 0));
+            parts.push_back(std::move(part));
+        }
+    }
     return parts;
 }
 
@@ -185,9 +200,12 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
     pass.view = lightView(scene.model.bounds(), towardsSun(scene), glm::ivec2(size), 0.5);
     pass.depth = Attachment{"shadow.hall", Load::clear, glm::vec4(0), -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none, .depthBias = {1.5F, 2}, .depthClamp = true};
-    pass.key = lightKey(scene);
+    render::Hash key;
+    key.addValue(lightKey(scene));
+    for (const double turn : scene.turns) key.addValue(turn);
+    pass.key = key.value();
     for (const Part& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
-    for (const Part* part : standing(scene)) pass.draws.push_back(partDraw(scene, *part));
+    for (const Part& part : standing(scene)) pass.draws.push_back(partDraw(scene, part));
     if (scene.visitorModel)
         for (const Part& part : scene.visitorModel->parts) pass.draws.push_back(surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, {}));
     plan.add(std::move(pass));
@@ -207,8 +225,8 @@ void planWalls(const HallScene& scene, const Surroundings& light, const Channels
 
     Pass props = surfacePass("hall/props", "cloths cover the empty places", {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, channels, Load::keep);
     props.state.cull = render::Cull::none;
-    for (const Part* part : standing(scene))
-        if (plan.view.mayContain(part->mesh->bounds.transformed(part->modelFromPart))) props.draws.push_back(partDraw(scene, *part));
+    for (const Part& part : standing(scene))
+        if (plan.view.mayContain(part.mesh->bounds.transformed(part.modelFromPart))) props.draws.push_back(partDraw(scene, part));
     light.illuminate(props);
     if (props.draws.empty()) plan.skip(props.name, "no cloth or stand is in view");
     else plan.add(std::move(props));

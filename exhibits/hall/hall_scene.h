@@ -31,6 +31,7 @@ struct HallScene {
     glm::dmat4 worldFromVisitorModel{1};
     std::shared_ptr<const PlaqueText> text;
     std::span<const Guest> guests;
+    std::span<const double> turns;  ///< How far the hangings of each guest's place have turned, radians; may be shorter.
 };
 
 // hall_light.cpp

@@ -15,6 +15,9 @@ struct HallTable final : Parameters {
     Group picture = group("Picture");
     Real exposure = real("exposure", 0.0, stop, Range{-16, 16}.soft(-4, 4), "Brightness of the whole picture: each stop doubles it.");
 
+    Count supersamples = count("supersamples", 16, Range{1, 1024, logarithmic}.soft(1, 64), "Samples per pixel that a picture at rest is refined to: few leave stairs at edges, many take longer to settle.", quality(64));
+    Real resolutionScale = real("resolutionScale", 1.0, none, {0.25, 1}, "Sides of the drawn picture against the window's: less is quicker and blurred.", quality(1));
+
     Group sun = group("Sun");
     Real sunElevation = real("sunElevation", 0.331613, degree, Range{0.0349066, 1.535890}.soft(0.139626, 0.872665), "Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.");
     Real sunAzimuth = real("sunAzimuth", -0.0523599, degree, Range{-3.141593, 3.141593}.soft(-0.785398, 0.785398), "Where the sun stands, seen through the window: negative is to the left.");

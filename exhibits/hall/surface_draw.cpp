@@ -2,8 +2,7 @@
 
 #include "shaders/lib/bindings.glsl"
 
-#include <glm/gtc/matrix_inverse.hpp>
-
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,15 +29,23 @@ const std::shared_ptr<const render::Texture>& orNeutral(const std::shared_ptr<co
 
 }  // namespace
 
+glm::dmat3 normalMatrix(const glm::dmat3& m)
+{
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    const double largest = std::max({glm::length(cofactors[0]), glm::length(cofactors[1]), glm::length(cofactors[2])});
+    if (!(largest > 0) || !std::isfinite(largest)) return glm::dmat3(1);
+    return cofactors * ((glm::determinant(m) < 0 ? -1 : 1) / largest);
+}
+
 SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Material& material, double textureTile)
 {
     SurfaceObject object;
     object.worldFromModel = glm::mat4(worldFromModel);
-    object.worldFromModelNormals = glm::mat4(glm::dmat4(glm::inverseTranspose(glm::dmat3(worldFromModel))));
+    object.worldFromModelNormals = glm::mat4(glm::dmat4(normalMatrix(glm::dmat3(worldFromModel))));
     object.baseColor = material.baseColor;
     // An occlusion map of its own is not read here; only the red channel beside roughness and metalness is.
     const bool packedOcclusion = material.occlusionMap && material.occlusionMap == material.metallicRoughnessMap;
-    object.material = {material.metalness, material.roughness, material.normalScale, packedOcclusion ? material.occlusionStrength : 0.0F};
+    object.material = {material.metalness, material.roughness, std::clamp(material.normalScale, -100.0F, 100.0F), packedOcclusion ? material.occlusionStrength : 0.0F};
     object.emissive = glm::vec4(material.emissive, material.alphaMode == render::AlphaMode::mask ? material.alphaCutoff : -1.0F);
     object.tiling.x = static_cast<float>(1 / textureTile);
     return object;

@@ -17,8 +17,13 @@ struct SurfaceObject {
     glm::vec4 tiling{1, 0, 0, 0.5F};
 };
 
-/// The block of a mesh that stands at `worldFromModel`; normals by the inverse transpose, so that
-/// non-uniform scale and mirroring are right.
+/// What turns a model's normals into the world's, up to a positive factor: the direction of the inverse
+/// transpose, its largest column of length 1. Made of cofactors, so that a model which is scaled to a plane keeps
+/// the normals of that plane; the identity for what is scaled to a line or a point.
+[[nodiscard]] glm::dmat3 normalMatrix(const glm::dmat3& worldFromModel);
+
+/// The block of a mesh that stands at `worldFromModel`; normals by `normalMatrix`, so that non-uniform scale and
+/// mirroring are right.
 [[nodiscard]] SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Material&, double textureTile = 1);
 
 /// A draw with every map of the surface shaders bound; where the material has none, a neutral pixel is.

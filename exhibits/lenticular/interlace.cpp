@@ -1,6 +1,7 @@
 #include "exhibits/lenticular/interlace.h"
 
 #include "exhibits/lenticular/box_filter.h"
+#include "exhibits/lenticular/dither.h"
 #include "exhibits/lenticular/interlace_kernels.h"
 #include "exhibits/lenticular/numbers.h"
 #include "exhibits/lenticular/strip_weights.h"
@@ -11,18 +12,19 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <thread>
 
 namespace vitrine::lenticular {
 namespace {
 
-constexpr int whole = 32768;  // Weight 1 of kernels::blendAndEncode.
+constexpr double whole = 65536;  // Weight 1 of kernels::blendAndEncode.
 
 /// Which rows of the views a printed row shows.
 struct RowBlend {
     int first = 0;
     int count = 1;      ///< 1 or 2 rows when enlarging; more when the views have more rows than the print.
-    int part = 0;       ///< Of the second row, when there are two.
+    std::uint16_t part = 0;  ///< Of the second row, when there are two.
     double from = 0, to = 0;
 };
 
@@ -44,21 +46,29 @@ RowBlend rowBlend(std::int64_t y, std::int64_t height, int viewHeight, bool near
     }
     const double at = std::clamp(center - 0.5, 0.0, static_cast<double>(viewHeight - 1));
     rows.first = std::min(static_cast<int>(at), viewHeight - 1);
-    rows.part = static_cast<int>(std::lround((at - rows.first) * whole));
+    rows.part = static_cast<std::uint16_t>(std::min(std::round((at - rows.first) * whole), whole - 1));
     rows.count = rows.part > 0 ? 2 : 1;
     return rows;
 }
 
 }  // namespace
 
-Interlacer::Interlacer(const PrintLayout& layout, const ViewSet& views) : layout_(layout), views_(views)
+Interlacer::Interlacer(const PrintLayout& layout, const ViewSet& views)
+    : layout_(layout.withoutBorder()), borderX_(layout.borderX()), borderY_(layout.borderY()), views_(views)
 {
     if (views.count() != layout.settings().views) {
         throw Failure(Blame::usage, "The print is laid out for " + std::to_string(layout.settings().views) + " views, and there are " +
                                         std::to_string(views.count()) + ".");
     }
+    if (layout.settings().compensate) compensation_ = compensation(viewMixing(layout_));
     if (layout_.vertical()) prepareVertical();
 }
+
+/// What one thread works with.
+struct Interlacer::Workplace {
+    std::vector<float> lenses{};       ///< Of a row: views one after the other, four floats a lens.
+    std::vector<float> compensated{};  ///< The same.
+};
 
 void Interlacer::prepareVertical()
 {
@@ -108,26 +118,33 @@ void Interlacer::prepareVertical()
     }
 }
 
-void Interlacer::interlaceViewRow(int row, const Region& region, std::vector<float>& lenses, std::uint16_t* out) const
+void Interlacer::interlaceViewRow(int row, const Region& region, Workplace& place, std::uint16_t* out) const
 {
     for (int k = 0; k < views_.count(); ++k) {
         const std::size_t slot = static_cast<std::size_t>(k) * lensCount_;
-        kernels::filterLenses(views_.row(k, row), spans_.data() + spanStart_[static_cast<std::size_t>(k)], lensCount_, weights_.data(), lenses.data() + slot * 4);
+        kernels::filterLenses(views_.row(k, row), spans_.data() + spanStart_[static_cast<std::size_t>(k)], lensCount_, weights_.data(), place.lenses.data() + slot * 4);
     }
-    kernels::mixColumns(lenses.data(), taps_.data(), columnStart_.data() + region.x0, static_cast<std::size_t>(region.x1 - region.x0), out);
+    views_.rowIsRead(row);
+    const float* lenses = place.lenses.data();
+    if (!compensation_.weights.empty()) {
+        kernels::combineViews(lenses, compensation_.weights.data(), static_cast<std::size_t>(views_.count()), lensCount_, place.compensated.data());
+        lenses = place.compensated.data();
+    }
+    kernels::mixColumns(lenses, taps_.data(), columnStart_.data() + region.x0, static_cast<std::size_t>(region.x1 - region.x0), out);
 }
 
 template <typename Code> void Interlacer::fillVertical(const Region& region, Code* out) const
 {
     const std::size_t samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
-    std::vector<float> lenses(lensCount_ * static_cast<std::size_t>(views_.count()) * 4);
+    const std::size_t lensSamples = lensCount_ * static_cast<std::size_t>(views_.count()) * 4;
+    Workplace place{std::vector<float>(lensSamples), std::vector<float>(compensation_.weights.empty() ? 0 : lensSamples)};
     // The two rows of the views that were interlaced last; printed rows come in order, so two are enough.
     std::array<std::vector<std::uint16_t>, 2> kept{std::vector<std::uint16_t>(samples + 4), std::vector<std::uint16_t>(samples + 4)};
     std::array<int, 2> keptRow{-1, -1};
     const auto interlaced = [&](int row) -> const std::uint16_t* {
         const auto slot = static_cast<std::size_t>(row % 2);
         if (keptRow.at(slot) != row) {
-            interlaceViewRow(row, region, lenses, kept.at(slot).data());
+            interlaceViewRow(row, region, place, kept.at(slot).data());
             keptRow.at(slot) = row;
         }
         return kept.at(slot).data();
@@ -141,7 +158,7 @@ template <typename Code> void Interlacer::fillVertical(const Region& region, Cod
         } else if (rows.count <= 2 && rows.to == 0) {
             const std::uint16_t* a = interlaced(rows.first);
             const std::uint16_t* b = rows.count == 2 ? interlaced(rows.first + 1) : a;
-            kernels::blendAndEncode(a, b, rows.count == 2 ? rows.part : 0, samples, out);
+            kernels::blendAndEncode(a, b, rows.part, samples, out);
         } else {
             sum.assign(samples, 0.5F);
             for (int r = rows.first; r < rows.first + rows.count; ++r) {
@@ -159,6 +176,8 @@ template <typename Code> void Interlacer::fillVertical(const Region& region, Cod
 
 template <typename Code> void Interlacer::fillSlanted(const Region& region, Code* out) const
 {
+    constexpr std::int64_t rowsBetween = 8;  // Of letting go of rows on disk.
+    constexpr double negligible = 1e-5;      // Of a view's weight in another.
     const PrintSettings& settings = layout_.settings();
     const auto width = static_cast<double>(layout_.width());
     const auto height = static_cast<double>(layout_.height());
@@ -167,11 +186,26 @@ template <typename Code> void Interlacer::fillSlanted(const Region& region, Code
     const bool acrossX = std::abs(layout_.lensesPerPixelX()) >= std::abs(layout_.lensesPerPixelY());
     const double boxX = acrossX ? 1 / std::abs(layout_.lensesPerPixelX()) : 1;
     const double boxY = acrossX ? 1 : 1 / std::abs(layout_.lensesPerPixelY());
+    const double scaleY = views_.height() / height;
     const std::size_t samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
     std::vector<std::uint16_t> linear(samples);
     std::vector<Tap> taps;
     BoxTaps columns;
     BoxTaps rows;
+    // A view around a place of the raster, times `weight`.
+    const auto addView = [&](int k, double x, double y, float weight, std::array<float, 3>& sum) {
+        const double scaleX = views_.view(k).width / width;
+        boxTaps(x * scaleX, boxX * scaleX, views_.view(k).width, columns);
+        boxTaps(y * scaleY, boxY * scaleY, views_.height(), rows);
+        for (std::size_t r = 0; r < rows.weights.size(); ++r) {
+            const std::uint16_t* at = views_.row(k, rows.first + static_cast<int>(r)) + static_cast<std::size_t>(columns.first) * 4;
+            const float rowWeight = weight * rows.weights[r];
+            for (const float columnWeight : columns.weights) {
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += rowWeight * columnWeight * static_cast<float>(at[c]);
+                at += 4;
+            }
+        }
+    };
     for (std::int64_t y = region.y0; y < region.y1; ++y, out += samples) {
         std::uint16_t* pixel = linear.data();
         for (std::int64_t x = region.x0; x < region.x1; ++x, pixel += 3) {
@@ -183,29 +217,66 @@ template <typename Code> void Interlacer::fillSlanted(const Region& region, Code
             for (const Tap& tap : taps) {
                 // The foot of the pixel on the lens's axis.
                 const double off = static_cast<double>(tap.lens) + 0.5 - u;
-                const int viewWidth = views_.view(tap.view).width;
-                const double scaleX = viewWidth / width;
-                const double scaleY = views_.height() / height;
-                boxTaps((px + off * pixelsX) * scaleX, boxX * scaleX, viewWidth, columns);
-                boxTaps((py + off * pixelsY) * scaleY, boxY * scaleY, views_.height(), rows);
-                for (std::size_t r = 0; r < rows.weights.size(); ++r) {
-                    const std::uint16_t* at = views_.row(tap.view, rows.first + static_cast<int>(r)) + static_cast<std::size_t>(columns.first) * 4;
-                    const float rowWeight = static_cast<float>(tap.weight) * rows.weights[r];
-                    for (const float weight : columns.weights) {
-                        for (std::size_t c = 0; c < 3; ++c) sum[c] += rowWeight * weight * static_cast<float>(at[c]);
-                        at += 4;
-                    }
+                const double footX = px + off * pixelsX;
+                const double footY = py + off * pixelsY;
+                const auto weight = static_cast<float>(tap.weight);
+                if (compensation_.weights.empty()) {
+                    addView(tap.view, footX, footY, weight, sum);
+                    continue;
                 }
+                std::array<float, 3> combined{};
+                for (int k = 0; k < views_.count(); ++k) {
+                    const double share = compensation_.at(tap.view, k);
+                    if (std::abs(share) > negligible) addView(k, footX, footY, static_cast<float>(share), combined);
+                }
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * std::clamp(combined[c], 0.0F, 65535.0F);
             }
             for (std::size_t c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint16_t>(std::min(sum[c], 65535.0F));
         }
         kernels::blendAndEncode(linear.data(), linear.data(), 0, samples, out);
+        if ((y - region.y0) % rowsBetween == rowsBetween - 1) views_.allIsRead();
+    }
+}
+
+template <typename Code> void Interlacer::fillInner(const Region& region, Code* out) const
+{
+    if constexpr (sizeof(Code) == 1) {
+        if (layout_.settings().dither) {
+            constexpr std::int64_t band = 64;
+            const auto samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
+            std::vector<std::uint16_t> fine(samples * static_cast<std::size_t>(std::min(band, region.y1 - region.y0)));
+            for (std::int64_t y = region.y0; y < region.y1; y += band) {
+                const Region part{region.x0, y, region.x1, std::min(y + band, region.y1)};
+                fillInner(part, fine.data());
+                ditherRows(part, fine.data(), out + static_cast<std::size_t>(y - region.y0) * samples);
+            }
+            return;
+        }
+    }
+    if (layout_.vertical()) fillVertical(region, out);
+    else fillSlanted(region, out);
+}
+
+template <typename Code> void Interlacer::fillPart(const Region& region, Code* out) const
+{
+    if (borderX_ == 0 && borderY_ == 0) return fillInner(region, out);
+    const std::size_t stride = static_cast<std::size_t>(region.x1 - region.x0) * 3;
+    std::fill_n(out, stride * static_cast<std::size_t>(region.y1 - region.y0), std::numeric_limits<Code>::max());
+    const Region inner{std::max(region.x0 - borderX_, std::int64_t{0}), std::max(region.y0 - borderY_, std::int64_t{0}),
+                       std::min(region.x1 - borderX_, layout_.width()), std::min(region.y1 - borderY_, layout_.height())};
+    if (inner.x0 >= inner.x1 || inner.y0 >= inner.y1) return;
+    const std::size_t samples = static_cast<std::size_t>(inner.x1 - inner.x0) * 3;
+    std::vector<Code> filled(samples * static_cast<std::size_t>(inner.y1 - inner.y0));
+    fillInner(inner, filled.data());
+    for (std::int64_t y = inner.y0; y < inner.y1; ++y) {
+        Code* to = out + static_cast<std::size_t>(y + borderY_ - region.y0) * stride + static_cast<std::size_t>(inner.x0 + borderX_ - region.x0) * 3;
+        std::copy_n(filled.data() + static_cast<std::size_t>(y - inner.y0) * samples, samples, to);
     }
 }
 
 template <typename Code> void Interlacer::fillThreaded(const Region& region, Code* out, int threads) const
 {
-    assert(region.x0 >= 0 && region.y0 >= 0 && region.x1 <= layout_.width() && region.y1 <= layout_.height());
+    assert(region.x0 >= 0 && region.y0 >= 0 && region.x1 <= layout_.width() + 2 * borderX_ && region.y1 <= layout_.height() + 2 * borderY_);
     const std::int64_t rows = region.y1 - region.y0;
     const std::int64_t parts = std::clamp<std::int64_t>(threads, 1, std::max<std::int64_t>(rows, 1));
     const auto work = [&](std::int64_t part) {
@@ -213,8 +284,7 @@ template <typename Code> void Interlacer::fillThreaded(const Region& region, Cod
         own.y0 = region.y0 + rows * part / parts;
         own.y1 = region.y0 + rows * (part + 1) / parts;
         Code* at = out + static_cast<std::size_t>(own.y0 - region.y0) * static_cast<std::size_t>(region.x1 - region.x0) * 3;
-        if (layout_.vertical()) fillVertical(own, at);
-        else fillSlanted(own, at);
+        fillPart(own, at);
     };
     std::vector<std::jthread> others;
     for (std::int64_t part = 1; part < parts; ++part) others.emplace_back(work, part);

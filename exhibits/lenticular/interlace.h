@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/lenticular/crosstalk.h"
 #include "exhibits/lenticular/print_layout.h"
 #include "exhibits/lenticular/view_source.h"
 
@@ -20,12 +21,15 @@ struct Region {
 /// can resolve, and sampling at the pixel instead would slide the picture by up to one lens between the first
 /// view and the last. Everything is mixed in linear light and encoded as sRGB at the end.
 ///
+/// Where the layout asks for it, the views are compensated for cross-talk first, in linear light and held to black
+/// and white, and 8-bit codes are dithered. The border is white.
+///
 /// Vertical lenses are the fast case: a row of the views is interlaced once and printed rows are interpolated
 /// between two such rows. With Method::nearest nothing is mixed in that direction either, unless the views
 /// have more rows than the print.
 class Interlacer {
 public:
-    /// Keeps references. Throws Failure when layout and views disagree about the number of views.
+    /// Keeps a reference to the views. Throws Failure when layout and views disagree about the number of views.
     Interlacer(const PrintLayout&, const ViewSet&);
 
     /// Fills `out` with RGB, row by row without padding. The region must lie on the raster.
@@ -46,13 +50,18 @@ public:
 
 private:
     template <typename Code> void fillThreaded(const Region&, Code* out, int threads) const;
+    template <typename Code> void fillPart(const Region&, Code* out) const;
+    template <typename Code> void fillInner(const Region&, Code* out) const;
     template <typename Code> void fillVertical(const Region&, Code* out) const;
     template <typename Code> void fillSlanted(const Region&, Code* out) const;
     void prepareVertical();
-    void interlaceViewRow(int row, const Region&, std::vector<float>& lenses, std::uint16_t* out) const;
+    struct Workplace;
+    void interlaceViewRow(int row, const Region&, Workplace&, std::uint16_t* out) const;
 
-    const PrintLayout& layout_;
+    PrintLayout layout_;             ///< Without the border.
+    std::int64_t borderX_, borderY_;
     const ViewSet& views_;
+    ViewMatrix compensation_;
     std::size_t lensCount_ = 0;
     std::vector<std::uint32_t> columnStart_;  ///< Into taps_, one more than there are columns.
     std::vector<ColumnTap> taps_;

@@ -1,67 +1,46 @@
 #include "exhibits/lenticular/optics.h"
 
+#include "render/glsl/cpu.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace vitrine::lenticular {
 namespace {
 
-/// 1 - (1+K) x^2/r^2, of which the surface takes the root.
-double underRoot(const Sheet& sheet, double x)
+/// The shader library's lens, at float64: the formulas are there, once for the print and the card in the hall.
+glsl::LensShape shapeOf(const Sheet& sheet)
 {
-    return 1 - (1 + sheet.conic) * x * x / (sheet.radius * sheet.radius);
-}
-
-/// Whether the next lens towards the eye hides the surface at x0: the ray must pass that lens where it is
-/// tangent to it. `side` is 1 or -1, where the eye is.
-bool hidden(const Sheet& sheet, double x0, double theta)
-{
-    const double side = theta < 0 ? -1 : 1;
-    const double angle = std::abs(theta);
-    const double half = sheet.pitch() / 2;
-    const double cotangent = std::cos(angle) / std::sin(angle);
-    const double steepest = half / (sheet.radius * std::sqrt(underRoot(sheet, half)));
-    if (!(cotangent < steepest)) return false;  // No part of the next lens rises above this ray.
-    const double touch = cotangent * sheet.radius / std::sqrt(1 + cotangent * cotangent * (1 + sheet.conic));
-    const auto offset = [&](double x, double depth) { return x * std::cos(angle) + depth * std::sin(angle); };
-    return offset(side * x0, sag(sheet, x0)) > offset(sheet.pitch() - touch, sag(sheet, touch));
+    return {sheet.pitch(), sheet.radius, sheet.thickness, sheet.conic, sheet.index};
 }
 
 }  // namespace
 
 double sag(const Sheet& sheet, double x0)
 {
-    return x0 * x0 / (sheet.radius * (1 + std::sqrt(std::max(underRoot(sheet, x0), 0.0))));
+    return glsl::lensSag(shapeOf(sheet), x0);
 }
 
 std::optional<Landing> trace(const Sheet& sheet, double x0, double theta)
 {
-    const double q = underRoot(sheet, x0);
-    if (!(q > 0)) return std::nullopt;
-    const double phi = std::atan(x0 / (sheet.radius * std::sqrt(q)));
-    const double incidence = theta - phi;
-    const double facing = std::cos(incidence);
-    if (!(facing > 0) || std::abs(incidence) >= 1.5707963267948966 || hidden(sheet, x0, theta)) return std::nullopt;
-    const double psi = phi + std::asin(std::sin(incidence) / sheet.index);
-    const double depth = sheet.thickness - sag(sheet, x0);
-    return Landing{x0 - depth * std::tan(psi), facing / std::cos(phi), depth, psi};
+    const glsl::LensRay ray = glsl::lensTrace(shapeOf(sheet), x0, std::sin(theta), std::cos(theta));
+    if (!(ray.weight > 0)) return std::nullopt;
+    return Landing{ray.x, ray.weight, ray.depth, std::atan(ray.tanPsi)};
 }
 
 double chiefRay(const Sheet& sheet, double theta)
 {
-    return -(sheet.thickness - sheet.radius) * std::tan(theta);
+    return glsl::lensChiefRay(shapeOf(sheet), std::tan(theta));
 }
 
 double paraxial(const Sheet& sheet, double x0, double theta)
 {
-    const double focus = sheet.index * sheet.radius / (sheet.index - 1);
-    return x0 * (1 - sheet.thickness / focus) - sheet.thickness / sheet.index * theta;
+    return glsl::lensParaxial(shapeOf(sheet), x0, theta);
 }
 
 double effectiveIndex(double index, double beta)
 {
-    const double sine = std::sin(beta);
-    return std::sqrt(index * index - sine * sine) / std::cos(beta);
+    return glsl::lensIndexAskew(index, std::sin(beta));
 }
 
 Aperture aperture(const Sheet& sheet, double theta, double beta, int parts)

@@ -24,6 +24,8 @@ public:
         }
         return (*outer)[key];
     }
+    /// Of a group that `at` has found.
+    [[nodiscard]] bool has(const std::string& group, const std::string& key) const { return document_.root()[group].contains(key); }
     [[nodiscard]] double number(const std::string& group, const std::string& key) const
     {
         const Json& value = at(group, key);
@@ -64,7 +66,11 @@ Json printJson(const PrintLayout& layout, double storedDpiX, const std::vector<s
                      {"mirror", s.mirror},
                      {"views", s.views},
                      {"method", toString(s.method)},
-                     {"guard", s.guard}};
+                     {"guard", s.guard},
+                     {"border", s.border},
+                     {"dither", s.dither},
+                     {"compensate", s.compensate},
+                     {"inkSpread", s.inkSpread}};
     json["numbers"] = {{"pixelsX", layout.width()},
                        {"pixelsY", layout.height()},
                        {"printLpi", layout.printLpi()},
@@ -77,6 +83,13 @@ Json printJson(const PrintLayout& layout, double storedDpiX, const std::vector<s
     json["warnings"] = warningsOf(layout);
     json["sources"] = sources;
     return json;
+}
+
+std::string withCrossTalk(const std::string& json, const CrossTalk& talk)
+{
+    Json changed = render::parseJson(json, "the print's description").root();
+    changed["crossTalk"] = {{"before", talk.before}, {"after", talk.after}, {"clipped", talk.clipped}};
+    return render::writeJson(changed);
 }
 
 PrintSettings settingsFromJson(const render::JsonDocument& document)
@@ -109,6 +122,11 @@ PrintSettings settingsFromJson(const render::JsonDocument& document)
     for (const Method known : {Method::nearest, Method::area, Method::guard})
         if (method == toString(known)) s.method = known;
     s.guard = read.number("print", "guard");
+    // Prints of earlier versions do not say these.
+    if (read.has("print", "border")) s.border = read.number("print", "border");
+    if (read.has("print", "dither")) s.dither = read.flag("print", "dither");
+    if (read.has("print", "compensate")) s.compensate = read.flag("print", "compensate");
+    if (read.has("print", "inkSpread")) s.inkSpread = read.number("print", "inkSpread");
     return s;
 }
 

@@ -1,5 +1,6 @@
 #include "exhibits/lenticular/print_layout.h"
 
+#include "exhibits/lenticular/crosstalk.h"
 #include "exhibits/lenticular/numbers.h"
 #include "exhibits/lenticular/optics.h"
 #include "render/failure.h"
@@ -40,6 +41,8 @@ void checkSettings(const PrintSettings& s)
     requirePositive(s.width, "the width");
     requirePositive(s.height, "the height");
     if (!(s.bleed >= 0) || !std::isfinite(s.bleed)) refuse("the bleed is " + shortText(s.bleed) + "; give 0 or more");
+    if (!(s.border >= 0) || !std::isfinite(s.border)) refuse("the border is " + shortText(s.border) + "; give 0 or more");
+    if (!(s.inkSpread >= 0) || !std::isfinite(s.inkSpread)) refuse("the ink's spread is " + shortText(s.inkSpread) + "; give 0 or more");
     if (std::isnan(s.distance) || s.distance <= s.sheet.thickness) {
         refuse("the viewing distance is " + shortText(s.distance) + " mm; the eye must be farther away than the sheet is thick, " +
                shortText(s.sheet.thickness) + " mm");
@@ -73,6 +76,12 @@ PrintLayout::PrintLayout(const PrintSettings& settings) : settings_(settings)
     checkSettings(settings_);
     width_ = pixels(settings_.width + 2 * settings_.bleed, settings_.dpiX, "width");
     height_ = pixels(settings_.height + 2 * settings_.bleed, settings_.dpiY, "height");
+    // Whole pixels on both sides: the lenses' place in the picture does not depend on the border.
+    borderX_ = std::llround(std::min(settings_.border / mmPerInch * settings_.dpiX, mostPixels));
+    borderY_ = std::llround(std::min(settings_.border / mmPerInch * settings_.dpiY, mostPixels));
+    width_ += 2 * borderX_;
+    height_ += 2 * borderY_;
+    if (static_cast<double>(std::max(width_, height_)) > mostPixels) refuse("with its border it has more than 2147483647 pixels on a side");
     pitch_ = settings_.visualLpi > 0 ? mmPerInch / settings_.visualLpi : vitrine::lenticular::printPitch(settings_.sheet, settings_.distance);
     // The two directions that nearly all prints have are exact: no 6e-17 where 0 is meant.
     const bool horizontal = std::abs(settings_.direction) == 90;
@@ -84,6 +93,13 @@ PrintLayout::PrintLayout(const PrintSettings& settings) : settings_(settings)
         refuse(shortText(printLpi()) + " LPI at " + shortText(perX_ != 0 ? settings_.dpiX : settings_.dpiY) +
                " dpi leaves no more than one pixel for a lens; choose a finer printer or a coarser sheet");
     }
+}
+
+PrintLayout PrintLayout::withoutBorder() const
+{
+    PrintSettings inner = settings_;
+    inner.border = 0;
+    return PrintLayout(inner);
 }
 
 double PrintLayout::pixelsPerLens() const
@@ -107,27 +123,8 @@ PrintNumbers numbersOf(const PrintLayout& layout, double storedDpi)
     numbers.effectiveViews = std::min<double>(s.views, std::floor(numbers.pixelsPerLens));
     numbers.zoneDegrees = zoneByAperture(s.sheet) / radiansPerDegree;
     numbers.depthBudget = 2 * numbers.effectiveViews * s.sheet.thickness / s.sheet.index;
-    const double strip = s.sheet.pitch() / s.views;
-    const double halfPixel = s.sheet.pitch() / numbers.pixelsPerLens / 2;
-    for (int k = 0; k < s.views; ++k) {
-        const double center = ((k + 0.5) / s.views - 0.5) * s.sheet.pitch();  // Of strip s = k, mirrored views alike.
-        double low = -1.4;
-        double high = 1.4;
-        for (int i = 0; i < 40; ++i) {
-            const double middle = (low + high) / 2;
-            (aperture(s.sheet, middle, 0, 64).mean > center ? low : high) = middle;
-        }
-        double own = 0;
-        for (const Aperture::Part& part : aperture(s.sheet, (low + high) / 2).parts) {
-            // The piece of print that a part sees, spread by the pixel, against the strip.
-            const double from = std::min(part.from, part.to) - halfPixel;
-            const double to = std::max(part.from, part.to) + halfPixel;
-            const double inside = std::min(to, center + strip / 2) - std::max(from, center - strip / 2);
-            own += part.share * std::max(0.0, inside) / (to - from);
-        }
-        numbers.ownShare.push_back(std::min(own, 1.0));
-    }
-    if (!s.reverse) std::reverse(numbers.ownShare.begin(), numbers.ownShare.end());
+    const ViewMatrix mixing = viewMixing(layout);
+    for (int k = 0; k < s.views; ++k) numbers.ownShare.push_back(std::min(mixing.at(k, k), 1.0));
     return numbers;
 }
 

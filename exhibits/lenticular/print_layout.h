@@ -33,6 +33,10 @@ struct PrintSettings {
     int views = 1;
     Method method = Method::area;
     double guard = 0.25;    ///< Share of a strip that its two blended edges take (method guard).
+    double border = 0;      ///< White paper around trim and bleed, on every side.
+    bool dither = false;    ///< Of 8-bit prints; 16 bits need none.
+    bool compensate = false;  ///< For the cross-talk of the sheet, see `compensation`.
+    double inkSpread = 0;   ///< Standard deviation of a printed point, for cross-talk.
 };
 
 constexpr int mostViews = 256;
@@ -47,8 +51,12 @@ public:
     explicit PrintLayout(const PrintSettings&);
 
     [[nodiscard]] const PrintSettings& settings() const { return settings_; }
-    [[nodiscard]] std::int64_t width() const { return width_; }    ///< Pixels, bleed included.
+    [[nodiscard]] std::int64_t width() const { return width_; }    ///< Pixels, bleed and border included.
     [[nodiscard]] std::int64_t height() const { return height_; }
+    [[nodiscard]] std::int64_t borderX() const { return borderX_; }  ///< Pixels of white on the left, and on the right.
+    [[nodiscard]] std::int64_t borderY() const { return borderY_; }
+    /// The same print, cut along its border: its pixel (x, y) is (x + borderX, y + borderY) of this one.
+    [[nodiscard]] PrintLayout withoutBorder() const;
     [[nodiscard]] double printPitch() const { return pitch_; }     ///< Millimeters between strips of the same view.
     [[nodiscard]] double printLpi() const { return 25.4 / pitch_; }
     [[nodiscard]] double pixelsPerLens() const;                    ///< Along the row or column, whichever crosses more lenses.
@@ -73,6 +81,8 @@ private:
     PrintSettings settings_;
     std::int64_t width_ = 0;
     std::int64_t height_ = 0;
+    std::int64_t borderX_ = 0;
+    std::int64_t borderY_ = 0;
     double pitch_ = 0;
     double perX_ = 0, perY_ = 0;
     double cos_ = 1, sin_ = 0;
@@ -89,7 +99,7 @@ struct PrintNumbers {
     double effectiveViews = 0;    ///< No more than pixels per lens.
     double zoneDegrees = 0;       ///< Exact, by the mean over the lens.
     double depthBudget = 0;       ///< Millimeters before and behind the print without doubled contours, together.
-    std::vector<double> ownShare; ///< Per view, at its own angle: the rest is cross-talk. Optics and pixels, no ink.
+    std::vector<double> ownShare; ///< Per view, at its own angle: the rest is cross-talk. Optics, pixels and ink.
 };
 /// `storedDpi` is the resolution along the row as the file will say it.
 [[nodiscard]] PrintNumbers numbersOf(const PrintLayout&, double storedDpi);

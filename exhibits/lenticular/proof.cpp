@@ -3,6 +3,7 @@
 #include "exhibits/lenticular/numbers.h"
 #include "exhibits/lenticular/optics.h"
 #include "render/failure.h"
+#include "render/image/srgb.h"
 
 #include <algorithm>
 #include <array>
@@ -60,35 +61,30 @@ private:
     double x_ = 0, y_ = 0;
 };
 
-void check(const PrintLayout& layout, const render::Image& raster, const Eye& eye)
+void check(const PrintLayout& layout, const Eye& eye)
 {
-    if (raster.width != layout.width() || raster.height != layout.height()) {
-        throw Failure(Blame::file, "The print has " + std::to_string(raster.width) + " x " + std::to_string(raster.height) +
-                                       " pixels, and its description says " + std::to_string(layout.width()) + " x " +
-                                       std::to_string(layout.height()) + "; look at the unscaled, uncut file.");
-    }
     if (!(std::abs(eye.angle) < 1.5) || !(std::abs(eye.angleAlong) < 1.5)) throw Failure(Blame::usage, "The eye's angle must lie between -85 and 85 degrees.");
     if (!(eye.distance > layout.settings().sheet.thickness)) throw Failure(Blame::usage, "The eye must be farther away than the sheet is thick.");
 }
 
-}  // namespace
-
-render::Image lookThrough(const PrintLayout& layout, const render::Image& raster, const Eye& eye, int apertureParts)
+/// `pixelAt(x, y)` gives three linear samples of the raster.
+template <typename PixelAt> render::Image lookThroughOf(const PrintLayout& layout, const Eye& eye, int apertureParts, const PixelAt& pixelAt)
 {
-    check(layout, raster, eye);
+    check(layout, eye);
     const PrintSettings& s = layout.settings();
     const double pitch = s.sheet.pitch();
     const double perMmX = s.dpiX / mmPerInch;
     const double perMmY = s.dpiY / mmPerInch;
-    const auto cells = [&](std::int64_t pixels, double perMm) { return static_cast<int>(std::max(1.0, std::round(static_cast<double>(pixels) / perMm / pitch))); };
-    render::Image seen(cells(raster.width, perMmX), cells(raster.height, perMmY), 3);
+    const auto width = static_cast<double>(layout.width());
+    const auto height = static_cast<double>(layout.height());
+    const auto cells = [&](double pixels, double perMm) { return static_cast<int>(std::max(1.0, std::round(pixels / perMm / pitch))); };
+    render::Image seen(cells(width, perMmX), cells(height, perMmY), 3);
     const Viewer viewer(layout, eye);
     const double finest = std::max(perMmX, perMmY);
     const int alongSteps = std::clamp(static_cast<int>(std::ceil(pitch * finest)), 1, 16);
     const bool far = std::isinf(eye.distance);
     Sight sight;
     if (far) sight = sightOf(s.sheet, viewer.from(0, 0), apertureParts);
-    const auto gray = static_cast<std::size_t>(raster.channels < 3 ? 0 : 1);
     for (int row = 0; row < seen.height; ++row) {
         for (int column = 0; column < seen.width; ++column) {
             double x = (column + 0.5 - 0.5 * seen.width) * pitch;
@@ -104,21 +100,50 @@ render::Image lookThrough(const PrintLayout& layout, const render::Image& raster
                 const double slide = ((step + 0.5) / alongSteps - 0.5) * pitch;
                 for (const Sight::Point& point : sight.points) {
                     const double along = slide + point.along;
-                    const double px = (x + point.across * layout.cosine() - along * layout.sine()) * perMmX + 0.5 * raster.width;
-                    const double py = (y + point.across * layout.sine() + along * layout.cosine()) * perMmY + 0.5 * raster.height;
-                    if (!(px >= 0 && px < raster.width && py >= 0 && py < raster.height)) {
+                    const double px = (x + point.across * layout.cosine() - along * layout.sine()) * perMmX + 0.5 * width;
+                    const double py = (y + point.across * layout.sine() + along * layout.cosine()) * perMmY + 0.5 * height;
+                    if (!(px >= 0 && px < width && py >= 0 && py < height)) {
                         for (double& channel : sum) channel += static_cast<double>(point.share);
                         continue;
                     }
-                    const int ix = s.mirror ? raster.width - 1 - static_cast<int>(px) : static_cast<int>(px);
-                    const float* at = raster.pixels.data() + raster.index(ix, static_cast<int>(py));
-                    for (std::size_t c = 0; c < 3; ++c) sum[c] += static_cast<double>(point.share * at[c * gray]);
+                    const auto from = static_cast<std::int64_t>(px);
+                    const std::array<float, 3> pixel = pixelAt(s.mirror ? layout.width() - 1 - from : from, static_cast<std::int64_t>(py));
+                    for (std::size_t c = 0; c < 3; ++c) sum[c] += static_cast<double>(point.share * pixel[c]);
                 }
             }
             for (int c = 0; c < 3; ++c) seen.at(column, row, c) = static_cast<float>(sum[static_cast<std::size_t>(c)] / alongSteps);
         }
     }
     return seen;
+}
+
+}  // namespace
+
+render::Image lookThrough(const PrintLayout& layout, const render::Image& raster, const Eye& eye, int apertureParts)
+{
+    if (raster.width != layout.width() || raster.height != layout.height()) {
+        throw Failure(Blame::file, "The print has " + std::to_string(raster.width) + " x " + std::to_string(raster.height) +
+                                       " pixels, and its description says " + std::to_string(layout.width()) + " x " +
+                                       std::to_string(layout.height()) + "; look at the unscaled, uncut file.");
+    }
+    const std::size_t second = raster.channels < 3 ? 0 : 1;
+    return lookThroughOf(layout, eye, apertureParts, [&](std::int64_t x, std::int64_t y) {
+        const float* at = raster.pixels.data() + raster.index(static_cast<int>(x), static_cast<int>(y));
+        return std::array<float, 3>{at[0], at[second], at[2 * second]};
+    });
+}
+
+render::Image lookThrough(PrintRaster& raster, const Eye& eye, int apertureParts)
+{
+    static const std::vector<float> linear = [] {
+        std::vector<float> table(65536);
+        for (std::size_t i = 0; i < table.size(); ++i) table[i] = static_cast<float>(render::linearFromSrgb(static_cast<double>(i) / 65535));
+        return table;
+    }();
+    return lookThroughOf(raster.layout(), eye, apertureParts, [&](std::int64_t x, std::int64_t y) {
+        const std::uint16_t* at = raster.row(y) + static_cast<std::size_t>(x) * 3;
+        return std::array<float, 3>{linear[at[0]], linear[at[1]], linear[at[2]]};
+    });
 }
 
 double angleOfView(const PrintLayout& layout, int k)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/lenticular/print_layout.h"
+#include "exhibits/lenticular/print_raster.h"
 #include "render/image/image.h"
 
 #include <limits>
@@ -22,6 +22,9 @@ struct Eye {
 /// neighboring lens: at the edge of the zone the views start again. Beyond the print there is white paper.
 /// The sheet lies with a lens axis through the middle of the print. Throws Failure when the sizes differ.
 [[nodiscard]] render::Image lookThrough(const PrintLayout&, const render::Image& raster, const Eye&, int apertureParts = 128);
+
+/// The same of a print in a file, of any size; memory holds a few lenses' rows of it.
+[[nodiscard]] render::Image lookThrough(PrintRaster&, const Eye&, int apertureParts = 128);
 
 /// The eye's angle across the lenses, in radians, at which view `k` is in the middle of the zone's k-th part:
 /// the inverse of the exact mean over the lens.

@@ -35,12 +35,12 @@ std::vector<Sheet> makeKnownSheets()
 
 void check(const Sheet& sheet)
 {
-    requirePositive(sheet, sheet.lpi(), "LPI");
-    requirePositive(sheet, sheet.radius, "the radius");
-    requirePositive(sheet, sheet.thickness, "the thickness");
     if (!(sheet.index > 1) || !std::isfinite(sheet.index)) {
         refuse(sheet, "the refractive index is " + shortText(sheet.index) + "; plastics have 1.49 to 1.6, and it must be above 1");
     }
+    requirePositive(sheet, sheet.lpi(), "LPI");
+    requirePositive(sheet, sheet.radius, "the radius");
+    requirePositive(sheet, sheet.thickness, "the thickness");
     if (!std::isfinite(sheet.conic)) refuse(sheet, "the conic constant is not a number");
     const double half = sheet.pitch() / 2;
     const double reach = 1 - (1 + sheet.conic) * half * half / (sheet.radius * sheet.radius);

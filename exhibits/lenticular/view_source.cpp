@@ -1,11 +1,10 @@
 #include "exhibits/lenticular/view_source.h"
 
-#include "exhibits/lenticular/print_layout.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
-#include "render/image/image_io.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -13,6 +12,9 @@ namespace vitrine::lenticular {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A view that takes more than this part of the memory goes to disk at once: while it is read it is in memory anyway.
+constexpr std::size_t largestShare = 4;
 
 /// Compares names as people do: runs of digits by their value.
 bool beforeByNumber(const std::string& a, const std::string& b)
@@ -50,18 +52,6 @@ bool looksLikePicture(const fs::path& file)
     return false;
 }
 
-std::vector<fs::path> picturesIn(const fs::path& folder)
-{
-    std::error_code error;
-    std::vector<fs::path> files;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-        if (at->is_regular_file(error) && looksLikePicture(at->path()) && at->path().filename().string()[0] != '.') files.push_back(at->path());
-    if (error) throw Failure(Blame::file, "Cannot read the folder " + folder.string() + ": " + error.message() + ".");
-    if (files.empty()) throw Failure(Blame::file, "There are no pictures in " + folder.string() + "; give a folder with the views as PNG, JPEG, TIFF, EXR or HDR.");
-    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) { return beforeByNumber(a.filename().string(), b.filename().string()); });
-    return files;
-}
-
 std::uint16_t code(double linear)
 {
     return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(linear, 0.0, 1.0)));
@@ -95,23 +85,67 @@ void ViewSet::add(const render::Image& image)
 {
     if (image.width < 1 || image.height < 1 || image.channels < 1) throw Failure(Blame::file, "A view is empty; choose another picture.");
     if (height_ == 0) height_ = image.height;
-    View view;
-    view.width = image.width;
     const auto channels = static_cast<std::size_t>(image.channels);
-    view.samples.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(height_) * 4 + 4);
+    const std::size_t rowSamples = static_cast<std::size_t>(image.width) * 4;
+    const std::size_t samples = rowSamples * static_cast<std::size_t>(height_) + 4;
+    const bool onDisk = scratch_ || samples * 2 > memory_ / largestShare || samples * 2 > memory_ - used_;
+    if (onDisk && !scratch_) {
+        scratch_ = std::make_shared<render::ScratchFile>();
+        firstOnDisk_ = views_.size();
+    }
+    const std::uint64_t begin = onDisk ? scratch_->size() : 0;
+    auto kept = onDisk ? nullptr : std::make_shared<std::vector<std::uint16_t>>(samples);
+    std::vector<std::uint16_t> passing(onDisk ? rowSamples : 0);
     std::vector<double> row(static_cast<std::size_t>(image.width) * channels);
     const bool gray = channels < 3;
     const std::size_t alphaAt = channels == 2 ? 1 : channels == 4 ? 3 : channels;
-    std::uint16_t* out = view.samples.data();
     for (int y = 0; y < height_; ++y) {
         resampledRow(image, y, height_, row);
+        std::uint16_t* out = onDisk ? passing.data() : kept->data() + static_cast<std::size_t>(y) * rowSamples;
         for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x, out += 4) {
             const double* pixel = row.data() + x * channels;
             const double alpha = alphaAt < channels ? std::clamp(pixel[alphaAt], 0.0, 1.0) : 1.0;
             for (std::size_t c = 0; c < 3; ++c) out[c] = code(pixel[gray ? 0 : c] * alpha + (1 - alpha));
         }
+        if (onDisk) scratch_->append(passing.data(), rowSamples * 2);
     }
-    views_.push_back(std::move(view));
+    if (!onDisk) {
+        used_ += samples * 2;
+        views_.push_back({image.width, {kept, kept->data()}});
+        return;
+    }
+    const std::array<std::uint16_t, 4> behind{};
+    scratch_->append(behind.data(), sizeof behind);
+    scratch_->align();
+    const auto* mapped = static_cast<const std::uint16_t*>(scratch_->map(begin, samples * 2));
+    views_.push_back({image.width, {mapped, [samples](const std::uint16_t* at) { render::unmapPages(at, samples * 2); }}});
+}
+
+void ViewSet::rowIsRead(int y) const
+{
+    for (std::size_t k = firstOnDisk_; k < views_.size(); ++k) {
+        const std::size_t row = static_cast<std::size_t>(views_[k].width) * 8;
+        render::releasePages(views_[k].samples.get(), row * static_cast<std::size_t>(height_), row * static_cast<std::size_t>(y), row);
+    }
+}
+
+void ViewSet::allIsRead() const
+{
+    for (std::size_t k = firstOnDisk_; k < views_.size(); ++k) {
+        const std::size_t all = static_cast<std::size_t>(views_[k].width) * 8 * static_cast<std::size_t>(height_);
+        render::releasePages(views_[k].samples.get(), all, 0, all);
+    }
+}
+
+std::vector<fs::path> picturesIn(const fs::path& folder)
+{
+    std::error_code error;
+    std::vector<fs::path> files;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+        if (at->is_regular_file(error) && looksLikePicture(at->path()) && at->path().filename().string()[0] != '.') files.push_back(at->path());
+    if (error) throw Failure(Blame::file, "Cannot read the folder " + folder.string() + ": " + error.message() + ".");
+    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) { return beforeByNumber(a.filename().string(), b.filename().string()); });
+    return files;
 }
 
 std::vector<fs::path> viewFiles(const std::vector<std::string>& names)
@@ -120,48 +154,31 @@ std::vector<fs::path> viewFiles(const std::vector<std::string>& names)
     for (const std::string& name : names) {
         std::error_code error;
         if (fs::is_directory(name, error)) {
-            for (fs::path& file : picturesIn(name)) files.push_back(std::move(file));
+            std::vector<fs::path> found = picturesIn(name);
+            if (found.empty()) throw Failure(Blame::file, "There are no pictures in " + name + "; give a folder with the views as PNG, JPEG, TIFF, EXR or HDR.");
+            for (fs::path& file : found) files.push_back(std::move(file));
         } else {
             files.emplace_back(name);
         }
     }
     if (files.empty()) throw Failure(Blame::usage, "There are no views; give a folder or files with --views.");
-    if (files.size() > static_cast<std::size_t>(mostViews)) {
-        throw Failure(Blame::usage, "There are " + std::to_string(files.size()) + " views, and " + std::to_string(mostViews) + " is the most.");
-    }
     return files;
 }
 
-ViewSet readViews(const std::vector<fs::path>& files, const std::function<bool(std::size_t)>& progress)
-{
-    ViewSet views;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (progress && !progress(i)) throw Failure(Blame::usage, "Reading the views was stopped.");
-        views.add(render::readImage(files[i]));
-    }
-    return views;
-}
-
-ViewSet viewsOfQuilt(const render::Image& image, int columns, int rows)
+render::Image viewOfQuilt(const render::Image& image, int columns, int rows, int k, QuiltOrder order)
 {
     if (columns < 1 || rows < 1 || image.width % columns != 0 || image.height % rows != 0) {
         throw Failure(Blame::usage, "A quilt of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels does not divide into " +
                                         std::to_string(columns) + " x " + std::to_string(rows) + " views.");
     }
-    ViewSet views;
-    const int width = image.width / columns;
-    const int height = image.height / rows;
-    for (int row = rows - 1; row >= 0; --row) {
-        for (int column = 0; column < columns; ++column) {
-            render::Image view(width, height, image.channels);
-            for (int y = 0; y < height; ++y) {
-                const float* from = image.pixels.data() + image.index(column * width, row * height + y);
-                std::copy_n(from, static_cast<std::size_t>(width) * static_cast<std::size_t>(image.channels), view.pixels.data() + view.index(0, y));
-            }
-            views.add(view);
-        }
+    render::Image view(image.width / columns, image.height / rows, image.channels);
+    const int left = k % columns * view.width;
+    const int row = order == QuiltOrder::topLeft ? k / columns : rows - 1 - k / columns;
+    for (int y = 0; y < view.height; ++y) {
+        const float* from = image.pixels.data() + image.index(left, row * view.height + y);
+        std::copy_n(from, static_cast<std::size_t>(view.width) * static_cast<std::size_t>(image.channels), view.pixels.data() + view.index(0, y));
     }
-    return views;
+    return view;
 }
 
 }  // namespace vitrine::lenticular

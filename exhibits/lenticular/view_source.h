@@ -1,10 +1,12 @@
 #pragma once
 
+#include "render/files/scratch_file.h"
 #include "render/image/image.h"
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
+#include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,15 +14,22 @@ namespace vitrine::lenticular {
 
 /// The views of a print, as the interlacer reads them: linear Rec. 709 in 16 bits, four samples a pixel (the
 /// fourth is unused), so that one pixel is one load. Row 0 at the top. All have the same height; widths differ.
+/// Views that do not fit into its share of memory lie in a scratch file and come into memory by rows.
 class ViewSet {
 public:
+    static constexpr std::size_t usualMemory = 160U << 20U;
+
+    /// `memory`: bytes of samples that are kept in memory.
+    explicit ViewSet(std::size_t memory = usualMemory) : memory_(memory) {}
+
     struct View {
         int width = 0;
-        std::vector<std::uint16_t> samples{};  ///< width * height * 4, and one unused pixel behind: columns are read two by two.
+        std::shared_ptr<const std::uint16_t> samples{};  ///< width * height * 4, and one unused pixel behind: columns are read two by two.
     };
 
     /// Adds a picture of linear light with 1 to 4 channels, over white where it is transparent. A picture of
-    /// another height than the first is scaled along its columns to the first one's.
+    /// another height than the first is scaled along its columns to the first one's. Throws Failure when there is
+    /// no room for it, neither in memory nor in the folder for temporary files.
     void add(const render::Image&);
 
     [[nodiscard]] int count() const { return static_cast<int>(views_.size()); }
@@ -29,23 +38,38 @@ public:
     [[nodiscard]] const std::uint16_t* row(int k, int y) const
     {
         const View& v = view(k);
-        return v.samples.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(v.width) * 4;
+        return v.samples.get() + static_cast<std::size_t>(y) * static_cast<std::size_t>(v.width) * 4;
     }
 
+    /// Bytes of samples in the scratch file.
+    [[nodiscard]] std::uint64_t scratchBytes() const { return scratch_ ? scratch_->size() : 0; }
+    /// Tells that row `y` of every view was read and is not wanted soon.
+    void rowIsRead(int y) const;
+    /// Tells it of all rows.
+    void allIsRead() const;
+
 private:
+    std::size_t memory_;
+    std::size_t used_ = 0;
     int height_ = 0;
     std::vector<View> views_;
+    std::size_t firstOnDisk_ = std::numeric_limits<std::size_t>::max();
+    std::shared_ptr<render::ScratchFile> scratch_;
 };
 
+/// The pictures in a folder, hidden ones left out; numbers in their names count by value (view2 before view10).
+/// Throws Failure (Blame::file) when it cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folder);
+
 /// The picture files that `names` mean, in viewing order from the left: files as given, folders by the names
-/// in them, where numbers count by value (view2 before view10). Throws Failure when there is none.
+/// in them. Throws Failure when there is none.
 [[nodiscard]] std::vector<std::filesystem::path> viewFiles(const std::vector<std::string>& names);
 
-/// Reads the files into views. `progress` (may be empty) is told how many are read; false stops with a Failure.
-[[nodiscard]] ViewSet readViews(const std::vector<std::filesystem::path>&, const std::function<bool(std::size_t)>& progress = {});
+/// Where a quilt's first view is: rows upwards as Looking Glass has them, or downwards as one reads.
+enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };
 
-/// Cuts a grid of views: the first at the bottom left, rows upwards, as quilts are.
-/// Throws Failure when the picture does not divide into the grid.
-[[nodiscard]] ViewSet viewsOfQuilt(const render::Image&, int columns, int rows);
+/// View `k` (0 to columns * rows - 1) of a grid of views of one size. Throws Failure (Blame::usage) when the
+/// picture does not divide into the grid.
+[[nodiscard]] render::Image viewOfQuilt(const render::Image&, int columns, int rows, int k, QuiltOrder = QuiltOrder::bottomLeft);
 
 }  // namespace vitrine::lenticular

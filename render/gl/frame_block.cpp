@@ -20,6 +20,7 @@ FrameBlock frameBlock(const View& view, double time, int sample, std::uint32_t s
     block.eye = glm::vec4(glm::vec3(view.eye), static_cast<float>(view.nearPlane));
     block.size = glm::vec4(size, 1.0 / size);
     block.sampling = glm::vec4(glm::dvec2(raster.offset) + raster.jitter, view.tanHalfFov);
+    block.shift = glm::vec4(view.tanShift, 0, 0);
     block.timing = glm::vec4(wrapped, sample, seed, 2 * view.tanHalfFov.y / size.y);
     return block;
 }

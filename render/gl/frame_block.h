@@ -7,7 +7,7 @@ namespace vitrine::render::gl {
 /// Mirrors the std140 block Frame of shaders/lib/frame.glsl.
 struct FrameBlock {
     glm::mat4 viewFromWorld, clipFromView, clipFromWorld, worldFromView;
-    glm::vec4 eye, size, sampling, timing;
+    glm::vec4 eye, size, sampling, shift, timing;
 };
 
 /// `time` is wrapped to a day here: nothing that moves slower than that is drawn from it.

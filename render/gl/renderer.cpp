@@ -4,6 +4,7 @@
 #include "render/gl/block_arena.h"
 #include "render/gl/context.h"
 #include "render/gl/frame_block.h"
+#include "render/gl/frame_clock.h"
 #include "render/gl/pass_state.h"
 #include "render/gl/program_cache.h"
 #include "render/gl/resources.h"
@@ -74,8 +75,6 @@ struct Renderer::State {
         glCreateVertexArrays(1, &name);
         noVertices = VertexArrayName(name);
     }
-
-    [[nodiscard]] double clock() const { return info.software ? processCpuSeconds() : wallSeconds(); }
 
     PassRanges gather(const Pass& pass, const FramePlan& plan, BlockArena::Range planFrame)
     {
@@ -161,16 +160,18 @@ FrameReport Renderer::draw(const FramePlan& plan)
     State& s = *state_;
     FrameReport report;
     report.skipped = plan.skipped();
-    report.clock = s.info.software ? "process CPU time around glFinish" : "wall time around glFinish";
-    report.clockTrusted = true;
+    const ClockChoice& choice = trustedClock(s.info.software);
+    report.clock = choice.name;
+    report.clockTrusted = choice.trusted;
     const glm::ivec2 size = plan.view.raster.drawn();
     if (size.x <= 0 || size.y <= 0) return report;
 
     GLint callersFramebuffer = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &callersFramebuffer);
     glFinish();
-    const double start = s.clock();
     const double wallStart = wallSeconds();
+    FrameClock clock(choice.method);
+    clock.mark();
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     s.resources.sweep();
     s.forget(s.resources.prepare(plan, size));
@@ -183,27 +184,32 @@ FrameReport Renderer::draw(const FramePlan& plan)
     s.arena.upload();
 
     std::vector<SamplesQuery> samplesQueries;
+    if (s.timeSteps) clock.mark();
     for (std::size_t i = 0; i < plan.passes().size(); ++i) {
         const Pass& pass = plan.passes()[i];
-        const double stepStart = s.clock();
         glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass.name.c_str());
         if (pass.countSamples) samplesQueries.emplace_back();
         s.run(pass, ranges[i]);
         if (pass.countSamples) SamplesQuery::end();
         glPopDebugGroup();
         s.remember(pass);
-        if (s.timeSteps) glFinish();
-        report.ran.push_back({pass.name, pass.reason, pass.work, s.timeSteps ? 1e3 * (s.clock() - stepStart) : -1});
+        report.ran.push_back({pass.name, pass.reason, pass.work});
+        if (s.timeSteps) clock.mark();
         countDraws(pass, report.counters);
     }
+    clock.mark();
     glFinish();
+    report.wallMilliseconds = 1e3 * (wallSeconds() - wallStart);
     for (const SamplesQuery& query : samplesQueries) report.counters["samples"] += query.result();
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(callersFramebuffer));
     report.counters["passes"] = static_cast<std::int64_t>(plan.passes().size());
     report.counters["images"] = static_cast<std::int64_t>(s.resources.imageCount());
     report.counters["programs"] = static_cast<std::int64_t>(s.programs.size());
-    report.milliseconds = 1e3 * (s.clock() - start);
-    report.wallMilliseconds = 1e3 * (wallSeconds() - wallStart);
+    const std::vector<double> intervals = clock.seconds();
+    for (const double seconds : intervals) report.milliseconds += 1e3 * seconds;
+    if (s.timeSteps)  // The first interval prepares: images, blocks.
+        for (std::size_t i = 0; i < report.ran.size(); ++i) report.ran[i].milliseconds = 1e3 * intervals[i + 1];
+    report.overheadMilliseconds = 1e3 * choice.overheadSeconds * static_cast<double>(intervals.size());
     return report;
 }
 

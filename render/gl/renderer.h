@@ -31,7 +31,8 @@ public:
     /// are that framebuffer's size in device pixels.
     void present(const std::string& image, int width, int height);
 
-    /// Times each step, too, with a glFinish after each: slower, so only while the ledger is open.
+    /// Times each step, too, with a glFinish after each where no timer query can be trusted: slower, so only
+    /// while the ledger is open.
     void timeSteps(bool on);
 
     /// Debug builds: rebuilds programs whose files changed on disk; a program that fails keeps its last

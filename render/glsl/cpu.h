@@ -32,11 +32,17 @@ using mat4 = glm::dmat4;
 
 #include "shaders/lib/hash.glsl"
 
+#include "shaders/lib/light_shafts.glsl"
+
+#include "shaders/lib/air.glsl"
+
 #include "shaders/lib/sdf.glsl"
 
 #include "shaders/lib/sdf_operators.glsl"
 
 #include "shaders/lib/torus_mug.glsl"
+
+#include "shaders/lib/lens.glsl"
 
 #include "shaders/lib/strand.glsl"
 

@@ -31,8 +31,9 @@ struct ReadOptions {
 [[nodiscard]] Image readImage(const std::filesystem::path&, const ReadOptions& = {},
                               std::vector<std::string>* warnings = nullptr);
 
-/// `exr` stores 32-bit floats; `exrHalf` stores R, G, B and A as 16-bit floats, other channels as 32-bit.
-enum class PictureFormat : std::uint8_t { png8, png16, exr, exrHalf, tiff8, tiff16 };
+/// `exr` stores 32-bit floats; `exrHalf` stores R, G, B and A as 16-bit floats, other channels as 32-bit. `jpeg` is
+/// lossy (quality 92, colors at full resolution) and over white where the picture is transparent.
+enum class PictureFormat : std::uint8_t { png8, png16, exr, exrHalf, tiff8, tiff16, jpeg };
 
 struct PictureMetadata {
     std::string preset{};       ///< JSON text that restores what is seen; none when empty.
@@ -45,7 +46,7 @@ struct PictureMetadata {
 /// PNG and TIFF take 1 to 4 channels, sRGB-encoded and rounded to the nearest code (alpha linear, NaN 0),
 /// alpha not premultiplied; OpenEXR takes up to 16 channels, named by `channelNames` (by default Y, YA, RGB
 /// or RGBA), with color multiplied by A as the format demands. The preset goes into an iTXt chunk or
-/// attribute "vitrine:preset", in TIFF into ImageDescription. `ops` is used where no OpenImageIO is.
+/// attribute "vitrine:preset", in TIFF into ImageDescription; JPEG carries none. `ops` is used where no OpenImageIO is.
 /// Throws Failure naming file and cause; the old file then stands.
 void writePicture(const std::filesystem::path&, const Image&, PictureFormat, const PictureMetadata& = {},
                   FileOps& ops = systemFileOps());

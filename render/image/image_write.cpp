@@ -23,6 +23,20 @@ bool isExr(PictureFormat format)
     return format == PictureFormat::exr || format == PictureFormat::exrHalf;
 }
 
+ImageFormat storedAs(PictureFormat format)
+{
+    switch (format) {
+    case PictureFormat::png8:
+    case PictureFormat::png16: return ImageFormat::png;
+    case PictureFormat::tiff8:
+    case PictureFormat::tiff16: return ImageFormat::tiff;
+    case PictureFormat::exr:
+    case PictureFormat::exrHalf: return ImageFormat::exr;
+    case PictureFormat::jpeg: return ImageFormat::jpeg;
+    }
+    return ImageFormat::png;
+}
+
 StoredPicture emptyLike(const Image& image)
 {
     StoredPicture picture;
@@ -44,6 +58,20 @@ StoredPicture encoded(const Image& image, Code (*color)(float), Code (*alpha)(fl
     }
     picture.samples = std::move(codes);
     return picture;
+}
+
+/// RGB or gray without alpha, over white.
+Image overWhite(const Image& image)
+{
+    if (image.channels == 1 || image.channels == 3) return image;
+    Image opaque(image.width, image.height, image.channels - 1);
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i < opaque.pixels.size(); ++i) {
+        const std::size_t pixel = i / (channels - 1) * channels;
+        const float alpha = std::clamp(image.pixels[pixel + channels - 1], 0.0F, 1.0F);
+        opaque.pixels[i] = image.pixels[pixel + i % (channels - 1)] * alpha + (1 - alpha);
+    }
+    return opaque;
 }
 
 StoredPicture forExr(const Image& image, bool halfColor)
@@ -84,9 +112,7 @@ void check(const std::filesystem::path& path, const Image& image, PictureFormat 
     if (misnamed || (isExr(format) && image.channels > 4 && image.channelNames.empty())) {
         refuse(path, "the channels of the picture have no names");
     }
-    const ImageFormat stored = isExr(format) ? ImageFormat::exr
-                               : format == PictureFormat::png8 || format == PictureFormat::png16 ? ImageFormat::png
-                                                                                                : ImageFormat::tiff;
+    const ImageFormat stored = storedAs(format);
     if (!extensionAllows(path, stored)) {
         refuse(path, "a name that ends in \"" + path.extension().string() + "\" does not fit the format " +
                          std::string(toString(stored)));
@@ -100,6 +126,7 @@ StoredPicture prepared(const Image& image, PictureFormat format)
     case PictureFormat::tiff8: return encoded<std::uint8_t>(image, srgb8FromLinear, code8);
     case PictureFormat::png16:
     case PictureFormat::tiff16: return encoded<std::uint16_t>(image, srgb16FromLinear, code16);
+    case PictureFormat::jpeg: return encoded<std::uint8_t>(overWhite(image), srgb8FromLinear, code8);
     case PictureFormat::exr: return forExr(image, false);
     case PictureFormat::exrHalf: return forExr(image, true);
     }
@@ -123,19 +150,19 @@ void writePicture(const std::filesystem::path& path, const Image& image, Picture
     }
 
     OiioTarget target;
-    target.format = isExr(format) ? ImageFormat::exr : ImageFormat::tiff;
+    target.format = storedAs(format);
     target.halfColor = format == PictureFormat::exrHalf;
     target.pixelsPerInch = metadata.pixelsPerInch;
     if (isExr(format)) {
         if (!metadata.preset.empty()) target.texts.emplace_back("vitrine:preset", metadata.preset);
         if (!metadata.description.empty()) target.texts.emplace_back("ImageDescription", metadata.description);
-    } else if (!metadata.preset.empty()) {
+    } else if (!metadata.preset.empty() && format != PictureFormat::jpeg) {
         target.texts.emplace_back("ImageDescription", asciiJson(metadata.preset));  // TIFF text is ASCII.
     } else if (!metadata.description.empty()) {
         target.texts.emplace_back("ImageDescription", metadata.description);
     }
 
-    const std::size_t sampleBytes = isExr(format) ? 4 : format == PictureFormat::tiff8 ? 1 : 2;
+    const std::size_t sampleBytes = isExr(format) ? 4 : format == PictureFormat::tiff16 ? 2 : 1;
     requireSpace(path, picture.sampleCount() * sampleBytes, ops);
     PartFile part(path, ops);
     target.path = part.path().string();

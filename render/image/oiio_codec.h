@@ -15,7 +15,7 @@ namespace vitrine::render {
 /// How a file is written by OpenImageIO.
 struct OiioTarget {
     std::string path;
-    ImageFormat format = ImageFormat::exr;                      ///< exr or tiff.
+    ImageFormat format = ImageFormat::exr;                      ///< exr, tiff or jpeg.
     bool halfColor = false;                                     ///< EXR: R, G, B and A as 16-bit float.
     std::vector<std::pair<std::string, std::string>> texts;     ///< Attributes.
     double pixelsPerInch = 0;                                   ///< 0: not said.
@@ -42,6 +42,18 @@ public:
     [[nodiscard]] virtual std::string close() noexcept = 0;
 };
 
+/// An open TIFF that is read by rows, 8 or 16 bits.
+class OiioRowReader {
+public:
+    virtual ~OiioRowReader() = default;
+    /// Whole rows without padding, in any order; those after the last ones read come fastest. Returns a half
+    /// sentence on what went wrong, empty when nothing did.
+    [[nodiscard]] virtual std::string read(int first, int count, void* rows) noexcept = 0;
+
+    int width = 0, height = 0, channels = 0, bits = 8;
+    std::string description{};
+};
+
 /// A row that was written, to compare with what the file says.
 struct WrittenRow {
     int row = 0;
@@ -63,7 +75,7 @@ public:
     [[nodiscard]] virtual std::string decode(std::string_view bytes, ImageFormat, const ImageLimits&,
                                              const std::function<bool()>& cancelled, StoredPicture& out) noexcept = 0;
 
-    /// Writes the file, opens it again and compares rows spread over the whole picture. Leaves a broken
+    /// Writes the file, opens it again and compares rows spread over the whole picture (JPEG loosely). Leaves a broken
     /// file behind when it fails: the caller removes it.
     [[nodiscard]] virtual std::string write(const StoredPicture&, const OiioTarget&) noexcept = 0;
 
@@ -80,6 +92,9 @@ public:
     [[nodiscard]] virtual std::string readText(std::string_view bytes, ImageFormat, const std::string& key,
                                                std::string& out) noexcept = 0;
 
+    /// Opens a TIFF of any size, to read it by rows.
+    [[nodiscard]] virtual std::string openRowReader(const std::string& path, std::unique_ptr<OiioRowReader>& out) noexcept = 0;
+
     /// "2.4.7.1", of the OpenImageIO that runs.
     [[nodiscard]] virtual const char* libraryVersion() const noexcept = 0;
 };
@@ -95,5 +110,5 @@ public:
 }  // namespace vitrine::render
 
 /// The one symbol of the module. `version` must be `vitrineOiioVersion`; otherwise the answer is null.
-inline constexpr int vitrineOiioVersion = 2;
+inline constexpr int vitrineOiioVersion = 3;
 extern "C" vitrine::render::OiioCodec* vitrineOiio(int version);

@@ -5,6 +5,7 @@
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/image/decode.h"
+#include "render/image/picture_rows.h"
 #include "render/image/png_file.h"
 
 #include <cmath>
@@ -12,7 +13,6 @@
 namespace vitrine::render {
 namespace {
 
-constexpr const char* printKey = "vitrine:print";
 constexpr std::int64_t tiffSide = 1 << 20;  // OpenImageIO reads no TIFF beyond this.
 constexpr std::int64_t keptRows = 16;
 
@@ -38,6 +38,9 @@ const char* nameOf(StreamCompression compression)
 PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec& spec, FileOps& ops) : path_(path), spec_(spec), part_(path, ops)
 {
     if (!isPng(path) && !isTiff(path)) throw Failure(Blame::usage, "Cannot write " + path.string() + ": give a name that ends in .tif, .tiff or .png.");
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error)) throw Failure(Blame::file, "Cannot write " + path.string() + ": there is no folder " + folder.string() + "; create it first.");
     const std::int64_t most = isPng(path) ? 2147483647 : tiffSide;
     if (spec.width > most || spec.height > most) {
         throw Failure(Blame::usage, "Cannot write " + path.string() + ": " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
@@ -97,13 +100,18 @@ double storedDpi(const std::filesystem::path& path, double dpi)
 
 std::optional<std::string> embeddedPrint(const std::filesystem::path& path)
 {
-    const std::string bytes = readFile(path, ImageLimits{}.fileBytes);
-    const ImageFormat format = formatOf(bytes, path.string());
-    if (format == ImageFormat::png) return textInPng(bytes, printKey, path.string());
-    if (format != ImageFormat::tiff) return std::nullopt;
     std::string text;
-    if (const std::string why = oiioCodec().readText(bytes, format, "ImageDescription", text); !why.empty())
-        throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + ".");
+    std::error_code error;
+    if (const std::uint64_t size = std::filesystem::file_size(path, error); !error && size > ImageLimits{}.fileBytes) {
+        text = PictureRows(path).json();
+    } else {
+        const std::string bytes = readFile(path, ImageLimits{}.fileBytes);
+        const ImageFormat format = formatOf(bytes, path.string());
+        if (format == ImageFormat::png) return textInPng(bytes, printKey, path.string());
+        if (format != ImageFormat::tiff) return std::nullopt;
+        if (const std::string why = oiioCodec().readText(bytes, format, "ImageDescription", text); !why.empty())
+            throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + ".");
+    }
     if (text.empty()) return std::nullopt;
     return text;
 }

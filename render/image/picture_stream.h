@@ -15,6 +15,9 @@ namespace vitrine::render {
 
 enum class StreamCompression : std::uint8_t { none, deflate, zstd };
 
+/// The chunk of a PNG that says how a print was made.
+inline constexpr const char* printKey = "vitrine:print";
+
 /// A picture too large for memory: RGB, sRGB-encoded, 8 or 16 bits.
 struct StreamSpec {
     std::int64_t width = 0;
@@ -58,7 +61,7 @@ private:
 /// The resolution that a file of this name will say: TIFF has 24 bits of it, PNG whole dots per meter.
 [[nodiscard]] double storedDpi(const std::filesystem::path&, double dpi);
 
-/// The JSON that a stream wrote into a TIFF or PNG, or nothing. It is text from a file: parse it as untrusted.
+/// The JSON that a stream wrote into a TIFF or PNG of any size, or nothing. It is text from a file: parse it as untrusted.
 [[nodiscard]] std::optional<std::string> embeddedPrint(const std::filesystem::path&);
 
 /// The ICC profile in a picture file; empty when there is none.

@@ -27,6 +27,7 @@ struct FrameReport {
     double wallMilliseconds = 0;                   ///< The same by the wall clock: what a visitor waits.
     std::string clock;                             ///< "process CPU time around glFinish", ...
     bool clockTrusted = false;
+    double overheadMilliseconds = 0;               ///< What taking the times cost; part of `milliseconds`.
 };
 
 /// Draws frame plans. The renderer implements it with OpenGL; tests replace it.

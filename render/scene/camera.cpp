@@ -1,7 +1,5 @@
 #include "render/scene/camera.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,6 +16,11 @@ Box Box::transformed(const glm::dmat4& transform) const
         result.include(glm::dvec3(transform * glm::dvec4(p, 1)));
     }
     return result;
+}
+
+glm::dvec3 View::direction(glm::dvec2 ndc) const
+{
+    return glm::transpose(glm::dmat3(viewFromWorld)) * glm::dvec3(ndc * tanHalfFov + tanShift, -1);
 }
 
 bool View::mayContain(const Box& box) const
@@ -38,21 +41,40 @@ bool View::mayContain(const Box& box) const
     return std::none_of(outside.begin(), outside.end(), [](int n) { return n == 8; });
 }
 
+namespace {
+
+/// A position that float32 matrices can hold; what is no number is the origin.
+glm::dvec3 insideTheWorld(const glm::dvec3& p)
+{
+    glm::dvec3 result(0);
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isnan(p[axis])) result[axis] = std::clamp(p[axis], -farthestPlace, farthestPlace);
+    return result;
+}
+
+}  // namespace
+
 View makeView(const Camera& camera, const Raster& raster)
 {
     View view;
     view.raster = raster;
-    view.eye = camera.eye;
-    const glm::dvec3 toTarget = camera.target - camera.eye;
+    view.eye = insideTheWorld(camera.eye);
+    const glm::dvec3 toTarget = insideTheWorld(camera.target) - view.eye;
     const double distance = glm::length(toTarget);
     const glm::dvec3 forward = distance > 1e-9 ? toTarget / distance : glm::dvec3(0, 0, -1);
     const glm::dvec3 up = std::abs(forward.y) > 0.99999 ? glm::dvec3(0, 0, forward.y > 0 ? 1 : -1) : glm::dvec3(0, 1, 0);
-    view.viewFromWorld = glm::lookAt(camera.eye, camera.eye + forward, up);
+    // Not from a point one metre ahead, as lookAt wants it: far from the origin that is where the eye is.
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
+    const glm::dmat3 viewFromWorld = glm::transpose(glm::dmat3(right, glm::cross(right, forward), -forward));
+    view.viewFromWorld = glm::dmat4(viewFromWorld);
+    view.viewFromWorld[3] = glm::dvec4(-(viewFromWorld * view.eye), 1);
 
     const double degree = std::numbers::pi / 180;
     const double fov = std::clamp(std::isfinite(camera.fovY) ? camera.fovY : 55 * degree, degree, 175 * degree);
     const glm::dvec2 size = glm::max(raster.size, glm::ivec2(1));
     view.tanHalfFov = std::tan(fov / 2) * glm::dvec2(size.x / size.y, 1);
+
+    view.tanShift = {std::isfinite(camera.lensShift.x) ? camera.lensShift.x : 0, std::isfinite(camera.lensShift.y) ? camera.lensShift.y : 0};
 
     // Maps the tile's pixels to [-1, 1]; the jitter moves the sample, so it moves the picture back.
     const glm::dvec2 drawn = glm::max(raster.drawn(), glm::ivec2(1));
@@ -63,16 +85,18 @@ View makeView(const Camera& camera, const Raster& raster)
     tileFromWhole[1][1] = scale.y;
     tileFromWhole[3][0] = shift.x;
     tileFromWhole[3][1] = shift.y;
-    view.clipFromView = tileFromWhole * reversedPerspective(view.tanHalfFov, view.nearPlane);
+    view.clipFromView = tileFromWhole * reversedPerspective(view.tanHalfFov, view.nearPlane, view.tanShift);
     view.clipFromWorld = view.clipFromView * view.viewFromWorld;
     return view;
 }
 
-glm::dmat4 reversedPerspective(glm::dvec2 tanHalfFov, double nearPlane)
+glm::dmat4 reversedPerspective(glm::dvec2 tanHalfFov, double nearPlane, glm::dvec2 tanShift)
 {
     glm::dmat4 clipFromView(0);
     clipFromView[0][0] = 1 / tanHalfFov.x;
     clipFromView[1][1] = 1 / tanHalfFov.y;
+    clipFromView[2][0] = tanShift.x / tanHalfFov.x;
+    clipFromView[2][1] = tanShift.y / tanHalfFov.y;
     clipFromView[2][3] = -1;
     clipFromView[3][2] = nearPlane;
     return clipFromView;

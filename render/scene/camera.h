@@ -8,11 +8,17 @@
 
 namespace vitrine::render {
 
-/// Where one looks from. World space: y up, metres.
+/// How far from the origin anything may be, along each axis, metres: a thousand kilometers.
+inline constexpr double farthestPlace = 1e6;
+
+/// Where one looks from. World space: y up, metres, within `farthestPlace`.
 struct Camera {
     glm::dvec3 eye{0, 1.65, 10.5};
     glm::dvec3 target{0, 1.75, 0};
     double fovY = 0.959931;  ///< Vertical field of view, radians (55°). Clamped to [1°, 175°] by `makeView`.
+    /// Where the middle of the picture looks, off the view axis: tangents, to the right and up. Slides the picture
+    /// within the same image plane, as a shift lens does; 0 is straight ahead. Not finite counts as 0.
+    glm::dvec2 lensShift{0};
 
     bool operator==(const Camera&) const = default;
 };
@@ -34,18 +40,23 @@ struct View {
     glm::dmat4 clipFromWorld{1};
     glm::dvec3 eye{0};
     glm::dvec2 tanHalfFov{1};    ///< Of the whole picture, horizontal and vertical.
+    glm::dvec2 tanShift{0};      ///< Of the middle of the whole picture, off the view axis.
     double nearPlane = 0.02;     ///< Metres.
     Raster raster;
 
+    /// World-space direction through a place in the whole picture (each -1 to 1, y up), with length 1 along the axis.
+    [[nodiscard]] glm::dvec3 direction(glm::dvec2 ndc) const;
     /// False only when no point of `worldBox` can be inside the view frustum (conservative).
     [[nodiscard]] bool mayContain(const Box& worldBox) const;
 };
 
-/// Handles a target equal to the eye, a vertical look direction, and a field of view out of range.
+/// Handles a target equal to the eye, a vertical look direction, a field of view out of range, and positions out of
+/// range or NaN: they are brought into it.
 [[nodiscard]] View makeView(const Camera&, const Raster&);
 
-/// Reversed infinite perspective: near plane at depth 1, infinity at 0. `tanHalfFov` > 0, `nearPlane` > 0.
-[[nodiscard]] glm::dmat4 reversedPerspective(glm::dvec2 tanHalfFov, double nearPlane);
+/// Reversed infinite perspective: near plane at depth 1, infinity at 0. `tanHalfFov` > 0, `nearPlane` > 0;
+/// `tanShift` is where its middle looks, off the axis.
+[[nodiscard]] glm::dmat4 reversedPerspective(glm::dvec2 tanHalfFov, double nearPlane, glm::dvec2 tanShift = glm::dvec2(0));
 
 /// Reversed orthographic projection of a box in light space: z = `nearest` gives depth 1, `farthest` 0
 /// (both are view-space z, negative in front).

@@ -57,7 +57,7 @@ void main()
 #endif
 
     vec3 toEye = normalize(frame.eye.xyz - worldPosition);
-    vec3 n = normalize(worldNormal);
+    vec3 n = safeNormalize(worldNormal, toEye);  // A visitor's file may hold normals without length.
     if (!gl_FrontFacing) n = -n;
 #ifdef NORMAL_MAP
     vec3 t = worldTangent.xyz - n * dot(n, worldTangent.xyz);
@@ -100,7 +100,8 @@ void main()
 #ifdef EMISSIVE_MAP
     emitted *= texture(emissiveMap, tileUv).rgb;
 #endif
-    radiance = vec4(color + emitted, 1.0);
+    // Half floats end at 65504, and infinity is NaN in every average after it.
+    radiance = vec4(min(color + emitted, vec3(6e4)), 1.0);
 #ifdef WRITE_NORMAL
     normalOut = vec4(n, 1.0);
 #endif

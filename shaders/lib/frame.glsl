@@ -9,6 +9,7 @@ layout(std140, binding = BLOCK_FRAME) uniform Frame {
     vec4 eye;            // world space, metres; w: near plane, metres
     vec4 size;           // whole picture: width, height, 1/width, 1/height, pixels
     vec4 sampling;       // xy: lower left corner of the tile plus jitter, pixels; zw: tan of half the field of view
+    vec4 shift;          // xy: tan of where the middle of the picture looks, off the axis
     vec4 timing;         // x: seconds, wrapped; y: index of the supersample; z: seed; w: angle of one pixel, radians
 } frame;
 
@@ -29,7 +30,7 @@ vec2 frameTile()
 vec3 frameRay(vec2 fragCoord)
 {
     vec2 ndc = framePixel(fragCoord) * frame.size.zw * 2.0 - 1.0;
-    return mat3(frame.worldFromView) * vec3(ndc * frame.sampling.zw, -1.0);
+    return mat3(frame.worldFromView) * vec3(ndc * frame.sampling.zw + frame.shift.xy, -1.0);
 }
 
 // Distance along the view axis, metres, of a reversed depth value; infinite for the far plane.

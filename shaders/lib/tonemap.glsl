@@ -15,7 +15,8 @@ vec3 tonemapMix(vec3 c, float share)
 
 vec3 tonemap(vec3 radiance)
 {
-    vec3 c = tonemapMix(max(radiance, vec3(0.0)), TONEMAP_INSET);
+    // Infinite light is white: infinity over infinity below would be NaN.
+    vec3 c = tonemapMix(clamp(radiance, 0.0, 1e9), TONEMAP_INSET);
     float half_ = pow(TONEMAP_GREY, TONEMAP_CONTRAST) * (1.0 - TONEMAP_GREY) / TONEMAP_GREY;
     vec3 x = pow(max(c, vec3(1e-7)), vec3(TONEMAP_CONTRAST));
     vec3 y = x / (x + half_);

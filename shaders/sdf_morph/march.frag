@@ -59,7 +59,7 @@ void main()
 #ifdef HEAT_MAP
     color = heat(march, hit);
 #endif
-    radiance = vec4(color, 1.0);
+    radiance = vec4(min(color, vec3(6e4)), 1.0);  // Half floats end at 65504.
 #ifdef WRITE_NORMAL
     normalOut = vec4(hit.worldNormal, 1.0);
 #endif

@@ -86,6 +86,23 @@ TEST(Doctor, SaysWhatThisMachineCanDo)
     EXPECT_NE(test::vitrine({"doctor"}).out.find(report["opengl"]["renderer"].get<std::string>()), std::string::npos);
 }
 
+TEST(Doctor, TriesTheHardCasesOnTheDriver)
+{
+    const Ended ended = test::vitrine({"doctor", "--stability", "--presets", "2", "--json"});
+    EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+    EXPECT_EQ(ended.err, "");
+    const Json report = render::parseJson(ended.out, "doctor").root();
+    EXPECT_FALSE(report["opengl"]["renderer"].get<std::string>().empty());
+    ASSERT_GT(report["cases"].size(), 20U);
+    for (const Json& line : report["cases"]) {
+        EXPECT_TRUE(line["holds"].get<bool>()) << line.dump();
+        EXPECT_LE(line["value"].get<double>(), line["limit"].get<double>()) << line.dump();
+    }
+    const std::string table = test::vitrine({"doctor", "--stability", "--presets", "1"}).out;
+    for (const char* part : {"renderer  ", "H22 ", "sdf_morph: ", "holds", "Everything holds."}) EXPECT_NE(table.find(part), std::string::npos) << part << '\n' << table;
+    EXPECT_EQ(test::vitrine({"doctor", "--stability", "--presets", "0"}).code, 2);
+}
+
 TEST(Doctor, OnAnOldMachineSaysWhatIsThereAndWhatIsNeeded)
 {
     const Ended ended = test::vitrine({"doctor", "--json"}, {{"MESA_GL_VERSION_OVERRIDE", "3.3"}});

@@ -70,6 +70,8 @@ Shot::Shot()
     hall().set(hallTable().shadowMapSize, 512);
     hall().set(hallTable().probeSize, 32);
     hall().set(hallTable().probeSamples, 16);
+    // Clear air, so that surfaces are seen as they are.
+    look.values[*museum.find("crepuscular_rays")].set(raysTable().technique, RayTechnique::none);
     FrameRequest& frame = request.frame;
     frame.alone = sdf;
     frame.transparent = true;

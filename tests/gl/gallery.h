@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/framework/museum.h"
 #include "exhibits/framework/picture.h"
 #include "exhibits/hall/hall_table.h"
@@ -40,6 +41,11 @@ private:
 inline const HallTable& hallTable()
 {
     static const HallTable table;
+    return table;
+}
+inline const CrepuscularRaysTable& raysTable()
+{
+    static const CrepuscularRaysTable table;
     return table;
 }
 inline const SdfMorphTable& sdfTable()

@@ -23,7 +23,7 @@ Ray pixelRay(const render::View& view, int x, int y)
 {
     const glm::dvec2 size(view.raster.size);
     const glm::dvec2 ndc = glm::dvec2(x + 0.5, size.y - y - 0.5) / size * 2.0 - 1.0;
-    return {view.eye, glm::transpose(glm::dmat3(view.viewFromWorld)) * glm::dvec3(ndc * view.tanHalfFov, -1)};
+    return {view.eye, view.direction(ndc)};
 }
 
 Solid::Solid(const ParameterValues& values, const glm::dmat4& worldFromLocal)

@@ -1,6 +1,7 @@
 #include "render/scene/camera.h"
 #include "tests/stability/fields.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,12 +85,33 @@ TEST(Camera, H14_AnyFieldOfViewAndDirectionGivesAFinitePicture)
     }
 }
 
+TEST(Camera, H14_NoPlaceIsTooFarOrTooStrangeToLookFrom)
+{
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const glm::dvec3 far(0, 0, 1e17);
+    EXPECT_FALSE(allFinite(glm::lookAt(far, far + glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0))));  // The point ahead is the eye.
+    const double places[] = {0, 1e5, 1e6, -1e17, 1e300, infinity, -infinity, nan};
+    for (const double x : places) {
+        for (const double y : places) {
+            const View view = makeView({.eye = {x, 1, y}, .target = {y, x, -3}}, {});
+            EXPECT_TRUE(allFinite(glm::dmat4(glm::mat4(view.clipFromWorld)))) << x << ' ' << y;
+            const glm::dmat3 turn(view.viewFromWorld);
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j) EXPECT_NEAR(glm::dot(turn[i], turn[j]), i == j ? 1 : 0, 1e-9) << x << ' ' << y;
+        }
+    }
+    // Far off, the direction keeps its digits.
+    const View view = makeView({.eye = {1e5, 0, 1e5}, .target = {1e5 + 1, 0, 1e5 - 1}}, {});
+    EXPECT_NEAR(view.viewFromWorld[0][2], -std::sqrt(0.5), 1e-12);
+}
+
 TEST(Camera, NeverCallsHiddenWhatHasAPointInView)
 {
     test::Random random(1);
     int out = 0;
     for (int i = 0; i < 3000; ++i) {
-        Camera camera{random.point(6), random.point(6), random.number(0.2, 2.5)};
+        Camera camera{random.point(6), random.point(6), random.number(0.2, 2.5), {random.number(-1, 1), random.number(-1, 1)}};
         const View view = makeView(camera, {.size = {static_cast<int>(random.number(1, 400)), static_cast<int>(random.number(1, 400))}, .jitter = {random.number(-0.5, 0.5), random.number(-0.5, 0.5)}});
         const glm::dvec3 center = random.point(8);
         const glm::dvec3 half = glm::abs(random.point(i % 3 == 0 ? 5 : 0.5));
@@ -110,7 +132,7 @@ TEST(Camera, ATileIsThatPartOfThePicture)
 {
     test::Random random(2);
     for (int i = 0; i < 500; ++i) {
-        const Camera camera{random.point(3), random.point(3), random.number(0.2, 2)};
+        const Camera camera{random.point(3), random.point(3), random.number(0.2, 2), {random.number(-1, 1), random.number(-1, 1)}};
         const glm::ivec2 size(random.number(2, 500), random.number(2, 500));
         const glm::ivec2 offset(random.number(0, size.x - 1), random.number(0, size.y - 1));
         const glm::ivec2 tile(random.number(1, size.x - offset.x), random.number(1, size.y - offset.y));
@@ -127,6 +149,59 @@ TEST(Camera, ATileIsThatPartOfThePicture)
         EXPECT_LT(glm::length(pixel - jitter - glm::dvec2(offset) - pixelInTile), 1e-6 * (1 + glm::length(pixel)));
         EXPECT_NEAR(a.z / a.w, b.z / b.w, 1e-12);
     }
+}
+
+/// Where a point falls, in pixels from the lower left corner.
+glm::dvec2 pixelOf(const Camera& camera, const glm::ivec2& size, const glm::dvec3& point)
+{
+    const glm::dvec4 clip = makeView(camera, {.size = size}).clipFromWorld * glm::dvec4(point, 1);
+    return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size);
+}
+
+TEST(Camera, AShiftedLensSlidesThePictureByTheClosedForm)
+{
+    test::Random random(4);
+    double farthestMove = 0;
+    for (int i = 0; i < 500; ++i) {
+        const glm::ivec2 size(random.number(20, 2000), random.number(20, 2000));
+        const Camera middle{random.point(3), random.point(3), random.number(0.2, 2)};
+        const glm::dvec3 forward = glm::normalize(middle.target - middle.eye);
+        const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
+        const glm::dvec3 up = glm::cross(right, forward);
+        const double plane = random.number(0.5, 5);
+        const glm::dvec2 move(random.number(-0.4, 0.4), random.number(-0.4, 0.4));
+        Camera moved = middle;
+        moved.eye += right * move.x + up * move.y;
+        moved.target += right * move.x + up * move.y;
+        moved.lensShift = -move / plane;
+        const double distance = i % 3 == 0 ? plane : random.number(0.3, 20);
+        const double tanY = std::tan(middle.fovY / 2);
+        const glm::dvec2 side = glm::dvec2(random.number(-1, 1), random.number(-1, 1)) * distance * tanY;
+        const glm::dvec3 point = middle.eye + forward * distance + right * side.x + up * side.y;
+        // A point at z moves by X (1/C - 1/z): with the camera behind the plane C, against it before, linearly in X.
+        const glm::dvec2 expected = move * (1 / plane - 1 / distance) * (size.y / (2 * tanY));
+        const glm::dvec2 seen = pixelOf(moved, size, point) - pixelOf(middle, size, point);
+        EXPECT_LT(glm::length(seen - expected), 1e-6);
+        if (distance == plane) { EXPECT_LT(glm::length(seen), 1e-6); }
+        farthestMove = std::max(farthestMove, glm::length(seen));
+    }
+    EXPECT_GT(farthestMove, 100);  // The test is not about nothing.
+}
+
+TEST(Camera, ADirectionLeadsToItsPlaceInThePictureWithAShiftedLensToo)
+{
+    test::Random random(5);
+    for (int i = 0; i < 300; ++i) {
+        const Camera camera{random.point(3), random.point(3), random.number(0.2, 2), {random.number(-1, 1), random.number(-1, 1)}};
+        const glm::ivec2 size(random.number(2, 500), random.number(2, 500));
+        const View view = makeView(camera, {.size = size});
+        const glm::dvec2 ndc(random.number(-1, 1), random.number(-1, 1));
+        const glm::dvec2 pixel = pixelOf(camera, size, camera.eye + view.direction(ndc) * random.number(0.1, 50));
+        EXPECT_LT(glm::length(pixel - (ndc * 0.5 + 0.5) * glm::dvec2(size)), 1e-6);
+    }
+    Camera broken;
+    broken.lensShift = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
+    EXPECT_TRUE(allFinite(makeView(broken, {}).clipFromWorld));
 }
 
 TEST(Camera, SamplesFillThePixelEvenlyAndStartInItsMiddle)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/framework/museum.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/hall_table.h"
@@ -27,6 +28,11 @@ inline const HallTable& hallTable()
     static const HallTable table;
     return table;
 }
+inline const CrepuscularRaysTable& raysTable()
+{
+    static const CrepuscularRaysTable table;
+    return table;
+}
 inline const SdfMorphTable& sdfTable()
 {
     static const SdfMorphTable table;
@@ -48,6 +54,7 @@ struct Scene {
     void see(const glm::dvec3& eye, const glm::dvec3& target) { see({eye, target, 0.96}); }
     [[nodiscard]] ParameterValues& hall() { return look.values[0]; }
     [[nodiscard]] ParameterValues& object() { return look.values[sdf]; }
+    [[nodiscard]] ParameterValues& rays() { return look.values[*museum().find("crepuscular_rays")]; }
     [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {}) const { return museum().plan(look, request, kept); }
 };
 

@@ -29,7 +29,7 @@ TEST(Numerics, H43_FresnelSurvivesACosineAboveOne)
     }
 }
 
-TEST(Numerics, FresnelOfClearSurfacesIsThatOfTheTwoPolarizations)
+TEST(Numerics, H93_FresnelOfClearSurfacesIsThatOfTheTwoPolarizations)
 {
     for (const double index : {1.0, 1.33, 1.5, 2.4, 1 / 1.33, 1 / 1.5, 1 / 2.4}) {
         for (int i = 1; i <= 1000; ++i) {

@@ -10,6 +10,7 @@
 #include "ui/picture_export.h"
 #include "ui/preset_list.h"
 #include "ui/preset_shelf.h"
+#include "ui/print_dialog.h"
 #include "ui/theme.h"
 #include "ui/value_slider.h"
 #include "ui/viewport.h"
@@ -74,6 +75,13 @@ class MuseumWindowTest : public QObject {
         QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(pixels, 0));
     }
 
+    void setPrint(PrintDialog& dialog, const char* row, double value)
+    {
+        ParameterValues values = dialog.values();
+        values.setRow(*values.table().find(row), value);
+        dialog.setValues(values);
+    }
+
 private slots:
     void initTestCase()
     {
@@ -99,6 +107,39 @@ private slots:
     {
         if (window_) window_->close();
         window_.reset();
+    }
+
+    void aPrintOfWhatIsShownIsRenderedAndCancelLeavesNothing()
+    {
+        window_->openPrintDialog();
+        window_->openPrintDialog();
+        QCOMPARE(window_->findChildren<PrintDialog*>().size(), 1);
+        auto* dialog = window_->findChild<PrintDialog*>();
+        for (const auto& [row, value] : std::initializer_list<std::pair<const char*, double>>{
+                 {"views", 2}, {"viewWidth", 96}, {"samples", 2}, {"width", 0.03}, {"height", 0.02}, {"dotsPerInch", 300}})
+            setPrint(*dialog, row, value);
+        const QDir home(home_->path());
+        dialog->setPath(home.filePath("print.png"));
+        QTRY_VERIFY_WITH_TIMEOUT(dialog->settled(), 60000);
+        dialog->startExport();
+        QVERIFY(dialog->exporting());
+        dialog->stopExport();
+        QVERIFY(!dialog->exporting());
+        QVERIFY(!QFile::exists(home.filePath("print.png")));
+        dialog->startExport();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog->exporting(), 60000);
+        const QImage print(home.filePath("print.png"));
+        QCOMPARE(print.width(), 354);
+        QFile json(home.filePath("print.png.json"));
+        QVERIFY(json.open(QIODevice::ReadOnly));
+        QVERIFY(json.readAll().contains("\"scene\""));  // The look that was rendered.
+        // The hall, not a blank: many colors.
+        QSet<QRgb> colors;
+        for (int y = 0; y < print.height(); ++y)
+            for (int x = 0; x < print.width(); ++x) colors << print.pixel(x, y);
+        QVERIFY2(colors.size() > 500, qPrintable(QString::number(colors.size())));
+        dialog->close();
+        QTRY_VERIFY(!window_->findChild<PrintDialog*>());
     }
 
     void aSliderChangesThePictureUndoRestoresItAndAPresetBringsItBackInTheNextSession()

@@ -1,5 +1,6 @@
 #include "render/image/oiio/guarded.h"
 #include "render/image/oiio/read.h"
+#include "render/image/oiio/row_reader.h"
 #include "render/image/oiio/rows.h"
 #include "render/image/oiio/write.h"
 
@@ -44,6 +45,10 @@ public:
                          std::string& out) noexcept override
     {
         return guarded([&] { return readTextWithOiio(bytes, format, key, out); });
+    }
+    std::string openRowReader(const std::string& path, std::unique_ptr<OiioRowReader>& out) noexcept override
+    {
+        return guarded([&] { return openRowReaderWithOiio(path, out); });
     }
     const char* libraryVersion() const noexcept override { return OIIO_VERSION_STRING; }
 };

@@ -1,6 +1,7 @@
 #include "render/image/oiio/rows.h"
 
 #include "render/image/oiio/guarded.h"
+#include "render/image/oiio/unlimited.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -50,16 +51,6 @@ public:
 private:
     std::unique_ptr<OIIO::ImageOutput> output_;
     OIIO::TypeDesc type_;
-};
-
-/// Lifts OpenImageIO's limit on a picture's size, to look into our own file row by row. A decode that runs
-/// meanwhile is still held by `whyTooLarge`, before it takes memory.
-class Unlimited {
-public:
-    Unlimited() { OIIO::attribute("limits:imagesize_MB", 0); }
-    ~Unlimited() { OIIO::attribute("limits:imagesize_MB", 2048); }
-    Unlimited(const Unlimited&) = delete;
-    Unlimited& operator=(const Unlimited&) = delete;
 };
 
 }  // namespace

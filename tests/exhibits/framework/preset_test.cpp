@@ -105,6 +105,9 @@ TEST(Preset, ReportsEveryClamp)
                                                       "sun (0, 3, 4) -> (0, 0.6, 0.8) (made unit length)"}));
     EXPECT_EQ(preset.values[table.exposure], 16);
     EXPECT_EQ(read(fileWith("", ", \"camera\": {\"fov\": 9}")).notes.size(), 1U);
+    const Preset far = read(fileWith("", ", \"camera\": {\"eye\": [1e300, 1, -1e17]}"));
+    EXPECT_EQ(far.notes, std::vector<std::string>{"camera.eye (1e+300, 1, -1e+17) -> (1e+06, 1, -1e+06) (allowed -1e+06 to 1e+06 m)"});
+    EXPECT_EQ(far.camera->eye, glm::dvec3(1e6, 1, -1e6));
 }
 
 TEST(Preset, NamesFileLineAndKeyOfWhatIsWrong)
@@ -212,7 +215,7 @@ TEST(Preset, OfTheWholeExhibitionHasDottedKeys)
 }
 
 // Whatever a damaged file says: a legal set of values, or a Failure and nothing changed.
-TEST(Preset, NeverCrashesOnDamagedFiles)
+TEST(Preset, H106_NeverCrashesOnDamagedFiles)
 {
     Preset rich = plain();
     rich.values.set(table.morph, 0.123456789);

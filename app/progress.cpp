@@ -1,0 +1,64 @@
+#include "app/progress.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+
+namespace vitrine::app {
+namespace {
+
+volatile std::sig_atomic_t stopAsked = 0;
+
+extern "C" void askToStop(int signal)
+{
+    stopAsked = 1;
+    std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+StopSignal::StopSignal()
+{
+    stopAsked = 0;
+    std::signal(SIGINT, askToStop);
+    std::signal(SIGTERM, askToStop);
+}
+
+StopSignal::~StopSignal()
+{
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+}
+
+bool StopSignal::stopped()
+{
+    return stopAsked != 0;
+}
+
+ProgressLine::ProgressLine(std::string what) : what_(std::move(what)), shown_(std::chrono::steady_clock::now()), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine()
+{
+    if (terminal_ && last_ >= 0) std::fputs("\r\033[K", stderr);
+}
+
+bool ProgressLine::show(double part)
+{
+    using namespace std::chrono_literals;
+    const auto now = std::chrono::steady_clock::now();
+    const int percent = std::isfinite(part) ? static_cast<int>(100 * std::clamp(part, 0.0, 1.0)) : 0;
+    const bool due = now - shown_ >= (last_ < 0 || !terminal_ ? 1000ms : 100ms);
+    const bool news = terminal_ ? percent != last_ : last_ < 0 || percent / 10 != last_ / 10;
+    if (due && news) {
+        std::fprintf(stderr, terminal_ ? "\r\033[Kvitrine: %s %d %%" : "vitrine: %s %d %%\n", what_.c_str(), percent);
+        std::fflush(stderr);
+        shown_ = now;
+        last_ = percent;
+    }
+    return !StopSignal::stopped();
+}
+
+}  // namespace vitrine::app

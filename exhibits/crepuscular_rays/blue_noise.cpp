@@ -1,0 +1,114 @@
+#include "exhibits/crepuscular_rays/blue_noise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace vitrine {
+namespace {
+
+constexpr int side = 64;
+constexpr int count = side * side;
+constexpr double sigma = 1.9;  ///< Texels; Ulichney recommends 1.5, and a little more is better at this size.
+
+/// Set texels and, for every texel, how crowded it is: a Gaussian around each set one, wrapping around.
+class Pattern {
+public:
+    Pattern()
+    {
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x) {
+                const double dx = std::min(x, side - x);
+                const double dy = std::min(y, side - y);
+                bump_[static_cast<std::size_t>(y * side + x)] = static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma)));
+            }
+        }
+    }
+
+    void flip(int at)
+    {
+        const float sign = set_[static_cast<std::size_t>(at)] ? -1.0F : 1.0F;
+        set_[static_cast<std::size_t>(at)] = !set_[static_cast<std::size_t>(at)];
+        const int ax = at % side;
+        const int ay = at / side;
+        for (int y = 0; y < side; ++y) {
+            const int row = ((y - ay + side) % side) * side;
+            for (int x = 0; x < side; ++x)
+                crowd_[static_cast<std::size_t>(y * side + x)] += sign * bump_[static_cast<std::size_t>(row + (x - ax + side) % side)];
+        }
+    }
+
+    /// The set texel in the tightest cluster, or the free one in the largest void.
+    [[nodiscard]] int extreme(bool set) const
+    {
+        int best = -1;
+        for (int i = 0; i < count; ++i) {
+            if (set_[static_cast<std::size_t>(i)] != set) continue;
+            const float crowd = crowd_[static_cast<std::size_t>(i)];
+            if (best < 0 || (set ? crowd > crowd_[static_cast<std::size_t>(best)] : crowd < crowd_[static_cast<std::size_t>(best)])) best = i;
+        }
+        return best;
+    }
+
+private:
+    std::array<bool, count> set_{};
+    std::array<float, count> crowd_{};
+    std::array<float, count> bump_{};
+};
+
+std::vector<int> ranks()
+{
+    Pattern pattern;
+    std::uint32_t state = 1;
+    int ones = 0;
+    std::array<bool, count> chosen{};
+    while (ones < count / 10) {
+        state = state * 747796405U + 2891336453U;
+        const int at = static_cast<int>(state >> 20U);
+        if (chosen[static_cast<std::size_t>(at)]) continue;
+        chosen[static_cast<std::size_t>(at)] = true;
+        pattern.flip(at);
+        ++ones;
+    }
+    // Spread the first points: the tightest cluster goes into the largest void until that is where it came from.
+    for (int i = 0; i < count; ++i) {
+        const int from = pattern.extreme(true);
+        pattern.flip(from);
+        const int to = pattern.extreme(false);
+        pattern.flip(to);
+        if (to == from) break;
+    }
+    std::vector<int> rank(count);
+    Pattern shrinking = pattern;
+    for (int i = ones - 1; i >= 0; --i) {
+        const int at = shrinking.extreme(true);
+        shrinking.flip(at);
+        rank[static_cast<std::size_t>(at)] = i;
+    }
+    for (int i = ones; i < count; ++i) {
+        const int at = pattern.extreme(false);
+        pattern.flip(at);
+        rank[static_cast<std::size_t>(at)] = i;
+    }
+    return rank;
+}
+
+}  // namespace
+
+std::shared_ptr<const render::Texture> blueNoise()
+{
+    static const std::shared_ptr<const render::Texture> made = [] {
+        auto texture = std::make_shared<render::Texture>();
+        texture->name = "blue noise";
+        texture->width = texture->height = side;
+        texture->channels = 1;
+        texture->mipmaps = false;
+        for (const int rank : ranks()) texture->bytes.push_back(static_cast<std::uint8_t>(rank * 256 / count));
+        return texture;
+    }();
+    return made;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
+#include "exhibits/framework/exhibit.h"
+
+namespace vitrine {
+
+/// Sunbeams through the tall window, laid over the finished frame: smeared from the sky in screen space, or marched
+/// through the hall's air. Read the table, then this file's plan, then sun_in_picture.h (where the sun is) and
+/// screen_rays.cpp and air_beams.cpp (what is drawn).
+class CrepuscularRays final : public Exhibit {
+public:
+    using Table = CrepuscularRaysTable;
+
+    [[nodiscard]] std::string_view name() const override { return "crepuscular_rays"; }
+    [[nodiscard]] std::string_view title() const override { return "Crepuscular Rays"; }
+    [[nodiscard]] std::string_view summary() const override { return "Sunbeams: smeared across the picture, or marched through the dust."; }
+    [[nodiscard]] std::string_view tryThis() const override { return "walk until the banner breaks the beam."; }
+    [[nodiscard]] std::string_view buttonText() const override { return "let the mobile turn"; }
+    [[nodiscard]] int place() const override { return 4; }
+    [[nodiscard]] const Table& parameters() const override { return table_; }
+    /// The window: what is clicked to get here. The beams reach as far as the sun does.
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
+    [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
+    [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    bool press(ParameterValues&) const override;
+    void plan(const PlanContext&, render::FramePlan&) const override {}
+    void planOverFrame(const PlanContext&, render::FramePlan&) const override;
+    [[nodiscard]] bool castsShadow() const override { return false; }
+    [[nodiscard]] double turnOfHangings(const ParameterValues&, double time) const override;
+
+private:
+    Table table_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,128 @@
+#include "exhibits/crepuscular_rays/rays_scene.h"
+
+#include "exhibits/framework/derive.h"
+#include "render/glsl/cpu.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+constexpr int largestMask = 2048;  ///< Pixels along a side: a print of any size needs no finer mask of its sky.
+
+int cellSize(RayResolution resolution)
+{
+    return resolution == RayResolution::full ? 1 : resolution == RayResolution::half ? 2 : 4;
+}
+
+/// The view of the whole picture at the mask's size, with the sample's jitter.
+render::View viewOfWhole(const render::View& view, glm::ivec2 size)
+{
+    render::View whole = view;
+    whole.raster.size = size;
+    whole.raster.offset = whole.raster.tile = glm::ivec2(0);
+    whole.raster.jitter = view.raster.jitter * (glm::dvec2(size) / glm::dvec2(view.raster.size));
+    glm::dmat4 shift(1);
+    const glm::dvec2 moved = -2.0 * whole.raster.jitter / glm::dvec2(size);
+    shift[3][0] = moved.x;
+    shift[3][1] = moved.y;
+    whole.clipFromView = shift * render::reversedPerspective(view.tanHalfFov, view.nearPlane, view.tanShift);
+    whole.clipFromWorld = whole.clipFromView * view.viewFromWorld;
+    return whole;
+}
+
+void fillBeams(const std::vector<Beam>& beams, RaysBlock& block)
+{
+    const std::size_t count = std::min<std::size_t>(beams.size(), 2);
+    for (std::size_t i = 0; i < count; ++i) {
+        block.low[i] = glm::vec4(glm::vec3(beams[i].opening.low), static_cast<float>(beams[i].axis));
+        block.high[i] = glm::vec4(glm::vec3(beams[i].opening.high), static_cast<float>(beams[i].plane));
+        block.airLow[i] = glm::vec4(glm::vec3(beams[i].box.low), 0);
+        block.airHigh[i] = glm::vec4(glm::vec3(beams[i].box.high), 0);
+    }
+    block.airLow[0].w = static_cast<float>(count);
+}
+
+}  // namespace
+
+render::Pass RaysScene::pass(const char* name, std::string reason, std::string fragment) const
+{
+    render::Pass pass;
+    pass.name = std::string("crepuscular_rays/") + name;
+    pass.reason = std::move(reason);
+    pass.shader = {"lib/fullscreen.vert", std::move(fragment), "", {}, derive::uniformBlock(table)};
+    pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
+    pass.draws = {render::Draw{}};
+    pass.draws[0].object = render::bytesOf(block);
+    return pass;
+}
+
+RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& context, const render::FramePlan& plan)
+{
+    const ParameterValues& values = context.values;
+    const LightBlock& light = context.surroundings.light;
+    const render::Raster& raster = plan.view.raster;
+    RaysScene s{table, context, values, {}, raster.drawn() != raster.size, {}, {}, 0, 0, {}, {}, {}};
+    const glm::dvec3 towardsSun = glm::normalize(glm::dvec3(light.sunDirection));
+
+    // Mask pixels are picture pixels, unless a tile asks for the whole of a picture that is very large.
+    const double maskScale = s.tile ? std::min(1.0, static_cast<double>(largestMask) / std::max(raster.size.x, raster.size.y)) : 1.0;
+    s.maskSize = glm::max(glm::ivec2(glm::round(glm::dvec2(raster.size) * maskScale)), glm::ivec2(1));
+    s.wholeView = viewOfWhole(plan.view, s.maskSize);
+    s.sun = sunInPicture(s.wholeView, towardsSun);
+    s.beams = beams(context.surroundings.openings, context.surroundings.room, towardsSun);
+
+    // Cells lie on the grid of the whole picture, so that tiles join.
+    const int cell = cellSize(values[table.resolution]);
+    const glm::ivec2 first = raster.offset / cell;
+    s.coarseSize = (raster.offset + raster.drawn() + cell - 1) / cell - first;
+    RaysBlock& b = s.block;
+    b.grid = {cell, first.x, first.y, maskScale};
+
+    const bool compare = values[table.compare];
+    s.left = static_cast<int>(values[table.technique]);
+    s.right = static_cast<int>(compare ? values[table.compareWith] : values[table.technique]);
+    b.sides = {s.left, s.right, compare ? std::round(values[table.wipe] * raster.size.x) : 1e9, static_cast<int>(values[table.view])};
+
+    const double height = s.maskSize.y;
+    const double distance = glm::length(s.sun.pixel - 0.5 * glm::dvec2(s.maskSize)) / height;
+    const bool plain = values[table.sum] == RaySum::plain;
+    const double reach = plain ? 1 : std::max(distance / values[table.streak], 1.0);
+    b.source = glm::vec4(s.sun.pixel - s.wholeView.raster.jitter, glsl::shaftExponentAt(values[table.decay], reach), glsl::shaftDensity(values[table.density], reach));
+    const glm::dvec3 sunLight(light.sunIrradiance);
+    const glm::dvec3 sunColor = sunLight / std::max({sunLight.x, sunLight.y, sunLight.z, 1e-6});
+    const double fade = plain ? (s.sun.inFront ? 1 : 0) : glsl::shaftEdgeFade(s.sun.beyond, values[table.edgeFade]);
+    // Strength is told in the light of the finished picture, whatever its exposure is; the sun's own strength acts, too.
+    const double sunShare = sunLight == glm::dvec3(0) ? 0 : 1;
+    const double strength = values[table.weight] * std::exp2(values[table.rayExposure]) * fade * sunShare / std::max(static_cast<double>(light.probeHigh.w), 1e-9);
+    b.strength = glm::vec4(values[table.tint].value * sunColor * strength, 1 / std::max(light.probeHigh.w, 1e-9F));
+    b.mask = {values[table.threshold], values[table.lightSize], values[table.skyColor] ? 1 : 0, values[table.jitter] ? 1 : 0};
+    fillBeams(s.beams, b);
+    return s;
+}
+
+std::string whyNoScreenRays(const RaysScene& s, const render::View& view)
+{
+    if (!(s.values[s.table.weight] > 0)) return "the weight of the rays is 0";
+    if (s.block.source.w <= 0 && s.values[s.table.density] <= 0 && s.values[s.table.sum] == RaySum::plain) return "the density of the rays is 0";
+    if (!s.sun.inFront) return "the sun is not in front of the camera";
+    if (glm::vec3(s.block.strength) == glm::vec3(0)) return s.sun.beyond > 0 ? "the sun is too far beyond the picture's edge" : "the sun or the tint is black";
+    if (s.context.alone) return {};
+    const auto& openings = s.context.surroundings.openings;
+    if (std::none_of(openings.begin(), openings.end(), [&](const render::Box& opening) { return view.mayContain(opening); })) return "no sky is in view";
+    return {};
+}
+
+std::string whyNoBeams(const RaysScene& s, const render::View& view)
+{
+    if (s.context.alone) return "there is no hall for the sun to shine into";
+    if (!(s.values[s.table.airDensity] > 0)) return "the air is clear";
+    if (s.beams.empty()) return "the sun shines neither through the window nor through the oculus";
+    if (!(s.context.surroundings.light.sunIrradiance.x + s.context.surroundings.light.sunIrradiance.y + s.context.surroundings.light.sunIrradiance.z > 0)) return "the sun's strength is 0";
+    if (std::none_of(s.beams.begin(), s.beams.end(), [&](const Beam& beam) { return view.mayContain(beam.box); })) return "the beams are out of view";
+    return {};
+}
+
+}  // namespace vitrine

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
+#include "exhibits/crepuscular_rays/sun_in_picture.h"
+#include "exhibits/framework/exhibit.h"
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// Mirrors the std140 block Object of shaders/crepuscular_rays/block.glsl.
+struct RaysBlock {
+    glm::vec4 source{0};
+    glm::vec4 strength{0};
+    glm::vec4 taps{0};
+    glm::vec4 polar{0};
+    glm::vec4 polarSize{0};
+    glm::vec4 grid{1, 0, 0, 1};
+    glm::vec4 sides{0};
+    glm::vec4 mask{0};
+    glm::vec4 low[2]{};
+    glm::vec4 high[2]{};
+    glm::vec4 airLow[2]{};
+    glm::vec4 airHigh[2]{};
+};
+
+/// Everything that the passes of one frame share.
+struct RaysScene {
+    const CrepuscularRaysTable& table;
+    const PlanContext& context;
+    const ParameterValues& values;
+    render::View wholeView;        ///< Of the whole picture, also while a tile of it is drawn; in pixels of the mask.
+    bool tile = false;             ///< The frame is one tile of a larger picture.
+    SunInPicture sun;
+    std::vector<Beam> beams;
+    int left = 0, right = 0;       ///< Techniques on the two sides of the wipe: bit 0 screen space, bit 1 volume.
+    glm::ivec2 maskSize{0};
+    glm::ivec2 coarseSize{0};      ///< Of the images before they are brought up.
+    RaysBlock block;
+
+    [[nodiscard]] bool uses(RayTechnique technique) const { return ((left | right) & static_cast<int>(technique)) != 0; }
+    /// A pass over the whole of an image, with the parameters and the block bound.
+    [[nodiscard]] render::Pass pass(const char* name, std::string reason, std::string fragment) const;
+};
+
+[[nodiscard]] RaysScene raysScene(const CrepuscularRaysTable&, const PlanContext&, const render::FramePlan&);
+
+/// Empty when rays in screen space can be seen.
+[[nodiscard]] std::string whyNoScreenRays(const RaysScene&, const render::View&);
+/// Empty when the volume's beams can be seen.
+[[nodiscard]] std::string whyNoBeams(const RaysScene&, const render::View&);
+
+// screen_rays.cpp
+
+/// The mask, and the image that is gathered from it: "crepuscular_rays.rays" or "crepuscular_rays.polar".
+void planMask(const RaysScene&, render::FramePlan&);
+void planGathering(RaysScene&, render::FramePlan&);
+/// The method in use; tiles cannot look into each other's passes, and the plain sum is a loop.
+[[nodiscard]] RayMethod methodOf(const RaysScene&);
+
+// air_beams.cpp
+
+/// The light scattered in the sun's beams: the image "crepuscular_rays.scattered".
+void planMarch(const RaysScene&, render::FramePlan&);
+
+}  // namespace vitrine

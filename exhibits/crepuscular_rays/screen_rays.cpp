@@ -1,0 +1,137 @@
+#include "exhibits/crepuscular_rays/blue_noise.h"
+#include "exhibits/crepuscular_rays/rays_scene.h"
+#include "render/glsl/cpu.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+using render::Attachment;
+using render::Load;
+using render::Pass;
+
+constexpr int passesOfTaps = 3;
+
+std::int64_t pixels(glm::ivec2 size)
+{
+    return static_cast<std::int64_t>(size.x) * size.y;
+}
+
+/// Draws everything once more that stands in the hall as a mesh, seen in the whole picture.
+void planOccluders(const RaysScene& s, render::FramePlan& plan)
+{
+    plan.image({.name = "crepuscular_rays.occluders", .format = render::Format::depth32f, .size = s.maskSize, .nearest = true});
+    Pass pass;
+    pass.name = "crepuscular_rays/occluders";
+    pass.reason = s.tile ? "a tile does not show the whole sky" : "the mask is made of the occluders";
+    pass.stage = render::Stage::prepare;
+    pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    pass.view = s.wholeView;
+    pass.depth = Attachment{"crepuscular_rays.occluders", Load::clear, glm::vec4(0), -1, 0};
+    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true};
+    for (const Pass& drawn : plan.passes())
+        if (drawn.stage == render::Stage::opaque && drawn.shader.vertex == "hall/surface.vert" && drawn.state.depthWrite)
+            pass.draws.insert(pass.draws.end(), drawn.draws.begin(), drawn.draws.end());
+    for (render::Draw& draw : pass.draws) draw.inputs.clear();
+    plan.add(std::move(pass));
+}
+
+void planLoop(const RaysScene& s, render::FramePlan& plan)
+{
+    const bool plain = s.values[s.table.sum] == RaySum::plain;
+    const int samples = s.values[s.table.samples];
+    Pass pass = s.pass("loop", "the sky shines into the picture", "crepuscular_rays/loop.frag");
+    pass.stage = render::Stage::volume;
+    if (plain) pass.shader.defines.emplace_back("PLAIN_SUM");
+    pass.colors = {{"crepuscular_rays.rays", Load::clear, {}, -1, 0}};
+    pass.inputs = {{UNIT_EXHIBIT_A, std::string("crepuscular_rays.mask")}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, std::string(depthImage)}};
+    RaysBlock block = s.block;
+    block.taps = {samples, static_cast<float>(s.values[s.table.decay]), 1, 0};
+    pass.draws[0].object = render::bytesOf(block);
+    pass.counts["fetches"] = pixels(s.coarseSize) * samples;
+    plan.add(std::move(pass));
+}
+
+void planTaps(const RaysScene& s, render::FramePlan& plan)
+{
+    const double taps = std::max(std::round(std::cbrt(s.values[s.table.samples])), 1.0);
+    const double ratio = glsl::shaftRatio(s.block.source.w, s.block.source.z, taps, passesOfTaps);
+    const char* names[passesOfTaps] = {"taps/1", "taps/2", "taps/3"};
+    const char* images[passesOfTaps] = {"crepuscular_rays.near", "crepuscular_rays.middle", "crepuscular_rays.rays"};
+    for (int i = 0; i < passesOfTaps; ++i) {
+        if (i < passesOfTaps - 1) plan.image({.name = images[i], .format = render::Format::rgba16f, .size = s.coarseSize});
+        Pass pass = s.pass(names[i], "the sky shines into the picture", "crepuscular_rays/taps.frag");
+        pass.stage = render::Stage::volume;
+        pass.colors = {{images[i], Load::clear, {}, -1, 0}};
+        pass.inputs = {{UNIT_EXHIBIT_A, std::string(i == 0 ? "crepuscular_rays.mask" : images[i - 1])}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, std::string(depthImage)}};
+        RaysBlock block = s.block;
+        block.taps = {taps, std::pow(ratio, std::pow(taps, i)), i == 0 ? 1 : 0, 0};
+        pass.draws[0].object = render::bytesOf(block);
+        pass.counts["fetches"] = pixels(s.coarseSize) * static_cast<std::int64_t>(taps);
+        plan.add(std::move(pass));
+    }
+}
+
+void planPolar(RaysScene& s, render::FramePlan& plan)
+{
+    const PolarGrid grid = polarGrid(glm::dvec2(s.block.source), s.maskSize, s.values[s.table.samples]);
+    const double span = std::log(grid.lastRadius / grid.firstRadius);
+    s.block.polar = {grid.firstAngle, grid.span, std::log(grid.firstRadius), span};
+    s.block.polarSize = {grid.radii, grid.angles, std::exp(-s.block.source.z * span / grid.radii), 0};
+    s.block.taps.z = grid.around ? 0 : 1;
+    plan.image({.name = "crepuscular_rays.polar", .format = render::Format::rgba16f, .size = {grid.radii, grid.angles}, .repeat = true});
+    Pass pass = s.pass("polar", "the sky shines into the picture", "");
+    pass.work = render::Work::compute;
+    pass.stage = render::Stage::volume;
+    pass.shader.vertex.clear();
+    pass.shader.compute = "crepuscular_rays/polar.comp";
+    pass.storage = {{"crepuscular_rays.polar", Load::keep, {}, -1, 0}};
+    pass.inputs = {{UNIT_EXHIBIT_A, std::string("crepuscular_rays.mask")}};
+    pass.draws.clear();
+    pass.blocks[BLOCK_OBJECT] = render::bytesOf(s.block);
+    pass.groups = {(grid.angles + 31) / 32, 1, 1};
+    pass.counts["fetches"] = static_cast<std::int64_t>(grid.radii) * grid.angles;
+    plan.add(std::move(pass));
+}
+
+}  // namespace
+
+RayMethod methodOf(const RaysScene& s)
+{
+    if (s.values[s.table.sum] == RaySum::plain) return RayMethod::loop;
+    const RayMethod method = s.values[s.table.method];
+    return s.tile && method == RayMethod::threePasses ? RayMethod::loop : method;
+}
+
+void planMask(const RaysScene& s, render::FramePlan& plan)
+{
+    const bool occluders = s.tile || s.values[s.table.mask] == RayMask::occluders;
+    const bool alpha = !occluders && s.values[s.table.mask] == RayMask::alpha;
+    if (occluders) planOccluders(s, plan);
+    plan.image({.name = "crepuscular_rays.mask", .format = render::Format::rgba16f, .size = s.maskSize});
+    Pass pass = s.pass("mask", "the sky is in view", "crepuscular_rays/mask.frag");
+    // What is not covered tells the sky only as long as the sky is not drawn; depth is ready when all is.
+    pass.stage = alpha ? render::Stage::opaque : render::Stage::volume;
+    if (alpha) pass.shader.defines.emplace_back("FROM_ALPHA");
+    if (occluders) pass.view = s.wholeView;
+    pass.colors = {{"crepuscular_rays.mask", Load::clear, {}, -1, 0}};
+    pass.inputs = {{UNIT_SOURCE, std::string(occluders ? "crepuscular_rays.occluders" : alpha ? radianceImage : depthImage)}};
+    pass.blocks[BLOCK_LIGHT] = render::bytesOf(s.context.surroundings.light);
+    for (const render::Input& input : s.context.surroundings.inputs)
+        if (input.unit == UNIT_ENVIRONMENT) pass.inputs.push_back(input);
+    pass.counts["fetches"] = pixels(s.maskSize);
+    plan.add(std::move(pass));
+}
+
+void planGathering(RaysScene& s, render::FramePlan& plan)
+{
+    const RayMethod method = methodOf(s);
+    if (method == RayMethod::polar) return planPolar(s, plan);
+    plan.image({.name = "crepuscular_rays.rays", .format = render::Format::rgba16f, .size = s.coarseSize});
+    if (method == RayMethod::loop) planLoop(s, plan);
+    else planTaps(s, plan);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,78 @@
+#include "exhibits/framework/random_values.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+double between(double low, double high, Scale scale, double t)
+{
+    if (scale == Scale::logarithmic && low > 0) return low * std::pow(high / low, t);
+    return low + (high - low) * t;
+}
+
+bool costsTime(const ParameterInfo& row)
+{
+    return row.kind == Kind::count && row.qualityReference.has_value() && *row.qualityReference > row.range.low;
+}
+
+}  // namespace
+
+glm::dvec3 RandomNumbers::point(const glm::dvec3& low, const glm::dvec3& high)
+{
+    const double x = number(low.x, high.x);
+    const double y = number(low.y, high.y);
+    return {x, y, number(low.z, high.z)};
+}
+
+glm::dvec3 RandomNumbers::direction()
+{
+    for (;;) {
+        const glm::dvec3 p = point(glm::dvec3(-1), glm::dvec3(1));
+        const double squared = glm::dot(p, p);
+        if (squared > 1e-4 && squared <= 1) return p / std::sqrt(squared);
+    }
+}
+
+Value randomValue(const ParameterInfo& row, RandomNumbers& random, RandomReach reach)
+{
+    switch (row.kind) {
+    case Kind::real:
+    case Kind::count: {
+        const bool wild = random.chance(0.5);
+        const double low = wild ? row.range.low : row.range.softLow;
+        double high = wild ? row.range.high : row.range.softHigh;
+        if (reach.affordable && costsTime(row)) high = std::clamp(std::get<double>(row.initial), low, high);
+        const double t = random.number(0, 1);
+        return between(low, high, row.range.scale, random.chance(0.2) ? std::round(t) : t);
+    }
+    case Kind::toggle: return static_cast<double>(random.index(2));
+    case Kind::choice: return static_cast<double>(random.index(static_cast<int>(row.choices.size())));
+    case Kind::color: return random.chance(0.2) ? glm::round(random.point({}, glm::dvec3(1))) : random.point({}, glm::dvec3(1));
+    case Kind::direction: return random.direction();
+    case Kind::file: break;
+    }
+    return row.initial;
+}
+
+ParameterValues randomValues(const Parameters& table, RandomNumbers& random, double share, RandomReach reach)
+{
+    ParameterValues values(table);
+    for (std::size_t i = 0; i < table.rows().size(); ++i) {
+        const bool drawn = random.chance(share);
+        const Value value = randomValue(table.rows()[i], random, reach);
+        if (drawn) values.setRow(i, value);
+    }
+    return values;
+}
+
+ParameterValues cheapestValues(const Parameters& table)
+{
+    ParameterValues values(table);
+    for (std::size_t i = 0; i < table.rows().size(); ++i)
+        if (costsTime(table.rows()[i])) values.setRow(i, table.rows()[i].range.low);
+    return values;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "exhibits/framework/parameters.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <random>
+
+namespace vitrine {
+
+/// The same numbers from a seed on every machine, which the distributions of the standard library do not promise.
+class RandomNumbers {
+public:
+    explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}
+
+    /// In [low, high).
+    double number(double low, double high) { return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53); }
+    /// In [0, count), `count` > 0.
+    int index(int count) { return static_cast<int>(number(0, count)); }
+    bool chance(double probability) { return number(0, 1) < probability; }
+    glm::dvec3 point(const glm::dvec3& low, const glm::dvec3& high);
+    /// Unit length, evenly over the sphere.
+    glm::dvec3 direction();
+
+private:
+    std::mt19937_64 engine_;
+};
+
+/// How far random values may go.
+struct RandomReach {
+    /// Counts that trade accuracy for time go no higher than their initial value: above it they cost minutes and
+    /// show nothing new.
+    bool affordable = true;
+};
+
+/// A legal value for a row: half of the time from its comfortable range, else from all that is legal, and its ends
+/// more often than chance would. A file keeps its initial value.
+[[nodiscard]] Value randomValue(const ParameterInfo&, RandomNumbers&, RandomReach = {});
+
+/// Random legal values for a share of the rows, 0 to 1; the others initial.
+[[nodiscard]] ParameterValues randomValues(const Parameters&, RandomNumbers&, double share = 1, RandomReach = {});
+
+/// All initial, but every count that trades accuracy for time as low as it goes.
+[[nodiscard]] ParameterValues cheapestValues(const Parameters&);
+
+}  // namespace vitrine

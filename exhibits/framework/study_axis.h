@@ -1,0 +1,52 @@
+#pragma once
+
+#include "exhibits/framework/museum.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// One parameter that a study varies, and the values it tries: numbers as `ParameterValues` stores them, ascending.
+struct StudyAxis {
+    std::size_t exhibit = 0;  ///< Its place in Museum::exhibits(): the subject, or 0 for what all pictures share.
+    std::size_t row = 0;
+    std::vector<double> values;
+
+    bool operator==(const StudyAxis&) const = default;
+};
+
+/// Which value of each axis.
+using Setting = std::vector<std::size_t>;
+
+/// The row that an axis varies.
+[[nodiscard]] const ParameterInfo& rowOf(const Museum&, const StudyAxis&);
+
+/// "stepLimit", or "hall.shadowMapSize" where the hall is not the subject.
+[[nodiscard]] std::string axisName(const Museum&, std::size_t subject, const StudyAxis&);
+
+/// The value of an axis for people: "64", "none", "on".
+[[nodiscard]] std::string axisValueText(const Museum&, const StudyAxis&, double value);
+
+/// An axis over the comfortable range of a quality row, about `points` values by the row's scale, with the initial
+/// value and the exact one; of a choice or a toggle, all. Nothing for a row that is not marked as quality.
+[[nodiscard]] std::optional<StudyAxis> studyAxis(const Museum&, std::size_t exhibit, std::size_t row, int points);
+
+/// One axis for every quality row of the exhibit.
+[[nodiscard]] std::vector<StudyAxis> qualityAxes(const Museum&, std::size_t exhibit, int points);
+
+/// The values at which everything that the table marks as quality counts as exact.
+[[nodiscard]] ParameterValues atReference(ParameterValues);
+
+/// Where a numeric row counts as exact, and how sure that is: half as exact and twice as exact.
+struct Exactness {
+    double exact = 0;
+    std::optional<double> halfway;  ///< Towards the initial value: half or double on a logarithmic scale, one less or more of a count. Nothing: exact by its meaning.
+    std::optional<double> beyond;   ///< As far the other way, while legal.
+};
+/// `doublings` moves the exact value that many times away from the initial one, on a logarithmic scale, while legal.
+[[nodiscard]] Exactness exactness(const ParameterInfo&, int doublings = 0);
+
+}  // namespace vitrine

@@ -1,0 +1,168 @@
+// How a study of many parameters finds its way, and how it chooses among what it measured.
+
+#include "exhibits/framework/study.h"
+#include "render/measure/pareto.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+/// What is dearer than this many times the present setting is predicted, not measured.
+constexpr double dearest = 16;
+constexpr int heldOutRuns = 3;
+
+/// One value of one axis, with all others as they are at present.
+struct Step {
+    double error = 0;  ///< From the picture with this axis exact.
+    double ratio = 1;  ///< Of its cost to that of the present setting.
+};
+
+/// The place of the value nearest to `value`; in a logarithmic sense where all are positive.
+std::size_t nearest(const std::vector<double>& values, double value)
+{
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < values.size(); ++i)
+        if (std::abs(values[i] - value) < std::abs(values[best] - value)) best = i;
+    return best;
+}
+
+}  // namespace
+
+bool Study::searchOn()
+{
+    const std::size_t before = result_.points.size();
+    const auto room = [&] { return result_.points.size() < static_cast<std::size_t>(std::max(request_.settings, 1)); };
+    Setting present;
+    for (const StudyAxis& axis : request_.axes) present.push_back(nearest(axis.values, std::get<double>(request_.look.values[axis.exhibit].row(axis.row))));
+    if (generation_ == 0) {
+        // Each parameter alone: what it gives and what it costs.
+        addSetting(present);
+        for (std::size_t a = 0; a < request_.axes.size(); ++a) {
+            for (std::size_t i = 0; i < request_.axes[a].values.size(); ++i) {
+                Setting setting = present;
+                setting[a] = i;
+                addSetting(setting);
+            }
+        }
+    } else if (generation_ == 1) {
+        for (const Setting& setting : predictedFront())
+            if (room()) addSetting(setting);
+    } else {
+        // Around the front, as long as it moves and there is room.
+        judge();
+        for (const std::size_t f : std::vector<std::size_t>(result_.front)) {
+            for (std::size_t a = 0; a < request_.axes.size(); ++a) {
+                for (const int direction : {-1, 1}) {
+                    Setting setting = result_.points[f].setting;
+                    const std::size_t moved = setting[a] + static_cast<std::size_t>(direction);
+                    if (moved >= request_.axes[a].values.size() || !room()) continue;
+                    setting[a] = moved;
+                    addSetting(setting);
+                }
+            }
+        }
+    }
+    ++generation_;
+    return generation_ <= 2 || result_.points.size() > before;
+}
+
+std::vector<Setting> Study::predictedFront() const
+{
+    // Costs multiply and errors add, roughly: good enough to know where to measure.
+    const Setting present = result_.points.front().setting;
+    const double presentCost = std::max(result_.points.front().cost, 1e-9);
+    std::vector<std::vector<Step>> steps;
+    std::vector<std::vector<std::size_t>> useful;  // By axis, from dearest and most exact to cheapest.
+    for (std::size_t a = 0; a < request_.axes.size(); ++a) {
+        const auto pointAt = [&](std::size_t i) -> const StudyPoint& {
+            Setting setting = present;
+            setting[a] = i;
+            return result_.points[known_.at(setting)];
+        };
+        const StudyAxis& axis = request_.axes[a];
+        const StudyPoint& exact = pointAt(nearest(axis.values, result_.exact[a]));
+        std::vector<render::CostAndError> measured;
+        steps.emplace_back();
+        for (std::size_t i = 0; i < axis.values.size(); ++i) {
+            std::vector<double> errors;
+            for (std::size_t view = 0; view < exact.shots.size(); ++view) errors.push_back(errorsOf(exact.shots[view].picture, pointAt(i).shots[view].picture)[request_.metric]);
+            steps.back().push_back({pooled(errors), pointAt(i).cost / presentCost});
+            measured.push_back({steps.back().back().ratio, steps.back().back().error});
+        }
+        useful.push_back(render::paretoFront(measured));
+        std::reverse(useful.back().begin(), useful.back().end());
+    }
+    // From everything exact, always the step that saves the most for the least error (marginal analysis).
+    std::vector<std::size_t> place(useful.size(), 0);
+    std::vector<Setting> path;
+    while (true) {
+        Setting setting;
+        double cost = 1;
+        for (std::size_t a = 0; a < useful.size(); ++a) {
+            setting.push_back(useful[a][place[a]]);
+            cost *= steps[a][setting.back()].ratio;
+        }
+        if (cost <= dearest) path.push_back(setting);
+        std::optional<std::size_t> best;
+        double bestWorth = -1;
+        for (std::size_t a = 0; a < useful.size(); ++a) {
+            if (place[a] + 1 == useful[a].size()) continue;
+            const Step& here = steps[a][useful[a][place[a]]];
+            const Step& next = steps[a][useful[a][place[a] + 1]];
+            const double worth = std::log(here.ratio / next.ratio) / std::max(next.error - here.error, 1e-12);
+            if (worth > bestWorth) {
+                bestWorth = worth;
+                best = a;
+            }
+        }
+        if (!best) return path;
+        ++place[*best];
+    }
+}
+
+void Study::listCandidates()
+{
+    candidates_.clear();
+    for (std::size_t i = 0; i < result_.points.size(); ++i) {
+        const StudyPoint& point = result_.points[i];
+        if (!point.time) continue;
+        const bool keeps = request_.maxError ? point.worstError <= *request_.maxError : point.time->interval.high <= *request_.maxMilliseconds;
+        if (keeps) candidates_.push_back(i);
+    }
+    // Best last, by the median of the time or by the worst error; of equal ones, the better in the other.
+    std::sort(candidates_.begin(), candidates_.end(), [&](std::size_t a, std::size_t b) {
+        const auto badness = [&](std::size_t i) {
+            const StudyPoint& p = result_.points[i];
+            return request_.maxError ? std::pair(p.cost, p.worstError) : std::pair(p.worstError, p.cost);
+        };
+        return badness(a) > badness(b);
+    });
+}
+
+void Study::tryCandidate()
+{
+    const std::size_t point = candidates_.back();
+    candidates_.pop_back();
+    result_.choice = StudyChoice{.point = point, .holds = true};
+    for (std::size_t view = result_.views.size(); view < views_.size(); ++view) {
+        result_.choice->heldOutViews.push_back(views_[view].view.name);
+        const Look look = lookAt(valuesOf(result_.points[point].setting), view);
+        addPicture("held-out view " + views_[view].view.name, look, view, [this, view, look](render::Image picture) {
+            StudyChoice& choice = *result_.choice;
+            const double error = errorsOf(views_[view].reference, picture)[request_.metric];
+            choice.heldOutError = std::max(choice.heldOutError, error);
+            if (request_.maxError) choice.holds = choice.holds && error <= *request_.maxError;
+            if (!request_.maxMilliseconds) return;
+            std::vector<double> times;
+            for (int run = 0; run < heldOutRuns; ++run) times.push_back(drawTimed(look, view).milliseconds * pictureRequest(look, view).samples);
+            const double median = render::quantile(times, 0.5);
+            choice.heldOutMilliseconds = std::max(choice.heldOutMilliseconds, median);
+            choice.holds = choice.holds && median <= *request_.maxMilliseconds;
+        });
+    }
+}
+
+}  // namespace vitrine

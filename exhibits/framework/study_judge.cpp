@@ -1,0 +1,202 @@
+// What the pictures and times of a study come to.
+
+#include "exhibits/framework/study.h"
+#include "render/files/number_text.h"
+#include "render/measure/distance.h"
+#include "render/measure/pareto.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+using render::Metric;
+
+constexpr int mostDoublings = 3;
+/// A reference is trusted when it moves by less than this part of the smallest error.
+constexpr double quarter = 0.25;
+/// A counter that varies less than this says little of what a parameter costs.
+constexpr double leastRatio = 1.15;
+
+std::string shortNumber(double x)
+{
+    char digits[32];
+    return std::string(digits, std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 3).ptr);
+}
+
+bool isDrawn(const StudyPoint& point)
+{
+    return std::all_of(point.shots.begin(), point.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); });
+}
+
+/// The counter in which the settings differ most, among those that mean work; empty when none differs enough.
+std::string mostTelling(const std::vector<StudyPoint>& points)
+{
+    std::map<std::string, std::pair<double, double>> ranges;
+    for (const StudyPoint& point : points) {
+        if (!isDrawn(point)) continue;
+        for (const auto& [name, count] : point.counters) {
+            auto [range, isNew] = ranges.try_emplace(name, static_cast<double>(count), static_cast<double>(count));
+            range->second.first = std::min(range->second.first, static_cast<double>(count));
+            range->second.second = std::max(range->second.second, static_cast<double>(count));
+        }
+    }
+    std::string best;
+    double largest = leastRatio;
+    for (const auto& [name, range] : ranges) {
+        // How a picture is cut into passes and draws is not its work.
+        if (name == "passes" || name == "draws" || !(range.first > 0)) continue;
+        if (range.second / range.first > largest) {
+            largest = range.second / range.first;
+            best = name;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+Errors Study::errorsOf(const render::Image& reference, const render::Image& picture) const
+{
+    const render::ColorDifference color = render::colorDifference(reference, picture);
+    Errors errors{{Metric::rmse, color.rmse}, {Metric::psnr, color.psnr()}, {Metric::max, color.max}, {Metric::beyond, color.beyond}};
+    for (const Metric metric : {Metric::flip, Metric::normal, Metric::depth})
+        if (const auto distance = render::distance(metric, reference, picture, request_.pixelsPerDegree)) errors[metric] = *distance;
+    return errors;
+}
+
+double Study::pooled(const std::vector<double>& errors) const
+{
+    if (errors.empty()) return 0;
+    double sum = 0;
+    double largest = 0;
+    for (const double e : errors) {
+        sum += request_.metric == Metric::rmse ? e * e : e;
+        largest = std::max(largest, e);
+    }
+    if (request_.metric == Metric::max) return largest;
+    const double mean = sum / static_cast<double>(errors.size());
+    return request_.metric == Metric::rmse ? std::sqrt(mean) : mean;
+}
+
+void Study::renewErrors()
+{
+    for (StudyPoint& point : result_.points)
+        for (std::size_t view = 0; view < point.shots.size(); ++view)
+            if (!point.shots[view].picture.empty()) point.shots[view].errors = errorsOf(views_[view].reference, point.shots[view].picture);
+}
+
+bool Study::refineReference()
+{
+    renewErrors();
+    judge();
+    if (result_.converged || doublings_ >= mostDoublings) return false;
+    std::vector<double> doubled;
+    for (const StudyAxis& axis : request_.axes) doubled.push_back(exactness(rowOf(museum_, axis), doublings_ + 1).exact);
+    if (doubled == result_.exact) return false;
+    ++doublings_;
+    result_.exact = doubled;
+    for (std::size_t view = 0; view < result_.views.size(); ++view) {
+        views_[view].halfway = views_[view].reference;
+        addReference(view, false);
+    }
+    return true;
+}
+
+void Study::judge()
+{
+    std::vector<double> uncertainties;
+    for (std::size_t view = 0; view < result_.views.size(); ++view) {
+        const View& v = views_[view];
+        if (!v.halfway.empty() && !v.reference.empty()) uncertainties.push_back(errorsOf(v.reference, v.halfway)[request_.metric]);
+    }
+    result_.uncertainty = pooled(uncertainties);
+
+    double smallest = std::numeric_limits<double>::infinity();
+    std::size_t uncertain = 0;
+    const Look base = request_.look;
+    result_.present.reset();
+    for (std::size_t i = 0; i < result_.points.size(); ++i) {
+        StudyPoint& point = result_.points[i];
+        if (!isDrawn(point)) continue;
+        std::vector<double> errors;
+        std::vector<double> modelErrors;
+        point.counters.clear();
+        for (StudyShot& shot : point.shots) {
+            errors.push_back(shot.errors.contains(request_.metric) ? shot.errors.at(request_.metric) : std::numeric_limits<double>::quiet_NaN());
+            modelErrors.push_back(shot.modelError);
+            for (const auto& [name, count] : shot.counters) point.counters[name] += count;
+        }
+        point.error = pooled(errors);
+        point.modelError = pooled(modelErrors);
+        point.lowestError = *std::min_element(errors.begin(), errors.end());
+        point.worstError = *std::max_element(errors.begin(), errors.end());
+        point.uncertain = point.error > 0 && point.error * quarter < result_.uncertainty;
+        uncertain += point.uncertain ? 1 : 0;
+        if (point.error > 0) smallest = std::min(smallest, point.error);
+        bool isPresent = true;
+        for (std::size_t a = 0; a < request_.axes.size(); ++a) {
+            const StudyAxis& axis = request_.axes[a];
+            isPresent = isPresent && std::get<double>(base.values[axis.exhibit].row(axis.row)) == axis.values[point.setting[a]];
+        }
+        if (isPresent) result_.present = i;
+    }
+    result_.converged = uncertain == 0;
+    const std::string how = doublings_ > 0 ? "The reference was made twice as exact " + std::to_string(doublings_) + (doublings_ == 1 ? " time" : " times") + ", the last time" : "Half as exact,";
+    if (uncertainties.empty()) result_.convergence = "The reference is exact by the meaning of the parameter.";
+    else if (result_.converged)
+        result_.convergence = how + (doublings_ > 0 ? " changing it by " : " the reference changes by ") + shortNumber(result_.uncertainty) +
+                              (std::isfinite(smallest) ? ", less than a quarter of the smallest error, " + shortNumber(smallest) + '.' : ".");
+    else
+        result_.convergence = how + (doublings_ > 0 ? " changing it by " : " the reference changes by ") + shortNumber(result_.uncertainty) + ": " + std::to_string(uncertain) +
+                              (uncertain == 1 ? " error is" : " errors are") + " under four times that, and uncertain.";
+    judgeCosts();
+}
+
+void Study::judgeCosts()
+{
+    for (StudyPoint& point : result_.points) {
+        std::size_t runs = std::numeric_limits<std::size_t>::max();
+        for (const StudyShot& shot : point.shots) runs = std::min(runs, shot.milliseconds.size());
+        std::vector<double> means(runs, 0.0);
+        for (std::size_t run = 0; run < runs; ++run)
+            for (const StudyShot& shot : point.shots) means[run] += shot.milliseconds[run] / static_cast<double>(point.shots.size());
+        point.time = means.empty() ? std::nullopt : std::optional(render::summarize(means));
+    }
+    const bool oneParameter = request_.axes.size() <= 2 && !request_.maxMilliseconds;
+    const std::string counter = oneParameter ? mostTelling(result_.points) : std::string();
+    result_.costName = counter.empty() ? "ms" : counter;
+
+    std::vector<render::CostAndError> measured;
+    const bool anyTimed = std::any_of(result_.points.begin(), result_.points.end(), [](const StudyPoint& p) { return p.time.has_value(); });
+    for (StudyPoint& point : result_.points) {
+        double first = 0;
+        for (const StudyShot& shot : point.shots) first += shot.firstMilliseconds / static_cast<double>(point.shots.size());
+        point.cost = !counter.empty() ? static_cast<double>(point.counters[counter]) : point.time ? point.time->median : first;
+        const bool counts = isDrawn(point) && (!counter.empty() || point.time || !anyTimed);
+        measured.push_back({counts ? point.cost : std::numeric_limits<double>::infinity(), point.error});
+    }
+    result_.front = render::paretoFront(measured);
+    for (std::size_t i = 0; i < result_.points.size(); ++i)
+        result_.points[i].dominated = isDrawn(result_.points[i]) && std::find(result_.front.begin(), result_.front.end(), i) == result_.front.end();
+    const auto place = render::knee(measured, result_.front);
+    result_.knee = place ? std::optional(result_.front[*place]) : std::nullopt;
+
+    result_.law.reset();
+    const Kind kind = rowOf(museum_, request_.axes.front()).kind;
+    if (request_.axes.size() != 1 || (kind != Kind::real && kind != Kind::count)) return;
+    std::vector<double> errors;
+    std::vector<double> costs;
+    for (const std::size_t i : result_.front) {
+        if (result_.points[i].uncertain) continue;
+        errors.push_back(result_.points[i].error);
+        costs.push_back(measured[i].cost);
+    }
+    const render::PowerLaw law = render::fitPowerLaw(errors, costs);
+    if (law.points >= 3) result_.law = law;
+}
+
+}  // namespace vitrine

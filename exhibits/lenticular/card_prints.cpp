@@ -1,0 +1,210 @@
+#include "exhibits/lenticular/card_prints.h"
+
+#include "exhibits/lenticular/numbers.h"
+#include "exhibits/lenticular/print_raster.h"
+#include "render/failure.h"
+#include "render/files/assets.h"
+#include "render/image/image_io.h"
+#include "render/image/picture_stream.h"
+#include "render/image/srgb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace vitrine::lenticular {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double mostTexels = 40e6;    ///< Of all views together: 160 MB, and a third more for the smaller levels.
+constexpr int mostAcross = 16384;      ///< Pixels of a raster; every OpenGL 4.5 has textures of that side.
+constexpr int mostRows = 4096;         ///< With its halvings a raster has twice as many.
+
+/// The mean of blocks of `factor` x `factor` pixels.
+render::Image shrunk(const render::Image& image, int factor)
+{
+    if (factor <= 1) return image;
+    render::Image small(std::max(image.width / factor, 1), std::max(image.height / factor, 1), image.channels);
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x)
+            for (int c = 0; c < image.channels; ++c) {
+                float sum = 0;
+                int count = 0;
+                for (int j = y * factor; j < std::min((y + 1) * factor, image.height); ++j)
+                    for (int i = x * factor; i < std::min((x + 1) * factor, image.width); ++i, ++count) sum += image.at(i, j, c);
+                small.at(x, y, c) = sum / static_cast<float>(std::max(count, 1));
+            }
+    return small;
+}
+
+void readInto(CardSource& source, const std::vector<fs::path>& files, int count)
+{
+    const int available = static_cast<int>(files.size());
+    const int taken = std::clamp(count, 1, available);
+    for (int i = 0; i < taken; ++i) {
+        // The middles of equal parts of the sequence.
+        const int at = static_cast<int>((i + 0.5) * available / taken);
+        const render::Image image = render::readImage(files[static_cast<std::size_t>(at)]);
+        const double texels = static_cast<double>(image.width) * image.height * taken;
+        source.views.add(shrunk(image, static_cast<int>(std::ceil(std::sqrt(texels / mostTexels)))));
+        if (i == 0) source.aspect = static_cast<double>(image.width) / image.height;
+    }
+}
+
+/// A picture that vitrine print did not describe: a view.
+bool isPlainPicture(const fs::path& file)
+{
+    std::error_code error;
+    return fs::is_regular_file(file, error) && !fs::exists(file.string() + ".json", error) && !render::embeddedPrint(file);
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why)
+{
+    throw Failure(Blame::file, "The card cannot show " + file.string() + ": " + why);
+}
+
+/// The raster as the shader reads it: columns across the lenses, rows along them, and under it its halvings
+/// along the lenses, so that no column ever mixes with its neighbor.
+std::shared_ptr<const render::Texture> stacked(const render::Image& raster, glm::ivec2 size, bool lying, bool mirror)
+{
+    auto texture = std::make_shared<render::Texture>();
+    texture->name = "lenticular raster";
+    texture->width = size.x;
+    texture->sRgb = true;
+    texture->repeat = false;
+    texture->mipmaps = false;
+    const auto gray = raster.channels < 3;
+    std::vector<float> level(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 3);
+    const int rows = lying ? raster.width : raster.height;
+    for (int y = 0; y < size.y; ++y) {
+        const int first = static_cast<int>(static_cast<std::int64_t>(y) * rows / size.y);
+        const int last = std::max(first + 1, static_cast<int>(static_cast<std::int64_t>(y + 1) * rows / size.y));
+        for (int x = 0; x < size.x; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                float sum = 0;
+                for (int r = first; r < last; ++r) {
+                    int column = lying ? raster.width - 1 - r : x;
+                    if (mirror) column = raster.width - 1 - column;
+                    sum += raster.at(column, lying ? x : r, gray ? 0 : c);
+                }
+                level[(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)) * 3 + static_cast<std::size_t>(c)] = sum / static_cast<float>(last - first);
+            }
+        }
+    }
+    for (int height = size.y;; height = (height + 1) / 2) {
+        for (std::size_t i = 0; i < level.size(); i += 3) {
+            for (std::size_t c = 0; c < 3; ++c) texture->bytes.push_back(render::srgb8FromLinear(level[i + c]));
+            texture->bytes.push_back(255);
+        }
+        texture->height += height;
+        if (height == 1) break;
+        const std::size_t row = static_cast<std::size_t>(size.x) * 3;
+        std::vector<float> half(row * static_cast<std::size_t>((height + 1) / 2));
+        for (std::size_t y = 0; y < static_cast<std::size_t>((height + 1) / 2); ++y) {
+            const std::size_t next = std::min(2 * y + 1, static_cast<std::size_t>(height - 1));
+            for (std::size_t i = 0; i < row; ++i) half[y * row + i] = 0.5F * (level[2 * y * row + i] + level[next * row + i]);
+        }
+        level = std::move(half);
+    }
+    return texture;
+}
+
+void readRaster(CardSource& source, const fs::path& file)
+{
+    PrintRaster print = readPrint(file);
+    const PrintLayout& layout = print.layout();
+    source.print = layout.settings();
+    source.lying = layout.lensesPerPixelX() == 0;
+    if (!source.lying && !layout.vertical()) refuse(file, "its lenses are slanted, and the card's are upright or level; look at it with vitrine proof.");
+    const render::Image raster = print.image();
+    const int acrossPixels = source.lying ? raster.height : raster.width;
+    if (acrossPixels > mostAcross) refuse(file, "it is " + std::to_string(acrossPixels) + " pixels wide across its lenses, and " + std::to_string(mostAcross) + " is the most.");
+    source.rasterSize = {acrossPixels, std::min(source.lying ? raster.width : raster.height, mostRows)};
+    source.lenses = acrossPixels / (source.lying ? source.print.dpiY : source.print.dpiX) * mmPerInch / source.print.sheet.pitch();
+    source.aspect = (raster.width / source.print.dpiX) / (raster.height / source.print.dpiY);
+    source.raster = stacked(raster, source.rasterSize, source.lying, source.print.mirror);
+}
+
+/// Where column `column` of `columns` lies in a picture of `texels` across, `lenses` of which span it.
+std::pair<double, double> spanOf(int column, int columns, double lenses, int texels)
+{
+    const double lens = column - (columns - 1) / 2;
+    const double from = ((lens - 0.5) / lenses + 0.5) * texels;
+    const double to = ((lens + 0.5) / lenses + 0.5) * texels;
+    const double low = std::clamp(from, 0.0, texels - 1e-3);
+    return {low, std::clamp(to, low + 1e-3, static_cast<double>(texels))};
+}
+
+}  // namespace
+
+const char* shippedViews(CardFace face)
+{
+    return face == CardFace::front ? "turning_mug" : "melting_torus";
+}
+
+const CardSource& CardPrints::source(CardFace face, const std::string& path, int count)
+{
+    Slot& slot = slots_[static_cast<std::size_t>(face)];
+    const std::string name = path.empty() ? render::asset("frames").append(shippedViews(face)).string() : path;
+    if (slot.path == name && slot.count == count) return slot.source;
+    Slot fresh;
+    fresh.path = name;
+    fresh.count = count;
+    std::error_code error;
+    if (fs::is_directory(name, error) || isPlainPicture(name)) readInto(fresh.source, viewFiles({name}), count);
+    else readRaster(fresh.source, name);
+    slot = std::move(fresh);
+    return slot.source;
+}
+
+std::shared_ptr<const render::Texture> CardPrints::viewTexture(CardFace face, int columns, double lenses, bool lying)
+{
+    Slot& slot = slots_[static_cast<std::size_t>(face)];
+    const ViewSet& views = slot.source.views;
+    int width = 1;
+    for (int k = 0; k < views.count(); ++k) width = std::max(width, views.view(k).width);
+    const int texels = lying ? views.height() : width;
+    if (columns >= texels) columns = 0;
+    if (columns == 0) lenses = 0;
+    if (slot.texture && slot.columns == columns && slot.lenses == lenses && slot.lying == lying) return slot.texture;
+    auto texture = std::make_shared<render::Texture>();
+    texture->name = "lenticular views";
+    texture->width = lying || columns == 0 ? width : columns;
+    texture->height = lying && columns > 0 ? columns : views.height();
+    // A single layer would not be an array.
+    texture->layers = std::max(views.count(), 2);
+    texture->sRgb = true;
+    texture->repeat = false;
+    texture->bytes.reserve(static_cast<std::size_t>(texture->width) * static_cast<std::size_t>(texture->height) * 4 * static_cast<std::size_t>(texture->layers));
+    for (int layer = 0; layer < texture->layers; ++layer) {
+        const int k = std::min(layer, views.count() - 1);
+        const int ownWidth = views.view(k).width;
+        for (int y = 0; y < texture->height; ++y) {
+            const auto [top, bottom] = lying && columns > 0 ? spanOf(y, columns, lenses, views.height()) : std::pair<double, double>(y, y + 1);
+            for (int x = 0; x < texture->width; ++x) {
+                const auto [left, right] = !lying && columns > 0 ? spanOf(x, columns, lenses, ownWidth)
+                                                                 : std::pair<double, double>(static_cast<double>(x) * ownWidth / width, (x + 1.0) * ownWidth / width);
+                double sum[3] = {0, 0, 0};
+                for (int j = static_cast<int>(top); j < bottom; ++j) {
+                    const double high = std::min<double>(bottom, j + 1) - std::max<double>(top, j);
+                    const std::uint16_t* row = views.row(k, j);
+                    for (int i = static_cast<int>(left); i < right; ++i) {
+                        const double share = high * (std::min<double>(right, i + 1) - std::max<double>(left, i));
+                        for (int c = 0; c < 3; ++c) sum[c] += share * row[4 * i + c];
+                    }
+                }
+                const double area = 65535 * (bottom - top) * (right - left);
+                for (const double channel : sum) texture->bytes.push_back(render::srgb8FromLinear(static_cast<float>(channel / area)));
+                texture->bytes.push_back(255);
+            }
+        }
+    }
+    slot.texture = texture;
+    slot.columns = columns;
+    slot.lenses = lenses;
+    slot.lying = lying;
+    return texture;
+}
+
+}  // namespace vitrine::lenticular

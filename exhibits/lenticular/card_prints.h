@@ -1,0 +1,54 @@
+#pragma once
+
+#include "exhibits/lenticular/lenticular_table.h"
+#include "exhibits/lenticular/print_layout.h"
+#include "exhibits/lenticular/view_source.h"
+#include "render/scene/mesh.h"
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace vitrine::lenticular {
+
+/// What lies in the card: views, or the raster of a printed file with its description.
+struct CardSource {
+    double aspect = 1.5;  ///< Width over height.
+    ViewSet views{};
+    std::shared_ptr<const render::Texture> raster{};  ///< Null for views.
+    PrintSettings print{};       ///< Of the raster.
+    glm::ivec2 rasterSize{0};    ///< Pixels across the lenses and along them.
+    double lenses = 0;           ///< Across the raster.
+    bool lying = false;          ///< The raster's lenses are horizontal.
+};
+
+/// The card's two prints as read from files, each kept until another one is asked for.
+class CardPrints {
+public:
+    /// Reads `path`: a folder of views, a printed file with its JSON beside it or inside, or a single picture;
+    /// empty for the shipped set of that face. Of the views `count` are taken, evenly. Throws Failure naming
+    /// the file when it cannot be read or shown.
+    const CardSource& source(CardFace, const std::string& path, int count);
+
+    /// The views of the last source as an array of sRGB pictures. With `columns` > 0 and fewer than the views
+    /// have texels across the lenses, each texel across is the mean over one of `columns` lenses, the middle
+    /// one in the middle of the picture, `lenses` of which span it: no more can be seen, and less would alias.
+    std::shared_ptr<const render::Texture> viewTexture(CardFace, int columns, double lenses, bool lying);
+
+private:
+    struct Slot {
+        std::string path{};
+        int count = 0;
+        CardSource source{};
+        std::shared_ptr<const render::Texture> texture{};
+        int columns = 0;
+        double lenses = 0;
+        bool lying = false;
+    };
+    std::array<Slot, 2> slots_{};
+};
+
+/// The name of the folder, under the assets, of the shipped views of a face.
+[[nodiscard]] const char* shippedViews(CardFace);
+
+}  // namespace vitrine::lenticular

@@ -1,0 +1,136 @@
+#include "exhibits/lenticular/card_sheet.h"
+
+#include "exhibits/lenticular/numbers.h"
+#include "exhibits/lenticular/optics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::lenticular {
+namespace {
+
+/// As `check` demands: the curve reaches the cusp, the print lies below it.
+CardSheetFound feasible(Sheet sheet)
+{
+    std::string note;
+    const double half = sheet.pitch() / 2;
+    const double least = 1.02 * half * std::sqrt(std::max(1 + sheet.conic, 0.0));
+    if (sheet.radius < least) {
+        sheet.radius = least;
+        note = "its radius raised to " + shortText(least) + " mm, which its lenses need";
+    }
+    const double shallow = 1.05 * sag(sheet, half);
+    if (sheet.thickness < shallow) {
+        sheet.thickness = shallow;
+        note += std::string(note.empty() ? "its" : ", and its") + " thickness raised to " + shortText(shallow) + " mm, as deep as its lenses are";
+    }
+    return {sheet, note};
+}
+
+/// The side of a picture that lies across the lenses.
+double across(const glm::dvec2& size, bool horizontalLenses)
+{
+    return horizontalLenses ? size.y : size.x;
+}
+
+CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& sheet, CardPrints& prints, CardFace face,
+                         const CardSource& source)
+{
+    CardPicture result;
+    const bool lying = horizontal(table, values, source);
+    const glm::dvec2 half = pictureHalfSize(table, values, source.aspect);
+    const double pitch = sheet.pitch() * 1e-3;
+    const double ratio = pitchRatio(table, values, sheet) / (1 + values[table.pitchError]);
+    const double width = 2 * across(half, lying);
+    const double lenses = width * ratio / pitch;
+    const bool flat = values[table.strips] == CardStrips::flat;
+    // An odd number of whole lenses: one lies in the middle.
+    const int columns = 2 * static_cast<int>(std::ceil(std::max(lenses - 1, 0.0) / 2)) + 1;
+    result.texture = prints.viewTexture(face, flat ? columns : 0, lenses, lying);
+    const int texels = lying ? result.texture->height : result.texture->width;
+    const bool byLens = flat && texels == columns;
+    result.block.area = glm::vec4(half, source.views.count(), pitch);
+    result.block.strips = glm::vec4(ratio, values[table.phase], std::tan(values[table.rotation]), byLens ? 1.0 / columns : 1 / lenses);
+    result.block.size = glm::vec4(result.texture->width, result.texture->height, 0, 0);
+    return result;
+}
+
+CardPicture rasterPicture(const LenticularTable& table, const ParameterValues& values, const CardSource& source)
+{
+    CardPicture result;
+    result.raster = true;
+    result.texture = source.raster;
+    const glm::dvec2 half = pictureHalfSize(table, values, source.aspect);
+    const double width = 2 * across(half, source.lying);
+    result.block.area = glm::vec4(half, source.print.views, width / source.lenses);
+    result.block.strips = glm::vec4(1 / (1 + values[table.pitchError]), values[table.phase], std::tan(values[table.rotation]), source.rasterSize.x / source.lenses);
+    result.block.size = glm::vec4(source.rasterSize, 0, 0);
+    return result;
+}
+
+}  // namespace
+
+CardSheetFound cardSheet(const LenticularTable& table, const ParameterValues& values)
+{
+    const CardSheet kind = values[table.sheetKind];
+    Sheet sheet;
+    if (kind == CardSheet::custom) {
+        sheet = {"custom", values[table.customLpi], 0, values[table.radius] * 1e3, values[table.thickness] * 1e3, values[table.refractiveIndex], values[table.conic]};
+    } else {
+        sheet = knownSheet(std::string(values.rows()[table.sheetKind.row].choices[static_cast<std::size_t>(kind)]));
+    }
+    if (const int slices = values[table.slices]; slices > 0) {
+        const double pitch = 2e3 * (values[table.axis] == CardAxis::vertical ? cardHalfSize.x : cardHalfSize.y) / slices;
+        const double scale = pitch / sheet.pitch();
+        sheet.radius *= scale;
+        sheet.thickness *= scale;
+        sheet.nominalLpi = mmPerInch / pitch;
+        sheet.effectiveLpi = 0;
+    }
+    return feasible(sheet);
+}
+
+glm::dvec3 dispersedIndex(double index, double abbeNumber)
+{
+    const auto inverseSquare = [](double micrometers) { return 1 / (micrometers * micrometers); };
+    const double b = (index - 1) / abbeNumber / (inverseSquare(0.4861) - inverseSquare(0.6563));
+    const auto at = [&](double micrometers) { return std::max(1.001, index + b * (inverseSquare(micrometers) - inverseSquare(0.5876))); };
+    return {at(0.611), at(0.549), at(0.465)};
+}
+
+double pitchRatio(const LenticularTable& table, const ParameterValues& values, const Sheet& sheet)
+{
+    const double distance = values[table.distance] * 1e3;
+    switch (values[table.model]) {
+    case CardModel::linear: return 1 / (1 + sheet.pitch() / (2 * std::tan(values[table.intendedMaxAngle]) * distance));
+    case CardModel::paraxial: return 1 / (1 + sheet.thickness / sheet.index / distance);
+    case CardModel::exact: break;
+    }
+    return sheet.pitch() / printPitch(sheet, distance);
+}
+
+glm::dvec2 pictureHalfSize(const LenticularTable& table, const ParameterValues& values, double aspect)
+{
+    const glm::dvec2 room = glm::dvec2(cardHalfSize) - values[table.margin];
+    return room.x / room.y > aspect ? glm::dvec2(room.y * aspect, room.y) : glm::dvec2(room.x, room.x / aspect);
+}
+
+bool horizontal(const LenticularTable& table, const ParameterValues& values, const CardSource& source)
+{
+    return source.raster ? source.lying : values[table.axis] == CardAxis::horizontal;
+}
+
+CardPicture cardPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& chosen, CardPrints& prints, CardFace face)
+{
+    const CardSource& source = prints.source(face, values[face == CardFace::front ? table.frontPrint : table.backPrint], values[table.views]);
+    CardPicture picture = source.raster ? rasterPicture(table, values, source) : viewsPicture(table, values, chosen, prints, face, source);
+    const Sheet& sheet = source.raster ? source.print.sheet : chosen;
+    const double pitch = sheet.pitch();
+    // A Gauss curve is replaced by the box of its variance.
+    const double ink = std::sqrt(12.0) * values[table.inkSpread] * 1e3 / pitch;
+    picture.block.shape = glm::vec4(sheet.radius / pitch, sheet.thickness / pitch, sheet.conic, ink);
+    picture.block.index = glm::vec4(values[table.dispersion] ? dispersedIndex(sheet.index, values[table.abbeNumber]) : glm::dvec3(sheet.index), 0);
+    return picture;
+}
+
+}  // namespace vitrine::lenticular

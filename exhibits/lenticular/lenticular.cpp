@@ -1,0 +1,244 @@
+#include "exhibits/lenticular/lenticular.h"
+
+#include "exhibits/framework/derive.h"
+#include "exhibits/hall/surface_draw.h"
+#include "exhibits/lenticular/card_mesh.h"
+#include "exhibits/lenticular/card_sheet.h"
+#include "render/glsl/cpu.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+using lenticular::cardHalfSize;
+using lenticular::cardMesh;
+using lenticular::CardObject;
+using lenticular::CardPicture;
+using render::Attachment;
+using render::Load;
+using render::Pass;
+
+constexpr double rollTime = 1.2;  ///< Seconds in which the button rolls the other print in.
+
+/// What lies in the card at one moment.
+struct Moment {
+    CardFace first = CardFace::front;  ///< The one that leaves, or rests.
+    double roll = 0;                   ///< 0 at rest, up to 1 as the other one comes.
+};
+
+CardFace otherFace(CardFace face)
+{
+    return face == CardFace::front ? CardFace::back : CardFace::front;
+}
+
+/// `sincePressed`: seconds since the button exchanged the prints, which rolls the new one in.
+Moment momentAt(const LenticularTable& table, const ParameterValues& values, double time, double sincePressed)
+{
+    const CardFace start = values[table.face];
+    double y = values[table.scroll] ? scrollAt(time, values[table.period], values[table.hold]) : 0;
+    if (sincePressed >= 0 && sincePressed < rollTime) y += glsl::smoothStep(0.0, rollTime, sincePressed) - 1;
+    const double whole = std::floor(y);
+    return {std::fmod(whole, 2.0) == 0 ? start : otherFace(start), y - whole};
+}
+
+/// Everything that the passes of one frame share.
+struct Scene {
+    const LenticularTable& table;
+    const PlanContext& context;
+    glm::dmat4 worldFromCard;
+    std::string reason;
+
+    [[nodiscard]] render::Draw draw() const
+    {
+        render::Draw draw;
+        draw.mesh = cardMesh();
+        draw.mirrored = glm::determinant(glm::dmat3(worldFromCard)) < 0;
+        return draw;
+    }
+};
+
+void planShadow(const Scene& s, render::FramePlan& plan)
+{
+    if (!s.context.noShadowBecause.empty()) {
+        plan.skip("lenticular/shadow", s.context.noShadowBecause);
+        return;
+    }
+    Pass pass;
+    pass.name = "lenticular/shadow";
+    pass.reason = "the sun reaches it and its shadow may be seen";
+    pass.stage = render::Stage::shadow;
+    pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}, {}};
+    pass.view = s.context.surroundings.exhibitShadowView;
+    pass.key = s.context.surroundings.exhibitShadowKey;
+    pass.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
+    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none, .depthBias = {1.5F, 2}, .depthClamp = true};
+    pass.draws = {s.draw()};
+    pass.draws[0].object = render::bytesOf(surfaceObject(s.worldFromCard, {}));
+    plan.add(std::move(pass));
+}
+
+CardObject cardObject(const Scene& s, const render::View& view, double roll)
+{
+    const ParameterValues& values = s.context.values;
+    CardObject object;
+    object.worldFromCard = glm::mat4(s.worldFromCard);
+    const glm::dmat4 cardFromWorld = glm::affineInverse(s.worldFromCard);
+    object.cardFromWorld = glm::mat4(cardFromWorld);
+    const glm::dvec3 right = glm::dvec3(glm::transpose(glm::dmat3(view.viewFromWorld))[0]);
+    const CardEyes eyes = values[s.table.eyes];
+    const double apart = eyes == CardEyes::off ? 0 : values[s.table.eyeDistance];
+    const double left = eyes == CardEyes::right ? 0.5 : -0.5;
+    const double other = eyes == CardEyes::left ? -0.5 : 0.5;
+    object.eyes[0] = glm::vec4(glm::dvec4(glm::dvec3(cardFromWorld * glm::dvec4(view.eye + right * (left * apart), 1)), 0));
+    object.eyes[1] = glm::vec4(glm::dvec4(glm::dvec3(cardFromWorld * glm::dvec4(view.eye + right * (other * apart), 1)), 0));
+    object.card = glm::vec4(glm::dvec4(cardHalfSize, roll));
+    return object;
+}
+
+/// Binds one of the prints; `slot` 0 is the one that rests or leaves.
+void addPicture(Pass& pass, CardObject& object, int slot, const CardPicture& picture)
+{
+    object.prints[slot] = picture.block;
+    pass.counts["views"] += static_cast<std::int64_t>(picture.block.area.z);
+    pass.inputs.push_back({slot == 0 ? UNIT_EXHIBIT_A : UNIT_EXHIBIT_B, picture.texture});
+    if (picture.raster) pass.shader.defines.emplace_back(slot == 0 ? "FIRST_RASTER" : "SECOND_RASTER");
+}
+
+Pass cardPass(const Scene& s, const render::View& view, const Moment& moment, const lenticular::Sheet& sheet, lenticular::CardPrints& prints)
+{
+    const ParameterValues& values = s.context.values;
+    Pass pass;
+    pass.name = "lenticular/card";
+    pass.reason = s.reason;
+    pass.shader = {"lenticular/card.vert", "lenticular/card.frag", "", {}, derive::uniformBlock(s.table)};
+    pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
+    CardObject object = cardObject(s, view, moment.roll);
+    addPicture(pass, object, 0, lenticular::cardPicture(s.table, values, sheet, prints, moment.first));
+    const auto& first = prints.source(moment.first, values[moment.first == CardFace::front ? s.table.frontPrint : s.table.backPrint], values[s.table.views]);
+    const bool lying = lenticular::horizontal(s.table, values, first);
+    if (moment.roll > 0) {
+        pass.shader.defines.emplace_back("SCROLLING");
+        addPicture(pass, object, 1, lenticular::cardPicture(s.table, values, sheet, prints, otherFace(moment.first)));
+    }
+    object.axes = lying ? glm::vec4(0, -1, 1, 0) : glm::vec4(1, 0, 0, 1);
+    if (values[s.table.dispersion]) pass.shader.defines.emplace_back("DISPERSION");
+    if (values[s.table.strips] == CardStrips::squeezed) pass.shader.defines.emplace_back("SQUEEZED");
+    if (values[s.table.eyes] == CardEyes::anaglyph) pass.shader.defines.emplace_back("ANAGLYPH");
+    pass.draws = {s.draw()};
+    pass.draws[0].object = render::bytesOf(object);
+    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::back};
+    s.context.surroundings.illuminate(pass);
+    return pass;
+}
+
+}  // namespace
+
+struct Lenticular::Cache {
+    lenticular::CardPrints prints;
+};
+
+Lenticular::Lenticular() : cache_(std::make_unique<Cache>()) {}
+
+Lenticular::~Lenticular() = default;
+
+double scrollAt(double time, double period, double hold)
+{
+    if (!std::isfinite(time)) return 0;
+    const double turns = time / period;
+    const double whole = std::floor(turns);
+    return whole + glsl::smoothStep(hold, 1.0, turns - whole);
+}
+
+double scrollRest(double time, double period, double hold)
+{
+    if (!std::isfinite(time)) return std::numeric_limits<double>::infinity();
+    const double turns = time / period;
+    return std::max(0.0, (hold - (turns - std::floor(turns))) * period);
+}
+
+glm::dvec3 cardMiddle()
+{
+    // place_2 lies 1.2 m above the floor; the ledge's top is at 0.884 m, its two rests touch the back at z = -0.02.
+    return {0, 0.884 - 1.2 + cardHalfSize.y, -0.02 + 2 * cardHalfSize.z};
+}
+
+render::Box Lenticular::bounds(const ParameterValues&) const
+{
+    const render::Box& box = cardMesh()->bounds;
+    return {box.low + cardMiddle(), box.high + cardMiddle()};
+}
+
+render::Camera Lenticular::bestView(const ParameterValues&) const
+{
+    return {cardMiddle() + glm::dvec3(-0.27, 0.13, 1.06), cardMiddle() + glm::dvec3(0.0, -0.015, 0), 0.698132};
+}
+
+double Lenticular::nextChange(const ParameterValues& values, double time) const
+{
+    return values[table_.scroll] ? scrollRest(time, values[table_.period], values[table_.hold]) : std::numeric_limits<double>::infinity();
+}
+
+double Lenticular::nextChangeAfterPress(const ParameterValues& values, double time, double sinceOwnPress) const
+{
+    return sinceOwnPress < rollTime ? 0 : nextChange(values, time);
+}
+
+bool Lenticular::press(ParameterValues& values) const
+{
+    values.set(table_.face, otherFace(values[table_.face]));
+    return true;
+}
+
+std::vector<StudyView> Lenticular::studyViews(const ParameterValues& values) const
+{
+    const glm::dvec3 m = cardMiddle();
+    const auto view = [&](const char* name, const glm::dvec3& eye, double fov) { return StudyView{name, {m + eye, m, fov}, 0, values}; };
+    return {{"best view", bestView(values), 0, values},
+            view("edge of the zone", {0.43, 0.1, 1.5}, 0.5),
+            view("far away", {0.5, 0.35, 6}, 0.4),
+            view("skewed, from above", {0.5, 0.9, 0.9}, 0.6),
+            view("close up", {0.03, 0.02, 0.12}, 0.5)};
+}
+
+void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
+{
+    Scene scene{table_, context, context.worldFromExhibit * glm::translate(glm::dmat4(1), cardMiddle()), "in view"};
+    planShadow(scene, plan);
+    if (!context.hiddenBecause.empty()) {
+        for (const char* pass : {"lenticular/card", "lenticular/count"}) plan.skip(pass, context.hiddenBecause);
+        return;
+    }
+    const lenticular::CardSheetFound found = lenticular::cardSheet(table_, context.values);
+    const Moment moment = momentAt(table_, context.values, context.time, context.sinceOwnPress);
+    if (moment.roll > 0) scene.reason += ", and one print rolls in after the other";
+    if (!found.note.empty()) scene.reason += "; the sheet cannot be: " + found.note;
+    Pass card = cardPass(scene, plan.view, moment, found.sheet, cache_->prints);
+    Pass count = card;
+    card.colors = {{radianceImage, Load::keep, {}, -1, 0}};
+    card.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+    if (context.channels.normal) {
+        card.shader.defines.emplace_back("WRITE_NORMAL");
+        card.colors.push_back({normalImage, Load::keep, {}, -1, 0});
+    }
+    plan.add(std::move(card));
+    if (!context.channels.evaluations) {
+        plan.skip("lenticular/count", "nobody asks for counts");
+        return;
+    }
+    count.name = "lenticular/count";
+    count.reason = "the evaluations channel is asked for";
+    count.stage = render::Stage::resolve;
+    count.shader.defines.emplace_back("COUNT");
+    count.colors = {{evaluationsImage, Load::keep, {}, -1, 0}};
+    count.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+    count.state = {.depthTest = render::DepthTest::equal, .cull = render::Cull::back, .blend = render::Blend::add};
+    plan.add(std::move(count));
+}
+
+}  // namespace vitrine

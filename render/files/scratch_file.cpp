@@ -1,0 +1,76 @@
+#include "render/files/scratch_file.h"
+
+#include "render/failure.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+namespace vitrine::render {
+
+ScratchFile::ScratchFile()
+{
+    std::error_code error;
+    folder_ = std::filesystem::temp_directory_path(error);
+    if (error) throw Failure(Blame::file, "There is no folder for temporary files (" + error.message() + "); let TMPDIR name one that you may write to.");
+    std::string name = (folder_ / "vitrine-XXXXXX").string();
+    file_ = Descriptor(::mkostemp(name.data(), O_CLOEXEC));
+    if (!file_.open()) fail("creating a file there");
+    ::unlink(name.c_str());
+}
+
+void ScratchFile::fail(const char* doing) const
+{
+    throw Failure(Blame::file, "Cannot keep the views in " + folder_.string() + ": " + doing + " failed (" + std::strerror(errno) +
+                                   "); free some space there, or let TMPDIR name a folder with more.");
+}
+
+void ScratchFile::append(const void* bytes, std::size_t count)
+{
+    const char* at = static_cast<const char*>(bytes);
+    while (count > 0) {
+        const ssize_t wrote = ::pwrite(file_.get(), at, count, static_cast<off_t>(size_));
+        if (wrote < 0 && errno == EINTR) continue;
+        if (wrote == 0) errno = ENOSPC;
+        if (wrote <= 0) fail("writing");
+        at += wrote;
+        size_ += static_cast<std::uint64_t>(wrote);
+        count -= static_cast<std::size_t>(wrote);
+    }
+}
+
+void ScratchFile::align()
+{
+    const std::array<char, mapUnit> zeros{};
+    append(zeros.data(), static_cast<std::size_t>((mapUnit - size_ % mapUnit) % mapUnit));
+}
+
+const void* ScratchFile::map(std::uint64_t offset, std::size_t count) const
+{
+    void* begin = ::mmap(nullptr, count, PROT_READ, MAP_SHARED, file_.get(), static_cast<off_t>(offset));
+    if (begin == MAP_FAILED) fail("mapping");
+    return begin;
+}
+
+void releasePages(const void* mapped, std::size_t mappedCount, std::size_t offset, std::size_t count)
+{
+    // A page that is read brings the others of its unit with it: they all go, or those before it would stay for good.
+    // Never beyond the mapping: what lies there is somebody else's.
+    const auto begin = reinterpret_cast<std::uintptr_t>(mapped);
+    const std::uintptr_t from = std::max((begin + offset) / ScratchFile::mapUnit * ScratchFile::mapUnit, begin);
+    const std::uintptr_t to = std::min((begin + offset + count + ScratchFile::mapUnit - 1) / ScratchFile::mapUnit * ScratchFile::mapUnit, begin + mappedCount);
+    ::madvise(reinterpret_cast<void*>(from), to - from, MADV_DONTNEED);
+}
+
+void unmapPages(const void* begin, std::size_t count)
+{
+    ::munmap(const_cast<void*>(begin), count);
+}
+
+}  // namespace vitrine::render

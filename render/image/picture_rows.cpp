@@ -1,0 +1,75 @@
+#include "render/image/picture_rows.h"
+
+#include "render/failure.h"
+#include "render/image/image_limits.h"
+#include "render/image/picture_stream.h"
+
+#include <array>
+#include <cstring>
+#include <fstream>
+
+namespace vitrine::render {
+
+PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
+{
+    std::array<char, 16> bytes{};
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) throw Failure(Blame::file, "Cannot read " + path.string() + ": there is no such file.");
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes.data(), bytes.size());
+    const auto format = sniffImage({bytes.data(), static_cast<std::size_t>(file.gcount())});
+    if (format == ImageFormat::png) {
+        png_ = std::make_unique<PngRowReader>(path);
+        check(png_->begin());
+        width_ = png_->width();
+        height_ = png_->height();
+        bits_ = png_->bits();
+        json_ = png_->text(printKey);
+    } else if (format == ImageFormat::tiff) {
+        check(oiioCodec().openRowReader(path.string(), tiff_));
+        width_ = tiff_->width;
+        height_ = tiff_->height;
+        bits_ = tiff_->bits;
+        channels_ = static_cast<std::size_t>(tiff_->channels);
+        json_ = tiff_->description;
+    } else {
+        throw Failure(Blame::file, "Cannot read " + path.string() + ": it is neither a TIFF nor a PNG.");
+    }
+    if (width_ < 1 || height_ < 1) check("it is empty");
+    stored_.resize(static_cast<std::size_t>(width_) * channels_ * static_cast<std::size_t>(bits_ / 8));
+}
+
+void PictureRows::check(const std::string& why) const
+{
+    if (!why.empty()) throw Failure(Blame::file, "Cannot read " + path_.string() + ": " + why + ".");
+}
+
+void PictureRows::readRow(std::int64_t row, std::uint16_t* out)
+{
+    if (png_) {
+        if (row < next_) {
+            check(png_->begin());
+            next_ = 0;
+        }
+        for (; next_ <= row; ++next_) check(png_->read(stored_.data(), 1));
+    } else {
+        check(tiff_->read(static_cast<int>(row), 1, stored_.data()));
+    }
+    const bool gray = channels_ < 3;
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width_); ++x) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::size_t at = x * channels_ + (gray ? 0 : c);
+            std::uint16_t code = 0;
+            if (bits_ == 16) std::memcpy(&code, stored_.data() + at * 2, 2);
+            else code = static_cast<std::uint16_t>(static_cast<unsigned char>(stored_[at]) * 257U);
+            *out++ = code;
+        }
+    }
+}
+
+void PictureRows::read(std::int64_t first, std::int64_t count, std::uint16_t* out)
+{
+    for (std::int64_t row = first; row < first + count; ++row, out += static_cast<std::size_t>(width_) * 3) readRow(row, out);
+}
+
+}  // namespace vitrine::render

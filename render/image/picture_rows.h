@@ -1,0 +1,45 @@
+#pragma once
+
+#include "render/image/oiio_codec.h"
+#include "render/image/png_row_reader.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vitrine::render {
+
+/// A PNG or TIFF of any size, read a few rows at a time; memory does not grow with the picture.
+class PictureRows {
+public:
+    /// Throws Failure naming the file when it cannot be opened, or is neither.
+    explicit PictureRows(const std::filesystem::path&);
+
+    [[nodiscard]] std::int64_t width() const { return width_; }
+    [[nodiscard]] std::int64_t height() const { return height_; }
+    /// What `PictureStream` wrote about the print; empty when there is nothing. Text from a file: parse it as untrusted.
+    [[nodiscard]] const std::string& json() const { return json_; }
+
+    /// RGB codes of 16 bits (8-bit ones times 257) of `count` rows from row `first`; `out` holds width * count * 3.
+    /// Rows in rising order are fast; going back starts over. Throws Failure naming the file when it is broken.
+    void read(std::int64_t first, std::int64_t count, std::uint16_t* out);
+
+private:
+    void readRow(std::int64_t row, std::uint16_t* out);
+    void check(const std::string& why) const;
+
+    std::filesystem::path path_;
+    std::unique_ptr<PngRowReader> png_;
+    std::unique_ptr<OiioRowReader> tiff_;
+    std::int64_t width_ = 0;
+    std::int64_t height_ = 0;
+    int bits_ = 8;
+    std::size_t channels_ = 3;
+    std::string json_;
+    std::vector<char> stored_;   ///< One row as in the file.
+    std::int64_t next_ = 0;      ///< Of a PNG: the row that comes next.
+};
+
+}  // namespace vitrine::render

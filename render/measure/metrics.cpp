@@ -1,0 +1,205 @@
+#include "render/measure/metrics.h"
+
+#include "render/image/srgb.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace vitrine::render {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+
+/// The color of a pixel over black: one channel is gray, a second of two and a fourth is alpha.
+glm::dvec3 colorAt(const Image& image, int x, int y)
+{
+    const bool gray = image.channels < 3;
+    const bool hasAlpha = image.channels == 2 || image.channels >= 4;
+    const double alpha = hasAlpha ? image.at(x, y, gray ? 1 : 3) : 1.0;
+    if (alpha == 0) return glm::dvec3(0);
+    if (gray) return glm::dvec3(image.at(x, y, 0)) * alpha;
+    return glm::dvec3(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)) * alpha;
+}
+
+double distance(double a, double b)
+{
+    if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
+    const double d = std::abs(a - b);
+    return std::isnan(d) ? infinite : d;
+}
+
+glm::dvec3 distances(const Image& a, const Image& b, int x, int y)
+{
+    const glm::dvec3 p = colorAt(a, x, y);
+    const glm::dvec3 q = colorAt(b, x, y);
+    return {distance(p.x, q.x), distance(p.y, q.y), distance(p.z, q.z)};
+}
+
+bool differsVisibly(const glm::dvec3& p, const glm::dvec3& q)
+{
+    for (int c = 0; c < 3; ++c) {
+        // Not the rounded codes: one rounding apart is not a difference.
+        const double d = distance(srgbFromLinear(std::clamp(p[c], 0.0, 1.0)), srgbFromLinear(std::clamp(q[c], 0.0, 1.0)));
+        if (d > 1.0 / 255 || std::isfinite(p[c]) != std::isfinite(q[c])) return true;
+    }
+    return false;
+}
+
+template <typename Visit> void eachPixel(const Image& image, const Visit& visit)
+{
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) visit(x, y);
+}
+
+[[maybe_unused]] bool sameSize(const Image& a, const Image& b)
+{
+    return a.width == b.width && a.height == b.height;
+}
+
+double shareOf(double part, double whole)
+{
+    return whole > 0 ? part / whole : 0;
+}
+
+}  // namespace
+
+std::string_view toString(Metric metric)
+{
+    switch (metric) {
+    case Metric::rmse: return "rmse";
+    case Metric::psnr: return "psnr";
+    case Metric::max: return "max";
+    case Metric::beyond: return "beyond";
+    case Metric::flip: return "flip";
+    case Metric::normal: return "normal";
+    case Metric::depth: return "depth";
+    }
+    return "";
+}
+
+std::string_view title(Metric metric)
+{
+    switch (metric) {
+    case Metric::rmse: return "RMS error of linear light";
+    case Metric::psnr: return "peak signal to noise ratio, dB";
+    case Metric::max: return "largest error of linear light";
+    case Metric::beyond: return "share of pixels off by more than 1/255";
+    case Metric::flip: return "mean FLIP";
+    case Metric::normal: return "mean angle between normals, degrees";
+    case Metric::depth: return "RMS distance of surfaces, metres";
+    }
+    return "";
+}
+
+std::optional<Metric> metricNamed(std::string_view name)
+{
+    const auto found = std::find_if(allMetrics.begin(), allMetrics.end(), [&](Metric m) { return toString(m) == name; });
+    return found == allMetrics.end() ? std::nullopt : std::optional(*found);
+}
+
+double ColorDifference::psnr() const
+{
+    return rmse > 0 ? -20 * std::log10(rmse) : infinite;
+}
+
+ColorDifference colorDifference(const Image& a, const Image& b)
+{
+    assert(sameSize(a, b));
+    ColorDifference result;
+    double squares = 0;
+    double beyond = 0;
+    eachPixel(a, [&](int x, int y) {
+        const glm::dvec3 d = distances(a, b, x, y);
+        squares += glm::dot(d, d);
+        result.max = std::max({result.max, d.x, d.y, d.z});
+        if (differsVisibly(colorAt(a, x, y), colorAt(b, x, y))) beyond += 1;
+    });
+    const double pixels = static_cast<double>(a.width) * a.height;
+    result.rmse = std::sqrt(shareOf(squares, 3 * pixels));
+    result.beyond = shareOf(beyond, pixels);
+    return result;
+}
+
+NormalDifference normalDifference(const Image& a, const Image& b, int first)
+{
+    assert(sameSize(a, b));
+    NormalDifference result;
+    double both = 0;
+    double either = 0;
+    const auto normal = [first](const Image& image, int x, int y) { return glm::dvec3(image.at(x, y, first), image.at(x, y, first + 1), image.at(x, y, first + 2)); };
+    eachPixel(a, [&](int x, int y) {
+        const glm::dvec3 p = normal(a, x, y);
+        const glm::dvec3 q = normal(b, x, y);
+        const bool hasP = glm::length(p) >= 0.5;
+        const bool hasQ = glm::length(q) >= 0.5;
+        either += hasP || hasQ ? 1 : 0;
+        if (!hasP || !hasQ) return;
+        both += 1;
+        // Exact for small angles, where the arc cosine of a rounded product is not.
+        const double degrees = std::atan2(glm::length(glm::cross(p, q)), glm::dot(p, q)) * 180 / std::numbers::pi;
+        result.mean += degrees;
+        result.max = std::max(result.max, degrees);
+    });
+    result.mean = shareOf(result.mean, both);
+    result.missing = shareOf(either - both, either);
+    return result;
+}
+
+DepthDifference depthDifference(const Image& a, const Image& b, int channel)
+{
+    assert(sameSize(a, b));
+    DepthDifference result;
+    double squares = 0;
+    double both = 0;
+    double either = 0;
+    eachPixel(a, [&](int x, int y) {
+        const double p = a.at(x, y, channel);
+        const double q = b.at(x, y, channel);
+        either += std::isfinite(p) || std::isfinite(q) ? 1 : 0;
+        if (!std::isfinite(p) || !std::isfinite(q)) return;
+        both += 1;
+        squares += (p - q) * (p - q);
+        result.max = std::max(result.max, std::abs(p - q));
+    });
+    result.rms = std::sqrt(shareOf(squares, both));
+    result.missing = shareOf(either - both, either);
+    return result;
+}
+
+Image differenceMap(const Image& a, const Image& b)
+{
+    assert(sameSize(a, b));
+    Image map(a.width, a.height, 1);
+    eachPixel(a, [&](int x, int y) {
+        const glm::dvec3 d = distances(a, b, x, y);
+        map.at(x, y) = static_cast<float>(std::sqrt(glm::dot(d, d) / 3));
+    });
+    return map;
+}
+
+Image heatMap(const Image& errors, double full)
+{
+    // Stations of even lightness steps, sRGB-encoded.
+    static const std::array<glm::dvec3, 6> stations{glm::dvec3(0.02, 0.02, 0.04), glm::dvec3(0.24, 0.07, 0.42), glm::dvec3(0.57, 0.16, 0.43),
+                                                    glm::dvec3(0.87, 0.33, 0.23), glm::dvec3(0.98, 0.65, 0.18), glm::dvec3(1.0, 0.99, 0.90)};
+    Image picture(errors.width, errors.height, 3);
+    eachPixel(errors, [&](int x, int y) {
+        const double error = errors.at(x, y);
+        glm::dvec3 color(0.2, 0.8, 0.3);
+        if (std::isfinite(error)) {
+            const double place = std::clamp(error / full, 0.0, 1.0) * static_cast<double>(stations.size() - 1);
+            const auto below = std::min(static_cast<std::size_t>(place), stations.size() - 2);
+            color = glm::mix(stations[below], stations[below + 1], place - static_cast<double>(below));
+        }
+        for (int c = 0; c < 3; ++c) picture.at(x, y, c) = static_cast<float>(linearFromSrgb(color[c]));
+    });
+    return picture;
+}
+
+}  // namespace vitrine::render

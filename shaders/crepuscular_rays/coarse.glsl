@@ -1,0 +1,52 @@
+// A coarser image of the frame: which depth a cell stands for, and how cells are brought up to pixels again.
+
+layout(binding = UNIT_SOURCE) uniform sampler2D depthOfPicture;
+
+const float COARSE_FARTHEST = 60.0;  // metres: beyond the hall, all depths are alike
+
+float depthAt(vec2 pixel)
+{
+    ivec2 inside = ivec2(clamp(pixel - frameTile(), vec2(0.0), vec2(textureSize(depthOfPicture, 0)) - 1.0));
+    return min(frameViewDepth(texelFetch(depthOfPicture, inside, 0).r), COARSE_FARTHEST);
+}
+
+// Distance along the view axis of a cell, metres: by turns the nearest and the farthest of its corner pixels, so
+// that along an edge there is always a neighbor on either side of it.
+float coarseDepth(vec2 cell)
+{
+    float last = rays.grid.x - 1.0;
+    vec2 first = cell * rays.grid.x;
+    float a = depthAt(first);
+    if (last < 0.5) return a;
+    vec4 corners = vec4(a, depthAt(first + vec2(last, 0.0)), depthAt(first + vec2(0.0, last)), depthAt(first + vec2(last)));
+    bool nearest = mod(cell.x + cell.y, 2.0) < 0.5;
+    return nearest ? min(min(corners.x, corners.y), min(corners.z, corners.w)) : max(max(corners.x, corners.y), max(corners.z, corners.w));
+}
+
+// Light of a coarser image (rgb; its depth in a) at a pixel of the tile: nine cells under a tent of two cells'
+// width, each the less the farther its depth is from the pixel's.
+vec3 broughtUp(sampler2D coarse, vec2 pixel, float depth)
+{
+    ivec2 size = textureSize(coarse, 0);
+    if (rays.grid.x < 1.5) return texelFetch(coarse, ivec2(pixel), 0).rgb;
+    vec2 at = (floor(pixel) + 0.5 + frameTile()) / rays.grid.x - rays.grid.yz;
+    vec2 middle = floor(at);
+    vec3 sum = vec3(0.0);
+    float all = 0.0;
+    vec3 nearest = vec3(0.0);
+    float nearestDifference = 1e9;
+    for (int i = 0; i < 9; ++i) {
+        vec2 cell = middle + vec2(float(i % 3) - 1.0, float(i / 3) - 1.0);
+        vec4 light = texelFetch(coarse, clamp(ivec2(cell), ivec2(0), size - 1), 0);
+        vec2 away = max(1.5 - abs(cell + 0.5 - at), vec2(0.0));
+        float difference = abs(light.a - depth) / depth;
+        float weight = away.x * away.y * exp2(-40.0 * difference);
+        sum += light.rgb * weight;
+        all += weight;
+        if (difference < nearestDifference) {
+            nearestDifference = difference;
+            nearest = light.rgb;
+        }
+    }
+    return all > 1e-4 ? sum / all : nearest;
+}

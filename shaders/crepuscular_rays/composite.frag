@@ -1,0 +1,75 @@
+// Lays the beams over the picture: what they add, and in the alpha what the dust takes out of it. Permutations: SCREEN
+// (a gathered image), POLAR (the running sum, looked up here), VOLUME, REPLACE (the light alone, or the mask).
+#include "lib/light.glsl"
+#include "lib/air.glsl"
+#include "lib/tonemap.glsl"
+#include "crepuscular_rays/gather.glsl"
+#include "crepuscular_rays/coarse.glsl"
+#include "crepuscular_rays/dust.glsl"
+
+layout(binding = UNIT_EXHIBIT_B) uniform sampler2D scattered;
+
+layout(location = 0) out vec4 over;
+
+#ifdef POLAR
+// Mean of the mask within a share `t` of the way from the sun to `pixel`.
+vec3 meanWithin(vec2 way, float t)
+{
+    vec2 size = vec2(textureSize(mask, 0));
+    float radius = length(way) * t;
+    // Cell i ends at the radius first * ratio^i.
+    float i = (log(max(radius, 1e-3)) - rays.polar.z) / rays.polar.w * size.x;
+    if (rays.taps.z > 0.5 && i < 0.0) return vec3(0.0);  // The sun is beyond the edge: nothing shines so near to it.
+    float angle = angleOf(way.y, way.x);
+    float turns = (angle - rays.polar.x) / (2.0 * PI);
+    float line = fract(turns) * 2.0 * PI / rays.polar.y;
+    return textureLod(mask, vec2(clamp((i + 0.5) / size.x, 0.5 / size.x, 1.0 - 0.5 / size.x), line), 0.0).rgb;
+}
+#endif
+
+vec3 screenRays(float depth)
+{
+#if defined(POLAR)
+    vec2 pixel = (floor(gl_FragCoord.xy) + 0.5 + frameTile()) * rays.grid.w;
+    vec2 way = pixel - rays.source.xy;
+    float exponent = rays.source.z;
+    float left = shaftWeightBelow(1.0 - rays.source.w, exponent);
+    vec3 mean = meanWithin(way, 1.0);
+    if (left > 1e-5) mean = max(mean - left * meanWithin(way, 1.0 - rays.source.w), vec3(0.0)) / max(1.0 - left, 1e-6);
+    return mean * rays.strength.rgb;
+#elif defined(SCREEN)
+    return broughtUp(mask, gl_FragCoord.xy, depth) * rays.strength.rgb;
+#else
+    return vec3(0.0);
+#endif
+}
+
+void main()
+{
+    vec2 pixel = floor(gl_FragCoord.xy) + frameTile();
+#ifdef SHOW_MASK
+    over = vec4(inverseTonemap(maskAt((pixel + 0.5) * rays.grid.w) * 0.98) * rays.strength.w, 1.0);
+    return;
+#endif
+    float depth = depthAt(pixel);
+    int technique = int(pixel.x < rays.sides.z ? rays.sides.x : rays.sides.y);
+    over = vec4(0.0);
+    if ((technique & 1) != 0) over.rgb += screenRays(depth);
+#ifdef VOLUME
+    if ((technique & 2) != 0) {
+        vec3 ray = frameRay(gl_FragCoord.xy);
+        float stretch = length(ray);
+        vec3 direction = ray / stretch;
+        float hidden = 1.0 - airThrough(frame.eye.xyz, direction, airStretches(frame.eye.xyz, direction), depth * stretch);
+        if (hidden > 0.0) {
+            vec3 hallLight = light.probePosition.w < 0.5 ? light.skyZenith.rgb * 0.05 : max(texelFetch(probeIrradiance, ivec2(0), 0).rgb, vec3(0.0));
+            over.rgb += parameters.airColor * hallLight * (hidden * parameters.ambient);
+            over.a = hidden;
+            over.rgb += broughtUp(scattered, gl_FragCoord.xy, depth);
+        }
+    }
+#endif
+#ifdef REPLACE
+    over.a = 1.0;
+#endif
+}

@@ -1,0 +1,37 @@
+// Reading the mask along the way to the sun, and the grain that hides too few samples.
+#include "lib/frame.glsl"
+#include "lib/hash.glsl"
+#include "lib/numerics.glsl"
+#include "lib/light_shafts.glsl"
+#include "crepuscular_rays/block.glsl"
+
+layout(binding = UNIT_EXHIBIT_A) uniform sampler2D mask;
+layout(binding = UNIT_EXHIBIT_C) uniform sampler2D grain;
+
+// Beyond the edge nothing is known, and nothing shines.
+vec3 maskAt(vec2 pixel)
+{
+    vec2 size = vec2(textureSize(mask, 0));
+    if (pixel.x < 0.0 || pixel.y < 0.0 || pixel.x > size.x || pixel.y > size.y) return vec3(0.0);
+    return textureLod(mask, pixel / size, 0.0).rgb;
+}
+
+// Blue noise of a cell of the whole picture, -0.5 to 0.5, another one for every supersample; 0 when switched off.
+float grainAt(vec2 cell)
+{
+    if (rays.mask.w < 0.5) return 0.0;
+    ivec2 size = textureSize(grain, 0);
+    float noise = texelFetch(grain, ivec2(mod(cell, vec2(size))), 0).r * (255.0 / 256.0);
+    return fract(noise + 0.618033989 * frame.timing.y) - 0.5;
+}
+
+// Cell of the whole picture that this fragment of a coarser image stands for, and its middle in mask pixels.
+vec2 cellOf(vec2 fragCoord)
+{
+    return floor(fragCoord) + rays.grid.yz;
+}
+
+vec2 maskPixel(vec2 cell)
+{
+    return (cell + 0.5) * rays.grid.x * rays.grid.w;
+}

@@ -1,0 +1,56 @@
+// The sun's beams in dusty air, in half the picture's size or whole: every ray is marched where it crosses a beam of
+// window or oculus, and asks the shadow maps what lies in the way of the light. What a step scatters is what its dust
+// takes out of the ray, by the closed form, so that no number of steps makes more or less light.
+#include "lib/light.glsl"
+#include "lib/air.glsl"
+#include "crepuscular_rays/gather.glsl"
+#include "crepuscular_rays/coarse.glsl"
+#include "crepuscular_rays/dust.glsl"
+
+layout(location = 0) out vec4 scattered;
+
+float sunInAir(vec3 world)
+{
+    float lit = light.sunIrradiance.w < 0.5 ? 1.0 : shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, world), 0);
+    if (light.sunLightmap.w > 0.5 && lit > 0.0) lit *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, world), 0);
+    return lit;
+}
+
+void main()
+{
+    vec2 cell = cellOf(gl_FragCoord.xy);
+    float depth = coarseDepth(cell);
+    vec3 ray = frameRay((cell + 0.5) * rays.grid.x - frameTile());
+    float stretch = length(ray);
+    vec3 direction = ray / stretch;
+    vec3 eye = frame.eye.xyz;
+    vec4 air = airStretches(eye, direction);
+    float end = depth * stretch;
+    float shift = grainAt(cell);
+    float sum = 0.0;
+    vec2 before = vec2(1.0, -1.0);
+    for (int beam = 0; beam < int(rays.airLow[0].w); ++beam) {
+        int axis = int(rays.low[beam].w);
+        vec3 along = light.sunDirection.xyz / light.sunDirection[axis];
+        vec2 inside = airBeam(eye, direction, rays.low[beam].xyz, rays.high[beam].xyz, axis, rays.high[beam].w, along, rays.airLow[beam].xyz, rays.airHigh[beam].xyz);
+        float first = max(inside.x, 0.0);
+        float way = min(inside.y, end) - first;
+        if (!(way > 0.0)) continue;
+        float stride = way / float(parameters.volumeSteps);
+        float through = airThrough(eye, direction, air, first);
+        for (int i = 0; i < parameters.volumeSteps; ++i) {
+            float at = first + (float(i) + 0.5 + shift) * stride;
+            float throughEnd = airThrough(eye, direction, air, first + float(i + 1) * stride);
+            // Where two beams cross, the first has counted.
+            if (at < before.x || at > before.y) {
+                vec3 world = eye + direction * at;
+                float lit = sunInAir(world);
+                if (lit > 0.0) sum += lit * (through - throughEnd) * dustDrift(world);
+            }
+            through = throughEnd;
+        }
+        before = vec2(first, first + way);
+    }
+    float phase = airPhase(dot(direction, light.sunDirection.xyz), parameters.anisotropy);
+    scattered = vec4(min(parameters.airColor * light.sunIrradiance.rgb * (sum * phase * parameters.beamStrength), vec3(6e4)), depth);
+}

@@ -1,0 +1,26 @@
+// The running sum on a log-polar grid around the sun: one invocation walks one line outwards. With a weight that is
+// a power of the radius, the mean C over all that lies within a radius obeys C' = q C + (1 - q) M, where q depends on
+// the ratio of the radii alone; it stays between the smallest and the largest M and cannot overflow.
+#include "crepuscular_rays/gather.glsl"
+
+layout(local_size_x = 32) in;
+layout(rgba16f, binding = 0) uniform writeonly image2D within;
+
+void main()
+{
+    int line = int(gl_GlobalInvocationID.x);
+    int radii = int(rays.polarSize.x);
+    if (line >= int(rays.polarSize.y)) return;
+    float angle = rays.polar.x + rays.polar.y * (float(line) + 0.5) / rays.polarSize.y;
+    vec2 direction = vec2(cos(angle), sin(angle));
+    float ratio = exp(rays.polar.w / rays.polarSize.x);
+    float keep = rays.polarSize.z;
+    // Within the first radius, and where the mask is not known, its own first value goes on.
+    float radius = exp(rays.polar.z);
+    vec3 mean = maskAt(rays.source.xy + direction * radius);
+    for (int i = 0; i < radii; ++i) {
+        mean = mean * keep + maskAt(rays.source.xy + direction * (radius * inversesqrt(ratio))) * (1.0 - keep);
+        imageStore(within, ivec2(i, line), vec4(mean, 1.0));
+        radius *= ratio;
+    }
+}

@@ -1,0 +1,180 @@
+// What the sunbeams cost and how wrong they are: every method of the screen-space rays against the plain loop with
+// 4096 samples, and the volume's steps against 1024. Prints Markdown: bench_sunbeams > results/sunbeams.md
+
+#include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
+#include "exhibits/framework/picture.h"
+#include "exhibits/hall/hall_table.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace {
+
+using namespace vitrine;
+
+const CrepuscularRaysTable table;
+const HallTable hallTable;
+
+struct Measured {
+    render::Image picture;
+    double fetchesPerPixel = 0;
+    double stepsPerPixel = 0;
+    double milliseconds = 0;  ///< Of the exhibit's own passes, median of five.
+};
+
+struct Bench {
+    render::gl::HeadlessContext context{false};
+    Museum museum;
+    render::gl::Renderer renderer;
+    Look look = museum.initialLook();
+    std::size_t exhibit = *museum.find("crepuscular_rays");
+    glm::ivec2 size{640, 360};
+    render::Camera camera;
+
+    ParameterValues& rays() { return look.values[exhibit]; }
+
+    Measured measure(bool timed = true)
+    {
+        FrameRequest frame;
+        frame.camera = camera;
+        frame.raster.size = size;
+        frame.averageIn = AverageIn::radiance;
+        PictureMaker maker(museum, renderer, look, {.frame = frame});
+        while (maker.step()) {}
+        Measured result{maker.picture()};
+        const double pixels = static_cast<double>(size.x) * size.y;
+        const auto& counters = maker.report().counters;
+        if (const auto found = counters.find("fetches"); found != counters.end()) result.fetchesPerPixel = static_cast<double>(found->second) / pixels;
+        if (const auto found = counters.find("marchSteps"); found != counters.end()) result.stepsPerPixel = static_cast<double>(found->second) / pixels;
+        if (!timed) return result;
+        renderer.timeSteps(true);
+        std::vector<double> times;
+        for (int run = 0; run < 5; ++run) {
+            double sum = 0;
+            for (const render::StepReport& step : renderer.draw(museum.plan(look, frame, renderer.kept())).ran)
+                if (step.name.rfind("crepuscular_rays/", 0) == 0) sum += step.milliseconds;
+            times.push_back(sum);
+        }
+        renderer.timeSteps(false);
+        std::sort(times.begin(), times.end());
+        result.milliseconds = times[2];
+        return result;
+    }
+};
+
+struct Error {
+    double rootMeanSquare = 0, largest = 0;
+};
+
+Error difference(const render::Image& a, const render::Image& b)
+{
+    Error error;
+    for (int y = 0; y < a.height; ++y) {
+        for (int x = 0; x < a.width; ++x) {
+            const double d = std::abs(static_cast<double>(a.at(x, y, 0)) - static_cast<double>(b.at(x, y, 0)));
+            error.rootMeanSquare += d * d;
+            error.largest = std::max(error.largest, d);
+        }
+    }
+    error.rootMeanSquare = std::sqrt(error.rootMeanSquare / (static_cast<double>(a.width) * a.height));
+    return error;
+}
+
+const char* const methodNames[] = {"loop", "three passes", "polar sum"};
+
+void screenRays(Bench& bench)
+{
+    ParameterValues& rays = bench.rays();
+    rays = ParameterValues(table);
+    rays.set(table.technique, RayTechnique::screen);
+    rays.set(table.view, RayView::light);
+    rays.set(table.weight, 1.0);
+    rays.set(table.tint, ColorValue{glm::dvec3(1)});
+    rays.set(table.skyColor, false);
+    rays.set(table.lightSize, 3.141593);
+    rays.set(table.jitter, false);
+    // White is 1.
+    bench.look.values[0].set(hallTable.exposure, -std::log2(6.5));
+    const auto run = [&](RayMethod method, int samples, RayResolution resolution, bool timed) {
+        rays.set(table.method, method);
+        rays.set(table.samples, samples);
+        rays.set(table.resolution, resolution);
+        return bench.measure(timed);
+    };
+    const Measured truth = run(RayMethod::loop, 4096, RayResolution::full, false);
+    std::printf("| method | samples | resolution | looks per pixel | RMSE | largest error | ms |\n|---|---|---|---|---|---|---|\n");
+    const auto line = [&](RayMethod method, int samples, RayResolution resolution) {
+        const Measured m = run(method, samples, resolution, true);
+        const Error e = difference(m.picture, truth.picture);
+        const char* names[] = {"full", "half", "quarter"};
+        std::printf("| %s | %d | %s | %.1f | %.5f | %.4f | %.1f |\n", methodNames[static_cast<int>(method)], samples, names[static_cast<int>(resolution)], m.fetchesPerPixel, e.rootMeanSquare, e.largest, m.milliseconds);
+        std::fflush(stdout);
+    };
+    for (const int samples : {8, 16, 32, 64, 128, 216}) line(RayMethod::loop, samples, RayResolution::full);
+    for (const int samples : {64, 216, 512}) line(RayMethod::threePasses, samples, RayResolution::full);
+    for (const int samples : {64, 128, 216, 384}) line(RayMethod::polar, samples, RayResolution::full);
+    for (const int samples : {32, 128}) line(RayMethod::loop, samples, RayResolution::half);
+    line(RayMethod::threePasses, 216, RayResolution::half);
+    line(RayMethod::loop, 64, RayResolution::quarter);
+}
+
+void volume(Bench& bench)
+{
+    ParameterValues& rays = bench.rays();
+    rays = ParameterValues(table);
+    rays.set(table.view, RayView::light);
+    bench.look.values[0].set(hallTable.exposure, -std::log2(6.5));
+    const auto run = [&](int steps, RayResolution resolution, bool jitter, bool timed) {
+        rays.set(table.volumeSteps, steps);
+        rays.set(table.resolution, resolution);
+        rays.set(table.jitter, jitter);
+        return bench.measure(timed);
+    };
+    const Measured truth = run(1024, RayResolution::full, false, false);
+    double mean = 0;
+    for (int y = 0; y < truth.picture.height; ++y)
+        for (int x = 0; x < truth.picture.width; ++x) mean += static_cast<double>(truth.picture.at(x, y, 0));
+    mean /= static_cast<double>(truth.picture.width) * truth.picture.height;
+    std::printf("| steps | blue noise | resolution | steps per pixel, at most | RMSE over the mean | ms |\n|---|---|---|---|---|---|\n");
+    for (const RayResolution resolution : {RayResolution::full, RayResolution::half, RayResolution::quarter}) {
+        for (const bool jitter : {false, true}) {
+            for (const int steps : {2, 4, 8, 16, 32, 64}) {
+                if (resolution != RayResolution::full && steps != 8 && steps != 16) continue;
+                const Measured m = run(steps, resolution, jitter, true);
+                const char* names[] = {"full", "half", "quarter"};
+                std::printf("| %d | %s | %s | %.1f | %.4f | %.1f |\n", steps, jitter ? "on" : "off", names[static_cast<int>(resolution)], m.stepsPerPixel, difference(m.picture, truth.picture).rootMeanSquare / mean, m.milliseconds);
+                std::fflush(stdout);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+int main()
+{
+    Bench bench;
+    std::printf("# Sunbeams: work, error, time\n\n%s. Time is that of the exhibit's own passes, median of five, by the process's CPU time around glFinish.\n", bench.context.info().renderer.c_str());
+    const Exhibit& exhibit = *bench.museum.exhibits()[bench.exhibit];
+    for (const glm::ivec2 size : {glm::ivec2(640, 360), glm::ivec2(1280, 720)}) {
+        bench.size = size;
+        for (const StudyView& view : exhibit.studyViews(exhibit.parameters().initial())) {
+            if (view.name != "best view" && view.name != "window ahead") continue;
+            bench.camera = view.camera;
+            const glm::dmat4 world = bench.museum.worldFromExhibit(bench.exhibit);
+            bench.camera.eye = glm::dvec3(world * glm::dvec4(view.camera.eye, 1));
+            bench.camera.target = glm::dvec3(world * glm::dvec4(view.camera.target, 1));
+            std::printf("\n## Screen space, %s, %d × %d\n\nAgainst the loop with 4096 samples; a white mask gives 1.\n\n", view.name.c_str(), size.x, size.y);
+            screenRays(bench);
+            if (view.name == "best view") {
+                std::printf("\n## Volume, %s, %d × %d\n\nAgainst 1024 steps.\n\n", view.name.c_str(), size.x, size.y);
+                volume(bench);
+            }
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,143 @@
+// Distances of pictures, against what can be worked out by hand.
+
+#include "render/measure/metrics.h"
+
+#include "render/image/srgb.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+namespace vitrine {
+namespace {
+
+using namespace render;
+
+Image noise(int channels, unsigned seed, double low = 0, double high = 1)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(low, high);
+    Image image(64, 48, channels);
+    for (float& p : image.pixels) p = static_cast<float>(uniform(random));
+    return image;
+}
+
+Image plus(Image image, float offset)
+{
+    for (float& p : image.pixels) p += offset;
+    return image;
+}
+
+TEST(Metrics, EqualPicturesAreAtDistanceZero)
+{
+    const Image a = noise(3, 1);
+    const ColorDifference d = colorDifference(a, a);
+    EXPECT_EQ(d.rmse, 0);
+    EXPECT_EQ(d.max, 0);
+    EXPECT_EQ(d.beyond, 0);
+    EXPECT_EQ(d.psnr(), std::numeric_limits<double>::infinity());
+}
+
+TEST(Metrics, AConstantOffsetIsTheRmsError)
+{
+    const Image a = noise(3, 1, 0.25, 0.5);
+    const ColorDifference d = colorDifference(a, plus(a, 0.125F));
+    EXPECT_NEAR(d.rmse, 0.125, 1e-7);
+    EXPECT_NEAR(d.max, 0.125, 1e-7);
+    EXPECT_NEAR(d.psnr(), 20 * std::log10(8.0), 1e-5);
+    EXPECT_EQ(d.beyond, 1);
+}
+
+TEST(Metrics, UniformNoiseHasTheRmsErrorOfItsVariance)
+{
+    const Image a(64, 48, 3, 0.5F);
+    Image b = a;
+    const Image n = noise(3, 7, -0.1, 0.1);
+    for (std::size_t i = 0; i < b.pixels.size(); ++i) b.pixels[i] += n.pixels[i];
+    // Variance of the uniform distribution over 0.2: 0.2² / 12. With 9216 samples the estimate's own spread is 0.5 %.
+    EXPECT_NEAR(colorDifference(a, b).rmse, 0.2 / std::sqrt(12.0), 0.02 * 0.2 / std::sqrt(12.0));
+}
+
+TEST(Metrics, OneCodeOfSrgbIsTheThresholdOfWhatIsBeyond)
+{
+    const auto pictureOf = [](double code) { return Image(4, 4, 3, static_cast<float>(linearFromSrgb(code / 255))); };
+    EXPECT_EQ(colorDifference(pictureOf(100), pictureOf(100.99)).beyond, 0);
+    EXPECT_EQ(colorDifference(pictureOf(100), pictureOf(101.01)).beyond, 1);
+    EXPECT_EQ(colorDifference(pictureOf(3), pictureOf(4.01)).beyond, 1) << "in the dark, where a linear threshold would miss it";
+    Image one = pictureOf(100);
+    one.at(1, 2, 2) = 1;
+    EXPECT_EQ(colorDifference(pictureOf(100), one).beyond, 1.0 / 16);
+}
+
+TEST(Metrics, TheColorOfWhatIsNotThereCountsNothing)
+{
+    Image a(2, 1, 4, 0.0F);
+    Image b(2, 1, 4, 0.0F);
+    b.at(0, 0, 0) = 0.9F;
+    EXPECT_EQ(colorDifference(a, b).max, 0);
+    b.at(0, 0, 3) = 0.5F;
+    EXPECT_NEAR(colorDifference(a, b).max, 0.45, 1e-7);
+}
+
+TEST(Metrics, WhatIsFiniteInOnePictureOnlyIsInfinitelyFar)
+{
+    Image a(2, 1, 3, 0.5F);
+    Image b = a;
+    b.at(0, 0, 1) = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(colorDifference(a, b).max, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(colorDifference(a, b).beyond, 0.5);
+    EXPECT_EQ(colorDifference(b, b).rmse, 0);
+}
+
+TEST(Metrics, NormalsTurnedByAnAngleAreThatFarApart)
+{
+    Image a(3, 1, 3, 0.0F);
+    Image b(3, 1, 3, 0.0F);
+    const double angle = 1e-4;  // Where an arc cosine of floats would find nothing.
+    a.at(0, 0, 2) = 1;
+    b.at(0, 0, 2) = static_cast<float>(std::cos(angle));
+    b.at(0, 0, 0) = static_cast<float>(std::sin(angle));
+    a.at(1, 0, 1) = 1;
+    const NormalDifference d = normalDifference(a, b, 0);
+    EXPECT_NEAR(d.mean, angle * 180 / std::numbers::pi, 1e-9);
+    EXPECT_EQ(d.missing, 0.5);
+}
+
+TEST(Metrics, DepthsAreComparedWhereBothHitSomething)
+{
+    const float none = std::numeric_limits<float>::infinity();
+    Image a(4, 1, 1, none);
+    Image b(4, 1, 1, none);
+    a.at(0, 0) = 2;
+    b.at(0, 0) = 2.5;
+    a.at(1, 0) = 3;
+    b.at(1, 0) = 3;
+    a.at(2, 0) = 7;
+    const DepthDifference d = depthDifference(a, b, 0);
+    EXPECT_NEAR(d.rms, std::sqrt(0.25 / 2), 1e-12);
+    EXPECT_EQ(d.max, 0.5);
+    EXPECT_NEAR(d.missing, 1.0 / 3, 1e-12);
+}
+
+TEST(Metrics, EveryNameNamesItsMetric)
+{
+    for (const Metric m : allMetrics) EXPECT_EQ(metricNamed(toString(m)), m);
+    EXPECT_FALSE(metricNamed("ssim"));
+}
+
+TEST(Metrics, AHeatMapGrowsLighterWithTheError)
+{
+    Image errors(5, 1, 1);
+    for (int x = 0; x < 5; ++x) errors.at(x, 0) = 0.1F * static_cast<float>(x);
+    const Image map = heatMap(errors, 0.4);
+    const auto light = [&](int x) { return 0.2126 * map.at(x, 0, 0) + 0.7152 * map.at(x, 0, 1) + 0.0722 * map.at(x, 0, 2); };
+    EXPECT_LT(light(0), 0.01);
+    for (int x = 1; x < 5; ++x) EXPECT_GT(light(x), light(x - 1));
+    EXPECT_GT(light(4), 0.9);
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,135 @@
+// What `vitrine doctor --stability` runs on a user's driver, on this one: the library's numbers, promises about
+// pictures, and every exhibit with random settings at hostile times, places and sizes.
+//   VITRINE_SCAN_PRESETS=20000   more than the 1000 settings of each exhibit
+//   VITRINE_SCAN_SEED=123        begin with another seed; a failure names the seed to begin with
+
+#include "exhibits/framework/poison.h"
+#include "exhibits/framework/stability_cases.h"
+#include "exhibits/framework/stability_scan.h"
+#include "tests/gl/gallery.h"
+
+#include <cstdlib>
+
+namespace vitrine {
+namespace {
+
+using test::gallery;
+
+std::uint64_t environment(const char* name, std::uint64_t otherwise)
+{
+    const char* text = std::getenv(name);
+    return text ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+class StabilityScan : public test::GlTest {};
+
+TEST_F(StabilityScan, TheLibrarysNumbersAreThoseOfFloat64)
+{
+    int naiveFails = 0;
+    for (const StabilityResult& result : arithmeticCases(gallery().renderer)) {
+        EXPECT_TRUE(result.passed) << result.number << ' ' << result.what << ": " << result.value << " > " << result.limit << ", " << result.detail;
+        naiveFails += result.detail.find("plain code") != std::string::npos;
+    }
+    EXPECT_GE(naiveFails, 10) << "the inputs are not hard any more";
+}
+
+TEST_F(StabilityScan, PicturesKeepTheirPromises)
+{
+    for (const StabilityResult& result : pictureCases(gallery().museum, gallery().renderer))
+        EXPECT_TRUE(result.passed) << result.number << ' ' << result.what << ": " << result.value << ", " << result.detail;
+}
+
+TEST_F(StabilityScan, NoExhibitDrawsWhatIsNoNumberOrWasNeverWritten)
+{
+    const int presets = static_cast<int>(environment("VITRINE_SCAN_PRESETS", 1000));
+    const std::uint64_t first = environment("VITRINE_SCAN_SEED", 1);
+    for (std::size_t i = 0; i < gallery().museum.exhibits().size(); ++i) {
+        const StabilityResult result = scanExhibit(gallery().museum, gallery().renderer, i, first, presets);
+        EXPECT_TRUE(result.passed) << result.what << "\n  VITRINE_SCAN_SEED of " << result.detail;
+    }
+}
+
+/// An exhibit that draws nothing, NaN, or infinity by its settings: the scan must see each, and blame what it is due to.
+struct Broken final : Exhibit {
+    struct Table final : Parameters {
+        Real harmless = real("harmless", 0.5, none, {0, 1}, "Changes nothing.");
+        Real divisor = real("divisor", 1, none, {0, 1}, "Its light is one over this.");
+        Toggle forgetful = toggle("forgetful", false, "Whether it forgets to clear what it reads.");
+    } table;
+
+    [[nodiscard]] std::string_view name() const override { return "broken"; }
+    [[nodiscard]] std::string_view title() const override { return "Broken"; }
+    [[nodiscard]] std::string_view summary() const override { return "Broken."; }
+    [[nodiscard]] int place() const override { return 3; }
+    [[nodiscard]] const Parameters& parameters() const override { return table; }
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {{-1, -1, -1}, {1, 1, 1}}; }
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override { return {{0, 0, 4}, {0, 0, 0}, 0.7}; }
+    [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return 1; }
+
+    void plan(const PlanContext& context, render::FramePlan& plan) const override
+    {
+        render::Pass glow;
+        glow.name = "broken/glow";
+        glow.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+        const auto light = static_cast<float>(1 / context.values[table.divisor]);
+        glow.colors = {{radianceImage, render::Load::clear, glm::vec4(light, light, light, 1), -1, 0}};
+        plan.add(std::move(glow));
+        if (!context.values[table.forgetful]) return;
+        plan.image({.name = "broken.source", .format = render::Format::rgba16f});
+        render::Pass half;  // Writes nothing: there is nothing to draw.
+        half.name = "broken/half";
+        half.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+        half.colors = {{"broken.source", render::Load::keep, {}, -1, 0}};
+        plan.add(std::move(half));
+        render::Pass copy;
+        copy.name = "broken/copy";
+        copy.shader = {"lib/fullscreen.vert", "lib/copy.frag", "", {}};
+        copy.inputs = {{12, std::string("broken.source")}};
+        copy.colors = {{radianceImage, render::Load::keep, {}, -1, 0}};
+        copy.draws = {render::Draw{}};
+        plan.add(std::move(copy));
+    }
+};
+
+TEST_F(StabilityScan, FaultsAreSeenAndBlamedOnWhatCausesThem)
+{
+    std::vector<std::unique_ptr<Exhibit>> guests;
+    guests.push_back(std::make_unique<Broken>());
+    const auto& table = static_cast<const Broken&>(*guests[0]).table;
+    const Museum museum(std::move(guests));
+    ScanCase c = scanCase(museum, 1, 32);
+    c.look.values[1] = table.initial();
+    c.look.values[1].set(table.harmless, 0.25);
+    c.frame.alone = 1;
+    c.frame.transparent = true;  // Or the sky would cover it.
+    EXPECT_EQ(faultOf(museum, gallery().renderer, c), "");
+
+    ScanCase infinite = c;
+    infinite.look.values[1].set(table.divisor, 0.0);
+    EXPECT_NE(faultOf(museum, gallery().renderer, infinite).find("infinity"), std::string::npos);
+    EXPECT_EQ(causesOf(museum, gallery().renderer, infinite), std::vector<std::string>{"broken.divisor 0"});
+
+    ScanCase unwritten = c;
+    unwritten.look.values[1].set(table.forgetful, true);
+    EXPECT_NE(faultOf(museum, gallery().renderer, unwritten).find("nobody wrote"), std::string::npos);
+    EXPECT_EQ(causesOf(museum, gallery().renderer, unwritten), std::vector<std::string>{"broken.forgetful on"});
+
+    const StabilityResult result = scanExhibit(museum, gallery().renderer, 1, 1, 60);
+    EXPECT_FALSE(result.passed);
+    EXPECT_EQ(result.value, 3);
+    EXPECT_NE(result.detail.find("seed "), std::string::npos) << result.detail;
+}
+
+TEST_F(StabilityScan, ASeedIsTheSameCaseEveryTime)
+{
+    for (const std::uint64_t seed : {1U, 77U, 1000U}) {
+        const ScanCase a = scanCase(gallery().museum, 1, seed);
+        const ScanCase b = scanCase(gallery().museum, 1, seed);
+        EXPECT_EQ(a.look, b.look);
+        EXPECT_EQ(a.frame.camera, b.frame.camera);
+        EXPECT_FALSE(a.look == scanCase(gallery().museum, 1, seed + 1).look);
+    }
+}
+
+}  // namespace
+}  // namespace vitrine
