@@ -10,8 +10,8 @@ namespace vitrine {
 namespace {
 
 // Where they lie, metres from the middle of the pit, and how they are turned about y.
-const glm::dvec3 homes[furBodyCount] = {{-0.62, 0, -0.30}, {0.60, 0, -0.38}, {0.22, 0, 0.66}};
-constexpr double homeTurns[furBodyCount] = {0, -0.5, 0.2};
+const glm::dvec3 homes[furBodyCount] = {{-0.62, 0, -0.02}, {0.55, 0, 0.58}, {0.30, 0, -0.74}};
+constexpr double homeTurns[furBodyCount] = {0, 0.35, 0.2};
 
 constexpr double strandScale = 0.15;    ///< Metres of lag that count as one strand length (the source's strands).
 constexpr double homeStart = 1.5, homeFull = 3.0;  ///< Seconds: when they begin to be drawn back, and when fully.
@@ -31,9 +31,9 @@ double smooth(double low, double high, double x)
 }
 
 /// Number `i` of a throw, in [-1, 1): integer hash (splitmix64, Steele et al. 2014).
-double throwOf(std::uint32_t seed, int i)
+double throwOf(std::uint32_t toss, int i)
 {
-    std::uint64_t z = (static_cast<std::uint64_t>(seed) << 32U) + static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15ULL + 0x632BE59BD9B4E019ULL;
+    std::uint64_t z = (static_cast<std::uint64_t>(toss) << 32U) + static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15ULL + 0x632BE59BD9B4E019ULL;
     z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
     z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
     return static_cast<double>((z ^ (z >> 31U)) >> 11U) / static_cast<double>(1ULL << 52U) - 1;
@@ -75,13 +75,13 @@ double Growth::grown(double since) const
     return 1 + share * amount / ballRadius * std::sin(2 * std::numbers::pi * phase);
 }
 
-BounceSettings bounceSettings(const FurTable& t, const ParameterValues& v, std::shared_ptr<const render::Mesh> model, std::uint32_t seed, double time)
+BounceSettings bounceSettings(const FurTable& t, const ParameterValues& v, std::shared_ptr<const render::Mesh> model, double time)
 {
     BounceSettings s;
     for (int i = 0; i < furBodyCount; ++i) s.cushion[i] = colliderRadius(t, v, i, 1) - skinRadius(i);
     s.model = std::move(model);
     s.jump = v[t.jump];
-    s.seed = seed;
+    s.toss = static_cast<std::uint32_t>(v[t.toss]);
     s.growth = {v[t.growth], v[t.growthRate], v[t.growing], v[t.growing] ? time : 0.0};
     s.spring = {2 * std::numbers::pi * v[t.frequency], v[t.damping]};
     s.method = v[t.springModel];
@@ -125,7 +125,7 @@ Bounce::Bounce(const BounceSettings& settings) : settings_(settings), flight_(st
         first.turn[i] = state.turn;
         first.pull[i] = limited({{0, -settings_.gravity, 0}, {}}, settings_.displacementLimit);
         const int body = flight_->bodies.add(shapeOf(settings_, i), {state.position, state.turn}, i == furBall ? 2.2 : 2.0);
-        const auto random = [&](int n) { return throwOf(settings_.seed, 16 * i + n); };
+        const auto random = [&](int n) { return throwOf(settings_.toss, 16 * i + n); };
         const glm::dvec3 up(0.35 * random(0), 1 + 0.16 * random(1), 0.35 * random(2));
         const glm::dvec3 spin(random(3), 0.6 * random(4), random(5));
         flight_->bodies.accelerate(body, up * settings_.jump, spin * (2.2 * settings_.jump));
@@ -233,7 +233,7 @@ void Bounce::block()
 
 void Bounce::extend(double since)
 {
-    while (static_cast<double>(moments_.size() - 1) * dt < since && end_ == std::numeric_limits<double>::infinity()) {
+    while (static_cast<double>(moments_.size() - 1) * dt <= since && end_ == std::numeric_limits<double>::infinity()) {
         block();
         const double now = static_cast<double>(moments_.size() - 1) * dt;
         if (now >= longest || (now > landed_ + settling && still(moments_.back()))) {

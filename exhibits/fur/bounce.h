@@ -27,7 +27,7 @@ struct BounceSettings {
     double cushion[furBodyCount] = {};  ///< Metres of fur under each skin that the contact does not flatten.
     std::shared_ptr<const render::Mesh> model;  ///< In place of the ring.
     double jump = 3;                    ///< Mean speed with which they leave the ground, m/s.
-    std::uint32_t seed = 1;
+    std::uint32_t toss = 1;             ///< Which of many throws.
     Growth growth;
     Spring spring;
     FurSpring method = FurSpring::closedForm;
@@ -39,7 +39,7 @@ struct BounceSettings {
     bool operator==(const BounceSettings&) const = default;
 };
 /// `time`: of the press, on the exhibit's clock.
-[[nodiscard]] BounceSettings bounceSettings(const FurTable&, const ParameterValues&, std::shared_ptr<const render::Mesh> model, std::uint32_t seed, double time);
+[[nodiscard]] BounceSettings bounceSettings(const FurTable&, const ParameterValues&, std::shared_ptr<const render::Mesh> model, double time);
 
 /// Where the bodies lie before a press, and again when they have come to rest; `since` only moves what grows.
 [[nodiscard]] FurStates restStates(const BounceSettings&, double since = 0);

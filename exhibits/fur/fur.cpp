@@ -32,6 +32,7 @@ struct Fur::Wardrobe {
     std::shared_ptr<const render::Mesh> model;
     std::vector<std::string> notes;  ///< What of the model was left out or mended.
     std::optional<Bounce> bounce;
+    std::int64_t stepsTold = 0;  ///< Steps of that jump that a plan has counted.
 };
 
 /// What the motion is at one moment, and why.
@@ -39,7 +40,6 @@ struct Fur::Moment {
     FurStates states;
     bool moving = false;
     std::string reason;         ///< Of the simulation step, or of its absence.
-    std::int64_t steps = 0;     ///< Simulated for this moment and never before.
 };
 
 Fur::Fur() : wardrobe_(std::make_unique<Wardrobe>()) {}
@@ -53,7 +53,7 @@ render::Box Fur::bounds(const ParameterValues&) const
 
 render::Camera Fur::bestView(const ParameterValues&) const
 {
-    return {{0.1, 1.35, 2.7}, {-0.05, 0.38, 0}, 0.66};
+    return {{-0.05, 1.55, 3.15}, {0.0, 0.36, 0}, 0.62};
 }
 
 double Fur::nextChange(const ParameterValues& values, double time) const
@@ -64,10 +64,25 @@ double Fur::nextChange(const ParameterValues& values, double time) const
 double Fur::nextChangeAfterPress(const ParameterValues& values, double time, double sinceOwnPress) const
 {
     if (values[table_.wind] > 0 && values[table_.gustiness] > 0) return 0;
-    return moment(values, time, sinceOwnPress, 1).moving ? 0 : never;
+    return moment(values, time, sinceOwnPress).moving ? 0 : never;
 }
 
-Fur::Moment Fur::moment(const ParameterValues& values, double time, double sinceOwnPress, std::uint32_t seed) const
+std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
+{
+    ParameterValues spun = values;
+    spun.set(table_.byHand, true);
+    for (const Real pull : {table_.handX, table_.handY, table_.handZ}) spun.set(pull, 0.0);
+    spun.set(table_.handTurn, 2.0943951023931953);
+    ParameterValues landing = values;
+    landing.set(table_.frozenAt, 0.9);
+    return {{"best view", bestView(values), 0, values},
+            {"silhouette", {{-1.05, 0.75, 1.1}, {-1.0, 0.62, 0}, 0.42}, 0, values},
+            {"tip", {{0.55, 0.72, 1.35}, {0.55, 0.42, 0.72}, 0.3}, 0, values},
+            {"spin of 120 degrees", {{-0.62, 0.6, 1.9}, {-0.62, 0.42, 0}, 0.6}, 0, spun},
+            {"landing", bestView(values), 0, landing}};
+}
+
+Fur::Moment Fur::moment(const ParameterValues& values, double time, double sinceOwnPress) const
 {
     Wardrobe& w = *wardrobe_;
     if (const std::string path = values[table_.ringModel]; path != w.modelPath) {
@@ -85,7 +100,7 @@ Fur::Moment Fur::moment(const ParameterValues& values, double time, double since
     const bool growing = values[table_.growing] && values[table_.growth] > 0 && values[table_.growthRate] > 0 && !values[table_.byHand];
 
     Moment m;
-    const BounceSettings settings = bounceSettings(table_, values, w.model, seed, since == never || frozen ? now : now - since);
+    const BounceSettings settings = bounceSettings(table_, values, w.model, since == never || frozen ? now : now - since);
     if (since == never) {
         m.states = restStates(settings, 0);
         m.moving = growing;
@@ -100,10 +115,11 @@ Fur::Moment Fur::moment(const ParameterValues& values, double time, double since
         }
         return m;
     }
-    if (!w.bounce || !(w.bounce->settings() == settings)) w.bounce.emplace(settings);
-    const std::int64_t before = w.bounce->steps();
+    if (!w.bounce || !(w.bounce->settings() == settings)) {
+        w.bounce.emplace(settings);
+        w.stepsTold = 0;
+    }
     m.states = w.bounce->at(since);
-    m.steps = w.bounce->steps() - before;
     const double rested = w.bounce->restedAt(since);
     m.moving = !frozen && (growing || byItself || rested > since);
     if (frozen) m.reason = "frozen " + seconds(since) + " after the jump";
@@ -123,22 +139,24 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
         plan.skip("fur/shadow", context.noShadowBecause);
         return;
     }
-    const Moment now = moment(values, context.time, context.sinceOwnPress, plan.seed);
-    if (now.moving || now.steps > 0) {
+    const Moment now = moment(values, context.time, context.sinceOwnPress);
+    Wardrobe& w = *wardrobe_;
+    const std::int64_t steps = w.bounce ? w.bounce->steps() - w.stepsTold : 0;
+    if (now.moving || steps > 0) {
         // Where things are decides what is drawn, so planning has already taken these steps.
+        w.stepsTold += steps;
         render::Pass pass;
         pass.name = motion;
         pass.reason = now.reason;
         pass.stage = render::Stage::simulate;
         pass.work = render::Work::simulation;
         pass.writes = {"fur.bodies"};
-        pass.counts["simulationSteps"] = now.steps;
+        pass.counts["simulationSteps"] = steps;
         plan.add(std::move(pass));
     } else {
         plan.skip(motion, now.reason, render::Work::simulation);
     }
     FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, context.time, plan.seed}, {}, {}};
-    Wardrobe& w = *wardrobe_;
     for (int i = 0; i < furBodyCount; ++i) {
         scene.skins[i] = i == furRing && w.model ? w.model : w.skins[i];
         if (values[table_.silhouette] != FurSilhouette::fins) continue;

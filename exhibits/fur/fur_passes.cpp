@@ -21,6 +21,8 @@ constexpr const char* names[furBodyCount] = {"ball", "roll", "ring"};
 
 // A shadow is a silhouette seen from far away: few shells fill it.
 constexpr float shadowShells = 8, shadowSamples = 3;
+/// A visitor's model may have any number of triangles; all its shells together have no more than this.
+constexpr double mostTriangles = 6e6;
 
 struct Planner {
     const FurScene& scene;
@@ -67,6 +69,14 @@ struct Planner {
     }
     [[nodiscard]] static int instancesOf(const FurBody& body) { return std::max(static_cast<int>(std::ceil(body.shells.x)), 1); }
 
+    [[nodiscard]] FurBody affordable(int i) const
+    {
+        FurBody body = bodies.body[i];
+        const double triangles = static_cast<double>(scene.skins[i]->indices.size()) / 3;
+        body.shells.x = static_cast<float>(std::min<double>(body.shells.x, std::max(mostTriangles / triangles, 1.0)));
+        return body;
+    }
+
     void shadow() const
     {
         if (!scene.context.noShadowBecause.empty()) {
@@ -81,7 +91,7 @@ struct Planner {
         made.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
         made.state.depthClamp = true;
         for (int i = 0; i < furBodyCount; ++i) {
-            FurBody body = bodies.body[i];
+            FurBody body = affordable(i);
             body.shells.x = std::min(body.shells.x, shadowShells);
             body.shells.y = std::min(body.shells.y, shadowSamples);
             made.draws.push_back(draw(scene.skins[i], body, instancesOf(body)));
@@ -92,7 +102,7 @@ struct Planner {
     /// The body as this view asks for it.
     [[nodiscard]] FurBody seen(int i) const
     {
-        FurBody body = bodies.body[i];
+        FurBody body = affordable(i);
         if (!values()[table().levelOfDetail]) return body;
         const render::Box box = bounds(i);
         const double distance = std::max(glm::length(plan.view.eye - box.center()) - glm::length(box.halfSize()) * 0.5, 0.1);

@@ -62,6 +62,7 @@ struct FurTable final : Parameters {
 
     Group jumping = group("Jump");
     Real jump = real("jump", 3.1, none, Range{0, 8}.soft(1, 5), "How fast they leave the ground when the button is pressed, in metres a second.");
+    Count toss = count("toss", 2, Range{1, 9999}.soft(1, 20), "Which of many ways they are tossed: the same number is the same jump.");
     Real frozenAt = real("frozenAt", 0.0, second, Range{0, 10}.soft(0, 5), "Shows them so long after a jump and stops the clock there; 0 lets the button and the clock decide.");
     Real bouncePeriod = real("bouncePeriod", 0.0, second, Range{0, 60}.soft(0, 12), "Lets them jump by themselves every so often; 0 leaves it to the button.");
     Real growth = real("growth", 0.05, metre, Range{0, 0.2}.soft(0, 0.12), "How much the ball's radius grows and shrinks.");
@@ -88,8 +89,8 @@ struct FurTable final : Parameters {
     Real handTurn = real("handTurn", 0.0, degree, Range{-3.141593, 3.141593}, "By hand: how far they are turned about the axis towards the entrance.");
 
     Group accuracy = group("Accuracy");
-    Count shellCount = count("shellCount", 16, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
-    Count samplesBetween = count("samplesBetween", 8, {1, 32}, "Points at most that a ray visits between two shells, where it grazes them.", quality(32));
+    Count shellCount = count("shellCount", 10, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
+    Count samplesBetween = count("samplesBetween", 16, {1, 32}, "Points at most that a ray visits between two shells, where it grazes them.", quality(32));
     Choice<FurSilhouette> silhouette = choice("silhouette", FurSilhouette::march, {"none", "fins", "march"},
         "What fills the gaps between shells seen from the side: nothing, fins along the edges, or a march from shell to shell.", quality(2));
     Choice<FurOrder> drawOrder = choice("drawOrder", FurOrder::outerFirst, {"outer first", "inner first"},
