@@ -30,7 +30,7 @@ void planComposite(const RaysScene& s, int shown, render::FramePlan& plan)
         const bool polar = methodOf(s) == RayMethod::polar;
         pass.shader.defines.emplace_back(polar ? "POLAR" : "SCREEN");
         pass.inputs.push_back({UNIT_EXHIBIT_A, std::string(polar ? "crepuscular_rays.polar" : "crepuscular_rays.rays")});
-        pass.counts["fetches"] = static_cast<std::int64_t>(plan.view.raster.drawn().x) * plan.view.raster.drawn().y * (polar ? 2 : 9);
+        pass.counts["fetches"] = static_cast<std::int64_t>(plan.view.raster.drawn().x) * plan.view.raster.drawn().y * (polar ? 2 : s.block.grid.x > 1 ? 9 : 1);
     }
     if (view != RayView::mask && (shown & static_cast<int>(RayTechnique::volume)) != 0) {
         pass.shader.defines.emplace_back("VOLUME");

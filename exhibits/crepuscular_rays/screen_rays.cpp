@@ -41,7 +41,8 @@ void planOccluders(const RaysScene& s, render::FramePlan& plan)
 void planLoop(const RaysScene& s, render::FramePlan& plan)
 {
     const bool plain = s.values[s.table.sum] == RaySum::plain;
-    const int samples = s.values[s.table.samples];
+    // Without a way to go, one look tells all, and the mask comes through to the bit.
+    const int samples = !plain && s.block.source.w <= 0 ? 1 : s.values[s.table.samples];
     Pass pass = s.pass("loop", "the sky shines into the picture", "crepuscular_rays/loop.frag");
     pass.stage = render::Stage::volume;
     if (plain) pass.shader.defines.emplace_back("PLAIN_SUM");
