@@ -88,7 +88,7 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     std::string noRays = s.uses(RayTechnique::screen) || maskShown ? std::string() : "no technique in use makes them";
     std::string noBeams = s.uses(RayTechnique::volume) && !maskShown ? std::string() : "no technique in use makes them";
     // What is invisible may be drawn all the same, to prove that it is; what cannot be drawn may not.
-    if (noRays.empty() && (!plan.runEverything || !s.sun.inFront)) noRays = whyNoScreenRays(s, plan.view);
+    if (noRays.empty() && (!plan.runEverything || !s.sun.inFront)) noRays = whyNoScreenRays(s);
     if (noBeams.empty() && (!plan.runEverything || s.beams.empty())) noBeams = whyNoBeams(s, plan.view);
 
     int shown = 0;

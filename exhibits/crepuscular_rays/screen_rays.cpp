@@ -103,6 +103,9 @@ RayMethod methodOf(const RaysScene& s)
 {
     if (s.values[s.table.sum] == RaySum::plain) return RayMethod::loop;
     const RayMethod method = s.values[s.table.method];
+    // The running sum gives a short stretch of the way as a small difference of large numbers.
+    const double stretch = 1 - glsl::shaftWeightBelow(1.0 - s.block.source.w, s.block.source.z);
+    if (method == RayMethod::polar && stretch < 0.1) return RayMethod::loop;
     return s.tile && method == RayMethod::threePasses ? RayMethod::loop : method;
 }
 
