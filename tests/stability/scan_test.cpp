@@ -4,10 +4,12 @@
 //   VITRINE_SCAN_SEED=123        begin with another seed; a failure names the seed to begin with
 
 #include "exhibits/framework/poison.h"
+#include "exhibits/framework/random_values.h"
 #include "exhibits/framework/stability_cases.h"
 #include "exhibits/framework/stability_scan.h"
 #include "tests/gl/gallery.h"
 
+#include <cmath>
 #include <cstdlib>
 
 namespace vitrine {
@@ -46,6 +48,35 @@ TEST_F(StabilityScan, NoExhibitDrawsWhatIsNoNumberOrWasNeverWritten)
     for (std::size_t i = 0; i < gallery().museum.exhibits().size(); ++i) {
         const StabilityResult result = scanExhibit(gallery().museum, gallery().renderer, i, first, presets);
         EXPECT_TRUE(result.passed) << result.what << "\n  VITRINE_SCAN_SEED of " << result.detail;
+    }
+}
+
+TEST_F(StabilityScan, H84_EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
+{
+    EXPECT_TRUE(std::isnan(0.0F / static_cast<float>(1 - 1)));  // How high layer 0 of one lies, as a share.
+    const Museum& museum = gallery().museum;
+    for (std::size_t i = 1; i < museum.exhibits().size(); ++i) {
+        const auto rows = museum.exhibits()[i]->parameters().rows();
+        ScanCase plain = scanCase(museum, i, 1);
+        plain.look = museum.initialLook();
+        plain.look.values.front() = cheapestValues(museum.hall().parameters());
+        plain.frame = {};
+        plain.frame.alone = i;
+        plain.frame.transparent = true;
+        plain.frame.raster.size = {24, 16};
+        plain.frame.time = 1;
+        plain.frame.averageIn = AverageIn::radiance;
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            if (rows[row].kind != Kind::real && rows[row].kind != Kind::count) continue;
+            // Above its initial value, a count that trades accuracy for time costs minutes.
+            const double high = rows[row].kind == Kind::count && rows[row].qualityReference ? std::get<double>(rows[row].initial) : rows[row].range.high;
+            for (const double end : {rows[row].range.low, high}) {
+                ScanCase c = plain;
+                c.look.values[i].setRow(row, end);
+                c.frame.camera = museum.exhibits()[i]->bestView(c.look.values[i]);
+                EXPECT_EQ(faultOf(museum, gallery().renderer, c), "") << museum.exhibits()[i]->name() << '.' << rows[row].name << ' ' << end;
+            }
+        }
     }
 }
 
