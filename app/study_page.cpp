@@ -134,7 +134,7 @@ std::string table(const StudyRequest& request, const StudyResult& result, const 
     text += "<th>ms, median</th><th>interval of the median</th><th>spread</th><th></th></tr></thead><tbody>\n";
     for (std::size_t i = 0; i < points.size(); ++i) {
         const StudyPoint& p = result.points[i];
-        std::string row = "<tr data-point=\"" + std::to_string(i) + "\"" + (p.dominated ? " class=\"dominated\"" : "") + "><td>" + escaped(points[i].text) + "</td><td>" + number(p.error) + "</td><td>" + number(p.lowestError, 3) + " to " + number(p.worstError, 3) + "</td>";
+        std::string row = "<tr tabindex=\"0\" data-point=\"" + std::to_string(i) + "\"" + (p.dominated ? " class=\"dominated\"" : "") + "><td>" + escaped(points[i].text) + "</td><td>" + number(p.error) + "</td><td>" + number(p.lowestError, 3) + " to " + number(p.worstError, 3) + "</td>";
         if (request.modelError) row += "<td>" + number(p.modelError) + "</td>";
         if (result.costName != "ms") row += "<td>" + number(p.cost, 12) + "</td>";
         if (p.time) row += "<td>" + number(p.time->median) + "</td><td>" + number(p.time->interval.low, 3) + " to " + number(p.time->interval.high, 3) + " (" + number(100 * p.time->interval.confidence, 3) + " %)</td><td>" + number(p.time->spread, 2) + "</td>";

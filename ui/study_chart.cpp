@@ -260,7 +260,8 @@ QByteArray StudyChart::svg(QSize size)
     painter.setMode(QCPPainter::pmNoCaching);
     toPainter(&painter, size.width(), size.height());
     painter.end();
-    return bytes;
+    // A name that browsers know, too.
+    return bytes.replace("font-family=\"Sans Serif\"", "font-family=\"sans-serif\"");
 }
 
 void StudyChart::mouseMoveEvent(QMouseEvent* event)

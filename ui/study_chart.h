@@ -41,7 +41,6 @@ public:
 
 signals:
     void hovered(int point);  ///< -1: none.
-    
 
 protected:
     void mouseMoveEvent(QMouseEvent*) override;

@@ -294,6 +294,7 @@ void StudyDock::showPoint(int wanted)
     const std::optional<std::size_t> fallback = presentPoint() ? presentPoint() : result().knee;
     const int point = wanted >= 0 ? wanted : fallback ? static_cast<int>(*fallback) : -1;
     shownPoint_ = wanted;
+    chart_->emphasize(wanted >= 0 ? std::optional(static_cast<std::size_t>(wanted)) : std::nullopt);
     const auto view = static_cast<std::size_t>(std::max(view_->currentIndex(), 0));
     if (point < 0 || static_cast<std::size_t>(point) >= result().points.size() || view >= result().references.size()) {
         pictures_->show({}, {}, {});

@@ -225,7 +225,9 @@ void Study::addSetting(const Setting& setting)
             for (auto& [name, count] : shot.counters) count *= samples;
             shot.firstMilliseconds = report.milliseconds * samples;
             shot.errors = errorsOf(views_[view].reference, picture);
-            shot.picture = std::move(picture);
+            // A search keeps many pictures: of those, the colors are enough, unless it goes by something else.
+            const bool byColor = request_.metric != render::Metric::normal && request_.metric != render::Metric::depth;
+            shot.picture = request_.axes.size() > 2 && byColor ? resampled(picture, request_.size) : std::move(picture);
             if (view + 1 == result_.views.size()) judge();
         });
     }
