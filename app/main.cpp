@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* about = "Vitrine: a workbench for real-time rendering techniques, in a museum hall.\n"
                               "Without a command, the window opens.\n"
-                              "Exit codes: 0 done, 1 check failed, 2 usage, 3 no OpenGL 4.5, 4 shader failed, 5 file not read or not written.";
+                              "Exit codes: 0 done, 1 check failed, 2 usage, 3 no OpenGL 4.5, 4 shader failed, 5 file not read or not written, 130 stopped.";
 
 int parseAndRun(int argc, char** argv)
 {
@@ -30,6 +30,7 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addTourCommand(parser, chosen);
     vitrine::app::addPresetCommand(parser, chosen);
     vitrine::app::addCompareCommand(parser, chosen);
+    vitrine::app::addStudyCommand(parser, chosen);
     vitrine::app::addPrintCommand(parser, chosen);
     vitrine::app::addProofCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);

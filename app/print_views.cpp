@@ -6,6 +6,9 @@
 #include "render/image/image_io.h"
 #include "render/image/picture_stream.h"
 
+#include <set>
+#include <utility>
+
 namespace vitrine::app {
 namespace {
 
@@ -16,30 +19,23 @@ lenticular::SequenceSettings sequenceOf(const ViewOptions& options)
     return {options.every, options.pingPong, options.count};
 }
 
-void noteSizes(PrintViews& result)
-{
-    for (int k = 1; k < result.views.count(); ++k) {
-        if (result.views.view(k).width == result.views.view(0).width) continue;
-        result.notes.emplace_back("The views differ in size; each is scaled to the print.");
-        return;
-    }
-}
-
 PrintViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
 {
     const std::vector<fs::path> files = lenticular::viewFiles(options.files);
     const std::vector<std::size_t> chosen = lenticular::chosenViews(files.size(), sequenceOf(options));
     (void)layoutOf(static_cast<int>(chosen.size()));
-    std::vector<fs::path> row;
     PrintViews result;
+    ProgressLine line("reading views");
+    std::set<std::pair<int, int>> sizes;
     for (const std::size_t i : chosen) {
-        row.push_back(files[i]);
+        if (!line.show(static_cast<double>(result.sources.size()) / static_cast<double>(chosen.size()))) throw Failure(Blame::usage, "Reading the views was stopped; nothing was written.");
+        const render::Image image = render::readImage(files[i], {.cancelled = StopSignal::stopped});
+        sizes.emplace(image.width, image.height);
+        result.views.add(image);
         result.sources.push_back(files[i].filename().string());
     }
-    ProgressLine line("reading views");
-    result.views = lenticular::readViews(row, [&](std::size_t done) { return line.show(static_cast<double>(done) / static_cast<double>(row.size())); });
-    result.profile = render::embeddedProfile(row.front());
-    noteSizes(result);
+    if (sizes.size() > 1) result.notes.emplace_back("The views differ in size; each is scaled to the print.");
+    result.profile = render::embeddedProfile(files[chosen.front()]);
     return result;
 }
 
@@ -69,7 +65,6 @@ PrintViews printViews(const ViewOptions& options, const LayoutOf& layoutOf)
     if (ways == 0) throw Failure(Blame::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");
     if (ways > 1) throw Failure(Blame::usage, "The views come from one place: give only one of --views, --quilt and --exhibit.");
     if (!options.scene.subject.empty()) return renderedViews(options, layoutOf);
-    if (!options.saveViews.empty()) throw Failure(Blame::usage, "--save-views: only the views of an --exhibit are written; those of pictures are there already.");
     return options.quilt.empty() ? viewsOfFiles(options, layoutOf) : viewsOfQuilt(options, layoutOf);
 }
 

@@ -23,7 +23,8 @@ using lenticular::PrintLayout;
 using lenticular::ViewRig;
 using lenticular::ViewShot;
 
-constexpr int longestSide = 1200;
+constexpr int longestSide = 1200;     ///< Where no size is asked for.
+constexpr int mostSide = 8192;        ///< A print of a meter at 40 LPI has 1600 lenses.
 constexpr int mostOfItself = 24;  ///< Views, where none are asked for: more cost time and show little.
 
 template <typename... Args> std::string text(const char* format, Args... args)
@@ -111,13 +112,14 @@ PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
     if (options.every != 1 || options.pingPong) throw Failure(Blame::usage, "--every and --ping-pong choose among pictures; the views of an exhibit are made as many as --count says.");
     const int count = countFor(options, layoutOf);
     const PrintLayout layout = layoutOf(count);
-    const render::gl::HeadlessContext context;
-    const Museum museum;
     PictureOptions scene = options.scene;
     scene.size = options.viewSize.empty() ? sizeFor(layout) : options.viewSize;
+    const glm::ivec2 size = parseSize("--view-size", scene.size);
+    if (size.x > mostSide || size.y > mostSide) throw Failure(Blame::usage, "--view-size " + scene.size + ": a view has at most " + std::to_string(mostSide) + " pixels on a side.");
+    const render::gl::HeadlessContext context;
+    const Museum museum;
     const PictureJob job = pictureJob(museum, scene);
     const ViewShot base{job.look, job.request};
-    const glm::ivec2 size = job.request.frame.raster.size;
     const auto rigOf = [&](double s) { return ViewRig(layout, job.look.camera, size, {s, options.convergence}); };
     ViewRig rig = rigOf(strength.value_or(1));
     std::vector<ViewShot> shots = shotsOf(rig, base);
@@ -136,7 +138,8 @@ PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
     }
     const DepthRange budget = rig.budget();
     result.numbers.push_back(rig.baseline() == 0 ? std::string("all views from one camera")
-                                                 : text("%d cameras over %.3f m (%.3g of true depth), converging at %.2f m", count, rig.baseline(), rig.strength(), rig.convergence()));
+                                                 : text("%d cameras over %.3f m (%.3g of true depth), converging at %.2f m, the perspective of an eye at %.0f mm", count,
+                                                        rig.baseline(), rig.strength(), rig.convergence(), rig.convergence() / rig.scale()));
     if (rig.baseline() > 0) {
         result.numbers.push_back(text("the scene reaches from %s to %s, and the print holds %s to %s without doubled contours", depthText(depth.nearest).c_str(),
                                       depthText(depth.farthest).c_str(), depthText(budget.nearest).c_str(), depthText(budget.farthest).c_str()));

@@ -24,7 +24,7 @@ ViewFolder::ViewFolder(fs::path folder, std::string extension, int count)
     : folder_(std::move(folder)), part_(folder_ / (".views-" + std::to_string(getpid()))), extension_(std::move(extension)), digits_(count > 100 ? 3 : 2)
 {
     std::error_code error;
-    made_ = fs::create_directories(folder_, error);
+    made_ = fs::create_directory(folder_, error);
     if (error) refuse(folder_, "the folder cannot be made (" + error.message() + "); choose another");
     std::vector<std::string> names;
     for (int k = 0; k < count; ++k) names.push_back(nameOf(k));
@@ -34,6 +34,8 @@ ViewFolder::ViewFolder(fs::path folder, std::string extension, int count)
         }
     }
     fs::create_directory(part_, error);
+    std::error_code ignored;
+    if (error && made_) fs::remove(folder_, ignored);
     if (error) refuse(folder_, "nothing can be written into it (" + error.message() + "); choose another");
 }
 

@@ -16,7 +16,8 @@ void addViewOptions(CLI::App& command, ViewOptions& o)
     command.add_option("--count", o.count, "How many views: of pictures, spread evenly (by default all); of an exhibit, rendered (by default as many as the print can tell apart, 24 at most)");
 
     const char* rendered = "Views of an exhibit";
-    command.add_option("--exhibit", o.scene.subject, "Render the views: an exhibit's name, or hall")->group(rendered);
+    CLI::Option* exhibit = command.add_option("--exhibit", o.scene.subject, "Render the views: an exhibit's name, or hall");
+    exhibit->group(rendered);
     command.add_option("--view-size", o.viewSize, "Width x height of a view in pixels; by default of the print's shape, at most 1200 on a side")->group(rendered);
     command.add_option("--baseline-scale", o.baselineScale, "Of the cameras' line: 1 shows depth in its true measure (the default), less is flatter, 0 is one camera (the default with --turn or --sweep), fit is the most that shows no doubled contours")->group(rendered);
     command.add_option("--convergence", o.convergence, "Metres from the camera to what lies in the plane of the print; by default what the camera looks at")->group(rendered);
@@ -25,6 +26,8 @@ void addViewOptions(CLI::App& command, ViewOptions& o)
     command.add_option("--save-views", o.saveViews, "Also write the views into this folder: view_00.png, view_01.png, ...")->group(rendered);
     command.add_option("--view-format", o.viewFormat, "Of these: png or jpg")->capture_default_str()->check(CLI::IsMember({"png", "jpg"}))->group(rendered);
     addSceneOptions(command, o.scene, rendered);
+    for (CLI::Option* option : command.get_options())
+        if (option->get_group() == rendered && option != exhibit) option->needs(exhibit);
 }
 
 }  // namespace vitrine::app

@@ -5,13 +5,21 @@ set -e
 cd "$(dirname "$0")/.."
 program=build/release/vitrine
 mkdir -p assets/thumbnails assets/pictures
-for exhibit in hall sdf_morph; do
+for exhibit in hall sdf_morph lenticular fur crepuscular_rays; do
     $program render $exhibit --size 192x120 --samples 16 --out assets/thumbnails/$exhibit.png
     for preset in assets/presets/$exhibit/*.json; do
         $program render $exhibit --preset "$preset" --size 192x120 --samples 16 --out "${preset%.json}.png"
     done
 done
 $program render hall --size 1280x720 --samples 16 --out assets/pictures/hall.png
+$program render crepuscular_rays --preset assets/presets/crepuscular_rays/evening-dust.json --set hall.sunBy="time of day" --set hall.timeOfDay=16.9 \
+    --size 960x540 --samples 16 --out assets/pictures/evening-dust.png
 for look in glazed-in-sea-green glass old-gold what-a-ray-costs; do
     $program render sdf_morph --preset assets/presets/sdf_morph/$look.json --size 480x300 --samples 16 --out assets/pictures/$look.png
+done
+$program render lenticular --size 480x300 --samples 16 --out assets/pictures/lenticular-card.png
+$program render lenticular --eye=-3.0444,1.114,3.0205 --target=-3.1905,1.084,2.9535 --fov 40 --size 480x300 --samples 16 --out assets/pictures/lenticular-lenses.png
+$program render fur --preset assets/presets/fur/in-mid-air.json --size 1280x720 --samples 16 --out assets/pictures/fur.png
+for look in cat sea-urchin grass dandelion poodle as-in-the-source; do
+    $program render fur --preset assets/presets/fur/$look.json --size 480x300 --samples 16 --out assets/pictures/fur-$look.png
 done

@@ -4,7 +4,6 @@
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
-#include "exhibits/hall/hall_table.h"
 #include "exhibits/hall/walk.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
@@ -36,6 +35,12 @@ std::string whyNoShadow(const HallScene& scene, const render::Box& box, const re
 {
     if (std::string why = whyUnlit(scene, box); !why.empty()) return why;
     return view.mayContain(withShadow(box, towardsSun(scene))) ? std::string() : "neither it nor its shadow is in view";
+}
+
+/// Seconds since the button of exhibit `i` was pressed.
+double sincePress(const FrameRequest& request, std::size_t i)
+{
+    return i < request.sincePressed.size() ? request.sincePressed[i] : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -77,11 +82,12 @@ Look Museum::initialLook() const
     return look;
 }
 
-PictureQuality Museum::pictureQuality(const Look& look)
+PictureQuality pictureQuality(const ParameterValues& hall)
 {
-    const HallTable names;
-    const ParameterValues& hall = look.values.front();
-    return {hall[names.supersamples], hall[names.resolutionScale]};
+    PictureQuality quality;
+    if (const auto row = hall.table().find(supersamplesRow)) quality.supersamples = static_cast<int>(std::get<double>(hall.row(*row)));
+    if (const auto row = hall.table().find(resolutionScaleRow)) quality.resolutionScale = std::get<double>(hall.row(*row));
+    return quality;
 }
 
 glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
@@ -138,27 +144,34 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     std::vector<Present> present;
     render::Box casters;
     render::Hash shadowKey;
+    bool shadowSeen = false;
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {
         if (alone && i != *request.alone) continue;
         Present p{i, alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}};
         if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(p.worldFromExhibit);
         p.hidden = request.runEverything ? std::string() : whyHidden(box, plan.view, alone);
-        p.noShadow = !exhibits_[i]->castsShadow() ? "it is made of light" : request.runEverything ? whyUnlit(scene, box) : whyNoShadow(scene, box, plan.view);
-        if (p.noShadow.empty()) {
+        const std::string unlit = exhibits_[i]->castsShadow() ? whyUnlit(scene, box) : "it is made of light";
+        p.noShadow = !unlit.empty() || request.runEverything ? unlit : whyNoShadow(scene, box, plan.view);
+        if (unlit.empty()) {
+            // Seen or not: the map must not change its grid while one walks.
             casters.include(box.low);
             casters.include(box.high);
+        }
+        if (p.noShadow.empty()) {
+            shadowSeen = true;
             derive::addToKey(shadowKey, look.values[i]);
             shadowKey.addValue(i).addValue(p.worldFromExhibit);
-            if (exhibits_[i]->nextChange(look.values[i], request.time) < std::numeric_limits<double>::infinity()) shadowKey.addValue(request.time);
+            const double since = sincePress(request, i);
+            if (exhibits_[i]->nextChangeAfterPress(look.values[i], request.time, since) < std::numeric_limits<double>::infinity()) shadowKey.addValue(request.time).addValue(since);
         }
         present.push_back(std::move(p));
     }
 
-    if (!casters.empty()) {
+    if (shadowSeen) {
         const int size = std::max(look.values.front()[theHall.parameters().shadowMapSize] / 4, 64);
         light.castsShadows = true;
-        light.exhibitShadowView = lightView(casters, towardsSun(scene), glm::ivec2(size), 30);
+        light.exhibitShadowView = steadyLightView(casters, towardsSun(scene), glm::ivec2(size), 30);
         light.light.exhibitShadowFromWorld = shadowFromWorld(light.exhibitShadowView);
         light.light.sunLightmap.w = 1;
         light.light.filtering.y = static_cast<float>(2 / light.exhibitShadowView.clipFromView[0][0] / size);
@@ -173,6 +186,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         clear.view = light.exhibitShadowView;
         clear.depth = render::Attachment{exhibitShadowImage, render::Load::clear, glm::vec4(0), -1, 0};
         clear.key = light.exhibitShadowKey;
+        clear.bound = std::max({light.light.sunIrradiance.x, light.light.sunIrradiance.y, light.light.sunIrradiance.z});
         plan.add(std::move(clear));
     } else {
         plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);
@@ -180,7 +194,8 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
 
     std::vector<double> turns;
     for (std::size_t i = 1; i < exhibits_.size(); ++i) turns.push_back(exhibits_[i]->turnOfHangings(look.values[i], request.time));
-    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {}, request.sincePressed, turns};
+    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {},
+                                  std::span(request.sincePressed).subspan(std::min<std::size_t>(request.sincePressed.size(), 1)), turns};
     theHall.plan(hallContext, plan);
     if (alone) {
         render::Pass clear;
@@ -196,7 +211,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     }
     std::vector<PlanContext> contexts;
     for (Present& p : present)
-        contexts.push_back({look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}, {}});
+        contexts.push_back({look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}, {}, sincePress(request, p.index)});
     for (std::size_t i = 0; i < present.size(); ++i) exhibits_[present[i].index]->plan(contexts[i], plan);
     for (std::size_t i = 0; i < present.size(); ++i) exhibits_[present[i].index]->planOverFrame(contexts[i], plan);
     if (request.transparent) plan.skip("sky", "a transparent background is asked for");
@@ -222,7 +237,7 @@ double Museum::nextChange(const Look& look, const FrameRequest& request) const
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(request.alone ? glm::dmat4(1) : worldFromExhibit(i));
         // What is hidden may move unseen, and so may its shadow.
         const bool shadowSeen = !request.alone && exhibits_[i]->castsShadow() && whyNoShadow(scene, box, view).empty();
-        if (shadowSeen || whyHidden(box, view, request.alone.has_value()).empty()) next = std::min(next, exhibits_[i]->nextChange(look.values[i], request.time));
+        if (shadowSeen || whyHidden(box, view, request.alone.has_value()).empty()) next = std::min(next, exhibits_[i]->nextChangeAfterPress(look.values[i], request.time, sincePress(request, i)));
     }
     return next;
 }

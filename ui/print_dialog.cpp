@@ -1,5 +1,6 @@
 #include "ui/print_dialog.h"
 
+#include "render/failure.h"
 #include "ui/eyes_preview.h"
 #include "ui/parameter_panel.h"
 #include "ui/print_numbers.h"
@@ -25,7 +26,7 @@ constexpr int renderAfter = 400;  // Milliseconds: not at every step of a slider
 }  // namespace
 
 PrintDialog::PrintDialog(std::unique_ptr<PrintDesk> desk, ShownViews* shown, QWidget* parent)
-    : QDialog(parent), desk_(std::move(desk)), live_(shown), look_(this), read_(this), write_(this)
+    : QDialog(parent), desk_(std::move(desk)), live_(shown), look_(this), count_(this), read_(this), write_(this)
 {
     if (live_) live_->setParent(this);
     setAttribute(Qt::WA_DeleteOnClose);
@@ -38,7 +39,10 @@ PrintDialog::PrintDialog(std::unique_ptr<PrintDesk> desk, ShownViews* shown, QWi
     recall();
 }
 
-PrintDialog::~PrintDialog() = default;
+PrintDialog::~PrintDialog()
+{
+    if (!remembered_) remember();  // The window took it along.
+}
 
 void PrintDialog::connectParts()
 {
@@ -69,6 +73,7 @@ void PrintDialog::connectParts()
     connect(sheets_, &SheetBar::removeAsked, this,
             [this, changeSheets](const QString& name) { changeSheets([&] { desk_->removeSheet(name.toStdString()); }); });
     connect(panel_, &ParameterPanel::edited, this, [this](const ParameterValues& values) { setValues(values); });
+    connect(numbers_, &PrintNumbersView::fitAsked, this, [this](double scale) { setValues(desk_->withBaselineScale(*values_, scale)); });
     connect(path_, &QLineEdit::textChanged, this, &PrintDialog::refresh);
     connect(browse_, &QToolButton::clicked, this, &PrintDialog::browse);
     connect(load_, &QPushButton::clicked, this, [this] { askSettings(false); });
@@ -76,7 +81,8 @@ void PrintDialog::connectParts()
     connect(go_, &QPushButton::clicked, this, &PrintDialog::startExport);
     connect(stop_, &QPushButton::clicked, this, [this] { exporting_ ? stopExport() : static_cast<void>(close()); });
 
-    connect(&look_, &NewestJob::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    for (NewestJob* job : {&look_, &count_})
+        connect(job, &NewestJob::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     connect(&renderSoon_, &QTimer::timeout, this, [this] {
         if (exporting_ || !summary_.refusal.empty()) return;
         wantsViews_ = false;
@@ -209,7 +215,7 @@ void PrintDialog::takeViews(std::shared_ptr<const PrintViews> views, const std::
 
 bool PrintDialog::settled() const
 {
-    return asked_ == shown_ && !read_.running() && !renderSoon_.isActive() && !(live_ && live_->running());
+    return asked_ == shown_ && !look_.busy() && !read_.running() && !renderSoon_.isActive() && !(live_ && live_->running());
 }
 
 void PrintDialog::refresh()
@@ -217,17 +223,25 @@ void PrintDialog::refresh()
     if (!values_) return;
     const int turn = ++asked_;
     const std::filesystem::path path = path_->text().toStdString();
-    look_.ask([this, turn, path, values = *values_, views = chart_ ? nullptr : views_, chart = chart_]() -> NewestJob::Outcome {
+    const std::shared_ptr<const PrintViews> views = chart_ ? nullptr : views_;
+    look_.ask([this, values = *values_, views, chart = chart_]() -> NewestJob::Outcome {
+        std::shared_ptr<const PrintPreview> preview;
+        try {
+            if (chart || views) preview = desk_->preview(values, views);
+        } catch (const Failure&) {  // The summary says why.
+        }
+        return [this, preview, distance = desk_->viewingDistance(values)] {
+            strips_->setPreview(preview);
+            eyes_->setPreview(chart_ ? nullptr : preview, distance);
+        };
+    });
+    count_.ask([this, turn, path, values = *values_, views, chart = chart_]() -> NewestJob::Outcome {
         // Views that are rendered will be as many as the values say, whatever is there now.
         const PrintSummary summary = desk_->summary(values, desk_->origin(values) == ViewOrigin::shown ? nullptr : views.get(), chart, path);
-        std::shared_ptr<const PrintPreview> preview;
-        if (summary.refusal.empty() && (chart || views)) preview = desk_->preview(values, views);
-        return [this, turn, summary, preview, distance = desk_->viewingDistance(values)] {
+        return [this, turn, summary] {
             summary_ = summary;
             shown_ = turn;
             numbers_->showSummary(summary, chart_ ? std::nullopt : depth_);
-            strips_->setPreview(preview);
-            eyes_->setPreview(chart_ ? nullptr : preview, distance);
             showButtons();
             if (wantsViews_ && !chart_ && summary.refusal.empty() && !renderSoon_.isActive()) renderSoon_.start();
         };

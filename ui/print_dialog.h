@@ -65,7 +65,7 @@ protected:
 private:
     void build();
     void connectParts();
-    void remember() const;
+    void remember();
     void recall();
     void takeSettings(const std::string& text, const std::string& fileName);
     void say(MessageStrip::Mood, const QString&);
@@ -93,11 +93,12 @@ private:
     bool draft_ = false;      ///< The views are small ones, to look at.
     bool chart_ = false;
     bool exporting_ = false;
+    bool remembered_ = false;
     bool wantsViews_ = false; ///< To be rendered as soon as the print is possible.
     int asked_ = 0, shown_ = 0;  ///< Refreshes asked for and shown.
 
     ShownViews* live_;
-    NewestJob look_;
+    NewestJob look_, count_;  ///< Previews; numbers, which take longer with many views.
     ProgressJob read_, write_;
     QTimer renderSoon_;
 

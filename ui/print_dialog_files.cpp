@@ -72,8 +72,9 @@ void PrintDialog::recall()
     setValues(desk_->parameters().initial());
 }
 
-void PrintDialog::remember() const
+void PrintDialog::remember()
 {
+    remembered_ = true;
     try {
         savePresetBytes(rememberedPath(), desk_->settingsText(*values_, textsOf(files_)));
         QSettings places(placesPath(), QSettings::IniFormat);
@@ -118,17 +119,17 @@ void PrintDialog::open(const QStringList& paths)
 {
     if (paths.isEmpty() || exporting_) return;
     if (paths.size() == 1 && QFileInfo(paths.front()).isFile()) {
-        const bool json = QFileInfo(paths.front()).suffix().toLower() == QLatin1String("json");
-        bool print = json;
+        const std::string path = paths.front().toStdString();
         try {
-            static_cast<void>(desk_->settingsIn(paths.front().toStdString()));
-            print = true;
-        } catch (const std::exception&) {  // A picture like any other.
-        }
-        if (print) {
-            loadSettings(paths.front());
+            takeSettings(desk_->settingsIn(path), path);
             return;
+        } catch (const std::exception& failure) {
+            if (QFileInfo(paths.front()).suffix().toLower() == QLatin1String("json")) {
+                say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+                return;
+            }
         }
+        // No print: a picture like any other.
     }
     files_ = paths;
     if (chart_) setChart(false);

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -116,7 +117,17 @@ PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
     layout->addLayout(top);
-    layout->addWidget(messages_);
+    fit_ = new QPushButton(tr("Fit depth"), this);
+    fit_->setAutoDefault(false);
+    fit_->setAccessibleName(fit_->text());
+    fit_->setToolTip(tr("Moves the cameras together until the print holds the whole scene."));
+    fit_->hide();
+    connect(fit_, &QPushButton::clicked, this, [this] { emit fitAsked(fitting_); });
+    auto* below = new QHBoxLayout;
+    below->setSpacing(8);
+    below->addWidget(messages_, 1);
+    below->addWidget(fit_, 0, Qt::AlignTop);
+    layout->addLayout(below);
 }
 
 QLabel* PrintNumbersView::addNumber(const QString& label, const QString& help)
@@ -171,6 +182,8 @@ void PrintNumbersView::showSummary(const PrintSummary& summary, const std::optio
     for (const std::string& warning : summary.warnings) lines << QString::fromStdString(warning);
     if (possible && scene)
         for (const std::string& warning : scene->warnings) lines << QString::fromStdString(warning);
+    fitting_ = scene ? scene->scaleThatHolds : 1;
+    fit_->setVisible(possible && scene && (scene->nearest < scene->nearestHeld || scene->farthest > scene->farthestHeld));
     messages_->setText(lines.join(QLatin1Char('\n')));
     QPalette palette = this->palette();
     palette.setColor(QPalette::WindowText, possible ? theme().accent : theme().error);

@@ -8,6 +8,7 @@
 #include <vector>
 
 class QLabel;
+class QPushButton;
 
 namespace vitrine::ui {
 
@@ -39,6 +40,10 @@ public:
     [[nodiscard]] QString shown(const QString& label) const;
     [[nodiscard]] QString messages() const;
 
+signals:
+    /// The scene is too deep: which baseline scale holds it.
+    void fitAsked(double baselineScale);
+
 private:
     QLabel* addNumber(const QString& label, const QString& help);
 
@@ -47,6 +52,8 @@ private:
     CrosstalkBars* bars_;
     QLabel* crosstalk_;
     QLabel* messages_;
+    QPushButton* fit_;
+    double fitting_ = 1;
 };
 
 }  // namespace vitrine::ui

@@ -2,6 +2,7 @@
 
 #include "render/failure.h"
 #include "ui/main_window.h"
+#include "ui/preset_shelf.h"
 #include "ui/viewport.h"
 
 namespace vitrine::ui {
@@ -51,6 +52,7 @@ void ShownViews::start(const PrintDesk& desk, const ParameterValues& values, boo
     desk_ = &desk;
     values_ = values;
     views_ = desk.newViews();
+    views_->setLook(window_.shelf().lookText());
     next_ = 0;
     elapsed_.start();
     timer_.start(0);

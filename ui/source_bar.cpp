@@ -25,6 +25,7 @@ SourceBar::SourceBar(bool canShow, QWidget* parent)
     for (QPushButton* button : {render_, folder_, files_}) {
         button->setAutoDefault(false);
         button->setAccessibleName(button->text());
+        button->setMinimumWidth(button->sizeHint().width() + 16);
     }
     said_->setTextFormat(Qt::PlainText);
     said_->setWordWrap(true);

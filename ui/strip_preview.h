@@ -47,7 +47,7 @@ private:
     QImage image_;
     QRectF imageRegion_;          ///< Of the raster, in its pixels.
     QPointF middle_;              ///< The raster's place in the middle of the widget.
-    double zoom_ = 3;
+    double zoom_ = 2;
     QPointF grabbed_;
     bool dragging_ = false;
 };

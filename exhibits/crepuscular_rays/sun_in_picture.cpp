@@ -65,7 +65,7 @@ SunInPicture sunInPicture(const render::View& view, const glm::dvec3& towardsSun
     const glm::dvec3 inView = glm::dmat3(view.viewFromWorld) * towardsSun;
     const double w = -inView.z;
     if (!(w > 0)) return sun;
-    const glm::dvec2 ndc = glm::dvec2(inView) / (w * view.tanHalfFov);
+    const glm::dvec2 ndc = (glm::dvec2(inView) / w - view.tanShift) / view.tanHalfFov;
     sun.inFront = true;
     sun.pixel = (ndc * 0.5 + 0.5) * glm::dvec2(view.raster.size);
     sun.beyond = std::max(std::abs(ndc.x), std::abs(ndc.y)) - 1;

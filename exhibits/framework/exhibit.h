@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -43,6 +44,7 @@ struct PlanContext {
     std::string noShadowBecause;     ///< Empty when its shadow may be seen and the sun may reach its bounds.
     std::span<const double> sincePressed;  ///< For the hall: seconds since each guest's button was pressed.
     std::span<const double> turns;         ///< For the hall: each guest's `turnOfHangings`.
+    double sinceOwnPress = std::numeric_limits<double>::infinity();  ///< For a guest: seconds since its own was; infinity: never.
 };
 
 /// A fixed situation in which an accuracy study measures: seen from `camera` (in the exhibit's space) at
@@ -73,6 +75,11 @@ public:
     [[nodiscard]] virtual render::Camera bestView(const ParameterValues&) const = 0;
     /// Seconds until its picture next changes by itself: 0 while animated, infinity when still.
     [[nodiscard]] virtual double nextChange(const ParameterValues&, double time) const = 0;
+    /// The same, `sinceOwnPress` seconds after its button was pressed (infinity: never).
+    [[nodiscard]] virtual double nextChangeAfterPress(const ParameterValues& values, double time, double /*sinceOwnPress*/) const
+    {
+        return nextChange(values, time);
+    }
     /// What pressing its button does to the values; returns whether anything changed.
     virtual bool press(ParameterValues&) const { return false; }
 

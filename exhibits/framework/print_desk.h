@@ -29,6 +29,8 @@ public:
     [[nodiscard]] virtual int count() const = 0;
     /// Adds a picture of linear light, row 0 at the top, as the new rightmost view. Throws Failure when it is empty.
     virtual void add(const render::Image&) = 0;
+    /// The JSON text of the look that was rendered, for the print to carry.
+    virtual void setLook(std::string) = 0;
 };
 
 /// One view of what is shown, to be rendered; the picture goes to PrintViews::add.
@@ -42,6 +44,7 @@ struct PrintShot {
 struct SceneDepth {
     double nearest = 0, farthest = 0;
     double nearestHeld = 0, farthestHeld = 0;
+    double scaleThatHolds = 1;  ///< Baseline scale at which the print holds all of it, at most 1.
     std::vector<std::string> warnings{};
 };
 
@@ -144,6 +147,8 @@ public:
     /// What to render, from left to right, with the look's camera in the middle. `draft`: small and quick, to look
     /// at while setting up. `frame` gives all but camera, size and seed. Throws Failure as `summary` refuses.
     [[nodiscard]] virtual std::vector<PrintShot> shots(const ParameterValues&, const Look&, const FrameRequest& frame, bool draft) const = 0;
+    /// The values with another baseline scale.
+    [[nodiscard]] virtual ParameterValues withBaselineScale(const ParameterValues&, double) const = 0;
     /// From a picture of the look with the channel "depth.Z". Throws Failure as `summary` refuses.
     [[nodiscard]] virtual SceneDepth sceneDepth(const ParameterValues&, const Look&, const render::Image&) const = 0;
 

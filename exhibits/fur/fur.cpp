@@ -1,32 +1,45 @@
 #include "exhibits/fur/fur.h"
 
-#include "exhibits/framework/derive.h"
-#include "exhibits/fur/coat.h"
+#include "exhibits/fur/bounce.h"
 #include "exhibits/fur/coat_mesh.h"
-#include "shaders/lib/bindings.glsl"
-
-#include <glm/gtc/matrix_transform.hpp>
+#include "exhibits/fur/fur_passes.h"
+#include "render/scene/gltf.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <optional>
 
 namespace vitrine {
 namespace {
 
-using render::Attachment;
-using render::Load;
-using render::Pass;
+constexpr double never = std::numeric_limits<double>::infinity();
 
-constexpr const char* foundImage = "fur.found";
-constexpr const char* tintedImage = "fur.tinted";
-constexpr const char* names[furBodyCount] = {"ball", "roll", "ring"};
+std::string seconds(double s)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f s", s);
+    return text;
+}
 
 }  // namespace
 
 struct Fur::Wardrobe {
     std::shared_ptr<const render::Mesh> skins[furBodyCount] = {ballSkin(ballRadius, 8), rollSkin(rollRadius, rollHalfLength, 26), ringSkin(ringRadius, ringTube, 40)};
     std::shared_ptr<const render::Mesh> fins[furBodyCount];
+    std::string modelPath;
+    std::shared_ptr<const render::Mesh> model;
+    std::vector<std::string> notes;  ///< What of the model was left out or mended.
+    std::optional<Bounce> bounce;
+    std::int64_t stepsTold = 0;  ///< Steps of that jump that a plan has counted.
+};
+
+/// What the motion is at one moment, and why.
+struct Fur::Moment {
+    FurStates states;
+    bool moving = false;
+    std::string reason;         ///< Of the simulation step, or of its absence.
 };
 
 Fur::Fur() : wardrobe_(std::make_unique<Wardrobe>()) {}
@@ -35,154 +48,124 @@ Fur::~Fur() = default;
 
 render::Box Fur::bounds(const ParameterValues&) const
 {
-    return {{-pitRadius, 0, -pitRadius}, {pitRadius, 1.5, pitRadius}};
+    return {{-pitRadius, 0, -pitRadius}, {pitRadius, 1.9, pitRadius}};
 }
 
 render::Camera Fur::bestView(const ParameterValues&) const
 {
-    return {{-0.35, 1.55, 2.75}, {0.05, 0.32, 0.1}, 0.66};
+    return {{-0.05, 1.55, 3.15}, {0.0, 0.36, 0}, 0.62};
 }
 
-double Fur::nextChange(const ParameterValues& values, double) const
+double Fur::nextChange(const ParameterValues& values, double time) const
 {
-    return values[table_.wind] > 0 && values[table_.gustiness] > 0 ? 0 : std::numeric_limits<double>::infinity();
+    return nextChangeAfterPress(values, time, never);
 }
 
-namespace {
-
-FurStates restStates(const FurTable& table, const ParameterValues& values)
+double Fur::nextChangeAfterPress(const ParameterValues& values, double time, double sinceOwnPress) const
 {
-    FurStates states;
-    const glm::dvec3 places[furBodyCount] = {{-0.62, 0, -0.30}, {0.60, 0, -0.38}, {0.22, 0, 0.66}};
-    const double yaw[furBodyCount] = {0, -0.5, 0.2};
-    for (int i = 0; i < furBodyCount; ++i) {
-        FurState& state = states[static_cast<std::size_t>(i)];
-        state.position = places[i] + glm::dvec3(0, colliderRadius(table, values, i, 1), 0);
-        state.turn = glm::angleAxis(yaw[i], glm::dvec3(0, 1, 0));
-        state.pull = {0, -0.25, 0};
-        if (values[table.byHand]) {
-            state.pull = {values[table.handX], values[table.handY], values[table.handZ]};
-            state.lag = glm::angleAxis(values[table.handTurn], glm::dvec3(0, 0, 1));
-        }
+    if (values[table_.wind] > 0 && values[table_.gustiness] > 0) return 0;
+    return moment(values, time, sinceOwnPress).moving ? 0 : never;
+}
+
+std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
+{
+    ParameterValues spun = values;
+    spun.set(table_.byHand, true);
+    for (const Real pull : {table_.handX, table_.handY, table_.handZ}) spun.set(pull, 0.0);
+    spun.set(table_.handTurn, 2.0943951023931953);
+    ParameterValues landing = values;
+    landing.set(table_.frozenAt, 0.9);
+    return {{"best view", bestView(values), 0, values},
+            {"silhouette", {{-1.05, 0.75, 1.1}, {-1.0, 0.62, 0}, 0.42}, 0, values},
+            {"tip", {{0.55, 0.72, 1.35}, {0.55, 0.42, 0.72}, 0.3}, 0, values},
+            {"spin of 120 degrees", {{-0.62, 0.6, 1.9}, {-0.62, 0.42, 0}, 0.6}, 0, spun},
+            {"landing", bestView(values), 0, landing}};
+}
+
+Fur::Moment Fur::moment(const ParameterValues& values, double time, double sinceOwnPress) const
+{
+    Wardrobe& w = *wardrobe_;
+    if (const std::string path = values[table_.ringModel]; path != w.modelPath) {
+        w.notes.clear();
+        w.model = path.empty() ? nullptr : modelSkin(render::loadGltf(path), path, ringRadius + ringTube, w.notes);
+        w.modelPath = path;
     }
-    return states;
-}
+    const double now = std::isfinite(time) ? time : 0;
+    double since = std::isfinite(sinceOwnPress) && sinceOwnPress >= 0 && sinceOwnPress < 1e6 ? sinceOwnPress : never;
+    const bool byItself = values[table_.bouncePeriod] > 0;
+    const bool frozen = values[table_.frozenAt] > 0;
+    if (byItself) since = now - std::floor(now / values[table_.bouncePeriod]) * values[table_.bouncePeriod];
+    if (frozen) since = values[table_.frozenAt];
+    if (values[table_.byHand]) since = never;
+    const bool growing = values[table_.growing] && values[table_.growth] > 0 && values[table_.growthRate] > 0 && !values[table_.byHand];
 
-}  // namespace
+    Moment m;
+    const BounceSettings settings = bounceSettings(table_, values, w.model, since == never || frozen ? now : now - since);
+    if (since == never) {
+        m.states = restStates(settings, 0);
+        m.moving = growing;
+        m.reason = growing ? "the ball grows and shrinks" : "at rest";
+        if (values[table_.byHand]) {
+            m.reason = "set by hand";
+            for (FurState& state : m.states) {
+                state.grown = 1;
+                state.pull = {values[table_.handX], values[table_.handY], values[table_.handZ]};
+                state.lag = glm::angleAxis(values[table_.handTurn], glm::dvec3(0, 0, 1));
+            }
+        }
+        return m;
+    }
+    if (!w.bounce || !(w.bounce->settings() == settings)) {
+        w.bounce.emplace(settings);
+        w.stepsTold = 0;
+    }
+    m.states = w.bounce->at(since);
+    const double rested = w.bounce->restedAt(since);
+    m.moving = !frozen && (growing || byItself || rested > since);
+    if (frozen) m.reason = "frozen " + seconds(since) + " after the jump";
+    else if (rested <= since) m.reason = growing ? "the ball grows and shrinks" : "at rest since " + seconds(since - rested);
+    else m.reason = (byItself ? "jumped by themselves " : "woken by the button ") + seconds(since) + " ago";
+    return m;
+}
 
 void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
 {
     const ParameterValues& values = context.values;
-    const Coats coats{table_, values, restStates(table_, values), context.worldFromExhibit, context.time, plan.seed};
-    const bool mirrored = glm::determinant(glm::dmat3(context.worldFromExhibit)) < 0;
-
-    FurBodies bodies;
-    for (int i = 0; i < furBodyCount; ++i) bodies.body[i] = coats.body(i);
-    bodies.worldFromPit = glm::mat4(context.worldFromExhibit);
-    bodies.pitFromWorld = glm::mat4(glm::inverse(context.worldFromExhibit));
-    bodies.pit = {static_cast<float>(pitRadius), static_cast<float>(pitRim), context.alone ? 1.0F : 0.0F, 0};
-
-    std::vector<std::string> defines;
-    if (values[table_.clump] > 0 || values[table_.curl] > 0) defines.emplace_back("CLUMPS");
-    if (values[table_.curl] > 0) defines.emplace_back("CURLS");
-    const auto coatPass = [&](std::string name, std::string reason) {
-        Pass pass;
-        pass.name = std::move(name);
-        pass.reason = std::move(reason);
-        pass.shader = {"fur/coat.vert", "fur/coat.frag", "", defines, derive::uniformBlock(table_)};
-        pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
-        pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::back};
-        return pass;
-    };
-    const auto shells = [&](int i, const render::View& view, bool shadow) {
-        FurBody body = bodies.body[i];
-        const render::Box box = coats.bounds(i, wardrobe_->skins[i]->bounds);
-        if (shadow) {
-            body.shells.x = std::min(body.shells.x, 8.0F);
-            body.shells.y = std::min(body.shells.y, 3.0F);
-        } else if (values[table_.levelOfDetail]) {
-            const double distance = glm::length(view.eye - box.center());
-            const double angle = 2 * view.tanHalfFov.y / view.raster.size.y;
-            body.shells.x = static_cast<float>(shellsAtDistance(static_cast<int>(body.shells.x), body.coat.x, distance, angle));
-        }
-        render::Draw draw;
-        draw.mesh = wardrobe_->skins[i];
-        draw.instances = std::max(static_cast<int>(std::ceil(body.shells.x)), 1);
-        draw.mirrored = mirrored;
-        draw.object = render::bytesOf(body);
-        return draw;
-    };
-
-    if (context.noShadowBecause.empty()) {
-        Pass pass = coatPass("fur/shadow", "the sun reaches it and its shadow may be seen");
-        pass.stage = render::Stage::shadow;
-        pass.view = context.surroundings.exhibitShadowView;
-        pass.key = context.surroundings.exhibitShadowKey;
-        pass.shader.defines.emplace_back("SHADOW");
-        pass.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
-        pass.state.depthClamp = true;
-        for (int i = 0; i < furBodyCount; ++i) pass.draws.push_back(shells(i, context.surroundings.exhibitShadowView, true));
-        plan.add(std::move(pass));
-    } else {
+    constexpr const char* motion = "fur/motion";
+    if (!context.hiddenBecause.empty() && !context.noShadowBecause.empty()) {
+        // Nobody sees where they are; when somebody does again, the jump is simulated up to then.
+        plan.skip(motion, context.hiddenBecause, render::Work::simulation);
+        for (const char* name : {"fur/coat", "fur/fins", "fur/shade", "fur/floor"}) plan.skip(name, context.hiddenBecause);
         plan.skip("fur/shadow", context.noShadowBecause);
-    }
-
-    if (!context.hiddenBecause.empty()) {
-        for (const char* pass : {"fur/coat", "fur/shade", "fur/floor"}) plan.skip(pass, context.hiddenBecause);
         return;
     }
-    Pass coat = coatPass("fur/coat", "");
-    std::string seen;
-    for (int i = 0; i < furBodyCount; ++i) {
-        if (!plan.runEverything && !plan.view.mayContain(coats.bounds(i, wardrobe_->skins[i]->bounds))) continue;
-        coat.draws.push_back(shells(i, plan.view, false));
-        seen += (seen.empty() ? "" : ", ") + std::string(names[i]);
-    }
-    if (coat.draws.empty()) {
-        for (const char* pass : {"fur/coat", "fur/shade"}) plan.skip(pass, "out of view");
+    const Moment now = moment(values, context.time, context.sinceOwnPress);
+    Wardrobe& w = *wardrobe_;
+    const std::int64_t steps = w.bounce ? w.bounce->steps() - w.stepsTold : 0;
+    if (now.moving || steps > 0) {
+        // Where things are decides what is drawn, so planning has already taken these steps.
+        w.stepsTold += steps;
+        render::Pass pass;
+        pass.name = motion;
+        pass.reason = now.reason;
+        pass.stage = render::Stage::simulate;
+        pass.work = render::Work::simulation;
+        pass.writes = {"fur.bodies"};
+        pass.counts["simulationSteps"] = steps;
+        plan.add(std::move(pass));
     } else {
-        plan.image({.name = foundImage, .format = render::Format::rgba16f, .nearest = true});
-        plan.image({.name = tintedImage, .format = render::Format::rgba8, .nearest = true});
-        coat.reason = "in view: " + seen;
-        coat.countSamples = true;
-        for (const render::Draw& draw : coat.draws) coat.counts["shells"] += draw.instances;
-        coat.colors = {{foundImage, Load::clear, {}, -1, 0}, {tintedImage, Load::clear, {}, -1, 0}};
-        coat.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
-        if (context.channels.normal) {
-            coat.shader.defines.emplace_back("WRITE_NORMAL");
-            coat.colors.push_back({normalImage, Load::keep, {}, -1, 0});
-        }
-        plan.add(std::move(coat));
-
-        Pass shade;
-        shade.name = "fur/shade";
-        shade.reason = "light on the strands that were found";
-        shade.shader = {"fur/shade.vert", "fur/shade.frag", "", {}, derive::uniformBlock(table_)};
-        shade.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
-        shade.colors = {{radianceImage, Load::keep, {}, -1, 0}};
-        context.surroundings.illuminate(shade);
-        shade.inputs.push_back({UNIT_EXHIBIT_A, std::string(foundImage)});
-        shade.inputs.push_back({UNIT_EXHIBIT_B, std::string(tintedImage)});
-        shade.inputs.push_back({UNIT_EXHIBIT_C, std::string(depthImage)});
-        shade.draws = {render::Draw{}};
-        shade.draws[0].object = render::bytesOf(bodies);
-        plan.add(std::move(shade));
+        plan.skip(motion, now.reason, render::Work::simulation);
     }
-
-    Pass floor;
-    floor.name = "fur/floor";
-    floor.reason = context.alone ? "they stand on something" : "the bodies keep light off the floor";
-    floor.stage = render::Stage::transparent;
-    floor.shader = {"fur/floor.vert", "fur/floor.frag", "", {}, derive::uniformBlock(table_)};
-    floor.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
-    floor.colors = {{radianceImage, Load::keep, {}, -1, 0}};
-    floor.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
-    floor.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};
-    context.surroundings.illuminate(floor);
-    floor.draws = {render::Draw{}};
-    floor.draws[0].mesh = diskMesh();
-    floor.draws[0].object = render::bytesOf(bodies);
-    plan.add(std::move(floor));
+    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, context.time, plan.seed}, {}, {}};
+    for (int i = 0; i < furBodyCount; ++i) {
+        scene.skins[i] = i == furRing && w.model ? w.model : w.skins[i];
+        if (values[table_.silhouette] != FurSilhouette::fins) continue;
+        if (i == furRing && w.model) continue;  // Fins are for the comparison on known skins.
+        if (!w.fins[i]) w.fins[i] = finsOf(*w.skins[i], 6);
+        scene.fins[i] = w.fins[i];
+    }
+    for (const std::string& note : w.notes) plan.skip("fur/model", note);
+    planCoats(scene, plan);
 }
 
 }  // namespace vitrine

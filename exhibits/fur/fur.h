@@ -26,12 +26,17 @@ public:
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
+    [[nodiscard]] double nextChangeAfterPress(const ParameterValues&, double time, double sinceOwnPress) const override;
+    [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 
 private:
-    Table table_;
     struct Wardrobe;
-    std::unique_ptr<Wardrobe> wardrobe_;  ///< Skins and fins, made once; the visitor's model, read once per path.
+    struct Moment;
+    [[nodiscard]] Moment moment(const ParameterValues&, double time, double sinceOwnPress) const;
+
+    Table table_;
+    std::unique_ptr<Wardrobe> wardrobe_;  ///< Skins and fins, made once; the visitor's model; the last jump as far as it was simulated.
 };
 
 }  // namespace vitrine

@@ -60,7 +60,24 @@ struct FurTable final : Parameters {
     Real lamp = real("lamp", 1.6, none, Range{0, 1000}.soft(0, 6), "Strength of the lamp in the vault above the pit.");
     Direction lampDirection = direction("lampDirection", {-0.62, 0.62, -0.48}, "Where it hangs, seen from the pit.");
 
-    Group motion = group("Motion");
+    Group jumping = group("Jump");
+    Real jump = real("jump", 3.1, none, Range{0, 8}.soft(1, 5), "How fast they leave the ground when the button is pressed, in metres a second.");
+    Count toss = count("toss", 2, Range{1, 9999}.soft(1, 20), "Which of many ways they are tossed: the same number is the same jump.");
+    Real frozenAt = real("frozenAt", 0.0, second, Range{0, 10}.soft(0, 5), "Shows them so long after a jump and stops the clock there; 0 lets the button and the clock decide.");
+    Real bouncePeriod = real("bouncePeriod", 0.0, second, Range{0, 60}.soft(0, 12), "Lets them jump by themselves every so often; 0 leaves it to the button.");
+    Real growth = real("growth", 0.05, metre, Range{0, 0.2}.soft(0, 0.12), "How much the ball's radius grows and shrinks.");
+    Real growthRate = real("growthRate", 0.7, hertz, Range{0, 20}.soft(0, 3), "How often it does so.");
+    Toggle growing = toggle("growing", false, "Grow and shrink all the time, not only while they jump.");
+
+    Group motion = group("Motion of the fur");
+    Real frequency = real("frequency", 2.2, hertz, Range{0, 1000}.soft(0.3, 12), "How stiff the fur is: low sways, high snaps back.");
+    Real damping = real("damping", 0.3, none, Range{0, 100}.soft(0, 2), "How soon it stops swaying: 0 never, 1 without one overshoot.");
+    Real inertia = real("inertia", 0.45, none, Range{0, 100}.soft(0, 3), "How far it lags behind when the body starts, stops or spins.");
+    Real gravity = real("gravity", 0.35, none, Range{0, 20}.soft(0, 3), "How far it hangs at rest, in strand lengths.");
+    Real airDrag = real("airDrag", 0.22, none, Range{0, 10}.soft(0, 1), "How far it trails in moving air, in strand lengths for each metre a second.");
+    Real strength = real("strength", 1.0, none, Range{0, 10}.soft(0, 3), "How much of all this is seen: 0 keeps every strand upright.");
+    Real displacementLimit = real("displacementLimit", 2.2, none, Range{0, 100}.soft(0, 5), "How far tips may be drawn at most, in strand lengths.");
+    Real rotationLimit = real("rotationLimit", 1.2, degree, {0, 3.141592653589793}, "How far they may turn less than their body at most; the source allows 30 degrees.");
     Real wind = real("wind", 0.0, none, Range{0, 20}.soft(0, 3), "Strength of a draught over the pit: it keeps the fur moving.");
     Direction windDirection = direction("windDirection", {1, 0, -0.3}, "Where the draught blows.");
     Real gustiness = real("gustiness", 0.5, none, {0, 1}, "How uneven it is: 0 leans on the fur steadily and moves nothing.");
@@ -72,8 +89,8 @@ struct FurTable final : Parameters {
     Real handTurn = real("handTurn", 0.0, degree, Range{-3.141593, 3.141593}, "By hand: how far they are turned about the axis towards the entrance.");
 
     Group accuracy = group("Accuracy");
-    Count shellCount = count("shellCount", 16, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
-    Count samplesBetween = count("samplesBetween", 8, {1, 32}, "Points at most that a ray visits between two shells, where it grazes them.", quality(32));
+    Count shellCount = count("shellCount", 10, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
+    Count samplesBetween = count("samplesBetween", 16, {1, 32}, "Points at most that a ray visits between two shells, where it grazes them.", quality(32));
     Choice<FurSilhouette> silhouette = choice("silhouette", FurSilhouette::march, {"none", "fins", "march"},
         "What fills the gaps between shells seen from the side: nothing, fins along the edges, or a march from shell to shell.", quality(2));
     Choice<FurOrder> drawOrder = choice("drawOrder", FurOrder::outerFirst, {"outer first", "inner first"},
@@ -81,6 +98,9 @@ struct FurTable final : Parameters {
     Toggle levelOfDetail = toggle("levelOfDetail", true, "Fewer shells where the coat is far away and small.", quality(0));
     Choice<FurRotation> rotationModel = choice("rotationModel", FurRotation::slerp, {"matrix mix", "nlerp", "slerp"},
         "How a strand turns from root to tip: the mix of the source shortens it, nlerp hurries in the middle, slerp does neither.", quality(2));
+    Choice<FurSpring> springModel = choice("springModel", FurSpring::closedForm, {"explicit Euler", "semi-implicit", "closed form"},
+        "How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.", quality(2));
+    Count springRate = count("springRate", 240, {15, 240, logarithmic}, "Spring steps a second: few make the first two methods fail.", quality(240));
 };
 
 }  // namespace vitrine

@@ -1,6 +1,7 @@
 #include "exhibits/hall/hall_scene.h"
 
 #include "exhibits/framework/derive.h"
+#include "exhibits/hall/sun.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -62,9 +63,7 @@ glm::dvec3 lightmapWeights(const std::vector<SunLightmap>& maps, double elevatio
 
 glm::dvec3 towardsSun(const HallScene& scene)
 {
-    const double elevation = scene.values[scene.table.sunElevation];
-    const double azimuth = scene.values[scene.table.sunAzimuth];
-    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation), -std::cos(azimuth) * std::cos(elevation)};
+    return sunOf(scene.table, scene.values).towards();
 }
 
 Surroundings surroundings(const HallScene& scene)
@@ -73,9 +72,10 @@ Surroundings surroundings(const HallScene& scene)
     const ParameterValues& values = scene.values;
     Surroundings result;
     LightBlock& light = result.light;
-    const glm::dvec3 sun = towardsSun(scene);
-    const glm::dvec3 sunColor = blackBodyColor(values[table.sunTemperature]) * values[table.sunStrength];
-    const glm::dvec3 skyColor = blackBodyColor(values[table.skyTemperature]) * values[table.skyStrength];
+    const Sun source = sunOf(table, values);
+    const glm::dvec3 sun = source.towards();
+    const glm::dvec3 sunColor = blackBodyColor(source.temperature) * source.strength;
+    const glm::dvec3 skyColor = blackBodyColor(values[table.skyTemperature]) * (values[table.skyStrength] * source.sky);
     const bool shadows = values[table.sunShadows] && !scene.alone;
     const int mapSize = values[table.shadowMapSize];
 
@@ -96,7 +96,7 @@ Surroundings surroundings(const HallScene& scene)
     if (!scene.alone) {
         result.openings = {windowOpening, oculusOpening};
         result.room = room;
-        const glm::dvec3 weights = lightmapWeights(scene.model.sunLightmapInfo(), values[table.sunElevation]);
+        const glm::dvec3 weights = lightmapWeights(scene.model.sunLightmapInfo(), source.elevation);
         for (int i = 0; i < 3; ++i) light.sunLightmap[i] = static_cast<float>(weights[i] * scene.model.sunLightmapInfo()[static_cast<std::size_t>(i)].scale);
     }
     if (values[table.reflectionProbe]) {
@@ -117,7 +117,7 @@ Surroundings surroundings(const HallScene& scene)
 
 std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 {
-    if (!(scene.values[scene.table.sunStrength] > 0)) return "the sun's strength is 0";
+    if (const Sun sun = sunOf(scene.table, scene.values); !(sun.strength > 0)) return sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set";
     if (!scene.values[scene.table.sunShadows]) return "sun shadows are switched off";
     if (scene.alone) return {};
     const glm::dvec3 sun = towardsSun(scene);

@@ -4,6 +4,7 @@
 
 namespace vitrine {
 
+enum class SunBy : int { angles, hour };
 enum class ShadowFilter : int { hard, tent3, tent5 };
 
 /// What the hall is called; here, so that lists need not read the building itself.
@@ -19,6 +20,8 @@ struct HallTable final : Parameters {
     Real resolutionScale = real("resolutionScale", 1.0, none, {0.25, 1}, "Sides of the drawn picture against the window's: less is quicker and blurred.", quality(1));
 
     Group sun = group("Sun");
+    Choice<SunBy> sunBy = choice("sunBy", SunBy::angles, {"angles", "time of day"}, "Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.");
+    Real timeOfDay = real("timeOfDay", 16.1, none, Range{0, 24}.soft(6, 18.5), "Hour of an equinox day, while the sun goes by it: the light comes through the window from three o'clock and sets at six.");
     Real sunElevation = real("sunElevation", 0.331613, degree, Range{0.0349066, 1.535890}.soft(0.139626, 0.872665), "Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.");
     Real sunAzimuth = real("sunAzimuth", -0.0523599, degree, Range{-3.141593, 3.141593}.soft(-0.785398, 0.785398), "Where the sun stands, seen through the window: negative is to the left.");
     Real sunStrength = real("sunStrength", 3.6, none, Range{0, 1000}.soft(0, 30), "Light of the sun against that of the sky: 0 is an overcast day.");

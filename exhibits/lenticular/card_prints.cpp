@@ -1,7 +1,7 @@
 #include "exhibits/lenticular/card_prints.h"
 
 #include "exhibits/lenticular/numbers.h"
-#include "exhibits/lenticular/print_json.h"
+#include "exhibits/lenticular/print_raster.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 
 namespace vitrine::lenticular {
 namespace {
@@ -53,13 +52,11 @@ void readInto(CardSource& source, const std::vector<fs::path>& files, int count)
     }
 }
 
-/// The description beside a printed file, or else the one inside; nothing for any other picture.
-std::optional<render::JsonDocument> descriptionOf(const fs::path& file)
+/// A picture that vitrine print did not describe: a view.
+bool isPlainPicture(const fs::path& file)
 {
     std::error_code error;
-    if (fs::exists(file.string() + ".json", error)) return render::readJson(file.string() + ".json");
-    if (const auto text = render::embeddedPrint(file)) return render::parseJson(*text, file.string());
-    return std::nullopt;
+    return fs::is_regular_file(file, error) && !fs::exists(file.string() + ".json", error) && !render::embeddedPrint(file);
 }
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why)
@@ -113,16 +110,14 @@ std::shared_ptr<const render::Texture> stacked(const render::Image& raster, glm:
     return texture;
 }
 
-void readRaster(CardSource& source, const fs::path& file, const render::JsonDocument& description)
+void readRaster(CardSource& source, const fs::path& file)
 {
-    source.print = settingsFromJson(description);
-    const PrintLayout layout(source.print);
+    PrintRaster print = readPrint(file);
+    const PrintLayout& layout = print.layout();
+    source.print = layout.settings();
     source.lying = layout.lensesPerPixelX() == 0;
     if (!source.lying && !layout.vertical()) refuse(file, "its lenses are slanted, and the card's are upright or level; look at it with vitrine proof.");
-    const render::Image raster = render::readImage(file);
-    if (raster.width != layout.width() || raster.height != layout.height())
-        refuse(file, "it has " + std::to_string(raster.width) + " x " + std::to_string(raster.height) + " pixels, and its description says " +
-                         std::to_string(layout.width()) + " x " + std::to_string(layout.height()) + "; choose the unscaled, uncut file.");
+    const render::Image raster = print.image();
     const int acrossPixels = source.lying ? raster.height : raster.width;
     if (acrossPixels > mostAcross) refuse(file, "it is " + std::to_string(acrossPixels) + " pixels wide across its lenses, and " + std::to_string(mostAcross) + " is the most.");
     source.rasterSize = {acrossPixels, std::min(source.lying ? raster.width : raster.height, mostRows)};
@@ -153,12 +148,12 @@ const CardSource& CardPrints::source(CardFace face, const std::string& path, int
     Slot& slot = slots_[static_cast<std::size_t>(face)];
     const std::string name = path.empty() ? render::asset("frames").append(shippedViews(face)).string() : path;
     if (slot.path == name && slot.count == count) return slot.source;
-    Slot fresh{name, count};
+    Slot fresh;
+    fresh.path = name;
+    fresh.count = count;
     std::error_code error;
-    std::optional<render::JsonDocument> description;
-    if (!fs::is_directory(name, error)) description = descriptionOf(name);
-    if (description) readRaster(fresh.source, name, *description);
-    else readInto(fresh.source, viewFiles({name}), count);
+    if (fs::is_directory(name, error) || isPlainPicture(name)) readInto(fresh.source, viewFiles({name}), count);
+    else readRaster(fresh.source, name);
     slot = std::move(fresh);
     return slot.source;
 }

@@ -27,7 +27,7 @@ CardSheetFound feasible(Sheet sheet)
     return {sheet, note};
 }
 
-/// In the picture's own numbers: how many lens pitches lie across it, from which side to which.
+/// The side of a picture that lies across the lenses.
 double across(const glm::dvec2& size, bool horizontalLenses)
 {
     return horizontalLenses ? size.y : size.x;

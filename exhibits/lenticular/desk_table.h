@@ -17,7 +17,7 @@ struct DeskTable final : Parameters {
     Count views = count("views", 12, Range{1, mostViews, logarithmic}.soft(2, 48), "How many views to render, or to take from the files, spread evenly.");
     Count viewWidth = count("viewWidth", 960, Range{64, 8192, logarithmic}.soft(256, 4096), "Pixels across a rendered view; more than two for each lens are lost.");
     Count samples = count("samples", 16, {1, 256, logarithmic}, "Samples per pixel of a rendered view, each view with noise of its own.", quality(256));
-    Real depth = real("depth", 1, none, Range{0, 4}.soft(0, 2), "How far apart the cameras stand: 0 is flat, 1 true to scale for the viewing distance, above 1 deeper than life.");
+    Real baselineScale = real("baselineScale", 1, none, Range{0, 4}.soft(0, 2), "How far apart the cameras of rendered views stand: 0 is flat, 1 true to scale for the viewing distance, above 1 deeper than life.");
     Real convergence = real("convergence", 0, metre, Range{0, 1000}.soft(0, 20), "Distance in the scene that will lie in the print's plane; 0 is what the camera looks at.");
     Count quiltColumns = count("quiltColumns", 4, {1, 64}, "Views side by side in a quilt.");
     Count quiltRows = count("quiltRows", 4, {1, 64}, "Rows of views in a quilt, the first at the bottom.");

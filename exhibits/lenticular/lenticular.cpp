@@ -24,6 +24,8 @@ using render::Attachment;
 using render::Load;
 using render::Pass;
 
+constexpr double rollTime = 1.2;  ///< Seconds in which the button rolls the other print in.
+
 /// What lies in the card at one moment.
 struct Moment {
     CardFace first = CardFace::front;  ///< The one that leaves, or rests.
@@ -35,11 +37,12 @@ CardFace otherFace(CardFace face)
     return face == CardFace::front ? CardFace::back : CardFace::front;
 }
 
-Moment momentAt(const LenticularTable& table, const ParameterValues& values, double time)
+/// `sincePressed`: seconds since the button exchanged the prints, which rolls the new one in.
+Moment momentAt(const LenticularTable& table, const ParameterValues& values, double time, double sincePressed)
 {
     const CardFace start = values[table.face];
-    if (!values[table.scroll]) return {start, 0};
-    const double y = scrollAt(time, values[table.period], values[table.hold]);
+    double y = values[table.scroll] ? scrollAt(time, values[table.period], values[table.hold]) : 0;
+    if (sincePressed >= 0 && sincePressed < rollTime) y += glsl::smoothStep(0.0, rollTime, sincePressed) - 1;
     const double whole = std::floor(y);
     return {std::fmod(whole, 2.0) == 0 ? start : otherFace(start), y - whole};
 }
@@ -102,6 +105,7 @@ CardObject cardObject(const Scene& s, const render::View& view, double roll)
 void addPicture(Pass& pass, CardObject& object, int slot, const CardPicture& picture)
 {
     object.prints[slot] = picture.block;
+    pass.counts["views"] += static_cast<std::int64_t>(picture.block.area.z);
     pass.inputs.push_back({slot == 0 ? UNIT_EXHIBIT_A : UNIT_EXHIBIT_B, picture.texture});
     if (picture.raster) pass.shader.defines.emplace_back(slot == 0 ? "FIRST_RASTER" : "SECOND_RASTER");
 }
@@ -116,9 +120,8 @@ Pass cardPass(const Scene& s, const render::View& view, const Moment& moment, co
     pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
     CardObject object = cardObject(s, view, moment.roll);
     addPicture(pass, object, 0, lenticular::cardPicture(s.table, values, sheet, prints, moment.first));
-    bool lying = values[s.table.axis] == CardAxis::horizontal;
     const auto& first = prints.source(moment.first, values[moment.first == CardFace::front ? s.table.frontPrint : s.table.backPrint], values[s.table.views]);
-    lying = lenticular::horizontal(s.table, values, first);
+    const bool lying = lenticular::horizontal(s.table, values, first);
     if (moment.roll > 0) {
         pass.shader.defines.emplace_back("SCROLLING");
         addPicture(pass, object, 1, lenticular::cardPicture(s.table, values, sheet, prints, otherFace(moment.first)));
@@ -173,12 +176,17 @@ render::Box Lenticular::bounds(const ParameterValues&) const
 
 render::Camera Lenticular::bestView(const ParameterValues&) const
 {
-    return {cardMiddle() + glm::dvec3(0.26, 0.10, 1.02), cardMiddle() + glm::dvec3(0.01, -0.01, 0), 0.698132};
+    return {cardMiddle() + glm::dvec3(-0.27, 0.13, 1.06), cardMiddle() + glm::dvec3(0.0, -0.015, 0), 0.698132};
 }
 
 double Lenticular::nextChange(const ParameterValues& values, double time) const
 {
     return values[table_.scroll] ? scrollRest(time, values[table_.period], values[table_.hold]) : std::numeric_limits<double>::infinity();
+}
+
+double Lenticular::nextChangeAfterPress(const ParameterValues& values, double time, double sinceOwnPress) const
+{
+    return sinceOwnPress < rollTime ? 0 : nextChange(values, time);
 }
 
 bool Lenticular::press(ParameterValues& values) const
@@ -207,7 +215,7 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
         return;
     }
     const lenticular::CardSheetFound found = lenticular::cardSheet(table_, context.values);
-    const Moment moment = momentAt(table_, context.values, context.time);
+    const Moment moment = momentAt(table_, context.values, context.time, context.sinceOwnPress);
     if (moment.roll > 0) scene.reason += ", and one print rolls in after the other";
     if (!found.note.empty()) scene.reason += "; the sheet cannot be: " + found.note;
     Pass card = cardPass(scene, plan.view, moment, found.sheet, cache_->prints);

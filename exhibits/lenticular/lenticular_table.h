@@ -58,7 +58,8 @@ struct LenticularTable final : Parameters {
     Real phase = real("phase", 0, none, {-1, 1}, "Of the strips under the lenses, in lenses.");
     Real rotation = real("rotation", 0, degree, Range{-0.1, 0.1}.soft(-0.01, 0.01), "Of the print against the sheet: fringes lean across the card.");
 
-    Group gloss = group("Gloss");
+    Group gloss = group("Light and gloss");
+    Real lamp = real("lamp", 0.35, none, Range{0, 20}.soft(0, 3), "Of the lamp in the vault that is aimed at the card: 0 leaves it to the hall's light.");
     Real roughness = real("roughness", 0.14, none, {0, 1}, "Of the plastic: low is wet, high is matte.");
     Real specular = real("specular", 0.5, none, {0, 1}, "Reflectance of the plastic: 0.5 is what its index gives, 0 none.");
     Real normalScale = real("normalScale", 1, none, Range{-16, 16}.soft(0, 4), "How much the ribs, noise stretched along the lenses, bend the highlight.");

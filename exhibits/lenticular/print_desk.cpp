@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <tuple>
 
 namespace vitrine::lenticular {
 namespace {
@@ -71,6 +72,16 @@ bool sameLens(const Sheet& a, const Sheet& b)
            near(a.index, b.index) && near(a.conic, b.conic);
 }
 
+/// In all but the sheet.
+bool samePrint(const PrintSettings& a, const PrintSettings& b)
+{
+    const auto all = [](const PrintSettings& s) {
+        return std::tuple(s.dpiX, s.dpiY, s.width, s.height, s.bleed, s.distance, s.visualLpi, s.phase, s.direction, s.reverse, s.mirror, s.views, s.method,
+                          s.guard, s.border, s.dither, s.compensate, s.inkSpread);
+    };
+    return all(a) == all(b);
+}
+
 }  // namespace
 
 void DeskViews::add(const render::Image& image)
@@ -99,7 +110,7 @@ bool LenticularDesk::matters(const ParameterInfo& row, const ParameterValues& va
     const ViewOrigin from = values[table_.origin];
     if (row.group == "Views") {
         if (chart) return is(table_.views) && values[table_.chart] != ChartKind::pitch && values[table_.chart] != ChartKind::phase;
-        if (is(table_.viewWidth) || is(table_.samples) || is(table_.depth) || is(table_.convergence)) return from == ViewOrigin::shown;
+        if (is(table_.viewWidth) || is(table_.samples) || is(table_.baselineScale) || is(table_.convergence)) return from == ViewOrigin::shown;
         if (is(table_.quiltColumns) || is(table_.quiltRows)) return from == ViewOrigin::quilt;
         if (is(table_.views)) return from != ViewOrigin::quilt;
         return !is(table_.origin);  // It has a place of its own, beside the files.
@@ -223,7 +234,7 @@ std::shared_ptr<const PrintViews> LenticularDesk::readViews(const ParameterValue
 ViewRig LenticularDesk::rigOf(const ParameterValues& values, const Look& look) const
 {
     const PrintLayout layout = layoutOf(values, nullptr);
-    return {layout, look.camera, viewSize(layout, values[table_.viewWidth]), {values[table_.depth], values[table_.convergence]}};
+    return {layout, look.camera, viewSize(layout, values[table_.viewWidth]), {values[table_.baselineScale], values[table_.convergence]}};
 }
 
 std::vector<PrintShot> LenticularDesk::shots(const ParameterValues& values, const Look& look, const FrameRequest& frame, bool draft) const
@@ -238,12 +249,21 @@ std::vector<PrintShot> LenticularDesk::shots(const ParameterValues& values, cons
     return shots;
 }
 
+ParameterValues LenticularDesk::withBaselineScale(const ParameterValues& values, double scale) const
+{
+    ParameterValues changed = values;
+    changed.set(table_.baselineScale, scale);
+    return changed;
+}
+
 SceneDepth LenticularDesk::sceneDepth(const ParameterValues& values, const Look& look, const render::Image& picture) const
 {
     const ViewRig rig = rigOf(values, look);
     const DepthRange scene = depthRange(picture);
     const DepthRange budget = rig.budget();
-    return {scene.nearest, scene.farthest, budget.nearest, budget.farthest, warningsOf(rig, scene)};
+    SceneDepth depth{scene.nearest, scene.farthest, budget.nearest, budget.farthest, std::min(1.0, rig.strengthThatHolds(scene)), warningsOf(rig, scene)};
+    if (values[table_.reverse] && rig.baseline() > 0) depth.warnings.emplace_back("In reverse order the depth of rendered views is inside out.");
+    return depth;
 }
 
 double LenticularDesk::tileWidth(const ParameterValues& values) const
@@ -317,6 +337,10 @@ std::vector<fs::path> LenticularDesk::write(const ParameterValues& values, std::
     };
     render::Json json = printJson(layout, render::storedDpi(path, layout.settings().dpiX), sources);
     json["desk"] = deskJson(values, sources);
+    if (views) {
+        const std::string& look = static_cast<const DeskViews&>(*views).look();
+        if (!look.empty()) json["scene"] = {{"preset", render::parseJson(look, "the look").root()}};
+    }
     file.json = render::writeJson(json);
     try {
         if (views) {
@@ -365,9 +389,7 @@ PrintDesk::Settings LenticularDesk::settingsFrom(const std::string& text, const 
     const PrintSettings read = settingsFromJson(document);
     try {
         const PrintSettings here = printSettings(table_, settings.values, read.views);
-        PrintSettings named = here;
-        named.sheet.name = read.sheet.name;
-        if (printJson(PrintLayout(named), 1, {})["print"] == printJson(PrintLayout(read), 1, {})["print"] && sameLens(here.sheet, read.sheet)) return settings;
+        if (samePrint(here, read) && sameLens(here.sheet, read.sheet)) return settings;
     } catch (const Failure&) {  // The desk's part has no such print: the print's own part counts.
     }
     settings.values = withSettings(table_, settings.values, read);

@@ -13,6 +13,9 @@ public:
     [[nodiscard]] int count() const override { return full_.count(); }
     void add(const render::Image&) override;
 
+    void setLook(std::string look) override { look_ = std::move(look); }
+    [[nodiscard]] const std::string& look() const { return look_; }
+
     [[nodiscard]] const ViewSet& full() const { return full_; }
     [[nodiscard]] const ViewSet& small() const { return small_; }
     [[nodiscard]] const std::string& profile() const { return profile_; }
@@ -20,7 +23,7 @@ public:
 
 private:
     ViewSet full_, small_;
-    std::string profile_;
+    std::string profile_, look_;
 };
 
 /// The desk over the interlacer, the charts and the sheets of this folder.
@@ -50,6 +53,7 @@ public:
                                                               const PrintProgress&) const override;
 
     [[nodiscard]] std::vector<PrintShot> shots(const ParameterValues&, const Look&, const FrameRequest&, bool draft) const override;
+    [[nodiscard]] ParameterValues withBaselineScale(const ParameterValues&, double) const override;
     [[nodiscard]] SceneDepth sceneDepth(const ParameterValues&, const Look&, const render::Image&) const override;
 
     [[nodiscard]] PrintSummary summary(const ParameterValues&, const PrintViews*, bool chart, const std::filesystem::path&) const override;

@@ -2,7 +2,6 @@
 
 #include "render/failure.h"
 #include "render/files/extension.h"
-#include "render/image/image_io.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,9 @@ namespace vitrine::lenticular {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A view that takes more than this part of the memory goes to disk at once: while it is read it is in memory anyway.
+constexpr std::size_t largestShare = 4;
 
 /// Compares names as people do: runs of digits by their value.
 bool beforeByNumber(const std::string& a, const std::string& b)
@@ -86,7 +88,7 @@ void ViewSet::add(const render::Image& image)
     const auto channels = static_cast<std::size_t>(image.channels);
     const std::size_t rowSamples = static_cast<std::size_t>(image.width) * 4;
     const std::size_t samples = rowSamples * static_cast<std::size_t>(height_) + 4;
-    const bool onDisk = scratch_ || samples * 2 > memory_ - used_;
+    const bool onDisk = scratch_ || samples * 2 > memory_ / largestShare || samples * 2 > memory_ - used_;
     if (onDisk && !scratch_) {
         scratch_ = std::make_shared<render::ScratchFile>();
         firstOnDisk_ = views_.size();
@@ -121,13 +123,18 @@ void ViewSet::add(const render::Image& image)
 
 void ViewSet::rowIsRead(int y) const
 {
-    for (std::size_t k = firstOnDisk_; k < views_.size(); ++k) render::releasePages(row(static_cast<int>(k), y), static_cast<std::size_t>(views_[k].width) * 8);
+    for (std::size_t k = firstOnDisk_; k < views_.size(); ++k) {
+        const std::size_t row = static_cast<std::size_t>(views_[k].width) * 8;
+        render::releasePages(views_[k].samples.get(), row * static_cast<std::size_t>(height_), row * static_cast<std::size_t>(y), row);
+    }
 }
 
 void ViewSet::allIsRead() const
 {
-    for (std::size_t k = firstOnDisk_; k < views_.size(); ++k)
-        render::releasePages(views_[k].samples.get(), static_cast<std::size_t>(views_[k].width) * 8 * static_cast<std::size_t>(height_));
+    for (std::size_t k = firstOnDisk_; k < views_.size(); ++k) {
+        const std::size_t all = static_cast<std::size_t>(views_[k].width) * 8 * static_cast<std::size_t>(height_);
+        render::releasePages(views_[k].samples.get(), all, 0, all);
+    }
 }
 
 std::vector<fs::path> picturesIn(const fs::path& folder)
@@ -156,16 +163,6 @@ std::vector<fs::path> viewFiles(const std::vector<std::string>& names)
     }
     if (files.empty()) throw Failure(Blame::usage, "There are no views; give a folder or files with --views.");
     return files;
-}
-
-ViewSet readViews(const std::vector<fs::path>& files, const std::function<bool(std::size_t)>& progress)
-{
-    ViewSet views;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (progress && !progress(i)) throw Failure(Blame::usage, "Reading the views was stopped.");
-        views.add(render::readImage(files[i]));
-    }
-    return views;
 }
 
 render::Image viewOfQuilt(const render::Image& image, int columns, int rows, int k, QuiltOrder order)

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -65,9 +64,6 @@ private:
 /// The picture files that `names` mean, in viewing order from the left: files as given, folders by the names
 /// in them. Throws Failure when there is none.
 [[nodiscard]] std::vector<std::filesystem::path> viewFiles(const std::vector<std::string>& names);
-
-/// Reads the files into views. `progress` (may be empty) is told how many are read; false stops with a Failure.
-[[nodiscard]] ViewSet readViews(const std::vector<std::filesystem::path>&, const std::function<bool(std::size_t)>& progress = {});
 
 /// Where a quilt's first view is: rows upwards as Looking Glass has them, or downwards as one reads.
 enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };

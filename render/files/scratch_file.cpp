@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -57,11 +58,13 @@ const void* ScratchFile::map(std::uint64_t offset, std::size_t count) const
     return begin;
 }
 
-void releasePages(const void* begin, std::size_t count)
+void releasePages(const void* mapped, std::size_t mappedCount, std::size_t offset, std::size_t count)
 {
-    static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-    const auto from = reinterpret_cast<std::uintptr_t>(begin) / page * page;
-    const auto to = reinterpret_cast<std::uintptr_t>(begin) + count;
+    // A page that is read brings the others of its unit with it: they all go, or those before it would stay for good.
+    // Never beyond the mapping: what lies there is somebody else's.
+    const auto begin = reinterpret_cast<std::uintptr_t>(mapped);
+    const std::uintptr_t from = std::max((begin + offset) / ScratchFile::mapUnit * ScratchFile::mapUnit, begin);
+    const std::uintptr_t to = std::min((begin + offset + count + ScratchFile::mapUnit - 1) / ScratchFile::mapUnit * ScratchFile::mapUnit, begin + mappedCount);
     ::madvise(reinterpret_cast<void*>(from), to - from, MADV_DONTNEED);
 }
 

@@ -44,6 +44,8 @@ using mat4 = glm::dmat4;
 
 #include "shaders/lib/lens.glsl"
 
+#include "shaders/lib/strand.glsl"
+
 /// lib/sphere_tracing.glsl around one field. GLSL finds `fieldDistance` because the shader defines it
 /// first; here the file is the body of a class, and `Field` is anything callable with a point:
 ///

@@ -2,6 +2,7 @@
 #include "render/files/read_file.h"
 #include "render/image/decode.h"
 #include "render/image/image_io.h"
+#include "render/image/jpeg_end.h"
 #include "render/image/oiio_codec.h"
 #include "render/image/png_file.h"
 #include "render/image/srgb.h"
@@ -189,6 +190,7 @@ StoredPicture decodePicture(std::string_view bytes, ImageFormat format, const st
                             const ImageLimits& limits, const std::function<bool()>& cancelled)
 {
     if (format == ImageFormat::png) return decodePng(bytes, name, limits, cancelled);
+    if (format == ImageFormat::jpeg && !jpegIsWhole(bytes)) fail(name, "it is cut short: the file ends within the picture");
     StoredPicture picture;
     if (const std::string why = oiioCodec().decode(bytes, format, limits, cancelled, picture); !why.empty())
         fail(name, why);

@@ -100,7 +100,18 @@ double storedDpi(const std::filesystem::path& path, double dpi)
 
 std::optional<std::string> embeddedPrint(const std::filesystem::path& path)
 {
-    std::string text = PictureRows(path).json();
+    std::string text;
+    std::error_code error;
+    if (const std::uint64_t size = std::filesystem::file_size(path, error); !error && size > ImageLimits{}.fileBytes) {
+        text = PictureRows(path).json();
+    } else {
+        const std::string bytes = readFile(path, ImageLimits{}.fileBytes);
+        const ImageFormat format = formatOf(bytes, path.string());
+        if (format == ImageFormat::png) return textInPng(bytes, printKey, path.string());
+        if (format != ImageFormat::tiff) return std::nullopt;
+        if (const std::string why = oiioCodec().readText(bytes, format, "ImageDescription", text); !why.empty())
+            throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + ".");
+    }
     if (text.empty()) return std::nullopt;
     return text;
 }

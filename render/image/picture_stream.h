@@ -61,7 +61,7 @@ private:
 /// The resolution that a file of this name will say: TIFF has 24 bits of it, PNG whole dots per meter.
 [[nodiscard]] double storedDpi(const std::filesystem::path&, double dpi);
 
-/// The JSON that a stream wrote into a TIFF or PNG of any size, or nothing. Reads no pixels. It is text from a file: parse it as untrusted.
+/// The JSON that a stream wrote into a TIFF or PNG of any size, or nothing. It is text from a file: parse it as untrusted.
 [[nodiscard]] std::optional<std::string> embeddedPrint(const std::filesystem::path&);
 
 /// The ICC profile in a picture file; empty when there is none.

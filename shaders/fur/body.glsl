@@ -15,7 +15,7 @@ struct FurBody {
     vec4 tipColor;   // w: number of planes
     vec4 shells;     // x: how many, need not be whole; y: samples between two shells; z: seed; w: 1 when inner shells come first
     vec4 planes[4];  // xyz: unit normal, body space, away from what presses; w: its distance from the body's origin
-    vec4 spine;      // x: length of its straight half along x; y: radius of its ring about y; z: radius around that, metres
+    vec4 spine;      // x: length of its straight half along x; y: radius of its ring about y; z: radius around that, metres; w: first shell drawn
 };
 
 // Height of shell `i`, the outermost being 0 and the skin the last, before `distanceAttenuation`.

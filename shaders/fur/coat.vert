@@ -58,7 +58,8 @@ void main()
     height = form.y;
 #else
     int drawn = int(ceil(body.shells.x));
-    int shell = body.shells.w > 0.5 ? drawn - 1 - gl_InstanceID : gl_InstanceID;
+    int instance = int(body.spine.w) + gl_InstanceID;
+    int shell = body.shells.w > 0.5 ? drawn - 1 - instance : instance;
     float attenuation = parameters.distanceAttenuation;
     height = powPositive(shellHeight(float(shell), body.shells.x), attenuation);
     gap = height - powPositive(shellHeight(float(shell) + 1.0, body.shells.x), attenuation);

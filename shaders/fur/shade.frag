@@ -37,19 +37,17 @@ float sunOnFur(vec3 world)
     return visible;
 }
 
-// Light from one direction, as hair sends it on: half Lambert (Mitchell, McTaggart and Green 2006, "Shading
-// in Valve's Source Engine"), weakened on its way into the coat; highlights along the strands, white from
+// Light from one direction, as hair sends it on: half Lambert, weakened on its way into the coat; highlights along the strands, white from
 // their surface and colored from inside them (Marschner et al. 2003); and what a thin fringe lets through.
 vec3 directLight(vec3 irradiance, vec3 l, vec3 albedo, vec3 normal, vec3 skinNormal, vec3 along, vec3 toEye, float height, float occlusion)
 {
-    float facing = max(dot(normal, l), 0.0) * 0.5 + 0.5;
     float deep = (1.0 - height) * parameters.selfShadow;
     float slant = dot(skinNormal, l);
     float through = exp(-deep * 2.2 / max(slant + 0.35, 0.15));
     // The body itself is in the way of what faces far off the light, but not of its fringe.
     float around = smoothStep(-0.55 - 0.35 * height, 0.25 - 0.35 * height, slant);
     vec3 lit = irradiance * (through * around / PI);
-    vec3 color = albedo * lit * (facing * facing * occlusion);
+    vec3 color = albedo * lit * (halfLambert(dot(normal, l)) * occlusion);
     color += lit * (parameters.sheen * occlusion * (0.35 * hairLobe(along, l, toEye, 0.08, 60.0) + albedo * 0.7 * hairLobe(along, l, toEye, -0.1, 12.0)));
     float fringe = 1.0 - abs(dot(skinNormal, toEye));
     float towards = max(-dot(toEye, l), 0.0);
@@ -78,7 +76,7 @@ void main()
     vec3 along = normalize(skinNormal + (pull + (hairNormal - skinNormal) * 0.5) * height);
 
     // What the coat hides from itself.
-    float occlusion = clamp(powPositive(height, parameters.occlusionAttenuation) + parameters.occlusionBias, 0.0, 1.0);
+    float occlusion = coatOcclusion(height, parameters.occlusionAttenuation, parameters.occlusionBias);
     // What the other bodies, the floor and the wall of the pit hide.
     vec2 left = vec2(1.0);
     for (int i = 0; i < FUR_BODIES; ++i)
@@ -95,7 +93,7 @@ void main()
     float wrapped = 0.5 + 0.5 * dot(bent, keyDirection);
     vec3 ambient = probeAmbient(bent) * (open * mix(1.0, 1.7 * wrapped * wrapped, parameters.contrast));
     vec3 color = albedo * ambient * occlusion;
-    color += ambient * (parameters.sheen * occlusion * open * (0.12 * hairLobe(along, keyDirection, toEye, 0.06, 40.0) + albedo * 0.35 * hairLobe(along, keyDirection, toEye, -0.08, 9.0)));
+    color += ambient * (parameters.sheen * occlusion * open * 0.4 * hairLobe(along, keyDirection, toEye, -0.06, 12.0)) * mix(vec3(0.3), albedo, 0.7);
 
     if (dot(light.sunIrradiance.rgb, vec3(1.0)) > 0.0) {
         vec3 l = light.sunDirection.xyz;

@@ -5,6 +5,8 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 
+invariant gl_Position;  // The counting pass draws on the very depth of the first.
+
 out vec3 cardPosition;
 out vec3 cardNormal;
 

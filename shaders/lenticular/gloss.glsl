@@ -38,6 +38,15 @@ vec3 ribs(vec2 place, vec2 pixel)
     return vec3(slope * parameters.normalScale, faded * parameters.normalScale * parameters.normalScale);
 }
 
+// A lamp in the vault, aimed at the card: where it hangs in the card's space, and its irradiance at a place that faces it.
+const vec3 LAMP = vec3(-0.5, 1.1, 2.4);
+
+vec3 lampIrradiance(vec2 place)
+{
+    vec3 to = LAMP - vec3(place, 0.0);
+    return vec3(1.0, 0.90, 0.76) * (parameters.lamp * dot(LAMP, LAMP) / dot(to, to));
+}
+
 // Mirrored light and, in w, its share of all light.
 vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec3 worldPosition)
 {
@@ -71,6 +80,8 @@ vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec
     surface.specular = parameters.specular;
     surface.occlusion = 1.0;
     surface.ambient = vec3(0.0);
+    vec3 toLamp = normalize(worldFromCard * normalize(LAMP - vec3(place, 0.0)));
+    vec3 lamp = lampIrradiance(place);
     vec3 sum = vec3(0.0);
     float mirrored = 0.0;
     float total = 0.0;
@@ -88,7 +99,8 @@ vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec
         surface.normal = normalize(normals3 * n);
         vec3 worldToEye = normalize(worldFromCard * toEye);
         vec3 direction = reflect(-worldToEye, surface.normal);
-        sum += weight * (f * probeRadiance(worldPosition, direction, roughness) + sunReflected(surface, worldToEye, visibility));
+        sum += weight * (f * probeRadiance(worldPosition, direction, roughness) + sunReflected(surface, worldToEye, visibility) +
+                         lightReflected(surface, worldToEye, toLamp, lamp));
         mirrored += weight * f;
         total += weight;
     }

@@ -16,14 +16,14 @@ float airPhase(float cosine, float anisotropy)
 float airMean(float x)
 {
     if (abs(x) < 1.0e-2) return 1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0));
-    return (1.0 - exp(min(-x, 60.0))) / x;
+    return (1.0 - exp(min(-x, 40.0))) / x;
 }
 
 // Optical depth of `way` metres that begin at height `from` and rise `slope` per metre, for an extinction of
 // `density` per metre at height 0 that falls by a factor e every 1 / `thinning` metres. Never negative.
 float airOpticalDepth(float from, float slope, float way, float density, float thinning)
 {
-    float atStart = density * exp(clamp(-thinning * from, -60.0, 60.0));
+    float atStart = density * exp(clamp(-thinning * from, -40.0, 40.0));
     return clamp(atStart * max(way, 0.0) * airMean(thinning * slope * max(way, 0.0)), 0.0, 1.0e4);
 }
 

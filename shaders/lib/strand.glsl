@@ -42,11 +42,10 @@ Strand strandAt(vec3 q, vec3 n, float cellSize, float jitter, uint seed)
     Strand s;
     s.offset = axis == 0 ? vec3(out_, d.x, d.y) : axis == 1 ? vec3(d.y, out_, d.x) : vec3(d.x, d.y, out_);
     s.rank = unitFromBits(bits.z);
-    // Independent enough of the rank: other bits of the same word, turned over once more.
-    uint more = pcg(bits.z ^ bits.x);
-    s.tint = unitFromBits(more);
+    // The low halves of words whose high halves are the root's place: nothing is seen of what they share.
+    s.tint = float(bits.x & 65535u) * (1.0 / 65536.0);
     float facing = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
-    s.rooted = unitFromBits(pcg(more)) * facing < 0.5773502691896258;
+    s.rooted = float(bits.y & 65535u) * (1.0 / 65536.0) * facing < 0.5773502691896258;
     return s;
 }
 
@@ -56,6 +55,21 @@ float strandTaper(float h, float end, float roundness)
 {
     if (!(h < end)) return 0.0;
     return powPositive(1.0 - h / end, 1.0 - roundness);
+}
+
+// Half Lambert: 1 where a surface faces the light, 1/4 from the terminator on (Mitchell, McTaggart and Green
+// 2006, "Shading in Valve's Source Engine", with the cosine clamped as the source has it).
+float halfLambert(float cosine)
+{
+    float facing = max(cosine, 0.0) * 0.5 + 0.5;
+    return facing * facing;
+}
+
+// Share of the light that reaches height `h` of a coat from all around: 0 at the root, 1 at the tip, lifted by
+// `bias`; the higher `attenuation`, the higher the dark reaches.
+float coatOcclusion(float h, float attenuation, float bias)
+{
+    return clamp(powPositive(h, attenuation) + bias, 0.0, 1.0);
 }
 
 // Angle between unit vectors, exact near 0 and pi where the arc cosine is not.
@@ -86,14 +100,14 @@ vec3 strandDirection(vec3 root, vec3 tip, float k, int model)
     return root * cos(k * theta) + across * sin(k * theta);
 }
 
-// Where height `h` of a strand of length 1 lies, from its root: the integral of its direction, in 3-point
+// Where height `h` of a strand of length 1 lies, from its root: the integral of its direction, in 4-point
 // Gauss-Legendre quadrature. `curvature`: how late it bends; the share of the turn at height h is h^curvature.
 vec3 strandPoint(vec3 root, vec3 tip, float h, float curvature, int model)
 {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < 3; ++i) {
-        float x = i == 0 ? 0.1127016653792583 : i == 1 ? 0.5 : 0.8872983346207417;
-        float w = i == 1 ? 0.4444444444444444 : 0.2777777777777778;
+    for (int i = 0; i < 4; ++i) {
+        float x = i == 0 ? 0.0694318442029737 : i == 1 ? 0.3300094782075719 : i == 2 ? 0.6699905217924281 : 0.9305681557970263;
+        float w = i == 0 || i == 3 ? 0.1739274225687269 : 0.3260725774312731;
         sum += strandDirection(root, tip, powPositive(h * x, curvature), model) * w;
     }
     return sum * h;

@@ -34,12 +34,11 @@ vec2 environmentBrdf(float roughness, float cosNV)
     return max(vec2(-1.04, 1.04) * a + r.zw, vec2(0.0));  // The fit falls to -0.0003 where rough surfaces graze.
 }
 
-// Radiance of the sun's light reflected towards `toEye`.
-vec3 sunReflected(Surface s, vec3 toEye, float visibility)
+// Radiance reflected towards `toEye` of light from the direction `l`, whose irradiance on what faces it is given.
+vec3 lightReflected(Surface s, vec3 toEye, vec3 l, vec3 irradiance)
 {
-    vec3 l = light.sunDirection.xyz;
     float cosL = dot(s.normal, l);
-    if (cosL <= 0.0 || visibility <= 0.0) return vec3(0.0);
+    if (cosL <= 0.0) return vec3(0.0);
     vec3 h = safeNormalize(l + toEye, s.normal);  // Looking into the light through a surface, it is zero.
     float cosV = max(dot(s.normal, toEye), 1e-3);
     float cosH = clamp(dot(s.normal, h), 0.0, 1.0);
@@ -50,7 +49,14 @@ vec3 sunReflected(Surface s, vec3 toEye, float visibility)
     vec3 f = fresnelSchlick(surfaceF0(s), clamp(dot(toEye, h), 0.0, 1.0));
     vec3 diffuse = s.baseColor * (1.0 - s.metalness) * (1.0 - f) / PI;
     // The peak of a near-mirror is bounded: an unbounded sample cannot be averaged away.
-    return (diffuse + min(f * (d * v), vec3(64.0))) * light.sunIrradiance.rgb * (cosL * visibility);
+    return (diffuse + min(f * (d * v), vec3(64.0))) * irradiance * cosL;
+}
+
+// The same of the sun's light.
+vec3 sunReflected(Surface s, vec3 toEye, float visibility)
+{
+    if (visibility <= 0.0) return vec3(0.0);
+    return lightReflected(s, toEye, light.sunDirection.xyz, light.sunIrradiance.rgb * visibility);
 }
 
 // Radiance towards the eye without the mirror part.

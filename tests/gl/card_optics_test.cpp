@@ -195,6 +195,24 @@ TEST_F(CardOptics, HorizontalLensesChangeAsTheEyeRisesAndNotAsItPasses)
     EXPECT_GT(std::abs(at(0, 0.1) - at(0, -0.1)), 0.2);
 }
 
+TEST_F(CardOptics, TheEvaluationsChannelCountsTheRaysTraced)
+{
+    CardShot shot;
+    shot.values().set(cardTable().frontPrint, views.solid(2));
+    shot.request.frame.channels.evaluations = true;
+    shot.from(0.1, 1, 0.004);
+    const auto traces = [&] {
+        const render::Image image = shot.take().image;
+        return image.at(12, 12, image.channels - 1);
+    };
+    // Each part is traced in its middle and at its right edge, each piece of a lens at its left edge too.
+    shot.values().set(cardTable().apertureSamples, 8);
+    EXPECT_GE(traces(), 2 * 8 + 1);
+    EXPECT_LE(traces(), 2 * 9 + 2);  // Two pieces, where the pixel's window lies over a cusp.
+    shot.values().set(cardTable().prefilter, false);
+    EXPECT_EQ(traces(), 3);
+}
+
 TEST_F(CardOptics, DispersionSendsRedAndBlueToDifferentPlaces)
 {
     const glm::dvec3 index = lenticular::dispersedIndex(1.56, 30);

@@ -252,7 +252,7 @@ TEST_F(PictureTest, APressedButtonIsSquashed)
     shot.see({0.72, 1.4, 1.5}, {0.72, 0.95, 0.62});
     shot.request.frame.camera.fovY = 0.3;
     const auto red = [&](double since) {
-        shot.request.frame.sincePressed = {since};
+        shot.request.frame.sincePressed = {1e9, since};
         const Picture p = shot.take();
         int count = 0;
         p.each([&](int x, int y) { count += p.color(x, y).r > 4 * p.color(x, y).g && p.color(x, y).r > 4 * p.color(x, y).b; });

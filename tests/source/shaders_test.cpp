@@ -72,7 +72,7 @@ TEST(Shaders, OfTheLibraryKnowNoExhibit)
 
 TEST(Shaders, NamedInPlansExist)
 {
-    static const std::regex name(R"re("((?:lib|hall|probe|sdf_morph)/[\w/]+\.(?:vert|frag|comp|glsl))")re");
+    static const std::regex name(R"re("((?:lib|fur|hall|probe|sdf_morph)/[\w/]+\.(?:vert|frag|comp|glsl))")re");
     int found = 0;
     for (const char* folder : {"exhibits", "render"}) {
         for (const std::string& file : test::sourceFiles(folder, test::cppExtensions)) {

@@ -367,7 +367,14 @@ private slots:
         file.close();
         openDialog();
         QVERIFY2(said().contains("print.json"), qPrintable(said()));
-        QVERIFY(dialog_->values() == dialog_->desk().parameters().initial() || dialog_->desk().origin(dialog_->values()) == ViewOrigin::files);
+        QVERIFY(dialog_->values() == dialog_->desk().withOrigin(dialog_->desk().parameters().initial(), ViewOrigin::files));
+        QFile other(home_->filePath("other.json"));
+        QVERIFY(other.open(QIODevice::WriteOnly));
+        other.write("{\"vitrinePrint\": 7}");
+        other.close();
+        dialog_->open({other.fileName()});
+        QVERIFY2(said().contains("other.json"), qPrintable(said()));
+        QVERIFY(dialog_->files().isEmpty());
     }
 
     void ownSheetsAreSavedChosenAndDeleted()

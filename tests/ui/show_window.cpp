@@ -2,13 +2,17 @@
 // the real one, else a gallery of one color with every kind of parameter.
 #include "painted_gallery.h"
 
+#include "ui/eyes_preview.h"
 #include "ui/main_window.h"
 #include "ui/museum_gallery.h"
+#include "ui/study_dock.h"
+#include "ui/print_dialog.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QEventLoop>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -32,7 +36,7 @@ void waitUntilStill(const ui::MainWindow& window, int mostMilliseconds)
 int main(int argc, char** argv)
 {
     const QTemporaryDir home;
-    for (const char* name : {"XDG_STATE_HOME", "XDG_DATA_HOME"}) qputenv(name, home.path().toLocal8Bit());
+    for (const char* name : {"XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"}) qputenv(name, home.path().toLocal8Bit());
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication app(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
@@ -62,6 +66,26 @@ int main(int argc, char** argv)
             if (dock->objectName() == QLatin1String("ledger")) dock->show();
         waitUntilStill(window, 60000);
         window.grab().save(folder + QStringLiteral("/visit") + ending);
+        if (real) {
+            window.findChild<QDockWidget*>(QStringLiteral("study"))->show();
+            window.findChild<QDockWidget*>(QStringLiteral("study"))->raise();
+            window.study().setEffort({240, 135}, 3);
+            QEventLoop until;
+            QObject::connect(&window.study(), &ui::StudyDock::finished, &until, &QEventLoop::quit);
+            window.study().ask(1, *window.gallery().exhibits()[1]->parameters().find("hitTolerance"));
+            until.exec();
+            waitUntilStill(window, 60000);
+            window.grab().save(folder + QStringLiteral("/study") + ending);
+            window.openPrintDialog();
+            auto* dialog = window.findChild<ui::PrintDialog*>();
+            dialog->setPath(QStringLiteral("/home/visitor/Pictures/lenticular-print.tif"));
+            QElapsedTimer passed;
+            passed.start();
+            do QApplication::processEvents(QEventLoop::AllEvents, 50);
+            while (passed.elapsed() < 120000 && (passed.elapsed() < 3000 || !dialog->settled() || dialog->findChild<ui::EyesPreview*>()->seen(0).isNull()));
+            dialog->grab().save(folder + QStringLiteral("/print") + ending);
+            std::printf("print dialog with rendered views: %.1f s\n", static_cast<double>(passed.elapsed()) / 1000);
+        }
         std::printf("visit: %lld pictures drawn\n", window.viewport().picturesDrawn());
     }
 }

@@ -1,5 +1,6 @@
 #include "exhibits/lenticular/view_maker.h"
 
+#include "exhibits/crepuscular_rays/sun_in_picture.h"
 #include "render/failure.h"
 #include "tests/exhibits/lenticular/samples.h"
 #include "tests/plan/museum_on_paper.h"
@@ -56,6 +57,17 @@ TEST(Shots, EachHasItsOwnCameraAndItsOwnNoise)
     EXPECT_EQ(seeds.size(), 12U);
     EXPECT_EQ(*seeds.begin(), 7U);
     EXPECT_EQ(places.size(), 12U);
+}
+
+TEST(Shots, SeeTheSunWhereTheirShiftedLensesPutIt)
+{
+    for (const ViewShot& shot : shots(5)) {
+        const render::View view = render::makeView(shot.look.camera, {.size = {90, 60}});
+        const glm::dvec2 ndc(0.3, -0.6);
+        const SunInPicture sun = sunInPicture(view, glm::normalize(view.direction(ndc)));
+        EXPECT_TRUE(sun.inFront);
+        EXPECT_LT(glm::length(sun.pixel - (ndc * 0.5 + 0.5) * glm::dvec2(90, 60)), 1e-9);
+    }
 }
 
 TEST(Turn, GoesInEqualStepsAroundTheMiddleAndAFullTurnHasNoDouble)

@@ -1,4 +1,5 @@
 #include "render/image/image_io.h"
+#include "render/image/jpeg_end.h"
 
 #include "tests/support/failures.h"
 #include "tests/support/image_bytes.h"
@@ -70,7 +71,8 @@ TEST(HostileImage, ThatEndsEarlyIsRefused)
     writePicture(folder / "a.png", image, PictureFormat::png8);
     writePicture(folder / "a.exr", image, PictureFormat::exr);
     writePicture(folder / "a.tif", image, PictureFormat::tiff8);
-    for (const char* name : {"a.png", "a.exr", "a.tif"}) {
+    writePicture(folder / "a.jpg", image, PictureFormat::jpeg);
+    for (const char* name : {"a.png", "a.exr", "a.tif", "a.jpg"}) {
         const std::string whole = test::bytesOf(folder / name);
         for (const std::size_t part : {8UL, 40UL, whole.size() / 2, whole.size() - 100}) {
             EXPECT_FAILURE(read(name, whole.substr(0, part)), "Cannot read");
@@ -78,6 +80,19 @@ TEST(HostileImage, ThatEndsEarlyIsRefused)
     }
     const std::string tiled = test::tiledExr(32, 32, 16);
     EXPECT_FAILURE(read("a.exr", tiled.substr(0, tiled.size() - 500)), "Cannot read");
+}
+
+TEST(HostileImage, JpegIsWholeOnlyWithItsOwnEndMarker)
+{
+    const std::string whole = test::jpegBytes();
+    EXPECT_TRUE(jpegIsWhole(whole));
+    EXPECT_TRUE(jpegIsWhole(whole + "what a phone appends"));
+    for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_FALSE(jpegIsWhole(std::string_view(whole).substr(0, size))) << size;
+    // A thumbnail ends within its segment: that is not the end of the picture.
+    const std::string thumbnail = "\xff\xe1" + std::string{'\0', '\6'} + "\xff\xd8\xff\xd9";
+    const std::string carrying = whole.substr(0, 2) + thumbnail + whole.substr(2);
+    EXPECT_TRUE(jpegIsWhole(carrying));
+    EXPECT_FALSE(jpegIsWhole(std::string_view(carrying).substr(0, carrying.size() - 2)));
 }
 
 TEST(HostileImage, ThatIsNoFileIsRefused)

@@ -1,4 +1,5 @@
 #include "render/image/image_io.h"
+#include "render/image/srgb.h"
 
 #include "tests/support/failures.h"
 #include "tests/support/image_bytes.h"
@@ -96,6 +97,35 @@ TEST(WritePicture, CarriesThePreset)
     writePicture(folder / "a.tif", noise(4, 4, 3), PictureFormat::tiff8, {.preset = preset, .pixelsPerInch = 300});
     EXPECT_NE(test::bytesOf(folder / "a.tif").find("Tasse f\\u00fcr \\u676f \\ud83d\\ude00"), std::string::npos);
     EXPECT_EQ(embeddedPreset(folder / "a.tif"), std::nullopt);
+}
+
+TEST(WritePicture, WritesJpegNearlyAndOverWhite)
+{
+    const TemporaryFolder folder;
+    Image smooth(64, 48, 4, 1);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x) {
+            smooth.at(x, y, 0) = static_cast<float>(linearFromSrgb(x / 64.0));
+            smooth.at(x, y, 1) = static_cast<float>(linearFromSrgb(y / 48.0));
+            smooth.at(x, y, 3) = x < 32 ? 1.0F : 0.0F;
+        }
+    writePicture(folder / "a.jpg", smooth, PictureFormat::jpeg, {.preset = "{}", .pixelsPerInch = 300});
+    const Image back = readImage(folder / "a.jpg", {.raw = true});
+    ASSERT_EQ(back.channels, 3);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x) {
+            if (x >= 24 && x < 40) continue;  // The blocks on either side of the sharp edge ring.
+            for (int c = 0; c < 3; ++c) {
+                const double expected = x < 32 ? srgbFromLinear(static_cast<double>(smooth.at(x, y, c))) : 1;
+                // Quality 92 keeps even slopes of codes to a few of them.
+                EXPECT_NEAR(static_cast<double>(back.at(x, y, c)), expected, 6 / 255.0) << x << ',' << y << ',' << c;
+            }
+        }
+    // Even white noise, the worst there is, passes the check after writing.
+    EXPECT_NO_THROW(writePicture(folder / "noise.jpg", noise(256, 256, 3), PictureFormat::jpeg));
+    EXPECT_NO_THROW(writePicture(folder / "gray.jpg", noise(9, 7, 2), PictureFormat::jpeg));
+    EXPECT_EQ(readImage(folder / "gray.jpg").channels, 1);
+    EXPECT_FAILURE(writePicture(folder / "a.png", smooth, PictureFormat::jpeg), "does not fit the format JPEG");
 }
 
 TEST(WritePicture, SaysTheResolutionOfAPrint)

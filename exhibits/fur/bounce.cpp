@@ -1,0 +1,287 @@
+#include "exhibits/fur/bounce.h"
+
+#include "render/scene/rigid_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+// Where they lie, metres from the middle of the pit, and how they are turned about y.
+const glm::dvec3 homes[furBodyCount] = {{-0.62, 0, -0.02}, {0.55, 0, 0.58}, {0.30, 0, -0.74}};
+constexpr double homeTurns[furBodyCount] = {0, 0.35, 0.2};
+
+constexpr double strandScale = 0.15;    ///< Metres of lag that count as one strand length (the source's strands).
+constexpr double homeStart = 1.5, homeFull = 3.0;  ///< Seconds: when they begin to be drawn back, and when fully.
+constexpr double homePull = 3.2;        ///< rad/s, of the critically damped spring that draws them back.
+constexpr double settling = 0.5;        ///< Seconds in which the last millimetres go.
+constexpr double dt = 1.0 / Bounce::stepsPerSecond;
+
+double skinRadius(int body)
+{
+    return body == furBall ? ballRadius : body == furRoll ? rollRadius : ringTube;
+}
+
+double smooth(double low, double high, double x)
+{
+    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+/// Number `i` of a throw, in [-1, 1): integer hash (splitmix64, Steele et al. 2014).
+double throwOf(std::uint32_t toss, int i)
+{
+    std::uint64_t z = (static_cast<std::uint64_t>(toss) << 32U) + static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15ULL + 0x632BE59BD9B4E019ULL;
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
+    return static_cast<double>((z ^ (z >> 31U)) >> 11U) / static_cast<double>(1ULL << 52U) - 1;
+}
+
+glm::dquat homeTurn(int body)
+{
+    return glm::angleAxis(homeTurns[body], glm::dvec3(0, 1, 0));
+}
+
+/// How high the middle of a body lies when it rests on the floor.
+double restHeight(const BounceSettings& s, int body, double grown)
+{
+    if (body == furRing && s.model) return s.cushion[body] - s.model->bounds.low.y;
+    return skinRadius(body) * grown + s.cushion[body];
+}
+
+render::RigidShape shapeOf(const BounceSettings& s, int body)
+{
+    const double radius = skinRadius(body) + s.cushion[body];
+    if (body == furBall) return render::BallShape{radius};
+    if (body == furRoll) return render::RollShape{radius, rollHalfLength};
+    if (!s.model) return render::RingShape{ringRadius, radius};
+    render::HullShape hull;
+    hull.margin = s.cushion[body];
+    // Bullet's hulls are for few points; a thousand of a large model show its shape well enough.
+    const std::size_t stride = s.model->vertices.size() / 1000 + 1;
+    for (std::size_t i = 0; i < s.model->vertices.size(); i += stride) hull.points.emplace_back(s.model->vertices[i].position);
+    return hull;
+}
+
+}  // namespace
+
+double Growth::grown(double since) const
+{
+    if (!(rate > 0) || amount == 0) return 1;
+    const double share = always ? 1 : smooth(0, 0.3, since) * (1 - smooth(2.5, 4.5, since));
+    const double phase = std::fmod(rate * (always ? start + since : since), 1.0);
+    return 1 + share * amount / ballRadius * std::sin(2 * std::numbers::pi * phase);
+}
+
+BounceSettings bounceSettings(const FurTable& t, const ParameterValues& v, std::shared_ptr<const render::Mesh> model, double time)
+{
+    BounceSettings s;
+    for (int i = 0; i < furBodyCount; ++i) s.cushion[i] = colliderRadius(t, v, i, 1) - skinRadius(i);
+    s.model = std::move(model);
+    s.jump = v[t.jump];
+    s.toss = static_cast<std::uint32_t>(v[t.toss]);
+    s.growth = {v[t.growth], v[t.growthRate], v[t.growing], v[t.growing] ? time : 0.0};
+    s.spring = {2 * std::numbers::pi * v[t.frequency], v[t.damping]};
+    s.method = v[t.springModel];
+    s.springRate = v[t.springRate];
+    s.inertia = v[t.inertia];
+    s.gravity = v[t.gravity];
+    s.airDrag = v[t.airDrag];
+    s.strength = v[t.strength];
+    s.displacementLimit = v[t.displacementLimit];
+    s.rotationLimit = v[t.rotationLimit];
+    return s;
+}
+
+FurStates restStates(const BounceSettings& s, double since)
+{
+    FurStates states;
+    for (int i = 0; i < furBodyCount; ++i) {
+        FurState& state = states[static_cast<std::size_t>(i)];
+        state.grown = i == furBall ? s.growth.grown(since) : 1;
+        state.position = homes[i] + glm::dvec3(0, restHeight(s, i, state.grown), 0);
+        state.turn = homeTurn(i);
+        state.pull = limited({{0, -s.gravity, 0}, {}}, s.displacementLimit).value * s.strength;
+    }
+    return states;
+}
+
+struct Bounce::Flight {
+    render::RigidBodies bodies{{pitRadius, 6, 9.81}};
+    glm::dvec3 lastVelocity[furBodyCount] = {};
+    glm::dvec3 lastSpin[furBodyCount] = {};
+    Moment asleep{};  ///< Where they fell asleep.
+};
+
+Bounce::Bounce(const BounceSettings& settings) : settings_(settings), flight_(std::make_unique<Flight>())
+{
+    const FurStates rest = restStates(settings_);
+    Moment first;
+    for (int i = 0; i < furBodyCount; ++i) {
+        const FurState& state = rest[static_cast<std::size_t>(i)];
+        first.position[i] = state.position;
+        first.turn[i] = state.turn;
+        first.pull[i] = limited({{0, -settings_.gravity, 0}, {}}, settings_.displacementLimit);
+        const int body = flight_->bodies.add(shapeOf(settings_, i), {state.position, state.turn}, i == furBall ? 2.2 : 2.0);
+        const auto random = [&](int n) { return throwOf(settings_.toss, 16 * i + n); };
+        const glm::dvec3 up(0.35 * random(0), 1 + 0.16 * random(1), 0.35 * random(2));
+        const glm::dvec3 spin(random(3), 0.6 * random(4), random(5));
+        flight_->bodies.accelerate(body, up * settings_.jump, spin * (2.2 * settings_.jump));
+    }
+    moments_.push_back(first);
+}
+
+Bounce::~Bounce() = default;
+
+std::int64_t Bounce::steps() const
+{
+    return steps_;
+}
+
+/// Draws the bodies back to where they lay, so that the next press begins where this one ends.
+void Bounce::home(double seconds)
+{
+    const double now = static_cast<double>(moments_.size()) * seconds;
+    const double gain = smooth(homeStart, homeFull, now) * seconds;
+    if (gain <= 0) return;
+    for (int i = 0; i < furBodyCount; ++i) {
+        if (flight_->bodies.asleep(i)) continue;
+        const render::RigidPose pose = flight_->bodies.pose(i);
+        glm::dvec3 away = homes[i] - pose.position;
+        away.y = 0;
+        const glm::dvec3 turn = rotationVector(homeTurn(i) * glm::conjugate(pose.turn));
+        glm::dvec3 velocity = flight_->bodies.velocity(i);
+        velocity.y = 0;
+        const glm::dvec3 spin = flight_->bodies.angularVelocity(i);
+        if (glm::length(away) < 0.01 && glm::length(turn) < 0.03 && glm::length(velocity) < 0.02 && glm::length(spin) < 0.05) continue;
+        flight_->bodies.accelerate(i, (homePull * homePull * away - 2 * homePull * velocity) * gain, (homePull * homePull * turn - 2 * homePull * spin) * gain);
+    }
+}
+
+bool Bounce::still(const Moment& m) const
+{
+    const FurStates rest = restStates(settings_);
+    for (int i = 0; i < furBodyCount; ++i) {
+        const glm::dvec3 droop = limited({{0, -settings_.gravity, 0}, {}}, settings_.displacementLimit).value;
+        if (glm::length(m.pull[i].value - droop) > 1e-3 || glm::length(m.pull[i].rate) > 1e-2) return false;
+        if (glm::length(m.lag[i].value) > 1e-3 || glm::length(m.lag[i].rate) > 1e-2) return false;
+        if (glm::length(m.position[i] - rest[static_cast<std::size_t>(i)].position) > 1e-6) return false;
+    }
+    return true;
+}
+
+/// The steps of the bodies up to the next step of the springs, and that step.
+void Bounce::block()
+{
+    const int steps = std::max(static_cast<int>(std::lround(static_cast<double>(stepsPerSecond) / settings_.springRate)), 1);
+    const std::size_t before = moments_.size() - 1;
+    for (int n = 0; n < steps; ++n) {
+        const double now = static_cast<double>(moments_.size()) * dt;
+        Moment next = moments_.back();
+        ++steps_;
+        if (now < landed_) {
+            flight_->bodies.resizeBall(furBall, ballRadius * settings_.growth.grown(now) + settings_.cushion[furBall]);
+            home(dt);
+            flight_->bodies.step(dt);
+            bool asleep = true;
+            for (int i = 0; i < furBodyCount; ++i) {
+                const render::RigidPose pose = flight_->bodies.pose(i);
+                next.position[i] = pose.position;
+                next.turn[i] = pose.turn;
+                asleep = asleep && flight_->bodies.asleep(i);
+            }
+            if (asleep || now > longest - 2) {
+                landed_ = now;
+                flight_->asleep = next;
+            }
+        } else {
+            const FurStates rest = restStates(settings_, now);
+            const double share = smooth(0, settling, now - landed_);
+            for (int i = 0; i < furBodyCount; ++i) {
+                const FurState& state = rest[static_cast<std::size_t>(i)];
+                next.position[i] = glm::mix(flight_->asleep.position[i], state.position, share);
+                next.turn[i] = glm::slerp(flight_->asleep.turn[i], state.turn, share);
+            }
+        }
+        moments_.push_back(next);
+    }
+    const double h = steps * dt;
+    Moment& after = moments_.back();
+    const Moment& last = moments_[before];
+    for (int i = 0; i < furBodyCount; ++i) {
+        const glm::dvec3 velocity = (after.position[i] - last.position[i]) / h;
+        const glm::dvec3 spin = rotationVector(after.turn[i] * glm::conjugate(last.turn[i])) / h;
+        SpringState pull = last.pull[i];
+        SpringState lag = last.lag[i];
+        pull.rate -= settings_.inertia / strandScale * (velocity - flight_->lastVelocity[i]);
+        lag.rate -= settings_.inertia * (spin - flight_->lastSpin[i]);
+        flight_->lastVelocity[i] = velocity;
+        flight_->lastSpin[i] = spin;
+        const glm::dvec3 trail = -settings_.airDrag * velocity - glm::dvec3(0, settings_.gravity, 0);
+        after.pull[i] = limited(advance(pull, trail, settings_.spring, h, settings_.method), settings_.displacementLimit);
+        after.lag[i] = limited(advance(lag, -0.25 * settings_.airDrag * spin, settings_.spring, h, settings_.method), settings_.rotationLimit);
+        for (int n = 1; n < steps; ++n) {
+            Moment& between = moments_[before + static_cast<std::size_t>(n)];
+            const double share = static_cast<double>(n) / steps;
+            between.pull[i] = {glm::mix(last.pull[i].value, after.pull[i].value, share), after.pull[i].rate};
+            between.lag[i] = {glm::mix(last.lag[i].value, after.lag[i].value, share), after.lag[i].rate};
+        }
+    }
+}
+
+void Bounce::extend(double since)
+{
+    while (static_cast<double>(moments_.size() - 1) * dt <= since && end_ == std::numeric_limits<double>::infinity()) {
+        block();
+        const double now = static_cast<double>(moments_.size() - 1) * dt;
+        if (now >= longest || (now > landed_ + settling && still(moments_.back()))) {
+            end_ = now;
+            flight_.reset();
+        }
+    }
+}
+
+FurStates Bounce::states(const Moment& m, double since) const
+{
+    FurStates states;
+    for (int i = 0; i < furBodyCount; ++i) {
+        FurState& state = states[static_cast<std::size_t>(i)];
+        state.position = m.position[i];
+        state.turn = m.turn[i];
+        state.grown = i == furBall ? settings_.growth.grown(since) : 1;
+        state.pull = m.pull[i].value * settings_.strength;
+        state.lag = rotationOf(m.lag[i].value);
+    }
+    return states;
+}
+
+FurStates Bounce::at(double since)
+{
+    if (!(since > 0)) return restStates(settings_, 0);
+    extend(std::min(since, longest));
+    if (since >= end_) return restStates(settings_, since);
+    const double at = since / dt;
+    const auto k = std::min(static_cast<std::size_t>(at), moments_.size() - 2);
+    const double share = std::clamp(at - static_cast<double>(k), 0.0, 1.0);
+    const Moment& a = moments_[k];
+    const Moment& b = moments_[k + 1];
+    Moment m;
+    for (int i = 0; i < furBodyCount; ++i) {
+        m.position[i] = glm::mix(a.position[i], b.position[i], share);
+        m.turn[i] = glm::slerp(a.turn[i], b.turn[i], share);
+        m.pull[i].value = glm::mix(a.pull[i].value, b.pull[i].value, share);
+        m.lag[i].value = glm::mix(a.lag[i].value, b.lag[i].value, share);
+    }
+    return states(m, since);
+}
+
+double Bounce::restedAt(double since)
+{
+    if (!(since > 0)) return std::numeric_limits<double>::infinity();
+    extend(std::min(since, longest));
+    return end_ <= since ? end_ : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace vitrine

@@ -1,0 +1,200 @@
+#include "exhibits/fur/fur_passes.h"
+
+#include "exhibits/framework/derive.h"
+#include "exhibits/fur/coat_mesh.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+using render::Attachment;
+using render::Load;
+using render::Pass;
+
+constexpr const char* foundImage = "fur.found";
+constexpr const char* tintedImage = "fur.tinted";
+constexpr const char* statesName = "fur.bodies";
+constexpr const char* names[furBodyCount] = {"ball", "roll", "ring"};
+
+// A shadow is a silhouette seen from far away: few shells fill it.
+constexpr float shadowShells = 8, shadowSamples = 3;
+/// A visitor's model may have any number of triangles; all its shells together have no more than this.
+constexpr double mostTriangles = 6e6;
+
+struct Planner {
+    const FurScene& scene;
+    render::FramePlan& plan;
+    FurBodies bodies;
+
+    Planner(const FurScene& s, render::FramePlan& p) : scene(s), plan(p)
+    {
+        for (int i = 0; i < furBodyCount; ++i) bodies.body[i] = scene.coats.body(i);
+        bodies.worldFromPit = glm::mat4(scene.context.worldFromExhibit);
+        bodies.pitFromWorld = glm::mat4(glm::inverse(scene.context.worldFromExhibit));
+        bodies.pit = {static_cast<float>(pitRadius), static_cast<float>(pitRim), scene.context.alone ? 1.0F : 0.0F, 0};
+    }
+    [[nodiscard]] const FurTable& table() const { return scene.coats.table; }
+    [[nodiscard]] const ParameterValues& values() const { return scene.coats.values; }
+    [[nodiscard]] render::Box bounds(int i) const { return scene.coats.bounds(i, scene.skins[i]->bounds); }
+
+    [[nodiscard]] Pass pass(std::string name, std::string reason, std::string vertex, std::string fragment) const
+    {
+        Pass pass;
+        pass.name = std::move(name);
+        pass.reason = std::move(reason);
+        pass.shader = {std::move(vertex), std::move(fragment), "", {}, derive::uniformBlock(table())};
+        pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values());
+        return pass;
+    }
+    [[nodiscard]] Pass coatPass(std::string name, std::string reason) const
+    {
+        Pass made = pass(std::move(name), std::move(reason), "fur/coat.vert", "fur/coat.frag");
+        if (values()[table().clump] > 0) made.shader.defines.emplace_back("CLUMPS");
+        if (values()[table().curl] > 0) made.shader.defines.emplace_back("CURLS");
+        made.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::back};
+        made.reads = {statesName};
+        return made;
+    }
+    [[nodiscard]] render::Draw draw(std::shared_ptr<const render::Mesh> mesh, const FurBody& body, int instances) const
+    {
+        render::Draw draw;
+        draw.mesh = std::move(mesh);
+        draw.instances = instances;
+        draw.mirrored = glm::determinant(glm::dmat3(scene.context.worldFromExhibit)) < 0;
+        draw.object = render::bytesOf(body);
+        return draw;
+    }
+    [[nodiscard]] static int instancesOf(const FurBody& body) { return std::max(static_cast<int>(std::ceil(body.shells.x)), 1); }
+
+    [[nodiscard]] FurBody affordable(int i) const
+    {
+        FurBody body = bodies.body[i];
+        const double triangles = static_cast<double>(scene.skins[i]->indices.size()) / 3;
+        body.shells.x = static_cast<float>(std::min<double>(body.shells.x, std::max(mostTriangles / triangles, 1.0)));
+        return body;
+    }
+
+    void shadow() const
+    {
+        if (!scene.context.noShadowBecause.empty()) {
+            plan.skip("fur/shadow", scene.context.noShadowBecause);
+            return;
+        }
+        Pass made = coatPass("fur/shadow", "the sun reaches it and its shadow may be seen");
+        made.stage = render::Stage::shadow;
+        made.view = scene.context.surroundings.exhibitShadowView;
+        made.key = scene.context.surroundings.exhibitShadowKey;
+        made.shader.defines.emplace_back("SHADOW");
+        made.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
+        made.state.depthClamp = true;
+        for (int i = 0; i < furBodyCount; ++i) {
+            FurBody body = affordable(i);
+            body.shells.x = std::min(body.shells.x, shadowShells);
+            body.shells.y = std::min(body.shells.y, shadowSamples);
+            made.draws.push_back(draw(scene.skins[i], body, instancesOf(body)));
+        }
+        plan.add(std::move(made));
+    }
+
+    /// The body as this view asks for it.
+    [[nodiscard]] FurBody seen(int i) const
+    {
+        FurBody body = affordable(i);
+        if (!values()[table().levelOfDetail]) return body;
+        const render::Box box = bounds(i);
+        const double distance = std::max(glm::length(plan.view.eye - box.center()) - glm::length(box.halfSize()) * 0.5, 0.1);
+        const double angle = 2 * plan.view.tanHalfFov.y / plan.view.raster.size.y;
+        body.shells.x = static_cast<float>(shellsAtDistance(static_cast<int>(body.shells.x), body.coat.x, distance, angle));
+        return body;
+    }
+
+    bool coat() const
+    {
+        Pass made = coatPass("fur/coat", "");
+        Pass fins = coatPass("fur/fins", "they fill the gaps between shells seen from the side");
+        std::string inView;
+        for (int i = 0; i < furBodyCount; ++i) {
+            if (!plan.runEverything && !plan.view.mayContain(bounds(i))) continue;
+            const FurBody body = seen(i);
+            made.draws.push_back(draw(scene.skins[i], body, instancesOf(body)));
+            if (scene.fins[i]) fins.draws.push_back(draw(scene.fins[i], body, 1));
+            made.counts["shells"] += made.draws.back().instances;
+            inView += (inView.empty() ? "" : ", ") + std::string(names[i]);
+        }
+        if (made.draws.empty()) {
+            for (const char* name : {"fur/coat", "fur/fins", "fur/shade"}) plan.skip(name, "out of view");
+            return false;
+        }
+        plan.image({.name = foundImage, .format = render::Format::rgba16f, .nearest = true});
+        plan.image({.name = tintedImage, .format = render::Format::rgba8, .nearest = true});
+        made.reason = "in view: " + inView;
+        attach(made, Load::clear);
+        attach(fins, Load::keep);
+        plan.add(std::move(made));
+        if (fins.draws.empty()) {
+            plan.skip("fur/fins", "silhouettes are not filled with fins");
+        } else {
+            fins.shader.defines.emplace_back("FIN");
+            fins.state.cull = render::Cull::none;
+            plan.add(std::move(fins));
+        }
+        return true;
+    }
+    void attach(Pass& made, Load load) const
+    {
+        made.countSamples = true;
+        made.colors = {{foundImage, load, {}, -1, 0}, {tintedImage, load, {}, -1, 0}};
+        made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+        if (scene.context.channels.normal) {
+            made.shader.defines.emplace_back("WRITE_NORMAL");
+            made.colors.push_back({normalImage, Load::keep, {}, -1, 0});
+        }
+    }
+
+    void shade() const
+    {
+        Pass made = pass("fur/shade", "light on the strands that were found", "fur/shade.vert", "fur/shade.frag");
+        made.colors = {{radianceImage, Load::keep, {}, -1, 0}};
+        scene.context.surroundings.illuminate(made);
+        made.inputs.push_back({UNIT_EXHIBIT_A, std::string(foundImage)});
+        made.inputs.push_back({UNIT_EXHIBIT_B, std::string(tintedImage)});
+        made.inputs.push_back({UNIT_EXHIBIT_C, std::string(depthImage)});
+        made.draws = {render::Draw{}};
+        made.draws[0].object = render::bytesOf(bodies);
+        plan.add(std::move(made));
+    }
+
+    void floor() const
+    {
+        Pass made = pass("fur/floor", scene.context.alone ? "they stand on something" : "the bodies keep light off the floor", "fur/floor.vert", "fur/floor.frag");
+        made.stage = render::Stage::transparent;
+        made.colors = {{radianceImage, Load::keep, {}, -1, 0}};
+        made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+        made.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};
+        made.reads = {statesName};
+        scene.context.surroundings.illuminate(made);
+        made.draws = {render::Draw{}};
+        made.draws[0].mesh = diskMesh();
+        made.draws[0].object = render::bytesOf(bodies);
+        plan.add(std::move(made));
+    }
+};
+
+}  // namespace
+
+void planCoats(const FurScene& scene, render::FramePlan& plan)
+{
+    const Planner planner(scene, plan);
+    planner.shadow();
+    if (!scene.context.hiddenBecause.empty()) {
+        for (const char* name : {"fur/coat", "fur/fins", "fur/shade", "fur/floor"}) plan.skip(name, scene.context.hiddenBecause);
+        return;
+    }
+    if (planner.coat()) planner.shade();
+    planner.floor();
+}
+
+}  // namespace vitrine

@@ -1,0 +1,23 @@
+// One triangle over the whole target, and what is the same for every pixel of it.
+#include "lib/light.glsl"
+#include "fur/bodies.glsl"
+
+flat out vec3 keyDirection;  // the side from which most of the hall's light comes
+flat out vec3 toLamp;
+
+vec3 firstOrder(int coefficient)
+{
+    return texelFetch(probeIrradiance, ivec2(coefficient, 0), 0).rgb;
+}
+
+void main()
+{
+    // The first-order coefficients point there (Sloan 2008, "Stupid Spherical Harmonics Tricks").
+    keyDirection = vec3(0.0, 1.0, 0.0);
+    if (light.probePosition.w > 0.5) {
+        vec3 weights = vec3(0.2126, 0.7152, 0.0722);
+        keyDirection = safeNormalize(vec3(dot(firstOrder(3), weights), dot(firstOrder(1), weights), dot(firstOrder(2), weights)), keyDirection);
+    }
+    toLamp = lampDirection();
+    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}

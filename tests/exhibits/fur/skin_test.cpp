@@ -1,0 +1,149 @@
+// Skins: closed, facing outwards, and mended where a visitor's model is broken.
+
+#include "exhibits/fur/coat.h"
+#include "exhibits/fur/coat_mesh.h"
+#include "render/failure.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <map>
+
+namespace vitrine {
+namespace {
+
+using render::Mesh;
+
+double volume(const Mesh& m)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3) {
+        const auto at = [&](std::size_t k) { return glm::dvec3(m.vertices[m.indices[i + k]].position); };
+        sum += glm::dot(at(0), glm::cross(at(1), at(2))) / 6;
+    }
+    return sum;
+}
+
+TEST(Skins, EncloseWhatTheirFormulaSays)
+{
+    constexpr double pi = 3.14159265358979;
+    // Inscribed polyhedra: a few percent less.
+    const double ball = 4 * pi / 3 * 0.33 * 0.33 * 0.33;
+    EXPECT_NEAR(volume(*ballSkin(0.33, 8)) / ball, 0.98, 0.02);
+    const double roll = pi * 0.22 * 0.22 * 0.52 + 4 * pi / 3 * 0.22 * 0.22 * 0.22;
+    EXPECT_NEAR(volume(*rollSkin(0.22, 0.26, 26)) / roll, 0.98, 0.02);
+    const double ring = 2 * pi * pi * 0.35 * 0.15 * 0.15;
+    EXPECT_NEAR(volume(*ringSkin(0.35, 0.15, 40)) / ring, 0.97, 0.03);
+}
+
+TEST(Skins, FaceOutwardsWithUnitNormals)
+{
+    for (const auto& skin : {ballSkin(0.33, 8), rollSkin(0.22, 0.26, 26), ringSkin(0.35, 0.15, 40)}) {
+        for (std::size_t i = 0; i + 2 < skin->indices.size(); i += 3) {
+            const auto& a = skin->vertices[skin->indices[i]];
+            const auto& b = skin->vertices[skin->indices[i + 1]];
+            const auto& c = skin->vertices[skin->indices[i + 2]];
+            const glm::dvec3 across = glm::cross(glm::dvec3(b.position - a.position), glm::dvec3(c.position - a.position));
+            EXPECT_NEAR(glm::length(glm::dvec3(a.normal)), 1, 1e-6);
+            if (glm::length(across) > 1e-9) {
+                EXPECT_GT(glm::dot(glm::normalize(across), glm::dvec3(a.normal)), 0.7) << skin->name;
+            }
+        }
+    }
+}
+
+render::Model modelOf(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices, const glm::dmat4& transform = glm::dmat4(1))
+{
+    auto mesh = std::make_shared<Mesh>();
+    for (const glm::vec3& p : positions) mesh->vertices.push_back({p, glm::vec3(0), {}, {}, {}});
+    mesh->indices = std::move(indices);
+    render::Model model;
+    for (const glm::vec3& p : positions) {
+        mesh->bounds.include(glm::dvec3(p));
+        model.bounds.include(glm::dvec3(transform * glm::dvec4(p, 1)));
+    }
+    model.parts.push_back({"part", mesh, nullptr, transform, glm::determinant(glm::dmat3(transform)) < 0});
+    return model;
+}
+
+const std::vector<glm::vec3> corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+const std::vector<std::uint32_t> tetrahedron{0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2};
+
+TEST(ModelSkin, LeavesOutTrianglesWithoutAreaAndSaysSo)
+{
+    std::vector<std::uint32_t> indices = tetrahedron;
+    indices.insert(indices.end(), {0, 0, 1, 2, 2, 2});
+    std::vector<std::string> notes;
+    const auto skin = modelSkin(modelOf(corners, indices), "x.glb", 0.5, notes);
+    EXPECT_EQ(skin->indices.size(), 12U);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes[0], "2 triangles without area were left out");
+}
+
+TEST(ModelSkin, FitsItsSphereAndHasFiniteUnitNormals)
+{
+    std::vector<std::string> notes;
+    for (const glm::dmat4& m : {glm::dmat4(1), glm::scale(glm::dmat4(1), glm::dvec3(1e6)), glm::scale(glm::dmat4(1), glm::dvec3(3, 0.2, 1)), glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1))}) {
+        const auto skin = modelSkin(modelOf(corners, tetrahedron, m), "x.glb", 0.5, notes);
+        EXPECT_GT(volume(*skin), 0) << "mirrored parts must be turned back";
+        for (const auto& v : skin->vertices) {
+            EXPECT_LE(glm::length(v.position), 0.5001F);
+            EXPECT_NEAR(glm::length(v.normal), 1, 1e-5);
+            EXPECT_GT(glm::dot(v.normal, v.position), 0);
+        }
+    }
+    EXPECT_TRUE(notes.empty());
+}
+
+TEST(ModelSkin, GivesBothSidesOfASheetAnOutwardSide)
+{
+    std::vector<std::string> notes;
+    const auto skin = modelSkin(modelOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 1}), "x.glb", 0.5, notes);
+    ASSERT_EQ(notes.size(), 1U);
+    for (const auto& v : skin->vertices) EXPECT_NEAR(glm::length(v.normal), 1, 1e-5);
+}
+
+TEST(ModelSkin, OfNothingNamesTheFile)
+{
+    std::vector<std::string> notes;
+    for (const render::Model& model : {render::Model{}, modelOf({{0, 0, 0}, {1, 0, 0}}, {0, 1, 1})}) {
+        try {
+            (void)modelSkin(model, "bare.glb", 0.5, notes);
+            FAIL() << "nothing was refused";
+        } catch (const Failure& failure) {
+            EXPECT_EQ(failure.blame(), Blame::file);
+            EXPECT_NE(std::string(failure.what()).find("bare.glb"), std::string::npos);
+        }
+    }
+}
+
+TEST(Fins, StandOnEveryEdgeOnce)
+{
+    const auto skin = ballSkin(0.3, 4);
+    const auto fins = finsOf(*skin, 3);
+    std::map<float, int> heights;
+    for (const auto& v : fins->vertices) ++heights[v.lightmapUv.y];
+    EXPECT_EQ(heights.size(), 4U);
+    // Each face of the cube has 40 edges of cells and 16 diagonals.
+    EXPECT_EQ(fins->indices.size(), 6U * (40 + 16) * 3 * 2 * 3);
+}
+
+TEST(LevelOfDetail, FallsContinuouslyWithDistance)
+{
+    double last = shellsAtDistance(64, 0.2, 0.1, 0.002);
+    EXPECT_EQ(last, 64);
+    for (double d = 0.1; d < 50; d *= 1.01) {
+        const double now = shellsAtDistance(64, 0.2, d, 0.002);
+        EXPECT_LE(now, last);
+        EXPECT_LT(last - now, 0.02 * last + 1e-9) << "a pop at " << d;
+        last = now;
+    }
+    EXPECT_EQ(last, 5);
+    EXPECT_EQ(shellsAtDistance(1, 0.2, 100, 0.002), 1);
+    EXPECT_EQ(shellsAtDistance(3, 0, 1, 0.002), 3);
+}
+
+}  // namespace
+}  // namespace vitrine

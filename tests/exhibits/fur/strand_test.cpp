@@ -1,0 +1,233 @@
+// Strands: as dense on one side of a body as on the other, as long bent as straight. The shader's own code
+// at float64.
+
+#include "render/glsl/cpu.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+namespace vitrine {
+namespace {
+
+using glm::dvec3;
+using glsl::Strand;
+
+constexpr double pi = std::numbers::pi;
+
+/// Points spread evenly over a sphere: Fibonacci's spiral (Gonzalez 2010).
+dvec3 onSphere(int i, int n)
+{
+    const double y = 1 - 2 * (i + 0.5) / n;
+    const double phi = 2 * pi * std::fmod(i * 0.6180339887498949, 1.0);
+    const double r = std::sqrt(1 - y * y);
+    return {r * std::cos(phi), y, r * std::sin(phi)};
+}
+
+/// Area of the sphere where a strand of fixed radius is, as a share: its count times its cross-section.
+/// Measured in caps around many directions; returns the largest relative departure from the mean.
+double unevenness(double cellSize, bool thinned)
+{
+    constexpr int samples = 2'000'000;
+    constexpr int caps = 60;
+    const double radius = 0.35;      // Of the body, metres.
+    const double strand = 0.16 * cellSize;
+    std::vector<dvec3> axes;
+    for (int k = 0; k < caps; ++k) axes.push_back(onSphere(k, caps));
+    std::vector<double> hits(caps), total(caps);
+    for (int i = 0; i < samples; ++i) {
+        const dvec3 n = onSphere(i, samples);
+        const Strand s = glsl::strandAt(n * radius, n, cellSize, 0.6, 7);
+        const bool in = (s.rooted || !thinned) && glm::length(s.offset) < strand;
+        for (int k = 0; k < caps; ++k) {
+            if (glm::dot(n, axes[static_cast<std::size_t>(k)]) < 0.94) continue;
+            ++total[static_cast<std::size_t>(k)];
+            hits[static_cast<std::size_t>(k)] += in;
+        }
+    }
+    double mean = 0;
+    for (int k = 0; k < caps; ++k) mean += hits[static_cast<std::size_t>(k)] / total[static_cast<std::size_t>(k)] / caps;
+    double worst = 0;
+    for (int k = 0; k < caps; ++k) worst = std::max(worst, std::abs(hits[static_cast<std::size_t>(k)] / total[static_cast<std::size_t>(k)] / mean - 1));
+    return worst;
+}
+
+TEST(Strands, AreAsDenseAtThePolesAsElsewhere)
+{
+    // A cap holds about 1,100 strands, of which chance leaves out up to 4 in 10: a standard deviation of 2.4 %,
+    // and the largest of 60 such departures stays below three of them, 7.3 %.
+    const double cell = glsl::strandCellSize(60000);
+    EXPECT_LT(unevenness(cell, true), 0.073);
+    // Without the dropping of cells, the corners of the cube would be half as dense as its faces.
+    EXPECT_GT(unevenness(cell, false), 0.15);
+}
+
+TEST(Strands, AreAsManyAsAreAskedFor)
+{
+    for (const double density : {2000.0, 20000.0}) {
+        const double cell = glsl::strandCellSize(density);
+        const double radius = 0.35;
+        // Roots are found by walking so finely that no cell is missed.
+        std::set<std::tuple<double, double, double>> roots;
+        const int samples = static_cast<int>(4 * pi * radius * radius * density * 200);
+        for (int i = 0; i < samples; ++i) {
+            const dvec3 n = onSphere(i, samples);
+            const Strand s = glsl::strandAt(n * radius, n, cell, 0.8, 3);
+            if (s.rooted && glm::length(s.offset) < 0.2 * cell) roots.insert({s.rank, s.tint, n.x > 0 ? 1.0 : -1.0});
+        }
+        const double expected = 4 * pi * radius * radius * density;
+        EXPECT_NEAR(static_cast<double>(roots.size()) / expected, 1, 0.06) << density;
+    }
+}
+
+TEST(Strands, HaveLengthsOfTheirOwn)
+{
+    // Cells 1000 apart and more, where a seed of x + 100 y would repeat, and 1e6 m away.
+    for (const double far : {0.0, 1e6}) {
+        std::set<double> ranks;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) ranks.insert(glsl::strandAt(dvec3(far + 100 * x, 0, far + 100 * y), dvec3(0, 1, 0), 1, 0.5, 1).rank);
+        EXPECT_GE(ranks.size(), 4094U) << far;
+    }
+}
+
+TEST(Strands, OffsetsLieInTheSurface)
+{
+    for (int i = 0; i < 500; ++i) {
+        const dvec3 n = onSphere(i, 500);
+        const Strand s = glsl::strandAt(n * 0.3 + dvec3(0.1, 2, -3), n, 0.01, 0.8, 5);
+        EXPECT_NEAR(glm::dot(s.offset, n), 0, 1e-15);
+        EXPECT_LT(glm::length(s.offset), 0.01 * 3);
+    }
+}
+
+double lengthOf(const dvec3& root, const dvec3& tip, double curvature, int model)
+{
+    double length = 0;
+    dvec3 last(0);
+    for (int i = 1; i <= 400; ++i) {
+        const dvec3 next = glsl::strandPoint(root, tip, i / 400.0, curvature, model);
+        length += glm::length(next - last);
+        last = next;
+    }
+    return length;
+}
+
+TEST(Bending, KeepsTheLengthWithinOnePercentAtEveryAngle)
+{
+    const dvec3 root(0, 1, 0);
+    for (int degrees = 0; degrees <= 180; degrees += 5) {
+        const double a = degrees * pi / 180;
+        const dvec3 tip(std::sin(a), std::cos(a), 0);
+        for (const double curvature : {0.0, 0.5, 0.8, 1.0, 2.0, 5.0}) EXPECT_NEAR(lengthOf(root, tip, curvature, glsl::STRAND_SLERP), 1, 0.01) << degrees << ' ' << curvature;
+    }
+    // The mix of the source loses 13 % of a strand's middle at 60 degrees, half of it at 120 (the chord).
+    const auto shortest = [&](double a) { return glm::length(glsl::strandDirection(root, dvec3(std::sin(a), std::cos(a), 0), 0.5, glsl::STRAND_MATRIX_MIX)); };
+    EXPECT_NEAR(shortest(pi / 3), 0.866, 1e-3);
+    EXPECT_NEAR(shortest(2 * pi / 3), 0.5, 1e-12);
+    EXPECT_NEAR(shortest(pi), 0, 1e-12);
+}
+
+TEST(Bending, OfNlerpHurriesAsPublished)
+{
+    // Published for quaternions, whose angle is half the turn: largest error 0.033 degrees at a turn of 30,
+    // 0.92 at 90, 8.1 at 180 (techniques.md, section 4). Directions see the whole angle.
+    const auto error = [](double turn) {
+        double worst = 0;
+        for (int i = 0; i <= 100; ++i) {
+            const dvec3 root(0, 1, 0);
+            const dvec3 tip(std::sin(turn), std::cos(turn), 0);
+            const dvec3 d = glsl::strandDirection(root, tip, i / 100.0, glsl::STRAND_NLERP);
+            worst = std::max(worst, std::abs(std::atan2(d.x, d.y) - turn * i / 100.0));
+        }
+        return worst * 180 / pi;
+    };
+    EXPECT_NEAR(2 * error(pi / 12), 0.033, 0.001);
+    EXPECT_NEAR(2 * error(pi / 4), 0.92, 0.01);
+    EXPECT_NEAR(2 * error(pi / 2), 8.1, 0.1);
+}
+
+TEST(Bending, IsDefinedAtNothingAndAtHalfATurn)
+{
+    for (int i = 0; i < 200; ++i) {
+        const dvec3 n = onSphere(i, 200);
+        for (const double k : {0.0, 0.25, 0.5, 1.0}) {
+            for (const int model : {glsl::STRAND_NLERP, glsl::STRAND_SLERP}) {
+                EXPECT_NEAR(glm::length(glsl::strandDirection(n, n, k, model)), 1, 1e-12);
+                EXPECT_NEAR(glm::length(glsl::strandDirection(n, -n, k, model)), 1, 1e-9);
+            }
+        }
+        EXPECT_LT(glm::length(glsl::strandDirection(n, -n, 1, glsl::STRAND_SLERP) + n), 1e-9);
+    }
+    // Angles that float arc cosines lose.
+    for (const double a : {1e-12, 1e-9, 1e-6, 1e-3}) {
+        const dvec3 root(0, 1, 0);
+        const dvec3 d = glsl::strandDirection(root, dvec3(std::sin(a), std::cos(a), 0), 0.5, glsl::STRAND_SLERP);
+        EXPECT_NEAR(d.x, std::sin(a / 2), 1e-9 * a + 1e-16) << a;
+    }
+}
+
+TEST(Bending, StartsLateWhereTheCurvatureIsHigh)
+{
+    const dvec3 root(0, 1, 0);
+    const dvec3 tip(1, 0, 0);
+    double last = 1;
+    for (const double curvature : {0.0, 0.5, 1.0, 2.0, 5.0}) {
+        const double aside = glsl::strandPoint(root, tip, 0.5, curvature, glsl::STRAND_SLERP).x;
+        EXPECT_LT(aside, last);
+        last = aside;
+    }
+    // A quarter turn at constant curvature is a quarter circle of length 1.
+    const dvec3 end = glsl::strandPoint(root, tip, 1, 1, glsl::STRAND_SLERP);
+    EXPECT_NEAR(end.x, 2 / pi, 1e-4);
+    EXPECT_NEAR(end.y, 2 / pi, 1e-4);
+}
+
+TEST(Pressing, LetsNoTipThroughThePlane)
+{
+    const dvec3 away(0, 1, 0);
+    for (int i = 0; i < 300; ++i) {
+        const dvec3 root = onSphere(i, 300);
+        for (const double gap : {-0.2, 0.0, 0.3, 0.8, 1.5}) {
+            for (int j = 0; j < 20; ++j) {
+                const dvec3 tip = onSphere(j, 20);
+                const dvec3 pressed = glsl::strandPressed(root, tip, away, gap);
+                EXPECT_NEAR(glm::length(pressed), 1, 1e-12);
+                EXPECT_GE(pressed.y, -std::clamp(gap, 0.0, 1.0) - 1e-12);
+                if (-tip.y <= std::clamp(gap, 0.0, 1.0)) {
+                    EXPECT_EQ(pressed, tip);
+                }
+            }
+        }
+    }
+}
+
+TEST(CoatLight, IsHalfLambertAndDarkBetweenTheRoots)
+{
+    EXPECT_EQ(glsl::halfLambert(1), 1);
+    for (const double away : {0.0, -0.3, -1.0}) EXPECT_EQ(glsl::halfLambert(away), 0.25);
+    EXPECT_EQ(glsl::coatOcclusion(0, 1.2, 0), 0);
+    EXPECT_EQ(glsl::coatOcclusion(0, 1.2, 0.3), 0.3);
+    EXPECT_EQ(glsl::coatOcclusion(1, 1.2, 0.3), 1);
+    EXPECT_EQ(glsl::coatOcclusion(0, 0, 0), 1);
+    EXPECT_LT(glsl::coatOcclusion(0.5, 3, 0), glsl::coatOcclusion(0.5, 1, 0));
+}
+
+TEST(Taper, RunsFromFullAtTheRootToNothingAtTheTip)
+{
+    for (const double roundness : {0.0, 0.45, 0.999}) {
+        EXPECT_EQ(glsl::strandTaper(0, 0.7, roundness), 1);
+        EXPECT_EQ(glsl::strandTaper(0.7, 0.7, roundness), 0);
+        EXPECT_EQ(glsl::strandTaper(0.9, 0.7, roundness), 0);
+        EXPECT_EQ(glsl::strandTaper(0, 0, roundness), 0);
+    }
+    EXPECT_NEAR(glsl::strandTaper(0.35, 0.7, 0), 0.5, 1e-12);
+    EXPECT_GT(glsl::strandTaper(0.35, 0.7, 0.8), 0.8);
+}
+
+}  // namespace
+}  // namespace vitrine
