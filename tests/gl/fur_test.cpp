@@ -2,7 +2,10 @@
 // sets.
 
 #include "exhibits/fur/coat.h"
+#include "render/failure.h"
 #include "tests/gl/gallery.h"
+#include "tests/render/scene/gltf_builder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -246,6 +249,41 @@ TEST_F(FurTest, SurvivesMirrorsAndUnevenScale)
     FurShot uneven;
     uneven.transform(glm::scale(glm::dmat4(1), glm::dvec3(0.3, 2, 1)));
     EXPECT_EQ(notFinite(uneven.take().image, 4), "");
+}
+
+TEST_F(FurTest, AVisitorsModelWearsTheRingsCoatAndJumps)
+{
+    const TemporaryFolder folder;
+    for (const bool awkward : {false, true}) {
+        // An open sheet; then the same twice, mirrored, uneven, with a node of no size.
+        GltfBuilder file;
+        const int mesh = file.triangle();
+        file.node({{"mesh", mesh}});
+        if (awkward) {
+            file.node({{"mesh", mesh}, {"scale", {-1, 0.2, 3}}, {"translation", {0, 0, 0.5}}});
+            file.node({{"mesh", mesh}, {"scale", {1, 0, 1}}});
+        }
+        const std::string path = (folder / (awkward ? "awkward.glb" : "sheet.glb")).string();
+        writeBytes(path, file.glb());
+        FurShot shot;
+        const Picture ring = shot.take();
+        shot.object().set(table().ringModel, path);
+        for (const double at : {0.0, 0.3, 1.5}) {
+            shot.object().set(table().frozenAt, at);
+            const Picture p = shot.take();
+            EXPECT_EQ(notFinite(p.image, 4), "") << at;
+            EXPECT_GT(p.hits(), 300) << at;
+            EXPECT_GT(colorDifference(p, ring), 0.001) << at;
+        }
+    }
+    FurShot shot;
+    shot.object().set(table().ringModel, (folder / "no-such.glb").string());
+    try {
+        (void)shot.take();
+        FAIL() << "a file that is not there was worn";
+    } catch (const Failure& failure) {
+        EXPECT_NE(std::string(failure.what()).find("no-such.glb"), std::string::npos);
+    }
 }
 
 TEST_F(FurTest, GrowsDarkerTowardsTheRoots)

@@ -1,6 +1,7 @@
 // What the fur does in a frame: nothing while it sleeps, nothing where nobody looks, no more than is seen.
 
-#include "exhibits/fur/fur_table.h"
+#include "exhibits/fur/fur.h"
+#include "exhibits/sdf_morph/sdf_morph.h"
 #include "tests/plan/museum_on_paper.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,6 @@
 namespace vitrine {
 namespace {
 
-using test::museum;
 using test::reasonFor;
 using test::runs;
 
@@ -22,10 +22,27 @@ const FurTable& table()
     return made;
 }
 
+/// The hall with the torus-mug and the fur alone: what else stands there may move of itself.
+const Museum& museum()
+{
+    static const Museum opened = [] {
+        std::vector<std::unique_ptr<Exhibit>> guests;
+        guests.push_back(std::make_unique<SdfMorph>());
+        guests.push_back(std::make_unique<Fur>());
+        return Museum(std::move(guests));
+    }();
+    return opened;
+}
+
 struct FurScene : test::Scene {
     std::size_t fur = *museum().find("fur");
 
-    FurScene() { see(museum().bestView(fur, values())); }
+    FurScene()
+    {
+        look = museum().initialLook();
+        see(museum().bestView(fur, values()));
+    }
+    [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {}) const { return museum().plan(look, request, kept); }
     [[nodiscard]] ParameterValues& values() { return look.values[fur]; }
     void press(double since)
     {
