@@ -71,8 +71,9 @@ vec2 diskPoint(float i, float n)
 
 // Share of the sun's disk that is seen from `world`. The half-shadow of an edge is as wide as the disk looks, seen over
 // the way to what hides it (Fernando 2005, "Percentage-Closer Soft Shadows"). How far that is, is found by comparisons
-// alone: what still hides the point after it has moved d metres towards the sun is farther than d.
-float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world)
+// alone: what still hides the point after it has moved d metres towards the sun is farther than d. Every look lies on
+// the plane of the surface: one beside it would be hidden by the surface itself.
+float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3 normal)
 {
     const float farthest = 16.0;  // metres: from the floor to the window
     float looks = clamp(0.5 * light.disk.y, 8.0, 64.0);
@@ -81,24 +82,35 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world)
     mat3 rows = transpose(mat3(shadowFromWorld));
     vec3 perMetre = vec3(length(rows[0]), length(rows[1]), length(rows[2]));
     vec2 texel = 1.0 / vec2(textureSize(map, 0));
+    // Rise of the surface towards the sun, over texture coordinates.
+    vec2 rise = -vec2(dot(normal, rows[0]), dot(normal, rows[1])) / (perMetre.xy * perMetre.xy) / max(dot(normal, light.sunDirection.xyz), 0.1) * perMetre.z;
     vec2 widest = max(perMetre.xy * (light.disk.x * farthest), texel);
     float hidden = 0.0;
-    for (float i = 0.0; i < looks; i += 1.0) hidden += 1.0 - texture(map, vec3(position.xy + diskPoint(i, looks) * widest, position.z));
+    for (float i = 0.0; i < looks; i += 1.0) {
+        vec2 offset = diskPoint(i, looks) * widest;
+        hidden += 1.0 - texture(map, position + vec3(offset, dot(offset, rise)));
+    }
     if (hidden <= 0.0) return 1.0;
     if (hidden >= looks) return 0.0;
 
     // Mean of the distances: the integral over d of the share that is farther than d.
     float mean = 0.0;
     float last = 0.0;
-    for (float d = 0.25; d <= farthest; d *= 2.0) {
+    for (float d = 0.25; d <= farthest; d = max(d + 0.25, 1.25 * d)) {
         float farther = 0.0;
-        for (float i = 0.0; i < looks; i += 1.0) farther += 1.0 - texture(map, vec3(position.xy + diskPoint(i, looks) * widest, position.z + 0.5 * (last + d) * perMetre.z));
+        for (float i = 0.0; i < looks; i += 1.0) {
+            vec2 offset = diskPoint(i, looks) * widest;
+            farther += 1.0 - texture(map, position + vec3(offset, dot(offset, rise) + 0.5 * (last + d) * perMetre.z));
+        }
         mean += farther * (d - last);
         last = d;
     }
     vec2 radius = max(perMetre.xy * (light.disk.x * mean / hidden), 0.75 * texel);
     float lit = 0.0;
-    for (float i = 0.0; i < light.disk.y; i += 1.0) lit += texture(map, vec3(position.xy + diskPoint(i, light.disk.y) * radius, position.z));
+    for (float i = 0.0; i < light.disk.y; i += 1.0) {
+        vec2 offset = diskPoint(i, light.disk.y) * radius;
+        lit += texture(map, position + vec3(offset, dot(offset, rise)));
+    }
     return lit / light.disk.y;
 }
 
@@ -115,7 +127,7 @@ float sunVisibilityOfHall(vec3 world, vec3 normal)
     if (cosine <= 0.0) return 0.0;
     if (light.sunIrradiance.w < 0.5) return 1.0;
     vec3 lifted = world + normal * (light.sunDirection.w * shadowLift(cosine));
-    if (light.filtering.x > 2.5) return shadowDiskLight(hallShadow, light.hallShadowFromWorld, lifted);
+    if (light.filtering.x > 2.5) return shadowDiskLight(hallShadow, light.hallShadowFromWorld, lifted, normal);
     return shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, lifted), int(light.filtering.x));
 }
 
@@ -125,7 +137,7 @@ float sunVisibility(vec3 world, vec3 normal)
     float visible = sunVisibilityOfHall(world, normal);
     if (light.sunLightmap.w > 0.5 && visible > 0.0) {
         vec3 lifted = world + normal * (light.filtering.y * shadowLift(dot(normal, light.sunDirection.xyz)));
-        if (light.filtering.x > 2.5) visible *= shadowDiskLight(exhibitShadow, light.exhibitShadowFromWorld, lifted);
+        if (light.filtering.x > 2.5) visible *= shadowDiskLight(exhibitShadow, light.exhibitShadowFromWorld, lifted, normal);
         else visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), int(light.filtering.x));
     }
     return visible;
