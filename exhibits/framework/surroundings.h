@@ -22,6 +22,7 @@ struct LightBlock {
     glm::vec4 probeLow{0};
     glm::vec4 probeHigh{0, 0, 0, 1};
     glm::vec4 filtering{0};
+    glm::vec4 disk{0};
 };
 
 /// The light that falls on whatever stands in the hall (or alone in its environment): what an exhibit

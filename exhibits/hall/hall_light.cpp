@@ -85,6 +85,7 @@ Surroundings surroundings(const HallScene& scene)
     light.skyHorizon = glm::vec4(glm::mix(skyColor, sunColor / 9.0, 0.25) * 1.25, scene.environment ? 1 : scene.alone ? 2 : 0);
     light.filtering = {static_cast<float>(static_cast<int>(values[table.shadowFilter])), 0, static_cast<float>(values[table.environmentTurn]),
                        values[table.bakedLight] ? 1.0F : 0.0F};
+    light.disk = {std::tan(values[table.sunDisk] / 2), values[table.diskSamples], 0, 0};
     light.probeHigh.w = static_cast<float>(baseExposure * std::exp2(values[table.exposure])) * (scene.alone ? 0.16F : 1.0F);
 
     if (shadows) {
