@@ -75,23 +75,23 @@ double Growth::grown(double since) const
     return 1 + share * amount / ballRadius * std::sin(2 * std::numbers::pi * phase);
 }
 
-BounceSettings bounceSettings(const FurTable& t, const ParameterValues& v, std::shared_ptr<const render::Mesh> model, double time)
+BounceSettings bounceSettings(const FurTable& table, const ParameterValues& v, std::shared_ptr<const render::Mesh> model, double time)
 {
     BounceSettings s;
-    for (int i = 0; i < furBodyCount; ++i) s.cushion[i] = colliderRadius(t, v, i, 1) - skinRadius(i);
+    for (int i = 0; i < furBodyCount; ++i) s.cushion[i] = colliderRadius(table, v, i, 1) - skinRadius(i);
     s.model = std::move(model);
-    s.jump = v[t.jump];
-    s.toss = static_cast<std::uint32_t>(v[t.toss]);
-    s.growth = {v[t.growth], v[t.growthRate], v[t.growing], v[t.growing] ? time : 0.0};
-    s.spring = {2 * std::numbers::pi * v[t.frequency], v[t.damping]};
-    s.method = v[t.springModel];
-    s.springRate = v[t.springRate];
-    s.inertia = v[t.inertia];
-    s.gravity = v[t.gravity];
-    s.airDrag = v[t.airDrag];
-    s.strength = v[t.strength];
-    s.displacementLimit = v[t.displacementLimit];
-    s.rotationLimit = v[t.rotationLimit];
+    s.jump = v[table.jump];
+    s.toss = static_cast<std::uint32_t>(v[table.toss]);
+    s.growth = {v[table.growth], v[table.growthRate], v[table.growing], v[table.growing] ? time : 0.0};
+    s.spring = {2 * std::numbers::pi * v[table.frequency], v[table.damping]};
+    s.method = v[table.springModel];
+    s.springRate = v[table.springRate];
+    s.inertia = v[table.inertia];
+    s.gravity = v[table.gravity];
+    s.airDrag = v[table.airDrag];
+    s.strength = v[table.strength];
+    s.displacementLimit = v[table.displacementLimit];
+    s.rotationLimit = v[table.rotationLimit];
     return s;
 }
 

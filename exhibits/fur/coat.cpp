@@ -34,11 +34,11 @@ glm::vec4 vec4Of(const glm::dquat& q)
 
 }  // namespace
 
-CoatRows coatRows(const FurTable& t, int body)
+CoatRows coatRows(const FurTable& table, int body)
 {
-    if (body == furBall) return {t.ballLength, t.ballUniformity, t.ballDensity, t.ballThickness, t.ballRoot, t.ballTip};
-    if (body == furRoll) return {t.rollLength, t.rollUniformity, t.rollDensity, t.rollThickness, t.rollRoot, t.rollTip};
-    return {t.ringLength, t.ringUniformity, t.ringDensity, t.ringThickness, t.ringRoot, t.ringTip};
+    if (body == furBall) return {table.ballLength, table.ballUniformity, table.ballDensity, table.ballThickness, table.ballRoot, table.ballTip};
+    if (body == furRoll) return {table.rollLength, table.rollUniformity, table.rollDensity, table.rollThickness, table.rollRoot, table.rollTip};
+    return {table.ringLength, table.ringUniformity, table.ringDensity, table.ringThickness, table.ringRoot, table.ringTip};
 }
 
 double colliderRadius(const FurTable& table, const ParameterValues& values, int body, double grown)

@@ -27,16 +27,16 @@ constexpr double mostTriangles = 6e6;
 struct Planner {
     const FurScene& scene;
     render::FramePlan& plan;
+    const FurTable& table;
     FurBodies bodies;
 
-    Planner(const FurScene& s, render::FramePlan& p) : scene(s), plan(p)
+    Planner(const FurScene& s, render::FramePlan& p) : scene(s), plan(p), table(s.coats.table)
     {
         for (int i = 0; i < furBodyCount; ++i) bodies.body[i] = scene.coats.body(i);
         bodies.worldFromPit = glm::mat4(scene.context.worldFromExhibit);
         bodies.pitFromWorld = glm::mat4(glm::inverse(scene.context.worldFromExhibit));
         bodies.pit = {static_cast<float>(pitRadius), static_cast<float>(pitRim), scene.context.alone ? 1.0F : 0.0F, 0};
     }
-    [[nodiscard]] const FurTable& table() const { return scene.coats.table; }
     [[nodiscard]] const ParameterValues& values() const { return scene.coats.values; }
     [[nodiscard]] render::Box bounds(int i) const { return scene.coats.bounds(i, scene.skins[i]->bounds); }
 
@@ -45,15 +45,15 @@ struct Planner {
         Pass pass;
         pass.name = std::move(name);
         pass.reason = std::move(reason);
-        pass.shader = {std::move(vertex), std::move(fragment), "", {}, derive::uniformBlock(table())};
+        pass.shader = {std::move(vertex), std::move(fragment), "", {}, derive::uniformBlock(table)};
         pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values());
         return pass;
     }
     [[nodiscard]] Pass coatPass(std::string name, std::string reason) const
     {
         Pass made = pass(std::move(name), std::move(reason), "fur/coat.vert", "fur/coat.frag");
-        if (values()[table().clump] > 0) made.shader.defines.emplace_back("CLUMPS");
-        if (values()[table().curl] > 0) made.shader.defines.emplace_back("CURLS");
+        if (values()[table.clump] > 0) made.shader.defines.emplace_back("CLUMPS");
+        if (values()[table.curl] > 0) made.shader.defines.emplace_back("CURLS");
         made.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::back};
         made.reads = {statesName};
         return made;
@@ -103,7 +103,7 @@ struct Planner {
     [[nodiscard]] FurBody seen(int i) const
     {
         FurBody body = affordable(i);
-        if (!values()[table().levelOfDetail]) return body;
+        if (!values()[table.levelOfDetail]) return body;
         const render::Box box = bounds(i);
         const double distance = std::max(glm::length(plan.view.eye - box.center()) - glm::length(box.halfSize()) * 0.5, 0.1);
         const double angle = 2 * plan.view.tanHalfFov.y / plan.view.raster.size.y;
