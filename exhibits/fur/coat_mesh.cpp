@@ -206,13 +206,10 @@ std::shared_ptr<const Mesh> diskMesh()
     static const std::shared_ptr<const Mesh> disk = [] {
         auto mesh = std::make_shared<Mesh>();
         mesh->name = "floor of the pit";
-        constexpr int around = 64;
-        mesh->vertices.push_back({{0, 0, 0}, {0, 1, 0}, {1, 0, 0, 1}, {}, {}});
-        for (int i = 0; i <= around; ++i) {
-            const double phi = 2 * pi * i / around;
-            mesh->vertices.push_back({{static_cast<float>(std::cos(phi)), 0, static_cast<float>(std::sin(phi))}, {0, 1, 0}, {1, 0, 0, 1}, {}, {}});
-        }
-        for (std::uint32_t i = 1; i <= around; ++i) mesh->indices.insert(mesh->indices.end(), {0, i + 1, i});
+        addGrid(*mesh, 72, 30, [](double u, double v) {
+            const double phi = -2 * pi * u;
+            return skinVertex({v * std::cos(phi), 0, v * std::sin(phi)}, {0, 1, 0}, 0);
+        });
         mesh->bounds = {{-1, 0, -1}, {1, 0, 1}};
         return mesh;
     }();

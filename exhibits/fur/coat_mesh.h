@@ -30,7 +30,7 @@ namespace vitrine {
 /// A quad on every edge of a skin, standing on it; Vertex::lightmapUv.y is the height, 0 or 1 in `rows` steps.
 [[nodiscard]] std::shared_ptr<const render::Mesh> finsOf(const render::Mesh& skin, int rows);
 
-/// A flat disk of radius 1 on y = 0, facing up.
+/// A flat disk of radius 1 on y = 0, facing up, in rings fine enough for light computed at its vertices.
 [[nodiscard]] std::shared_ptr<const render::Mesh> diskMesh();
 
 }  // namespace vitrine

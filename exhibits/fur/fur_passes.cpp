@@ -35,7 +35,7 @@ struct Planner {
         for (int i = 0; i < furBodyCount; ++i) bodies.body[i] = scene.coats.body(i);
         bodies.worldFromPit = glm::mat4(scene.context.worldFromExhibit);
         bodies.pitFromWorld = glm::mat4(glm::inverse(scene.context.worldFromExhibit));
-        bodies.pit = {static_cast<float>(pitRadius), static_cast<float>(pitRim), scene.context.alone ? 1.0F : 0.0F, 0};
+        bodies.pit = {static_cast<float>(pitRadius), static_cast<float>(pitRim), 0, 0};
     }
     [[nodiscard]] const ParameterValues& values() const { return scene.coats.values; }
     [[nodiscard]] render::Box bounds(int i) const { return scene.coats.bounds(i, scene.skins[i]->bounds); }
@@ -171,6 +171,7 @@ struct Planner {
     {
         Pass made = pass("fur/floor", scene.context.alone ? "they stand on something" : "the bodies keep light off the floor", "fur/floor.vert", "fur/floor.frag");
         made.stage = render::Stage::transparent;
+        if (scene.context.alone) made.shader.defines.emplace_back("ALONE");
         made.colors = {{radianceImage, Load::keep, {}, -1, 0}};
         made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
         made.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};

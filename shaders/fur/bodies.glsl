@@ -7,7 +7,7 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
     FurBody body[FUR_BODIES];
     mat4 worldFromPit;
     mat4 pitFromWorld;
-    vec4 pit;  // x: radius, y: height of the rim above the floor, metres; z: 1 when a floor must be drawn
+    vec4 pit;  // x: radius, y: height of the rim above the floor, metres
 };
 
 // Nearest point to `p` of the line that a body is thick around: a point, a straight line, or a ring.

@@ -1,28 +1,26 @@
-// What the bodies hide from the floor's light, laid over it; alone, the floor itself, fading out.
+// What the bodies hide from the floor's light, laid over it; alone (ALONE), the floor itself, fading out.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "fur/bodies.glsl"
 
 in vec3 world;
+in vec2 left;
 
 layout(location = 0) out vec4 radiance;
 
 void main()
 {
     vec3 up = normalize(mat3(worldFromPit) * vec3(0.0, 1.0, 0.0));
-    vec2 left = vec2(1.0);
-    for (int i = 0; i < FUR_BODIES; ++i) left *= openTo(body[i], world, up, lampDirection());
     float open = left.x * left.x;
-    vec3 local = (pitFromWorld * vec4(world, 1.0)).xyz;
-    float r = length(local.xz) / pit.x;
+    float r = length((pitFromWorld * vec4(world, 1.0)).xz) / pit.x;
     vec3 lamp = lampLight() * (left.y * max(dot(up, lampDirection()), 0.0) * open / PI);
-    if (pit.z < 0.5) {
-        // Premultiplied: it darkens what is there, and adds the lamp's light on a dark felt, out to the wall.
-        radiance = vec4(lamp * vec3(0.05, 0.045, 0.04) * (1.0 - smoothStep(0.55, 1.0, r)), 1.0 - open);
-        return;
-    }
+#ifdef ALONE
     float there = 1.0 - smoothStep(0.35, 1.0, r);
     float lit = sunVisibility(world, up) * max(dot(up, light.sunDirection.xyz), 0.0);
     vec3 color = vec3(0.34, 0.31, 0.28) * (probeAmbient(up) * open + light.sunIrradiance.rgb * (lit / PI) + lamp);
     radiance = vec4(color, 1.0) * there;
+#else
+    // Premultiplied: it darkens what is there, and adds the lamp's light on a dark felt, out to the wall.
+    radiance = vec4(lamp * vec3(0.05, 0.045, 0.04) * (1.0 - smoothStep(0.55, 1.0, r)), 1.0 - open);
+#endif
 }

@@ -1,14 +1,19 @@
-// The floor of the pit, under the bodies.
+// The floor of the pit, under the bodies, and what they leave of its light: soft enough for its vertices.
 #include "lib/frame.glsl"
 #include "fur/bodies.glsl"
 
 layout(location = 0) in vec3 position;
 
 out vec3 world;
+out vec2 left;  // x: of the sky, y: of the lamp
 
 void main()
 {
     vec4 p = worldFromPit * vec4(position.x * pit.x, 0.003, position.z * pit.x, 1.0);
     world = p.xyz;
+    vec3 up = normalize(mat3(worldFromPit) * vec3(0.0, 1.0, 0.0));
+    vec3 toLamp = lampDirection();
+    left = vec2(1.0);
+    for (int i = 0; i < FUR_BODIES; ++i) left *= openTo(body[i], world, up, toLamp);
     gl_Position = frame.clipFromWorld * p;
 }
