@@ -48,7 +48,8 @@ vec2 airBox(vec3 origin, vec3 direction, vec3 low, vec3 high)
 // The same for the beam that parallel light makes of an opening: the opening's rectangle, flat along `axis` at
 // `plane`, swept along the light. `along` is the way of the light for which `axis` changes by 1. The beam is a box
 // once every point is slid back along the light onto the plane; what is outside `roomLow` to `roomHigh` does not count.
-vec2 airBeam(vec3 origin, vec3 direction, vec3 low, vec3 high, int axis, float plane, vec3 along, vec3 roomLow, vec3 roomHigh)
+vec2 airBeam(vec3 origin, vec3 direction, vec3 low, vec3 high, int axis, float plane, vec3 along, vec3 roomLow,
+             vec3 roomHigh)
 {
     vec3 slidOrigin = origin - along * (origin[axis] - plane);
     vec3 slidDirection = direction - along * direction[axis];
