@@ -4,6 +4,7 @@
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
+#include "exhibits/hall/hall_table.h"
 #include "exhibits/hall/walk.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
@@ -84,10 +85,13 @@ Look Museum::initialLook() const
 
 PictureQuality pictureQuality(const ParameterValues& hall)
 {
-    PictureQuality quality;
-    if (const auto row = hall.table().find(supersamplesRow)) quality.supersamples = static_cast<int>(std::get<double>(hall.row(*row)));
-    if (const auto row = hall.table().find(resolutionScaleRow)) quality.resolutionScale = std::get<double>(hall.row(*row));
-    return quality;
+    static const HallTable table;
+    const auto valueOf = [&](std::uint16_t row, double otherwise) {
+        const auto found = hall.table().find(table.rows()[row].name);
+        return found ? std::get<double>(hall.row(*found)) : otherwise;
+    };
+    const PictureQuality usual;
+    return {static_cast<int>(valueOf(table.supersamples.row, usual.supersamples)), valueOf(table.resolutionScale.row, usual.resolutionScale)};
 }
 
 glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
@@ -142,7 +146,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         std::string hidden, noShadow;
     };
     std::vector<Present> present;
-    render::Box casters;
+    render::Box casters, unseenCasters;
     render::Hash shadowKey;
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {
         if (alone && i != *request.alone) continue;
@@ -150,10 +154,13 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(p.worldFromExhibit);
         p.hidden = request.runEverything ? std::string() : whyHidden(box, plan.view, alone);
-        p.noShadow = !exhibits_[i]->castsShadow() ? "it is made of light" : request.runEverything ? whyUnlit(scene, box) : whyNoShadow(scene, box, plan.view);
+        const std::string notSeen = whyNoShadow(scene, box, plan.view);
+        p.noShadow = !exhibits_[i]->castsShadow() ? "it is made of light" : request.runEverything ? whyUnlit(scene, box) : notSeen;
         if (p.noShadow.empty()) {
-            casters.include(box.low);
-            casters.include(box.high);
+            // What runs although nobody sees its shadow must not change how finely the seen ones are drawn.
+            render::Box& fitted = notSeen.empty() ? casters : unseenCasters;
+            fitted.include(box.low);
+            fitted.include(box.high);
             derive::addToKey(shadowKey, look.values[i]);
             shadowKey.addValue(i).addValue(p.worldFromExhibit);
             const double since = sincePress(request, i);
@@ -162,6 +169,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         present.push_back(std::move(p));
     }
 
+    if (casters.empty()) casters = unseenCasters;
     if (!casters.empty()) {
         const int size = std::max(look.values.front()[theHall.parameters().shadowMapSize] / 4, 64);
         light.castsShadows = true;
