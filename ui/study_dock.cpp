@@ -49,6 +49,7 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     parameter_->setAccessibleName(tr("What to measure"));
     view_->setAccessibleName(tr("View"));
     progress_->setAccessibleName(tr("Progress"));
+    go_->setAccessibleName(tr("Measure, or stop measuring"));
     progress_->setFixedWidth(120);
     progress_->setTextVisible(false);
     auto* cheapest = new QPushButton(tr("Find"), this);

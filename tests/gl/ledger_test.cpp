@@ -65,10 +65,6 @@ TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
     EXPECT_EQ(with["passes"], without["passes"] + 1);
     EXPECT_EQ(with["programs"], without["programs"] + 1);
     EXPECT_EQ(with["images"], without["images"] + 1);
-
-    on.object().set(sdfTable().showBox, true);
-    EXPECT_EQ(heldFor(on)["programs"], with["programs"] + 1);
-    EXPECT_EQ(heldFor(on)["passes"], with["passes"] + 1);
 }
 
 TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)

@@ -47,7 +47,7 @@ TEST_F(StudyOfPictures, SupersamplesConvergeAsAQuasirandomSequenceShould)
 {
     const StudyResult result = run(requestFor(0, supersamplesRow, {1, 2, 4, 8, 16}));
     ASSERT_EQ(result.points.size(), 5U);
-    EXPECT_LT(result.points.back().error, result.points.front().error / 4);
+    EXPECT_LT(result.points.back().error, result.points.front().error / 3);
     ASSERT_TRUE(result.law);
     // At edges, random samples need 4 times the work to halve the error; a low-discrepancy sequence of two
     // dimensions about 2^(4/3) times (its error falls with the power 3/4 of the samples; Mitchell 1996).
@@ -55,7 +55,11 @@ TEST_F(StudyOfPictures, SupersamplesConvergeAsAQuasirandomSequenceShould)
     EXPECT_GT(result.law->slope, -2) << "no better than random";
     // The weights of the samples sum to 1, however many there are: more of them make no picture brighter.
     for (const StudyPoint& point : result.points)
-        for (std::size_t view = 0; view < result.views.size(); ++view) EXPECT_NEAR(meanOf(point.shots[view].picture), meanOf(result.references[view]), 0.01 * meanOf(result.references[view]));
+        for (std::size_t view = 0; view < result.views.size(); ++view) {
+            // The mean of independent errors of this size, four standard deviations.
+            const double noise = point.shots[view].errors.at(render::Metric::rmse) / std::sqrt(64.0 * 36);
+            EXPECT_NEAR(meanOf(point.shots[view].picture), meanOf(result.references[view]), 4 * noise + 1e-4);
+        }
 }
 
 TEST_F(StudyOfPictures, AWiderToleranceCostsFewerEvaluationsAndMoreError)
@@ -69,13 +73,6 @@ TEST_F(StudyOfPictures, AWiderToleranceCostsFewerEvaluationsAndMoreError)
     }
     EXPECT_TRUE(result.converged) << result.convergence;
     EXPECT_LT(result.overheadMilliseconds, 0.02 * result.points[0].time->median);
-}
-
-TEST_F(StudyOfPictures, TheConePrepassChangesNoPixelAndSavesEvaluations)
-{
-    const StudyResult result = run(requestFor(gallery().museum.find("sdf_morph").value(), "conePrepass", {0, 1}));
-    EXPECT_GT(result.points[0].counters.at("evaluations"), 1.2 * static_cast<double>(result.points[1].counters.at("evaluations")));
-    EXPECT_LT(result.points[1].error, 0.02);
 }
 
 TEST_F(StudyOfPictures, WhatIsKeptBetweenFramesIsDrawnAnewWhereItIsStudied)

@@ -122,12 +122,6 @@ TEST(Tables, RangesHoldTheInitialValueAndTheComfortableRange)
     }
 }
 
-TEST(Tables, EveryExhibitTradesAccuracyForTimeSomewhere)
-{
-    for (const auto& [exhibit, table] : tables())
-        EXPECT_TRUE(std::any_of(table->rows().begin(), table->rows().end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); })) << exhibit;
-}
-
 TEST(Tables, EveryRowIsReadSomewhere)
 {
     // A slider that nothing reads would be a lie. Either C++ takes it from the table, or a shader from its block.
