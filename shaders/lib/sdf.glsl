@@ -198,8 +198,9 @@ float sdfRoundCone(vec3 p, float bottomRadius, float topRadius, float height)
     return q.x * c + q.y * s - bottomRadius;
 }
 
-// Bound when traced from outside, but steep: its slope reaches 21 at an aspect of 7, so it may not be
-// mixed, blended, used for pruning or traced from inside. -(smallest radius) at the center.
+// Bound when traced from outside, but steep: at an aspect of 7 its slope reaches 15 outside, and inside it has
+// no bound near the center; so it may not be mixed, blended, used for pruning or traced from inside.
+// -(smallest radius) at the center.
 // Quilez 2008, distance to the level of the gradient-scaled implicit form.
 float sdfEllipsoid(vec3 p, vec3 radii)
 {

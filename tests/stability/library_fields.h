@@ -4,6 +4,7 @@
 #include "render/glsl/cpu32.h"
 #include "tests/stability/fields.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -111,7 +112,8 @@ template <typename Number> std::vector<LibraryField<Number>> librarySolids(Sizes
     add("cone", Claim::exact, [=](const V3& p) { return sdfCone(p, a, r); });
     add("roundCone", Claim::exact, [=](const V3& p) { return sdfRoundCone(p, b, tube, height); });
     const V3 flat = V3(Number(0.7F), Number(0.1F), Number(0.5F)), radii = v(0.7, 0.1, 0.5);
-    add("ellipsoid", Claim::steep, [=](const V3& p) { return sdfEllipsoid(p, flat); }, 21);
+    // Outside, where it may be used; 14.6 is the most that three million points showed.
+    add("ellipsoid, outside", Claim::steep, [=](const V3& p) { return std::max(sdfEllipsoid(p, flat), Number(0)); }, 15);
     add("ellipsoidBound", Claim::bound, [=](const V3& p) { return sdfEllipsoidBound(p, radii); });
     add("octahedron", Claim::exact, [=](const V3& p) { return sdfOctahedron(p, r); });
     add("hexPrism", Claim::exact, [=](const V3& p) { return sdfHexPrism(p, a, c); });
