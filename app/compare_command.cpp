@@ -62,14 +62,6 @@ int compare(const CompareOptions& options)
 
 }  // namespace
 
-Metric metricOption(const std::string& option, const std::string& name)
-{
-    if (const std::optional<Metric> metric = render::metricNamed(name)) return *metric;
-    std::string names;
-    for (const Metric m : render::allMetrics) names += (names.empty() ? "" : ", ") + std::string(toString(m));
-    throw Failure(Blame::usage, option + " \"" + name + "\" is no metric; give one of " + names + ".");
-}
-
 void addCompareCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand("compare", "Say how far a picture is from its reference");

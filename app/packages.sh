@@ -1,6 +1,6 @@
 # Sourced by app/run and tests/run: installs what is missing. Prints to standard error only.
 
-build_packages="cmake ninja-build g++ pkg-config ccache qt6-base-dev libqt6opengl6-dev libgl-dev libegl-dev
+build_packages="cmake ninja-build g++ pkg-config ccache qt6-base-dev qt6-svg-dev libqcustomplot-dev libqt6opengl6-dev libgl-dev libegl-dev
 libepoxy-dev libglm-dev libopenimageio-dev libtinygltf-dev libbullet-dev nlohmann-json3-dev libcli11-dev libpng-dev
 libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
 libegl1 libgl1 libgl1-mesa-dri libegl-mesa0 libglx-mesa0 fonts-dejavu-core"

@@ -26,27 +26,6 @@ std::vector<std::string> split(const std::string& text, char separator)
     return parts;
 }
 
-/// A number typed on the command line is in SI units unless it names its own.
-std::optional<Value> typedValue(const ParameterInfo& row, const std::string& text)
-{
-    if (row.kind == Kind::real || row.kind == Kind::count)
-        if (const auto plain = evaluate(text, Unit::none)) return *plain;
-    return parseValue(row, text);
-}
-
-std::string whatItTakes(const ParameterInfo& row)
-{
-    if (row.kind == Kind::choice) {
-        std::string names;
-        for (const std::string_view choice : row.choices) names += (names.empty() ? "" : ", ") + std::string(choice);
-        return "one of " + names;
-    }
-    if (row.kind == Kind::toggle) return "on or off";
-    if (row.kind == Kind::color) return "#rrggbb or r,g,b";
-    if (row.kind == Kind::direction) return "x,y,z";
-    return "a number from " + render::shortestNumber(row.range.low) + " to " + render::shortestNumber(row.range.high) + ' ' + std::string(info(row.unit).storedSymbol);
-}
-
 bool isExr(const std::string& file)
 {
     return render::lowerExtension(file) == ".exr";
@@ -86,6 +65,26 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
 }
 
 }  // namespace
+
+std::optional<Value> typedValue(const ParameterInfo& row, const std::string& text)
+{
+    if (row.kind == Kind::real || row.kind == Kind::count)
+        if (const auto plain = evaluate(text, Unit::none)) return *plain;
+    return parseValue(row, text);
+}
+
+std::string whatItTakes(const ParameterInfo& row)
+{
+    if (row.kind == Kind::choice) {
+        std::string names;
+        for (const std::string_view choice : row.choices) names += (names.empty() ? "" : ", ") + std::string(choice);
+        return "one of " + names;
+    }
+    if (row.kind == Kind::toggle) return "on or off";
+    if (row.kind == Kind::color) return "#rrggbb or r,g,b";
+    if (row.kind == Kind::direction) return "x,y,z";
+    return "a number from " + render::shortestNumber(row.range.low) + " to " + render::shortestNumber(row.range.high) + ' ' + std::string(info(row.unit).storedSymbol);
+}
 
 render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
 {
@@ -135,7 +134,7 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
     add("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
     add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
     command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light")->group(heading);
-    add("--samples", o.samples, "Samples per pixel")->capture_default_str()->check(CLI::Range(1, 4096));
+    add("--samples", o.samples, "Samples per pixel; without it 4, or the hall's supersamples where a preset or --set changes them")->check(CLI::Range(1, 4096));
     command.add_flag("--transparent", o.transparent, "Nothing behind it: alpha 0")->group(heading);
     add("--environment", o.environment, "A panorama in place of the sky");
     add("--model", o.model, "A glTF object for the free plinth");
@@ -215,7 +214,8 @@ PictureJob pictureJob(const Museum& museum, const PictureOptions& options)
     frame.exhibitTransform = exhibitTransform(options);
     if (options.alone) frame.alone = *subject;
     else if (!isHall) frame.subject = *subject;
-    job.request.samples = options.samples;
+    const bool asInHall = !hall.isInitial(names.supersamples.row);
+    job.request.samples = options.samples > 0 ? options.samples : asInHall ? hall[names.supersamples] : 4;
 
     bool beyondColor = false;
     frame.channels = parseChannels(options.channels, job.request, beyondColor);

@@ -27,7 +27,7 @@ struct PictureOptions {
     bool alone = false;
     bool transparent = false;
     bool everything = false;
-    int samples = 4;
+    int samples = 0;                     ///< 0: as the hall's supersamples were set, or 4.
     std::string channels = "color";
     std::string environment, model;
 };
@@ -54,6 +54,12 @@ void applyPreset(const Museum&, const std::string& file, PictureJob&);
 /// Sets one "name=value"; `subject` is what an undotted name belongs to. Plain numbers are in SI units, as
 /// `list --json` and presets have them; "30deg" and "12mm" name their own.
 void applySet(const Museum&, Look&, std::size_t subject, const std::string& assignment, std::vector<std::string>& notes);
+
+/// The value that someone typed on the command line, where a number is in SI units unless it names its own; nothing
+/// when the text means none.
+[[nodiscard]] std::optional<Value> typedValue(const ParameterInfo&, const std::string& text);
+/// "a number from 0 to 1", "one of none, hard": after "give ".
+[[nodiscard]] std::string whatItTakes(const ParameterInfo&);
 
 /// What a picture's file name ends in says how it is written. Throws Failure (Blame::usage) naming the option.
 [[nodiscard]] render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit);

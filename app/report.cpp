@@ -44,14 +44,26 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     for (const render::StepReport& step : renderer.draw(museum.plan(job.look, frame, renderer.kept())).ran) stepMilliseconds[step.name] = step.milliseconds;
     renderer.timeSteps(false);
 
+    // What was skipped, run all the same: once for the programs and what is kept, once for the time.
+    FrameRequest everything = frame;
+    everything.runEverything = true;
+    (void)renderer.draw(museum.plan(job.look, everything));
+    renderer.timeSteps(true);
+    std::map<std::string, double> wouldCost;
+    for (const render::StepReport& step : renderer.draw(museum.plan(job.look, everything)).ran) wouldCost[step.name] = step.milliseconds;
+    renderer.timeSteps(false);
+
     const render::FrameReport& first = maker.report();
     Json ran = Json::array();
     for (const render::StepReport& step : first.ran) {
         const auto timed = stepMilliseconds.find(step.name);
-        ran.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}, {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)}});
+        ran.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}, {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)}, {"bound", std::isfinite(step.bound) ? Json(step.bound) : Json(nullptr)}});
     }
     Json skipped = Json::array();
-    for (const render::Skipped& step : first.skipped) skipped.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}});
+    for (const render::Skipped& step : first.skipped) {
+        const auto known = wouldCost.find(step.name);
+        skipped.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}, {"wouldCostMs", known == wouldCost.end() ? Json(nullptr) : Json(known->second)}});
+    }
 
     Json counters = Json::object();
     for (const auto& [name, count] : first.counters) counters[name] = count;

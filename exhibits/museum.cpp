@@ -4,7 +4,6 @@
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
-#include "exhibits/hall/hall_table.h"
 #include "exhibits/hall/walk.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
@@ -83,11 +82,12 @@ Look Museum::initialLook() const
     return look;
 }
 
-PictureQuality Museum::pictureQuality(const Look& look)
+PictureQuality pictureQuality(const ParameterValues& hall)
 {
-    const HallTable names;
-    const ParameterValues& hall = look.values.front();
-    return {hall[names.supersamples], hall[names.resolutionScale]};
+    PictureQuality quality;
+    if (const auto row = hall.table().find(supersamplesRow)) quality.supersamples = static_cast<int>(std::get<double>(hall.row(*row)));
+    if (const auto row = hall.table().find(resolutionScaleRow)) quality.resolutionScale = std::get<double>(hall.row(*row));
+    return quality;
 }
 
 glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
@@ -144,16 +144,22 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     std::vector<Present> present;
     render::Box casters;
     render::Hash shadowKey;
+    bool shadowSeen = false;
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {
         if (alone && i != *request.alone) continue;
         Present p{i, alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}};
         if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(p.worldFromExhibit);
         p.hidden = request.runEverything ? std::string() : whyHidden(box, plan.view, alone);
-        p.noShadow = !exhibits_[i]->castsShadow() ? "it is made of light" : request.runEverything ? whyUnlit(scene, box) : whyNoShadow(scene, box, plan.view);
-        if (p.noShadow.empty()) {
+        const std::string unlit = exhibits_[i]->castsShadow() ? whyUnlit(scene, box) : "it is made of light";
+        p.noShadow = !unlit.empty() || request.runEverything ? unlit : whyNoShadow(scene, box, plan.view);
+        if (unlit.empty()) {
+            // Seen or not: the map must not change its grid while one walks.
             casters.include(box.low);
             casters.include(box.high);
+        }
+        if (p.noShadow.empty()) {
+            shadowSeen = true;
             derive::addToKey(shadowKey, look.values[i]);
             shadowKey.addValue(i).addValue(p.worldFromExhibit);
             const double since = sincePress(request, i);
@@ -162,10 +168,10 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         present.push_back(std::move(p));
     }
 
-    if (!casters.empty()) {
+    if (shadowSeen) {
         const int size = std::max(look.values.front()[theHall.parameters().shadowMapSize] / 4, 64);
         light.castsShadows = true;
-        light.exhibitShadowView = lightView(casters, towardsSun(scene), glm::ivec2(size), 30);
+        light.exhibitShadowView = steadyLightView(casters, towardsSun(scene), glm::ivec2(size), 30);
         light.light.exhibitShadowFromWorld = shadowFromWorld(light.exhibitShadowView);
         light.light.sunLightmap.w = 1;
         light.light.filtering.y = static_cast<float>(2 / light.exhibitShadowView.clipFromView[0][0] / size);
@@ -180,6 +186,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         clear.view = light.exhibitShadowView;
         clear.depth = render::Attachment{exhibitShadowImage, render::Load::clear, glm::vec4(0), -1, 0};
         clear.key = light.exhibitShadowKey;
+        clear.bound = std::max({light.light.sunIrradiance.x, light.light.sunIrradiance.y, light.light.sunIrradiance.z});
         plan.add(std::move(clear));
     } else {
         plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);

@@ -33,22 +33,23 @@ std::optional<DrawOrder> DrawSchedule::next(double now) const
     const bool settled = now - lastChange_ >= settleTime;
     if (dirty_ && level_ > 0 && !settled) return DrawOrder{scales[level_], 0, 1};
     // At full resolution the quick picture and the first supersample are the same.
-    if (dirty_) return DrawOrder{1, 0, samples};
-    if (refined_ < samples && settled) return DrawOrder{1, refined_, samples};
+    if (dirty_) return DrawOrder{1, 0, samples_};
+    if (refined_ < samples_ && settled) return DrawOrder{1, refined_, samples_};
     return std::nullopt;
 }
 
 double DrawSchedule::wait(double now) const
 {
     if (next(now)) return 0;
-    if (refined_ < samples) return lastChange_ + settleTime - now;
+    if (refined_ < samples_) return lastChange_ + settleTime - now;
     return std::numeric_limits<double>::infinity();
 }
 
 void DrawSchedule::drawn(const DrawOrder& order, double seconds)
 {
     dirty_ = false;
-    if (order.samples == samples) refined_ = order.sample + 1;
+    // A quick picture is no part of a refined one, though that, too, may be of one sample.
+    if (order.samples == samples_ && order.scale == 1) refined_ = order.sample + 1;
     if (order.sample == 0) adapt(order, seconds);
 }
 
@@ -75,11 +76,11 @@ std::string DrawSchedule::reason() const
         std::snprintf(text, sizeof text, "moving: %d%% of full resolution", static_cast<int>(scales[level_] * 100 + 0.5));
         return text;
     }
-    if (refined_ < samples) {
-        std::snprintf(text, sizeof text, "still: refining %d of %d", refined_, samples);
+    if (refined_ < samples_) {
+        std::snprintf(text, sizeof text, "still: refining %d of %d", refined_, samples_);
         return text;
     }
-    std::snprintf(text, sizeof text, "still: refined %d of %d, nothing to draw, because nothing changes", refined_, samples);
+    std::snprintf(text, sizeof text, "still: refined %d of %d, nothing to draw, because nothing changes", refined_, samples_);
     return text;
 }
 

@@ -21,9 +21,12 @@ struct DrawOrder {
 class DrawSchedule {
 public:
     static constexpr std::array<double, 5> scales{1, 0.75, 0.5, 0.35, 0.25};
-    static constexpr int samples = 16;
     static constexpr double targetTime = 0.055;  ///< Seconds per frame while moving: about 18 frames a second.
     static constexpr double settleTime = 0.2;    ///< Seconds without a change after which the picture is still.
+
+    /// Supersamples of a picture at rest; at least 1.
+    void setSamples(int samples) { samples_ = samples; }
+    [[nodiscard]] int samples() const { return samples_; }
 
     /// Something visible changed: what was drawn is out of date.
     void changed(double now);
@@ -37,7 +40,7 @@ public:
     void drawn(const DrawOrder&, double seconds);
 
     [[nodiscard]] double scaleWhileMoving() const { return scales[level_]; }
-    [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples; }
+    [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples_; }
     /// For the status line: what is drawn and why.
     [[nodiscard]] std::string reason() const;
 
@@ -46,6 +49,7 @@ private:
 
     bool dirty_ = true;
     bool moving_ = false;
+    int samples_ = 16;
     int refined_ = 0;  // Supersamples of the full picture that are drawn.
     double lastChange_ = -1e9;
     std::size_t level_ = 0;  // Index into `scales`.

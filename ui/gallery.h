@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/museum.h"
 #include "exhibits/framework/picture.h"
+#include "exhibits/framework/study.h"
 #include "render/gl/renderer.h"
 
 #include <memory>
@@ -15,6 +16,12 @@ namespace vitrine::ui {
 struct PictureJob {
     std::unique_ptr<render::gl::Renderer> renderer;
     std::unique_ptr<PictureMaker> maker;
+};
+
+/// A study on a renderer of its own.
+struct StudyJob {
+    std::unique_ptr<render::Painter> painter;
+    std::unique_ptr<Study> study;
 };
 
 /// Everything the window shows and draws with: the museum, and a renderer on the viewport's context.
@@ -48,6 +55,9 @@ public:
     [[nodiscard]] virtual PictureJob makePicture(const Look&, const PictureRequest&) = 0;
     /// Another one on the same renderer, which keeps its programs and textures.
     virtual void nextPicture(PictureJob&, const Look&, const PictureRequest&) = 0;
+    /// A study to make step by step, with the context current at every step and at its end. Throws Failure when
+    /// there is nothing to measure.
+    [[nodiscard]] virtual StudyJob makeStudy(const StudyRequest&) = 0;
 };
 
 }  // namespace vitrine::ui

@@ -5,17 +5,20 @@
 #include <QHeaderView>
 #include <QLocale>
 
+#include <cmath>
+
 namespace vitrine::ui {
 namespace {
 
-enum Column { step, work, time, reason };
+enum Column { step, work, time, saved, reason };
 
 }  // namespace
 
 LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
 {
     setAccessibleName(tr("Ledger"));
-    setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Why")});
+    setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Saved"), tr("Why")});
+    headerItem()->setToolTip(saved, tr("What a skipped step took when it last ran, in milliseconds; running everything measures all."));
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
@@ -24,6 +27,7 @@ LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
     header()->resizeSection(step, 220);
     header()->resizeSection(work, 96);
     header()->resizeSection(time, 72);
+    header()->resizeSection(saved, 72);
     timer_.setSingleShot(true);
     timer_.setInterval(500);
     connect(&timer_, &QTimer::timeout, this, &LedgerView::renew);
@@ -32,7 +36,15 @@ LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
 void LedgerView::note(const render::FrameReport& report)
 {
     report_ = report;
+    for (const render::StepReport& s : report.ran)
+        if (s.milliseconds >= 0) lastCost_[s.name] = s.milliseconds;
     if (isVisible() && !timer_.isActive()) timer_.start();
+}
+
+double LedgerView::lastCost(const std::string& name) const
+{
+    const auto known = lastCost_.find(name);
+    return known == lastCost_.end() ? -1 : known->second;
 }
 
 void LedgerView::showEvent(QShowEvent* event)
@@ -47,22 +59,24 @@ void LedgerView::renew()
     while (topLevelItemCount() > wanted) delete takeTopLevelItem(topLevelItemCount() - 1);
     while (topLevelItemCount() < wanted) {
         auto* item = new QTreeWidgetItem(this);
-        item->setTextAlignment(time, Qt::AlignRight | Qt::AlignVCenter);
+        for (const int number : {time, saved}) item->setTextAlignment(number, Qt::AlignRight | Qt::AlignVCenter);
     }
     int row = 0;
-    const auto fill = [&](const std::string& name, render::Work kind, const QString& ms, const std::string& why, bool ran) {
+    const auto milliseconds = [](double ms) { return ms < 0 ? QStringLiteral("–") : QLocale::c().toString(ms, 'f', 2); };
+    const auto fill = [&](const std::string& name, render::Work kind, const QString& ms, const QString& notSpent, const std::string& why, bool ran) {
         QTreeWidgetItem* item = topLevelItem(row++);
         item->setText(step, QString::fromStdString(name));
         item->setText(work, QString::fromLatin1(render::toString(kind)));
         item->setText(time, ms);
+        item->setText(saved, notSpent);
         item->setText(reason, QString::fromStdString(why));
         item->setToolTip(reason, item->text(reason));
         for (int column = 0; column < columnCount(); ++column) item->setForeground(column, ran ? theme().text : theme().dim);
     };
     for (const render::StepReport& s : report_.ran)
-        fill(s.name, s.work, s.milliseconds < 0 ? QStringLiteral("–") : QLocale::c().toString(s.milliseconds, 'f', 2), s.reason,
-             true);
-    for (const render::Skipped& s : report_.skipped) fill(s.name, s.work, tr("skipped"), s.reason, false);
+        fill(s.name, s.work, milliseconds(s.milliseconds), {},
+             s.reason + (std::isfinite(s.bound) ? tr("; changes no light by more than %1").arg(QLocale::c().toString(s.bound, 'g', 3)).toStdString() : std::string()), true);
+    for (const render::Skipped& s : report_.skipped) fill(s.name, s.work, tr("skipped"), milliseconds(lastCost(s.name)), s.reason, false);
 }
 
 }  // namespace vitrine::ui

@@ -5,14 +5,19 @@
 #include <QTimer>
 #include <QTreeWidget>
 
+#include <map>
+#include <string>
+
 namespace vitrine::ui {
 
-/// The ledger of the last frame: what ran and what it cost, what was skipped and why.
+/// The ledger of the last frame: what ran and what it cost, what was skipped, why, and what it cost when it last ran.
 class LedgerView final : public QTreeWidget {
     Q_OBJECT
 
 public:
     explicit LedgerView(QWidget* parent = nullptr);
+    /// Milliseconds that a step took when it last ran and was timed; negative: never.
+    [[nodiscard]] double lastCost(const std::string& step) const;
     /// Shown twice a second at most, and only while visible.
     void note(const render::FrameReport&);
 
@@ -23,6 +28,7 @@ private:
     void renew();
 
     render::FrameReport report_;
+    std::map<std::string, double> lastCost_;  // Milliseconds by step, of the last frame in which it ran and was timed.
     QTimer timer_;
 };
 

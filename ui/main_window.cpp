@@ -2,7 +2,7 @@
 
 #include "ui/command_palette.h"
 #include "ui/exhibit_list.h"
-#include "ui/ledger_view.h"
+#include "ui/ledger_dock.h"
 #include "ui/log_view.h"
 #include "ui/parameter_panel.h"
 #include "ui/picture_export.h"
@@ -11,6 +11,7 @@
 #include "ui/print_dialog.h"
 #include "ui/session_keeper.h"
 #include "ui/status_line.h"
+#include "ui/study_dock.h"
 #include "ui/viewport.h"
 #include "ui/window_actions.h"
 
@@ -86,6 +87,7 @@ MainWindow::~MainWindow()
     // Pictures in the making let go of the context while the viewport and the message strip are still there.
     qDeleteAll(findChildren<PrintDialog*>());
     qDeleteAll(findChildren<PictureExport*>());
+    study_->stop();
 }
 
 void MainWindow::connectParts()
@@ -115,6 +117,8 @@ void MainWindow::connectParts()
         ledger_->note(report);
         keepThumbnail();
     });
+    connect(viewport_, &Viewport::contextClosing, study_, &StudyDock::stop);
+    connect(study_, &StudyDock::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     connect(messages_, &MessageStrip::said, log_, &LogView::add);
 }
 
@@ -137,6 +141,7 @@ void MainWindow::choose(std::size_t exhibit)
         }
     }
     showValues();
+    study_->setSubject(exhibit);
     shelf_->refresh();
 }
 

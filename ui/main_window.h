@@ -12,13 +12,14 @@ class QTabBar;
 namespace vitrine::ui {
 
 class ExhibitList;
-class LedgerView;
+class LedgerDock;
 class LogView;
 class ParameterPanel;
 class PresetList;
 class PresetShelf;
 class SessionKeeper;
 class StatusLine;
+class StudyDock;
 class Viewport;
 struct WindowActions;
 
@@ -44,6 +45,7 @@ public:
     [[nodiscard]] History& history() { return history_; }
     [[nodiscard]] Viewport& viewport() const { return *viewport_; }
     [[nodiscard]] ParameterPanel& panel() const { return *panel_; }
+    [[nodiscard]] StudyDock& study() const { return *study_; }
     [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }
 
     /// Cut to the shape of the lists' pictures.
@@ -82,8 +84,9 @@ private:
     PresetList* presets_ = nullptr;
     PresetShelf* shelf_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
-    LedgerView* ledger_ = nullptr;
+    LedgerDock* ledger_ = nullptr;
     LogView* log_ = nullptr;
+    StudyDock* study_ = nullptr;
     std::unique_ptr<WindowActions> actions_;
     QList<QDockWidget*> docks_, hiddenDocks_;
     std::size_t chosen_ = 0;

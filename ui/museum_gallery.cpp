@@ -95,4 +95,12 @@ void MuseumGallery::nextPicture(PictureJob& job, const Look& look, const Picture
     job.maker = std::make_unique<PictureMaker>(museum_, *job.renderer, look, request);
 }
 
+StudyJob MuseumGallery::makeStudy(const StudyRequest& request)
+{
+    StudyJob job;
+    job.painter = std::make_unique<render::gl::Renderer>();
+    job.study = std::make_unique<Study>(museum_, *job.painter, request);
+    return job;
+}
+
 }  // namespace vitrine::ui

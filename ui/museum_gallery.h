@@ -27,6 +27,7 @@ public:
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override;
     [[nodiscard]] PictureJob makePicture(const Look&, const PictureRequest&) override;
     void nextPicture(PictureJob&, const Look&, const PictureRequest&) override;
+    [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override;
 
 private:
     const Museum& museum_;

@@ -228,6 +228,7 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
                                      [this, row] { emit rows_[row]->resetAsked(); });
     reset->setEnabled(!values_->isInitial(row));
     menu->addSeparator();
+    if (gauges_ && info.qualityReference) menu->addAction(tr("What does accuracy cost?"), this, [this, row] { emit accuracyAsked(row); });
     menu->addAction(tr("Copy value"), this, [this, row] { copy(row); });
     menu->addAction(tr("Paste"), this, [this, row] { paste(row); });
     menu->addAction(tr("Copy all as JSON"), this, [this] { copyAll(); });

@@ -43,6 +43,7 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     pressedAt_.assign(gallery.exhibits().size(), -1e9);
     control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return gallery_.walk(from, to); });
     control_.jumpTo(history.look().camera);
+    schedule_.setSamples(pictureQuality(history.look().values.front()).supersamples);
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &Viewport::tick);
@@ -107,6 +108,7 @@ FrameRequest Viewport::request() const
     wanted.raster.size = {std::max(1, static_cast<int>(std::lround(width() * devicePixelRatioF()))),
                           std::max(1, static_cast<int>(std::lround(height() * devicePixelRatioF())))};
     wanted.time = time_;
+    wanted.runEverything = runEverything_;
     const double at = now();
     for (const double pressedAt : pressedAt_) wanted.sincePressed.push_back(at - pressedAt);
     return wanted;
@@ -126,7 +128,8 @@ void Viewport::paintGL()
 void Viewport::draw(const DrawOrder& order)
 {
     FrameRequest wanted = request();
-    wanted.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.raster.size) * order.scale)), glm::ivec2(1));
+    const double scale = order.scale * pictureQuality(history_.look().values.front()).resolutionScale;
+    wanted.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.raster.size) * scale)), glm::ivec2(1));
     wanted.sample = order.sample;
     wanted.samples = order.samples;
     const double start = now();
@@ -139,7 +142,7 @@ void Viewport::draw(const DrawOrder& order)
         emit drawn(report, QSize(wanted.raster.size.x, wanted.raster.size.y));
     } catch (const Failure& failure) {
         // The last good picture stays; nothing is tried again until something changes.
-        schedule_.drawn({1, DrawSchedule::samples - 1, DrawSchedule::samples}, 0);
+        schedule_.drawn({1, schedule_.samples() - 1, schedule_.samples()}, 0);
         const QString message = QString::fromUtf8(failure.what());
         if (message != lastFailure_) emit failed(message);
         lastFailure_ = message;
@@ -194,6 +197,7 @@ void Viewport::tick()
 
 void Viewport::lookChanged()
 {
+    schedule_.setSamples(pictureQuality(history_.look().values.front()).supersamples);
     schedule_.changed(now());
     if (!timer_.isActive()) timer_.start(0);
 }
@@ -239,6 +243,12 @@ void Viewport::press()
 void Viewport::setPaused(bool paused)
 {
     paused_ = paused;
+    lookChanged();
+}
+
+void Viewport::setRunEverything(bool on)
+{
+    runEverything_ = on;
     lookChanged();
 }
 

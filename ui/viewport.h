@@ -35,6 +35,8 @@ public:
     [[nodiscard]] bool paused() const { return paused_; }
     /// Times every step: slower, while the ledger is open.
     void setStepsTimed(bool);
+    /// Every pass runs, called for or not: the picture must stay the same.
+    void setRunEverything(bool);
     void reloadShaders();
     /// The line for the first start; gone at the first step or click.
     void showHint(const QString&);
@@ -102,6 +104,7 @@ private:
     double time_ = 0;         // The exhibits' clock, seconds.
     bool clockRuns_ = false;  // Time passed since the last tick, for someone.
     bool paused_ = false;
+    bool runEverything_ = false;
     bool opened_ = false;
     bool drewOnce_ = false;
     long long picturesDrawn_ = 0;

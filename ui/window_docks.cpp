@@ -4,12 +4,13 @@
 #include "render/files/assets.h"
 #include "ui/dock_title.h"
 #include "ui/exhibit_list.h"
-#include "ui/ledger_view.h"
+#include "ui/ledger_dock.h"
 #include "ui/log_view.h"
 #include "ui/parameter_panel.h"
 #include "ui/preset_list.h"
 #include "ui/preset_shelf.h"
 #include "ui/status_line.h"
+#include "ui/study_dock.h"
 #include "ui/viewport.h"
 #include "ui/window_actions.h"
 
@@ -58,15 +59,27 @@ void MainWindow::buildDocks()
     rightLayout->addWidget(panel_, 1);
     dock(tr("Parameters"), "parameters", right, Qt::RightDockWidgetArea);
 
-    ledger_ = new LedgerView;
+    study_ = new StudyDock(gallery_, history_, [this](const std::function<void()>& work) { return viewport_->withContext(work); });
+    QDockWidget* study = dock(tr("Study"), "study", study_, Qt::BottomDockWidgetArea);
+    ledger_ = new LedgerDock([this] { return QString::fromStdString(viewport_->schedule().reason()); });
+    connect(ledger_, &LedgerDock::runEverythingAsked, viewport_, &Viewport::setRunEverything);
     log_ = new LogView;
     QDockWidget* ledger = dock(tr("Ledger"), "ledger", ledger_, Qt::BottomDockWidgetArea);
     QDockWidget* log = dock(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(study, ledger);
     tabifyDockWidget(ledger, log);
+    study->hide();
     ledger->hide();
     log->hide();
     // Steps are timed one by one, which costs time, only while someone looks.
     connect(ledger, &QDockWidget::visibilityChanged, viewport_, [this](bool visible) { viewport_->setStepsTimed(visible); });
+
+    connect(panel_, &ParameterPanel::accuracyAsked, this, [this, study](std::size_t row) {
+        study->show();
+        study->raise();
+        study_->ask(static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong()), row);
+    });
+    panel_->setGaugesShown(true);
 
     // The tab bars of stacked docks are Qt's own, made when needed.
     for (const QDockWidget* each : docks_)

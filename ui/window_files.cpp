@@ -78,7 +78,7 @@ void MainWindow::saveScreenshotNow()
     const double ratio = viewport_->devicePixelRatioF();
     wish.size = {std::max(1, static_cast<int>(std::lround(viewport_->width() * ratio))),
                  std::max(1, static_cast<int>(std::lround(viewport_->height() * ratio)))};
-    wish.samples = DrawSchedule::samples;
+    wish.samples = viewport_->schedule().samples();
     auto* work = new PictureExport(*this, wish);
     connect(work, &PictureExport::finished, this,
             [this](const QString& path) { say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(path)); });

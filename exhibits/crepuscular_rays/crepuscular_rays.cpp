@@ -30,7 +30,7 @@ void planComposite(const RaysScene& s, int shown, render::FramePlan& plan)
         const bool polar = methodOf(s) == RayMethod::polar;
         pass.shader.defines.emplace_back(polar ? "POLAR" : "SCREEN");
         pass.inputs.push_back({UNIT_EXHIBIT_A, std::string(polar ? "crepuscular_rays.polar" : "crepuscular_rays.rays")});
-        pass.counts["fetches"] = static_cast<std::int64_t>(plan.view.raster.drawn().x) * plan.view.raster.drawn().y * (polar ? 2 : 9);
+        pass.counts["fetches"] = static_cast<std::int64_t>(plan.view.raster.drawn().x) * plan.view.raster.drawn().y * (polar ? 2 : s.block.grid.x > 1 ? 9 : 1);
     }
     if (view != RayView::mask && (shown & static_cast<int>(RayTechnique::volume)) != 0) {
         pass.shader.defines.emplace_back("VOLUME");
@@ -88,7 +88,7 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     std::string noRays = s.uses(RayTechnique::screen) || maskShown ? std::string() : "no technique in use makes them";
     std::string noBeams = s.uses(RayTechnique::volume) && !maskShown ? std::string() : "no technique in use makes them";
     // What is invisible may be drawn all the same, to prove that it is; what cannot be drawn may not.
-    if (noRays.empty() && (!plan.runEverything || !s.sun.inFront)) noRays = whyNoScreenRays(s, plan.view);
+    if (noRays.empty() && (!plan.runEverything || !s.sun.inFront)) noRays = whyNoScreenRays(s);
     if (noBeams.empty() && (!plan.runEverything || s.beams.empty())) noBeams = whyNoBeams(s, plan.view);
 
     int shown = 0;

@@ -23,9 +23,9 @@ struct CrepuscularRaysTable final : Parameters {
         "The finished picture, the mask with its occluders black, or the added light without the hall.");
 
     Group rays = group("Screen space");
-    Real weight = real("weight", 0.28, none, Range{0, 10}.soft(0, 1), "Strength of the rays: 0 makes none. In the original, of each sample.");
-    Real decay = real("decay", 0.985, none, Range{0, 1}.soft(0.9, 1), "How much of the light is left after each 128th of the way: 1 lets the sky reach everywhere, low keeps it near.");
-    Real density = real("density", 0.95, none, {0, 1}, "How far towards the light is gathered: 0 sees the mask alone, 1 goes all the way.");
+    Real weight = real("weight", 0.8, none, Range{0, 10}.soft(0, 1), "Strength of the rays: 0 makes none. In the original, of each sample.");
+    Real decay = real("decay", 0.994, none, Range{0, 1}.soft(0.9, 1), "How much of the light is left after each 128th of the way: 1 lets the sky reach everywhere, low keeps it near.");
+    Real density = real("density", 1.0, none, {0, 1}, "How far towards the light is gathered: 0 sees the mask alone, 1 goes all the way.");
     Real rayExposure = real("rayExposure", 0.0, stop, Range{-16, 16}.soft(-4, 4), "Brightness of the rays: each stop doubles it.");
     Color tint = color("tint", {1.0, 0.86, 0.66}, "Color of the rays, on top of the sun's own.");
     Choice<RaySum> sum = choice("sum", RaySum::mean, {"mean", "plain sum"},
@@ -38,12 +38,12 @@ struct CrepuscularRaysTable final : Parameters {
         "How the sky is told from what hides it: by depth, by what is not yet covered, or by drawing the occluders once more.");
     Toggle skyColor = toggle("skyColor", true, "Let the mask carry the colors of the sky instead of plain white.");
     Real threshold = real("threshold", 0.0, none, {0, 1}, "Brightness below which the sky gives no rays: 0 lets all of it.");
-    Real lightSize = real("lightSize", 0.785398, degree, Range{0.001, 3.141593}.soft(0.0174533, 1.570796), "How far around the sun the sky gives rays: 180° is all of it.");
+    Real lightSize = real("lightSize", 1.570796, degree, Range{0.001, 3.141593}.soft(0.0174533, 3.141593), "How far around the sun the sky gives rays: 180° is all of it.");
 
     Group air = group("Air");
-    Real airDensity = real("airDensity", 0.014, perMetre, Range{0, 10}.soft(0, 0.05), "Dust in the air: what a metre of it takes out of a beam near the floor; 0 is clear air.");
+    Real airDensity = real("airDensity", 0.012, perMetre, Range{0, 10}.soft(0, 0.05), "Dust in the air: what a metre of it takes out of a beam near the floor; 0 is clear air.");
     Real airThinning = real("airThinning", 0.08, perMetre, Range{0, 10}.soft(0, 0.5), "How fast the dust thins with height: 0 is even, high keeps it near the floor.");
-    Real anisotropy = real("anisotropy", 0.5, none, Range{-0.95, 0.95}.soft(-0.5, 0.9), "How much the dust scatters forward: 0 to all sides, high glows towards the sun.");
+    Real anisotropy = real("anisotropy", 0.42, none, Range{-0.95, 0.95}.soft(-0.5, 0.9), "How much the dust scatters forward: 0 to all sides, high glows towards the sun.");
     Real beamStrength = real("beamStrength", 1.6, none, Range{0, 100}.soft(0, 4), "Of the light that the beams scatter: 1 is physical for the density above.");
     Real ambient = real("ambient", 0.35, none, Range{0, 100}.soft(0, 2), "Of the hall's own light that the air scatters: 1 is physical, 0 makes the dust only darken.");
     Color airColor = color("airColor", {1.0, 0.97, 0.93}, "Share of the light that the dust scatters rather than swallows: white swallows none.");

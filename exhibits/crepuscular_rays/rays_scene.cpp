@@ -103,7 +103,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     return s;
 }
 
-std::string whyNoScreenRays(const RaysScene& s, const render::View& view)
+std::string whyNoScreenRays(const RaysScene& s)
 {
     if (!(s.values[s.table.weight] > 0)) return "the weight of the rays is 0";
     if (s.block.source.w <= 0 && s.values[s.table.density] <= 0 && s.values[s.table.sum] == RaySum::plain) return "the density of the rays is 0";
@@ -111,7 +111,7 @@ std::string whyNoScreenRays(const RaysScene& s, const render::View& view)
     if (glm::vec3(s.block.strength) == glm::vec3(0)) return s.sun.beyond > 0 ? "the sun is too far beyond the picture's edge" : "the sun or the tint is black";
     if (s.context.alone) return {};
     const auto& openings = s.context.surroundings.openings;
-    if (std::none_of(openings.begin(), openings.end(), [&](const render::Box& opening) { return view.mayContain(opening); })) return "no sky is in view";
+    if (std::none_of(openings.begin(), openings.end(), [&](const render::Box& opening) { return s.wholeView.mayContain(opening); })) return "no sky is in view";
     return {};
 }
 

@@ -48,8 +48,8 @@ struct RaysScene {
 
 [[nodiscard]] RaysScene raysScene(const CrepuscularRaysTable&, const PlanContext&, const render::FramePlan&);
 
-/// Empty when rays in screen space can be seen.
-[[nodiscard]] std::string whyNoScreenRays(const RaysScene&, const render::View&);
+/// Empty when rays in screen space can be seen: in a tile, too, they come from the sky of the whole picture.
+[[nodiscard]] std::string whyNoScreenRays(const RaysScene&);
 /// Empty when the volume's beams can be seen.
 [[nodiscard]] std::string whyNoBeams(const RaysScene&, const render::View&);
 
@@ -58,7 +58,8 @@ struct RaysScene {
 /// The mask, and the image that is gathered from it: "crepuscular_rays.rays" or "crepuscular_rays.polar".
 void planMask(const RaysScene&, render::FramePlan&);
 void planGathering(RaysScene&, render::FramePlan&);
-/// The method in use; tiles cannot look into each other's passes, and the plain sum is a loop.
+/// The method in use: tiles cannot look into each other's passes, the plain sum is a loop, and so is a way that is
+/// too short for a running sum.
 [[nodiscard]] RayMethod methodOf(const RaysScene&);
 
 // air_beams.cpp

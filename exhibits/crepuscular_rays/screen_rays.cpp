@@ -41,7 +41,8 @@ void planOccluders(const RaysScene& s, render::FramePlan& plan)
 void planLoop(const RaysScene& s, render::FramePlan& plan)
 {
     const bool plain = s.values[s.table.sum] == RaySum::plain;
-    const int samples = s.values[s.table.samples];
+    // Without a way to go, one look tells all, and the mask comes through to the bit.
+    const int samples = !plain && s.block.source.w <= 0 ? 1 : s.values[s.table.samples];
     Pass pass = s.pass("loop", "the sky shines into the picture", "crepuscular_rays/loop.frag");
     pass.stage = render::Stage::volume;
     if (plain) pass.shader.defines.emplace_back("PLAIN_SUM");
@@ -102,6 +103,9 @@ RayMethod methodOf(const RaysScene& s)
 {
     if (s.values[s.table.sum] == RaySum::plain) return RayMethod::loop;
     const RayMethod method = s.values[s.table.method];
+    // The running sum gives a short stretch of the way as a small difference of large numbers.
+    const double stretch = 1 - glsl::shaftWeightBelow(1.0 - s.block.source.w, s.block.source.z);
+    if (method == RayMethod::polar && stretch < 0.1) return RayMethod::loop;
     return s.tile && method == RayMethod::threePasses ? RayMethod::loop : method;
 }
 

@@ -56,6 +56,9 @@ struct PictureQuality {
 inline constexpr std::string_view supersamplesRow = "supersamples";
 inline constexpr std::string_view resolutionScaleRow = "resolutionScale";
 
+/// Of the hall's values; as it is where its table has no such rows.
+[[nodiscard]] PictureQuality pictureQuality(const ParameterValues& hall);
+
 class HallModel;
 
 /// The building and everything in it.
@@ -71,8 +74,6 @@ public:
     [[nodiscard]] const Exhibit& hall() const { return *exhibits_.front(); }
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     [[nodiscard]] Look initialLook() const;
-
-    [[nodiscard]] static PictureQuality pictureQuality(const Look&);
 
     /// Where exhibit `i` stands.
     [[nodiscard]] glm::dmat4 worldFromExhibit(std::size_t i) const;

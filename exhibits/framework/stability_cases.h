@@ -23,9 +23,8 @@ struct StabilityResult {
 /// points all over space. Two pictures are drawn.
 [[nodiscard]] std::vector<StabilityResult> arithmeticCases(render::Painter&);
 
-/// Promises about pictures that any driver must keep: the same twice, by tiles, with everything run and over any
-/// garbage in memory, to the bit; a mean of thousands; a time far off; a million frames' worth of nothing written.
-/// Some forty small pictures of every exhibit.
+/// Promises about pictures that any driver must keep: the same twice, with everything run and over any garbage in
+/// memory, to the bit; by tiles, to half a level; a mean of thousands. Some eight small pictures of every exhibit.
 [[nodiscard]] std::vector<StabilityResult> pictureCases(const Museum&, render::Painter&);
 
 /// The scan of one exhibit (see stability_scan.h) with `count` seeds from `first` on: `value` is how many pictures

@@ -56,15 +56,16 @@ render::Image over(const Poison& poison, const Museum& museum, render::Painter& 
     return painter.read("frame");
 }
 
-/// Asks every exhibit for a difference that must be 0, and keeps the largest.
-template <typename Difference> StabilityResult overExhibits(const Museum& museum, std::string number, std::string what, const Difference& differenceOf)
+/// Asks every exhibit for a difference that may not be above `limit`, and keeps the largest.
+template <typename Difference>
+StabilityResult overExhibits(const Museum& museum, std::string number, std::string what, double limit, const Difference& differenceOf)
 {
-    StabilityResult result{std::move(number), std::move(what), true, 0, 0, {}};
+    StabilityResult result{std::move(number), std::move(what), true, 0, limit, {}};
     for (std::size_t i = 1; i < museum.exhibits().size(); ++i) {
         const double d = differenceOf(i);
         if (d <= result.value) continue;
         result.value = d;
-        result.passed = false;
+        result.passed = d <= limit;
         result.detail = std::string(museum.exhibits()[i]->name());
     }
     return result;
@@ -112,23 +113,24 @@ StabilityResult meanOfThousands(render::Painter& painter)
 std::vector<StabilityResult> pictureCases(const Museum& museum, render::Painter& painter)
 {
     std::vector<StabilityResult> results;
-    results.push_back(overExhibits(museum, "", "The same picture twice", [&](std::size_t i) {
+    results.push_back(overExhibits(museum, "", "The same picture twice", 0, [&](std::size_t i) {
         const Still s = still(museum, i);
         return difference(picture(museum, painter, s), picture(museum, painter, s));
     }));
-    results.push_back(overExhibits(museum, "", "The same picture in tiles", [&](std::size_t i) {
+    // Rays are the same to the bit; what is rasterized is interpolated over other corners, to less than half a level.
+    results.push_back(overExhibits(museum, "", "The same picture in tiles", 0.5 / 255, [&](std::size_t i) {
         Still s = still(museum, i);
         const render::Image whole = picture(museum, painter, s);
         s.request.largestTile = 16;
         return difference(whole, picture(museum, painter, s));
     }));
-    results.push_back(overExhibits(museum, "", "The same picture with every pass run", [&](std::size_t i) {
+    results.push_back(overExhibits(museum, "", "The same picture with every pass run", 0, [&](std::size_t i) {
         Still s = still(museum, i);
         const render::Image called = picture(museum, painter, s);
         s.request.frame.runEverything = true;
         return difference(called, picture(museum, painter, s));
     }));
-    results.push_back(overExhibits(museum, "H108", "The same picture whatever was in memory", [&](std::size_t i) {
+    results.push_back(overExhibits(museum, "H108", "The same picture whatever was in memory", 0, [&](std::size_t i) {
         const Still s = still(museum, i);
         const render::Image one = over(spreadingPoison(), museum, painter, s);
         return difference(one, over({glm::vec4(3e4F, -3e4F, 7, 0.5F), 0.25F}, museum, painter, s));

@@ -140,9 +140,10 @@ ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
     c.frame.raster.size = randomSize(random);
     c.frame.time = randomTime(random);
     c.frame.seed = static_cast<std::uint32_t>(random.index(1 << 30));
-    c.frame.channels.normal = random.chance(0.5);
-    c.frame.channels.evaluations = random.chance(0.25);
-    c.frame.averageIn = random.chance(0.5) ? AverageIn::radiance : AverageIn::display;
+    // As files are made and as the window is: two kinds, because every further one has all programs compiled again.
+    const bool forFile = random.chance(0.6);
+    c.frame.channels = {forFile, forFile};
+    c.frame.averageIn = forFile ? AverageIn::radiance : AverageIn::display;
     return c;
 }
 

@@ -60,7 +60,7 @@ Study::Study(const Museum& museum, render::Painter& painter, StudyRequest reques
     request_.runs = std::max(request_.runs, 1);
     if (request_.subject == 0) request_.alone = false;
     addViews();
-    for (const StudyAxis& axis : request_.axes) result_.exact.push_back(exactness(rowOf(museum_, axis)).exact);
+    for (const StudyAxis& axis : request_.axes) result_.exact.push_back(exactness(rowOf(museum_.exhibits(), axis)).exact);
     findDependentPasses();
     for (std::size_t view = 0; view < views_.size(); ++view) addReference(view, true);
     if (request_.axes.size() > 2) {
@@ -137,8 +137,8 @@ std::vector<double> Study::valuesOf(const Setting& setting) const
 PictureRequest Study::pictureRequest(const Look& look, std::size_t view) const
 {
     PictureRequest request;
-    const PictureQuality quality = museum_.pictureQuality(look);
-    const bool supersampled = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& a) { return a.exhibit == 0 && rowOf(museum_, a).name == supersamplesRow; });
+    const PictureQuality quality = pictureQuality(look.values.front());
+    const bool supersampled = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& a) { return a.exhibit == 0 && rowOf(museum_.exhibits(), a).name == supersamplesRow; });
     request.samples = supersampled ? quality.supersamples : 1;
     request.frame.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(request_.size) * quality.resolutionScale)), glm::ivec2(1));
     request.frame.camera = look.camera;
@@ -147,6 +147,7 @@ PictureRequest Study::pictureRequest(const Look& look, std::size_t view) const
     else if (request_.subject != 0) request.frame.subject = request_.subject;
     request.frame.channels = {.normal = true, .evaluations = true};
     request.depth = true;
+    request.largestTile = request_.largestTile;
     return request;
 }
 
@@ -194,7 +195,7 @@ void Study::addReference(std::size_t view, bool withHalfway)
     if (views_[view].heldOut && phase_ != Phase::choice) return;
     std::vector<double> halfway;
     for (const StudyAxis& axis : request_.axes) {
-        const Exactness e = exactness(rowOf(museum_, axis), doublings_);
+        const Exactness e = exactness(rowOf(museum_.exhibits(), axis), doublings_);
         halfway.push_back(e.halfway.value_or(e.exact));
     }
     addPicture("reference of " + views_[view].view.name, lookAt(result_.exact, view), view, [this, view](render::Image picture) {
@@ -224,7 +225,9 @@ void Study::addSetting(const Setting& setting)
             for (auto& [name, count] : shot.counters) count *= samples;
             shot.firstMilliseconds = report.milliseconds * samples;
             shot.errors = errorsOf(views_[view].reference, picture);
-            shot.picture = std::move(picture);
+            // A search keeps many pictures: of those, the colors are enough, unless it goes by something else.
+            const bool byColor = request_.metric != render::Metric::normal && request_.metric != render::Metric::depth;
+            shot.picture = request_.axes.size() > 2 && byColor ? resampled(picture, request_.size) : std::move(picture);
             if (view + 1 == result_.views.size()) judge();
         });
     }
@@ -251,7 +254,7 @@ void Study::addTimes()
     // In a search, what is dearer and no better by a margin beyond the noise of one frame stays untimed.
     if (request_.axes.size() > 2) {
         std::erase_if(timed, [&](std::size_t i) {
-            return std::any_of(result_.points.begin(), result_.points.end(), [&](const StudyPoint& other) { return other.error <= result_.points[i].error && other.cost * 1.3 < result_.points[i].cost; });
+            return result_.present != i && std::any_of(result_.points.begin(), result_.points.end(), [&](const StudyPoint& other) { return other.error <= result_.points[i].error && other.cost * 1.3 < result_.points[i].cost; });
         });
     }
     for (std::size_t run = 0; run < static_cast<std::size_t>(request_.runs); ++run) {

@@ -27,8 +27,9 @@ struct StudyRequest {
     int runs = 7;                   ///< Timed frames of each setting in each view, after one that is not timed.
     render::Metric metric = render::Metric::rmse;  ///< What fronts and choices go by; never psnr, which is rmse in decibels.
     double pixelsPerDegree = 67;    ///< For FLIP.
-    bool alone = true;              ///< Without the hall. The hall itself is never without.
+    bool alone = false;             ///< Without the hall, in the environment's light. The hall itself is never without.
     bool modelError = true;         ///< Measure against everything at its best, too.
+    int largestTile = 2048;         ///< Side in pixels: smaller ones make shorter steps.
     int settings = 60;              ///< At most, of a search over three axes or more.
     /// Choose: the cheapest setting with an error up to this in every view, or the most exact one whose frame takes
     /// no longer than that. At most one of them.

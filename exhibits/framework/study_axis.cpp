@@ -10,20 +10,20 @@
 
 namespace vitrine {
 
-const ParameterInfo& rowOf(const Museum& museum, const StudyAxis& axis)
+const ParameterInfo& rowOf(Exhibits exhibits, const StudyAxis& axis)
 {
-    return museum.exhibits()[axis.exhibit]->parameters().rows()[axis.row];
+    return exhibits[axis.exhibit]->parameters().rows()[axis.row];
 }
 
-std::string axisName(const Museum& museum, std::size_t subject, const StudyAxis& axis)
+std::string axisName(Exhibits exhibits, std::size_t subject, const StudyAxis& axis)
 {
-    const std::string name(rowOf(museum, axis).name);
-    return axis.exhibit == subject ? name : std::string(museum.exhibits()[axis.exhibit]->name()) + '.' + name;
+    const std::string name(rowOf(exhibits, axis).name);
+    return axis.exhibit == subject ? name : std::string(exhibits[axis.exhibit]->name()) + '.' + name;
 }
 
-std::string axisValueText(const Museum& museum, const StudyAxis& axis, double value)
+std::string axisValueText(Exhibits exhibits, const StudyAxis& axis, double value)
 {
-    const ParameterInfo& row = rowOf(museum, axis);
+    const ParameterInfo& row = rowOf(exhibits, axis);
     const std::string unit(info(row.unit).symbol);
     std::string text = formatValue(row, value);
     if (row.kind == Kind::real) {
@@ -35,10 +35,10 @@ std::string axisValueText(const Museum& museum, const StudyAxis& axis, double va
     return text + (unit.empty() ? "" : ' ' + unit);
 }
 
-std::optional<StudyAxis> studyAxis(const Museum& museum, std::size_t exhibit, std::size_t row, int points)
+std::optional<StudyAxis> studyAxis(Exhibits exhibits, std::size_t exhibit, std::size_t row, int points)
 {
     StudyAxis axis{exhibit, row, {}};
-    const ParameterInfo& info = rowOf(museum, axis);
+    const ParameterInfo& info = rowOf(exhibits, axis);
     if (!info.qualityReference) return std::nullopt;
     // One place is the initial value's, unless the sweep meets it anyway.
     axis.values = derive::sweep(info, std::max(points - 1, 2));
@@ -48,11 +48,11 @@ std::optional<StudyAxis> studyAxis(const Museum& museum, std::size_t exhibit, st
     return axis;
 }
 
-std::vector<StudyAxis> qualityAxes(const Museum& museum, std::size_t exhibit, int points)
+std::vector<StudyAxis> qualityAxes(Exhibits exhibits, std::size_t exhibit, int points)
 {
     std::vector<StudyAxis> axes;
-    for (std::size_t row = 0; row < museum.exhibits()[exhibit]->parameters().rows().size(); ++row)
-        if (auto axis = studyAxis(museum, exhibit, row, points)) axes.push_back(std::move(*axis));
+    for (std::size_t row = 0; row < exhibits[exhibit]->parameters().rows().size(); ++row)
+        if (auto axis = studyAxis(exhibits, exhibit, row, points)) axes.push_back(std::move(*axis));
     return axes;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/museum.h"
+#include "exhibits/framework/exhibit.h"
 
 #include <cstddef>
 #include <optional>
@@ -18,24 +18,27 @@ struct StudyAxis {
     bool operator==(const StudyAxis&) const = default;
 };
 
+/// All exhibits, the hall first: Museum::exhibits().
+using Exhibits = std::span<const std::unique_ptr<Exhibit>>;
+
 /// Which value of each axis.
 using Setting = std::vector<std::size_t>;
 
 /// The row that an axis varies.
-[[nodiscard]] const ParameterInfo& rowOf(const Museum&, const StudyAxis&);
+[[nodiscard]] const ParameterInfo& rowOf(Exhibits, const StudyAxis&);
 
 /// "stepLimit", or "hall.shadowMapSize" where the hall is not the subject.
-[[nodiscard]] std::string axisName(const Museum&, std::size_t subject, const StudyAxis&);
+[[nodiscard]] std::string axisName(Exhibits, std::size_t subject, const StudyAxis&);
 
 /// The value of an axis for people: "64", "none", "on".
-[[nodiscard]] std::string axisValueText(const Museum&, const StudyAxis&, double value);
+[[nodiscard]] std::string axisValueText(Exhibits, const StudyAxis&, double value);
 
 /// An axis over the comfortable range of a quality row, about `points` values by the row's scale, with the initial
 /// value and the exact one; of a choice or a toggle, all. Nothing for a row that is not marked as quality.
-[[nodiscard]] std::optional<StudyAxis> studyAxis(const Museum&, std::size_t exhibit, std::size_t row, int points);
+[[nodiscard]] std::optional<StudyAxis> studyAxis(Exhibits, std::size_t exhibit, std::size_t row, int points);
 
 /// One axis for every quality row of the exhibit.
-[[nodiscard]] std::vector<StudyAxis> qualityAxes(const Museum&, std::size_t exhibit, int points);
+[[nodiscard]] std::vector<StudyAxis> qualityAxes(Exhibits, std::size_t exhibit, int points);
 
 /// The values at which everything that the table marks as quality counts as exact.
 [[nodiscard]] ParameterValues atReference(ParameterValues);

@@ -10,6 +10,8 @@
 namespace vitrine {
 namespace {
 
+/// A cost that is nearer to another than this factor is no saving but noise.
+constexpr double noise = 1.04;
 /// What is dearer than this many times the present setting is predicted, not measured.
 constexpr double dearest = 16;
 constexpr int heldOutRuns = 3;
@@ -89,10 +91,15 @@ std::vector<Setting> Study::predictedFront() const
         for (std::size_t i = 0; i < axis.values.size(); ++i) {
             std::vector<double> errors;
             for (std::size_t view = 0; view < exact.shots.size(); ++view) errors.push_back(errorsOf(exact.shots[view].picture, pointAt(i).shots[view].picture)[request_.metric]);
-            steps.back().push_back({pooled(errors), pointAt(i).cost / presentCost});
+            const double ratio = pointAt(i).cost / presentCost;
+            steps.back().push_back({pooled(errors), ratio < noise && ratio * noise > 1 ? 1 : ratio});
             measured.push_back({steps.back().back().ratio, steps.back().back().error});
         }
         useful.push_back(render::paretoFront(measured));
+        // What is as good in both, for it does not matter here, stays as it is.
+        const std::size_t asItIs = present[a];
+        for (std::size_t& i : useful.back())
+            if (measured[i].cost == measured[asItIs].cost && measured[i].error == measured[asItIs].error) i = asItIs;
         std::reverse(useful.back().begin(), useful.back().end());
     }
     // From everything exact, always the step that saves the most for the least error (marginal analysis).

@@ -32,7 +32,8 @@ bool isDrawn(const StudyPoint& point)
     return std::all_of(point.shots.begin(), point.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); });
 }
 
-/// The counter in which the settings differ most, among those that mean work; empty when none differs enough.
+/// The counter that tells the settings' work apart: of what is done per pixel, the first that differs enough, else the
+/// one in which they differ most; empty when none does.
 std::string mostTelling(const std::vector<StudyPoint>& points)
 {
     std::map<std::string, std::pair<double, double>> ranges;
@@ -44,6 +45,8 @@ std::string mostTelling(const std::vector<StudyPoint>& points)
             range->second.second = std::max(range->second.second, static_cast<double>(count));
         }
     }
+    for (const char* name : {"evaluations", "fetches", "marchSteps", "samples"})
+        if (const auto known = ranges.find(name); known != ranges.end() && known->second.first > 0 && known->second.second > leastRatio * known->second.first) return name;
     std::string best;
     double largest = leastRatio;
     for (const auto& [name, range] : ranges) {
@@ -95,7 +98,7 @@ bool Study::refineReference()
     judge();
     if (result_.converged || doublings_ >= mostDoublings) return false;
     std::vector<double> doubled;
-    for (const StudyAxis& axis : request_.axes) doubled.push_back(exactness(rowOf(museum_, axis), doublings_ + 1).exact);
+    for (const StudyAxis& axis : request_.axes) doubled.push_back(exactness(rowOf(museum_.exhibits(), axis), doublings_ + 1).exact);
     if (doubled == result_.exact) return false;
     ++doublings_;
     result_.exact = doubled;
@@ -186,7 +189,7 @@ void Study::judgeCosts()
     result_.knee = place ? std::optional(result_.front[*place]) : std::nullopt;
 
     result_.law.reset();
-    const Kind kind = rowOf(museum_, request_.axes.front()).kind;
+    const Kind kind = rowOf(museum_.exhibits(), request_.axes.front()).kind;
     if (request_.axes.size() != 1 || (kind != Kind::real && kind != Kind::count)) return;
     std::vector<double> errors;
     std::vector<double> costs;

@@ -40,6 +40,26 @@ render::View lightView(const render::Box& box, const glm::dvec3& towardsLight, g
     return view;
 }
 
+render::View steadyLightView(const render::Box& box, const glm::dvec3& towardsLight, glm::ivec2 size, double reach)
+{
+    render::View view;
+    const glm::dvec3 up = std::abs(towardsLight.y) > 0.99 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+    // Seen from the origin: the grid of texels does not move with the box.
+    view.viewFromWorld = glm::lookAt(glm::dvec3(0), -towardsLight, up);
+    view.eye = box.center() + towardsLight * 1e3;
+    const render::Box inLight = box.transformed(view.viewFromWorld);
+    const glm::dvec2 extent = glm::dvec2(inLight.high - inLight.low);
+    // Four texels of margin, so that filtering at the rim still sees the clear value, and one for the grid.
+    const glm::dvec2 least = extent / glm::max(glm::dvec2(size) - 9.0, glm::dvec2(1));
+    const double texel = 1e-3 * std::exp2(std::ceil(4 * std::log2(std::max({least.x, least.y, 1e-6}) / 1e-3)) / 4);
+    const glm::dvec2 low = (glm::floor(glm::dvec2(inLight.low) / texel) - 4.0) * texel;
+    view.clipFromView = render::reversedOrthographic(low, low + texel * glm::dvec2(size), inLight.high.z + 0.05, inLight.low.z - reach);
+    view.clipFromWorld = view.clipFromView * view.viewFromWorld;
+    view.tanHalfFov = glm::dvec2(1e-3);
+    view.raster.size = size;
+    return view;
+}
+
 glm::dvec3 blackBodyColor(double kelvin)
 {
     const double t = std::clamp(kelvin, 1000.0, 25000.0);

@@ -22,6 +22,7 @@ struct LightBlock {
     glm::vec4 probeLow{0};
     glm::vec4 probeHigh{0, 0, 0, 1};
     glm::vec4 filtering{0};
+    glm::vec4 disk{0};
 };
 
 /// The light that falls on whatever stands in the hall (or alone in its environment): what an exhibit
@@ -52,6 +53,10 @@ struct Surroundings {
 /// An orthographic view along the light that holds `box`; receivers up to `reach` metres behind the box
 /// are still in its depth range. `towardsLight` is unit length; `size` is the map's, in texels.
 [[nodiscard]] render::View lightView(const render::Box& box, const glm::dvec3& towardsLight, glm::ivec2 size, double reach);
+
+/// The same, standing still while the box changes a little: texels are a power of 2^(1/4) millimetres wide and lie on
+/// one grid, whatever the box, so that shadows of what did not move do not swim.
+[[nodiscard]] render::View steadyLightView(const render::Box& box, const glm::dvec3& towardsLight, glm::ivec2 size, double reach);
 
 /// Linear Rec. 709 color of a black body, its largest component 1; `kelvin` is clamped to [1000, 25000].
 /// Kim et al. 2002 (US patent 7,024,034) for the locus in CIE xy.

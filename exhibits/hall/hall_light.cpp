@@ -1,6 +1,7 @@
 #include "exhibits/hall/hall_scene.h"
 
 #include "exhibits/framework/derive.h"
+#include "exhibits/hall/sun.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -62,9 +63,7 @@ glm::dvec3 lightmapWeights(const std::vector<SunLightmap>& maps, double elevatio
 
 glm::dvec3 towardsSun(const HallScene& scene)
 {
-    const double elevation = scene.values[scene.table.sunElevation];
-    const double azimuth = scene.values[scene.table.sunAzimuth];
-    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation), -std::cos(azimuth) * std::cos(elevation)};
+    return sunOf(scene.table, scene.values).towards();
 }
 
 Surroundings surroundings(const HallScene& scene)
@@ -73,9 +72,10 @@ Surroundings surroundings(const HallScene& scene)
     const ParameterValues& values = scene.values;
     Surroundings result;
     LightBlock& light = result.light;
-    const glm::dvec3 sun = towardsSun(scene);
-    const glm::dvec3 sunColor = blackBodyColor(values[table.sunTemperature]) * values[table.sunStrength];
-    const glm::dvec3 skyColor = blackBodyColor(values[table.skyTemperature]) * values[table.skyStrength];
+    const Sun source = sunOf(table, values);
+    const glm::dvec3 sun = source.towards();
+    const glm::dvec3 sunColor = blackBodyColor(source.temperature) * source.strength;
+    const glm::dvec3 skyColor = blackBodyColor(values[table.skyTemperature]) * (values[table.skyStrength] * source.sky);
     const bool shadows = values[table.sunShadows] && !scene.alone;
     const int mapSize = values[table.shadowMapSize];
 
@@ -85,6 +85,7 @@ Surroundings surroundings(const HallScene& scene)
     light.skyHorizon = glm::vec4(glm::mix(skyColor, sunColor / 9.0, 0.25) * 1.25, scene.environment ? 1 : scene.alone ? 2 : 0);
     light.filtering = {static_cast<float>(static_cast<int>(values[table.shadowFilter])), 0, static_cast<float>(values[table.environmentTurn]),
                        values[table.bakedLight] ? 1.0F : 0.0F};
+    light.disk = {std::tan(values[table.sunDisk] / 2), values[table.diskSamples], 0, 0};
     light.probeHigh.w = static_cast<float>(baseExposure * std::exp2(values[table.exposure])) * (scene.alone ? 0.16F : 1.0F);
 
     if (shadows) {
@@ -96,7 +97,7 @@ Surroundings surroundings(const HallScene& scene)
     if (!scene.alone) {
         result.openings = {windowOpening, oculusOpening};
         result.room = room;
-        const glm::dvec3 weights = lightmapWeights(scene.model.sunLightmapInfo(), values[table.sunElevation]);
+        const glm::dvec3 weights = lightmapWeights(scene.model.sunLightmapInfo(), source.elevation);
         for (int i = 0; i < 3; ++i) light.sunLightmap[i] = static_cast<float>(weights[i] * scene.model.sunLightmapInfo()[static_cast<std::size_t>(i)].scale);
     }
     if (values[table.reflectionProbe]) {
@@ -117,7 +118,7 @@ Surroundings surroundings(const HallScene& scene)
 
 std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 {
-    if (!(scene.values[scene.table.sunStrength] > 0)) return "the sun's strength is 0";
+    if (const Sun sun = sunOf(scene.table, scene.values); !(sun.strength > 0)) return sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set";
     if (!scene.values[scene.table.sunShadows]) return "sun shadows are switched off";
     if (scene.alone) return {};
     const glm::dvec3 sun = towardsSun(scene);

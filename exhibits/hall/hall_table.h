@@ -4,7 +4,8 @@
 
 namespace vitrine {
 
-enum class ShadowFilter : int { hard, tent3, tent5 };
+enum class SunBy : int { angles, hour };
+enum class ShadowFilter : int { hard, tent3, tent5, disk };
 
 /// What the hall is called; here, so that lists need not read the building itself.
 inline constexpr std::string_view hallTitle = "The hall";
@@ -19,12 +20,17 @@ struct HallTable final : Parameters {
     Real resolutionScale = real("resolutionScale", 1.0, none, {0.25, 1}, "Sides of the drawn picture against the window's: less is quicker and blurred.", quality(1));
 
     Group sun = group("Sun");
+    Choice<SunBy> sunBy = choice("sunBy", SunBy::angles, {"angles", "time of day"}, "Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.");
+    Real timeOfDay = real("timeOfDay", 16.1, none, Range{0, 24}.soft(6, 18.5), "Hour of an equinox day, while the sun goes by it: the light comes through the window from three o'clock and sets at six.");
     Real sunElevation = real("sunElevation", 0.331613, degree, Range{0.0349066, 1.535890}.soft(0.139626, 0.872665), "Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.");
     Real sunAzimuth = real("sunAzimuth", -0.0523599, degree, Range{-3.141593, 3.141593}.soft(-0.785398, 0.785398), "Where the sun stands, seen through the window: negative is to the left.");
     Real sunStrength = real("sunStrength", 3.6, none, Range{0, 1000}.soft(0, 30), "Light of the sun against that of the sky: 0 is an overcast day.");
     Real sunTemperature = real("sunTemperature", 4700, kelvin, Range{1000, 20000}.soft(2000, 8000), "Color of the sunlight: low is the red of evening, high is bluish.");
     Toggle sunShadows = toggle("sunShadows", true, "Let walls and exhibits keep the sun off; without it, the sun shines through everything.");
-    Choice<ShadowFilter> shadowFilter = choice("shadowFilter", ShadowFilter::tent5, {"hard", "tent 3x3", "tent 5x5"}, "How softly the edge of a shadow is drawn: more comparisons, smoother edge.", quality(2));
+    Choice<ShadowFilter> shadowFilter = choice("shadowFilter", ShadowFilter::tent5, {"hard", "tent 3x3", "tent 5x5", "sun's disk"},
+        "How softly the edge of a shadow is drawn: by a fixed number of texels, or as wide as the sun's disk makes it over the distance.", quality(3));
+    Real sunDisk = real("sunDisk", 0.00925, degree, Range{0.0001, 0.2}.soft(0.002, 0.03), "How wide the sun looks to the shadows of the disk filter: the real one is about half a degree.");
+    Count diskSamples = count("diskSamples", 24, {1, 256, logarithmic}, "Comparisons over the sun's disk, where the disk filter finds a half-shadow.", quality(256));
     Count shadowMapSize = count("shadowMapSize", 2048, {256, 8192, logarithmic}, "Texels along one side of the sun's depth map: fewer give coarser shadow edges.", quality(8192));
 
     Group sky = group("Sky");

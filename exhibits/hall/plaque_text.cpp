@@ -54,7 +54,7 @@ void PlaqueText::readFont()
     spread_ = font.value("spread", 6.0);
     lineHeight_ = font.value("lineHeight", 1.3);
     for (const auto& [code, row] : font.at("glyphs").items()) {
-        const auto number = [&](const char* key) { return row.value(key, 0.0); };
+        const auto number = [&entry = row](const char* key) { return entry.value(key, 0.0); };
         Glyph g{number("advance"), number("left"), number("bottom"), number("width"), number("height"), {}, {}};
         g.uv0 = {static_cast<float>(number("u0")), static_cast<float>(number("v0"))};
         g.uv1 = {static_cast<float>(number("u1")), static_cast<float>(number("v1"))};

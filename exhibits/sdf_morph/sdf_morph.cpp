@@ -240,6 +240,25 @@ bool SdfMorph::press(ParameterValues& values) const
     return true;
 }
 
+std::vector<StudyView> SdfMorph::studyViews(const ParameterValues& values) const
+{
+    ParameterValues still = values;
+    still.set(table_.animate, false);
+    ParameterValues mug = still;
+    mug.set(table_.morph, 1.0);
+    ParameterValues torus = still;
+    torus.set(table_.morph, 0.0);
+    const render::Camera best = bestView(values);
+    const double size = glm::length(best.eye);
+    const auto from = [&](glm::dvec3 direction, double distance) { return render::Camera{best.target + glm::normalize(direction) * (size * distance), best.target, best.fovY}; };
+    // Rays that graze the lip and the inside of the wall take the most steps; a torus edge-on hides its hole.
+    return {{"best view", best, 0, still},
+            {"into the mug, along its wall", from({0.25, 0.62, 0.45}, 0.75), 0, mug},
+            {"the torus, nearly edge-on", from({1.0, 0.06, 0.10}, 0.8), 0, torus},
+            {"the handle, from near", from({0.9, 0.1, 0.35}, 0.5), 0, mug},
+            {"melting, from behind", from({-0.6, 0.3, -1.0}, 0.9), 0, still}};
+}
+
 void SdfMorph::plan(const PlanContext& context, render::FramePlan& plan) const
 {
     ParameterValues values = context.values;

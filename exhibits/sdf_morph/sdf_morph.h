@@ -28,6 +28,7 @@ public:
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     bool press(ParameterValues&) const override;
+    [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 
 private:

@@ -193,7 +193,7 @@ FrameReport Renderer::draw(const FramePlan& plan)
         if (pass.countSamples) SamplesQuery::end();
         glPopDebugGroup();
         s.remember(pass);
-        report.ran.push_back({pass.name, pass.reason, pass.work});
+        report.ran.push_back({pass.name, pass.reason, pass.work, -1, pass.bound});
         if (s.timeSteps) clock.mark();
         countDraws(pass, report.counters);
     }

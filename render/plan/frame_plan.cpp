@@ -60,6 +60,10 @@ void FramePlan::image(ImageInfo info)
 void FramePlan::add(Pass pass)
 {
     assert(!find(pass.name) && "two passes share a name");
+    if (pass.bound == 0 && !runEverything) {
+        skip(std::move(pass.name), "it can change nothing that is seen: its bound is 0", pass.work);
+        return;
+    }
     passes_.push_back(std::move(pass));
 }
 

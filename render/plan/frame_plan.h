@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -128,6 +129,10 @@ struct Pass {
     std::map<std::string, std::int64_t> counts;
     bool countSamples = false;            ///< Raster: samples that pass the depth test go to the counter "samples".
 
+    /// The most that this pass can change of any pixel's light, where its planner knows: 0 for what is provably
+    /// invisible, which is then skipped; infinite where nobody knows.
+    double bound = std::numeric_limits<double>::infinity();
+
     /// When set and all outputs are kept images last written under the same key, the pass is skipped
     /// as unchanged. It must cover everything that the output depends on.
     std::optional<std::uint64_t> key;
@@ -153,6 +158,7 @@ public:
     bool runEverything = false;  ///< The ledger's switch: nothing is pruned or skipped as unchanged.
 
     void image(ImageInfo);
+    /// A pass with a bound of 0 is skipped, but for `runEverything`.
     void add(Pass);
     void skip(std::string name, std::string reason, Work = Work::raster);
 

@@ -4,6 +4,7 @@
 #include "render/plan/frame_plan.h"
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct StepReport {
     std::string reason;
     Work work = Work::raster;
     double milliseconds = -1;
+    double bound = std::numeric_limits<double>::infinity();  ///< As Pass::bound.
 };
 
 /// The ledger of one frame.

@@ -6,6 +6,15 @@
 layout(local_size_x = 32) in;
 layout(rgba16f, binding = 0) uniform writeonly image2D within;
 
+// Radius at which a line from the sun leaves the mask.
+float exitRadius(vec2 direction)
+{
+    vec2 size = vec2(textureSize(mask, 0));
+    vec2 safe = mix(direction, vec2(1e-6), lessThan(abs(direction), vec2(1e-6)));
+    vec2 far = max((vec2(0.5) - rays.source.xy) / safe, (size - 0.5 - rays.source.xy) / safe);
+    return min(far.x, far.y);
+}
+
 void main()
 {
     int line = int(gl_GlobalInvocationID.x);
@@ -17,9 +26,11 @@ void main()
     float keep = rays.polarSize.z;
     // Within the first radius, and where the mask is not known, its own first value goes on.
     float radius = exp(rays.polar.z);
+    // A cell that reaches over the edge is what it was at the edge: its pixels lie on this side.
+    float exit = exitRadius(direction);
     vec3 mean = maskAt(rays.source.xy + direction * radius);
     for (int i = 0; i < radii; ++i) {
-        mean = mean * keep + maskAt(rays.source.xy + direction * (radius * inversesqrt(ratio))) * (1.0 - keep);
+        mean = mean * keep + maskAt(rays.source.xy + direction * min(radius * inversesqrt(ratio), max(exit, 0.0))) * (1.0 - keep);
         imageStore(within, ivec2(i, line), vec4(mean, 1.0));
         radius *= ratio;
     }

@@ -16,14 +16,14 @@ float airPhase(float cosine, float anisotropy)
 float airMean(float x)
 {
     if (abs(x) < 1.0e-2) return 1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0));
-    return (1.0 - exp(min(-x, 60.0))) / x;
+    return (1.0 - exp(min(-x, 40.0))) / x;
 }
 
 // Optical depth of `way` metres that begin at height `from` and rise `slope` per metre, for an extinction of
 // `density` per metre at height 0 that falls by a factor e every 1 / `thinning` metres. Never negative.
 float airOpticalDepth(float from, float slope, float way, float density, float thinning)
 {
-    float atStart = density * exp(clamp(-thinning * from, -60.0, 60.0));
+    float atStart = density * exp(clamp(-thinning * from, -40.0, 40.0));
     return clamp(atStart * max(way, 0.0) * airMean(thinning * slope * max(way, 0.0)), 0.0, 1.0e4);
 }
 
@@ -48,7 +48,8 @@ vec2 airBox(vec3 origin, vec3 direction, vec3 low, vec3 high)
 // The same for the beam that parallel light makes of an opening: the opening's rectangle, flat along `axis` at
 // `plane`, swept along the light. `along` is the way of the light for which `axis` changes by 1. The beam is a box
 // once every point is slid back along the light onto the plane; what is outside `roomLow` to `roomHigh` does not count.
-vec2 airBeam(vec3 origin, vec3 direction, vec3 low, vec3 high, int axis, float plane, vec3 along, vec3 roomLow, vec3 roomHigh)
+vec2 airBeam(vec3 origin, vec3 direction, vec3 low, vec3 high, int axis, float plane, vec3 along, vec3 roomLow,
+             vec3 roomHigh)
 {
     vec3 slidOrigin = origin - along * (origin[axis] - plane);
     vec3 slidDirection = direction - along * direction[axis];

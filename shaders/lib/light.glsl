@@ -14,8 +14,9 @@ layout(std140, binding = BLOCK_LIGHT) uniform Light {
     vec4 probePosition;           // world space; w: 1 when the probe is valid
     vec4 probeLow;                // box of the parallax correction; w: last level of the probe
     vec4 probeHigh;               // w: exposure, a factor
-    vec4 filtering;               // x: shadow filter (0 hard, 1 tent 3x3, 2 tent 5x5), y: width of an exhibits' texel, metres,
+    vec4 filtering;               // x: shadow filter (0 hard, 1 tent 3x3, 2 tent 5x5, 3 the sun's disk), y: width of an exhibits' texel, metres,
                                   // z: rotation of the environment, radians, w: strength of baked occlusion, 0 to 1
+    vec4 disk;                    // x: tangent of half the sun's width, y: comparisons over its disk
 } light;
 
 layout(binding = UNIT_SHADOW_HALL) uniform sampler2DShadow hallShadow;
@@ -60,6 +61,59 @@ vec3 shadowPosition(mat4 shadowFromWorld, vec3 world)
     return (shadowFromWorld * vec4(world, 1.0)).xyz;
 }
 
+// Point i of n, spread evenly over the unit disk: a spiral of the golden angle (Vogel 1979, "A better way to construct
+// the sunflower head").
+vec2 diskPoint(float i, float n)
+{
+    float angle = 2.39996323 * i;
+    return sqrt((i + 0.5) / n) * vec2(cos(angle), sin(angle));
+}
+
+// Share of the sun's disk that is seen from `world`. The half-shadow of an edge is as wide as the disk looks, seen over
+// the way to what hides it (Fernando 2005, "Percentage-Closer Soft Shadows"). How far that is, is found by comparisons
+// alone: what still hides the point after it has moved d metres towards the sun is farther than d. Every look lies on
+// the plane of the surface: one beside it would be hidden by the surface itself.
+float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3 normal)
+{
+    const float farthest = 16.0;  // metres: from the floor to the window
+    float looks = clamp(0.5 * light.disk.y, 8.0, 64.0);
+    vec3 position = shadowPosition(shadowFromWorld, world);
+    if (any(lessThan(position, vec3(0.0))) || any(greaterThan(position, vec3(1.0)))) return 1.0;
+    mat3 rows = transpose(mat3(shadowFromWorld));
+    vec3 perMetre = vec3(length(rows[0]), length(rows[1]), length(rows[2]));
+    vec2 texel = 1.0 / vec2(textureSize(map, 0));
+    // Rise of the surface towards the sun, over texture coordinates.
+    vec2 rise = -vec2(dot(normal, rows[0]), dot(normal, rows[1])) / (perMetre.xy * perMetre.xy) / max(dot(normal, light.sunDirection.xyz), 0.1) * perMetre.z;
+    vec2 widest = max(perMetre.xy * (light.disk.x * farthest), texel);
+    float hidden = 0.0;
+    for (float i = 0.0; i < looks; i += 1.0) {
+        vec2 offset = diskPoint(i, looks) * widest;
+        hidden += 1.0 - texture(map, position + vec3(offset, dot(offset, rise)));
+    }
+    if (hidden <= 0.0) return 1.0;
+    if (hidden >= looks) return 0.0;
+
+    // Mean of the distances: the integral over d of the share that is farther than d.
+    float mean = 0.0;
+    float last = 0.0;
+    for (float d = 0.25; d <= farthest; d = max(d + 0.25, 1.25 * d)) {
+        float farther = 0.0;
+        for (float i = 0.0; i < looks; i += 1.0) {
+            vec2 offset = diskPoint(i, looks) * widest;
+            farther += 1.0 - texture(map, position + vec3(offset, dot(offset, rise) + 0.5 * (last + d) * perMetre.z));
+        }
+        mean += farther * (d - last);
+        last = d;
+    }
+    vec2 radius = max(perMetre.xy * (light.disk.x * mean / hidden), 0.75 * texel);
+    float lit = 0.0;
+    for (float i = 0.0; i < light.disk.y; i += 1.0) {
+        vec2 offset = diskPoint(i, light.disk.y) * radius;
+        lit += texture(map, position + vec3(offset, dot(offset, rise)));
+    }
+    return lit / light.disk.y;
+}
+
 // How far a point is lifted off its surface before it is looked up, in texels: more where light grazes.
 float shadowLift(float cosine)
 {
@@ -73,6 +127,7 @@ float sunVisibilityOfHall(vec3 world, vec3 normal)
     if (cosine <= 0.0) return 0.0;
     if (light.sunIrradiance.w < 0.5) return 1.0;
     vec3 lifted = world + normal * (light.sunDirection.w * shadowLift(cosine));
+    if (light.filtering.x > 2.5) return shadowDiskLight(hallShadow, light.hallShadowFromWorld, lifted, normal);
     return shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, lifted), int(light.filtering.x));
 }
 
@@ -82,7 +137,8 @@ float sunVisibility(vec3 world, vec3 normal)
     float visible = sunVisibilityOfHall(world, normal);
     if (light.sunLightmap.w > 0.5 && visible > 0.0) {
         vec3 lifted = world + normal * (light.filtering.y * shadowLift(dot(normal, light.sunDirection.xyz)));
-        visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), int(light.filtering.x));
+        if (light.filtering.x > 2.5) visible *= shadowDiskLight(exhibitShadow, light.exhibitShadowFromWorld, lifted, normal);
+        else visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), int(light.filtering.x));
     }
     return visible;
 }

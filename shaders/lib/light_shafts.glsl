@@ -54,7 +54,8 @@ float shaftStepWeight(float i, float n, float density, float exponent)
 {
     float all = 1.0 - shaftWeightBelow(1.0 - density, exponent);
     if (!(all > 1.0e-6)) return 1.0 / n;  // No way to go: every step sees the same.
-    return (shaftWeightBelow(1.0 - density * (i / n), exponent) - shaftWeightBelow(1.0 - density * ((i + 1.0) / n), exponent)) / all;
+    float near = shaftWeightBelow(1.0 - density * (i / n), exponent);
+    return (near - shaftWeightBelow(1.0 - density * ((i + 1.0) / n), exponent)) / all;
 }
 
 // Geometric steps: the part of the way that `taps`^passes steps leave out, and the ratio of two neighbors.

@@ -106,7 +106,8 @@ vec3 strandPoint(vec3 root, vec3 tip, float h, float curvature, int model)
 {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
-        float x = i == 0 ? 0.0694318442029737 : i == 1 ? 0.3300094782075719 : i == 2 ? 0.6699905217924281 : 0.9305681557970263;
+        float x = i == 0 ? 0.0694318442029737
+                : i == 1 ? 0.3300094782075719 : i == 2 ? 0.6699905217924281 : 0.9305681557970263;
         float w = i == 0 || i == 3 ? 0.1739274225687269 : 0.3260725774312731;
         sum += strandDirection(root, tip, powPositive(h * x, curvature), model) * w;
     }

@@ -18,7 +18,7 @@ TEST(Usage, HelpNeedsNeitherDisplayNorOpenGl)
     const Ended help = test::vitrine({"--help"}, noGl);
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* command : {"list", "render", "preset", "doctor"}) EXPECT_NE(help.out.find(command), std::string::npos) << command;
+    for (const char* command : {"list", "render", "study", "compare", "preset", "doctor"}) EXPECT_NE(help.out.find(command), std::string::npos) << command;
     EXPECT_NE(help.out.find("Exit codes"), std::string::npos);
     const Ended render = test::vitrine({"render", "--help"}, noGl);
     EXPECT_EQ(render.code, 0);

@@ -144,6 +144,7 @@ void volume(Bench& bench)
         for (const bool jitter : {false, true}) {
             for (const int steps : {2, 4, 8, 16, 32, 64}) {
                 if (resolution != RayResolution::full && steps != 8 && steps != 16) continue;
+                if (bench.size.x > 640 && (resolution == RayResolution::quarter || steps < 8)) continue;
                 const Measured m = run(steps, resolution, jitter, true);
                 const char* names[] = {"full", "half", "quarter"};
                 std::printf("| %d | %s | %s | %.1f | %.4f | %.1f |\n", steps, jitter ? "on" : "off", names[static_cast<int>(resolution)], m.stepsPerPixel, difference(m.picture, truth.picture).rootMeanSquare / mean, m.milliseconds);
@@ -153,6 +154,39 @@ void volume(Bench& bench)
     }
 }
 
+/// How much of the converged volume's light no gain of the rays in screen space can explain.
+void modelError(Bench& bench)
+{
+    ParameterValues& rays = bench.rays();
+    rays = ParameterValues(table);
+    rays.set(table.view, RayView::light);
+    rays.set(table.ambient, 0.0);
+    rays.set(table.unevenness, 0.0);
+    rays.set(table.jitter, false);
+    rays.set(table.resolution, RayResolution::full);
+    rays.set(table.volumeSteps, 512);
+    const render::Image truth = bench.measure(false).picture;
+    rays.set(table.technique, RayTechnique::screen);
+    for (const double decay : {0.98, 0.99, 0.994, 0.998, 1.0}) {
+        rays.set(table.decay, decay);
+        const render::Image picture = bench.measure(false).picture;
+        double product = 0;
+        double square = 0;
+        double truthSquare = 0;
+        for (std::size_t i = 0; i < truth.pixels.size(); i += 4) {
+            const double a = static_cast<double>(picture.pixels[i]);
+            const double b = static_cast<double>(truth.pixels[i]);
+            product += a * b;
+            square += a * a;
+            truthSquare += b * b;
+        }
+        const double explained = square > 0 && truthSquare > 0 ? product * product / (square * truthSquare) : 0;
+        std::printf(" %.0f %% |", 100 * std::sqrt(1 - explained));
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
 }  // namespace
 
 int main()
@@ -160,14 +194,25 @@ int main()
     Bench bench;
     std::printf("# Sunbeams: work, error, time\n\n%s. Time is that of the exhibit's own passes, median of five, by the process's CPU time around glFinish.\n", bench.context.info().renderer.c_str());
     const Exhibit& exhibit = *bench.museum.exhibits()[bench.exhibit];
+    const auto look = [&](const StudyView& view) {
+        const glm::dmat4 world = bench.museum.worldFromExhibit(bench.exhibit);
+        bench.camera = view.camera;
+        bench.camera.eye = glm::dvec3(world * glm::dvec4(view.camera.eye, 1));
+        bench.camera.target = glm::dvec3(world * glm::dvec4(view.camera.target, 1));
+    };
+    const std::vector<StudyView> views = exhibit.studyViews(exhibit.parameters().initial());
+    std::printf("\n## Model: what of the converged volume's light the screen does not explain, with the best gain\n\n| view | decay 0.98 | 0.99 | 0.994 | 0.998 | 1 |\n|---|---|---|---|---|---|\n");
+    bench.size = {320, 180};
+    for (const StudyView& view : views) {
+        look(view);
+        std::printf("| %s |", view.name.c_str());
+        modelError(bench);
+    }
     for (const glm::ivec2 size : {glm::ivec2(640, 360), glm::ivec2(1280, 720)}) {
         bench.size = size;
-        for (const StudyView& view : exhibit.studyViews(exhibit.parameters().initial())) {
-            if (view.name != "best view" && view.name != "window ahead") continue;
-            bench.camera = view.camera;
-            const glm::dmat4 world = bench.museum.worldFromExhibit(bench.exhibit);
-            bench.camera.eye = glm::dvec3(world * glm::dvec4(view.camera.eye, 1));
-            bench.camera.target = glm::dvec3(world * glm::dvec4(view.camera.target, 1));
+        for (const StudyView& view : views) {
+            if (view.name != "best view" && (view.name != "window ahead" || size.x > 640)) continue;
+            look(view);
             std::printf("\n## Screen space, %s, %d × %d\n\nAgainst the loop with 4096 samples; a white mask gives 1.\n\n", view.name.c_str(), size.x, size.y);
             screenRays(bench);
             if (view.name == "best view") {

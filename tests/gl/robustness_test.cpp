@@ -44,7 +44,7 @@ TEST_F(Robustness, EveryExhibitDrawsAtItsBestView)
 {
     const auto exhibits = gallery().museum.exhibits();
     for (std::size_t i = 1; i < exhibits.size(); ++i) {
-        if (!exhibits[i]->castsShadow()) continue;  // Light alone falls on nothing: see rays_test.cpp.
+        if (!exhibits[i]->castsShadow()) continue;  // Light alone falls on nothing: see "Rays".
         Shot shot;
         shot.request.frame.alone = i;
         shot.request.frame.camera = exhibits[i]->bestView(shot.look.values[i]);

@@ -22,6 +22,25 @@ std::string reasonFor(const FramePlan& plan, std::string_view name)
     return skipped ? skipped->reason : "not skipped";
 }
 
+TEST(FramePlan, APassThatCanChangeNothingIsNotRunUnlessEverythingIs)
+{
+    for (const bool everything : {false, true}) {
+        FramePlan plan;
+        plan.runEverything = everything;
+        Pass invisible = pass("invisible", {}, "a");
+        invisible.bound = 0;
+        plan.add(std::move(invisible));
+        Pass faint = pass("faint", {}, "a");
+        faint.bound = 1e-12;
+        plan.add(std::move(faint));
+        plan.prune({"a"});
+        EXPECT_EQ(toString(plan), everything ? "invisible > faint" : "faint");
+        if (!everything) {
+            EXPECT_NE(reasonFor(plan, "invisible").find("bound is 0"), std::string::npos);
+        }
+    }
+}
+
 TEST(FramePlan, DropsWhatNothingReadsAndSaysSo)
 {
     FramePlan plan;

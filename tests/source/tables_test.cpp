@@ -67,6 +67,21 @@ TEST(Tables, NamesAreUniqueAndFitForPresetsFlagsAndGlsl)
     }
 }
 
+TEST(Tables, EveryExhibitSaysWhatItsAccuracyIs)
+{
+    for (const auto& [exhibit, table] : tables()) {
+        const auto rows = table->rows();
+        EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); }))
+            << exhibit << " has no row marked quality(reference): nothing of it can be studied";
+        for (const ParameterInfo& row : rows) {
+            if (!row.qualityReference) continue;
+            EXPECT_TRUE(row.kind == Kind::real || row.kind == Kind::count || row.kind == Kind::choice || row.kind == Kind::toggle) << exhibit << '.' << row.name;
+            EXPECT_EQ(nearestLegal(row, *row.qualityReference), Value(*row.qualityReference)) << exhibit << '.' << row.name << ": its reference is not legal";
+            EXPECT_GE(derive::sweep(row, 3).size(), 2U) << exhibit << '.' << row.name << ": nothing to vary";
+        }
+    }
+}
+
 TEST(Tables, HelpIsOneOrTwoSentences)
 {
     for (const auto& [exhibit, table] : tables()) {

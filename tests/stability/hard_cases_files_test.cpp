@@ -1,5 +1,6 @@
 // Values that no table allows, in files. Each case first shows what they would do, were they let in.
 
+#include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/hall/surface_draw.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
@@ -53,6 +54,36 @@ TEST(HardCases, H17_ANegativeSizeInAPresetIsBroughtIntoRangeAndSaid)
         }
     }
     EXPECT_GE(sizes, 8);
+}
+
+TEST(HardCases, H61_NumbersThatAreNoneAreRefusedForEveryRowOfEveryExhibit)
+{
+    EXPECT_TRUE(std::isnan(std::clamp(std::nan(""), 0.0, 1.0)));  // A clamp alone lets it through.
+    const double infinity = std::numeric_limits<double>::infinity();
+    const auto exhibits = allExhibits();
+    int rows = 0;
+    for (const auto& exhibit : exhibits) {
+        const Parameters& of = exhibit->parameters();
+        for (std::size_t i = 0; i < of.rows().size(); ++i) {
+            const ParameterInfo& row = of.rows()[i];
+            if (row.kind == Kind::file || row.kind == Kind::toggle || row.kind == Kind::choice) continue;
+            ++rows;
+            SCOPED_TRACE(std::string(exhibit->name()) + '.' + std::string(row.name));
+            const bool one = row.kind == Kind::real || row.kind == Kind::count;
+            const auto with = [&](const std::string& value) {
+                return parsePreset("{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"" + std::string(exhibit->name()) + "\", \"values\": {\n\"" + std::string(row.name) + "\": " + value + "}}",
+                                   "x.json", exhibit->name(), of);
+            };
+            for (const char* bad : {"NaN", "Infinity", "-Infinity", "1e400", "null", "\"1\""}) EXPECT_FAILURE(with(one ? bad : "[0, " + std::string(bad) + ", 1]"), "x.json, line 2");
+            for (const double hostile : {std::nan(""), infinity, -infinity, -1e308}) {
+                ParameterValues values = of.initial();
+                if (one) values.setRow(i, hostile);
+                else values.setRow(i, glm::dvec3(0, hostile, 1));
+                EXPECT_EQ(nearestLegal(row, values.row(i)), values.row(i));
+            }
+        }
+    }
+    EXPECT_GT(rows, 20);
 }
 
 TEST(HardCases, H94_ARefractiveIndexThatNoGlassHasIsRefusedOrBroughtIntoRange)

@@ -1,7 +1,10 @@
 #include "exhibits/framework/museum.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
+#include "render/measure/clock.h"
 #include "ui/gl_probe.h"
+#include "ui/ledger_dock.h"
+#include "ui/ledger_view.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
 #include "ui/museum_gallery.h"
@@ -11,12 +14,15 @@
 #include "ui/preset_list.h"
 #include "ui/preset_shelf.h"
 #include "ui/print_dialog.h"
+#include "ui/study_dock.h"
 #include "ui/theme.h"
 #include "ui/value_slider.h"
 #include "ui/viewport.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QListWidget>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -191,6 +197,54 @@ private slots:
         window_->history().stack().undo();
         window_->openFile(QString::fromStdString(wish.path.string()));
         QVERIFY(window_->history().look() == shown);
+    }
+
+    void tenSecondsOfIdlingDrawNothingAndUseNoProcessor()
+    {
+        window_->visit(exhibit_);
+        settle();
+        QTest::qWait(1000);  // The status line and what else follows the last picture.
+        const long long drawn = window_->viewport().picturesDrawn();
+        const double cpu = render::processCpuSeconds();
+        QTest::qWait(10000);
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);
+        const double share = (render::processCpuSeconds() - cpu) / 10;
+        QVERIFY2(share < 0.005, qPrintable(QStringLiteral("%1 % of a processor").arg(100 * share)));
+    }
+
+    void theLedgersSwitchRunsEverythingAndChangesNoPixel()
+    {
+        window_->visit(exhibit_);
+        window_->findChild<QDockWidget*>("ledger")->show();
+        QTest::qWait(100);  // The picture is smaller with a dock below it.
+        const QImage before = picture();
+        auto* ledger = window_->findChild<LedgerDock*>();
+        ledger->runEverything().setChecked(true);
+        settle();
+        QCOMPARE(difference(before, picture()), 0.0);
+        QVERIFY(ledger->view().lastCost("sdf_morph/march") >= 0);
+        ledger->runEverything().setChecked(false);
+        settle();
+        QTRY_VERIFY(ledger->reasonText().contains("nothing to draw, because"));
+    }
+
+    void aStudyInTheWindowLeavesThePictureAloneUntilAPointIsClicked()
+    {
+        window_->visit(exhibit_);
+        const QImage before = picture();
+        StudyDock& study = window_->study();
+        study.setEffort({64, 36}, 2);
+        window_->findChild<QDockWidget*>("study")->show();
+        QSignalSpy finished(&study, &StudyDock::finished);
+        const auto row = window_->gallery().exhibits()[exhibit_]->parameters().find("hitTolerance");
+        emit window_->panel().accuracyAsked(*row);
+        QVERIFY(study.running());
+        QTRY_VERIFY_WITH_TIMEOUT(finished.count() == 1, 60000);
+        QVERIFY(study.result().points.size() >= 5);
+        QCOMPARE(study.result().costName, std::string("evaluations"));
+        QCOMPARE(window_->history().stack().count(), 0);
+        window_->findChild<QDockWidget*>("study")->hide();
+        QTRY_VERIFY(difference(before, picture()) < 0.5);
     }
 
     void aCancelledExportLeavesNoFile()

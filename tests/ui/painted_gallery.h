@@ -91,6 +91,7 @@ public:
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return shaderProblems; }
     [[nodiscard]] ui::PictureJob makePicture(const Look&, const PictureRequest&) override { return {}; }
     void nextPicture(ui::PictureJob&, const Look&, const PictureRequest&) override {}
+    [[nodiscard]] ui::StudyJob makeStudy(const StudyRequest&) override { return {}; }
 
     int opened = 0, closed = 0;
     std::vector<FrameRequest> requests;

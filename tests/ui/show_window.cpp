@@ -5,12 +5,14 @@
 #include "ui/eyes_preview.h"
 #include "ui/main_window.h"
 #include "ui/museum_gallery.h"
+#include "ui/study_dock.h"
 #include "ui/print_dialog.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QEventLoop>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -65,6 +67,15 @@ int main(int argc, char** argv)
         waitUntilStill(window, 60000);
         window.grab().save(folder + QStringLiteral("/visit") + ending);
         if (real) {
+            window.findChild<QDockWidget*>(QStringLiteral("study"))->show();
+            window.findChild<QDockWidget*>(QStringLiteral("study"))->raise();
+            window.study().setEffort({240, 135}, 3);
+            QEventLoop until;
+            QObject::connect(&window.study(), &ui::StudyDock::finished, &until, &QEventLoop::quit);
+            window.study().ask(1, *window.gallery().exhibits()[1]->parameters().find("hitTolerance"));
+            until.exec();
+            waitUntilStill(window, 60000);
+            window.grab().save(folder + QStringLiteral("/study") + ending);
             window.openPrintDialog();
             auto* dialog = window.findChild<ui::PrintDialog*>();
             dialog->setPath(QStringLiteral("/home/visitor/Pictures/lenticular-print.tif"));

@@ -104,8 +104,9 @@ TEST(ReadImage, StopsWhenCancelled)
     const TemporaryFolder folder;
     int asked = 0;
     const ReadOptions options{.cancelled = [&asked] { return ++asked > 1; }};
-    for (const auto& [name, format] :
+    for (const auto& [file, format] :
          {std::pair("a.png", PictureFormat::png8), std::pair("a.exr", PictureFormat::exr)}) {
+        const std::string name = file;
         writePicture(folder / name, gradient(4, 300, 3), format);
         asked = 0;
         EXPECT_FAILURE(readImage(folder / name, options), "cancelled");

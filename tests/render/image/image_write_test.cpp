@@ -170,7 +170,9 @@ public:
 TEST(WritePicture, KeepsTheOldFileWhenAnythingFails)
 {
     const TemporaryFolder folder;
-    for (const auto& [name, format] : formats) {
+    for (const auto& [first, second] : formats) {
+        const std::string name = first;
+        const PictureFormat format = second;
         test::writeBytes(folder / name, "old");
         SmallDisk small(40);
         EXPECT_FAILURE(writePicture(folder / name, noise(30, 30, 3), format, {}, small), "free some space");
@@ -179,7 +181,9 @@ TEST(WritePicture, KeepsTheOldFileWhenAnythingFails)
         EXPECT_EQ(test::bytesOf(folder / name), "old");
     }
     EXPECT_EQ(folder.files().size(), formats.size()) << "no part file stays";
-    for (const auto& [name, format] : formats) {
+    for (const auto& [first, second] : formats) {
+        const std::string name = first;
+        const PictureFormat format = second;
         EXPECT_FAILURE(writePicture(folder / "missing" / name, noise(3, 3, 3), format), "Cannot write");
     }
 }
@@ -194,7 +198,9 @@ TEST(WritePicture, KeepsTheOldFileOnAFullDisk)
     const TemporaryFolder folder;
     if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0)
         GTEST_SKIP() << "only root can mount a small disk";
-    for (const auto& [name, format] : formats) {
+    for (const auto& [first, second] : formats) {
+        const std::string name = first;
+        const PictureFormat format = second;
         for (const int size : {150, 400}) {
             test::writeBytes(folder / name, "old");
             HopefulOps ops;

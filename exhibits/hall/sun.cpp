@@ -1,0 +1,54 @@
+#include "exhibits/hall/sun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double latitude = 48 * degree;
+/// From south, westwards: the sun stands at the hall's initial angles a little after four o'clock.
+constexpr double windowAzimuth = 70.6 * degree;
+/// Above the air: what makes the light of four o'clock as strong as the hall's initial sun.
+constexpr double strengthAboveAir = 7.5;
+
+}  // namespace
+
+glm::dvec3 Sun::towards() const
+{
+    return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation), -std::cos(azimuth) * std::cos(elevation)};
+}
+
+Sun sunAtHour(double hour)
+{
+    const double turn = ((std::isfinite(hour) ? std::fmod(hour, 24.0) : 12.0) - 12) * 15 * degree;
+    Sun sun;
+    // On an equinox the sun moves along the celestial equator.
+    sun.elevation = std::asin(std::clamp(std::cos(latitude) * std::cos(turn), -1.0, 1.0));
+    const double fromSouth = std::atan2(std::sin(turn), std::cos(turn) * std::sin(latitude));
+    sun.azimuth = std::remainder(fromSouth - windowAzimuth, 2 * std::numbers::pi);
+    const double high = std::max(sun.elevation / degree, 0.0);
+    const double airMass = 1 / (std::sin(high * degree) + 0.50572 * std::pow(high + 6.07995, -1.6364));
+    // The disk takes a degree to set.
+    const double risen = std::clamp(sun.elevation / degree + 0.5, 0.0, 1.0);
+    sun.strength = strengthAboveAir * std::pow(0.7, std::pow(airMass, 0.678)) * risen;
+    sun.temperature = 2000 + 3700 * (1 - std::exp(-high / 15));
+    // Twilight: the sky is gone when the sun is six degrees below the horizon, and full from fifteen above.
+    const double day = std::clamp((sun.elevation / degree + 6) / 21, 0.0, 1.0);
+    sun.sky = day * day * (3 - 2 * day);
+    return sun;
+}
+
+Sun sunOf(const HallTable& table, const ParameterValues& values)
+{
+    if (values[table.sunBy] == SunBy::hour) {
+        Sun sun = sunAtHour(values[table.timeOfDay]);
+        sun.strength *= values[table.sunStrength] / std::get<double>(table.rows()[table.sunStrength.row].initial);
+        return sun;
+    }
+    return {values[table.sunElevation], values[table.sunAzimuth], values[table.sunStrength], values[table.sunTemperature], 1};
+}
+
+}  // namespace vitrine

@@ -1,0 +1,456 @@
+// The sunbeams as drawn, against float64 and closed forms.
+
+#include "exhibits/crepuscular_rays/rays_scene.h"
+#include "render/glsl/cpu.h"
+#include "tests/gl/gallery.h"
+#include "tests/stability/fields.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+using test::gallery;
+using test::hallTable;
+using test::Picture;
+using test::raysTable;
+using test::Shot;
+
+constexpr double degree = std::numbers::pi / 180;
+
+class Rays : public test::GlTest {};
+
+/// The window from the middle of the hall, in linear light; white rays of strength 1 where an exposure of 1 shows it.
+struct RayShot : Shot {
+    explicit RayShot(RayTechnique technique)
+    {
+        inHall();
+        request.frame.subject.reset();
+        request.frame.channels.normal = false;
+        see({0.4, 1.65, -1}, {0.1, 3.8, -12});
+        hall().set(hallTable().exposure, -std::log2(6.5));
+        hall().set(hallTable().sunTemperature, 6500.0);
+        rays().set(raysTable().technique, technique);
+        rays().set(raysTable().weight, 1.0);
+        rays().set(raysTable().tint, ColorValue{dvec3(1)});
+        rays().set(raysTable().skyColor, false);
+        rays().set(raysTable().lightSize, 3.141593);
+        rays().set(raysTable().jitter, false);
+        rays().set(raysTable().resolution, RayResolution::full);
+        rays().set(raysTable().view, RayView::light);
+        rays().set(raysTable().unevenness, 0.0);
+    }
+    [[nodiscard]] ParameterValues& rays() { return look.values[*gallery().museum.find("crepuscular_rays")]; }
+    /// Largest component of the color in which a white mask comes out.
+    [[nodiscard]] dvec3 white() const
+    {
+        const dvec3 color = blackBodyColor(look.values[0][hallTable().sunTemperature]);
+        return color / std::max({color.x, color.y, color.z});
+    }
+};
+
+/// The mask of the last picture, sampled like the shader does; pixels from the lower left.
+struct Mask {
+    render::Image image = gallery().renderer.read("crepuscular_rays.mask");
+
+    [[nodiscard]] double texel(int x, int y) const
+    {
+        return image.at(std::clamp(x, 0, image.width - 1), image.height - 1 - std::clamp(y, 0, image.height - 1), 0);
+    }
+    [[nodiscard]] double at(const dvec2& pixel) const
+    {
+        if (pixel.x < 0 || pixel.y < 0 || pixel.x > image.width || pixel.y > image.height) return 0;
+        const dvec2 p = pixel - 0.5;
+        const dvec2 base = glm::floor(p);
+        const dvec2 f = p - base;
+        const int x = static_cast<int>(base.x);
+        const int y = static_cast<int>(base.y);
+        return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), f.x), glm::mix(texel(x, y + 1), texel(x + 1, y + 1), f.x), f.y);
+    }
+};
+
+/// What float64 gathers at a pixel from the lower left.
+double gathered(const Mask& mask, const dvec2& source, const dvec2& pixel, int samples, double density, double exponent)
+{
+    double sum = 0;
+    for (int i = 0; i < samples; ++i)
+        sum += mask.at(source + (pixel - source) * glsl::shaftStep(i, samples, density, 0)) * glsl::shaftStepWeight(i, samples, density, exponent);
+    return sum;
+}
+
+TEST_F(Rays, LeaveThePictureAsItIsToTheBitWhenTheyAreOff)
+{
+    RayShot shot(RayTechnique::none);
+    shot.rays().set(raysTable().view, RayView::picture);
+    const Picture off = shot.take();
+    shot.rays().set(raysTable().technique, RayTechnique::both);
+    RayShot changed = shot;
+    EXPECT_GT(test::largestDifference(off.image, shot.take().image), 0.05);
+    // Strength 0 in every way there is, and the same once more with every pass run for nothing.
+    changed.rays().set(raysTable().weight, 0.0);
+    changed.rays().set(raysTable().airDensity, 0.0);
+    EXPECT_EQ(test::largestDifference(off.image, changed.take().image), 0);
+    changed.request.frame.runEverything = true;
+    EXPECT_EQ(test::largestDifference(off.image, changed.take().image), 0);
+}
+
+TEST_F(Rays, OfTheSunBehindChangeNothing)
+{
+    // The original projects a sun behind the camera into the middle of the picture, and draws rays there.
+    RayShot shot(RayTechnique::none);
+    shot.rays().set(raysTable().view, RayView::picture);
+    const dvec3 sun(-0.049, 0.3256, -0.944);
+    shot.see(dvec3(0, 5, 1), dvec3(0, 5, 1) - sun);
+    const Picture off = shot.take();
+    shot.rays().set(raysTable().technique, RayTechnique::screen);
+    EXPECT_EQ(test::largestDifference(off.image, shot.take().image), 0);
+}
+
+TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
+{
+    RayShot shot(RayTechnique::screen);
+    // Alone there is nothing but sky, and the sun stands in the picture.
+    shot.request.frame.alone = *gallery().museum.find("crepuscular_rays");
+    shot.request.frame.transparent = true;
+    shot.hall().set(hallTable().exposure, -std::log2(6.5 * 0.16));
+    shot.see({0, 0, 0}, {-0.05, 0.2, -1});
+    shot.size(64, 36);
+    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
+        for (const double decay : {0.0, 0.9, 0.98, 1.0}) {
+            for (const double density : {0.0, 0.3, 1.0}) {
+                for (const int samples : {1, 8, 216}) {
+                    shot.rays().set(raysTable().method, method);
+                    shot.rays().set(raysTable().decay, decay);
+                    shot.rays().set(raysTable().density, density);
+                    shot.rays().set(raysTable().samples, samples);
+                    const Picture p = shot.take();
+                    double worst = 0;
+                    // Half floats carry the mean: a thousandth.
+                    p.each([&](int x, int y) { worst = std::max(worst, glm::length(p.color(x, y) / shot.white() - dvec3(1))); });
+                    EXPECT_LT(worst, 0.004) << static_cast<int>(method) << ' ' << decay << ' ' << density << ' ' << samples;
+                }
+            }
+        }
+    }
+}
+
+TEST_F(Rays, AreTheMeanThatFloat64Finds)
+{
+    // The sun in the picture; beyond its upper edge; and beyond its corner.
+    const std::pair<dvec3, dvec3> views[] = {{{0.4, 1.65, -1}, {0.1, 3.8, -12}}, {{0.4, 1.65, -5}, {0.4, 1.6, -12}}, {{-3, 1.65, -6}, {1.5, 2.6, -12}}};
+    for (const auto& [eye, target] : views) {
+        RayShot shot(RayTechnique::screen);
+        shot.size(161, 91);
+        shot.see(eye, target);
+        shot.rays().set(raysTable().edgeFade, 8.0);
+        shot.rays().set(raysTable().method, RayMethod::loop);
+        shot.rays().set(raysTable().samples, 64);
+        const Picture loop = shot.take();
+        const Mask mask;
+        const dvec3 towardsSun(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree), -std::cos(-3 * degree) * std::cos(19 * degree));
+        const SunInPicture sun = sunInPicture(loop.view, towardsSun);
+        ASSERT_TRUE(sun.inFront);
+        const double reach = std::max(glm::length(sun.pixel - dvec2(80.5, 45.5)) / 91, 1.0);
+        const double density = glsl::shaftDensity(shot.rays()[raysTable().density], reach);
+        const double exponent = glsl::shaftExponentAt(shot.rays()[raysTable().decay], reach);
+        const double fade = glsl::shaftEdgeFade(sun.beyond, 8);
+        double sky = 0;
+        double worst = 0;
+        double sumOfSquares = 0;
+        shot.rays().set(raysTable().method, RayMethod::polar);
+        shot.rays().set(raysTable().samples, 512);
+        const Picture polar = shot.take();
+        shot.rays().set(raysTable().method, RayMethod::threePasses);
+        shot.rays().set(raysTable().samples, 1000);
+        const Picture passes = shot.take();
+        double polarSquares = 0;
+        double passesSquares = 0;
+        loop.each([&](int x, int y) {
+            const dvec2 pixel(x + 0.5, 91 - y - 0.5);
+            const double exact = gathered(mask, sun.pixel, pixel, 64, density, exponent) * fade * shot.white().y;
+            const double fine = gathered(mask, sun.pixel, pixel, 600, density, exponent) * fade * shot.white().y;
+            sky += mask.at(pixel);
+            worst = std::max(worst, std::abs(loop.color(x, y).y - exact));
+            sumOfSquares += std::pow(fine, 2);
+            polarSquares += std::pow(polar.color(x, y).y - fine, 2);
+            passesSquares += std::pow(passes.color(x, y).y - fine, 2);
+        });
+        const double pixels = 161 * 91;
+        EXPECT_GT(sky, 100);
+        EXPECT_GT(std::sqrt(sumOfSquares / pixels), 0.02);
+        // Half floats, and a hardware sampler that places a look to 1/256 of a pixel.
+        EXPECT_LT(worst, 0.004);
+        EXPECT_LT(std::sqrt(polarSquares / pixels), 0.004);
+        EXPECT_LT(std::sqrt(passesSquares / pixels), 0.006);
+    }
+}
+
+TEST_F(Rays, AreNeverBrighterThanTheMask)
+{
+    RayShot shot(RayTechnique::screen);
+    shot.rays().set(raysTable().jitter, true);
+    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
+        for (const RayResolution resolution : {RayResolution::full, RayResolution::half, RayResolution::quarter}) {
+            shot.rays().set(raysTable().method, method);
+            shot.rays().set(raysTable().resolution, resolution);
+            const Picture p = shot.take();
+            p.each([&](int x, int y) { EXPECT_LE(p.color(x, y).x, 1.002 * shot.white().x) << x << ',' << y; });
+        }
+    }
+    // The original's sum is, by far.
+    shot.rays().set(raysTable().sum, RaySum::plain);
+    shot.rays().set(raysTable().decay, 1.0);
+    const Picture plain = shot.take();
+    double brightest = 0;
+    plain.each([&](int x, int y) { brightest = std::max(brightest, plain.color(x, y).x); });
+    EXPECT_GT(brightest, 20);
+}
+
+TEST_F(Rays, OfTheOriginalAddUpToItsClosedFormOnAWhiteMask)
+{
+    RayShot shot(RayTechnique::screen);
+    shot.request.frame.alone = *gallery().museum.find("crepuscular_rays");
+    shot.request.frame.transparent = true;
+    shot.hall().set(hallTable().exposure, -std::log2(6.5 * 0.16));
+    shot.see({0, 0, 0}, {-0.05, 0.2, -1});
+    shot.rays().set(raysTable().sum, RaySum::plain);
+    shot.rays().set(raysTable().density, 1.0);
+    shot.rays().set(raysTable().weight, 0.1);
+    for (const double decay : {0.5, 0.96, 1.0}) {
+        for (const int samples : {8, 128}) {
+            shot.rays().set(raysTable().decay, decay);
+            shot.rays().set(raysTable().samples, samples);
+            const Picture p = shot.take();
+            EXPECT_NEAR(p.color(40, 30).y / shot.white().y / glsl::shaftPlainSum(0.1, decay, samples), 1, 0.003) << decay << ' ' << samples;
+        }
+    }
+}
+
+TEST_F(Rays, WithoutDensityAreTheMaskToTheBit)
+{
+    RayShot shot(RayTechnique::screen);
+    shot.rays().set(raysTable().density, 0.0);
+    shot.rays().set(raysTable().method, RayMethod::loop);
+    (void)shot.take();
+    const render::Image mask = gallery().renderer.read("crepuscular_rays.mask");
+    const render::Image gatheredImage = gallery().renderer.read("crepuscular_rays.rays");
+    ASSERT_EQ(mask.width, gatheredImage.width);
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x) EXPECT_EQ(mask.at(x, y, 0), gatheredImage.at(x, y, 0)) << x << ',' << y;
+}
+
+TEST_F(Rays, HaveOneMaskWhicheverWayItIsMade)
+{
+    RayShot shot(RayTechnique::screen);
+    std::vector<render::Image> masks;
+    for (const RayMask mode : {RayMask::depth, RayMask::alpha, RayMask::occluders}) {
+        shot.rays().set(raysTable().mask, mode);
+        (void)shot.take();
+        masks.push_back(gallery().renderer.read("crepuscular_rays.mask"));
+    }
+    double sky = 0;
+    for (const float v : masks[0].pixels) sky += v;
+    EXPECT_GT(sky, 200);
+    EXPECT_EQ(test::largestDifference(masks[0], masks[1]), 0);
+    EXPECT_EQ(test::largestDifference(masks[0], masks[2]), 0);
+    // The marched object has no mesh: there the occluders' mask is not valid, and differs.
+    shot.see({0, 1.3, 3.5}, {0, 2.0, -12});
+    (void)shot.take();
+    const render::Image drawnAgain = gallery().renderer.read("crepuscular_rays.mask");
+    shot.rays().set(raysTable().mask, RayMask::depth);
+    (void)shot.take();
+    EXPECT_GT(test::largestDifference(drawnAgain, gallery().renderer.read("crepuscular_rays.mask")), 0.5);
+}
+
+TEST_F(Rays, AreWhereTheyShouldBeAtHalfSizeAndOddSizes)
+{
+    for (const glm::ivec2 size : {glm::ivec2(97, 55), glm::ivec2(96, 54), glm::ivec2(101, 53)}) {
+        RayShot shot(RayTechnique::screen);
+        shot.size(size.x, size.y);
+        shot.rays().set(raysTable().method, RayMethod::loop);
+        shot.rays().set(raysTable().samples, 256);
+        const auto centroid = [&](RayResolution resolution) {
+            shot.rays().set(raysTable().resolution, resolution);
+            const Picture p = shot.take();
+            dvec2 sum(0);
+            double all = 0;
+            p.each([&](int x, int y) {
+                sum += dvec2(x, y) * p.color(x, y).y;
+                all += p.color(x, y).y;
+            });
+            return sum / all;
+        };
+        const dvec2 full = centroid(RayResolution::full);
+        EXPECT_LT(glm::length(centroid(RayResolution::half) - full), 0.3) << size.x << 'x' << size.y;
+    }
+}
+
+TEST_F(Rays, ChangeLittleByLittleWhileTheCameraTurnsAway)
+{
+    // From the sun in the picture through the edge to a quarter turn beyond, in steps of a tenth of a degree (here
+    // around the edge and where the last of it fades): nothing pops.
+    RayShot shot(RayTechnique::screen);
+    shot.size(64, 36);
+    shot.rays().set(raysTable().edgeFade, 0.8);
+    const auto mean = [&](double yaw) {
+        const double a = yaw * degree;
+        shot.see({0.4, 1.65, -1}, dvec3(0.4, 1.65, -1) + dvec3(std::sin(a), 0.2, -std::cos(a)));
+        return shot.take().mean();
+    };
+    const double straight = mean(0);
+    EXPECT_GT(straight, 0.05);
+    for (const double around : {-42.0, 36.0, 58.0, 66.0}) {
+        double last = mean(around);
+        for (int i = 1; i <= 12; ++i) {
+            const double now = mean(around + 0.1 * i);
+            EXPECT_LT(std::abs(now - last), 0.02 * straight) << around + 0.1 * i;
+            last = now;
+        }
+    }
+    EXPECT_EQ(gallery().museum.plan(shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
+}
+
+TEST_F(Rays, JitterMovesTheGrainAndNotTheMean)
+{
+    RayShot shot(RayTechnique::both);
+    shot.size(160, 90);
+    shot.rays().set(raysTable().method, RayMethod::loop);
+    shot.rays().set(raysTable().samples, 24);
+    const double even = shot.take().mean();
+    shot.rays().set(raysTable().jitter, true);
+    EXPECT_NEAR(shot.take().mean() / even, 1, 0.01);
+}
+
+/// Looks across the beam, with no walls to keep the sun off: all of the beam is lit.
+struct SlabShot : RayShot {
+    SlabShot() : RayShot(RayTechnique::volume)
+    {
+        see({-5, 3.4, -6}, {5, 2.6, -7});
+        request.frame.camera.fovY = 0.5;
+        hall().set(hallTable().sunShadows, false);
+        rays().set(raysTable().ambient, 0.0);
+        rays().set(raysTable().beamStrength, 1.0);
+        rays().set(raysTable().airDensity, 0.09);
+        rays().set(raysTable().airColor, ColorValue{dvec3(1)});
+    }
+};
+
+TEST_F(Rays, OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
+{
+    SlabShot shot;
+    const dvec3 towardsSun = glm::normalize(dvec3(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree), -std::cos(-3 * degree) * std::cos(19 * degree)));
+    const dvec3 sunLight = blackBodyColor(6500) * shot.hall()[hallTable().sunStrength];
+    for (const int steps : {1, 2, 64}) {
+        shot.rays().set(raysTable().volumeSteps, steps);
+        const Picture p = shot.take();
+        const render::Box window{{-1.2, 1.4, -12.5}, {1.2, 6.4, -11.9}};
+        const std::vector<Beam> found = beams(std::span(&window, 1), {{-6, 0, -12}, {6, 9, 12}}, towardsSun);
+        double worst = 0;
+        int compared = 0;
+        p.each([&](int x, int y) {
+            if (!p.hit(x, y)) return;
+            const dvec2 ndc = (dvec2(x, y) + 0.5) / dvec2(p.width(), p.height()) * 2.0 - 1.0;
+            const dvec3 inView(ndc.x * p.view.tanHalfFov.x, -ndc.y * p.view.tanHalfFov.y, -1);
+            const dvec3 direction = glm::normalize(glm::transpose(glm::dmat3(p.view.viewFromWorld)) * inView);
+            const double end = p.depth(x, y) * glm::length(inView);
+            const dvec3 eye = p.view.eye;
+            const auto depthTo = [&](double t) {
+                const dvec2 air = glsl::airBox(eye, direction, found[0].box.low, found[0].box.high);
+                const double begin = std::max(air.x, 0.0);
+                return glsl::airOpticalDepth(eye.y + direction.y * begin, direction.y, std::min(air.y, t) - begin, 0.09, shot.rays()[raysTable().airThinning]);
+            };
+            const dvec2 lit = glsl::airBeam(eye, direction, found[0].opening.low, found[0].opening.high, 2, found[0].plane, towardsSun / towardsSun.z, found[0].box.low, found[0].box.high);
+            const double first = std::max(lit.x, 0.0);
+            const double last = std::min(lit.y, end);
+            const double sum = last > first ? std::exp(-depthTo(first)) - std::exp(-depthTo(last)) : 0;
+            const double exact = sum * glsl::airPhase(glm::dot(direction, towardsSun), shot.rays()[raysTable().anisotropy]) * sunLight.y;
+            worst = std::max(worst, std::abs(p.color(x, y).y - exact) / sunLight.y);
+            compared += sum > 0.05;
+        });
+        EXPECT_GT(compared, 1000);
+        EXPECT_LT(worst, 2e-4) << steps;  // Half floats near 0.05, and positions at float32.
+    }
+}
+
+TEST_F(Rays, OfTheVolumeAreBrokenByWhatHangsInTheBeam)
+{
+    RayShot shot(RayTechnique::volume);
+    shot.size(160, 90);
+    shot.see({-3.5, 1.65, 2.5}, {1.2, 3.2, -6});
+    shot.hall().set(hallTable().shadowMapSize, 2048);
+    shot.hall().set(hallTable().sunAzimuth, -0.12);
+    shot.rays().set(raysTable().volumeSteps, 64);
+    shot.rays().set(raysTable().ambient, 0.0);
+    const Picture broken = shot.take();
+    shot.hall().set(hallTable().sunShadows, false);
+    const Picture whole = shot.take();
+    int shaded = 0;
+    broken.each([&](int x, int y) {
+        EXPECT_LE(broken.luminance(x, y), whole.luminance(x, y) * 1.001 + 1e-4);
+        shaded += whole.luminance(x, y) > 0.02 && broken.luminance(x, y) < 0.8 * whole.luminance(x, y);
+    });
+    EXPECT_GT(shaded, 300);
+    EXPECT_GT(broken.mean(), 0.2 * whole.mean());
+}
+
+TEST_F(Rays, JoinByTiles)
+{
+    RayShot shot(RayTechnique::volume);
+    shot.size(101, 75);
+    shot.rays().set(raysTable().jitter, true);
+    for (const RayResolution resolution : {RayResolution::full, RayResolution::half, RayResolution::quarter}) {
+        shot.rays().set(raysTable().resolution, resolution);
+        shot.request.largestTile = 2048;
+        const Picture whole = shot.take();
+        shot.request.largestTile = 37;
+        const Picture tiled = shot.take();
+        int different = 0;
+        whole.each([&](int x, int y) { different += glm::length(whole.color(x, y) - tiled.color(x, y)) > 1e-3 + 0.01 * glm::length(whole.color(x, y)); });
+        // Corners of walls are rounded in each tile's own clip space: a pixel in a hundred may see another depth.
+        EXPECT_LE(different, 101 * 75 / 100) << static_cast<int>(resolution);
+    }
+}
+
+TEST_F(Rays, LegalValuesNeverMakeWhatIsNotANumber)
+{
+    for (int i = 0; i < 30; ++i) {
+        test::Random random(static_cast<std::uint64_t>(900 + i));
+        RayShot shot(RayTechnique::both);
+        shot.size(33, 19);
+        ParameterValues& rays = shot.rays();
+        for (std::size_t r = 0; r < rays.rows().size(); ++r) {
+            const ParameterInfo& row = rays.rows()[r];
+            if (row.kind == Kind::color) rays.setRow(r, 0.5 + random.point(0.5));
+            else if (row.kind == Kind::real || row.kind == Kind::count) rays.setRow(r, i % 5 == 0 ? row.range.low : i % 5 == 1 ? row.range.high : row.range.low + (row.range.high - row.range.low) * std::pow(random.number(0, 1), 3));
+            else rays.setRow(r, std::floor(random.number(0, row.kind == Kind::toggle ? 2 : static_cast<double>(row.choices.size()))));
+        }
+        rays.set(raysTable().samples, std::min(rays[raysTable().samples], 64));
+        rays.set(raysTable().volumeSteps, std::min(rays[raysTable().volumeSteps], 32));
+        shot.hall().set(hallTable().sunElevation, random.number(0.035, 1.5));
+        const Picture p = shot.take();
+        EXPECT_EQ(test::notFinite(p.image, 4), "") << i;
+        p.each([&](int x, int y) { for (int c = 0; c < 3; ++c) EXPECT_GE(p.image.at(x, y, c), -1e-4); });
+    }
+}
+
+TEST_F(Rays, AreFiniteWithTheSunOnAPixelsCenterAndTheEyeInTheWindow)
+{
+    const dvec3 sun(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree), -std::cos(-3 * degree) * std::cos(19 * degree));
+    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
+        RayShot shot(RayTechnique::both);
+        shot.size(33, 19);
+        shot.rays().set(raysTable().method, method);
+        shot.see({0, 3, -9}, dvec3(0, 3, -9) + sun);
+        EXPECT_EQ(test::notFinite(shot.take().image, 4), "");
+        shot.see({0, 3.9, -12.2}, dvec3(0, 3.9, -12.2) + sun);
+        EXPECT_EQ(test::notFinite(shot.take().image, 4), "");
+    }
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,95 @@
+#include "ui/study_pictures.h"
+
+#include "render/image/srgb.h"
+#include "ui/theme.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace vitrine::ui {
+
+QImage screenImage(const render::Image& picture)
+{
+    if (picture.empty()) return {};
+    QImage image(picture.width, picture.height, QImage::Format_RGB888);
+    for (int y = 0; y < picture.height; ++y) {
+        uchar* line = image.scanLine(y);
+        for (int x = 0; x < picture.width; ++x)
+            for (int c = 0; c < 3; ++c) *line++ = render::srgb8FromLinear(picture.at(x, y, picture.channels < 3 ? 0 : c));
+    }
+    return image;
+}
+
+StudyPictures::StudyPictures(QWidget* parent) : QWidget(parent)
+{
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Picture and reference"));
+    setAccessibleDescription(tr("Left of the line the setting, right of it the reference; arrows move the line."));
+    setToolTip(tr("Left of the line: the setting. Right of it: the reference. Beside it: where they differ."));
+}
+
+void StudyPictures::show(const QImage& picture, const QImage& reference, const QImage& heat)
+{
+    picture_ = picture;
+    reference_ = reference;
+    heat_ = heat;
+    update();
+}
+
+void StudyPictures::setWipe(double share)
+{
+    wipe_ = std::clamp(share, 0.0, 1.0);
+    update();
+}
+
+QRectF StudyPictures::placeOf(int index) const
+{
+    constexpr double gap = 8;
+    const QSizeF picture = picture_.isNull() ? QSizeF(16, 9) : QSizeF(picture_.size());
+    // Side by side or one above the other, whichever shows them larger.
+    const QSizeF beside = picture.scaled(QSizeF((width() - gap) / 2, height()), Qt::KeepAspectRatio);
+    const QSizeF above = picture.scaled(QSizeF(width(), (height() - gap) / 2), Qt::KeepAspectRatio);
+    if (beside.width() >= above.width()) return {QPointF(index * (beside.width() + gap), 0), beside};
+    return {QPointF(0, index * (above.height() + gap)), above};
+}
+
+void StudyPictures::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    if (picture_.isNull()) return;
+    const QRectF at = placeOf(0);
+    painter.drawImage(at, picture_);
+    const double edge = at.left() + wipe_ * at.width();
+    if (!reference_.isNull()) {
+        painter.save();
+        painter.setClipRect(QRectF(edge, at.top(), at.right() - edge, at.height()));
+        painter.drawImage(at, reference_);
+        painter.restore();
+        painter.setPen(QPen(theme().accent, 1));
+        painter.drawLine(QPointF(edge, at.top()), QPointF(edge, at.bottom()));
+    }
+    if (!heat_.isNull()) painter.drawImage(placeOf(1), heat_);
+    if (hasFocus()) {
+        painter.setPen(QPen(theme().accent, 1));
+        painter.drawRect(at.adjusted(0, 0, -1, -1));
+    }
+}
+
+void StudyPictures::mouseMoveEvent(QMouseEvent* event)
+{
+    const QRectF at = placeOf(0);
+    if (at.contains(event->position())) setWipe((event->position().x() - at.left()) / at.width());
+}
+
+void StudyPictures::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Left) setWipe(wipe_ - 0.05);
+    else if (event->key() == Qt::Key_Right) setWipe(wipe_ + 0.05);
+    else QWidget::keyPressEvent(event);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_study_pictures.cpp"
