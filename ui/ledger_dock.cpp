@@ -13,6 +13,7 @@ namespace vitrine::ui {
 LedgerDock::LedgerDock(std::function<QString()> reason, QWidget* parent)
     : QWidget(parent), askReason_(std::move(reason)), reason_(new QLabel(this)), sums_(new QLabel(this)), everything_(new QCheckBox(tr("Run everything"), this)), view_(new LedgerView(this))
 {
+    everything_->setAccessibleName(tr("Run everything"));
     reason_->setAccessibleName(tr("What is drawn and why"));
     sums_->setAccessibleName(tr("What the frame cost"));
     for (QLabel* label : {reason_, sums_}) label->setTextFormat(Qt::PlainText);

@@ -48,6 +48,11 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
 {
     parameter_->setAccessibleName(tr("What to measure"));
     view_->setAccessibleName(tr("View"));
+    for (QComboBox* box : {parameter_, view_}) {
+        // Long names of parameters must not widen the window.
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(14);
+    }
     progress_->setAccessibleName(tr("Progress"));
     go_->setAccessibleName(tr("Measure, or stop measuring"));
     progress_->setFixedWidth(120);
@@ -61,7 +66,10 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     top->setSpacing(8);
     for (QWidget* w : std::initializer_list<QWidget*>{parameter_, go_, progress_}) top->addWidget(w);
     top->addWidget(doing_, 1);
-    for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest, new QLabel(tr("Best within"), this), milliseconds_, new QLabel(tr("ms"), this), best}) top->addWidget(w);
+    auto* choose = new QHBoxLayout;
+    choose->setSpacing(8);
+    for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest, new QLabel(tr("Best within"), this), milliseconds_, new QLabel(tr("ms"), this), best}) choose->addWidget(w);
+    choose->addStretch(1);
 
     auto* right = new QWidget(this);
     auto* column = new QVBoxLayout(right);
@@ -81,6 +89,7 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     all->setContentsMargins(8, 8, 8, 8);
     all->setSpacing(8);
     all->addLayout(top);
+    all->addLayout(choose);
     all->addWidget(split, 1);
     all->addWidget(words_);
     for (QLabel* label : {doing_, words_, caption_}) {

@@ -18,6 +18,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScrollArea>
 #include <QTabBar>
 #include <QVBoxLayout>
 
@@ -60,7 +61,11 @@ void MainWindow::buildDocks()
     dock(tr("Parameters"), "parameters", right, Qt::RightDockWidgetArea);
 
     study_ = new StudyDock(gallery_, history_, [this](const std::function<void()>& work) { return viewport_->withContext(work); });
-    QDockWidget* study = dock(tr("Study"), "study", study_, Qt::BottomDockWidgetArea);
+    auto* studyRoom = new QScrollArea;  // So that a small window need not grow for the chart.
+    studyRoom->setWidget(study_);
+    studyRoom->setWidgetResizable(true);
+    studyRoom->setFrameShape(QFrame::NoFrame);
+    QDockWidget* study = dock(tr("Study"), "study", studyRoom, Qt::BottomDockWidgetArea);
     ledger_ = new LedgerDock([this] { return QString::fromStdString(viewport_->schedule().reason()); });
     connect(ledger_, &LedgerDock::runEverythingAsked, viewport_, &Viewport::setRunEverything);
     log_ = new LogView;

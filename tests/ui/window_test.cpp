@@ -272,6 +272,18 @@ private slots:
             QVERIFY2(keys.contains(key), key);
     }
 
+    void theWindowFitsASmallScreenWithAnyDockOpen()
+    {
+        window_->choose(1);
+        for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) {
+            const bool closed = dock->isHidden();
+            dock->show();
+            QTest::qWait(50);
+            QVERIFY2(window_->minimumSizeHint().width() <= 1024, qPrintable(QString("%1: %2").arg(dock->objectName()).arg(window_->minimumSizeHint().width())));
+            dock->setHidden(closed);
+        }
+    }
+
     void everyControlOfTheWindowHasAName()
     {
         window_->choose(1);
