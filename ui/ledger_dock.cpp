@@ -16,13 +16,18 @@ LedgerDock::LedgerDock(std::function<QString()> reason, QWidget* parent)
     everything_->setAccessibleName(tr("Run everything"));
     reason_->setAccessibleName(tr("What is drawn and why"));
     sums_->setAccessibleName(tr("What the frame cost"));
-    for (QLabel* label : {reason_, sums_}) label->setTextFormat(Qt::PlainText);
+    for (QLabel* label : {reason_, sums_}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setMinimumWidth(40);
+        // A longer sentence must not move the picture above.
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    }
     everything_->setToolTip(tr("Runs every step, called for or not. The picture stays the same to the bit; only the cost changes."));
     auto* top = new QHBoxLayout;
     top->setContentsMargins(8, 4, 8, 4);
     top->setSpacing(24);
     top->addWidget(reason_, 1);
-    top->addWidget(sums_);
+    top->addWidget(sums_, 1);
     top->addWidget(everything_);
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);

@@ -43,7 +43,8 @@ StudyChart::StudyChart(QWidget* parent) : QCustomPlot(parent)
         axis->grid()->setSubGridVisible(false);
         axis->setTicker(QSharedPointer<QCPAxisTicker>(new DecadeTicker));
     }
-    setMinimumSize(280, 160);
+    setMinimumSize(320, 190);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     applyColors();
 }
 

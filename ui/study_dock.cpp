@@ -57,6 +57,15 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     go_->setAccessibleName(tr("Measure, or stop measuring"));
     progress_->setFixedWidth(120);
     progress_->setTextVisible(false);
+    // What comes and goes while it measures must not move the picture above.
+    QSizePolicy keepsItsPlace = progress_->sizePolicy();
+    keepsItsPlace.setRetainSizeWhenHidden(true);
+    progress_->setSizePolicy(keepsItsPlace);
+    for (QComboBox* combo : {parameter_, view_}) {
+        combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        combo->setMinimumContentsLength(14);
+    }
+    go_->setFixedWidth(80);
     auto* cheapest = new QPushButton(tr("Find"), this);
     cheapest->setAccessibleName(tr("Find the cheapest within the error"));
     auto* best = new QPushButton(tr("Find"), this);
@@ -84,6 +93,7 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     split->setStretchFactor(0, 3);
     split->setStretchFactor(1, 2);
     split->setChildrenCollapsible(false);
+    split->setSizes({600, 400});
 
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(8, 8, 8, 8);
@@ -97,7 +107,6 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
         label->setMinimumWidth(40);
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     }
-    words_->setWordWrap(true);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measure(); });
@@ -296,6 +305,7 @@ void StudyDock::refresh()
         if (!sentence.empty()) sentences << QString::fromStdString(sentence);
     sentences << tr("Clock: %1, %2.").arg(QString::fromStdString(result().clock), result().clockTrusted ? tr("trusted") : tr("not trusted"));
     words_->setText(sentences.join(QLatin1Char(' ')));
+    words_->setToolTip(sentences.join(QLatin1Char('\n')));
 }
 
 void StudyDock::showPoint(int wanted)

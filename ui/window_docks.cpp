@@ -82,6 +82,7 @@ void MainWindow::buildDocks()
     connect(panel_, &ParameterPanel::accuracyAsked, this, [this, study](std::size_t row) {
         study->show();
         study->raise();
+        if (study->height() < 300) resizeDocks({study}, {320}, Qt::Vertical);
         study_->ask(static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong()), row);
     });
     panel_->setGaugesShown(true);

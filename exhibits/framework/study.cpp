@@ -222,6 +222,8 @@ void Study::addSetting(const Setting& setting)
             shot.counters = report.counters;
             for (const char* name : stateCounters) shot.counters.erase(name);
             if (const std::int64_t evaluations = totalOf(picture, "evaluations"); evaluations > 0) shot.counters["evaluations"] = evaluations;
+            const glm::ivec2 drawn = pictureRequest(look, view).frame.raster.size;
+            shot.counters["pixels"] = static_cast<std::int64_t>(drawn.x) * drawn.y;
             for (auto& [name, count] : shot.counters) count *= samples;
             shot.firstMilliseconds = report.milliseconds * samples;
             shot.errors = errorsOf(views_[view].reference, picture);

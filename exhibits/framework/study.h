@@ -44,7 +44,7 @@ struct StudyShot {
     render::Image picture;                         ///< As PictureMaker makes it; empty until drawn.
     Errors errors;                                 ///< Against the same model with the studied parameters exact.
     double modelError = 0;                         ///< By the request's metric, against everything exact.
-    std::map<std::string, std::int64_t> counters;  ///< Of one picture; those of the machine's state left out.
+    std::map<std::string, std::int64_t> counters;  ///< Of one picture, and "pixels": samples drawn; the machine's state left out.
     double firstMilliseconds = 0;                  ///< Of the picture that was not timed: a first guess.
     std::vector<double> milliseconds;              ///< Of one picture, run by run.
 };

@@ -45,7 +45,7 @@ std::string mostTelling(const std::vector<StudyPoint>& points)
             range->second.second = std::max(range->second.second, static_cast<double>(count));
         }
     }
-    for (const char* name : {"evaluations", "fetches", "marchSteps", "samples"})
+    for (const char* name : {"pixels", "evaluations", "fetches", "marchSteps", "samples"})
         if (const auto known = ranges.find(name); known != ranges.end() && known->second.first > 0 && known->second.second > leastRatio * known->second.first) return name;
     std::string best;
     double largest = leastRatio;

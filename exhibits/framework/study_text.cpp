@@ -112,7 +112,15 @@ std::string costTitle(const std::string& costName)
 {
     if (costName == "evaluations") return "field evaluations";
     if (costName == "ms") return "milliseconds";
-    return costName;
+    if (costName == "pixels") return "pixel samples";
+    if (costName == "fetches") return "texture fetches";
+    std::string words;  // "march steps" for "marchSteps".
+    for (const char c : costName) {
+        const bool capital = c >= 'A' && c <= 'Z';
+        if (capital) words += ' ';
+        words += capital ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return words;
 }
 
 std::string lawSentence(const StudyResult& result)

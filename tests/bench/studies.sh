@@ -27,6 +27,6 @@ wanted=""
 [ $# -eq 0 ] || wanted=" $* "
 measure sdf_morph hitTolerance
 measure lenticular apertureSamples
-measure fur shellCount
-measure crepuscular_rays samples
-measure hall supersamples
+measure fur shellCount --set levelOfDetail=off
+measure crepuscular_rays volumeSteps
+measure hall supersamples --values 1,2,4,8,16 --size 160x90

@@ -250,7 +250,7 @@ private slots:
         const auto row = window_->gallery().exhibits()[exhibit_]->parameters().find("hitTolerance");
         emit window_->panel().accuracyAsked(*row);
         QVERIFY(study.running());
-        QTRY_VERIFY_WITH_TIMEOUT(finished.count() == 1, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(finished.count() == 1, 120000);
         QVERIFY(study.result().points.size() >= 5);
         QCOMPARE(study.result().costName, std::string("evaluations"));
         QCOMPARE(window_->history().stack().count(), 0);

@@ -298,6 +298,7 @@ TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)
     EXPECT_EQ(axisName(subject.museum.exhibits(), 1, request.axes[0]), "hall.supersamples");
     request.axes[0].values = {1, 4, 16};
     const StudyResult result = subject.run(request);
+    EXPECT_EQ(result.costName, "pixels");
     EXPECT_EQ(result.points[1].counters.at("work"), 4 * result.points[0].counters.at("work"));
     EXPECT_NEAR(result.points[2].time->median, 16 * result.points[0].time->median, 1e-9);
 
