@@ -130,8 +130,10 @@ std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 std::uint64_t lightKey(const HallScene& scene)
 {
     render::Hash hash;
-    // Exposure develops the picture; it does not light the room.
-    derive::addToKey(hash, scene.values, scene.table.exposure.row);
+    // How brightly and how finely the picture is developed is no light.
+    ParameterValues lighting = scene.values;
+    for (const std::size_t row : {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.supersamples.row}, std::size_t{scene.table.resolutionScale.row}}) lighting.resetRow(row);
+    derive::addToKey(hash, lighting);
     hash.addValue(scene.alone).addValue(scene.environment.get()).addValue(scene.visitorModel.get());
     for (const Guest& guest : scene.guests) hash.addValue(guest.place);
     return hash.value();
