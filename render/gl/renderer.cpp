@@ -34,6 +34,15 @@ void countDraws(const Pass& pass, std::map<std::string, std::int64_t>& counters)
     for (const auto& [name, count] : pass.counts) counters[name] += count;
 }
 
+/// Names what is drawn while it lives, for debuggers; closed also when a program does not build.
+class DebugGroup {
+public:
+    explicit DebugGroup(const char* name) { glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name); }
+    ~DebugGroup() { glPopDebugGroup(); }
+    DebugGroup(const DebugGroup&) = delete;
+    DebugGroup& operator=(const DebugGroup&) = delete;
+};
+
 /// Counts the samples that the draws between its making and `end` let pass.
 class SamplesQuery {
 public:
@@ -187,11 +196,10 @@ FrameReport Renderer::draw(const FramePlan& plan)
     if (s.timeSteps) clock.mark();
     for (std::size_t i = 0; i < plan.passes().size(); ++i) {
         const Pass& pass = plan.passes()[i];
-        glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass.name.c_str());
+        const DebugGroup group(pass.name.c_str());
         if (pass.countSamples) samplesQueries.emplace_back();
         s.run(pass, ranges[i]);
         if (pass.countSamples) SamplesQuery::end();
-        glPopDebugGroup();
         s.remember(pass);
         report.ran.push_back({pass.name, pass.reason, pass.work, -1, pass.bound});
         if (s.timeSteps) clock.mark();

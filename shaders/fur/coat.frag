@@ -79,8 +79,8 @@ void main()
     }
 #endif
 
-#ifdef CLUMPS
-    // Tufts: a smooth field with sinks. Its steepest slope is 1, so that nothing folds while clump < 1.
+#if defined(CLUMPS) || defined(CURLS)
+    // Tufts (whose curls turn together): a smooth field with sinks. Its steepest slope is 1, so that nothing folds while clump < 1.
     float waves = 2.0 / (cellSize * parameters.clumpSize * 1.3);
     vec3 tuft = tuftField(skin * waves);
     tuft = (tuft - n * dot(n, tuft)) / (4.0 * waves);
