@@ -60,6 +60,7 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
         combo->setMinimumContentsLength(14);
     }
     go_->setFixedWidth(80);
+    go_->setAccessibleName(tr("Measure or cancel"));
     auto* cheapest = new QPushButton(tr("Find"), this);
     cheapest->setAccessibleName(tr("Find the cheapest within the error"));
     auto* best = new QPushButton(tr("Find"), this);
@@ -69,7 +70,10 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     top->setSpacing(8);
     for (QWidget* w : std::initializer_list<QWidget*>{parameter_, go_, progress_}) top->addWidget(w);
     top->addWidget(doing_, 1);
-    for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest, new QLabel(tr("Best within"), this), milliseconds_, new QLabel(tr("ms"), this), best}) top->addWidget(w);
+    auto* search = new QHBoxLayout;
+    search->setSpacing(8);
+    for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest, new QLabel(tr("Best within"), this), milliseconds_, new QLabel(tr("ms"), this), best}) search->addWidget(w);
+    search->addStretch(1);
 
     auto* right = new QWidget(this);
     auto* column = new QVBoxLayout(right);
@@ -88,8 +92,9 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
 
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(8, 8, 8, 8);
-    all->setSpacing(8);
+    all->setSpacing(6);
     all->addLayout(top);
+    all->addLayout(search);
     all->addWidget(split, 1);
     all->addWidget(words_);
     for (QLabel* label : {doing_, words_, caption_}) {
@@ -97,6 +102,7 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
         label->setMinimumWidth(40);
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     }
+    caption_->setWordWrap(true);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measure(); });
