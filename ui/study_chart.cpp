@@ -102,7 +102,7 @@ void StudyChart::scaleAxes()
     if (!(highX > 0)) lowX = highX = 1;
     if (!(highY > 0)) lowY = highY = 1e-3;
     const double marginX = std::max(std::pow(highX / lowX, 0.09), 1.06);
-    const double marginY = std::max(std::pow(highY / lowY, 0.09), 1.1);
+    const double marginY = std::max(std::pow(highY / lowY, 0.14), 1.15);
     floor_ = lowY / (marginY * marginY);
     xAxis->setRange(lowX / marginX, highX * marginX * std::pow(highX / lowX, 0.05));
     yAxis->setRange(anyExact_ ? floor_ / marginY : lowY / marginY, highY * marginY);

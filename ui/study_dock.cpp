@@ -61,10 +61,6 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     QSizePolicy keepsItsPlace = progress_->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     progress_->setSizePolicy(keepsItsPlace);
-    for (QComboBox* combo : {parameter_, view_}) {
-        combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        combo->setMinimumContentsLength(14);
-    }
     go_->setFixedWidth(80);
     auto* cheapest = new QPushButton(tr("Find"), this);
     cheapest->setAccessibleName(tr("Find the cheapest within the error"));

@@ -34,7 +34,7 @@ vec2 octahedral(vec3 n)
     return n.z >= 0.0 ? p : (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
 }
 
-#ifdef CLUMPS
+#if defined(CLUMPS) || defined(CURLS)
 // Like sin(pi x), from parabolas: it is asked for nine times per sample.
 vec3 wave(vec3 x)
 {
