@@ -20,18 +20,12 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <thread>
 
 namespace vitrine::app {
 namespace {
 
 namespace fs = std::filesystem;
 using lenticular::PrintLayout;
-
-int threadCount()
-{
-    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
-}
 
 void warnOfShapes(const PrintLayout& layout, const lenticular::ViewSet& views)
 {
@@ -53,7 +47,7 @@ lenticular::PrintFile printFile(const PrintOptions& options, const PrintLayout& 
     file.bits = options.bits;
     file.compression = streamCompression(options.compression);
     file.tileWidth = options.tileMm;
-    file.threads = threadCount();
+    file.threads = lenticular::interlacingThreads();
     render::Json json = lenticular::printJson(layout, render::storedDpi(options.out, layout.settings().dpiX), sources);
     if (!scene.is_null()) json["scene"] = scene;
     file.json = render::writeJson(json);

@@ -6,7 +6,6 @@
 #include "render/measure/pareto.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -14,18 +13,13 @@ namespace vitrine {
 namespace {
 
 using render::Metric;
+using render::shortNumber;
 
 constexpr int mostDoublings = 3;
 /// A reference is trusted when it moves by less than this part of the smallest error.
 constexpr double quarter = 0.25;
 /// A counter that varies less than this says little of what a parameter costs.
 constexpr double leastRatio = 1.15;
-
-std::string shortNumber(double x)
-{
-    char digits[32];
-    return std::string(digits, std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 3).ptr);
-}
 
 bool isDrawn(const StudyPoint& point)
 {

@@ -3,7 +3,6 @@
 #include "exhibits/framework/value_text.h"
 #include "render/files/number_text.h"
 
-#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -11,12 +10,7 @@ namespace vitrine {
 namespace {
 
 using render::Json;
-
-std::string shortNumber(double x)
-{
-    char digits[32];
-    return std::string(digits, std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 3).ptr);
-}
+using render::shortNumber;
 
 /// JSON has no word for what is not finite.
 Json number(double x)

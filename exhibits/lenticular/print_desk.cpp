@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 #include <tuple>
 
 namespace vitrine::lenticular {
@@ -58,11 +57,6 @@ glm::ivec2 viewSize(const PrintLayout& layout, int width)
     const PrintSettings& s = layout.settings();
     const double height = width * (s.height + 2 * s.bleed) / (s.width + 2 * s.bleed);
     return {width, static_cast<int>(std::clamp(std::round(height), 1.0, static_cast<double>(largestView)))};
-}
-
-int threadCount()
-{
-    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
 }
 
 bool sameLens(const Sheet& a, const Sheet& b)
@@ -330,7 +324,7 @@ std::vector<fs::path> LenticularDesk::write(const ParameterValues& values, std::
     file.bits = values[table_.bits] == 0 ? 8 : 16;
     file.compression = values[table_.compression];
     file.tileWidth = tileWidth(values);
-    file.threads = threadCount();
+    file.threads = interlacingThreads();
     file.progress = [&](double part) {
         stopped = progress && !progress(part);
         return !stopped;

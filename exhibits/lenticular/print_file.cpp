@@ -8,6 +8,7 @@
 #include <cmath>
 #include <future>
 #include <memory>
+#include <thread>
 
 namespace vitrine::lenticular {
 namespace {
@@ -52,6 +53,11 @@ std::filesystem::path tilePath(const std::filesystem::path& path, std::size_t ti
 }
 
 }  // namespace
+
+int interlacingThreads()
+{
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
+}
 
 std::vector<std::int64_t> tileCuts(const PrintLayout& layout, double tileWidth)
 {

@@ -22,6 +22,9 @@ struct PrintFile {
     std::function<bool(double)> progress{};  ///< Told the part that is done, 0 to 1; false stops.
 };
 
+/// How many threads a print of its own is given: one per processor, at most 16.
+[[nodiscard]] int interlacingThreads();
+
 /// Makes rows of a raster; called from another thread than the writer's, one call at a time.
 struct RasterSource {
     std::function<void(const Region&, std::uint8_t*)> eight{};

@@ -15,6 +15,13 @@ std::string shortestNumber(double x)
     return std::string(text.data(), end.ptr);
 }
 
+std::string shortNumber(double x)
+{
+    std::array<char, 32> text{};
+    const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 3);
+    return std::string(text.data(), end.ptr);
+}
+
 std::optional<double> parseNumber(std::string_view text)
 {
     double x = 0;

@@ -10,6 +10,9 @@ namespace vitrine::render {
 /// `x` must be finite.
 [[nodiscard]] std::string shortestNumber(double x);
 
+/// Three significant digits, for sentences, whatever the locale: "0.0318", "1.5e+06", "inf".
+[[nodiscard]] std::string shortNumber(double x);
+
 /// The number that the whole of `text` spells ("-1.5e3"; no blanks, no leading +, a dot whatever the
 /// locale), or nothing when it is not a finite number.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view text);
