@@ -159,6 +159,8 @@ private:
     void measureSteps();
     [[nodiscard]] double presentCost() const;
     [[nodiscard]] std::vector<Setting> predictedFront() const;
+    /// How far this is from what was asked for, as a logarithm; 0 when nothing was.
+    [[nodiscard]] double fromLimit(double error, double cost) const;
     [[nodiscard]] std::vector<std::size_t> searchedFront();
     void listCandidates();
     void tryCandidate();

@@ -12,12 +12,27 @@ namespace {
 
 /// A cost that is nearer to another than this factor is no saving but noise.
 constexpr double noise = 1.04;
+/// Errors that differ by less than this share of the largest one are the same to the search.
+constexpr double nextToNothing = 0.002;
 /// What is dearer than this many times the present setting is predicted, not measured.
 constexpr double dearest = 16;
 constexpr int heldOutRuns = 3;
+/// A numeric axis with more values than this is first looked at in as many places; the search fills in where it matters.
+constexpr std::size_t coarseValues = 5;
+/// In each round of the search, the settings around so many of the front's points are measured.
+constexpr std::size_t pointsLookedAround = 4;
 
 /// The first if what is between the two is noise, else the second.
 double beyondNoise(double reference, double cost) { return cost < reference * noise && cost * noise > reference ? reference : cost; }
+
+/// Whether the first look takes this value. Choices have no order to fill in between.
+bool isCoarse(const StudyAxis& axis, const ParameterInfo& row, std::size_t i)
+{
+    const std::size_t count = axis.values.size();
+    const bool ordered = row.kind == Kind::real || row.kind == Kind::count;
+    const std::size_t stride = ordered && count > coarseValues ? (count - 1 + coarseValues - 2) / (coarseValues - 1) : 1;
+    return i % stride == 0 || i + 1 == count;
+}
 
 /// The place of the value nearest to `value`; in a logarithmic sense where all are positive.
 std::size_t nearest(const std::vector<double>& values, double value)
@@ -39,14 +54,18 @@ bool StudyResult::costsTheSame(const StudyPoint& a, const StudyPoint& b) const
 bool Study::searchOn()
 {
     const std::size_t before = result_.points.size();
-    const auto room = [&] { return result_.points.size() < static_cast<std::size_t>(std::max(request_.settings, 1)); };
+    const std::size_t mostSettings = static_cast<std::size_t>(std::max(request_.settings, 1));
+    const auto room = [&] { return result_.points.size() < mostSettings; };
     if (generation_ == 0) {
         // Each parameter alone: what it gives and what it costs.
         Setting present;
         for (const StudyAxis& axis : request_.axes) present.push_back(nearest(axis.values, std::get<double>(request_.look.values[axis.exhibit].row(axis.row))));
         addSetting(present);
         for (std::size_t a = 0; a < request_.axes.size(); ++a) {
-            for (std::size_t i = 0; i < request_.axes[a].values.size(); ++i) {
+            const StudyAxis& axis = request_.axes[a];
+            const std::size_t exact = nearest(axis.values, result_.exact[a]);
+            for (std::size_t i = 0; i < axis.values.size(); ++i) {
+                if (i != exact && !isCoarse(axis, rowOf(museum_.exhibits(), axis), i)) continue;
                 Setting setting = present;
                 setting[a] = i;
                 addSetting(setting);
@@ -54,8 +73,10 @@ bool Study::searchOn()
         }
     } else if (generation_ == 1) {
         measureSteps();
+        // Half of the room, so that the rest can look around what this finds.
+        const std::size_t half = (before + mostSettings + 1) / 2;
         for (const Setting& setting : predictedFront())
-            if (room()) addSetting(setting);
+            if (room() && result_.points.size() < half) addSetting(setting);
     } else {
         // Around the front, as long as it moves and there is room.
         for (const std::size_t f : searchedFront()) {
@@ -74,6 +95,13 @@ bool Study::searchOn()
     return generation_ <= 2 || result_.points.size() > before;
 }
 
+double Study::fromLimit(double error, double cost) const
+{
+    if (!request_.maxError && !request_.maxMilliseconds) return 0;
+    const double ratio = request_.maxError ? error / *request_.maxError : cost / *request_.maxMilliseconds;
+    return std::abs(std::log(std::max(ratio, 1e-9)));
+}
+
 double Study::presentCost() const
 {
     // One frame's time is noise; every setting that does the same work was timed once, too.
@@ -90,22 +118,37 @@ void Study::measureSteps()
     const double cost = presentCost();
     steps_.clear();
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
-        const auto pointAt = [&](std::size_t i) -> const StudyPoint& {
+        const StudyAxis& axis = request_.axes[a];
+        const auto pointAt = [&](std::size_t i) -> const StudyPoint* {
             Setting setting = present.setting;
             setting[a] = i;
-            return result_.points[known_.at(setting)];
+            const auto found = known_.find(setting);
+            return found == known_.end() ? nullptr : &result_.points[found->second];
         };
-        const StudyAxis& axis = request_.axes[a];
-        const StudyPoint& exact = pointAt(nearest(axis.values, result_.exact[a]));
-        steps_.emplace_back();
+        const StudyPoint& exact = *pointAt(nearest(axis.values, result_.exact[a]));
+        std::vector<Step>& steps = steps_.emplace_back(axis.values.size());
+        std::size_t last = 0;
         for (std::size_t i = 0; i < axis.values.size(); ++i) {
-            const StudyPoint& point = pointAt(i);
+            const StudyPoint* point = pointAt(i);
+            if (!point) continue;
             std::vector<double> errors;
-            for (std::size_t view = 0; view < exact.shots.size(); ++view) errors.push_back(errorsOf(exact.shots[view].picture, point.shots[view].picture)[request_.metric]);
-            const bool sameWork = point.counters == present.counters;
-            steps_.back().push_back({pooled(errors), sameWork ? 1 : beyondNoise(1, point.cost / cost)});
+            for (std::size_t view = 0; view < exact.shots.size(); ++view) errors.push_back(errorsOf(exact.shots[view].picture, point->shots[view].picture)[request_.metric]);
+            steps[i] = {pooled(errors), point->counters == present.counters ? 1 : beyondNoise(1, point->cost / cost)};
+            // What lies between two that were measured is taken to, until it is measured.
+            for (std::size_t j = last + 1; j < i; ++j) {
+                const double t = static_cast<double>(j - last) / static_cast<double>(i - last);
+                steps[j] = {std::lerp(steps[last].error, steps[i].error, t), std::pow(steps[last].ratio, 1 - t) * std::pow(steps[i].ratio, t)};
+            }
+            last = i;
         }
     }
+    // What changes the picture by next to nothing does not matter here.
+    double largest = 0;
+    for (const std::vector<Step>& steps : steps_)
+        for (const Step& step : steps) largest = std::max(largest, step.error);
+    for (std::size_t a = 0; a < steps_.size(); ++a)
+        for (Step& step : steps_[a])
+            if (std::abs(step.error - steps_[a][present.setting[a]].error) < largest * nextToNothing) step.error = steps_[a][present.setting[a]].error;
 }
 
 std::vector<Setting> Study::predictedFront() const
@@ -123,16 +166,22 @@ std::vector<Setting> Study::predictedFront() const
         std::reverse(useful.back().begin(), useful.back().end());
     }
     // From everything exact, always the step that saves the most for the least error (marginal analysis).
+    struct Predicted {
+        Setting setting;
+        double fromLimit = 0;
+    };
+    std::vector<Predicted> path;
     std::vector<std::size_t> place(useful.size(), 0);
-    std::vector<Setting> path;
     while (true) {
         Setting setting;
-        double cost = 1;
+        double ratio = 1;
+        double error = 0;
         for (std::size_t a = 0; a < useful.size(); ++a) {
             setting.push_back(useful[a][place[a]]);
-            cost *= steps_[a][setting.back()].ratio;
+            ratio *= steps_[a][setting.back()].ratio;
+            error += steps_[a][setting.back()].error;
         }
-        if (cost <= dearest) path.push_back(setting);
+        if (ratio <= dearest) path.push_back({setting, fromLimit(error, ratio * presentCost())});
         std::optional<std::size_t> best;
         double bestWorth = -1;
         for (std::size_t a = 0; a < useful.size(); ++a) {
@@ -145,9 +194,14 @@ std::vector<Setting> Study::predictedFront() const
                 best = a;
             }
         }
-        if (!best) return path;
+        if (!best) break;
         ++place[*best];
     }
+    // The most exact first, so that there is one that keeps the limit, then what is nearest to it.
+    if (!path.empty()) std::stable_sort(path.begin() + 1, path.end(), [](const Predicted& a, const Predicted& b) { return a.fromLimit < b.fromLimit; });
+    std::vector<Setting> settings;
+    for (Predicted& p : path) settings.push_back(std::move(p.setting));
+    return settings;
 }
 
 std::vector<std::size_t> Study::searchedFront()
@@ -156,7 +210,13 @@ std::vector<std::size_t> Study::searchedFront()
     const double present = presentCost();
     std::vector<render::CostAndError> measured;
     for (const StudyPoint& point : result_.points) measured.push_back({point.counters == result_.points.front().counters ? present : beyondNoise(present, point.cost), point.error});
-    return render::paretoFront(measured);
+    std::vector<std::size_t> front = render::paretoFront(measured);
+    if (!request_.maxError && !request_.maxMilliseconds) return front;
+    std::stable_sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
+        return fromLimit(result_.points[a].worstError, measured[a].cost) < fromLimit(result_.points[b].worstError, measured[b].cost);
+    });
+    front.resize(std::min(front.size(), pointsLookedAround));
+    return front;
 }
 
 void Study::listCandidates()

@@ -150,7 +150,7 @@ std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const
     text += besidePresent(result, point);
     text += ". In " + std::to_string(result.choice->heldOutViews.size()) + " held-out view" + (result.choice->heldOutViews.size() == 1 ? "" : "s") + ": error " + shortNumber(result.choice->heldOutError);
     if (request.maxMilliseconds) text += ", " + shortNumber(result.choice->heldOutMilliseconds) + " ms";
-    return text + (result.choice->holds ? ", within the limit." : ", beyond the limit.");
+    return text + (result.choice->holds ? ", within the limit." : ", beyond the limit, and so is every other setting that was measured: study more of the views.");
 }
 
 Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, Json machine)
