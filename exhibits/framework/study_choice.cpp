@@ -197,9 +197,13 @@ std::vector<Setting> Study::predictedFront() const
         if (!best) break;
         ++place[*best];
     }
-    // The most exact first, so that there is one that keeps the limit, then what is nearest to it.
-    if (!path.empty()) std::stable_sort(path.begin() + 1, path.end(), [](const Predicted& a, const Predicted& b) { return a.fromLimit < b.fromLimit; });
+    std::stable_sort(path.begin(), path.end(), [](const Predicted& a, const Predicted& b) { return a.fromLimit < b.fromLimit; });
     std::vector<Setting> settings;
+    if (request_.maxError) {
+        // Everything exact, so that something keeps the limit even where what one parameter gives hangs on another.
+        settings.emplace_back();
+        for (std::size_t a = 0; a < request_.axes.size(); ++a) settings.back().push_back(nearest(request_.axes[a].values, result_.exact[a]));
+    }
     for (Predicted& p : path) settings.push_back(std::move(p.setting));
     return settings;
 }

@@ -286,6 +286,19 @@ TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
     }
 }
 
+TEST(StudyChooser, ALimitThatOnlyTheExactKeepsIsKeptWhereOneParameterHangsOnAnother)
+{
+    // Steps help only without the shortcut, as a level of detail caps a count.
+    KnownLaw law = sumOfParts();
+    law.error = [](const KnownTable& t, const ParameterValues& v, double d) { return d * (v[t.shortcut] ? 0.1 : 0.2 / v[t.steps] - 0.2 / 256); };
+    Subject subject(std::move(law));
+    StudyRequest request = subject.request({"steps", "rays", "shortcut"}, 17);
+    request.maxError = 0.0005;
+    const StudyResult result = subject.run(request);
+    ASSERT_TRUE(result.choice);
+    EXPECT_TRUE(result.choice->holds);
+}
+
 TEST(StudyChooser, TheSentenceSaysDearerWhereTheChoiceIsDearer)
 {
     Subject subject(sumOfParts());
