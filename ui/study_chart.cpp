@@ -202,10 +202,11 @@ void StudyChart::addMarks()
         label->setText(text);
         label->setColor(p.onFront ? t.text : t.dim);
         label->setFont(QFont(font().family(), 8));
-        label->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
+        const bool atRightEdge = std::log(p.cost / xAxis->range().lower) > 0.8 * std::log(xAxis->range().upper / xAxis->range().lower);
+        label->setPositionAlignment((atRightEdge ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
         label->position->setType(QCPItemPosition::ptPlotCoords);
         label->position->setCoords(p.cost, shownError(p.error));
-        label->setPadding(QMargins(7, 0, 0, 5));
+        label->setPadding(QMargins(7, 0, 7, 5));
         label->setSelectable(false);
         labels.emplace_back(i, label);
     }

@@ -101,6 +101,7 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
         label->setMinimumWidth(40);
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     }
+    words_->setWordWrap(true);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measure(); });

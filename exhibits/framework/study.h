@@ -89,6 +89,7 @@ struct StudyResult {
     std::optional<std::size_t> present;          ///< The point with the look's own values.
     std::optional<render::PowerLaw> law;         ///< Cost over error along the front of one numeric axis.
     std::optional<StudyChoice> choice;           ///< When one was asked for and any setting keeps the limit.
+    bool complete = false;                       ///< Everything that was asked for was measured.
     std::string clock;
     bool clockTrusted = false;
     double overheadMilliseconds = 0;             ///< What timing adds to one picture.

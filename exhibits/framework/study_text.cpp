@@ -141,7 +141,7 @@ std::string lawSentence(const StudyResult& result)
 
 std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
 {
-    if (!request.maxError && !request.maxMilliseconds) return {};
+    if (!result.complete || (!request.maxError && !request.maxMilliseconds)) return {};
     const std::string limit = request.maxError ? std::string(toString(request.metric)) + " " + shortNumber(*request.maxError) : shortNumber(*request.maxMilliseconds) + " ms";
     if (!result.choice) return "No setting that was measured stays within " + limit + '.';
     const StudyPoint& point = result.points[result.choice->point];
