@@ -30,6 +30,7 @@ struct Row {
     std::vector<double> coat, shade, frame;
     render::FrameReport last;
     double error = 0;
+    double outline = 0;  ///< Share of the pixels that only this picture or only the reference covers, of all that it covers.
 };
 
 double median(std::vector<double> values)
@@ -59,6 +60,17 @@ double difference(const render::Image& a, const render::Image& b)
     return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
+/// Pixels that one picture covers and the other does not, over those that the second covers.
+double outlineDifference(const render::Image& a, const render::Image& truth)
+{
+    int wrong = 0, covered = 0;
+    for (std::size_t i = 3; i < truth.pixels.size(); i += 4) {
+        wrong += (a.pixels[i] > 0.5F) != (truth.pixels[i] > 0.5F);
+        covered += truth.pixels[i] > 0.5F;
+    }
+    return covered > 0 ? static_cast<double>(wrong) / covered : 0;
+}
+
 class Bench {
 public:
     Bench(glm::ivec2 size, int rounds) : rounds_(rounds), fur_(*museum_.find("fur")), look_(museum_.initialLook())
@@ -81,6 +93,8 @@ public:
     /// Errors are against 16 samples per pixel of `reference`'s picture.
     void run(const char* title, std::vector<Row> rows, const ParameterValues& reference)
     {
+        draw(reference, 0, 1);
+        const render::Image outline = renderer_.read("frame");
         const render::Image truth = average(reference);
         for (Row& row : rows) {
             // The order changes nothing in the picture (tested), only its cost.
@@ -88,19 +102,21 @@ public:
             drawn.set(table().drawOrder, FurOrder::outerFirst);
             row.error = difference(average(drawn), truth);
             draw(row.values, 0, 1);
+            row.outline = outlineDifference(renderer_.read("frame"), outline);
         }
         for (int i = 0; i < rounds_; ++i) {
             for (Row& row : rows) {
                 row.last = draw(row.values, 0, 1);
-                row.coat.push_back(millisecondsOf(row.last, "fur/coat"));
+                row.coat.push_back(millisecondsOf(row.last, "fur/coat") + millisecondsOf(row.last, "fur/fins"));
                 row.shade.push_back(millisecondsOf(row.last, "fur/shade"));
                 row.frame.push_back(row.last.milliseconds);
             }
         }
-        std::printf("\n### %s\n\n| what | shells drawn | samples passed | coat, ms | shade, ms | frame, ms | error, 16 samples |\n|---|---|---|---|---|---|---|\n", title);
+        std::printf("\n### %s\n\n| what | shells drawn | samples passed | coat, ms | light, ms | coat and light, ms | frame, ms | error, 16 samples | outline wrong, %% |\n|---|---|---|---|---|---|---|---|---|\n", title);
         for (const Row& row : rows)
-            std::printf("| %s | %lld | %lld | %.1f | %.1f | %.1f | %.4f |\n", row.name.c_str(), static_cast<long long>(row.last.counters.at("shells")),
-                        static_cast<long long>(row.last.counters.at("samples")), median(row.coat), median(row.shade), median(row.frame), row.error);
+            std::printf("| %s | %lld | %lld | %.1f | %.1f | %.1f | %.1f | %.4f | %.2f |\n", row.name.c_str(), static_cast<long long>(row.last.counters.at("shells")),
+                        static_cast<long long>(row.last.counters.at("samples")), median(row.coat), median(row.shade), median(row.coat) + median(row.shade),
+                        median(row.frame), row.error, 100 * row.outline);
         std::fflush(stdout);
     }
 
@@ -247,12 +263,17 @@ int main(int argc, char** argv)
     if (wanted("counts")) bench.run("Shell count, order, march", counts, reference.values);
 
     std::vector<Row> fringe;
-    const char* const silhouettes[] = {"nothing", "fins", "march"};
+    const char* const silhouettes[] = {"nothing", "fins", "shells by angle", "march"};
     for (const int shells : {10, 32})
-        for (const FurSilhouette silhouette : {FurSilhouette::none, FurSilhouette::fins, FurSilhouette::march})
+        for (const FurSilhouette silhouette : {FurSilhouette::none, FurSilhouette::fins, FurSilhouette::byAngle, FurSilhouette::march})
             fringe.push_back(bench.row(std::to_string(shells) + " shells, gaps filled with " + silhouettes[static_cast<int>(silhouette)],
                                        [&](ParameterValues& v) { set(v, shells, silhouette, FurOrder::outerFirst, false); }));
-    if (wanted("gaps")) bench.run("Gaps between shells", fringe, reference.values);
+    fringe.push_back(bench.row("40 shells, gaps filled with nothing", [&](ParameterValues& v) { set(v, 40, FurSilhouette::none, FurOrder::outerFirst, false); }));
+    if (wanted("gaps")) {
+        bench.run("Gaps between shells, best view", fringe, reference.values);
+        bench.see({{-1.05, 0.75, 1.1}, {-1.0, 0.62, 0}, 0.42});
+        bench.run("Gaps between shells, at the ball's silhouette", fringe, reference.values);
+    }
 
     std::vector<Row> far;
     bench.see({{-0.3, 2.4, 8}, {0, 0.3, 0}, 0.62});

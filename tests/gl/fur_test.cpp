@@ -126,10 +126,31 @@ TEST_F(FurTest, HasNoGapsBetweenShellsAtTheSilhouette)
     const Picture truth = shot([](FurShot& s) { s.reference(); });
     const double none = gaps(shot([](FurShot& s) { s.shells(10, FurSilhouette::none); }), truth);
     const double fins = gaps(shot([](FurShot& s) { s.shells(10, FurSilhouette::fins); }), truth);
+    const double byAngle = gaps(shot([](FurShot& s) { s.shells(10, FurSilhouette::byAngle); }), truth);
     const double march = gaps(shot([](FurShot& s) { s.shells(10, FurSilhouette::march); }), truth);
-    std::printf("pixels that differ from the reference's silhouette, 10 shells: none %.2f %%, fins %.2f %%, march %.2f %%\n", 100 * none, 100 * fins, 100 * march);
+    std::printf("pixels that differ from the reference's silhouette, 10 shells: none %.2f %%, fins %.2f %%, by angle %.2f %%, march %.2f %%\n", 100 * none, 100 * fins,
+                100 * byAngle, 100 * march);
     EXPECT_LT(march, 0.6 * none);
+    EXPECT_LT(byAngle, 0.7 * none);
     EXPECT_LT(march, fins);
+    EXPECT_LT(march, byAngle);
+}
+
+TEST_F(FurTest, ShellsByAngleLeaveNoHoleInTheSkinAndAreTheSameInBothOrders)
+{
+    // With no strand to speak of, all that is seen is the skin: it must be there once, wherever the shells end.
+    const auto shot = [](FurSilhouette silhouette, FurOrder order, int density) {
+        FurShot s;
+        s.shells(7, silhouette, order);
+        for (int i = 0; i < furBodyCount; ++i) s.object().set(coatRows(table(), i).density, density);
+        return s.take();
+    };
+    const Picture bare = shot(FurSilhouette::none, FurOrder::outerFirst, 1);
+    const Picture byAngle = shot(FurSilhouette::byAngle, FurOrder::outerFirst, 1);
+    EXPECT_GT(bare.hits(), 300);
+    EXPECT_LT(gaps(byAngle, bare), 0.01);
+    const Picture outer = shot(FurSilhouette::byAngle, FurOrder::outerFirst, 60000);
+    EXPECT_EQ(largestDifference(outer.image, shot(FurSilhouette::byAngle, FurOrder::innerFirst, 60000).image), 0);
 }
 
 TEST_F(FurTest, IsNearTheReferenceAtSixteenSamplesPerPixel)
@@ -274,6 +295,10 @@ TEST_F(FurTest, AVisitorsModelWearsTheRingsCoatAndJumps)
             EXPECT_EQ(notFinite(p.image, 4), "") << at;
             EXPECT_GT(p.hits(), 300) << at;
             EXPECT_GT(colorDifference(p, ring), 0.001) << at;
+        }
+        for (const FurSilhouette silhouette : {FurSilhouette::fins, FurSilhouette::byAngle}) {
+            shot.object().set(table().silhouette, silhouette);
+            EXPECT_EQ(notFinite(shot.take().image, 4), "");
         }
     }
     FurShot shot;
