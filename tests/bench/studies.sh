@@ -1,8 +1,8 @@
 #!/bin/sh
-# Measures again what accuracy costs: one study of the headline parameter of each exhibit, whose numbers and chart
-# go to tests/bench/results, and whose sentence stands in the exhibit's README. Prints the sentences.
+# Measures again what accuracy costs: studies of the headline parameters of each exhibit, whose numbers and charts
+# go to tests/bench/results, and whose sentences stand in the exhibit's README. Prints the sentences.
 #   sh tests/bench/studies.sh                   all
-#   sh tests/bench/studies.sh sdf_morph fur     those
+#   sh tests/bench/studies.sh sdf_morph fur     those of these exhibits
 # The whole studies, with pictures and pages, stay in build/studies.
 set -e
 cd "$(dirname "$0")/../.."
@@ -17,16 +17,19 @@ measure() {
         "" | *" $exhibit "*) ;;
         *) return 0 ;;
     esac
-    "$program" study "$@" --out "build/studies/$exhibit" >"build/studies/$exhibit.txt"
-    cp "build/studies/$exhibit/study.csv" "$results/study_$exhibit.csv"
-    cp "build/studies/$exhibit/chart.svg" "$results/study_$exhibit.svg"
-    echo "$exhibit, $2: $(grep '^Halving' "build/studies/$exhibit.txt" || grep -m1 'reference' "build/studies/$exhibit.txt")"
+    study=${exhibit}_$2
+    "$program" study "$@" --out "build/studies/$study" >"build/studies/$study.txt"
+    cp "build/studies/$study/study.csv" "$results/study_$study.csv"
+    cp "build/studies/$study/chart.svg" "$results/study_$study.svg"
+    echo "$exhibit, $2: $(grep '^Halving' "build/studies/$study.txt" || grep -m1 'reference' "build/studies/$study.txt")"
 }
 
 wanted=""
 [ $# -eq 0 ] || wanted=" $* "
 measure sdf_morph hitTolerance
 measure lenticular apertureSamples
-measure fur shellCount --set levelOfDetail=off
+measure fur shellCount --views 6 --set levelOfDetail=off
+measure fur rotationModel --views 6
+measure fur springModel --views 6
 measure crepuscular_rays volumeSteps
 measure hall supersamples --values 1,2,4,8,16 --size 160x90
