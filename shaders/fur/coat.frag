@@ -70,7 +70,9 @@ void main()
         float root = a * a - 4.0 * bulge * gap;
         far = root > 0.0 ? 2.0 * gap / (a + sqrt(root)) : min(a / max(bulge, 1e-6), 2.0 * gap / a);
         far = min(far, 14.0 * cellSize / max(length(passing), 1e-3));
-        steps = clamp(int(ceil(far * length(passing) * 2.2 / cellSize)), 1, int(body.shells.y));
+        // Half a cell at a time, or less, where strands are thinner than that and stand far apart.
+        float stride = min(cellSize / 2.2, 0.85 * max(body.coat.z, 0.5 * frame.timing.w * distance_));
+        steps = clamp(int(ceil(far * length(passing) / stride)), 1, int(body.shells.y));
     }
 #endif
 

@@ -1,7 +1,7 @@
 // What a coat costs: samples, time and error of the picture against shell count, silhouette, order and level
 // of detail. Rows are measured in turn in each round, so that a noisy machine disturbs all alike. Prints
 // tables; passes or fails nothing.
-//   bench_fur_costs [--size 640x360] [--rounds 5] [--only motion|calls|samples|counts|gaps|distance]
+//   bench_fur_costs [--size 640x360] [--rounds 5] [--only motion|calls|bodies|samples|counts|gaps|distance]
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/museum.h"
@@ -158,32 +158,27 @@ public:
         look_.values[fur_].set(table().shellCount, 64);
         look_.values[fur_].set(table().levelOfDetail, false);
         const render::FramePlan instanced = museum_.plan(look_, request_, renderer_.kept());
-        render::FramePlan single;
-        single.view = instanced.view;
-        for (const auto& [name, info] : instanced.images()) single.image(info);
-        for (render::Pass pass : instanced.passes()) {
-            if (pass.name == "fur/coat") {
-                const std::vector<render::Draw> whole = std::move(pass.draws);
-                pass.draws.clear();
-                for (const render::Draw& draw : whole) {
-                    for (int shell = 0; shell < draw.instances; ++shell) {
-                        render::Draw one = draw;
-                        one.instances = 1;
-                        FurBody body;
-                        std::memcpy(&body, one.object.data(), sizeof body);
-                        body.spine.w = static_cast<float>(shell);
-                        one.object = render::bytesOf(body);
-                        pass.draws.push_back(std::move(one));
-                    }
+        const render::FramePlan single = changed(instanced, [](render::Pass& pass) {
+            if (pass.name != "fur/coat") return;
+            const std::vector<render::Draw> whole = std::move(pass.draws);
+            pass.draws.clear();
+            for (const render::Draw& draw : whole) {
+                for (int shell = 0; shell < draw.instances; ++shell) {
+                    render::Draw one = draw;
+                    one.instances = 1;
+                    FurBody body;
+                    std::memcpy(&body, one.object.data(), sizeof body);
+                    body.spine.w = static_cast<float>(shell);
+                    one.object = render::bytesOf(body);
+                    pass.draws.push_back(std::move(one));
                 }
             }
-            single.add(std::move(pass));
-        }
+        });
         std::vector<double> times[2];
         std::size_t draws[2] = {};
         for (int round = 0; round < rounds_ + 1; ++round) {
             int k = 0;
-            for (const render::FramePlan* plan : {&instanced, static_cast<const render::FramePlan*>(&single)}) {
+            for (const render::FramePlan* plan : {&instanced, &single}) {
                 const double ms = millisecondsOf(renderer_.draw(*plan), "fur/coat");
                 if (round > 0) times[k].push_back(ms);
                 draws[k++] = plan->find("fur/coat")->draws.size();
@@ -192,8 +187,43 @@ public:
         std::printf("| one instanced draw for each body | %zu | %.1f |\n| one draw for each shell | %zu | %.1f |\n", draws[0], median(times[0]), draws[1], median(times[1]));
         look_ = museum_.initialLook();
     }
+    /// What each body costs as it stands in the best view, without the other two.
+    void bodies()
+    {
+        std::printf("\n### Cost of each body, as it stands\n\n| body | shells | coat, ms | light, ms |\n|---|---|---|---|\n");
+        const render::FramePlan all = museum_.plan(look_, request_, renderer_.kept());
+        const char* const names[] = {"ball", "roll", "ring", "all three"};
+        std::vector<double> coat[4], light[4];
+        int shells[4] = {};
+        for (int round = 0; round < rounds_ + 1; ++round) {
+            for (std::size_t i = 0; i < 4; ++i) {
+                shells[i] = 0;
+                const render::FrameReport report = renderer_.draw(changed(all, [&](render::Pass& pass) {
+                    if (pass.name != "fur/coat" && pass.name != "fur/shade") return;
+                    if (i < 3) pass.draws = {pass.draws.at(i)};
+                    if (pass.name == "fur/coat")
+                        for (const render::Draw& draw : pass.draws) shells[i] += draw.instances;
+                }));
+                if (round == 0) continue;
+                coat[i].push_back(millisecondsOf(report, "fur/coat"));
+                light[i].push_back(millisecondsOf(report, "fur/shade"));
+            }
+        }
+        for (std::size_t i = 0; i < 4; ++i) std::printf("| %s | %d | %.1f | %.1f |\n", names[i], shells[i], median(coat[i]), median(light[i]));
+    }
 
 private:
+    static render::FramePlan changed(const render::FramePlan& plan, const std::function<void(render::Pass&)>& change)
+    {
+        render::FramePlan result;
+        result.view = plan.view;
+        for (const auto& [name, info] : plan.images()) result.image(info);
+        for (render::Pass pass : plan.passes()) {
+            change(pass);
+            result.add(std::move(pass));
+        }
+        return result;
+    }
     render::FrameReport draw(const ParameterValues& values, int sample, int samples)
     {
         look_.values[fur_] = values;
@@ -240,6 +270,7 @@ int main(int argc, char** argv)
     const auto wanted = [only](const char* table) { return !only || std::strcmp(only, table) == 0; };
     if (wanted("motion")) bench.motion();
     if (wanted("calls")) bench.calls();
+    if (wanted("bodies")) bench.bodies();
     const Row reference = bench.row("", [&](ParameterValues& v) { set(v, 256, FurSilhouette::march, FurOrder::outerFirst, false); v.set(t.samplesBetween, 32); });
 
     std::vector<Row> between{bench.row("as it stands", [](ParameterValues&) {})};

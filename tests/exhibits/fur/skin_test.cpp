@@ -157,7 +157,7 @@ TEST(ModelSkin, DoesNotBendWhereItIsFlatOrHollow)
     for (const auto& v : modelSkin(modelOf(hollow), "hollow.glb", 0.5, notes)->vertices) EXPECT_EQ(v.lightmapUv.x, 0);
 }
 
-TEST(Fins, StandOnEveryEdgeOnceAndStayAffordable)
+TEST(Fins, HaveFewerRowsWhereThereAreManyEdges)
 {
     const auto ball = ballSkin(0.33, 8);
     // Seen as one surface: places that coincide are one.
