@@ -85,10 +85,11 @@ std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
     ParameterValues stiff = landing;
     stiff.set(table_.frequency, 4.0);
     stiff.set(table_.springRate, 30);
-    return {{"best view", bestView(values), 0, values},
-            {"silhouette", {{-1.05, 0.75, 1.1}, {-1.0, 0.62, 0}, 0.42}, 0, values},
-            {"tip", {{0.55, 0.72, 1.35}, {0.55, 0.42, 0.72}, 0.3}, 0, values},
+    // In such an order that three of them are the hard ones of shell count, rotation and springs.
+    return {{"silhouette", {{-1.05, 0.75, 1.1}, {-1.0, 0.62, 0}, 0.42}, 0, values},
+            {"best view", bestView(values), 0, values},
             {"spin of 120 degrees", {{-0.62, 0.6, 1.9}, {-0.62, 0.42, 0}, 0.6}, 0, spun},
+            {"tip", {{0.55, 0.72, 1.35}, {0.55, 0.42, 0.72}, 0.3}, 0, values},
             {"landing", bestView(values), 0, landing},
             {"stiff fur in long steps", bestView(values), 0, stiff}};
 }

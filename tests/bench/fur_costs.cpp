@@ -1,6 +1,6 @@
 // What a coat costs: samples, time and error of the picture against shell count, silhouette, order and level
 // of detail. Rows are measured in turn in each round, so that a noisy machine disturbs all alike. Prints
-// tables; passes or fails nothing.
+// tables, as they stand in results/fur_costs-llvmpipe.md; passes or fails nothing.
 //   bench_fur_costs [--size 640x360] [--rounds 5] [--only motion|calls|bodies|samples|counts|gaps|distance]
 
 #include "exhibits/exhibits.h"
@@ -80,7 +80,7 @@ public:
         request_.raster.size = size;
         request_.transparent = true;
         renderer_.timeSteps(true);
-        std::printf("Renderer: %s\nSize: %d x %d, %d rounds in turn after 2 warm-up frames, medians\n", context_.info().renderer.c_str(), size.x, size.y, rounds);
+        std::printf("# What coats cost\n\nMade by `bench_fur_costs`. Renderer: %s. Picture: %d x %d, %d rounds in turn after 2 warm-up frames; times are medians of process CPU time.\n", context_.info().renderer.c_str(), size.x, size.y, rounds);
     }
     [[nodiscard]] const FurTable& table() const { return static_cast<const Fur&>(*museum_.exhibits()[fur_]).parameters(); }
     [[nodiscard]] Row row(std::string name, const std::function<void(ParameterValues&)>& change) const

@@ -28,7 +28,7 @@ wanted=""
 [ $# -eq 0 ] || wanted=" $* "
 measure sdf_morph hitTolerance
 measure lenticular apertureSamples
-measure fur shellCount --views 6 --set levelOfDetail=off
+measure fur shellCount --set levelOfDetail=off
 measure fur rotationModel --views 6
 measure fur springModel --views 6
 measure crepuscular_rays volumeSteps
