@@ -3,11 +3,13 @@
 #include "exhibits/fur/bounce.h"
 #include "exhibits/fur/coat_mesh.h"
 #include "exhibits/fur/fur_passes.h"
+#include "render/files/assets.h"
 #include "render/scene/gltf.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <optional>
 
@@ -21,6 +23,15 @@ std::string seconds(double s)
     char text[32];
     std::snprintf(text, sizeof text, "%.1f s", s);
     return text;
+}
+
+/// A file of the visitor's, or one of the program's own by its place among the assets: "models/teddy.glb".
+std::string modelFile(const std::string& path)
+{
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored)) return path;
+    const std::filesystem::path own = render::asset(path);
+    return std::filesystem::exists(own, ignored) ? own.string() : path;
 }
 
 /// A press that never was is infinitely long ago.
@@ -99,7 +110,7 @@ Fur::Moment Fur::moment(const ParameterValues& values, double time, double since
     Wardrobe& w = *wardrobe_;
     if (const std::string path = values[table_.ringModel]; path != w.modelPath) {
         w.notes.clear();
-        w.model = path.empty() ? nullptr : modelSkin(render::loadGltf(path), path, ringRadius + ringTube, w.notes);
+        w.model = path.empty() ? nullptr : modelSkin(render::loadGltf(modelFile(path)), path, ringRadius + ringTube, w.notes);
         w.modelPath = path;
         w.modelFins = nullptr;
     }

@@ -85,7 +85,7 @@ public:
     [[nodiscard]] const FurTable& table() const { return static_cast<const Fur&>(*museum_.exhibits()[fur_]).parameters(); }
     [[nodiscard]] Row row(std::string name, const std::function<void(ParameterValues&)>& change) const
     {
-        Row row{std::move(name), look_.values[fur_], {}, {}, {}, {}, 0};
+        Row row{std::move(name), museum_.initialLook().values[fur_], {}, {}, {}, {}, 0};
         change(row.values);
         return row;
     }

@@ -244,5 +244,18 @@ TEST(FurPlan, ABrokenClockMovesNothing)
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), never, -never}) EXPECT_EQ(body(bad), still) << bad;
 }
 
+TEST(FurPlan, DressesAModelOfItsOwnByItsPlaceAmongTheAssets)
+{
+    FurScene scene;
+    scene.values().set(table().ringModel, std::string("models/teddy.glb"));
+    const render::FramePlan plan = scene.plan();
+    const render::Pass* coat = plan.find("fur/coat");
+    ASSERT_EQ(coat->draws.size(), 3U);
+    EXPECT_EQ(coat->draws[2].mesh->name, "model");
+    EXPECT_TRUE(render::Complaints().begun(plan.skipped()).empty());
+    scene.values().set(table().silhouette, FurSilhouette::fins);
+    EXPECT_EQ(scene.plan().find("fur/fins")->draws.size(), 3U) << "a model has fins as well";
+}
+
 }  // namespace
 }  // namespace vitrine
