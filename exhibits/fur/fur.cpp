@@ -34,6 +34,13 @@ std::string modelFile(const std::string& path)
     return std::filesystem::exists(own, ignored) ? own.string() : path;
 }
 
+std::string joined(const std::vector<std::string>& notes)
+{
+    std::string line;
+    for (const std::string& note : notes) line += (line.empty() ? "" : "; ") + note;
+    return line;
+}
+
 /// A press that never was is infinitely long ago.
 bool clockIsRight(double time, double sinceOwnPress)
 {
@@ -195,7 +202,7 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
         if (!fins) plan.complain("fur/model fins", "the model has more than 200,000 triangles, too many for fins; a march fills its silhouette as well");
         scene.fins[i] = fins;
     }
-    for (const std::string& note : w.notes) plan.complain("fur/model", note);
+    if (!w.notes.empty()) plan.complain("fur/model", joined(w.notes));
     planCoats(scene, plan);
 }
 

@@ -103,8 +103,8 @@ std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::str
         const double out = glm::length(glm::dvec3(p));
         mesh->vertices[i].normal = length > 1e-9 ? glm::vec3(normals[i] / length) : out > 0 ? p / static_cast<float>(out) : glm::vec3(0, 1, 0);
     }
-    if (flat > 0) notes.push_back(std::to_string(flat) + " triangles without area were left out");
-    if (without > 0) notes.push_back(std::to_string(without) + " places had no outward side and were given one");
+    if (flat > 0) notes.push_back(flat == 1 ? "1 triangle without area was left out" : std::to_string(flat) + " triangles without area were left out");
+    if (without > 0) notes.push_back(without == 1 ? "1 place had no outward side and was given one" : std::to_string(without) + " places had no outward side and were given one");
     for (const Vertex& v : mesh->vertices) mesh->bounds.include(glm::dvec3(v.position));
     bendIt(*mesh);
     return mesh;

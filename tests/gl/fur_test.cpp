@@ -1,6 +1,7 @@
 // Coats as drawn: finite whatever one sets, and within their length; what every slider does.
 
 #include "render/failure.h"
+#include "render/plan/complaints.h"
 #include "tests/gl/fur_shot.h"
 #include "tests/render/scene/gltf_builder.h"
 #include "tests/support/temporary_folder.h"
@@ -165,6 +166,12 @@ TEST_F(FurTest, AVisitorsModelWearsTheRingsCoatAndJumps)
             EXPECT_GT(p.hits(), 300) << at;
             EXPECT_GT(colorDifference(p, ring), 0.001) << at;
         }
+        render::Complaints log;
+        const auto lines = [&] { return log.begun(gallery().museum.plan(shot.look, shot.request.frame).skipped()); };
+        const std::vector<std::string> first = lines();
+        ASSERT_EQ(first.size(), awkward ? 1U : 0U);
+        if (awkward) EXPECT_EQ(first[0], "fur/model: 1 triangle without area was left out");
+        EXPECT_TRUE(lines().empty()) << "said again in the next frame";
         for (const FurSilhouette silhouette : {FurSilhouette::fins, FurSilhouette::byAngle}) {
             shot.object().set(table().silhouette, silhouette);
             EXPECT_EQ(notFinite(shot.take().image, 4), "");
