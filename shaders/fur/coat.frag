@@ -84,7 +84,7 @@ void main()
 #endif
     // A strand thinner than half a pixel is drawn half a pixel wide, but not every such strand.
     float widest = body.coat.z / cellSize;
-    float pixel = 0.5 * frame.timing.w * distance_ / cellSize;
+    float pixel = 0.5 * frame.timing.w * distance_ * shrink / cellSize;
 #ifdef SHADOW
     pixel = 0.0;
 #endif
