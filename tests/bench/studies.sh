@@ -1,8 +1,8 @@
 #!/bin/sh
 # Measures again what accuracy costs: studies of the headline parameters of each exhibit, whose numbers and charts
-# go to tests/bench/results, and whose sentences stand in the exhibit's README. Prints the sentences.
+# go to tests/bench/results as study_EXHIBIT_PARAMETER, and whose sentences stand in the exhibit's README. Prints them.
 #   sh tests/bench/studies.sh                   all
-#   sh tests/bench/studies.sh sdf_morph fur     those of these exhibits
+#   sh tests/bench/studies.sh sdf_morph fur     those
 # The whole studies, with pictures and pages, stay in build/studies.
 set -e
 cd "$(dirname "$0")/../.."
@@ -10,21 +10,24 @@ program=build/release/vitrine
 results=tests/bench/results
 mkdir -p build/studies
 
-# measure EXHIBIT PARAMETER [OPTION...]
+# measure EXHIBIT PARAMETER... [OPTION...]
 measure() {
-    exhibit=$1
     case "$wanted" in
-        "" | *" $exhibit "*) ;;
+        "" | *" $1 "*) ;;
         *) return 0 ;;
     esac
-    study=${exhibit}_$2
-    "$program" study "$@" --out "build/studies/$study" >"build/studies/$study.txt"
-    cp "build/studies/$study/study.csv" "$results/study_$study.csv"
-    cp "build/studies/$study/chart.svg" "$results/study_$study.svg"
+    name=""
+    for word in "$@"; do
+        case "$word" in -*) break ;; esac
+        name=${name:+${name}_}$word
+    done
+    "$program" study "$@" --out "build/studies/$name" >"build/studies/$name.txt"
+    cp "build/studies/$name/study.csv" "$results/study_$name.csv"
+    cp "build/studies/$name/chart.svg" "$results/study_$name.svg"
     # A choice follows no law: what each of its methods errs by.
-    echo "$exhibit, $2: $(grep '^Halving' "build/studies/$study.txt" ||
+    echo "$name: $(grep '^Halving' "build/studies/$name.txt" ||
         awk -v row="$2 " 'index($0, row) == 1 { printf "%s%s errs by %s", between, trimmed(substr($0, length(row) + 1, 44 - length(row))), substr($0, 45, 13) + 0; between = "; " }
-                          function trimmed(text) { sub(/ +$/, "", text); return text }' "build/studies/$study.txt")"
+                          function trimmed(text) { sub(/ +$/, "", text); return text }' "build/studies/$name.txt")"
 }
 
 wanted=""

@@ -333,7 +333,7 @@ private slots:
             QTRY_VERIFY(gallery_->requests.size() > before + 2);
             settle();
         };
-        const render::Skipped wrong{"fur/clock", "the time is no number", render::Work::simulation, true};
+        const render::Skipped wrong{.name = "fur/clock", .reason = "the time is no number", .work = render::Work::simulation, .complaint = true};
         drawFrames({});
         QCOMPARE(lines(), 0);
         drawFrames({wrong});
