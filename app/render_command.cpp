@@ -7,6 +7,7 @@
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/image/image_io.h"
+#include "render/plan/complaints.h"
 
 #include <CLI/CLI.hpp>
 
@@ -43,6 +44,7 @@ int renderPicture(const RenderOptions& options)
     render::gl::Renderer renderer;
     PictureMaker maker(museum, renderer, job.look, job.request);
     while (maker.step()) {}
+    for (const std::string& line : render::Complaints().begun(maker.report().skipped)) std::fprintf(stderr, "vitrine: %s\n", line.c_str());
     render::writePicture(options.picture.out, maker.picture(), format, {.preset = presetOf(museum, job)});
     if (!options.report.empty()) writeReport(options.report, museum, renderer, context.info(), job, maker);
     return 0;

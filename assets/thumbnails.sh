@@ -22,6 +22,6 @@ done
 $program render lenticular --size 480x300 --samples 16 --out assets/pictures/lenticular-card.png
 $program render lenticular --eye=-3.0444,1.114,3.0205 --target=-3.1905,1.084,2.9535 --fov 40 --size 480x300 --samples 16 --out assets/pictures/lenticular-lenses.png
 $program render fur --preset assets/presets/fur/in-mid-air.json --size 1280x720 --samples 16 --out assets/pictures/fur.png
-for look in cat sea-urchin grass dandelion poodle as-in-the-source; do
+for look in cat sea-urchin grass dandelion poodle as-in-the-source teddy carpet as-in-the-reference-video; do
     $program render fur --preset assets/presets/fur/$look.json --size 480x300 --samples 16 --out assets/pictures/fur-$look.png
 done

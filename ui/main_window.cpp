@@ -115,6 +115,7 @@ void MainWindow::connectParts()
     connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report, const QSize& pixels) {
         status_->note(report, pixels);
         ledger_->note(report);
+        for (const std::string& line : complaints_.begun(report.skipped)) log_->add(text(line));
         keepThumbnail();
     });
     connect(viewport_, &Viewport::contextClosing, study_, &StudyDock::stop);

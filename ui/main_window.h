@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/plan/complaints.h"
 #include "ui/gallery.h"
 #include "ui/message_strip.h"
 #include "ui/undo.h"
@@ -87,6 +88,7 @@ private:
     LedgerDock* ledger_ = nullptr;
     LogView* log_ = nullptr;
     StudyDock* study_ = nullptr;
+    render::Complaints complaints_;  // What the log has been told of.
     std::unique_ptr<WindowActions> actions_;
     QList<QDockWidget*> docks_, hiddenDocks_;
     std::size_t chosen_ = 0;

@@ -15,18 +15,6 @@ double bodyRadius(int body)
     return body == furBall ? ballRadius : body == furRoll ? rollRadius : ringTube;
 }
 
-/// The point of the spine of `state`'s body nearest to `p`, pit space.
-glm::dvec3 spinePoint(int body, const FurState& state, const glm::dvec3& p)
-{
-    if (body == furBall) return state.position;
-    const glm::dvec3 local = glm::conjugate(state.turn) * (p - state.position);
-    if (body == furRoll) return state.position + state.turn * glm::dvec3(std::clamp(local.x, -rollHalfLength, rollHalfLength), 0, 0);
-    glm::dvec3 flat(local.x, 0, local.z);
-    const double length = glm::length(flat);
-    flat = length > 1e-9 ? flat * (ringRadius / length) : glm::dvec3(ringRadius, 0, 0);
-    return state.position + state.turn * flat;
-}
-
 glm::vec4 vec4Of(const glm::dquat& q)
 {
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
@@ -52,17 +40,40 @@ double shellsAtDistance(int wanted, double length, double distance, double pixel
     return std::clamp(pixels / 1.6, std::min<double>(wanted, 5), static_cast<double>(wanted));
 }
 
+double Coats::radius(int index) const
+{
+    return index == furRing && modelRadius > 0 ? modelRadius : bodyRadius(index);
+}
+
+glm::dvec3 Coats::spinePoint(int index, const glm::dvec3& p) const
+{
+    const FurState& state = states[static_cast<std::size_t>(index)];
+    if (index == furBall || (index == furRing && modelRadius > 0)) return state.position;
+    const glm::dvec3 local = glm::conjugate(state.turn) * (p - state.position);
+    if (index == furRoll) return state.position + state.turn * glm::dvec3(std::clamp(local.x, -rollHalfLength, rollHalfLength), 0, 0);
+    glm::dvec3 flat(local.x, 0, local.z);
+    const double length = glm::length(flat);
+    flat = length > 1e-9 ? flat * (ringRadius / length) : glm::dvec3(ringRadius, 0, 0);
+    return state.position + state.turn * flat;
+}
+
 glm::dmat4 Coats::worldFromBody(int index) const
 {
     const FurState& state = states[static_cast<std::size_t>(index)];
     return worldFromPit * glm::translate(glm::dmat4(1), state.position) * glm::mat4_cast(state.turn);
 }
 
+render::Box Coats::space(int index, const render::Box& skin) const
+{
+    // Strands keep their length within 1 %.
+    const double reach = 1.02 * values[coatRows(table, index).length] + 1e-3;
+    const double grown = states[static_cast<std::size_t>(index)].grown;
+    return {skin.low * grown - reach, skin.high * grown + reach};
+}
+
 render::Box Coats::bounds(int index, const render::Box& skin) const
 {
-    const FurState& state = states[static_cast<std::size_t>(index)];
-    const double reach = values[coatRows(table, index).length];
-    return render::Box{skin.low * state.grown - reach, skin.high * state.grown + reach}.transformed(worldFromBody(index));
+    return space(index, skin).transformed(worldFromBody(index));
 }
 
 FurBody Coats::body(int index) const
@@ -87,7 +98,7 @@ FurBody Coats::body(int index) const
     body.shells = {static_cast<float>(length > 0 ? values[table.shellCount] : 1),
                    static_cast<float>(values[table.silhouette] == FurSilhouette::march ? values[table.samplesBetween] : 1),
                    static_cast<float>((seed + 131U * static_cast<unsigned>(index)) % 65536U), values[table.drawOrder] == FurOrder::innerFirst ? 1.0F : 0.0F};
-    body.spine = {static_cast<float>(index == furRoll ? rollHalfLength : 0), static_cast<float>(index == furRing ? ringRadius : 0), static_cast<float>(bodyRadius(index)), 0};
+    body.spine = {static_cast<float>(index == furRoll ? rollHalfLength : 0), static_cast<float>(index == furRing && !(modelRadius > 0) ? ringRadius : 0), static_cast<float>(radius(index)), 0};
 
     int planes = 0;
     const auto press = [&](const glm::dvec3& normal, double distance) {
@@ -104,12 +115,12 @@ FurBody Coats::body(int index) const
         glm::dvec3 mine = state.position;
         glm::dvec3 its = theirs.position;
         for (int round = 0; round < 4; ++round) {
-            its = spinePoint(other, theirs, mine);
-            mine = spinePoint(index, state, its);
+            its = spinePoint(other, mine);
+            mine = spinePoint(index, its);
         }
         const double apart = glm::length(mine - its);
-        const double myRadius = bodyRadius(index) * state.grown;
-        const double itsRadius = bodyRadius(other) * theirs.grown;
+        const double myRadius = radius(index) * state.grown;
+        const double itsRadius = radius(other) * theirs.grown;
         const double room = apart - myRadius - itsRadius;
         if (apart < 1e-6 || room > length + values[coatRows(table, other).length]) continue;
         const glm::dvec3 normal = (mine - its) / apart;

@@ -60,6 +60,7 @@ struct FurBodies {
     glm::mat4 worldFromPit{1};
     glm::mat4 pitFromWorld{1};
     glm::vec4 pit{0};
+    glm::vec4 middle{0}, halfSize{0};
 };
 
 /// A coat at one moment, ready to be drawn.
@@ -70,10 +71,17 @@ struct Coats {
     glm::dmat4 worldFromPit{1};
     double time = 0;
     std::uint32_t seed = 1;
+    double modelRadius = 0;  ///< Metres: of a ball that stands for the visitor's model in place of the ring; 0: there is none.
 
     [[nodiscard]] FurBody body(int index) const;
+    /// How thick a body is around its spine, metres.
+    [[nodiscard]] double radius(int index) const;
+    /// The point of the body's spine nearest to `p`, pit space.
+    [[nodiscard]] glm::dvec3 spinePoint(int index, const glm::dvec3& p) const;
     [[nodiscard]] glm::dmat4 worldFromBody(int index) const;
-    /// The space that a body with its fur may fill, world space.
+    /// The space that a body with its fur may fill, in its own space; `skin`: bounds of the skin at rest.
+    [[nodiscard]] render::Box space(int index, const render::Box& skin) const;
+    /// The same in the world.
     [[nodiscard]] render::Box bounds(int index, const render::Box& skin) const;
 };
 

@@ -3,11 +3,13 @@
 #include "exhibits/fur/bounce.h"
 #include "exhibits/fur/coat_mesh.h"
 #include "exhibits/fur/fur_passes.h"
+#include "render/files/assets.h"
 #include "render/scene/gltf.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <optional>
 
@@ -23,13 +25,35 @@ std::string seconds(double s)
     return text;
 }
 
+/// A file of the visitor's, or one of the program's own by its place among the assets: "models/teddy.glb".
+std::string modelFile(const std::string& path)
+{
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored)) return path;
+    const std::filesystem::path own = render::asset(path);
+    return std::filesystem::exists(own, ignored) ? own.string() : path;
+}
+
+std::string joined(const std::vector<std::string>& notes)
+{
+    std::string line;
+    for (const std::string& note : notes) line += (line.empty() ? "" : "; ") + note;
+    return line;
+}
+
+/// A press that never was is infinitely long ago.
+bool clockIsRight(double time, double sinceOwnPress)
+{
+    return std::isfinite(time) && sinceOwnPress >= 0;
+}
+
 }  // namespace
 
 struct Fur::Wardrobe {
     std::shared_ptr<const render::Mesh> skins[furBodyCount] = {ballSkin(ballRadius, 8), rollSkin(rollRadius, rollHalfLength, 26), ringSkin(ringRadius, ringTube, 40)};
     std::shared_ptr<const render::Mesh> fins[furBodyCount];
     std::string modelPath;
-    std::shared_ptr<const render::Mesh> model;
+    std::shared_ptr<const render::Mesh> model, modelFins;
     std::vector<std::string> notes;  ///< What of the model was left out or mended.
     std::optional<Bounce> bounce;
     std::int64_t stepsTold = 0;  ///< Steps of that jump that a plan has counted.
@@ -75,11 +99,17 @@ std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
     spun.set(table_.handTurn, 2.0943951023931953);
     ParameterValues landing = values;
     landing.set(table_.frozenAt, 0.9);
-    return {{"best view", bestView(values), 0, values},
-            {"silhouette", {{-1.05, 0.75, 1.1}, {-1.0, 0.62, 0}, 0.42}, 0, values},
-            {"tip", {{0.55, 0.72, 1.35}, {0.55, 0.42, 0.72}, 0.3}, 0, values},
+    // Stiff fur in long steps: of the three ways to step a spring, one flies off, one is late, one does not notice.
+    ParameterValues stiff = landing;
+    stiff.set(table_.frequency, 4.0);
+    stiff.set(table_.springRate, 30);
+    // In such an order that three of them are the hard ones of shell count, rotation and springs.
+    return {{"silhouette", {{-1.05, 0.75, 1.1}, {-1.0, 0.62, 0}, 0.42}, 0, values},
+            {"best view", bestView(values), 0, values},
             {"spin of 120 degrees", {{-0.62, 0.6, 1.9}, {-0.62, 0.42, 0}, 0.6}, 0, spun},
-            {"landing", bestView(values), 0, landing}};
+            {"tip", {{0.55, 0.72, 1.35}, {0.55, 0.42, 0.72}, 0.3}, 0, values},
+            {"landing", bestView(values), 0, landing},
+            {"stiff fur in long steps", bestView(values), 0, stiff}};
 }
 
 Fur::Moment Fur::moment(const ParameterValues& values, double time, double sinceOwnPress) const
@@ -87,11 +117,13 @@ Fur::Moment Fur::moment(const ParameterValues& values, double time, double since
     Wardrobe& w = *wardrobe_;
     if (const std::string path = values[table_.ringModel]; path != w.modelPath) {
         w.notes.clear();
-        w.model = path.empty() ? nullptr : modelSkin(render::loadGltf(path), path, ringRadius + ringTube, w.notes);
+        w.model = path.empty() ? nullptr : modelSkin(render::loadGltf(modelFile(path)), path, ringRadius + ringTube, w.notes);
         w.modelPath = path;
+        w.modelFins = nullptr;
     }
-    const double now = std::isfinite(time) ? time : 0;
-    double since = std::isfinite(sinceOwnPress) && sinceOwnPress >= 0 && sinceOwnPress < 1e6 ? sinceOwnPress : never;
+    const bool right = clockIsRight(time, sinceOwnPress);
+    const double now = right ? time : 0;
+    double since = right && sinceOwnPress < 1e6 ? sinceOwnPress : never;
     const bool byItself = values[table_.bouncePeriod] > 0;
     const bool frozen = values[table_.frozenAt] > 0;
     if (byItself) since = now - std::floor(now / values[table_.bouncePeriod]) * values[table_.bouncePeriod];
@@ -132,6 +164,9 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
 {
     const ParameterValues& values = context.values;
     constexpr const char* motion = "fur/motion";
+    const bool right = clockIsRight(context.time, context.sinceOwnPress);
+    // Without a number, so that it stays one line in the log however the clock goes on.
+    if (!right) plan.complain("fur/clock", "the time is no number, or lies before the press of the button; the bodies are shown at rest until it is right", render::Work::simulation);
     if (!context.hiddenBecause.empty() && !context.noShadowBecause.empty()) {
         // Nobody sees where they are; when somebody does again, the jump is simulated up to then.
         plan.skip(motion, context.hiddenBecause, render::Work::simulation);
@@ -156,15 +191,18 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
     } else {
         plan.skip(motion, now.reason, render::Work::simulation);
     }
-    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, context.time, plan.seed}, {}, {}};
+    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, right ? context.time : 0, plan.seed, w.model ? meanRadius(*w.model) : 0}, {}, {}};
     for (int i = 0; i < furBodyCount; ++i) {
-        scene.skins[i] = i == furRing && w.model ? w.model : w.skins[i];
+        const bool model = i == furRing && w.model;
+        scene.skins[i] = model ? w.model : w.skins[i];
         if (values[table_.silhouette] != FurSilhouette::fins) continue;
-        if (i == furRing && w.model) continue;  // Fins are for the comparison on known skins.
-        if (!w.fins[i]) w.fins[i] = finsOf(*w.skins[i], 6);
-        scene.fins[i] = w.fins[i];
+        std::shared_ptr<const render::Mesh>& fins = model ? w.modelFins : w.fins[i];
+        const int rows = finRows(*scene.skins[i]);
+        if (!fins && rows > 0) fins = finsOf(*scene.skins[i], rows);
+        if (!fins) plan.complain("fur/model fins", "the model has more than 200,000 triangles, too many for fins; a march fills its silhouette as well");
+        scene.fins[i] = fins;
     }
-    for (const std::string& note : w.notes) plan.skip("fur/model", note);
+    if (!w.notes.empty()) plan.complain("fur/model", joined(w.notes));
     planCoats(scene, plan);
 }
 

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/derive.h"
 #include "exhibits/fur/coat_mesh.h"
+#include "exhibits/hall/surface_draw.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
@@ -15,12 +16,13 @@ using render::Load;
 using render::Pass;
 
 constexpr const char* foundImage = "fur.found";
-constexpr const char* tintedImage = "fur.tinted";
 constexpr const char* statesName = "fur.bodies";
 constexpr const char* names[furBodyCount] = {"ball", "roll", "ring"};
 
 // A shadow is a silhouette seen from far away: few shells fill it.
 constexpr float shadowShells = 8, shadowSamples = 3;
+/// Of shells by angle: so many times as many where the coat is seen from the side.
+constexpr int grazingShells = 4;
 /// A visitor's model may have any number of triangles; all its shells together have no more than this.
 constexpr double mostTriangles = 6e6;
 
@@ -29,6 +31,7 @@ struct Planner {
     render::FramePlan& plan;
     const FurTable& table;
     FurBodies bodies;
+    bool inView[furBodyCount] = {};
 
     Planner(const FurScene& s, render::FramePlan& p) : scene(s), plan(p), table(s.coats.table)
     {
@@ -58,16 +61,18 @@ struct Planner {
         made.reads = {statesName};
         return made;
     }
+    [[nodiscard]] bool mirrored() const { return glm::determinant(glm::dmat3(scene.context.worldFromExhibit)) < 0; }
     [[nodiscard]] render::Draw draw(std::shared_ptr<const render::Mesh> mesh, const FurBody& body, int instances) const
     {
         render::Draw draw;
         draw.mesh = std::move(mesh);
         draw.instances = instances;
-        draw.mirrored = glm::determinant(glm::dmat3(scene.context.worldFromExhibit)) < 0;
+        draw.mirrored = mirrored();
         draw.object = render::bytesOf(body);
         return draw;
     }
-    [[nodiscard]] static int instancesOf(const FurBody& body) { return std::max(static_cast<int>(std::ceil(body.shells.x)), 1); }
+    [[nodiscard]] static int shellsOf(const FurBody& body) { return std::max(static_cast<int>(std::ceil(body.shells.x)), 1); }
+    [[nodiscard]] bool byAngle() const { return values()[table.silhouette] == FurSilhouette::byAngle; }
 
     [[nodiscard]] FurBody affordable(int i) const
     {
@@ -94,7 +99,7 @@ struct Planner {
             FurBody body = affordable(i);
             body.shells.x = std::min(body.shells.x, shadowShells);
             body.shells.y = std::min(body.shells.y, shadowSamples);
-            made.draws.push_back(draw(scene.skins[i], body, instancesOf(body)));
+            made.draws.push_back(draw(scene.skins[i], body, shellsOf(body)));
         }
         plan.add(std::move(made));
     }
@@ -111,26 +116,27 @@ struct Planner {
         return body;
     }
 
-    bool coat() const
+    bool coat()
     {
         Pass made = coatPass("fur/coat", "");
+        if (byAngle()) made.shader.defines.push_back("BY_ANGLE " + std::to_string(grazingShells));
         Pass fins = coatPass("fur/fins", "they fill the gaps between shells seen from the side");
-        std::string inView;
+        std::string seenBodies;
         for (int i = 0; i < furBodyCount; ++i) {
             if (!plan.runEverything && !plan.view.mayContain(bounds(i))) continue;
             const FurBody body = seen(i);
-            made.draws.push_back(draw(scene.skins[i], body, instancesOf(body)));
+            made.draws.push_back(draw(scene.skins[i], body, shellsOf(body) * (byAngle() && body.shells.x > 1 ? grazingShells : 1)));
+            inView[i] = true;
             if (scene.fins[i]) fins.draws.push_back(draw(scene.fins[i], body, 1));
             made.counts["shells"] += made.draws.back().instances;
-            inView += (inView.empty() ? "" : ", ") + std::string(names[i]);
+            seenBodies += (seenBodies.empty() ? "" : ", ") + std::string(names[i]);
         }
         if (made.draws.empty()) {
             for (const char* name : {"fur/coat", "fur/fins", "fur/shade"}) plan.skip(name, "out of view");
             return false;
         }
-        plan.image({.name = foundImage, .format = render::Format::rgba16f, .nearest = true});
-        plan.image({.name = tintedImage, .format = render::Format::rgba8, .nearest = true});
-        made.reason = "in view: " + inView;
+        plan.image({.name = foundImage, .format = render::Format::rgba32f, .nearest = true});
+        made.reason = "in view: " + seenBodies;
         attach(made, Load::clear);
         attach(fins, Load::keep);
         plan.add(std::move(made));
@@ -146,7 +152,7 @@ struct Planner {
     void attach(Pass& made, Load load) const
     {
         made.countSamples = true;
-        made.colors = {{foundImage, load, {}, -1, 0}, {tintedImage, load, {}, -1, 0}};
+        made.colors = {{foundImage, load, {}, -1, 0}};
         made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
         if (scene.context.channels.normal) {
             made.shader.defines.emplace_back("WRITE_NORMAL");
@@ -158,12 +164,24 @@ struct Planner {
     {
         Pass made = pass("fur/shade", "light on the strands that were found", "fur/shade.vert", "fur/shade.frag");
         made.colors = {{radianceImage, Load::keep, {}, -1, 0}};
+        // Far sides of boxes around the fur, where something is in front of them: few pixels without a strand are asked.
+        made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+        made.state = {.depthTest = render::DepthTest::farther, .cull = render::Cull::front, .depthClamp = true};
         scene.context.surroundings.illuminate(made);
         made.inputs.push_back({UNIT_EXHIBIT_A, std::string(foundImage)});
-        made.inputs.push_back({UNIT_EXHIBIT_B, std::string(tintedImage)});
-        made.inputs.push_back({UNIT_EXHIBIT_C, std::string(depthImage)});
-        made.draws = {render::Draw{}};
-        made.draws[0].object = render::bytesOf(bodies);
+        for (int i = 0; i < furBodyCount; ++i) {
+            if (!inView[i]) continue;
+            FurBodies lit = bodies;
+            std::swap(lit.body[0], lit.body[i]);
+            const render::Box box = scene.coats.space(i, scene.skins[i]->bounds);
+            lit.middle = glm::vec4(glm::vec3(box.center()), 0);
+            lit.halfSize = glm::vec4(glm::vec3(box.halfSize()), 0);
+            render::Draw one;
+            one.mesh = boxMesh();
+            one.mirrored = mirrored();
+            one.object = render::bytesOf(lit);
+            made.draws.push_back(std::move(one));
+        }
         plan.add(std::move(made));
     }
 
@@ -188,7 +206,7 @@ struct Planner {
 
 void planCoats(const FurScene& scene, render::FramePlan& plan)
 {
-    const Planner planner(scene, plan);
+    Planner planner(scene, plan);
     planner.shadow();
     if (!scene.context.hiddenBecause.empty()) {
         for (const char* name : {"fur/coat", "fur/fins", "fur/shade", "fur/floor"}) plan.skip(name, scene.context.hiddenBecause);

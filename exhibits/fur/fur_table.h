@@ -6,7 +6,7 @@ namespace vitrine {
 
 enum class FurRotation : int { matrixMix, nlerp, slerp };
 enum class FurSpring : int { explicitEuler, semiImplicit, closedForm };
-enum class FurSilhouette : int { none, fins, march };
+enum class FurSilhouette : int { none, fins, byAngle, march };
 enum class FurOrder : int { outerFirst, innerFirst };
 
 /// Everything that can be set about the furry bodies. Lengths in metres.
@@ -34,7 +34,7 @@ struct FurTable final : Parameters {
     Real ringThickness = real("ringThickness", 0.0042, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.");
     Color ringRoot = color("ringRoot", {0.10, 0.006, 0.016}, "Of its fur at the skin.");
     Color ringTip = color("ringTip", {0.78, 0.16, 0.20}, "Of its fur at the tips.");
-    File ringModel = file("ringModel", "A glTF object that wears the ring's coat in place of the ring.");
+    File ringModel = file("ringModel", "A glTF object that wears the ring's coat in place of the ring; models/teddy.glb is one of ours.");
 
     Group strands = group("Strands");
     Real strandRoundness = real("strandRoundness", 0.55, none, {0, 0.999}, "0 tapers every strand like a needle, high leaves it thick with a blunt tip.");
@@ -91,8 +91,8 @@ struct FurTable final : Parameters {
     Group accuracy = group("Accuracy");
     Count shellCount = count("shellCount", 10, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
     Count samplesBetween = count("samplesBetween", 16, {1, 32}, "Points at most that a ray visits between two shells, where it grazes them.", quality(32));
-    Choice<FurSilhouette> silhouette = choice("silhouette", FurSilhouette::march, {"none", "fins", "march"},
-        "What fills the gaps between shells seen from the side: nothing, fins along the edges, or a march from shell to shell.", quality(2));
+    Choice<FurSilhouette> silhouette = choice("silhouette", FurSilhouette::march, {"none", "fins", "by angle", "march"},
+        "What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells where they are seen at an angle, or a march from shell to shell.", quality(3));
     Choice<FurOrder> drawOrder = choice("drawOrder", FurOrder::outerFirst, {"outer first", "inner first"},
         "Outer shells first hide what is behind them before it is drawn; the picture is the same.", quality(0));
     Toggle levelOfDetail = toggle("levelOfDetail", true, "Fewer shells where the coat is far away and small.", quality(0));

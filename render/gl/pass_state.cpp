@@ -20,6 +20,7 @@ GLenum depthFunction(DepthTest test)
     case DepthTest::nearer: return GL_GREATER;  // Depth is reversed: nearer is greater.
     case DepthTest::nearerOrEqual: return GL_GEQUAL;
     case DepthTest::equal: return GL_EQUAL;
+    case DepthTest::farther: return GL_LESS;
     }
     return GL_ALWAYS;
 }

@@ -72,6 +72,11 @@ void FramePlan::skip(std::string name, std::string reason, Work work)
     skipped_.push_back({std::move(name), std::move(reason), work});
 }
 
+void FramePlan::complain(std::string name, std::string reason, Work work)
+{
+    skipped_.push_back({.name = std::move(name), .reason = std::move(reason), .work = work, .complaint = true});
+}
+
 void FramePlan::prune(const std::vector<std::string>& outputs, const KeptKeys& kept)
 {
     std::stable_sort(passes_.begin(), passes_.end(), [](const Pass& a, const Pass& b) { return a.stage < b.stage; });

@@ -66,7 +66,7 @@ struct Attachment {
     int level = 0;
 };
 
-enum class DepthTest : std::uint8_t { none, nearer, nearerOrEqual, equal };
+enum class DepthTest : std::uint8_t { none, nearer, nearerOrEqual, equal, farther };
 enum class Cull : std::uint8_t { none, back, front };
 enum class Blend : std::uint8_t { none, add, alpha, premultiplied, mean };
 
@@ -142,6 +142,7 @@ struct Skipped {
     std::string name;
     std::string reason;
     Work work = Work::raster;
+    bool complaint = false;  ///< Its input was bad: a line in the log, besides the ledger's.
 };
 
 /// Keys under which kept images were last written: image name and pass name -> key.
@@ -161,6 +162,8 @@ public:
     /// A pass with a bound of 0 is skipped, but for `runEverything`.
     void add(Pass);
     void skip(std::string name, std::string reason, Work = Work::raster);
+    /// Left out or mended because the input was bad, and why, in one sentence for the visitor.
+    void complain(std::string name, std::string reason, Work = Work::raster);
 
     /// Sorts by stage, drops every pass that no output depends on, and those whose kept outputs are
     /// up to date under `kept`. A dropped pass moves to `skipped()` with its reason.

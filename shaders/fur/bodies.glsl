@@ -8,6 +8,8 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
     mat4 worldFromPit;
     mat4 pitFromWorld;
     vec4 pit;  // x: radius, y: height of the rim above the floor, metres
+    vec4 middle;    // of the box that body 0 fills with its fur, body space
+    vec4 halfSize;
 };
 
 // Nearest point to `p` of the line that a body is thick around: a point, a straight line, or a ring.

@@ -1,7 +1,8 @@
-// Which strand, if any, the eye meets between this shell and the next one inwards. Permutations: FIN,
-// CLUMPS, CURLS, SHADOW (depth alone), WRITE_NORMAL.
+// Which strand, if any, the eye meets between this shell and the next one inwards. Permutations: FIN and
+// BY_ANGLE as in coat.vert, CLUMPS, CURLS, SHADOW (depth alone), WRITE_NORMAL.
 #include "lib/frame.glsl"
 #include "fur/body.glsl"
+#include "fur/found.glsl"
 
 layout(std140, binding = BLOCK_OBJECT) uniform Object {
     FurBody body;
@@ -9,10 +10,11 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
 
 in vec3 skin;
 in vec3 skinNormal;
+in vec3 coatNormal;
 in vec3 strandWay;
 in vec3 seenAlong;
 in float curvature;
-#ifdef FIN
+#if defined(FIN) || defined(BY_ANGLE)
 in float height;
 const float gap = 0.0;
 #else
@@ -21,18 +23,11 @@ flat in float gap;
 #endif
 
 #ifndef SHADOW
-layout(location = 0) out vec4 found;  // xy: world normal, octahedral; z: height; w: number of the body
-layout(location = 1) out vec4 tinted; // rgb: square root of the color; a: strand's own number, 0 to 1
+layout(location = 0) out vec4 found;  // as packed by fur/found.glsl
 #ifdef WRITE_NORMAL
-layout(location = 2) out vec4 normalOut;
+layout(location = 1) out vec4 normalOut;
 #endif
 #endif
-
-vec2 octahedral(vec3 n)
-{
-    vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
-    return n.z >= 0.0 ? p : (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
-}
 
 #if defined(CLUMPS) || defined(CURLS)
 // Like sin(pi x), from parabolas: it is asked for nine times per sample.
@@ -69,13 +64,15 @@ void main()
 
     int steps = 1;
     float far = 0.0;
-#ifndef FIN
+#if !defined(FIN) && !defined(BY_ANGLE)
     if (body.shells.y > 1.5 && gap > 0.0) {
         float a = max(-falling, 1e-4);
         float root = a * a - 4.0 * bulge * gap;
         far = root > 0.0 ? 2.0 * gap / (a + sqrt(root)) : min(a / max(bulge, 1e-6), 2.0 * gap / a);
         far = min(far, 14.0 * cellSize / max(length(passing), 1e-3));
-        steps = clamp(int(ceil(far * length(passing) * 2.2 / cellSize)), 1, int(body.shells.y));
+        // Half a cell at a time, or less, where strands are thinner than that and stand far apart.
+        float stride = min(cellSize / 2.2, 0.85 * max(body.coat.z, 0.5 * frame.timing.w * distance_));
+        steps = clamp(int(ceil(far * length(passing) / stride)), 1, int(body.shells.y));
     }
 #endif
 
@@ -85,37 +82,49 @@ void main()
     vec3 tuft = tuftField(skin * waves);
     tuft = (tuft - n * dot(n, tuft)) / (4.0 * waves);
 #endif
-    float widest = body.coat.z;
     // A strand thinner than half a pixel is drawn half a pixel wide, but not every such strand.
-    float pixel = 0.5 * frame.timing.w * distance_;
+    float widest = body.coat.z / cellSize;
+    float pixel = 0.5 * frame.timing.w * distance_ * shrink / cellSize;
 #ifdef SHADOW
     pixel = 0.0;
 #endif
     float shown = min(widest / max(pixel, 1e-9), 1.0);
 
+    // The ray on the lattice, in cells: what the loop does not do for every sample is done here, once.
+    StrandLattice lattice = strandLattice(n, seed);
+    vec2 start = onLattice(lattice, skin) / cellSize;
+    vec2 pace = onLattice(lattice, passing) / cellSize;
+#ifdef CLUMPS
+    vec2 drawn = onLattice(lattice, tuft) * (parameters.clump / cellSize);
+#endif
+#ifdef CURLS
+    vec3 side = perpendicularTo(n);
+    vec2 curlSide = onLattice(lattice, side) * (parameters.curl * strandLength / cellSize);
+    vec2 curlAcross = onLattice(lattice, cross(n, side)) * (parameters.curl * strandLength / cellSize);
+    float turned_ = tuft.x * (4.0 * waves);
+#endif
     bool hit = bare;
     float h = height;
-    Strand strand;
-    strand.offset = vec3(0.0);
+    RootedStrand strand;
+    strand.offset = vec2(0.0);
+    strand.along = 0.0;
     strand.rank = 0.0;
-    strand.tint = 0.5;
     float radius = widest;
     for (int i = 0; i < steps; ++i) {
         float t = far * float(i) / float(steps);
         float at = height + falling * t + bulge * t * t;
-        vec3 q = skin + passing * t;
+        vec2 q = start + pace * t;
 #ifdef CLUMPS
-        q += tuft * (parameters.clump * at);
+        q += drawn * at;
 #endif
 #ifdef CURLS
-        float phase = tuft.x * (4.0 * waves) + 6.2831853 * parameters.curlTurns * at;
-        vec3 side = perpendicularTo(n);
-        q += (side * cos(phase) + cross(n, side) * sin(phase)) * (parameters.curl * at * strandLength);
+        float phase = turned_ + 6.2831853 * parameters.curlTurns * at;
+        q += (curlSide * cos(phase) + curlAcross * sin(phase)) * at;
 #endif
-        Strand s = strandAt(q, n, cellSize, 0.8, seed);
+        RootedStrand s = strandInCell(lattice, q, 0.8);
         float end = mix(body.coat.w, 1.0, s.rank);
         float r = max(widest * strandTaper(at, end, parameters.strandRoundness), at < end ? pixel : 0.0);
-        if (!hit && s.rooted && s.tint < shown && dot(s.offset, s.offset) < r * r) {
+        if (!hit && s.rooted && s.tint < shown && dot(s.offset, s.offset) + s.along * s.along < r * r) {
             hit = true;
             h = at;
             strand = s;
@@ -126,15 +135,17 @@ void main()
     if (!hit) discard;
 
 #ifndef SHADOW
-    vec3 color = mix(body.rootColor.rgb, body.tipColor.rgb, powPositive(h, parameters.gradient));
-    color *= 1.0 + parameters.colorVariation * (strand.rank - 0.5);
+    FoundStrand seen;
     // A strand is round: its sides face aside.
-    vec3 facing = normalize(n + strand.offset * (0.8 / max(radius, 1e-6)) + way * 0.35);
-    facing = normalize(transpose(mat3(body.bodyFromWorld)) * facing);
-    found = vec4(octahedral(facing), max(h, 0.0), body.rootColor.w);
-    tinted = vec4(sqrt(clamp(color, 0.0, 1.0)), strand.tint);
+    seen.normal = normalize(n + strandOffset(lattice, strand, 0.8 / max(radius, 1e-6)) + way * 0.35);
+    seen.coatNormal = normalize(coatNormal);
+    seen.height = h;
+    seen.rank = strand.rank;
+    seen.body = int(body.rootColor.w + 0.5);
+    seen.viewDepth = 1.0 / gl_FragCoord.w;
+    found = packedStrand(seen);
 #ifdef WRITE_NORMAL
-    normalOut = vec4(facing, 1.0);
+    normalOut = vec4(normalize(transpose(mat3(body.bodyFromWorld)) * seen.normal), 1.0);
 #endif
 #endif
 }

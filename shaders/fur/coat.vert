@@ -1,5 +1,6 @@
 // A shell of the coat, or a fin along an edge of the mesh (FIN): the skin, carried outwards along bent
-// strands. One instance per shell.
+// strands. One instance per shell. BY_ANGLE n: the more a place is turned away from the eye, the more
+// shells it has, up to n times as many; they lie the closer, and all end on the skin.
 #include "lib/frame.glsl"
 #include "fur/body.glsl"
 
@@ -13,10 +14,14 @@ layout(location = 4) in vec2 form;  // x: mean curvature of the skin, 1/metre; y
 
 out vec3 skin;       // at rest, body space
 out vec3 skinNormal;
+out vec3 coatNormal; // of the surface under the coat as it would be out here, smooth
 out vec3 strandWay;  // direction of the strands here
 out float curvature;
 out vec3 seenAlong;  // from the eye to here, body space
-#ifdef FIN
+#ifndef BY_ANGLE
+#define BY_ANGLE 1
+#endif
+#if defined(FIN) || BY_ANGLE > 1
 out float height;
 #else
 flat out float height;
@@ -35,6 +40,7 @@ void main()
     float strandLength = body.coat.x;
     vec3 n = safeNormalize(normal, safeNormalize(position, vec3(0.0, 1.0, 0.0)));
     vec3 root = position * grown;
+    vec3 eye = (body.bodyFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
 
     vec3 pull = body.pull.xyz + swirl(position * 7.0) * parameters.disorder;
     vec3 gust = body.wind.xyz;
@@ -57,19 +63,26 @@ void main()
 #ifdef FIN
     height = form.y;
 #else
-    int drawn = int(ceil(body.shells.x));
     int instance = int(body.spine.w) + gl_InstanceID;
-    int shell = body.shells.w > 0.5 ? drawn - 1 - instance : instance;
-    float attenuation = parameters.distanceAttenuation;
-    height = powPositive(shellHeight(float(shell), body.shells.x), attenuation);
-    gap = height - powPositive(shellHeight(float(shell) + 1.0, body.shells.x), attenuation);
+    int shell = body.shells.w > 0.5 ? int(ceil(body.shells.x)) * BY_ANGLE - 1 - instance : instance;
+    float count = body.shells.x;
+    vec3 fromEye = root - eye;
+    if (BY_ANGLE > 1 && count > 1.0) count *= clamp(1.0 / max(abs(dot(n, safeNormalize(fromEye, n))), 1e-3), 1.0, float(BY_ANGLE));
+    height = powPositive(shellHeight(float(shell), count), parameters.distanceAttenuation);
+#if BY_ANGLE > 1
+    // The first shell that lies on the skin all over a triangle is the last one drawn of it.
+    gl_CullDistance[0] = shell == 0 || float(shell) < count ? 1.0 : -1.0;
+#else
+    gap = height - powPositive(shellHeight(float(shell) + 1.0, count), parameters.distanceAttenuation);
+#endif
 #endif
     int model = parameters.rotationModel;
     vec3 p = root + strandLength * strandPoint(n, tip, height, bend, model);
     skin = position;
     skinNormal = n;
+    coatNormal = n + (p - root) * (form.x / grown);
     strandWay = safeNormalize(strandDirection(n, tip, powPositive(height, bend), model), n);
-    seenAlong = p - (body.bodyFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
+    seenAlong = p - eye;
     curvature = form.x / grown;
     gl_Position = frame.clipFromWorld * (body.worldFromBody * vec4(p, 1.0));
 }

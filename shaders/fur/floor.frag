@@ -5,19 +5,21 @@
 
 in vec3 world;
 in vec2 left;
+flat in vec3 upwards;
+flat in vec3 ambient;
+flat in vec3 lampOnFloor;
 
 layout(location = 0) out vec4 radiance;
 
 void main()
 {
-    vec3 up = normalize(mat3(worldFromPit) * vec3(0.0, 1.0, 0.0));
     float open = left.x * left.x;
     float r = length((pitFromWorld * vec4(world, 1.0)).xz) / pit.x;
-    vec3 lamp = lampLight() * (left.y * max(dot(up, lampDirection()), 0.0) * open / PI);
+    vec3 lamp = lampOnFloor * (left.y * open);
 #ifdef ALONE
     float there = 1.0 - smoothStep(0.35, 1.0, r);
-    float lit = sunVisibility(world, up) * max(dot(up, light.sunDirection.xyz), 0.0);
-    vec3 color = vec3(0.34, 0.31, 0.28) * (probeAmbient(up) * open + light.sunIrradiance.rgb * (lit / PI) + lamp);
+    float lit = sunVisibility(world, upwards) * max(dot(upwards, light.sunDirection.xyz), 0.0);
+    vec3 color = vec3(0.34, 0.31, 0.28) * (ambient * open + light.sunIrradiance.rgb * (lit / PI) + lamp);
     radiance = vec4(color, 1.0) * there;
 #else
     // Premultiplied: it darkens what is there, and adds the lamp's light on a dark felt, out to the wall.

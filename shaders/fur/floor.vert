@@ -1,11 +1,15 @@
 // The floor of the pit, under the bodies, and what they leave of its light: soft enough for its vertices.
 #include "lib/frame.glsl"
+#include "lib/light.glsl"
 #include "fur/bodies.glsl"
 
 layout(location = 0) in vec3 position;
 
 out vec3 world;
 out vec2 left;  // x: of the sky, y: of the lamp
+flat out vec3 upwards;
+flat out vec3 ambient;  // from the room, on what faces up
+flat out vec3 lampOnFloor;
 
 void main()
 {
@@ -13,6 +17,9 @@ void main()
     world = p.xyz;
     vec3 up = normalize(mat3(worldFromPit) * vec3(0.0, 1.0, 0.0));
     vec3 toLamp = lampDirection();
+    upwards = up;
+    ambient = probeAmbient(up);
+    lampOnFloor = lampLight() * (max(dot(up, toLamp), 0.0) / PI);
     left = vec2(1.0);
     for (int i = 0; i < FUR_BODIES; ++i) left *= openTo(body[i], world, up, toLamp);
     gl_Position = frame.clipFromWorld * p;

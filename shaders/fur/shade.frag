@@ -1,23 +1,15 @@
-// Light on the strands that the shells found, once for every pixel.
+// Light on the strands of one body (the first of the block) that the shells found, once for every pixel.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "fur/bodies.glsl"
+#include "fur/found.glsl"
 
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D coatFound;
-layout(binding = UNIT_EXHIBIT_B) uniform sampler2D coatTinted;
-layout(binding = UNIT_EXHIBIT_C) uniform sampler2D coatDepth;
 
 flat in vec3 keyDirection;
 flat in vec3 toLamp;
 
 layout(location = 0) out vec4 radiance;
-
-vec3 fromOctahedral(vec2 p)
-{
-    vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
-    if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-    return normalize(n);
-}
 
 // A highlight along hair, around the cone that mirrors the light (Kajiya and Kay 1989).
 float hairLobe(vec3 along, vec3 toLight, vec3 toEye, float shift, float exponent)
@@ -56,31 +48,26 @@ vec3 directLight(vec3 irradiance, vec3 l, vec3 albedo, vec3 normal, vec3 skinNor
 
 void main()
 {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 found = texelFetch(coatFound, pixel, 0);
-    if (found.w < 0.5) discard;
-    vec4 tinted = texelFetch(coatTinted, pixel, 0);
-    int which = clamp(int(found.w + 0.5) - 1, 0, FUR_BODIES - 1);
-    float height = found.z;
-    vec3 albedo = tinted.rgb * tinted.rgb;
-    vec3 hairNormal = fromOctahedral(found.xy);
+    FoundStrand found = unpackedStrand(texelFetch(coatFound, ivec2(gl_FragCoord.xy), 0));
+    if (found.body != int(body[0].rootColor.w + 0.5)) discard;
+    float height = found.height;
+    vec3 albedo = mix(body[0].rootColor.rgb, body[0].tipColor.rgb, powPositive(height, parameters.gradient));
+    albedo = clamp(albedo * (1.0 + parameters.colorVariation * (found.rank - 0.5)), 0.0, 1.0);
     vec3 ray = frameRay(gl_FragCoord.xy);
-    vec3 world = frame.eye.xyz + ray * frameViewDepth(texelFetch(coatDepth, pixel, 0).r);
+    vec3 world = frame.eye.xyz + ray * found.viewDepth;
     vec3 toEye = -normalize(ray);
 
-    // The surface under the coat: smooth, without the strand's own roundness.
-    vec3 inBody = (body[which].bodyFromWorld * vec4(world, 1.0)).xyz;
-    vec3 skinNormal = safeNormalize(inBody - spinePoint(body[which], inBody), vec3(0.0, 1.0, 0.0));
-    skinNormal = normalize(mat3(body[which].worldFromBody) * skinNormal);
-    vec3 pull = mat3(body[which].worldFromBody) * (body[which].pull.xyz + body[which].wind.xyz);
+    mat3 outwards = transpose(mat3(body[0].bodyFromWorld));
+    vec3 hairNormal = normalize(outwards * found.normal);
+    vec3 skinNormal = normalize(outwards * found.coatNormal);
+    vec3 pull = mat3(body[0].worldFromBody) * (body[0].pull.xyz + body[0].wind.xyz);
     vec3 along = normalize(skinNormal + (pull + (hairNormal - skinNormal) * 0.5) * height);
 
     // What the coat hides from itself.
     float occlusion = coatOcclusion(height, parameters.occlusionAttenuation, parameters.occlusionBias);
     // What the other bodies, the floor and the wall of the pit hide.
     vec2 left = vec2(1.0);
-    for (int i = 0; i < FUR_BODIES; ++i)
-        if (i != which) left *= openTo(body[i], world, skinNormal, toLamp);
+    for (int i = 1; i < FUR_BODIES; ++i) left *= openTo(body[i], world, skinNormal, toLamp);
     float open = left.x;
     vec3 inPit = (pitFromWorld * vec4(world, 1.0)).xyz;
     float below = 0.5 - 0.5 * skinNormal.y;

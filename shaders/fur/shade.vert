@@ -1,6 +1,9 @@
-// One triangle over the whole target, and what is the same for every pixel of it.
+// The box that one body's fur may fill, so that no other pixel is asked, and what is the same all over it.
+#include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "fur/bodies.glsl"
+
+layout(location = 0) in vec3 position;
 
 flat out vec3 keyDirection;  // the side from which most of the hall's light comes
 flat out vec3 toLamp;
@@ -19,5 +22,5 @@ void main()
         keyDirection = safeNormalize(vec3(dot(firstOrder(3), weights), dot(firstOrder(1), weights), dot(firstOrder(2), weights)), keyDirection);
     }
     toLamp = lampDirection();
-    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+    gl_Position = frame.clipFromWorld * (body[0].worldFromBody * vec4(middle.xyz + halfSize.xyz * position, 1.0));
 }

@@ -18,34 +18,82 @@ struct Strand {
     bool rooted;        // false: the cell holds no strand
 };
 
+// The plane that roots lie on near a point of the skin, as a ray needs it that looks into many cells.
+struct StrandLattice {
+    int axis;           // of the plane's normal
+    vec2 slope;         // of the surface over the plane
+    float facing;       // 1 where the surface faces the plane, 1/sqrt(3) at least
+    uint layer;         // the two sides of a body have lattices of their own
+};
+
+// A strand as seen on its lattice: lengths in cells.
+struct RootedStrand {
+    vec2 offset;        // on the plane, from the root
+    float along;        // along the plane's normal, so that the offset stays in the surface's tangent plane
+    float rank;
+    float tint;
+    bool rooted;
+};
+
 // Cells of this side, one strand in each that is kept, give `density` strands per square metre.
 float strandCellSize(float density)
 {
     return inversesqrt(1.7320508075688772 * density);
 }
 
-// The strand whose cell `q` lies in. `q`: on the skin, `n`: unit normal there. `jitter` 0 to 1: how far
-// roots stray from the middle of their cells.
-Strand strandAt(vec3 q, vec3 n, float cellSize, float jitter, uint seed)
+// `n`: unit normal of the skin.
+StrandLattice strandLattice(vec3 n, uint seed)
 {
     vec3 a = abs(n);
-    int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
-    vec2 flat_ = axis == 0 ? vec2(q.y, q.z) : axis == 1 ? vec2(q.z, q.x) : vec2(q.x, q.y);
-    vec2 slope = axis == 0 ? vec2(n.y, n.z) / n.x : axis == 1 ? vec2(n.z, n.x) / n.y : vec2(n.x, n.y) / n.z;
-    vec2 cell = floor(flat_ / cellSize);
-    // The two sides of a body have lattices of their own.
-    bool behind = axis == 0 ? n.x < 0.0 : axis == 1 ? n.y < 0.0 : n.z < 0.0;
-    uvec3 bits = pcg3d(uvec3(uint(int(cell.x)), uint(int(cell.y)), seed + uint(2 * axis + (behind ? 1 : 0))));
-    vec2 root = (cell + 0.5 + (vec2(unitFromBits(bits.x), unitFromBits(bits.y)) - 0.5) * jitter) * cellSize;
-    vec2 d = flat_ - root;
-    float out_ = -(d.x * slope.x + d.y * slope.y);  // Along the axis, so that the offset stays in the tangent plane.
-    Strand s;
-    s.offset = axis == 0 ? vec3(out_, d.x, d.y) : axis == 1 ? vec3(d.y, out_, d.x) : vec3(d.x, d.y, out_);
+    StrandLattice l;
+    l.axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+    l.slope = l.axis == 0 ? vec2(n.y, n.z) / n.x : l.axis == 1 ? vec2(n.z, n.x) / n.y : vec2(n.x, n.y) / n.z;
+    l.facing = l.axis == 0 ? a.x : l.axis == 1 ? a.y : a.z;
+    bool behind = l.axis == 0 ? n.x < 0.0 : l.axis == 1 ? n.y < 0.0 : n.z < 0.0;
+    l.layer = seed + uint(2 * l.axis + (behind ? 1 : 0));
+    return l;
+}
+
+// The two coordinates of `v` that lie in the lattice's plane.
+vec2 onLattice(StrandLattice l, vec3 v)
+{
+    return l.axis == 0 ? vec2(v.y, v.z) : l.axis == 1 ? vec2(v.z, v.x) : vec2(v.x, v.y);
+}
+
+// The strand whose cell `q` lies in, q on the lattice's plane, in cells. `jitter` 0 to 1: how far roots stray from the
+// middle of their cells.
+RootedStrand strandInCell(StrandLattice l, vec2 q, float jitter)
+{
+    vec2 cell = floor(q);
+    uvec3 bits = pcg3d(uvec3(uint(int(cell.x)), uint(int(cell.y)), l.layer));
+    RootedStrand s;
+    s.offset = q - cell - 0.5 - (vec2(unitFromBits(bits.x), unitFromBits(bits.y)) - 0.5) * jitter;
+    s.along = -(s.offset.x * l.slope.x + s.offset.y * l.slope.y);
     s.rank = unitFromBits(bits.z);
     // The low halves of words whose high halves are the root's place: nothing is seen of what they share.
     s.tint = float(bits.x & 65535u) * (1.0 / 65536.0);
-    float facing = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
-    s.rooted = float(bits.y & 65535u) * (1.0 / 65536.0) * facing < 0.5773502691896258;
+    s.rooted = float(bits.y & 65535u) * (1.0 / 65536.0) * l.facing < 0.5773502691896258;
+    return s;
+}
+
+// From the root to the point, metres.
+vec3 strandOffset(StrandLattice l, RootedStrand s, float cellSize)
+{
+    vec3 cells = l.axis == 0 ? vec3(s.along, s.offset.x, s.offset.y)
+               : l.axis == 1 ? vec3(s.offset.y, s.along, s.offset.x) : vec3(s.offset.x, s.offset.y, s.along);
+    return cells * cellSize;
+}
+
+// The strand whose cell `q` lies in. `q`: on the skin, `n`: unit normal there.
+Strand strandAt(vec3 q, vec3 n, float cellSize, float jitter, uint seed)
+{
+    StrandLattice l = strandLattice(n, seed);
+    RootedStrand found = strandInCell(l, onLattice(l, q) / cellSize, jitter);
+    Strand s;
+    s.offset = strandOffset(l, found, cellSize);
+    s.rank = found.rank;
+    s.tint = found.tint;
+    s.rooted = found.rooted;
     return s;
 }
 

@@ -1,7 +1,7 @@
 // What a coat costs: samples, time and error of the picture against shell count, silhouette, order and level
 // of detail. Rows are measured in turn in each round, so that a noisy machine disturbs all alike. Prints
-// tables; passes or fails nothing.
-//   bench_fur_costs [--size 640x360] [--rounds 5] [--only motion|calls|samples|counts|gaps|distance]
+// tables, as they stand in results/fur_costs-llvmpipe.md; passes or fails nothing.
+//   bench_fur_costs [--size 640x360] [--rounds 5] [--only motion|calls|bodies|samples|counts|gaps|distance]
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/museum.h"
@@ -30,6 +30,7 @@ struct Row {
     std::vector<double> coat, shade, frame;
     render::FrameReport last;
     double error = 0;
+    double outline = 0;  ///< Share of the pixels that only this picture or only the reference covers, of all that it covers.
 };
 
 double median(std::vector<double> values)
@@ -59,6 +60,17 @@ double difference(const render::Image& a, const render::Image& b)
     return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
+/// Pixels that one picture covers and the other does not, over those that the second covers.
+double outlineDifference(const render::Image& a, const render::Image& truth)
+{
+    int wrong = 0, covered = 0;
+    for (std::size_t i = 3; i < truth.pixels.size(); i += 4) {
+        wrong += (a.pixels[i] > 0.5F) != (truth.pixels[i] > 0.5F);
+        covered += truth.pixels[i] > 0.5F;
+    }
+    return covered > 0 ? static_cast<double>(wrong) / covered : 0;
+}
+
 class Bench {
 public:
     Bench(glm::ivec2 size, int rounds) : rounds_(rounds), fur_(*museum_.find("fur")), look_(museum_.initialLook())
@@ -68,12 +80,12 @@ public:
         request_.raster.size = size;
         request_.transparent = true;
         renderer_.timeSteps(true);
-        std::printf("Renderer: %s\nSize: %d x %d, %d rounds in turn after 2 warm-up frames, medians\n", context_.info().renderer.c_str(), size.x, size.y, rounds);
+        std::printf("# What coats cost\n\nMade by `bench_fur_costs`. Renderer: %s. Picture: %d x %d, %d rounds in turn after 2 warm-up frames; times are medians of process CPU time.\n", context_.info().renderer.c_str(), size.x, size.y, rounds);
     }
     [[nodiscard]] const FurTable& table() const { return static_cast<const Fur&>(*museum_.exhibits()[fur_]).parameters(); }
     [[nodiscard]] Row row(std::string name, const std::function<void(ParameterValues&)>& change) const
     {
-        Row row{std::move(name), look_.values[fur_], {}, {}, {}, {}, 0};
+        Row row{std::move(name), museum_.initialLook().values[fur_], {}, {}, {}, {}, 0};
         change(row.values);
         return row;
     }
@@ -81,6 +93,8 @@ public:
     /// Errors are against 16 samples per pixel of `reference`'s picture.
     void run(const char* title, std::vector<Row> rows, const ParameterValues& reference)
     {
+        draw(reference, 0, 1);
+        const render::Image outline = renderer_.read("frame");
         const render::Image truth = average(reference);
         for (Row& row : rows) {
             // The order changes nothing in the picture (tested), only its cost.
@@ -88,19 +102,21 @@ public:
             drawn.set(table().drawOrder, FurOrder::outerFirst);
             row.error = difference(average(drawn), truth);
             draw(row.values, 0, 1);
+            row.outline = outlineDifference(renderer_.read("frame"), outline);
         }
         for (int i = 0; i < rounds_; ++i) {
             for (Row& row : rows) {
                 row.last = draw(row.values, 0, 1);
-                row.coat.push_back(millisecondsOf(row.last, "fur/coat"));
+                row.coat.push_back(millisecondsOf(row.last, "fur/coat") + millisecondsOf(row.last, "fur/fins"));
                 row.shade.push_back(millisecondsOf(row.last, "fur/shade"));
                 row.frame.push_back(row.last.milliseconds);
             }
         }
-        std::printf("\n### %s\n\n| what | shells drawn | samples passed | coat, ms | shade, ms | frame, ms | error, 16 samples |\n|---|---|---|---|---|---|---|\n", title);
+        std::printf("\n### %s\n\n| what | shells drawn | samples passed | coat, ms | light, ms | coat and light, ms | frame, ms | error, 16 samples | outline wrong, %% |\n|---|---|---|---|---|---|---|---|---|\n", title);
         for (const Row& row : rows)
-            std::printf("| %s | %lld | %lld | %.1f | %.1f | %.1f | %.4f |\n", row.name.c_str(), static_cast<long long>(row.last.counters.at("shells")),
-                        static_cast<long long>(row.last.counters.at("samples")), median(row.coat), median(row.shade), median(row.frame), row.error);
+            std::printf("| %s | %lld | %lld | %.1f | %.1f | %.1f | %.1f | %.4f | %.2f |\n", row.name.c_str(), static_cast<long long>(row.last.counters.at("shells")),
+                        static_cast<long long>(row.last.counters.at("samples")), median(row.coat), median(row.shade), median(row.coat) + median(row.shade),
+                        median(row.frame), row.error, 100 * row.outline);
         std::fflush(stdout);
     }
 
@@ -142,32 +158,27 @@ public:
         look_.values[fur_].set(table().shellCount, 64);
         look_.values[fur_].set(table().levelOfDetail, false);
         const render::FramePlan instanced = museum_.plan(look_, request_, renderer_.kept());
-        render::FramePlan single;
-        single.view = instanced.view;
-        for (const auto& [name, info] : instanced.images()) single.image(info);
-        for (render::Pass pass : instanced.passes()) {
-            if (pass.name == "fur/coat") {
-                const std::vector<render::Draw> whole = std::move(pass.draws);
-                pass.draws.clear();
-                for (const render::Draw& draw : whole) {
-                    for (int shell = 0; shell < draw.instances; ++shell) {
-                        render::Draw one = draw;
-                        one.instances = 1;
-                        FurBody body;
-                        std::memcpy(&body, one.object.data(), sizeof body);
-                        body.spine.w = static_cast<float>(shell);
-                        one.object = render::bytesOf(body);
-                        pass.draws.push_back(std::move(one));
-                    }
+        const render::FramePlan single = changed(instanced, [](render::Pass& pass) {
+            if (pass.name != "fur/coat") return;
+            const std::vector<render::Draw> whole = std::move(pass.draws);
+            pass.draws.clear();
+            for (const render::Draw& draw : whole) {
+                for (int shell = 0; shell < draw.instances; ++shell) {
+                    render::Draw one = draw;
+                    one.instances = 1;
+                    FurBody body;
+                    std::memcpy(&body, one.object.data(), sizeof body);
+                    body.spine.w = static_cast<float>(shell);
+                    one.object = render::bytesOf(body);
+                    pass.draws.push_back(std::move(one));
                 }
             }
-            single.add(std::move(pass));
-        }
+        });
         std::vector<double> times[2];
         std::size_t draws[2] = {};
         for (int round = 0; round < rounds_ + 1; ++round) {
             int k = 0;
-            for (const render::FramePlan* plan : {&instanced, static_cast<const render::FramePlan*>(&single)}) {
+            for (const render::FramePlan* plan : {&instanced, &single}) {
                 const double ms = millisecondsOf(renderer_.draw(*plan), "fur/coat");
                 if (round > 0) times[k].push_back(ms);
                 draws[k++] = plan->find("fur/coat")->draws.size();
@@ -176,8 +187,43 @@ public:
         std::printf("| one instanced draw for each body | %zu | %.1f |\n| one draw for each shell | %zu | %.1f |\n", draws[0], median(times[0]), draws[1], median(times[1]));
         look_ = museum_.initialLook();
     }
+    /// What each body costs as it stands in the best view, without the other two.
+    void bodies()
+    {
+        std::printf("\n### Cost of each body, as it stands\n\n| body | shells | coat, ms | light, ms |\n|---|---|---|---|\n");
+        const render::FramePlan all = museum_.plan(look_, request_, renderer_.kept());
+        const char* const names[] = {"ball", "roll", "ring", "all three"};
+        std::vector<double> coat[4], light[4];
+        int shells[4] = {};
+        for (int round = 0; round < rounds_ + 1; ++round) {
+            for (std::size_t i = 0; i < 4; ++i) {
+                shells[i] = 0;
+                const render::FrameReport report = renderer_.draw(changed(all, [&](render::Pass& pass) {
+                    if (pass.name != "fur/coat" && pass.name != "fur/shade") return;
+                    if (i < 3) pass.draws = {pass.draws.at(i)};
+                    if (pass.name == "fur/coat")
+                        for (const render::Draw& draw : pass.draws) shells[i] += draw.instances;
+                }));
+                if (round == 0) continue;
+                coat[i].push_back(millisecondsOf(report, "fur/coat"));
+                light[i].push_back(millisecondsOf(report, "fur/shade"));
+            }
+        }
+        for (std::size_t i = 0; i < 4; ++i) std::printf("| %s | %d | %.1f | %.1f |\n", names[i], shells[i], median(coat[i]), median(light[i]));
+    }
 
 private:
+    static render::FramePlan changed(const render::FramePlan& plan, const std::function<void(render::Pass&)>& change)
+    {
+        render::FramePlan result;
+        result.view = plan.view;
+        for (const auto& [name, info] : plan.images()) result.image(info);
+        for (render::Pass pass : plan.passes()) {
+            change(pass);
+            result.add(std::move(pass));
+        }
+        return result;
+    }
     render::FrameReport draw(const ParameterValues& values, int sample, int samples)
     {
         look_.values[fur_] = values;
@@ -224,6 +270,7 @@ int main(int argc, char** argv)
     const auto wanted = [only](const char* table) { return !only || std::strcmp(only, table) == 0; };
     if (wanted("motion")) bench.motion();
     if (wanted("calls")) bench.calls();
+    if (wanted("bodies")) bench.bodies();
     const Row reference = bench.row("", [&](ParameterValues& v) { set(v, 256, FurSilhouette::march, FurOrder::outerFirst, false); v.set(t.samplesBetween, 32); });
 
     std::vector<Row> between{bench.row("as it stands", [](ParameterValues&) {})};
@@ -247,12 +294,17 @@ int main(int argc, char** argv)
     if (wanted("counts")) bench.run("Shell count, order, march", counts, reference.values);
 
     std::vector<Row> fringe;
-    const char* const silhouettes[] = {"nothing", "fins", "march"};
+    const char* const silhouettes[] = {"nothing", "fins", "shells by angle", "march"};
     for (const int shells : {10, 32})
-        for (const FurSilhouette silhouette : {FurSilhouette::none, FurSilhouette::fins, FurSilhouette::march})
+        for (const FurSilhouette silhouette : {FurSilhouette::none, FurSilhouette::fins, FurSilhouette::byAngle, FurSilhouette::march})
             fringe.push_back(bench.row(std::to_string(shells) + " shells, gaps filled with " + silhouettes[static_cast<int>(silhouette)],
                                        [&](ParameterValues& v) { set(v, shells, silhouette, FurOrder::outerFirst, false); }));
-    if (wanted("gaps")) bench.run("Gaps between shells", fringe, reference.values);
+    fringe.push_back(bench.row("40 shells, gaps filled with nothing", [&](ParameterValues& v) { set(v, 40, FurSilhouette::none, FurOrder::outerFirst, false); }));
+    if (wanted("gaps")) {
+        bench.run("Gaps between shells, best view", fringe, reference.values);
+        bench.see({{-1.05, 0.75, 1.1}, {-1.0, 0.62, 0}, 0.42});
+        bench.run("Gaps between shells, at the ball's silhouette", fringe, reference.values);
+    }
 
     std::vector<Row> far;
     bench.see({{-0.3, 2.4, 8}, {0, 0.3, 0}, 0.62});

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Measures again what accuracy costs: one study of the headline parameter of each exhibit, whose numbers and chart
-# go to tests/bench/results, and whose sentence stands in the exhibit's README. Prints the sentences.
+# Measures again what accuracy costs: studies of the headline parameters of each exhibit, whose numbers and charts
+# go to tests/bench/results as study_EXHIBIT_PARAMETER, and whose sentences stand in the exhibit's README. Prints them.
 #   sh tests/bench/studies.sh                   all
 #   sh tests/bench/studies.sh sdf_morph fur     those
 # The whole studies, with pictures and pages, stay in build/studies.
@@ -10,17 +10,24 @@ program=build/release/vitrine
 results=tests/bench/results
 mkdir -p build/studies
 
-# measure EXHIBIT PARAMETER [OPTION...]
+# measure EXHIBIT PARAMETER... [OPTION...]
 measure() {
-    exhibit=$1
     case "$wanted" in
-        "" | *" $exhibit "*) ;;
+        "" | *" $1 "*) ;;
         *) return 0 ;;
     esac
-    "$program" study "$@" --out "build/studies/$exhibit" >"build/studies/$exhibit.txt"
-    cp "build/studies/$exhibit/study.csv" "$results/study_$exhibit.csv"
-    cp "build/studies/$exhibit/chart.svg" "$results/study_$exhibit.svg"
-    echo "$exhibit, $2: $(grep '^Halving' "build/studies/$exhibit.txt" || grep -m1 'reference' "build/studies/$exhibit.txt")"
+    name=""
+    for word in "$@"; do
+        case "$word" in -*) break ;; esac
+        name=${name:+${name}_}$word
+    done
+    "$program" study "$@" --out "build/studies/$name" >"build/studies/$name.txt"
+    cp "build/studies/$name/study.csv" "$results/study_$name.csv"
+    cp "build/studies/$name/chart.svg" "$results/study_$name.svg"
+    # A choice follows no law: what each of its methods errs by.
+    echo "$name: $(grep '^Halving' "build/studies/$name.txt" ||
+        awk -v row="$2 " 'index($0, row) == 1 { printf "%s%s errs by %s", between, trimmed(substr($0, length(row) + 1, 44 - length(row))), substr($0, 45, 13) + 0; between = "; " }
+                          function trimmed(text) { sub(/ +$/, "", text); return text }' "build/studies/$name.txt")"
 }
 
 wanted=""
@@ -28,5 +35,7 @@ wanted=""
 measure sdf_morph hitTolerance
 measure lenticular apertureSamples
 measure fur shellCount --set levelOfDetail=off
+measure fur rotationModel --views 6
+measure fur springModel --views 6
 measure crepuscular_rays volumeSteps
 measure hall supersamples --values 1,2,4,8,16 --size 160x90

@@ -2,6 +2,7 @@
 
 #include "exhibits/fur/fur.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
+#include "render/plan/complaints.h"
 #include "tests/plan/museum_on_paper.h"
 
 #include <gtest/gtest.h>
@@ -204,6 +205,56 @@ TEST(FurPlan, SurvivesABrokenClock)
         EXPECT_EQ(reasonFor(scene.plan(), "fur/motion"), "at rest") << bad;
         EXPECT_EQ(scene.plan().find("fur/coat")->draws[0].object, rest.find("fur/coat")->draws[0].object) << bad;
     }
+}
+
+TEST(FurPlan, TellsTheLogOncePerStretchOfABrokenClock)
+{
+    FurScene scene;
+    render::Complaints log;
+    const auto lines = [&](double time, double since) {
+        scene.request.time = time;
+        scene.press(since);
+        return log.begun(scene.plan().skipped());
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(lines(0, never).empty());
+    for (const double right : {0.0, 5e-324, 1.0 / 60, 10.0, 1e9}) EXPECT_TRUE(lines(right, right).empty()) << right;
+    const std::vector<std::string> first = lines(nan, 0.5);
+    ASSERT_EQ(first.size(), 1U);
+    EXPECT_EQ(first[0].rfind("fur/clock: the time is no number", 0), 0U) << first[0];
+    // However it goes on being wrong, it is one stretch.
+    for (const double bad : {nan, -1.0, -0.5, never}) EXPECT_TRUE(lines(bad == -0.5 ? 0.0 : nan, bad).empty()) << bad;
+    EXPECT_TRUE(lines(0, -1e-300).empty());
+    EXPECT_TRUE(lines(1, 0.5).empty());
+    EXPECT_EQ(lines(1, -0.5).size(), 1U) << "a second stretch has a line of its own";
+    EXPECT_EQ(reasonFor(scene.plan(), "fur/motion"), "at rest");
+}
+
+TEST(FurPlan, ABrokenClockMovesNothing)
+{
+    FurScene scene;
+    scene.values().set(table().wind, 1.0);
+    scene.values().set(table().growing, true);
+    const auto body = [&](double time) {
+        scene.request.time = time;
+        return scene.plan().find("fur/coat")->draws[0].object;
+    };
+    const auto still = body(0);
+    EXPECT_NE(body(0.7), still);
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), never, -never}) EXPECT_EQ(body(bad), still) << bad;
+}
+
+TEST(FurPlan, DressesAModelOfItsOwnByItsPlaceAmongTheAssets)
+{
+    FurScene scene;
+    scene.values().set(table().ringModel, std::string("models/teddy.glb"));
+    const render::FramePlan plan = scene.plan();
+    const render::Pass* coat = plan.find("fur/coat");
+    ASSERT_EQ(coat->draws.size(), 3U);
+    EXPECT_EQ(coat->draws[2].mesh->name, "model");
+    EXPECT_TRUE(render::Complaints().begun(plan.skipped()).empty());
+    scene.values().set(table().silhouette, FurSilhouette::fins);
+    EXPECT_EQ(scene.plan().find("fur/fins")->draws.size(), 3U) << "a model has fins as well";
 }
 
 }  // namespace

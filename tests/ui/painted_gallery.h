@@ -75,6 +75,7 @@ public:
         report.ran = {{"hall/opaque", "in view", render::Work::raster, 12.25},
                       {"sdf_morph/march", "in view, 1.2 m away", render::Work::raster, 31.5}};
         report.skipped = {{"probe/capture", "unchanged since the last frame", render::Work::raster}};
+        report.skipped.insert(report.skipped.end(), complaints.begin(), complaints.end());
         report.milliseconds = 43.8;
         report.clock = "process CPU time around glFinish";
         report.clockTrusted = true;
@@ -96,6 +97,7 @@ public:
     int opened = 0, closed = 0;
     std::vector<FrameRequest> requests;
     std::vector<render::gl::ShaderProblem> shaderProblems;
+    std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.
 
 private:
     std::vector<std::unique_ptr<Exhibit>> exhibits_;

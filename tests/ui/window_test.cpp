@@ -3,6 +3,7 @@
 #include "ui/command_palette.h"
 #include "ui/exhibit_list.h"
 #include "ui/gl_probe.h"
+#include "ui/log_view.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
 #include "ui/number_field.h"
@@ -317,6 +318,30 @@ private slots:
         for (QLabel* label : strip->findChildren<QLabel*>()) QCOMPARE(label->textFormat(), Qt::PlainText);
         strip->dismissAll();
         QTRY_VERIFY(!strip->isVisible());
+    }
+
+    void badInputIsOneLineInTheLogHoweverManyFramesItLasts()
+    {
+        window_->choose(1);
+        const auto lines = [&] { return window_->findChild<LogView*>()->toPlainText().count(QStringLiteral("fur/clock: the time is no number")); };
+        bool up = true;
+        const auto drawFrames = [&](std::vector<render::Skipped> complaints) {
+            gallery_->complaints = std::move(complaints);
+            const auto before = gallery_->requests.size();
+            dragRoughness(up ? 60 : 20);
+            up = !up;
+            QTRY_VERIFY(gallery_->requests.size() > before + 2);
+            settle();
+        };
+        const render::Skipped wrong{.name = "fur/clock", .reason = "the time is no number", .work = render::Work::simulation, .complaint = true};
+        drawFrames({});
+        QCOMPARE(lines(), 0);
+        drawFrames({wrong});
+        drawFrames({wrong});
+        QCOMPARE(lines(), 1);
+        drawFrames({});
+        drawFrames({wrong});
+        QCOMPARE(lines(), 2);
     }
 
     void aLostContextIsBuiltAgain()

@@ -8,6 +8,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -103,6 +104,73 @@ TEST(ModelSkin, GivesBothSidesOfASheetAnOutwardSide)
     const auto skin = modelSkin(modelOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 1}), "x.glb", 0.5, notes);
     ASSERT_EQ(notes.size(), 1U);
     for (const auto& v : skin->vertices) EXPECT_NEAR(glm::length(v.normal), 1, 1e-5);
+}
+
+render::Model modelOf(const Mesh& mesh)
+{
+    std::vector<glm::vec3> positions;
+    for (const auto& v : mesh.vertices) positions.push_back(v.position);
+    return modelOf(std::move(positions), mesh.indices);
+}
+
+TEST(ModelSkin, OfABallBendsAsOneOverItsRadiusEverywhere)
+{
+    std::vector<std::string> notes;
+    const auto skin = modelSkin(modelOf(*ballSkin(7, 8)), "ball.glb", 0.5, notes);
+    // It fits the sphere around its bounding box.
+    const double radius = glm::length(skin->vertices[0].position);
+    for (const auto& v : skin->vertices) EXPECT_NEAR(v.lightmapUv.x * radius, 1, 0.02);
+}
+
+TEST(ModelSkin, BendsAsTheFormulasOfRollAndRingSay)
+{
+    std::vector<std::string> notes;
+    for (const auto& known : {rollSkin(0.22, 0.26, 26), ringSkin(0.35, 0.15, 40)}) {
+        const auto skin = modelSkin(modelOf(*known), "known.glb", 1.0, notes);
+        double reach = 0;
+        for (const auto& v : skin->vertices) reach = std::max(reach, static_cast<double>(v.position.x));
+        double knownReach = 0;
+        for (const auto& v : known->vertices) knownReach = std::max(knownReach, static_cast<double>(v.position.x));
+        const double scale = reach / knownReach;
+        int compared = 0;
+        for (const auto& v : skin->vertices) {
+            const auto same = std::find_if(known->vertices.begin(), known->vertices.end(), [&](const auto& k) {
+                return glm::length(glm::dvec3(v.position) - scale * glm::dvec3(k.position)) < 1e-4;
+            });
+            if (same == known->vertices.end()) continue;
+            // Where a cap meets the straight part the curvature jumps; a mesh goes over it in one edge.
+            if (known->name == "roll" && std::abs(std::abs(same->position.x) - 0.26) < 0.08) continue;
+            EXPECT_NEAR(v.lightmapUv.x * scale, same->lightmapUv.x, 0.06 * same->lightmapUv.x + 0.06) << known->name << " at " << same->position.x << ", " << same->position.y;
+            ++compared;
+        }
+        EXPECT_GT(compared, 300) << known->name;
+    }
+}
+
+TEST(ModelSkin, DoesNotBendWhereItIsFlatOrHollow)
+{
+    std::vector<std::string> notes;
+    const auto sheet = modelSkin(modelOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 3}), "sheet.glb", 0.5, notes);
+    for (const auto& v : sheet->vertices) EXPECT_NEAR(v.lightmapUv.x, 0, 1e-5);
+    Mesh hollow = *ballSkin(1, 6);
+    for (std::size_t i = 0; i + 2 < hollow.indices.size(); i += 3) std::swap(hollow.indices[i + 1], hollow.indices[i + 2]);
+    for (const auto& v : modelSkin(modelOf(hollow), "hollow.glb", 0.5, notes)->vertices) EXPECT_EQ(v.lightmapUv.x, 0);
+}
+
+TEST(Fins, HaveFewerRowsWhereThereAreManyEdges)
+{
+    const auto ball = ballSkin(0.33, 8);
+    // Seen as one surface: places that coincide are one.
+    std::vector<std::string> notes;
+    const auto closed = modelSkin(modelOf(*ball), "ball.glb", 0.5, notes);
+    const std::size_t edges = closed->indices.size() / 2;
+    EXPECT_EQ(finRows(*closed), 6);
+    EXPECT_EQ(finsOf(*closed, 6)->indices.size(), edges * 6 * 6);
+    Mesh large;
+    large.indices.resize(3 * 60000);
+    EXPECT_EQ(finRows(large), 3);
+    large.indices.resize(3 * 300000);
+    EXPECT_EQ(finRows(large), 0);
 }
 
 TEST(ModelSkin, OfNothingNamesTheFile)

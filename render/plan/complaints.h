@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/plan/frame_plan.h"
+
+#include <string>
+#include <vector>
+
+namespace vitrine::render {
+
+/// What the log hears of frames: one line when bad input begins, however many frames it lasts, and another when
+/// it comes again after a frame without it.
+class Complaints {
+public:
+    /// "fur/clock: the time is not a number" for each complaint of this frame that the last one did not have.
+    [[nodiscard]] std::vector<std::string> begun(const std::vector<Skipped>& skipped);
+
+private:
+    std::vector<std::string> last_;
+};
+
+}  // namespace vitrine::render
