@@ -1,6 +1,6 @@
 #!/bin/sh
-# Measures again what accuracy costs: one study of the headline parameter of each exhibit, whose numbers and chart
-# go to tests/bench/results, and whose sentence stands in the exhibit's README. Prints the sentences.
+# Measures again what accuracy costs: studies of the headline parameters of each exhibit, whose numbers and charts
+# go to tests/bench/results as study_EXHIBIT_PARAMETER, and whose sentences stand in the exhibit's README. Prints them.
 #   sh tests/bench/studies.sh                   all
 #   sh tests/bench/studies.sh sdf_morph fur     those
 # The whole studies, with pictures and pages, stay in build/studies.
@@ -10,17 +10,21 @@ program=build/release/vitrine
 results=tests/bench/results
 mkdir -p build/studies
 
-# measure EXHIBIT PARAMETER [OPTION...]
+# measure EXHIBIT PARAMETER... [OPTION...]
 measure() {
-    exhibit=$1
     case "$wanted" in
-        "" | *" $exhibit "*) ;;
+        "" | *" $1 "*) ;;
         *) return 0 ;;
     esac
-    "$program" study "$@" --out "build/studies/$exhibit" >"build/studies/$exhibit.txt"
-    cp "build/studies/$exhibit/study.csv" "$results/study_$exhibit.csv"
-    cp "build/studies/$exhibit/chart.svg" "$results/study_$exhibit.svg"
-    echo "$exhibit, $2: $(grep '^Halving' "build/studies/$exhibit.txt" || grep -m1 'reference' "build/studies/$exhibit.txt")"
+    name=""
+    for word in "$@"; do
+        case "$word" in -*) break ;; esac
+        name=${name:+${name}_}$word
+    done
+    "$program" study "$@" --out "build/studies/$name" >"build/studies/$name.txt"
+    cp "build/studies/$name/study.csv" "$results/study_$name.csv"
+    cp "build/studies/$name/chart.svg" "$results/study_$name.svg"
+    echo "$name: $(grep -i 'halving' "build/studies/$name.txt" || grep -m1 -i 'reference' "build/studies/$name.txt")"
 }
 
 wanted=""
@@ -29,4 +33,5 @@ measure sdf_morph hitTolerance
 measure lenticular apertureSamples
 measure fur shellCount --set levelOfDetail=off
 measure crepuscular_rays volumeSteps
+measure crepuscular_rays method samples --points 6 --runs 3 --set technique="screen space" --set resolution=full
 measure hall supersamples --values 1,2,4,8,16 --size 160x90

@@ -1,6 +1,7 @@
 // Studies of exhibits whose law of error and cost is known.
 
 #include "exhibits/framework/study.h"
+#include "exhibits/framework/study_text.h"
 #include "render/failure.h"
 #include "render/measure/pareto.h"
 #include "tests/exhibits/framework/known_law.h"
@@ -156,6 +157,31 @@ TEST(Study, OfTwoParametersIsEverySettingOfBoth)
     EXPECT_EQ(valueOf(request, result.points[*result.present], 0), 0);
     EXPECT_EQ(valueOf(request, result.points[*result.present], 1), 1);
     EXPECT_FALSE(result.law) << "two parameters have no one law";
+}
+
+TEST(Study, FindsTheLawAlongTheBestOfTwoParameters)
+{
+    KnownLaw law;
+    law.error = [](const KnownTable& t, const ParameterValues& v, double d) { return d * 0.2 / (v[t.steps] * std::pow(2.0, v[t.method])); };
+    law.cost = [](const KnownTable& t, const ParameterValues& v, double d) { return d * v[t.steps]; };
+    Subject subject(std::move(law));
+    const StudyResult result = subject.run(subject.request({"method", "steps"}));
+    ASSERT_TRUE(result.law);
+    EXPECT_NEAR(result.law->slope, -1, 0.01);
+    EXPECT_EQ(lawSentence(result).rfind("With the best of the settings, halving the error costs 2 times", 0), 0U) << lawSentence(result);
+}
+
+TEST(Study, SaysWhenNothingDependsOnWhatIsStudied)
+{
+    KnownLaw still;
+    still.error = [](const KnownTable&, const ParameterValues&, double) { return 0.1; };
+    still.cost = [](const KnownTable&, const ParameterValues&, double) { return 1.0; };
+    Subject subject(std::move(still));
+    EXPECT_EQ(subject.run(subject.request({"steps"})).convergence,
+              "Nothing depends on steps at present: every setting gives the same picture. Switch on what it acts on, and study again.");
+    EXPECT_EQ(subject.run(subject.request({"method", "rays"})).convergence.rfind("Nothing depends on method or rays at present", 0), 0U);
+    Subject other(sumOfParts());
+    EXPECT_EQ(other.run(other.request({"steps"})).convergence.find("Nothing"), std::string::npos);
 }
 
 TEST(Study, MarksWhatIsDominated)
