@@ -10,6 +10,7 @@ layout(location = 0) out vec4 radiance;
 
 void main()
 {
+    turnDisk(framePixel(gl_FragCoord.xy));
     vec3 up = normalize(mat3(worldFromPit) * vec3(0.0, 1.0, 0.0));
     float open = left.x * left.x;
     float r = length((pitFromWorld * vec4(world, 1.0)).xz) / pit.x;
