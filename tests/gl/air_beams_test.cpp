@@ -93,6 +93,30 @@ TEST_F(Rays, OfTheVolumeAreBrokenByWhatHangsInTheBeam)
     EXPECT_GT(broken.mean(), 0.2 * whole.mean());
 }
 
+TEST_F(Rays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
+{
+    // From turn to turn, only the mobile's part of the sun's map is put back and drawn again: nothing of an earlier
+    // turn may stay, and nothing else may go.
+    RayShot shot(RayTechnique::volume);
+    shot.see({-3.5, 1.65, 2.5}, {1.2, 3.2, -6});
+    shot.rays().set(raysTable().turn, 0.9);
+    (void)shot.take();
+    shot.rays().set(raysTable().turn, -1.3);
+    (void)shot.take();
+    const render::Image stepped = gallery().renderer.read("shadow.hall");
+    // A detour over another sun draws all of it.
+    shot.hall().set(hallTable().sunAzimuth, 0.2);
+    (void)shot.take();
+    shot.hall().resetRow(hallTable().sunAzimuth.row);
+    (void)shot.take();
+    const render::Image anew = gallery().renderer.read("shadow.hall");
+    EXPECT_EQ(test::largestDifference(stepped, anew), 0);
+    // The mobile is in it: another turn is another map.
+    shot.rays().set(raysTable().turn, 0.9);
+    (void)shot.take();
+    EXPECT_GT(test::largestDifference(gallery().renderer.read("shadow.hall"), anew), 0.01);
+}
+
 TEST_F(Rays, OfTheVolumeAloneAreTheBeamOfTheWindowAndNothingElse)
 {
     RayShot shot(RayTechnique::volume);

@@ -183,8 +183,17 @@ TEST(RaysPlan, ShadowsAndProbeAreNotMadeAgainForTheBeams)
     for (const char* start : {"hall/shadow", "exhibits/shadow", "probe/"}) EXPECT_FALSE(runs(scene.plan(kept), start)) << start;
     // The mobile turns in the sun's map, and the probe does not see it.
     scene.rays().set(raysTable().turn, 1.0);
-    EXPECT_TRUE(runs(scene.plan(kept), "hall/shadow"));
-    EXPECT_FALSE(runs(scene.plan(kept), "probe/"));
+    const render::FramePlan turned = scene.plan(kept);
+    EXPECT_FALSE(runs(turned, "probe/"));
+    // Of the sun's map, only what hangs is drawn again, where it may be.
+    EXPECT_EQ(reasonFor(turned, "hall/shadow"), "unchanged since it last ran");
+    EXPECT_EQ(reasonFor(turned, "hall/shadow/copy"), "unchanged since it last ran");
+    ASSERT_TRUE(turned.find("hall/shadow/restore"));
+    ASSERT_TRUE(turned.find("hall/shadow/hangings"));
+    EXPECT_LT(turned.find("hall/shadow/hangings")->draws.size(), 12U);
+    // And all of it when the sun moves.
+    scene.hall().set(test::hallTable().sunElevation, 0.4);
+    for (const char* pass : {"hall/shadow", "hall/shadow/copy", "hall/shadow/restore", "hall/shadow/hangings"}) EXPECT_TRUE(scene.plan(kept).find(pass)) << pass;
 }
 
 TEST(RaysPlan, AStandingMobileAsksForNoNewPicture)
