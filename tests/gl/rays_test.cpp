@@ -158,6 +158,59 @@ TEST_F(Rays, AreTheMeanThatFloat64Finds)
     }
 }
 
+TEST_F(Rays, OfMoreSamplesAreNoBrighter)
+{
+    RayShot shot(RayTechnique::screen);
+    shot.size(320, 180);
+    shot.rays().set(raysTable().jitter, true);
+    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
+        const auto mean = [&](int samples, RaySum sum) {
+            shot.rays().set(raysTable().method, method);
+            shot.rays().set(raysTable().samples, samples);
+            shot.rays().set(raysTable().sum, sum);
+            return shot.take().mean();
+        };
+        const double many = mean(512, RaySum::mean);
+        EXPECT_GT(many, 0.02);
+        for (const int samples : {8, 27, 64, 216}) EXPECT_NEAR(mean(samples, RaySum::mean) / many, 1, 0.005) << static_cast<int>(method) << ' ' << samples;
+    }
+    // The original's sum is.
+    shot.rays().set(raysTable().sum, RaySum::plain);
+    shot.rays().set(raysTable().samples, 64);
+    const double few = shot.take().mean();
+    shot.rays().set(raysTable().samples, 512);
+    EXPECT_GT(shot.take().mean(), 1.5 * few);
+}
+
+TEST_F(Rays, OfADiskAreCenteredAtHalfSizeToATwentiethOfAPixel)
+{
+    // Alone, the sky within five degrees of the sun shines: a disk in the picture, whole pixels or not.
+    for (const glm::ivec2 size : {glm::ivec2(97, 55), glm::ivec2(96, 54), glm::ivec2(101, 53)}) {
+        RayShot shot(RayTechnique::screen);
+        shot.request.frame.alone = *gallery().museum.find("crepuscular_rays");
+        shot.request.frame.transparent = true;
+        shot.size(size.x, size.y);
+        shot.see({0, 0, 0}, {-0.02, 0.36, -1});
+        shot.rays().set(raysTable().lightSize, 0.17);
+        shot.rays().set(raysTable().density, 0.3);
+        shot.rays().set(raysTable().method, RayMethod::loop);
+        const auto centroid = [&](RayResolution resolution) {
+            shot.rays().set(raysTable().resolution, resolution);
+            const Picture p = shot.take();
+            dvec2 sum(0);
+            double all = 0;
+            p.each([&](int x, int y) {
+                sum += dvec2(x, y) * p.color(x, y).y;
+                all += p.color(x, y).y;
+            });
+            EXPECT_GT(all, 50);
+            return sum / all;
+        };
+        const dvec2 full = centroid(RayResolution::full);
+        EXPECT_LT(glm::length(centroid(RayResolution::half) - full), 0.05) << size.x << 'x' << size.y;
+    }
+}
+
 TEST_F(Rays, AreNeverBrighterThanTheMask)
 {
     RayShot shot(RayTechnique::screen);
