@@ -11,9 +11,6 @@
 namespace vitrine::app {
 namespace {
 
-constexpr int pointsOfOne = 8;
-constexpr int pointsOfSeveral = 5;
-
 /// The names of what can be studied: "bounces, shadowRays, ...".
 std::string qualityNames(const Museum& museum, std::size_t exhibit)
 {
@@ -109,7 +106,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     request.maxError = options.maxError;
     request.maxMilliseconds = options.maxMilliseconds;
     const bool one = options.parameters.size() == 1;
-    const int points = options.points > 0 ? options.points : one ? pointsOfOne : pointsOfSeveral;
+    const int points = options.points > 0 ? options.points : usualPoints(options.parameters.empty() ? qualityAxes(museum.exhibits(), job.subject, 2).size() : options.parameters.size());
     for (const std::string& name : options.parameters) request.axes.push_back(axisNamed(museum, job.subject, name, points));
     for (std::size_t i = 0; i < request.axes.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)

@@ -140,7 +140,7 @@ std::string table(const StudyRequest& request, const StudyResult& result, const 
         if (p.time) row += "<td>" + number(p.time->median) + "</td><td>" + number(p.time->interval.low, 3) + " to " + number(p.time->interval.high, 3) + " (" + number(100 * p.time->interval.confidence, 3) + " %)</td><td>" + number(p.time->spread, 2) + "</td>";
         else row += "<td>–</td><td>–</td><td>–</td>";
         std::string marks;
-        for (const auto& [holds, mark] : {std::pair(result.knee == i, "knee"), std::pair(result.present == i, "present"), std::pair(p.uncertain, "uncertain"), std::pair(p.dominated, "dominated")})
+        for (const auto& [holds, mark] : {std::pair(result.choice && result.choice->point == i, "chosen"), std::pair(result.knee == i, "knee"), std::pair(result.present == i, "present"), std::pair(p.uncertain, "uncertain"), std::pair(p.dominated, "dominated")})
             if (holds) marks += (marks.empty() ? "" : ", ") + std::string(mark);
         text += row + "<td>" + marks + "</td></tr>\n";
     }
@@ -158,7 +158,7 @@ std::string studyPage(Exhibits exhibits, const StudyRequest& request, const Stud
 
     std::string page = with(head, "@TITLE@", escaped(title));
     page += "<h1>" + escaped(title) + "</h1>\n";
-    page += "<p class=\"dim\">" + std::to_string(request.size.x) + " × " + std::to_string(request.size.y) + " pixels, " + std::to_string(result.views.size()) + " views, " + (request.alone ? "alone" : "in the hall") + ", " + std::to_string(request.runs) +
+    page += "<p class=\"dim\">" + std::to_string(request.size.x) + " × " + std::to_string(request.size.y) + " pixels, " + std::to_string(result.views.size()) + (result.views.size() == 1 ? " view, " : " views, ") + (request.alone ? "alone" : "in the hall") + ", " + std::to_string(request.runs) +
             " interleaved runs after one that was not timed. Clock: " + escaped(result.clock) + (result.clockTrusted ? ", trusted" : ", not trusted") + "; taking a time adds " + number(1000 * result.overheadMilliseconds, 2) + " µs to a picture.</p>\n";
     page += "<p class=\"dim\">" + escaped(result.convergence) + "</p>\n";
     if (const std::string law = lawSentence(result); !law.empty()) page += "<p class=\"law\">" + escaped(law) + "</p>\n";
@@ -178,7 +178,7 @@ std::string studyPage(Exhibits exhibits, const StudyRequest& request, const Stud
             "<figure><img id=\"heat\" alt=\"Where they differ\"><figcaption>Where they differ, one scale for all settings of a view. <span id=\"numbers\"></span></figcaption></figure></div></div>\n";
     page += table(request, result, points);
 
-    Json data{{"first", result.present.value_or(result.knee.value_or(result.front.empty() ? 0 : result.front.front()))}, {"points", Json::array()}};
+    Json data{{"first", result.choice ? result.choice->point : result.present.value_or(result.knee.value_or(result.front.empty() ? 0 : result.front.front()))}, {"points", Json::array()}};
     for (std::size_t i = 0; i < points.size(); ++i) {
         Json numbers = Json::array();
         for (const StudyShot& shot : result.points[i].shots) numbers.push_back(numbersOf(shot));

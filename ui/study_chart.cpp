@@ -39,7 +39,7 @@ StudyChart::StudyChart(QWidget* parent) : QCustomPlot(parent)
     for (QCPAxis* axis : {xAxis, yAxis}) {
         axis->setScaleType(QCPAxis::stLogarithmic);
         axis->setNumberFormat(QStringLiteral("gb"));
-        axis->setNumberPrecision(3);
+        axis->setNumberPrecision(6);
         axis->grid()->setSubGridVisible(false);
         axis->setTicker(QSharedPointer<QCPAxisTicker>(new DecadeTicker));
     }
@@ -170,15 +170,18 @@ void StudyChart::addMarks()
     const bool crowded = points_.size() > 24;
     const auto isSpecial = [&](std::size_t i) { return points_[i].knee || points_[i].present || emphasized_ == i; };
     // Where a marked point says its value, a neighbor that would write over it does not.
+    const auto isWithin = [&](std::size_t i, std::size_t j, double width, double height) {
+        if (!(points_[i].cost > 0 && points_[j].cost > 0)) return false;
+        const double dx = std::log(points_[i].cost / points_[j].cost) / std::log(xAxis->range().upper / xAxis->range().lower);
+        const double dy = std::log(shownError(points_[i].error) / shownError(points_[j].error)) / std::log(yAxis->range().upper / yAxis->range().lower);
+        return std::abs(dx) < width && std::abs(dy) < height;
+    };
     const auto isBesideSpecial = [&](std::size_t i) {
-        for (std::size_t j = 0; j < points_.size(); ++j) {
-            if (j == i || !isSpecial(j) || !(points_[j].cost > 0)) continue;
-            const double dx = std::log(points_[i].cost / points_[j].cost) / std::log(xAxis->range().upper / xAxis->range().lower);
-            const double dy = std::log(shownError(points_[i].error) / shownError(points_[j].error)) / std::log(yAxis->range().upper / yAxis->range().lower);
-            if (std::abs(dx) < 0.12 && std::abs(dy) < 0.05) return true;
-        }
+        for (std::size_t j = 0; j < points_.size(); ++j)
+            if (j != i && isSpecial(j) && isWithin(i, j, 0.12, 0.05)) return true;
         return false;
     };
+    std::vector<std::pair<std::size_t, QCPItemText*>> labels;
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const ChartPoint& p = points_[i];
         if (!(p.cost > 0)) continue;
@@ -186,6 +189,12 @@ void StudyChart::addMarks()
         if (p.knee) ring(p, t.good, 15, QCPScatterStyle::ssCircle);
         if (emphasized_ == i) ring(p, t.accent, 20, QCPScatterStyle::ssCircle);
         if (!isSpecial(i) && (crowded || isBesideSpecial(i))) continue;
+        // Points in one place share a label.
+        const auto same = std::find_if(labels.begin(), labels.end(), [&](const auto& other) { return !isSpecial(i) && isWithin(i, other.first, 0.03, 0.02); });
+        if (same != labels.end()) {
+            same->second->setText(same->second->text() + QStringLiteral(", ") + p.text);
+            continue;
+        }
         auto* label = new QCPItemText(this);
         QString text = p.text;
         if (p.knee) text += tr(" · knee");
@@ -193,11 +202,13 @@ void StudyChart::addMarks()
         label->setText(text);
         label->setColor(p.onFront ? t.text : t.dim);
         label->setFont(QFont(font().family(), 8));
-        label->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
+        const bool atRightEdge = std::log(p.cost / xAxis->range().lower) > 0.8 * std::log(xAxis->range().upper / xAxis->range().lower);
+        label->setPositionAlignment((atRightEdge ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
         label->position->setType(QCPItemPosition::ptPlotCoords);
         label->position->setCoords(p.cost, shownError(p.error));
-        label->setPadding(QMargins(7, 0, 0, 5));
+        label->setPadding(QMargins(7, 0, 7, 5));
         label->setSelectable(false);
+        labels.emplace_back(i, label);
     }
     if (!anyExact_) return;
     auto* line = new QCPItemStraightLine(this);

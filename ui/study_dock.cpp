@@ -20,8 +20,6 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int pointsOfOne = 8;
-constexpr int pointsOfSeveral = 5;
 constexpr int shortTile = 96;      ///< So that no step holds up the window for long.
 constexpr qint64 refreshTime = 200;  ///< Milliseconds between two looks of the chart while measuring.
 
@@ -103,6 +101,7 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
         label->setMinimumWidth(40);
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     }
+    words_->setWordWrap(true);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measure(); });
@@ -175,10 +174,16 @@ void StudyDock::measure()
 {
     const int row = parameter_->currentData().toInt();
     if (row < 0) {
-        start(requestFor(qualityAxes(gallery_.exhibits(), subject_, pointsOfSeveral)));
+        start(requestFor(allAxes()));
         return;
     }
-    if (auto axis = studyAxis(gallery_.exhibits(), subject_, static_cast<std::size_t>(row), pointsOfOne)) start(requestFor({std::move(*axis)}));
+    if (auto axis = studyAxis(gallery_.exhibits(), subject_, static_cast<std::size_t>(row), usualPoints(1))) start(requestFor({std::move(*axis)}));
+}
+
+std::vector<StudyAxis> StudyDock::allAxes() const
+{
+    const std::size_t count = qualityAxes(gallery_.exhibits(), subject_, usualPoints(1)).size();
+    return qualityAxes(gallery_.exhibits(), subject_, usualPoints(count));
 }
 
 void StudyDock::find(bool byError)
@@ -189,7 +194,7 @@ void StudyDock::find(bool byError)
         words_->setText(tr("\"%1\" is no limit; type a number above 0, such as %2.").arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
         return;
     }
-    StudyRequest request = requestFor(qualityAxes(gallery_.exhibits(), subject_, pointsOfSeveral));
+    StudyRequest request = requestFor(allAxes());
     (byError ? request.maxError : request.maxMilliseconds) = *limit;
     request.modelError = false;
     start(std::move(request));

@@ -253,10 +253,14 @@ void Study::addTimes()
 {
     std::vector<std::size_t> timed(result_.points.size());
     std::iota(timed.begin(), timed.end(), std::size_t{0});
-    // In a search, what is dearer and no better by a margin beyond the noise of one frame stays untimed.
+    // In a search, what is dearer and no better by a margin beyond the noise of one frame stays untimed, and so does
+    // what can neither be chosen nor is on the front.
     if (request_.axes.size() > 2) {
         std::erase_if(timed, [&](std::size_t i) {
-            return result_.present != i && std::any_of(result_.points.begin(), result_.points.end(), [&](const StudyPoint& other) { return other.error <= result_.points[i].error && other.cost * 1.3 < result_.points[i].cost; });
+            if (result_.present == i) return false;
+            const bool onFront = std::find(result_.front.begin(), result_.front.end(), i) != result_.front.end();
+            if (request_.maxError && result_.points[i].worstError > *request_.maxError && !onFront) return true;
+            return std::any_of(result_.points.begin(), result_.points.end(), [&](const StudyPoint& other) { return other.error <= result_.points[i].error && other.cost * 1.3 < result_.points[i].cost; });
         });
     }
     for (std::size_t run = 0; run < static_cast<std::size_t>(request_.runs); ++run) {
@@ -314,6 +318,7 @@ void Study::nextPhase()
 bool Study::step()
 {
     while (jobs_.empty() && phase_ != Phase::done) nextPhase();
+    result_.complete = phase_ == Phase::done;
     if (phase_ == Phase::done) return false;
     doing_ = jobs_.front().name;
     if (jobs_.front().step()) {
@@ -321,6 +326,7 @@ bool Study::step()
         ++jobsDone_;
     }
     while (jobs_.empty() && phase_ != Phase::done) nextPhase();
+    result_.complete = phase_ == Phase::done;
     return true;
 }
 

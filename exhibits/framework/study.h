@@ -89,9 +89,13 @@ struct StudyResult {
     std::optional<std::size_t> present;          ///< The point with the look's own values.
     std::optional<render::PowerLaw> law;         ///< Cost over error along the front of one or two axes, one of them numeric.
     std::optional<StudyChoice> choice;           ///< When one was asked for and any setting keeps the limit.
+    bool complete = false;                       ///< Everything that was asked for was measured.
     std::string clock;
     bool clockTrusted = false;
     double overheadMilliseconds = 0;             ///< What timing adds to one picture.
+
+    /// Whether the two did the same work, or cost the same as far as their times can tell.
+    [[nodiscard]] bool costsTheSame(const StudyPoint&, const StudyPoint&) const;
 };
 
 /// Measures what accuracy costs, step by step, so that a window can show progress and stop between steps: it works
@@ -117,6 +121,12 @@ private:
     struct Job {
         std::string name;
         std::function<bool()> step;  ///< Returns whether it is done.
+    };
+    /// One value of one axis, with all others as they are at present.
+    struct Step {
+        double error = 0;  ///< From the picture with this axis exact.
+        double ratio = 1;  ///< Of its cost to that of the present setting; 1 where the two differ by noise.
+        bool operator==(const Step&) const = default;
     };
     struct View {
         StudyView view;
@@ -147,7 +157,12 @@ private:
 
     // Searching and choosing.
     bool searchOn();
+    void measureSteps();
+    [[nodiscard]] double presentCost() const;
     [[nodiscard]] std::vector<Setting> predictedFront() const;
+    /// How far this is from what was asked for, as a logarithm; 0 when nothing was.
+    [[nodiscard]] double fromLimit(double error, double cost) const;
+    [[nodiscard]] std::vector<std::size_t> searchedFront();
     void listCandidates();
     void tryCandidate();
 
@@ -164,6 +179,7 @@ private:
     int generation_ = 0;                     ///< Of the search.
     std::map<Setting, std::size_t> known_;
     std::set<std::string> dependentPasses_;  ///< Kept passes that the axes change: their work counts.
+    std::vector<std::vector<Step>> steps_;   ///< Of the search, by axis and value.
     std::vector<std::size_t> candidates_;    ///< For the choice, best last.
 };
 

@@ -37,6 +37,10 @@ using Setting = std::vector<std::size_t>;
 /// value and the exact one; of a choice or a toggle, all. Nothing for a row that is not marked as quality.
 [[nodiscard]] std::optional<StudyAxis> studyAxis(Exhibits, std::size_t exhibit, std::size_t row, int points);
 
+/// How many values each axis is given where nobody says: few of a surface, many of a curve, and most where a search
+/// among three axes or more measures only those that matter.
+[[nodiscard]] constexpr int usualPoints(std::size_t axes) { return axes == 1 ? 8 : axes == 2 ? 5 : 17; }
+
 /// One axis for every quality row of the exhibit.
 [[nodiscard]] std::vector<StudyAxis> qualityAxes(Exhibits, std::size_t exhibit, int points);
 

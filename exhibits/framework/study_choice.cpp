@@ -12,15 +12,27 @@ namespace {
 
 /// A cost that is nearer to another than this factor is no saving but noise.
 constexpr double noise = 1.04;
+/// Errors that differ by less than this share of the largest one are the same to the search.
+constexpr double nextToNothing = 0.002;
 /// What is dearer than this many times the present setting is predicted, not measured.
 constexpr double dearest = 16;
 constexpr int heldOutRuns = 3;
+/// A numeric axis with more values than this is first looked at in as many places; the search fills in where it matters.
+constexpr std::size_t coarseValues = 5;
+/// In each round of the search, the settings around so many of the front's points are measured.
+constexpr std::size_t pointsLookedAround = 4;
 
-/// One value of one axis, with all others as they are at present.
-struct Step {
-    double error = 0;  ///< From the picture with this axis exact.
-    double ratio = 1;  ///< Of its cost to that of the present setting.
-};
+/// The first if what is between the two is noise, else the second.
+double beyondNoise(double reference, double cost) { return cost < reference * noise && cost * noise > reference ? reference : cost; }
+
+/// Whether the first look takes this value. Choices have no order to fill in between.
+bool isCoarse(const StudyAxis& axis, const ParameterInfo& row, std::size_t i)
+{
+    const std::size_t count = axis.values.size();
+    const bool ordered = row.kind == Kind::real || row.kind == Kind::count;
+    const std::size_t stride = ordered && count > coarseValues ? (count - 1 + coarseValues - 2) / (coarseValues - 1) : 1;
+    return i % stride == 0 || i + 1 == count;
+}
 
 /// The place of the value nearest to `value`; in a logarithmic sense where all are positive.
 std::size_t nearest(const std::vector<double>& values, double value)
@@ -33,34 +45,46 @@ std::size_t nearest(const std::vector<double>& values, double value)
 
 }  // namespace
 
+bool StudyResult::costsTheSame(const StudyPoint& a, const StudyPoint& b) const
+{
+    if (a.counters == b.counters) return true;
+    return costName == "ms" && a.time && b.time ? render::indistinguishable(*a.time, *b.time) : a.cost == b.cost;
+}
+
 bool Study::searchOn()
 {
     const std::size_t before = result_.points.size();
-    const auto room = [&] { return result_.points.size() < static_cast<std::size_t>(std::max(request_.settings, 1)); };
-    Setting present;
-    for (const StudyAxis& axis : request_.axes) present.push_back(nearest(axis.values, std::get<double>(request_.look.values[axis.exhibit].row(axis.row))));
+    const std::size_t mostSettings = static_cast<std::size_t>(std::max(request_.settings, 1));
+    const auto room = [&] { return result_.points.size() < mostSettings; };
     if (generation_ == 0) {
         // Each parameter alone: what it gives and what it costs.
+        Setting present;
+        for (const StudyAxis& axis : request_.axes) present.push_back(nearest(axis.values, std::get<double>(request_.look.values[axis.exhibit].row(axis.row))));
         addSetting(present);
         for (std::size_t a = 0; a < request_.axes.size(); ++a) {
-            for (std::size_t i = 0; i < request_.axes[a].values.size(); ++i) {
+            const StudyAxis& axis = request_.axes[a];
+            const std::size_t exact = nearest(axis.values, result_.exact[a]);
+            for (std::size_t i = 0; i < axis.values.size(); ++i) {
+                if (i != exact && !isCoarse(axis, rowOf(museum_.exhibits(), axis), i)) continue;
                 Setting setting = present;
                 setting[a] = i;
                 addSetting(setting);
             }
         }
     } else if (generation_ == 1) {
+        measureSteps();
+        // Half of the room, so that the rest can look around what this finds.
+        const std::size_t half = (before + mostSettings + 1) / 2;
         for (const Setting& setting : predictedFront())
-            if (room()) addSetting(setting);
+            if (room() && result_.points.size() < half) addSetting(setting);
     } else {
         // Around the front, as long as it moves and there is room.
-        judge();
-        for (const std::size_t f : std::vector<std::size_t>(result_.front)) {
+        for (const std::size_t f : searchedFront()) {
             for (std::size_t a = 0; a < request_.axes.size(); ++a) {
                 for (const int direction : {-1, 1}) {
                     Setting setting = result_.points[f].setting;
                     const std::size_t moved = setting[a] + static_cast<std::size_t>(direction);
-                    if (moved >= request_.axes[a].values.size() || !room()) continue;
+                    if (moved >= request_.axes[a].values.size() || steps_[a][moved] == steps_[a][setting[a]] || !room()) continue;
                     setting[a] = moved;
                     addSetting(setting);
                 }
@@ -71,63 +95,132 @@ bool Study::searchOn()
     return generation_ <= 2 || result_.points.size() > before;
 }
 
+double Study::fromLimit(double error, double cost) const
+{
+    if (!request_.maxError && !request_.maxMilliseconds) return 0;
+    const double ratio = request_.maxError ? error / *request_.maxError : cost / *request_.maxMilliseconds;
+    return std::abs(std::log(std::max(ratio, 1e-9)));
+}
+
+double Study::presentCost() const
+{
+    // One frame's time is noise; every setting that does the same work was timed once, too.
+    std::vector<double> costs;
+    for (const StudyPoint& point : result_.points)
+        if (point.counters == result_.points.front().counters) costs.push_back(point.cost);
+    return std::max(render::quantile(costs, 0.5), 1e-9);
+}
+
+void Study::measureSteps()
+{
+    judge();
+    const StudyPoint& present = result_.points.front();
+    const double cost = presentCost();
+    steps_.clear();
+    for (std::size_t a = 0; a < request_.axes.size(); ++a) {
+        const StudyAxis& axis = request_.axes[a];
+        const auto pointAt = [&](std::size_t i) -> const StudyPoint* {
+            Setting setting = present.setting;
+            setting[a] = i;
+            const auto found = known_.find(setting);
+            return found == known_.end() ? nullptr : &result_.points[found->second];
+        };
+        const StudyPoint& exact = *pointAt(nearest(axis.values, result_.exact[a]));
+        std::vector<Step>& steps = steps_.emplace_back(axis.values.size());
+        std::size_t last = 0;
+        for (std::size_t i = 0; i < axis.values.size(); ++i) {
+            const StudyPoint* point = pointAt(i);
+            if (!point) continue;
+            std::vector<double> errors;
+            for (std::size_t view = 0; view < exact.shots.size(); ++view) errors.push_back(errorsOf(exact.shots[view].picture, point->shots[view].picture)[request_.metric]);
+            steps[i] = {pooled(errors), point->counters == present.counters ? 1 : beyondNoise(1, point->cost / cost)};
+            // What lies between two that were measured is taken to, until it is measured.
+            for (std::size_t j = last + 1; j < i; ++j) {
+                const double t = static_cast<double>(j - last) / static_cast<double>(i - last);
+                steps[j] = {std::lerp(steps[last].error, steps[i].error, t), std::pow(steps[last].ratio, 1 - t) * std::pow(steps[i].ratio, t)};
+            }
+            last = i;
+        }
+    }
+    // What changes the picture by next to nothing does not matter here.
+    double largest = 0;
+    for (const std::vector<Step>& steps : steps_)
+        for (const Step& step : steps) largest = std::max(largest, step.error);
+    for (std::size_t a = 0; a < steps_.size(); ++a)
+        for (Step& step : steps_[a])
+            if (std::abs(step.error - steps_[a][present.setting[a]].error) < largest * nextToNothing) step.error = steps_[a][present.setting[a]].error;
+}
+
 std::vector<Setting> Study::predictedFront() const
 {
     // Costs multiply and errors add, roughly: good enough to know where to measure.
     const Setting present = result_.points.front().setting;
-    const double presentCost = std::max(result_.points.front().cost, 1e-9);
-    std::vector<std::vector<Step>> steps;
     std::vector<std::vector<std::size_t>> useful;  // By axis, from dearest and most exact to cheapest.
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
-        const auto pointAt = [&](std::size_t i) -> const StudyPoint& {
-            Setting setting = present;
-            setting[a] = i;
-            return result_.points[known_.at(setting)];
-        };
-        const StudyAxis& axis = request_.axes[a];
-        const StudyPoint& exact = pointAt(nearest(axis.values, result_.exact[a]));
         std::vector<render::CostAndError> measured;
-        steps.emplace_back();
-        for (std::size_t i = 0; i < axis.values.size(); ++i) {
-            std::vector<double> errors;
-            for (std::size_t view = 0; view < exact.shots.size(); ++view) errors.push_back(errorsOf(exact.shots[view].picture, pointAt(i).shots[view].picture)[request_.metric]);
-            const double ratio = pointAt(i).cost / presentCost;
-            steps.back().push_back({pooled(errors), ratio < noise && ratio * noise > 1 ? 1 : ratio});
-            measured.push_back({steps.back().back().ratio, steps.back().back().error});
-        }
+        for (const Step& step : steps_[a]) measured.push_back({step.ratio, step.error});
         useful.push_back(render::paretoFront(measured));
         // What is as good in both, for it does not matter here, stays as it is.
-        const std::size_t asItIs = present[a];
         for (std::size_t& i : useful.back())
-            if (measured[i].cost == measured[asItIs].cost && measured[i].error == measured[asItIs].error) i = asItIs;
+            if (steps_[a][i] == steps_[a][present[a]]) i = present[a];
         std::reverse(useful.back().begin(), useful.back().end());
     }
     // From everything exact, always the step that saves the most for the least error (marginal analysis).
+    struct Predicted {
+        Setting setting;
+        double fromLimit = 0;
+    };
+    std::vector<Predicted> path;
     std::vector<std::size_t> place(useful.size(), 0);
-    std::vector<Setting> path;
     while (true) {
         Setting setting;
-        double cost = 1;
+        double ratio = 1;
+        double error = 0;
         for (std::size_t a = 0; a < useful.size(); ++a) {
             setting.push_back(useful[a][place[a]]);
-            cost *= steps[a][setting.back()].ratio;
+            ratio *= steps_[a][setting.back()].ratio;
+            error += steps_[a][setting.back()].error;
         }
-        if (cost <= dearest) path.push_back(setting);
+        if (ratio <= dearest) path.push_back({setting, fromLimit(error, ratio * presentCost())});
         std::optional<std::size_t> best;
         double bestWorth = -1;
         for (std::size_t a = 0; a < useful.size(); ++a) {
             if (place[a] + 1 == useful[a].size()) continue;
-            const Step& here = steps[a][useful[a][place[a]]];
-            const Step& next = steps[a][useful[a][place[a] + 1]];
+            const Step& here = steps_[a][useful[a][place[a]]];
+            const Step& next = steps_[a][useful[a][place[a] + 1]];
             const double worth = std::log(here.ratio / next.ratio) / std::max(next.error - here.error, 1e-12);
             if (worth > bestWorth) {
                 bestWorth = worth;
                 best = a;
             }
         }
-        if (!best) return path;
+        if (!best) break;
         ++place[*best];
     }
+    std::stable_sort(path.begin(), path.end(), [](const Predicted& a, const Predicted& b) { return a.fromLimit < b.fromLimit; });
+    std::vector<Setting> settings;
+    if (request_.maxError) {
+        // Everything exact, so that something keeps the limit even where what one parameter gives hangs on another.
+        settings.emplace_back();
+        for (std::size_t a = 0; a < request_.axes.size(); ++a) settings.back().push_back(nearest(request_.axes[a].values, result_.exact[a]));
+    }
+    for (Predicted& p : path) settings.push_back(std::move(p.setting));
+    return settings;
+}
+
+std::vector<std::size_t> Study::searchedFront()
+{
+    judge();
+    const double present = presentCost();
+    std::vector<render::CostAndError> measured;
+    for (const StudyPoint& point : result_.points) measured.push_back({point.counters == result_.points.front().counters ? present : beyondNoise(present, point.cost), point.error});
+    std::vector<std::size_t> front = render::paretoFront(measured);
+    if (!request_.maxError && !request_.maxMilliseconds) return front;
+    std::stable_sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
+        return fromLimit(result_.points[a].worstError, measured[a].cost) < fromLimit(result_.points[b].worstError, measured[b].cost);
+    });
+    front.resize(std::min(front.size(), pointsLookedAround));
+    return front;
 }
 
 void Study::listCandidates()
@@ -139,13 +232,29 @@ void Study::listCandidates()
         const bool keeps = request_.maxError ? point.worstError <= *request_.maxError : point.time->interval.high <= *request_.maxMilliseconds;
         if (keeps) candidates_.push_back(i);
     }
+    if (candidates_.empty()) return;
+    const auto badness = [&](std::size_t i) {
+        const StudyPoint& p = result_.points[i];
+        return request_.maxError ? std::pair(p.cost, p.worstError) : std::pair(p.worstError, p.cost);
+    };
     // Best last, by the median of the time or by the worst error; of equal ones, the better in the other.
-    std::sort(candidates_.begin(), candidates_.end(), [&](std::size_t a, std::size_t b) {
-        const auto badness = [&](std::size_t i) {
-            const StudyPoint& p = result_.points[i];
-            return request_.maxError ? std::pair(p.cost, p.worstError) : std::pair(p.worstError, p.cost);
-        };
-        return badness(a) > badness(b);
+    std::sort(candidates_.begin(), candidates_.end(), [&](std::size_t a, std::size_t b) { return badness(a) > badness(b); });
+    if (!result_.present) return;
+    // Those that cannot be told from the best one: of them, the one that changes the fewest parameters, and of these
+    // the most exact.
+    const StudyPoint& best = result_.points[candidates_.back()];
+    const auto asGood = std::stable_partition(candidates_.begin(), candidates_.end(), [&](std::size_t i) {
+        const StudyPoint& p = result_.points[i];
+        return request_.maxError ? !result_.costsTheSame(p, best) : p.worstError > best.worstError;
+    });
+    const Setting& present = result_.points[*result_.present].setting;
+    const auto changes = [&](std::size_t i) {
+        std::size_t count = 0;
+        for (std::size_t a = 0; a < present.size(); ++a) count += result_.points[i].setting[a] != present[a] ? 1 : 0;
+        return count;
+    };
+    std::stable_sort(asGood, candidates_.end(), [&](std::size_t a, std::size_t b) {
+        return std::pair(changes(a), result_.points[a].worstError) > std::pair(changes(b), result_.points[b].worstError);
     });
 }
 

@@ -88,6 +88,18 @@ std::string numberText(double x)
     return std::isfinite(x) ? render::shortestNumber(x) : "";
 }
 
+/// How the cost of `chosen` stands to that of the present setting, as the end of a sentence.
+std::string besidePresent(const StudyResult& result, const StudyPoint& chosen)
+{
+    if (!result.present) return {};
+    const StudyPoint& present = result.points[*result.present];
+    if (&present == &chosen) return ", the present setting";
+    if (present.cost <= 0 || chosen.cost <= 0) return {};
+    if (result.costsTheSame(present, chosen)) return ", as cheap as at present as far as can be told";
+    const double ratio = present.cost / chosen.cost;
+    return ratio > 1 ? ", " + shortNumber(ratio) + " times cheaper than at present" : ", " + shortNumber(1 / ratio) + " times the cost of the present setting";
+}
+
 }  // namespace
 
 std::string pointText(Exhibits exhibits, const StudyRequest& request, const StudyPoint& point)
@@ -130,16 +142,16 @@ std::string lawSentence(const StudyResult& result)
 
 std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
 {
-    if (!request.maxError && !request.maxMilliseconds) return {};
+    if (!result.complete || (!request.maxError && !request.maxMilliseconds)) return {};
     const std::string limit = request.maxError ? std::string(toString(request.metric)) + " " + shortNumber(*request.maxError) : shortNumber(*request.maxMilliseconds) + " ms";
     if (!result.choice) return "No setting that was measured stays within " + limit + '.';
     const StudyPoint& point = result.points[result.choice->point];
     std::string text = std::string(request.maxError ? "Cheapest" : "Best") + " within " + limit + ": " + pointText(exhibits, request, point) + "; error " + shortNumber(point.worstError) + " at worst, " +
                        (point.time ? shortNumber(point.time->median) + " ms a frame" : shortNumber(point.cost) + ' ' + costTitle(result.costName));
-    if (result.present && result.points[*result.present].cost > 0 && point.cost > 0) text += ", " + shortNumber(result.points[*result.present].cost / point.cost) + " times cheaper than at present";
+    text += besidePresent(result, point);
     text += ". In " + std::to_string(result.choice->heldOutViews.size()) + " held-out view" + (result.choice->heldOutViews.size() == 1 ? "" : "s") + ": error " + shortNumber(result.choice->heldOutError);
     if (request.maxMilliseconds) text += ", " + shortNumber(result.choice->heldOutMilliseconds) + " ms";
-    return text + (result.choice->holds ? ", within the limit." : ", beyond the limit.");
+    return text + (result.choice->holds ? ", within the limit." : ", beyond the limit, and so is every other setting that was measured: study more of the views.");
 }
 
 Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, Json machine)

@@ -73,6 +73,15 @@ Summary summarize(std::span<const double> samples)
     return summary;
 }
 
+bool indistinguishable(const Summary& a, const Summary& b)
+{
+    const auto variance = [](const Summary& s) {
+        const double deviation = s.spread / 0.6744897501960817;
+        return std::numbers::pi / 2 * deviation * deviation / static_cast<double>(s.runs);
+    };
+    return std::abs(a.median - b.median) <= 2 * std::sqrt(variance(a) + variance(b));
+}
+
 PowerLaw fitPowerLaw(std::span<const double> x, std::span<const double> y, double confidence)
 {
     assert(x.size() == y.size());

@@ -27,6 +27,11 @@ struct Summary {
 /// Of at least one finite sample.
 [[nodiscard]] Summary summarize(std::span<const double> samples);
 
+/// Whether the medians differ by no more than twice the standard error of their difference. That of a median is taken
+/// from the spread, as for normally distributed runs (1.2533 times the mean's; the spread is 0.6745 of a standard
+/// deviation), so that a few outliers count for little. Both have at least one run.
+[[nodiscard]] bool indistinguishable(const Summary&, const Summary&);
+
 /// Linear between neighbors for `share` 0 to 1 of at least one finite sample (type 7 of Hyndman and Fan 1996).
 [[nodiscard]] double quantile(std::span<const double> samples, double share);
 

@@ -1,12 +1,10 @@
 #pragma once
 
-#include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/framework/museum.h"
 #include "exhibits/framework/picture.h"
-#include "exhibits/hall/hall_table.h"
-#include "exhibits/sdf_morph/sdf_morph_table.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
+#include "tests/support/tables.h"
 
 #include <gtest/gtest.h>
 
@@ -36,23 +34,6 @@ protected:
 private:
     std::size_t errorsBefore_ = 0;
 };
-
-// Tables of one form: a handle of one table names the same row in all of them.
-inline const HallTable& hallTable()
-{
-    static const HallTable table;
-    return table;
-}
-inline const CrepuscularRaysTable& raysTable()
-{
-    static const CrepuscularRaysTable table;
-    return table;
-}
-inline const SdfMorphTable& sdfTable()
-{
-    static const SdfMorphTable table;
-    return table;
-}
 
 /// A finished picture and what it shows where. Pixels from the top left.
 struct Picture {

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/framework/museum.h"
 #include "exhibits/hall/hall_model.h"
-#include "exhibits/hall/hall_table.h"
-#include "exhibits/sdf_morph/sdf_morph_table.h"
+#include "tests/support/tables.h"
 
 #include <string>
 
@@ -20,23 +18,6 @@ inline const HallModel& building()
 {
     static const HallModel model;
     return model;
-}
-
-// Tables of one form: a handle of one table names the same row in all of them.
-inline const HallTable& hallTable()
-{
-    static const HallTable table;
-    return table;
-}
-inline const CrepuscularRaysTable& raysTable()
-{
-    static const CrepuscularRaysTable table;
-    return table;
-}
-inline const SdfMorphTable& sdfTable()
-{
-    static const SdfMorphTable table;
-    return table;
 }
 
 /// A frame to plan: a look, and where it is seen from.

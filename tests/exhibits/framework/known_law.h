@@ -69,6 +69,8 @@ public:
     double timeNoise = 0;
     int drawn = 0;
 
+    void seed(unsigned number) { engine_.seed(number); }
+
     render::FrameReport draw(const render::FramePlan& plan) override
     {
         ++drawn;

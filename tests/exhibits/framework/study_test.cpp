@@ -280,6 +280,67 @@ TEST(StudyChooser, TheBestWithinATimeIsTheOneThatAnExhaustiveSweepFinds)
     }
 }
 
+TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
+{
+    // Rays change nothing here, neither error nor work, and all else is 100 ms beside which the steps are little.
+    KnownLaw law = sumOfParts();
+    law.error = [](const KnownTable& t, const ParameterValues& v, double difficulty) { return difficulty * (0.2 / v[t.steps] - 0.2 / 256 + (v[t.method] == 0 ? 0.02 : 0.0)); };
+    law.cost = [](const KnownTable& t, const ParameterValues& v, double difficulty) { return 100 + difficulty * (0.1 * v[t.steps] + 2 * v[t.method]); };
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        Subject subject(law);
+        subject.painter.timeNoise = 0.06;
+        subject.painter.seed(seed);
+        StudyRequest request = subject.request({"steps", "rays", "method", "shortcut"}, 5);
+        request.settings = 120;
+        request.runs = 15;
+        for (const double limit : {0.15, 0.08, 0.03}) {
+            request.maxError = limit;
+            const StudyResult result = subject.run(request);
+            ASSERT_TRUE(result.choice);
+            const StudyPoint& chosen = result.points[result.choice->point];
+            EXPECT_LE(chosen.worstError, limit);
+            EXPECT_EQ(valueOf(request, chosen, 1), request.look.values[1][subject.table.rays]) << "rays change nothing, so they stay";
+            EXPECT_EQ(valueOf(request, chosen, 3), request.look.values[1][subject.table.shortcut] ? 1 : 0);
+            ASSERT_TRUE(result.present);
+            const double dearer = static_cast<double>(chosen.counters.at("work")) / static_cast<double>(result.points[*result.present].counters.at("work"));
+            if (result.points[*result.present].worstError <= limit) {
+                EXPECT_LE(dearer, 1.02) << "the present setting would have done";
+            }
+            const std::string sentence = choiceSentence(subject.museum.exhibits(), request, result);
+            EXPECT_EQ(sentence.find("0.9"), std::string::npos) << sentence;
+        }
+    }
+}
+
+TEST(StudyChooser, ALimitThatOnlyTheExactKeepsIsKeptWhereOneParameterHangsOnAnother)
+{
+    // Steps help only without the shortcut, as a level of detail caps a count.
+    KnownLaw law = sumOfParts();
+    law.error = [](const KnownTable& t, const ParameterValues& v, double d) { return d * (v[t.shortcut] ? 0.1 : 0.2 / v[t.steps] - 0.2 / 256); };
+    Subject subject(std::move(law));
+    StudyRequest request = subject.request({"steps", "rays", "shortcut"}, 17);
+    request.maxError = 0.0005;
+    const StudyResult result = subject.run(request);
+    ASSERT_TRUE(result.choice);
+    EXPECT_TRUE(result.choice->holds);
+}
+
+TEST(StudyChooser, TheSentenceSaysDearerWhereTheChoiceIsDearer)
+{
+    Subject subject(sumOfParts());
+    StudyRequest request = subject.request({"steps"});
+    request.look.values[1].setRow(request.axes[0].row, request.axes[0].values[1]);
+    request.maxError = 0.1;
+    const StudyResult dearer = subject.run(request);
+    ASSERT_TRUE(dearer.choice && dearer.present);
+    ASSERT_GT(dearer.points[*dearer.present].worstError, 0.1);
+    EXPECT_NE(choiceSentence(subject.museum.exhibits(), request, dearer).find("times the cost of the present setting"), std::string::npos);
+
+    request.look.values[1].setRow(request.axes[0].row, request.axes[0].values.back());
+    const StudyResult cheaper = subject.run(request);
+    EXPECT_NE(choiceSentence(subject.museum.exhibits(), request, cheaper).find("times cheaper than at present"), std::string::npos);
+}
+
 TEST(StudyChooser, AWinnerThatFailsInAHeldOutViewIsNotChosen)
 {
     // The held-out views, of difficulties 1.5 and 1.25, are ten times as hard as their number says.

@@ -135,5 +135,25 @@ TEST(Statistics, EveryRoundMeasuresEverythingOnceAndStartsElsewhere)
     EXPECT_TRUE(interleaved(0, 3).empty());
 }
 
+TEST(Statistics, MediansOfTheSameThingAreSeldomToldApartAndThoseOfDifferentThingsMostly)
+{
+    std::mt19937 random(1);
+    const auto measured = [&](double mean) {
+        std::normal_distribution<double> noise(mean, 1);
+        std::vector<double> runs(15);
+        for (double& run : runs) run = noise(random);
+        runs[3] += 50;  // One run in fifteen is disturbed: it counts for little.
+        return summarize(runs);
+    };
+    int sameToldApart = 0;
+    int differentToldApart = 0;
+    for (int i = 0; i < 1000; ++i) {
+        sameToldApart += indistinguishable(measured(70), measured(70)) ? 0 : 1;
+        differentToldApart += indistinguishable(measured(70), measured(72)) ? 0 : 1;
+    }
+    EXPECT_LT(sameToldApart, 100);       // Two standard errors: about 1 in 20, and the spread of few runs is uncertain.
+    EXPECT_GT(differentToldApart, 900);  // Two deviations apart is four and a half standard errors.
+}
+
 }  // namespace
 }  // namespace vitrine

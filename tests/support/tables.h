@@ -1,0 +1,26 @@
+#pragma once
+
+#include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
+#include "exhibits/hall/hall_table.h"
+#include "exhibits/sdf_morph/sdf_morph_table.h"
+
+namespace vitrine::test {
+
+// Tables of one form: a handle of one table names the same row in all of them.
+inline const HallTable& hallTable()
+{
+    static const HallTable table;
+    return table;
+}
+inline const CrepuscularRaysTable& raysTable()
+{
+    static const CrepuscularRaysTable table;
+    return table;
+}
+inline const SdfMorphTable& sdfTable()
+{
+    static const SdfMorphTable table;
+    return table;
+}
+
+}  // namespace vitrine::test
