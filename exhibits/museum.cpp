@@ -120,6 +120,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     const bool alone = request.alone.has_value();
     const HallScene scene = theHall.scene(look.values.front(), alone);
     Surroundings light = surroundings(scene);
+    light.light.disk.z = static_cast<float>(request.sample);
 
     render::FramePlan plan;
     render::Raster raster = request.raster;
@@ -213,7 +214,28 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     for (Present& p : present)
         contexts.push_back({look.values[p.index], light, p.worldFromExhibit, request.time, request.channels, alone, std::move(p.hidden), std::move(p.noShadow), {}, {}, sincePress(request, p.index)});
     for (std::size_t i = 0; i < present.size(); ++i) exhibits_[present[i].index]->plan(contexts[i], plan);
-    for (std::size_t i = 0; i < present.size(); ++i) exhibits_[present[i].index]->planOverFrame(contexts[i], plan);
+    const auto seenFrom = [&](const render::View& view) {
+        render::FramePlan other;
+        other.view = view;
+        other.time = plan.time;
+        other.seed = plan.seed;
+        other.sample = plan.sample;
+        theHall.plan(hallContext, other);
+        for (std::size_t i = 0; i < present.size(); ++i) {
+            const Exhibit& exhibit = *exhibits_[present[i].index];
+            PlanContext context = contexts[i];
+            context.channels = {};
+            context.hiddenBecause = whyHidden(exhibit.bounds(context.values).transformed(context.worldFromExhibit), view, alone);
+            context.noShadowBecause = "the frame draws the shadows";
+            exhibit.plan(context, other);
+        }
+        return other;
+    };
+    for (std::size_t i = 0; i < present.size(); ++i) {
+        PlanContext context = contexts[i];
+        context.seenFrom = seenFrom;
+        exhibits_[present[i].index]->planOverFrame(context, plan);
+    }
     if (request.transparent) plan.skip("sky", "a transparent background is asked for");
     else planSky(scene, light, plan);
     planDevelop(light, request, plan);

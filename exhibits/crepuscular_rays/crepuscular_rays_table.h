@@ -15,7 +15,7 @@ enum class RayView : int { picture, mask, light };
 struct CrepuscularRaysTable final : Parameters {
     Group show = group("On show");
     Choice<RayTechnique> technique = choice("technique", RayTechnique::volume, {"none", "screen space", "volume", "both"},
-        "How the beams are made: smeared from the bright sky across the picture, or by marching the sun's shadows through dusty air.");
+        "How the beams are made: smeared from the bright sky across the picture, or by marching the sun's shadows through dusty air.", quality(2));
     Choice<RayTechnique> compareWith = choice("compareWith", RayTechnique::none, {"none", "screen space", "volume", "both"}, "What is shown to the right of the wipe.");
     Toggle compare = toggle("compare", false, "Divide the picture by a wipe: the technique on the left, the comparison on the right.");
     Real wipe = real("wipe", 0.5, none, {0, 1}, "Where the comparison begins: 0 is the left edge of the picture, 1 the right.");

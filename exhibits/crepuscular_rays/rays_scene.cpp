@@ -10,6 +10,10 @@
 namespace vitrine {
 namespace {
 
+// Alone, the tall window's light comes in as it does in the hall, in the exhibit's own space: a window without walls.
+const render::Box ownOpening{{-1.2, -1.1, -4.0}, {1.2, 3.9, -3.4}};
+const render::Box ownRoom{{-6, -2.5, -3.5}, {6, 6.5, 20.5}};
+
 constexpr int largestMask = 2048;  ///< Pixels along a side: a print of any size needs no finer mask of its sky.
 
 int cellSize(RayResolution resolution)
@@ -72,7 +76,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     s.maskSize = glm::max(glm::ivec2(glm::round(glm::dvec2(raster.size) * maskScale)), glm::ivec2(1));
     s.wholeView = viewOfWhole(plan.view, s.maskSize);
     s.sun = sunInPicture(s.wholeView, towardsSun);
-    s.beams = beams(context.surroundings.openings, context.surroundings.room, towardsSun);
+    s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, towardsSun) : beams(context.surroundings.openings, context.surroundings.room, towardsSun);
 
     // Cells lie on the grid of the whole picture, so that tiles join.
     const int cell = cellSize(values[table.resolution]);
@@ -117,9 +121,8 @@ std::string whyNoScreenRays(const RaysScene& s)
 
 std::string whyNoBeams(const RaysScene& s, const render::View& view)
 {
-    if (s.context.alone) return "there is no hall for the sun to shine into";
     if (!(s.values[s.table.airDensity] > 0)) return "the air is clear";
-    if (s.beams.empty()) return "the sun shines neither through the window nor through the oculus";
+    if (s.beams.empty()) return s.context.alone ? "the sun does not shine through the window" : "the sun shines neither through the window nor through the oculus";
     if (!(s.context.surroundings.light.sunIrradiance.x + s.context.surroundings.light.sunIrradiance.y + s.context.surroundings.light.sunIrradiance.z > 0)) return "the sun's strength is 0";
     if (std::none_of(s.beams.begin(), s.beams.end(), [&](const Beam& beam) { return view.mayContain(beam.box); })) return "the beams are out of view";
     return {};

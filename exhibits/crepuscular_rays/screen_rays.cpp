@@ -3,7 +3,9 @@
 #include "render/glsl/cpu.h"
 #include "shaders/lib/bindings.glsl"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace vitrine {
 namespace {
@@ -19,23 +21,70 @@ std::int64_t pixels(glm::ivec2 size)
     return static_cast<std::int64_t>(size.x) * size.y;
 }
 
-/// Draws everything once more that stands in the hall as a mesh, seen in the whole picture.
+/// Whether every fragment of it hides what is behind: then its mesh tells all, and its material nothing.
+bool isSolidMesh(const Pass& pass)
+{
+    const auto& defines = pass.shader.defines;
+    return pass.shader.vertex == "hall/surface.vert" && std::none_of(defines.begin(), defines.end(), [](const std::string& d) { return d == "ALPHA_MASK" || d == "WIPE"; });
+}
+
+/// Draws everything once more that hides the sky, seen in the whole picture: meshes in one pass by their positions
+/// alone, whatever finds its own depth (marched, or cut out) by its own shaders.
 void planOccluders(const RaysScene& s, render::FramePlan& plan)
 {
-    plan.image({.name = "crepuscular_rays.occluders", .format = render::Format::depth32f, .size = s.maskSize, .nearest = true});
+    constexpr const char* own = "crepuscular_rays.occluders";
+    plan.image({.name = own, .format = render::Format::depth32f, .size = s.maskSize, .nearest = true});
     Pass pass;
     pass.name = "crepuscular_rays/occluders";
     pass.reason = s.tile ? "a tile does not show the whole sky" : "the mask is made of the occluders";
     pass.stage = render::Stage::prepare;
     pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
     pass.view = s.wholeView;
-    pass.depth = Attachment{"crepuscular_rays.occluders", Load::clear, glm::vec4(0), -1, 0};
+    pass.depth = Attachment{own, Load::clear, glm::vec4(0), -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true};
-    for (const Pass& drawn : plan.passes())
-        if (drawn.stage == render::Stage::opaque && drawn.shader.vertex == "hall/surface.vert" && drawn.state.depthWrite)
+
+    const render::FramePlan seen = s.context.seenFrom(s.wholeView);
+    std::vector<Pass> others;
+    std::set<std::string> renamed;
+    const auto ownName = [&](const std::string& image) { return std::string(own) + '.' + image; };
+    for (const Pass& drawn : seen.passes()) {
+        const bool hides = drawn.stage == render::Stage::opaque && drawn.depth && drawn.depth->image == depthImage && drawn.state.depthWrite;
+        if (hides && isSolidMesh(drawn)) {
             pass.draws.insert(pass.draws.end(), drawn.draws.begin(), drawn.draws.end());
+            continue;
+        }
+        // What another pass of the same view prepares, a cone for every block of pixels, is prepared anew, too.
+        const bool prepares = drawn.stage == render::Stage::prepare && !drawn.key;
+        if (!hides && !prepares) continue;
+        Pass copy = drawn;
+        copy.name = pass.name + '/' + drawn.name;
+        copy.reason = pass.reason;
+        copy.stage = render::Stage::prepare;
+        copy.view = s.wholeView;
+        if (hides) {
+            copy.shader.defines.emplace_back("DEPTH_ONLY");
+            copy.colors.clear();
+            copy.depth = Attachment{own, Load::keep, glm::vec4(0), -1, 0};
+        }
+        for (std::vector<Attachment>* attachments : {&copy.colors, &copy.storage}) {
+            for (Attachment& attachment : *attachments) {
+                renamed.insert(attachment.image);
+                attachment.image = ownName(attachment.image);
+            }
+        }
+        for (render::Input& input : copy.inputs)
+            if (auto* image = std::get_if<std::string>(&input.source); image && renamed.contains(*image)) *image = ownName(*image);
+        others.push_back(std::move(copy));
+    }
+    for (const std::string& image : renamed) {
+        render::ImageInfo info = seen.images().at(image);
+        info.name = ownName(image);
+        if (info.size == glm::ivec2(0)) info.size = glm::max(glm::ivec2(glm::dvec2(s.maskSize) * info.scale), glm::ivec2(1));
+        plan.image(std::move(info));
+    }
     for (render::Draw& draw : pass.draws) draw.inputs.clear();
     plan.add(std::move(pass));
+    for (Pass& other : others) plan.add(std::move(other));
 }
 
 void planLoop(const RaysScene& s, render::FramePlan& plan)
@@ -43,7 +92,8 @@ void planLoop(const RaysScene& s, render::FramePlan& plan)
     const bool plain = s.values[s.table.sum] == RaySum::plain;
     // Without a way to go, one look tells all, and the mask comes through to the bit.
     const int samples = !plain && s.block.source.w <= 0 ? 1 : s.values[s.table.samples];
-    Pass pass = s.pass("loop", "the sky shines into the picture", "crepuscular_rays/loop.frag");
+    const bool inPlaceOfPasses = s.tile && !plain && s.values[s.table.method] == RayMethod::threePasses;
+    Pass pass = s.pass("loop", inPlaceOfPasses ? "a tile cannot look into its neighbors' passes, so one loop takes their place" : "the sky shines into the picture", "crepuscular_rays/loop.frag");
     pass.stage = render::Stage::volume;
     if (plain) pass.shader.defines.emplace_back("PLAIN_SUM");
     pass.colors = {{"crepuscular_rays.rays", Load::clear, {}, -1, 0}};

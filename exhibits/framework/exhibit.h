@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -45,6 +46,9 @@ struct PlanContext {
     std::span<const double> sincePressed;  ///< For the hall: seconds since each guest's button was pressed.
     std::span<const double> turns;         ///< For the hall: each guest's `turnOfHangings`.
     double sinceOwnPress = std::numeric_limits<double>::infinity();  ///< For a guest: seconds since its own was; infinity: never.
+    /// What the hall and all exhibits plan for another view of the same frame, without shadows and what lies over the
+    /// frame. Only while `planOverFrame` is called; unpruned.
+    std::function<render::FramePlan(const render::View&)> seenFrom = {};
 };
 
 /// A fixed situation in which an accuracy study measures: seen from `camera` (in the exhibit's space) at

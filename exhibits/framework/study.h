@@ -87,7 +87,7 @@ struct StudyResult {
     std::vector<std::size_t> front;              ///< Points by growing cost.
     std::optional<std::size_t> knee;             ///< A point.
     std::optional<std::size_t> present;          ///< The point with the look's own values.
-    std::optional<render::PowerLaw> law;         ///< Cost over error along the front of one numeric axis.
+    std::optional<render::PowerLaw> law;         ///< Cost over error along the front of one or two axes, one of them numeric.
     std::optional<StudyChoice> choice;           ///< When one was asked for and any setting keeps the limit.
     bool complete = false;                       ///< Everything that was asked for was measured.
     std::string clock;

@@ -150,6 +150,11 @@ void Study::judge()
     else
         result_.convergence = how + (doublings_ > 0 ? " changing it by " : " the reference changes by ") + shortNumber(result_.uncertainty) + ": " + std::to_string(uncertain) +
                               (uncertain == 1 ? " error is" : " errors are") + " under four times that, and uncertain.";
+    if (std::isinf(smallest) && result_.points.size() > 1 && std::all_of(result_.points.begin(), result_.points.end(), isDrawn)) {
+        std::string names;
+        for (const StudyAxis& axis : request_.axes) names += (names.empty() ? "" : " or ") + axisName(museum_.exhibits(), request_.subject, axis);
+        result_.convergence = "Nothing depends on " + names + " at present: every setting gives the same picture. Switch on what it acts on, and study again.";
+    }
     judgeCosts();
 }
 
@@ -183,8 +188,11 @@ void Study::judgeCosts()
     result_.knee = place ? std::optional(result_.front[*place]) : std::nullopt;
 
     result_.law.reset();
-    const Kind kind = rowOf(museum_.exhibits(), request_.axes.front()).kind;
-    if (request_.axes.size() != 1 || (kind != Kind::real && kind != Kind::count)) return;
+    const bool numeric = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& axis) {
+        const Kind kind = rowOf(museum_.exhibits(), axis).kind;
+        return kind == Kind::real || kind == Kind::count;
+    });
+    if (request_.axes.size() > 2 || !numeric) return;
     std::vector<double> errors;
     std::vector<double> costs;
     for (const std::size_t i : result_.front) {

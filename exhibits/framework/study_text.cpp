@@ -133,7 +133,8 @@ std::string lawSentence(const StudyResult& result)
 {
     if (!result.law) return {};
     const auto factor = [](double slope) { return std::pow(2.0, -slope); };
-    std::string text = "Halving the error costs " + shortNumber(factor(result.law->slope)) + " times the " + costTitle(result.costName);
+    const bool surface = !result.points.empty() && result.points.front().setting.size() > 1;
+    std::string text = std::string(surface ? "With the best of the settings, halving" : "Halving") + " the error costs " + shortNumber(factor(result.law->slope)) + " times the " + costTitle(result.costName);
     const render::Interval& interval = result.law->slopeInterval;
     if (std::isfinite(interval.low) && std::isfinite(interval.high)) text += " (" + shortNumber(factor(interval.high)) + " to " + shortNumber(factor(interval.low)) + " with 95 % confidence)";
     return text + '.';

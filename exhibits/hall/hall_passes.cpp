@@ -30,20 +30,37 @@ double turnAt(const HallScene& scene, int place)
     return 0;
 }
 
-/// Cloths over empty places, stands and hangings of occupied ones: what is in the hall beside its walls.
+/// Cloths over empty places, stands of occupied ones: what is in the hall beside its walls and never moves.
 std::vector<Part> standing(const HallScene& scene)
 {
     std::vector<Part> parts;
+    for (const auto& [number, place] : scene.model.places())
+        for (const Part& part : isOccupied(scene, number) ? place.stand : place.cloth) parts.push_back(part);
+    return parts;
+}
+
+/// What hangs at occupied places and turns about its upright axis, as far as it has turned.
+std::vector<Part> hanging(const HallScene& scene)
+{
+    std::vector<Part> parts;
     for (const auto& [number, place] : scene.model.places()) {
-        const bool occupied = isOccupied(scene, number);
-        for (const Part& part : occupied ? place.stand : place.cloth) parts.push_back(part);
-        if (!occupied) continue;
+        if (!isOccupied(scene, number)) continue;
         for (Part part : place.turning) {
             part.modelFromPart = glm::rotate(part.modelFromPart, turnAt(scene, number), glm::dvec3(0, 1, 0));
             parts.push_back(std::move(part));
         }
     }
     return parts;
+}
+
+/// Holds the part however far it turns, world from a box from -1 to 1.
+glm::dmat4 worldFromSwept(const Part& part)
+{
+    const render::Box& box = part.mesh->bounds;
+    const glm::dvec2 reach = glm::max(glm::abs(glm::dvec2(box.low.x, box.low.z)), glm::abs(glm::dvec2(box.high.x, box.high.z)));
+    const double radius = 1.01 * glm::length(reach);
+    const double height = 0.5 * (box.high.y - box.low.y);
+    return glm::scale(glm::translate(part.modelFromPart, glm::dvec3(0, box.low.y + height, 0)), glm::dvec3(radius, 1.01 * height + 1e-3, radius));
 }
 
 std::string materialName(const Part& part)
@@ -182,6 +199,47 @@ void planVisitorModel(const HallScene& scene, const Surroundings& light, const C
     else plan.skip(blended.name, "nothing of the visitor's object is translucent");
 }
 
+/// The map of what stands still is drawn once; where hangings may be, it is put back whenever they have turned, and
+/// they are drawn over it.
+void planTurningShadow(const HallScene& scene, const Pass& still, const std::vector<Part>& turning, render::FramePlan& plan)
+{
+    const auto follow = [&](const char* name, const char* reason, Load load) {
+        Pass pass;
+        pass.name = name;
+        pass.reason = reason;
+        pass.stage = still.stage;
+        pass.shader = {"hall/depth.vert", "hall/restore.frag", "", {}};
+        pass.view = still.view;
+        pass.depth = Attachment{"shadow.hall", load, glm::vec4(0), -1, 0};
+        pass.state = {.depthTest = render::DepthTest::none, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
+        pass.inputs = {{UNIT_SOURCE, std::string("shadow.hall.still")}};
+        pass.key = still.key;
+        pass.bound = still.bound;
+        return pass;
+    };
+    Pass copy = follow("hall/shadow/copy", still.reason.c_str(), Load::clear);
+    copy.shader.vertex = "lib/fullscreen.vert";
+    copy.state.cull = render::Cull::none;
+    copy.draws = {Draw{}};
+
+    render::Hash key;
+    key.addValue(*still.key);
+    for (const double turn : scene.turns) key.addValue(turn);
+    Pass restore = follow("hall/shadow/restore", "what hangs here has turned", Load::keep);
+    restore.key = key.value();
+    Pass hangings = follow("hall/shadow/hangings", "what hangs here has turned", Load::keep);
+    hangings.key = key.value();
+    hangings.shader.fragment = "hall/depth.frag";
+    hangings.state = still.state;
+    hangings.inputs.clear();
+    for (const Part& part : turning) {
+        restore.draws.push_back(surfaceDraw(boxMesh(), worldFromSwept(part), {}));
+        hangings.draws.push_back(partDraw(scene, part));
+    }
+    plan.add(still);
+    for (Pass* pass : {&copy, &restore, &hangings}) plan.add(std::move(*pass));
+}
+
 }  // namespace
 
 void planHallShadow(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
@@ -192,24 +250,24 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
     }
     const int size = scene.values[scene.table.shadowMapSize];
     plan.image({.name = "shadow.hall", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true, .comparison = true});
+    const std::vector<Part> turning = hanging(scene);
+    if (!turning.empty()) plan.image({.name = "shadow.hall.still", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true, .nearest = true});
     Pass pass;
     pass.name = "hall/shadow";
     pass.reason = "the sun or the walls have changed";
     pass.stage = render::Stage::shadow;
     pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
     pass.view = lightView(scene.model.bounds(), towardsSun(scene), glm::ivec2(size), 0.5);
-    pass.depth = Attachment{"shadow.hall", Load::clear, glm::vec4(0), -1, 0};
+    pass.depth = Attachment{turning.empty() ? "shadow.hall" : "shadow.hall.still", Load::clear, glm::vec4(0), -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none, .depthBias = {1.5F, 2}, .depthClamp = true};
-    render::Hash key;
-    key.addValue(lightKey(scene));
-    for (const double turn : scene.turns) key.addValue(turn);
-    pass.key = key.value();
+    pass.key = lightKey(scene);
     pass.bound = std::max({light.light.sunIrradiance.x, light.light.sunIrradiance.y, light.light.sunIrradiance.z});
     for (const Part& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
     for (const Part& part : standing(scene)) pass.draws.push_back(partDraw(scene, part));
     if (scene.visitorModel)
         for (const Part& part : scene.visitorModel->parts) pass.draws.push_back(surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, {}));
-    plan.add(std::move(pass));
+    if (!turning.empty()) planTurningShadow(scene, pass, turning, plan);
+    else plan.add(std::move(pass));
 }
 
 void planWalls(const HallScene& scene, const Surroundings& light, const Channels& channels, std::span<const double> sincePressed, render::FramePlan& plan)
@@ -226,8 +284,9 @@ void planWalls(const HallScene& scene, const Surroundings& light, const Channels
 
     Pass props = surfacePass("hall/props", "cloths cover the empty places", {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, channels, Load::keep);
     props.state.cull = render::Cull::none;
-    for (const Part& part : standing(scene))
-        if (plan.view.mayContain(part.mesh->bounds.transformed(part.modelFromPart))) props.draws.push_back(partDraw(scene, part));
+    for (const std::vector<Part>& parts : {standing(scene), hanging(scene)})
+        for (const Part& part : parts)
+            if (plan.view.mayContain(part.mesh->bounds.transformed(part.modelFromPart))) props.draws.push_back(partDraw(scene, part));
     light.illuminate(props);
     if (props.draws.empty()) plan.skip(props.name, "no cloth or stand is in view");
     else plan.add(std::move(props));

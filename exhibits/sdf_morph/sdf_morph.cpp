@@ -100,8 +100,9 @@ Pass marchPass(const Scene& s, const char* name, std::string reason)
     if (s.values[s.table.material] == SdfMaterial::glass) pass.shader.defines.emplace_back("GLASS");
     if (s.values[s.table.heatMap] != SdfHeatMap::none) pass.shader.defines.emplace_back("HEAT_MAP");
     s.context.surroundings.illuminate(pass);
-    // It shades itself by rays of its own; the exhibits' shadow map holds nothing but itself.
-    std::erase_if(pass.inputs, [](const render::Input& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
+    // It shades itself by rays of its own; the exhibits' shadow map is for what others keep from it.
+    if (s.context.alone) std::erase_if(pass.inputs, [](const render::Input& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
+    else pass.shader.defines.emplace_back("OTHERS_SHADOWS");
     return pass;
 }
 

@@ -61,7 +61,10 @@ void main()
         float stretch = length(ray);
         vec3 direction = ray / stretch;
         float hidden = 1.0 - airThrough(frame.eye.xyz, direction, airStretches(frame.eye.xyz, direction), depth * stretch);
-        if (hidden > 0.0) {
+        // Alone there are no walls to end the air: its box would be seen, so there is none but what the beam lights.
+        if (light.skyHorizon.w > 1.5) {
+            over.rgb += broughtUp(scattered, gl_FragCoord.xy, depth);
+        } else if (hidden > 0.0) {
             vec3 hallLight = light.probePosition.w < 0.5 ? light.skyZenith.rgb * 0.05 : max(texelFetch(probeIrradiance, ivec2(0), 0).rgb, vec3(0.0));
             over.rgb += parameters.airColor * hallLight * (hidden * parameters.ambient);
             over.a = hidden;

@@ -24,13 +24,14 @@ void main()
     vec2 direction = vec2(cos(angle), sin(angle));
     float ratio = exp(rays.polar.w / rays.polarSize.x);
     float keep = rays.polarSize.z;
+    float middle = shaftTapPlace(1.0 / ratio, rays.source.z, 0.5);
     // Within the first radius, and where the mask is not known, its own first value goes on.
     float radius = exp(rays.polar.z);
     // A cell that reaches over the edge is what it was at the edge: its pixels lie on this side.
     float exit = exitRadius(direction);
     vec3 mean = maskAt(rays.source.xy + direction * radius);
     for (int i = 0; i < radii; ++i) {
-        mean = mean * keep + maskAt(rays.source.xy + direction * min(radius * inversesqrt(ratio), max(exit, 0.0))) * (1.0 - keep);
+        mean = mean * keep + maskAt(rays.source.xy + direction * min(radius * middle, max(exit, 0.0))) * (1.0 - keep);
         imageStore(within, ivec2(i, line), vec4(mean, 1.0));
         radius *= ratio;
     }

@@ -13,6 +13,7 @@ layout(location = 0) out vec4 radiance;
 
 void main()
 {
+    turnDisk(framePixel(gl_FragCoord.xy));
     float open = left.x * left.x;
     float r = length((pitFromWorld * vec4(world, 1.0)).xz) / pit.x;
     vec3 lamp = lampOnFloor * (left.y * open);

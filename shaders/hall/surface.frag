@@ -45,6 +45,7 @@ vec3 bakedAmbient()
 
 void main()
 {
+    turnDisk(framePixel(gl_FragCoord.xy));
     vec4 base = object.baseColor;
 #ifdef BASE_COLOR_MAP
     base *= texture(baseColorMap, tileUv);

@@ -52,6 +52,7 @@ vec3 slabColor(vec3 world, vec3 normal, vec3 worldToEye)
 
 void main()
 {
+    turnDisk(framePixel(gl_FragCoord.xy));
     vec3 world = (object.worldFromCard * vec4(cardPosition, 1.0)).xyz;
     vec3 worldNormal = normalize(transpose(mat3(object.cardFromWorld)) * normalize(cardNormal));
     vec3 eye = (object.cardFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;

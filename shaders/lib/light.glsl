@@ -16,7 +16,7 @@ layout(std140, binding = BLOCK_LIGHT) uniform Light {
     vec4 probeHigh;               // w: exposure, a factor
     vec4 filtering;               // x: shadow filter (0 hard, 1 tent 3x3, 2 tent 5x5, 3 the sun's disk), y: width of an exhibits' texel, metres,
                                   // z: rotation of the environment, radians, w: strength of baked occlusion, 0 to 1
-    vec4 disk;                    // x: tangent of half the sun's width, y: comparisons over its disk
+    vec4 disk;                    // x: tangent of half the sun's width, y: comparisons over its disk, z: number of the supersample
 } light;
 
 layout(binding = UNIT_SHADOW_HALL) uniform sampler2DShadow hallShadow;
@@ -61,11 +61,23 @@ vec3 shadowPosition(mat4 shadowFromWorld, vec3 world)
     return (shadowFromWorld * vec4(world, 1.0)).xyz;
 }
 
+// Radians by which the points of the sun's disk are turned. Few points that are the same everywhere draw themselves
+// again and again along an edge; turned from pixel to pixel, they are grain, and from sample to sample, they are more.
+float diskTurn = 0.0;
+
+// For the pixel of the whole picture: interleaved gradient noise (Jimenez 2014, "Next Generation Post Processing in
+// Call of Duty: Advanced Warfare"), and the golden ratio from one supersample to the next.
+void turnDisk(vec2 pixel)
+{
+    float noise = fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715))));
+    diskTurn = 2.0 * PI * fract(noise + 0.618033989 * light.disk.z);
+}
+
 // Point i of n, spread evenly over the unit disk: a spiral of the golden angle (Vogel 1979, "A better way to construct
 // the sunflower head").
 vec2 diskPoint(float i, float n)
 {
-    float angle = 2.39996323 * i;
+    float angle = 2.39996323 * i + diskTurn;
     return sqrt((i + 0.5) / n) * vec2(cos(angle), sin(angle));
 }
 
@@ -76,7 +88,7 @@ vec2 diskPoint(float i, float n)
 float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3 normal)
 {
     const float farthest = 16.0;  // metres: from the floor to the window
-    float looks = clamp(0.5 * light.disk.y, 8.0, 64.0);
+    float looks = clamp(0.75 * light.disk.y, 12.0, 64.0);
     vec3 position = shadowPosition(shadowFromWorld, world);
     if (any(lessThan(position, vec3(0.0))) || any(greaterThan(position, vec3(1.0)))) return 1.0;
     mat3 rows = transpose(mat3(shadowFromWorld));
@@ -93,14 +105,15 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec
     if (hidden <= 0.0) return 1.0;
     if (hidden >= looks) return 0.0;
 
-    // Mean of the distances: the integral over d of the share that is farther than d.
+    // Mean of the distances: the integral over d of the share that is farther than d, asked anywhere in each stretch.
     float mean = 0.0;
     float last = 0.0;
-    for (float d = 0.25; d <= farthest; d = max(d + 0.25, 1.25 * d)) {
+    float within = fract(diskTurn * (1.61803399 / (2.0 * PI)) + 0.5);
+    for (float d = 0.25; d <= farthest; d = max(d + 0.25, 1.5 * d)) {
         float farther = 0.0;
         for (float i = 0.0; i < looks; i += 1.0) {
             vec2 offset = diskPoint(i, looks) * widest;
-            farther += 1.0 - texture(map, position + vec3(offset, dot(offset, rise) + 0.5 * (last + d) * perMetre.z));
+            farther += 1.0 - texture(map, position + vec3(offset, dot(offset, rise) + mix(last, d, within) * perMetre.z));
         }
         mean += farther * (d - last);
         last = d;
@@ -131,15 +144,19 @@ float sunVisibilityOfHall(vec3 world, vec3 normal)
     return shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, lifted), int(light.filtering.x));
 }
 
-// The same with the shadows of the exhibits.
+// Share of the sun that the exhibits let through, where their map is valid.
+float sunVisibilityOfExhibits(vec3 world, vec3 normal)
+{
+    vec3 lifted = world + normal * (light.filtering.y * shadowLift(dot(normal, light.sunDirection.xyz)));
+    if (light.filtering.x > 2.5) return shadowDiskLight(exhibitShadow, light.exhibitShadowFromWorld, lifted, normal);
+    return shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), int(light.filtering.x));
+}
+
+// Both.
 float sunVisibility(vec3 world, vec3 normal)
 {
     float visible = sunVisibilityOfHall(world, normal);
-    if (light.sunLightmap.w > 0.5 && visible > 0.0) {
-        vec3 lifted = world + normal * (light.filtering.y * shadowLift(dot(normal, light.sunDirection.xyz)));
-        if (light.filtering.x > 2.5) visible *= shadowDiskLight(exhibitShadow, light.exhibitShadowFromWorld, lifted, normal);
-        else visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), int(light.filtering.x));
-    }
+    if (light.sunLightmap.w > 0.5 && visible > 0.0) visible *= sunVisibilityOfExhibits(world, normal);
     return visible;
 }
 

@@ -77,6 +77,13 @@ float shaftTapWeight(float i, float taps, float ratio, float exponent)
     return all > 1.0e-6 ? powPositive(d, i) * (1.0 - d) / all : 1.0 / taps;
 }
 
+// Where in a step of geometric spacing to look, as a share of the way at which it begins: so that `share` of the
+// step's weight lies before it. Evenly spread shares give every step its mean, however long the steps are.
+float shaftTapPlace(float ratio, float exponent, float share)
+{
+    return powPositive(1.0 - share * (1.0 - powPositive(ratio, exponent)), 1.0 / exponent);
+}
+
 // Sum of w d^i over n steps, the white answer of the original's loop: w (1 - d^n) / (1 - d), by its series where
 // that is 0 / 0.
 float shaftPlainSum(float weight, float decay, float n)

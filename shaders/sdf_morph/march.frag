@@ -1,5 +1,6 @@
 // The object, one ray per pixel, inside its bounding mesh, with the depth of what the ray found.
-// Permutations: CONE_PREPASS, GLASS, HEAT_MAP, WRITE_NORMAL, COUNT (writes evaluations, discards nothing).
+// Permutations: CONE_PREPASS, GLASS, HEAT_MAP, WRITE_NORMAL, COUNT (writes evaluations, discards nothing),
+// DEPTH_ONLY (shades nothing), OTHERS_SHADOWS.
 #include "sdf_morph/ray.glsl"
 #include "sdf_morph/shade.glsl"
 #include "lib/tonemap.glsl"
@@ -37,6 +38,7 @@ vec3 heat(March march, Hit hit)
 void main()
 {
     evaluations = 0;
+    turnDisk(framePixel(gl_FragCoord.xy));
     LocalRay ray = localRay(gl_FragCoord.xy);
     float coneShare = 0.0;
 #ifdef CONE_PREPASS
@@ -54,6 +56,9 @@ void main()
     radiance = vec4(beyondWipe ? 0.0 : float(evaluations) + coneShare, 0.0, 0.0, 0.0);
 #else
     if (!march.hit || beyondWipe) discard;
+    // Distance along the view axis, then reversed depth.
+    gl_FragDepth = frame.eye.w / (march.t / ray.perDepth);
+#ifndef DEPTH_ONLY
     Hit hit = findHit(ray.origin, ray.direction, march, settings);
     vec3 color = shadeFound(ray, hit, settings);
 #ifdef HEAT_MAP
@@ -63,7 +68,6 @@ void main()
 #ifdef WRITE_NORMAL
     normalOut = vec4(hit.worldNormal, 1.0);
 #endif
-    // Distance along the view axis, then reversed depth.
-    gl_FragDepth = frame.eye.w / (march.t / ray.perDepth);
+#endif
 #endif
 }

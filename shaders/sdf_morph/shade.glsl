@@ -65,11 +65,26 @@ float selfVisibility(Hit hit)
     return s.visibility;
 }
 
+// Share of the sun that the other exhibits leave: looked up beside the nearest corner of the object's box to the sun,
+// where nothing of its own shadow lies, however wide the filter looks around.
+float othersVisibility(Hit hit)
+{
+#ifdef OTHERS_SHADOWS
+    if (light.sunLightmap.w < 0.5) return 1.0;
+    vec3 rise = transpose(mat3(object.worldFromLocal)) * light.sunDirection.xyz;
+    vec3 corner = mix(object.boxLow.xyz, object.boxHigh.xyz, greaterThan(rise, vec3(0.0)));
+    return sunVisibilityOfExhibits(hit.world + light.sunDirection.xyz * max(dot(corner - hit.local, rise), 0.0), light.sunDirection.xyz);
+#else
+    return 1.0;
+#endif
+}
+
 // Walls and what else stands in the sun's way, then the object itself.
 float sunReaches(Hit hit)
 {
     if (dot(hit.worldNormal, light.sunDirection.xyz) <= 0.0 || dot(light.sunIrradiance.rgb, vec3(1.0)) <= 0.0) return 0.0;
     float visible = sunVisibilityOfHall(hit.world, hit.worldNormal);
+    if (visible > 0.0) visible *= othersVisibility(hit);
     return visible > 0.0 ? visible * selfVisibility(hit) : 0.0;
 }
 

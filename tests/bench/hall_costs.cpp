@@ -136,6 +136,22 @@ int main(int argc, char** argv)
     measure(sliders, rounds);
     print("From a slider's change to the finished frame", sliders);
 
+    // Of renderers of their own, so that the still one keeps its map.
+    std::vector<Row> mobile;
+    render::gl::Renderer stillRenderer;
+    render::gl::Renderer turningRenderer;
+    const std::size_t rays = *museum.find("crepuscular_rays");
+    Look turning = look;
+    turning.values[rays].setRow(*turning.values[rays].table().find("animate"), 1.0);
+    FrameRequest later = entrance;
+    mobile.push_back({"mobile at rest", [&] { return stillRenderer.draw(museum.plan(look, entrance, stillRenderer.kept())); }, {}, {}, {}});
+    mobile.push_back({"mobile turning: its part of the sun's map anew in each frame", [&] {
+                          later.time += 1.0 / 30;
+                          return turningRenderer.draw(museum.plan(turning, later, turningRenderer.kept()));
+                      }, {}, {}, {}});
+    measure(mobile, rounds);
+    print("The turning mobile", mobile);
+
     std::vector<Row> variants;
     const auto variant = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
         Look changed = look;

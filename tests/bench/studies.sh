@@ -25,7 +25,7 @@ measure() {
     cp "build/studies/$name/study.csv" "$results/study_$name.csv"
     cp "build/studies/$name/chart.svg" "$results/study_$name.svg"
     # A choice follows no law: what each of its methods errs by.
-    echo "$name: $(grep '^Halving' "build/studies/$name.txt" ||
+    echo "$name: $(grep -i 'halving' "build/studies/$name.txt" ||
         awk -v row="$2 " 'index($0, row) == 1 { printf "%s%s errs by %s", between, trimmed(substr($0, length(row) + 1, 44 - length(row))), substr($0, 45, 13) + 0; between = "; " }
                           function trimmed(text) { sub(/ +$/, "", text); return text }' "build/studies/$name.txt")"
 }
@@ -38,4 +38,5 @@ measure fur shellCount --set levelOfDetail=off
 measure fur rotationModel --views 6
 measure fur springModel --views 6
 measure crepuscular_rays volumeSteps
+measure crepuscular_rays method samples --points 6 --runs 3 --set technique="screen space" --set resolution=full
 measure hall supersamples --values 1,2,4,8,16 --size 160x90

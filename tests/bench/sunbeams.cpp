@@ -10,11 +10,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <optional>
 #include <vector>
 
 namespace {
 
 using namespace vitrine;
+
+constexpr double goal = 0.002;  ///< RMSE at which the methods are held beside the loop.
 
 const CrepuscularRaysTable table;
 const HallTable hallTable;
@@ -86,6 +90,24 @@ Error difference(const render::Image& a, const render::Image& b)
 
 const char* const methodNames[] = {"loop", "three passes", "polar sum"};
 
+/// What a method takes for an error.
+struct Point {
+    double error = 0, looks = 0, milliseconds = 0;
+};
+
+/// The same between two neighbors of a curve of falling error, along a power law; nothing beyond its ends.
+std::optional<Point> atError(const std::vector<Point>& curve, double error)
+{
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        const Point& a = curve[i - 1];
+        const Point& b = curve[i];
+        if (error > a.error || error < b.error) continue;
+        const double t = std::log(error / a.error) / std::log(b.error / a.error);
+        return Point{error, a.looks * std::pow(b.looks / a.looks, t), a.milliseconds * std::pow(b.milliseconds / a.milliseconds, t)};
+    }
+    return std::nullopt;
+}
+
 void screenRays(Bench& bench)
 {
     ParameterValues& rays = bench.rays();
@@ -106,20 +128,35 @@ void screenRays(Bench& bench)
         return bench.measure(timed);
     };
     const Measured truth = run(RayMethod::loop, 4096, RayResolution::full, false);
-    std::printf("| method | samples | resolution | looks per pixel | RMSE | largest error | ms |\n|---|---|---|---|---|---|---|\n");
+    std::printf("| method | samples | resolution | looks per pixel | RMSE | largest error | ms | the loop at that RMSE: looks | ms | looks saved |\n|---|---|---|---|---|---|---|---|---|---|\n");
+    std::vector<Point> loop;
+    std::map<RayMethod, Point> withinGoal;
     const auto line = [&](RayMethod method, int samples, RayResolution resolution) {
         const Measured m = run(method, samples, resolution, true);
         const Error e = difference(m.picture, truth.picture);
         const char* names[] = {"full", "half", "quarter"};
-        std::printf("| %s | %d | %s | %.1f | %.5f | %.4f | %.1f |\n", methodNames[static_cast<int>(method)], samples, names[static_cast<int>(resolution)], m.fetchesPerPixel, e.rootMeanSquare, e.largest, m.milliseconds);
+        std::printf("| %s | %d | %s | %.1f | %.5f | %.4f | %.1f |", methodNames[static_cast<int>(method)], samples, names[static_cast<int>(resolution)], m.fetchesPerPixel, e.rootMeanSquare, e.largest, m.milliseconds);
+        const Point point{e.rootMeanSquare, m.fetchesPerPixel, m.milliseconds};
+        const bool plain = method == RayMethod::loop && resolution == RayResolution::full;
+        if (plain) loop.push_back(point);
+        const std::optional<Point> same = plain ? std::nullopt : atError(loop, e.rootMeanSquare);
+        if (same) std::printf(" %.1f | %.1f | %.1f times |\n", same->looks, same->milliseconds, same->looks / point.looks);
+        else std::printf("  |  |  |\n");
+        if (resolution == RayResolution::full && point.error <= goal && (!withinGoal.contains(method) || point.looks < withinGoal[method].looks)) withinGoal[method] = point;
         std::fflush(stdout);
     };
     for (const int samples : {8, 16, 32, 64, 128, 216}) line(RayMethod::loop, samples, RayResolution::full);
     for (const int samples : {64, 216, 512}) line(RayMethod::threePasses, samples, RayResolution::full);
-    for (const int samples : {64, 128, 216, 384}) line(RayMethod::polar, samples, RayResolution::full);
+    for (const int samples : {64, 96, 128, 216, 384}) line(RayMethod::polar, samples, RayResolution::full);
     for (const int samples : {32, 128}) line(RayMethod::loop, samples, RayResolution::half);
     line(RayMethod::threePasses, 216, RayResolution::half);
     line(RayMethod::loop, 64, RayResolution::quarter);
+    const std::optional<Point> needed = atError(loop, goal);
+    if (!needed) return;
+    std::printf("\nFor an RMSE of %.3f the loop needs %.0f looks per pixel.", goal, needed->looks);
+    for (const auto& [method, point] : withinGoal)
+        if (method != RayMethod::loop) std::printf(" With %s, %.1f looks are within it (%.5f): %.1f times fewer.", methodNames[static_cast<int>(method)], point.looks, point.error, needed->looks / point.looks);
+    std::printf("\n");
 }
 
 void volume(Bench& bench)

@@ -4,6 +4,8 @@
 #include "tests/gl/truth.h"
 #include "tests/support/temporary_folder.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -253,6 +255,46 @@ TEST_F(Light, ShadowMethodsAgreeWhereTheSunIsASharpPoint)
         // The edge of the shadow, where the way is free by less than the tolerance.
         EXPECT_LT(different, 0.04 * hard.hits()) << static_cast<int>(method);
     }
+}
+
+TEST_F(Light, WhatStandsBetweenTheSunAndTheMarchedObjectDarkensIt)
+{
+    const Museum& museum = gallery().museum;
+    const std::size_t card = *museum.find("lenticular");
+    Shot shot;
+    // From the sun's side. Alone, what is hit is the object.
+    const dvec3 eye(0.5, 0.35, -1.2);
+    shot.see(eye, dvec3(0));
+    const Picture outline = shot.take();
+    shot.inHall();
+    const glm::dmat4 place = shot.worldFromExhibit();
+    shot.see(dvec3(place * glm::dvec4(eye, 1)), dvec3(place[3]));
+    shot.hall().set(hallTable().shadowMapSize, 2048);
+    shot.hall().set(hallTable().reflectionProbe, false);
+    shot.object().set(sdfTable().metalness, 0.0);
+    shot.object().set(sdfTable().roughness, 1.0);
+    const auto meanInside = [&](const Picture& p) {
+        double sum = 0;
+        outline.each([&](int x, int y) { sum += outline.hit(x, y) ? p.luminance(x, y) : 0; });
+        return sum / outline.hits();
+    };
+    const dvec3 middle(place[3]);
+    shot.request.frame.subject = card;
+    const double elevation = shot.hall()[hallTable().sunElevation];
+    const double azimuth = shot.hall()[hallTable().sunAzimuth];
+    const dvec3 sun(std::sin(azimuth) * std::cos(elevation), std::sin(elevation), -std::cos(azimuth) * std::cos(elevation));
+    // The card, eight times as large, upright across the sun's way to the object, or as far beside it.
+    const render::Box box = museum.exhibits()[card]->bounds(shot.look.values[card]);
+    const auto cardAt = [&](const dvec3& at) {
+        shot.transform(glm::inverse(museum.worldFromExhibit(card)) * glm::translate(glm::dmat4(1), at) * glm::scale(glm::dmat4(1), dvec3(8)) * glm::translate(glm::dmat4(1), -box.center()));
+        return meanInside(shot.take());
+    };
+    const double free = cardAt(middle + 2.5 * sun + dvec3(3, 0, 0));
+    const double shaded = cardAt(middle + 2.5 * sun);
+    shot.hall().set(hallTable().sunStrength, 0.0);
+    const double sunless = cardAt(middle + 2.5 * sun);
+    EXPECT_GT(free, 1.3 * sunless) << "the sun shines on it";
+    EXPECT_LT(shaded, sunless + 0.4 * (free - sunless)) << "the card takes most of it away";
 }
 
 TEST_F(Light, H51_TowardsASunBehindTheSurfaceNoRayIsSent)

@@ -80,6 +80,35 @@ TEST_F(SunDisk, MakesTheHalfShadowOfAnAreaLight)
     EXPECT_LT(wrong, 0.4 * test::colorDifference(tent, truth) / (brightest - darkest));
 }
 
+TEST_F(SunDisk, OfFewComparisonsBecomesTheAreaLightAsThePictureRefines)
+{
+    const Picture truth = areaLight();
+    const auto wrong = [&](int comparisons, int samples) {
+        Shot shot = floorShot(ShadowFilter::disk);
+        shot.hall().set(hallTable().diskSamples, comparisons);
+        shot.request.samples = samples;
+        return test::colorDifference(shot.take(), truth);
+    };
+    const double many = wrong(64, 1);
+    // Every sample asks at other points of the disk: together they know what many know, and no bias is left of the few.
+    EXPECT_LT(wrong(8, 16), 1.25 * many);
+    EXPECT_GT(wrong(8, 1), 1.25 * many);
+}
+
+TEST_F(SunDisk, IsTheSameInTilesAndEveryTime)
+{
+    Shot shot = floorShot(ShadowFilter::disk);
+    shot.hall().set(hallTable().diskSamples, 8);
+    const Picture once = shot.take();
+    EXPECT_EQ(test::largestDifference(once.image, shot.take().image), 0);
+    shot.request.largestTile = 24;
+    const Picture tiled = shot.take();
+    int different = 0;
+    once.each([&](int x, int y) { different += std::abs(once.luminance(x, y) - tiled.luminance(x, y)) > 0.02 * once.luminance(x, y); });
+    // Positions are rounded in each tile's own clip space; the grain is not another one.
+    EXPECT_LE(different, 48 * 27 / 50);
+}
+
 TEST_F(SunDisk, OfAPointIsTheHardShadow)
 {
     Shot point = floorShot(ShadowFilter::disk);

@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace vitrine {
@@ -113,7 +115,48 @@ TEST(RaysPlan, NothingToSeeAddsNoPassAndSaysWhy)
 
     Scene alone = atTheWindow();
     alone.request.alone = *test::museum().find("crepuscular_rays");
-    EXPECT_EQ(reasonFor(alone.plan(), "crepuscular_rays/march"), "there is no hall for the sun to shine into");
+    alone.look.values[0].set(test::hallTable().sunAzimuth, 3.0);
+    EXPECT_EQ(reasonFor(alone.plan(), "crepuscular_rays/march"), "the sun does not shine through the window");
+}
+
+TEST(RaysPlan, AloneTheWindowShinesWithoutItsHall)
+{
+    Scene alone = atTheWindow(RayTechnique::volume);
+    const std::size_t rays = *test::museum().find("crepuscular_rays");
+    alone.request.alone = rays;
+    alone.see(test::museum().exhibits()[rays]->bestView(alone.rays()));
+    const render::FramePlan plan = alone.plan();
+    EXPECT_TRUE(plan.find("crepuscular_rays/march"));
+    // The beam that the hall's window makes, in the exhibit's own space.
+    RaysBlock own;
+    std::memcpy(&own, plan.find("crepuscular_rays/march")->draws[0].object.data(), sizeof own);
+    Scene hall = atTheWindow(RayTechnique::volume);
+    RaysBlock there;
+    const render::FramePlan inHall = hall.plan();
+    std::memcpy(&there, inHall.find("crepuscular_rays/march")->draws[0].object.data(), sizeof there);
+    const glm::vec3 place(test::museum().worldFromExhibit(rays)[3]);
+    EXPECT_LT(glm::length(glm::vec3(own.low[0]) + place - glm::vec3(there.low[0])), 1e-5F);
+    EXPECT_LT(glm::length(glm::vec3(own.high[0]) + place - glm::vec3(there.high[0])), 1e-5F);
+    EXPECT_LT(glm::length(glm::vec3(own.airHigh[0]) + place - glm::vec3(there.airHigh[0])), 1e-4F);
+}
+
+TEST(RaysPlan, OccludersAreWhateverHidesTheSkyAndNothingElseIsDrawnAgain)
+{
+    Scene scene = atTheWindow(RayTechnique::screen);
+    scene.see({0, 1.3, 3.5}, {0, 2.0, -12});
+    scene.rays().set(raysTable().mask, RayMask::occluders);
+    const render::FramePlan plan = scene.plan();
+    const render::Pass* marched = plan.find("crepuscular_rays/occluders/sdf_morph/march");
+    ASSERT_TRUE(marched);
+    EXPECT_TRUE(marched->colors.empty());
+    EXPECT_EQ(marched->depth->image, "crepuscular_rays.occluders");
+    EXPECT_NE(std::find(marched->shader.defines.begin(), marched->shader.defines.end(), "DEPTH_ONLY"), marched->shader.defines.end());
+    EXPECT_TRUE(plan.find("crepuscular_rays/occluders/sdf_morph/cone"));
+    for (const char* shadow : {"crepuscular_rays/occluders/hall/shadow", "crepuscular_rays/occluders/sky", "crepuscular_rays/occluders/sdf_morph/shadow", "crepuscular_rays/occluders/hall/plaques"})
+        EXPECT_EQ(plan.find(shadow), nullptr) << shadow;
+    // The other masks draw nothing twice.
+    scene.rays().set(raysTable().mask, RayMask::depth);
+    EXPECT_FALSE(runs(scene.plan(), "crepuscular_rays/occluders"));
 }
 
 TEST(RaysPlan, WhenOffThePlanIsThatOfAMuseumWithoutBeams)
@@ -140,8 +183,17 @@ TEST(RaysPlan, ShadowsAndProbeAreNotMadeAgainForTheBeams)
     for (const char* start : {"hall/shadow", "exhibits/shadow", "probe/"}) EXPECT_FALSE(runs(scene.plan(kept), start)) << start;
     // The mobile turns in the sun's map, and the probe does not see it.
     scene.rays().set(raysTable().turn, 1.0);
-    EXPECT_TRUE(runs(scene.plan(kept), "hall/shadow"));
-    EXPECT_FALSE(runs(scene.plan(kept), "probe/"));
+    const render::FramePlan turned = scene.plan(kept);
+    EXPECT_FALSE(runs(turned, "probe/"));
+    // Of the sun's map, only what hangs is drawn again, where it may be.
+    EXPECT_EQ(reasonFor(turned, "hall/shadow"), "unchanged since it last ran");
+    EXPECT_EQ(reasonFor(turned, "hall/shadow/copy"), "unchanged since it last ran");
+    ASSERT_TRUE(turned.find("hall/shadow/restore"));
+    ASSERT_TRUE(turned.find("hall/shadow/hangings"));
+    EXPECT_LT(turned.find("hall/shadow/hangings")->draws.size(), 12U);
+    // And all of it when the sun moves.
+    scene.hall().set(test::hallTable().sunElevation, 0.4);
+    for (const char* pass : {"hall/shadow", "hall/shadow/copy", "hall/shadow/restore", "hall/shadow/hangings"}) EXPECT_TRUE(scene.plan(kept).find(pass)) << pass;
 }
 
 TEST(RaysPlan, AStandingMobileAsksForNoNewPicture)
@@ -162,6 +214,7 @@ TEST(RaysPlan, ATileTakesItsMaskFromTheWholePicture)
     EXPECT_EQ(plan.images().at("crepuscular_rays.mask").size, glm::ivec2(2048, 1152));
     EXPECT_TRUE(plan.find("crepuscular_rays/loop"));  // Passes cannot look into the next tile.
     EXPECT_EQ(plan.find("crepuscular_rays/taps/1"), nullptr);
+    EXPECT_EQ(plan.find("crepuscular_rays/loop")->reason, "a tile cannot look into its neighbors' passes, so one loop takes their place");
 }
 
 TEST(SunInPicture, IsProjectedLikeAPointVeryFarAway)

@@ -102,6 +102,29 @@ TEST(ShaftWeights, MoreSamplesMakeNothingBrighter)
     EXPECT_GT(std::abs(mean(8, false) / mean(512, false) - 1), 0.5);  // The original's sum does.
 }
 
+TEST(ShaftWeights, GeometricStepsHaveTheirMeanHoweverLongTheyAre)
+{
+    for (const double ratio : {0.3, 0.7, 0.99}) {
+        for (const double exponent : {1.0, 1.77, 30.0}) {
+            // Of the mask t, with the weight a t^(a-1), over the step from ratio to 1.
+            const double exact = exponent / (exponent + 1) * (1 - std::pow(ratio, exponent + 1)) / (1 - std::pow(ratio, exponent));
+            double mean = 0;
+            constexpr int shares = 2000;
+            for (int i = 0; i < shares; ++i) {
+                const double place = r64::shaftTapPlace(ratio, exponent, (i + 0.5) / shares);
+                EXPECT_GE(place, ratio);
+                EXPECT_LE(place, 1);
+                mean += place / shares;
+            }
+            EXPECT_NEAR(mean, exact, 1e-5) << ratio << ' ' << exponent;
+            // The middle of the ratios is too near to the light where steps are long.
+            if (ratio < 0.5 && exponent == 1) {
+                EXPECT_LT(std::sqrt(ratio), 0.9 * exact);
+            }
+        }
+    }
+}
+
 TEST(ShaftWeights, WithoutAWayToGoTheMaskItselfIsSeen)
 {
     for (const int n : {1, 8, 100}) EXPECT_NEAR(gathered(n, 0.97, 0, [](double t) { return t == 1 ? 0.375 : 99; }), 0.375, 1e-12);

@@ -159,6 +159,32 @@ TEST(Study, OfTwoParametersIsEverySettingOfBoth)
     EXPECT_FALSE(result.law) << "two parameters have no one law";
 }
 
+TEST(Study, FindsTheLawAlongTheBestOfTwoParameters)
+{
+    KnownLaw law;
+    law.error = [](const KnownTable& t, const ParameterValues& v, double d) { return d * 0.2 / (v[t.steps] * std::pow(2.0, v[t.method])); };
+    law.cost = [](const KnownTable& t, const ParameterValues& v, double d) { return d * v[t.steps]; };
+    Subject subject(std::move(law));
+    const StudyResult result = subject.run(subject.request({"method", "steps"}));
+    ASSERT_TRUE(result.law);
+    // Against 256 steps, not against endlessly many: a little less than twice the work for half of what differs.
+    EXPECT_NEAR(result.law->slope, -1, 0.05);
+    EXPECT_EQ(lawSentence(result).rfind("With the best of the settings, halving the error costs ", 0), 0U) << lawSentence(result);
+}
+
+TEST(Study, SaysWhenNothingDependsOnWhatIsStudied)
+{
+    KnownLaw still;
+    still.error = [](const KnownTable&, const ParameterValues&, double) { return 0.1; };
+    still.cost = [](const KnownTable&, const ParameterValues&, double) { return 1.0; };
+    Subject subject(std::move(still));
+    EXPECT_EQ(subject.run(subject.request({"steps"})).convergence,
+              "Nothing depends on steps at present: every setting gives the same picture. Switch on what it acts on, and study again.");
+    EXPECT_EQ(subject.run(subject.request({"method", "rays"})).convergence.rfind("Nothing depends on method or rays at present", 0), 0U);
+    Subject other(sumOfParts());
+    EXPECT_EQ(other.run(other.request({"steps"})).convergence.find("Nothing"), std::string::npos);
+}
+
 TEST(Study, MarksWhatIsDominated)
 {
     KnownLaw law = sumOfParts();

@@ -1,0 +1,9 @@
+// What stands still, put back into the sun's depth map.
+#include "lib/bindings.glsl"
+
+layout(binding = UNIT_SOURCE) uniform sampler2D still;
+
+void main()
+{
+    gl_FragDepth = texelFetch(still, ivec2(gl_FragCoord.xy), 0).r;
+}
