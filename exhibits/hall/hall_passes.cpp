@@ -204,7 +204,7 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
     key.addValue(lightKey(scene));
     for (const double turn : scene.turns) key.addValue(turn);
     pass.key = key.value();
-    pass.bound = std::max({light.light.sunIrradiance.x, light.light.sunIrradiance.y, light.light.sunIrradiance.z});
+    pass.bound = light.sunShadow;
     for (const Part& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
     for (const Part& part : standing(scene)) pass.draws.push_back(partDraw(scene, part));
     if (scene.visitorModel)
