@@ -22,6 +22,12 @@ FrameRequest frameOf(const PictureJob& job, const render::Painter& painter)
     return frame;
 }
 
+/// Null where nothing is promised.
+Json boundJson(const render::Bound& bound)
+{
+    return bound.isKnown() ? Json{{"share", bound.share}, {"radiance", bound.radiance}} : Json(nullptr);
+}
+
 /// Sum of a counting channel: exact while below 2^53.
 std::int64_t total(const render::Image& counts)
 {
@@ -57,12 +63,13 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     Json ran = Json::array();
     for (const render::StepReport& step : first.ran) {
         const auto timed = stepMilliseconds.find(step.name);
-        ran.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}, {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)}, {"bound", std::isfinite(step.bound) ? Json(step.bound) : Json(nullptr)}});
+        ran.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}, {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)}, {"bound", boundJson(step.bound)}});
+        for (const render::Effect& effect : step.effects) ran.back()["effects"].push_back(Json{{"name", effect.name}, {"bound", boundJson(effect.bound)}});
     }
     Json skipped = Json::array();
     for (const render::Skipped& step : first.skipped) {
         const auto known = wouldCost.find(step.name);
-        skipped.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}, {"wouldCostMs", known == wouldCost.end() ? Json(nullptr) : Json(known->second)}});
+        skipped.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}, {"wouldCostMs", known == wouldCost.end() ? Json(nullptr) : Json(known->second)}, {"boundIsZero", step.boundIsZero}});
     }
 
     Json counters = Json::object();

@@ -119,7 +119,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     const auto& theHall = static_cast<const Hall&>(hall());
     const bool alone = request.alone.has_value();
     const HallScene scene = theHall.scene(look.values.front(), alone);
-    Surroundings light = surroundings(scene);
+    Surroundings light = surroundings(scene, request.runEverything);
     light.light.disk.z = static_cast<float>(request.sample);
 
     render::FramePlan plan;
@@ -187,7 +187,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         clear.view = light.exhibitShadowView;
         clear.depth = render::Attachment{exhibitShadowImage, render::Load::clear, glm::vec4(0), -1, 0};
         clear.key = light.exhibitShadowKey;
-        clear.bound = std::max({light.light.sunIrradiance.x, light.light.sunIrradiance.y, light.light.sunIrradiance.z});
+        clear.bound = light.sunShadow;
         plan.add(std::move(clear));
     } else {
         plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);

@@ -5,8 +5,6 @@
 #include <QHeaderView>
 #include <QLocale>
 
-#include <cmath>
-
 namespace vitrine::ui {
 namespace {
 
@@ -55,7 +53,9 @@ void LedgerView::showEvent(QShowEvent* event)
 
 void LedgerView::renew()
 {
-    const int wanted = static_cast<int>(report_.ran.size() + report_.skipped.size());
+    std::size_t steps = report_.ran.size() + report_.skipped.size();
+    for (const render::StepReport& s : report_.ran) steps += s.effects.size();
+    const int wanted = static_cast<int>(steps);
     while (topLevelItemCount() > wanted) delete takeTopLevelItem(topLevelItemCount() - 1);
     while (topLevelItemCount() < wanted) {
         auto* item = new QTreeWidgetItem(this);
@@ -73,10 +73,13 @@ void LedgerView::renew()
         item->setToolTip(reason, item->text(reason));
         for (int column = 0; column < columnCount(); ++column) item->setForeground(column, ran ? theme().text : theme().dim);
     };
-    for (const render::StepReport& s : report_.ran)
-        fill(s.name, s.work, milliseconds(s.milliseconds), {},
-             s.reason + (std::isfinite(s.bound) ? tr("; changes no light by more than %1").arg(QLocale::c().toString(s.bound, 'g', 3)).toStdString() : std::string()), true);
-    for (const render::Skipped& s : report_.skipped) fill(s.name, s.work, tr("skipped"), milliseconds(lastCost(s.name)), s.reason, false);
+    for (const render::StepReport& s : report_.ran) {
+        fill(s.name, s.work, milliseconds(s.milliseconds), {}, s.reason + (s.bound.isKnown() ? "; changes " + toString(s.bound) : std::string()), true);
+        for (const render::Effect& e : s.effects)
+            fill(e.name, s.work, tr("within"), {}, e.bound.isKnown() ? "changes " + toString(e.bound) : std::string("how much it changes is not known"), true);
+    }
+    for (const render::Skipped& s : report_.skipped)
+        fill(s.name, s.work, tr("skipped"), milliseconds(lastCost(s.name)), s.reason + (s.boundIsZero ? ": its bound is 0" : ""), false);
 }
 
 }  // namespace vitrine::ui

@@ -10,29 +10,38 @@
 namespace vitrine {
 namespace {
 
-constexpr const char* screenPasses[] = {"crepuscular_rays/mask", "crepuscular_rays/rays"};
-constexpr const char* beamPass = "crepuscular_rays/march";
-constexpr const char* lastPass = "crepuscular_rays/composite";
+constexpr int screenBit = static_cast<int>(RayTechnique::screen);
+constexpr int volumeBit = static_cast<int>(RayTechnique::volume);
+
+/// Whether a technique is drawn; otherwise its passes are listed with the reason. What is invisible may be drawn all the
+/// same, to prove that it is; what cannot be drawn may not.
+bool isDrawn(bool asked, bool drawable, const render::Bound& bound, std::initializer_list<const char*> passes, render::FramePlan& plan)
+{
+    if (asked && (drawable || !plan.runEverything)) return plan.needs(bound, passes);
+    for (const char* pass : passes) plan.skip(pass, asked ? bound.whyNone : "no technique in use makes them");
+    return false;
+}
 
 /// Lays what was made over the frame. `shown` says what there is, by the bits of the techniques.
-void planComposite(const RaysScene& s, int shown, render::FramePlan& plan)
+void planComposite(const RaysScene& s, int shown, render::Bound bound, render::FramePlan& plan)
 {
     const RayView view = s.values[s.table.view];
     render::Pass pass = s.pass("composite", view == RayView::picture ? "the beams lie over the picture" : "the view of the beams alone is on", "crepuscular_rays/composite.frag");
     pass.stage = render::Stage::volume;
+    pass.bound = std::move(bound);
     pass.colors = {{radianceImage, render::Load::keep, {}, -1, 0}};
     pass.state.blend = view == RayView::picture ? render::Blend::premultiplied : render::Blend::none;
     pass.inputs = {{UNIT_SOURCE, std::string(depthImage)}};
     if (view == RayView::mask) {
         pass.shader.defines.emplace_back("SHOW_MASK");
         pass.inputs.push_back({UNIT_EXHIBIT_A, std::string("crepuscular_rays.mask")});
-    } else if ((shown & static_cast<int>(RayTechnique::screen)) != 0) {
+    } else if ((shown & screenBit) != 0) {
         const bool polar = methodOf(s) == RayMethod::polar;
         pass.shader.defines.emplace_back(polar ? "POLAR" : "SCREEN");
         pass.inputs.push_back({UNIT_EXHIBIT_A, std::string(polar ? "crepuscular_rays.polar" : "crepuscular_rays.rays")});
         pass.counts["fetches"] = static_cast<std::int64_t>(plan.view.raster.drawn().x) * plan.view.raster.drawn().y * (polar ? 2 : s.block.grid.x > 1 ? 9 : 1);
     }
-    if (view != RayView::mask && (shown & static_cast<int>(RayTechnique::volume)) != 0) {
+    if (view != RayView::mask && (shown & volumeBit) != 0) {
         pass.shader.defines.emplace_back("VOLUME");
         pass.inputs.push_back({UNIT_EXHIBIT_B, std::string("crepuscular_rays.scattered")});
         for (const render::Input& input : s.context.surroundings.inputs)
@@ -85,28 +94,22 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
 {
     RaysScene s = raysScene(table_, context, plan);
     const bool maskShown = context.values[table_.view] == RayView::mask;
-    std::string noRays = s.uses(RayTechnique::screen) || maskShown ? std::string() : "no technique in use makes them";
-    std::string noBeams = s.uses(RayTechnique::volume) && !maskShown ? std::string() : "no technique in use makes them";
-    // What is invisible may be drawn all the same, to prove that it is; what cannot be drawn may not.
-    if (noRays.empty() && (!plan.runEverything || !s.sun.inFront)) noRays = whyNoScreenRays(s);
-    if (noBeams.empty() && (!plan.runEverything || s.beams.empty())) noBeams = whyNoBeams(s, plan.view);
+    const render::Bound rays = screenRaysBound(s);
+    const render::Bound air = airBound(s, plan.view);
+    const bool raysShown = isDrawn(s.uses(RayTechnique::screen) || maskShown, s.sun.inFront, rays, {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan);
+    const bool airShown = isDrawn(s.uses(RayTechnique::volume) && !maskShown, !s.beams.empty(), air, {"crepuscular_rays/march"}, plan);
 
-    int shown = 0;
-    if (noRays.empty()) {
+    if (raysShown) {
         planMask(s, plan);
         if (!maskShown) planGathering(s, plan);
-        shown |= static_cast<int>(RayTechnique::screen);
-    } else {
-        for (const char* pass : screenPasses) plan.skip(pass, noRays);
     }
-    if (noBeams.empty()) {
-        planMarch(s, plan);
-        shown |= static_cast<int>(RayTechnique::volume);
-    } else {
-        plan.skip(beamPass, noBeams);
-    }
-    if (shown != 0) planComposite(s, shown, plan);
-    else plan.skip(lastPass, s.uses(RayTechnique::volume) ? noBeams : noRays);
+    if (airShown) planMarch(s, plan);
+    // A pass that shows the mask or the light alone is no effect, but the thing itself.
+    render::Bound both;
+    if (context.values[table_.view] == RayView::picture)
+        both = {airShown ? air.share : 0, (airShown ? air.radiance : 0) + (raysShown ? rays.radiance : 0), {}};
+    if (raysShown || airShown) planComposite(s, (raysShown ? screenBit : 0) | (airShown ? volumeBit : 0), std::move(both), plan);
+    else plan.skip("crepuscular_rays/composite", plan.findSkipped(s.uses(RayTechnique::volume) ? "crepuscular_rays/march" : "crepuscular_rays/mask")->reason);
 }
 
 }  // namespace vitrine

@@ -76,7 +76,9 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     s.maskSize = glm::max(glm::ivec2(glm::round(glm::dvec2(raster.size) * maskScale)), glm::ivec2(1));
     s.wholeView = viewOfWhole(plan.view, s.maskSize);
     s.sun = sunInPicture(s.wholeView, towardsSun);
-    s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, towardsSun) : beams(context.surroundings.openings, context.surroundings.room, towardsSun);
+    // Dust is told only where the sun shines through it.
+    if (glm::vec3(light.sunIrradiance) != glm::vec3(0))
+        s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, towardsSun) : beams(context.surroundings.openings, context.surroundings.room, towardsSun);
 
     // Cells lie on the grid of the whole picture, so that tiles join.
     const int cell = cellSize(values[table.resolution]);
@@ -107,25 +109,43 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     return s;
 }
 
-std::string whyNoScreenRays(const RaysScene& s)
+render::Bound screenRaysBound(const RaysScene& s)
 {
-    if (!(s.values[s.table.weight] > 0)) return "the weight of the rays is 0";
-    if (s.block.source.w <= 0 && s.values[s.table.density] <= 0 && s.values[s.table.sum] == RaySum::plain) return "the density of the rays is 0";
-    if (!s.sun.inFront) return "the sun is not in front of the camera";
-    if (glm::vec3(s.block.strength) == glm::vec3(0)) return s.sun.beyond > 0 ? "the sun is too far beyond the picture's edge" : "the sun or the tint is black";
-    if (s.context.alone) return {};
+    const bool plain = s.values[s.table.sum] == RaySum::plain;
+    const bool still = plain && s.block.source.w <= 0 && !(s.values[s.table.density] > 0);
     const auto& openings = s.context.surroundings.openings;
-    if (std::none_of(openings.begin(), openings.end(), [&](const render::Box& opening) { return s.wholeView.mayContain(opening); })) return "no sky is in view";
-    return {};
+    const bool sky = s.context.alone || std::any_of(openings.begin(), openings.end(), [&](const render::Box& opening) { return s.wholeView.mayContain(opening); });
+    // The mask is at most 1, and so is its mean; the plain sum adds up all samples.
+    const double samples = plain ? s.values[s.table.samples] : 1;
+    const double strength = std::max({s.block.strength.x, s.block.strength.y, s.block.strength.z});
+    return render::boundOf(0, samples, {{s.values[s.table.weight] > 0 ? 1.0 : 0.0, "the weight of the rays is 0"},
+                                        {still ? 0.0 : 1.0, "the density of the rays is 0"},
+                                        {s.sun.inFront ? 1.0 : 0.0, "the sun is not in front of the camera"},
+                                        {strength, s.sun.beyond > 0 ? "the sun is too far beyond the picture's edge" : "the sun or the tint is black"},
+                                        {sky ? 1.0 : 0.0, "no sky is in view"}});
 }
 
-std::string whyNoBeams(const RaysScene& s, const render::View& view)
+render::Bound airBound(const RaysScene& s, const render::View& view)
 {
-    if (!(s.values[s.table.airDensity] > 0)) return "the air is clear";
-    if (s.beams.empty()) return s.context.alone ? "the sun does not shine through the window" : "the sun shines neither through the window nor through the oculus";
-    if (!(s.context.surroundings.light.sunIrradiance.x + s.context.surroundings.light.sunIrradiance.y + s.context.surroundings.light.sunIrradiance.z > 0)) return "the sun's strength is 0";
-    if (std::none_of(s.beams.begin(), s.beams.end(), [&](const Beam& beam) { return view.mayContain(beam.box); })) return "the beams are out of view";
-    return {};
+    const auto largest = [](const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); };
+    const Surroundings& around = s.context.surroundings;
+    double way = 0;  // No ray is longer in the air than its boxes are from corner to corner; the dust is densest on the floor.
+    bool seen = false;
+    for (const Beam& beam : s.beams) {
+        way += 2 * glm::length(beam.box.halfSize());
+        seen = seen || view.mayContain(beam.box);
+    }
+    const double hidden = -std::expm1(-s.values[s.table.airDensity] * way);
+    const double ahead = glsl::airPhase(1.0, std::abs(s.values[s.table.anisotropy]));
+    const double sun = largest(glm::dvec3(around.light.sunIrradiance));
+    const double drift = 1 + 1.5 * s.values[s.table.unevenness];
+    const double scattered = largest(s.values[s.table.airColor].value) *
+                             (s.values[s.table.ambient] * around.brightest + s.values[s.table.beamStrength] * sun * ahead * drift * static_cast<double>(s.beams.size()));
+    return render::boundOf(hidden, hidden * scattered, {{s.context.alone ? 0.0 : 1.0, "there is no hall for the sun to shine into"},
+                                                        {s.values[s.table.airDensity] > 0 ? 1.0 : 0.0, "the air is clear"},
+                                                        {sun > 0 ? 1.0 : 0.0, "the sun's strength is 0"},
+                                                        {s.beams.empty() ? 0.0 : 1.0, s.context.alone ? "the sun does not shine through the window" : "the sun shines neither through the window nor through the oculus"},
+                                                        {seen ? 1.0 : 0.0, "the beams are out of view"}});
 }
 
 }  // namespace vitrine

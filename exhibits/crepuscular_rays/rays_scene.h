@@ -48,10 +48,10 @@ struct RaysScene {
 
 [[nodiscard]] RaysScene raysScene(const CrepuscularRaysTable&, const PlanContext&, const render::FramePlan&);
 
-/// Empty when rays in screen space can be seen: in a tile, too, they come from the sky of the whole picture.
-[[nodiscard]] std::string whyNoScreenRays(const RaysScene&);
-/// Empty when the volume's beams can be seen.
-[[nodiscard]] std::string whyNoBeams(const RaysScene&, const render::View&);
+/// What rays in screen space add: in a tile, too, they come from the sky of the whole picture.
+[[nodiscard]] render::Bound screenRaysBound(const RaysScene&);
+/// What the air takes away and adds, in this view.
+[[nodiscard]] render::Bound airBound(const RaysScene&, const render::View&);
 
 // screen_rays.cpp
 

@@ -36,6 +36,11 @@ struct Surroundings {
     std::vector<render::Box> openings;
     render::Box room;  ///< The air between walls, floor and vault; empty when there is no hall.
 
+    /// Of the shadows that the sun throws on a surface, and of what surfaces see in the probe.
+    render::Bound sunShadow, probeLight;
+    /// No direction but the sun's own sends more radiance than this; scene-linear, before exposure.
+    double brightest = 0;
+
     /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while `castsShadows`.
     render::View exhibitShadowView;
     bool castsShadows = false;

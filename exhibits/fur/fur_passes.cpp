@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vitrine {
 namespace {
@@ -92,6 +93,7 @@ struct Planner {
         made.stage = render::Stage::shadow;
         made.view = scene.context.surroundings.exhibitShadowView;
         made.key = scene.context.surroundings.exhibitShadowKey;
+        made.bound = scene.context.surroundings.sunShadow;
         made.shader.defines.emplace_back("SHADOW");
         made.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
         made.state.depthClamp = true;
@@ -190,6 +192,7 @@ struct Planner {
         Pass made = pass("fur/floor", scene.context.alone ? "they stand on something" : "the bodies keep light off the floor", "fur/floor.vert", "fur/floor.frag");
         made.stage = render::Stage::transparent;
         if (scene.context.alone) made.shader.defines.emplace_back("ALONE");
+        else made.bound = {1, values()[table.lamp] * 0.05 / std::numbers::pi, {}};  // As the shader: all light is kept off, and a dark felt is lit.
         made.colors = {{radianceImage, Load::keep, {}, -1, 0}};
         made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
         made.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};

@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace vitrine {
@@ -15,8 +16,23 @@ namespace vitrine {
 struct Hall::Loaded {
     std::string environmentPath, modelPath;
     std::shared_ptr<const render::Texture> environment;
+    double environmentBrightest = 0;
     std::shared_ptr<const render::Model> model;
 };
+
+namespace {
+
+/// The largest value of a picture; 1 for what is stored as bytes. What is no number is no light.
+double brightestOf(const render::Texture& picture)
+{
+    if (picture.floats.empty()) return 1;
+    double brightest = 0;
+    for (const float value : picture.floats)
+        if (std::isfinite(value)) brightest = std::max(brightest, static_cast<double>(value));
+    return brightest;
+}
+
+}  // namespace
 
 Hall::Hall(std::shared_ptr<const HallModel> model) : model_(std::move(model)), loaded_(std::make_unique<Loaded>()) {}
 
@@ -48,6 +64,7 @@ HallScene Hall::scene(const ParameterValues& values, bool alone) const
     const std::string environment = values[table_.environment];
     if (environment != loaded_->environmentPath) {
         loaded_->environment = environment.empty() ? nullptr : render::loadTexture(environment, true, true);
+        loaded_->environmentBrightest = loaded_->environment ? brightestOf(*loaded_->environment) : 0;
         loaded_->environmentPath = environment;
     }
     const std::string model = values[table_.model];
@@ -55,7 +72,7 @@ HallScene Hall::scene(const ParameterValues& values, bool alone) const
         loaded_->model = model.empty() ? nullptr : std::make_shared<render::Model>(render::loadGltf(model));
         loaded_->modelPath = model;
     }
-    HallScene scene{*model_, table_, values, alone, loaded_->environment, nullptr, glm::dmat4(1), text_, guests_, {}};
+    HallScene scene{*model_, table_, values, alone, loaded_->environment, loaded_->environmentBrightest, nullptr, glm::dmat4(1), text_, guests_, {}};
     if (alone || !loaded_->model) return scene;
 
     scene.visitorModel = loaded_->model;

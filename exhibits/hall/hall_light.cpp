@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 namespace vitrine {
 namespace {
@@ -43,6 +44,34 @@ bool passesThrough(const render::Box& box, const glm::dvec3& towardsLight, const
     return high[0] >= opening.low[axes[0]] && low[0] <= opening.high[axes[0]] && high[1] >= opening.low[axes[1]] && low[1] <= opening.high[axes[1]];
 }
 
+/// A surface sends no more of the sun's light than its diffuse share and the peak that lib/surface.glsl stops at.
+constexpr double mostReflected = 1 / std::numbers::pi + 64;
+/// No nine coefficients of light up to 1 give more: the integral of their kernel's absolute value is 1.07.
+constexpr double mostAmbient = 1.1;
+/// The studio of lib/sky.glsl where its room and all its lamps would overlap.
+constexpr double brightestOfStudio = 14;
+
+render::Bound shadowBound(const Sun& sun)
+{
+    return render::boundOf(0, mostReflected, {{sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"}});
+}
+
+double largest(const glm::vec4& color)
+{
+    return std::max({color.x, color.y, color.z});
+}
+
+/// Of sky, panorama and studio, and of the walls that they and the sun light.
+double brightestAround(const HallScene& scene, const LightBlock& light)
+{
+    if (scene.alone) return scene.environment ? scene.environmentBrightest : brightestOfStudio;
+    const double sky = std::max(largest(light.skyZenith), largest(light.skyHorizon));
+    const double sun = largest(light.sunIrradiance);
+    // Lightmaps hold 0 to 1 of these scales; around the sun the sky glows (lib/sky.glsl).
+    const double baked = sky * static_cast<double>(light.skyZenith.w) + sun * static_cast<double>(light.sunLightmap.x + light.sunLightmap.y + light.sunLightmap.z);
+    return std::max(scene.environment ? scene.environmentBrightest : sky + 0.35 * sun, baked + mostReflected * sun);
+}
+
 /// Weights of the three sun lightmaps: piecewise linear in the sun's elevation.
 glm::dvec3 lightmapWeights(const std::vector<SunLightmap>& maps, double elevation)
 {
@@ -66,7 +95,7 @@ glm::dvec3 towardsSun(const HallScene& scene)
     return sunOf(scene.table, scene.values).towards();
 }
 
-Surroundings surroundings(const HallScene& scene)
+Surroundings surroundings(const HallScene& scene, bool runEverything)
 {
     const HallTable& table = scene.table;
     const ParameterValues& values = scene.values;
@@ -100,7 +129,10 @@ Surroundings surroundings(const HallScene& scene)
         const glm::dvec3 weights = lightmapWeights(scene.model.sunLightmapInfo(), source.elevation);
         for (int i = 0; i < 3; ++i) light.sunLightmap[i] = static_cast<float>(weights[i] * scene.model.sunLightmapInfo()[static_cast<std::size_t>(i)].scale);
     }
-    if (values[table.reflectionProbe]) {
+    result.sunShadow = shadowBound(source);
+    result.brightest = brightestAround(scene, light);
+    result.probeLight = render::boundOf(0, mostAmbient, {{result.brightest, "there is no light to reflect"}});
+    if (values[table.reflectionProbe] && (runEverything || !result.probeLight.isZero())) {
         light.probePosition = glm::vec4(probePosition(scene), 1);
         const int size = values[table.probeSize];
         light.probeLow.w = static_cast<float>(std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(size))) - 3, 1));
@@ -118,7 +150,7 @@ Surroundings surroundings(const HallScene& scene)
 
 std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 {
-    if (const Sun sun = sunOf(scene.table, scene.values); !(sun.strength > 0)) return sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set";
+    if (render::Bound bound = shadowBound(sunOf(scene.table, scene.values)); bound.isZero()) return std::move(bound.whyNone);
     if (!scene.values[scene.table.sunShadows]) return "sun shadows are switched off";
     if (scene.alone) return {};
     const glm::dvec3 sun = towardsSun(scene);

@@ -261,7 +261,7 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
     pass.depth = Attachment{turning.empty() ? "shadow.hall" : "shadow.hall.still", Load::clear, glm::vec4(0), -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none, .depthBias = {1.5F, 2}, .depthClamp = true};
     pass.key = lightKey(scene);
-    pass.bound = std::max({light.light.sunIrradiance.x, light.light.sunIrradiance.y, light.light.sunIrradiance.z});
+    pass.bound = light.sunShadow;
     for (const Part& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
     for (const Part& part : standing(scene)) pass.draws.push_back(partDraw(scene, part));
     if (scene.visitorModel)

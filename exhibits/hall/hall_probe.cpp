@@ -61,12 +61,14 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
     sky.shader = {"lib/fullscreen.vert", "hall/sky.frag", "", {"CAPTURE"}};
     sky.colors = {{"probe.captured", Load::keep, {}, face, 0}};
     sky.draws = {render::Draw{}};
+    sky.bound = light.probeLight;
     hallLight.illuminate(sky);
     if (scene.alone && face == 5) sky.mipmaps = {"probe.captured"};
     plan.add(std::move(sky));
     if (scene.alone) return;
 
     Pass walls = capturePass("walls", face, eye, size, key);
+    walls.bound = light.probeLight;
     walls.shader = {"hall/surface.vert", "hall/surface.frag", "", {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
     walls.colors = {{"probe.captured", Load::keep, {}, face, 0}};
     walls.depth = Attachment{"probe.depth", Load::clear, glm::vec4(0), -1, 0};
@@ -82,7 +84,7 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
     plan.add(std::move(walls));
 }
 
-void planLevel(int level, int levels, int size, int samples, std::uint64_t key, render::FramePlan& plan)
+void planLevel(int level, int levels, int size, int samples, const render::Bound& bound, std::uint64_t key, render::FramePlan& plan)
 {
     const int side = std::max(size >> level, 1);
     const float t = levels > 1 ? static_cast<float>(level) / static_cast<float>(levels - 1) : 0.0F;
@@ -97,6 +99,7 @@ void planLevel(int level, int levels, int size, int samples, std::uint64_t key, 
     // Level follows the square root of roughness (lib/light.glsl), so roughness is its square.
     pass.blocks[BLOCK_OBJECT] = render::bytesOf(glm::vec4(t * t, level == 0 ? 1 : samples, size, 0));
     pass.groups = {(side + 7) / 8, (side + 7) / 8, 6};
+    pass.bound = bound;
     pass.key = key;
     plan.add(std::move(pass));
 }
@@ -112,10 +115,11 @@ glm::dvec3 probePosition(const HallScene& scene)
 
 void planProbe(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
 {
-    if (light.light.probePosition.w < 0.5F) {
+    if (!scene.values[scene.table.reflectionProbe]) {
         plan.skip("probe", "the reflection probe is switched off");
         return;
     }
+    if (!plan.needs(light.probeLight, {"probe"})) return;
     const int size = scene.values[scene.table.probeSize];
     const int levels = levelCount(size);
     const std::uint64_t key = lightKey(scene);
@@ -125,7 +129,7 @@ void planProbe(const HallScene& scene, const Surroundings& light, render::FrameP
     plan.image({.name = "probe.irradiance", .format = render::Format::rgba32f, .size = {9, 1}, .kept = true, .nearest = true});
     if (!scene.alone) plan.image({.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true});
     for (int face = 0; face < 6; ++face) planFace(scene, light, face, size, key, plan);
-    for (int level = 0; level < levels; ++level) planLevel(level, levels, size, scene.values[scene.table.probeSamples], key, plan);
+    for (int level = 0; level < levels; ++level) planLevel(level, levels, size, scene.values[scene.table.probeSamples], light.probeLight, key, plan);
 
     // A level of 16 texels holds all that nine coefficients can tell.
     const int level = std::max(allLevels - 5, 0);
@@ -139,6 +143,7 @@ void planProbe(const HallScene& scene, const Surroundings& light, render::FrameP
     sum.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
     sum.blocks[BLOCK_OBJECT] = render::bytesOf(glm::vec4(level, std::max(size >> level, 1), 0, 0));
     sum.key = key;
+    sum.bound = light.probeLight;
     plan.add(std::move(sum));
 }
 

@@ -27,6 +27,7 @@ struct HallScene {
     const ParameterValues& values;
     bool alone = false;  ///< No walls: an exhibit in the environment's light.
     std::shared_ptr<const render::Texture> environment;  ///< Null: the sky, or the studio when alone.
+    double environmentBrightest = 0;                     ///< The panorama's largest value.
     std::shared_ptr<const render::Model> visitorModel;
     glm::dmat4 worldFromVisitorModel{1};
     std::shared_ptr<const PlaqueText> text;
@@ -38,8 +39,8 @@ struct HallScene {
 
 /// Unit vector towards the sun, world space.
 [[nodiscard]] glm::dvec3 towardsSun(const HallScene&);
-/// The light for everything in the hall, or for an exhibit alone.
-[[nodiscard]] Surroundings surroundings(const HallScene&);
+/// The light for everything in the hall, or for an exhibit alone. `runEverything`: as FramePlan's.
+[[nodiscard]] Surroundings surroundings(const HallScene&, bool runEverything = false);
 /// Empty when the sun may reach a point of the box through window or oculus.
 [[nodiscard]] std::string whyUnlit(const HallScene&, const render::Box& worldBox);
 /// Changes whenever something that falls on the static hall, or is seen in its probe, changes.

@@ -147,13 +147,17 @@ const CardSource& CardPrints::source(CardFace face, const std::string& path, int
 {
     Slot& slot = slots_[static_cast<std::size_t>(face)];
     const std::string name = path.empty() ? render::asset("frames").append(shippedViews(face)).string() : path;
-    if (slot.path == name && slot.count == count) return slot.source;
+    if (slot.path == name && (slot.available == 0 || std::clamp(count, 1, slot.available) == slot.source.views.count())) return slot.source;
     Slot fresh;
     fresh.path = name;
-    fresh.count = count;
     std::error_code error;
-    if (fs::is_directory(name, error) || isPlainPicture(name)) readInto(fresh.source, viewFiles({name}), count);
-    else readRaster(fresh.source, name);
+    if (fs::is_directory(name, error) || isPlainPicture(name)) {
+        const std::vector<fs::path> files = viewFiles({name});
+        fresh.available = static_cast<int>(files.size());
+        readInto(fresh.source, files, count);
+    } else {
+        readRaster(fresh.source, name);
+    }
     slot = std::move(fresh);
     return slot.source;
 }

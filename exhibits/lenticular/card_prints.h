@@ -38,7 +38,7 @@ public:
 private:
     struct Slot {
         std::string path{};
-        int count = 0;
+        int available = 0;  ///< Views in the files; 0 for a raster, where their number is settled.
         CardSource source{};
         std::shared_ptr<const render::Texture> texture{};
         int columns = 0;

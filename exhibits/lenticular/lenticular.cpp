@@ -10,8 +10,10 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace vitrine {
 namespace {
@@ -76,6 +78,7 @@ void planShadow(const Scene& s, render::FramePlan& plan)
     pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}, {}};
     pass.view = s.context.surroundings.exhibitShadowView;
     pass.key = s.context.surroundings.exhibitShadowKey;
+    pass.bound = s.context.surroundings.sunShadow;
     pass.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none, .depthBias = {1.5F, 2}, .depthClamp = true};
     pass.draws = {s.draw()};
@@ -110,7 +113,17 @@ void addPicture(Pass& pass, CardObject& object, int slot, const CardPicture& pic
     if (picture.raster) pass.shader.defines.emplace_back(slot == 0 ? "FIRST_RASTER" : "SECOND_RASTER");
 }
 
-Pass cardPass(const Scene& s, const render::View& view, const Moment& moment, const lenticular::Sheet& sheet, lenticular::CardPrints& prints)
+/// White paper sends no more than this, whatever colors are printed on it: the room's light, the sun's, and the lamp's,
+/// which hangs a quarter further from the card's middle than from its nearest corner.
+render::Bound dispersionBound(const Scene& s)
+{
+    const Surroundings& around = s.context.surroundings;
+    const glm::vec4& sun = around.light.sunIrradiance;
+    const double paper = around.probeLight.radiance + (std::max({sun.x, sun.y, sun.z}) + 1.3 * s.context.values[s.table.lamp]) / std::numbers::pi;
+    return render::boundOf(0, 1, {{paper, "no light falls on the card"}});
+}
+
+Pass cardPass(const Scene& s, const render::View& view, const Moment& moment, const lenticular::Sheet& sheet, lenticular::CardPrints& prints, render::FramePlan& plan)
 {
     const ParameterValues& values = s.context.values;
     Pass pass;
@@ -127,7 +140,8 @@ Pass cardPass(const Scene& s, const render::View& view, const Moment& moment, co
         addPicture(pass, object, 1, lenticular::cardPicture(s.table, values, sheet, prints, otherFace(moment.first)));
     }
     object.axes = lying ? glm::vec4(0, -1, 1, 0) : glm::vec4(1, 0, 0, 1);
-    if (values[s.table.dispersion]) pass.shader.defines.emplace_back("DISPERSION");
+    if (!values[s.table.dispersion]) plan.skip("lenticular/dispersion", "dispersion is switched off");
+    else if (plan.needs(pass, {"lenticular/dispersion", dispersionBound(s)})) pass.shader.defines.emplace_back("DISPERSION");
     if (values[s.table.strips] == CardStrips::squeezed) pass.shader.defines.emplace_back("SQUEEZED");
     if (values[s.table.eyes] == CardEyes::anaglyph) pass.shader.defines.emplace_back("ANAGLYPH");
     pass.draws = {s.draw()};
@@ -218,7 +232,7 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
     const Moment moment = momentAt(table_, context.values, context.time, context.sinceOwnPress);
     if (moment.roll > 0) scene.reason += ", and one print rolls in after the other";
     if (!found.note.empty()) scene.reason += "; the sheet cannot be: " + found.note;
-    Pass card = cardPass(scene, plan.view, moment, found.sheet, cache_->prints);
+    Pass card = cardPass(scene, plan.view, moment, found.sheet, cache_->prints, plan);
     Pass count = card;
     card.colors = {{radianceImage, Load::keep, {}, -1, 0}};
     card.depth = Attachment{depthImage, Load::keep, {}, -1, 0};

@@ -63,6 +63,7 @@ void planShadow(const Scene& s, render::FramePlan& plan)
     pass.stage = render::Stage::shadow;
     pass.view = s.context.surroundings.exhibitShadowView;
     pass.key = s.context.surroundings.exhibitShadowKey;
+    pass.bound = s.context.surroundings.sunShadow;
     pass.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
     pass.draws = {s.proxy()};
@@ -87,7 +88,32 @@ void planCone(const Scene& s, render::FramePlan& plan)
     plan.add(std::move(pass));
 }
 
-Pass marchPass(const Scene& s, const char* name, std::string reason)
+/// What the shading does beside the plain surface; the values are left as what is called for.
+void planEffects(const Scene& s, Pass& pass, ParameterValues& values, render::FramePlan& plan)
+{
+    const SdfMorphTable& table = s.table;
+    const Surroundings& around = s.context.surroundings;
+    const bool glass = values[table.material] == SdfMaterial::glass;
+    const bool heat = values[table.heatMap] != SdfHeatMap::none;
+    // A heat map shows what the effects cost, which no light bounds.
+    const double any = heat ? std::numeric_limits<double>::infinity() : 1;
+    const int bounces = values[table.bounces];
+
+    if (!values[table.ambientOcclusion]) plan.skip("sdf_morph/occlusion", "ambient occlusion is switched off");
+    else if (!plan.needs(pass, {"sdf_morph/occlusion", render::boundOf(any, 0, {{glass && !heat ? 0.0 : 1.0, "glass scatters nothing of the room's light"}})}))
+        values.set(table.ambientOcclusion, false);
+
+    if (values[table.shadowMethod] == SdfShadow::none) plan.skip("sdf_morph/self-shadow", "the shadow method is none");
+    else if (!plan.needs(pass, {"sdf_morph/self-shadow", render::boundOf(0, any * (1 + bounces), {{around.sunShadow.radiance, around.sunShadow.whyNone}})}))
+        values.set(table.shadowMethod, SdfShadow::none);
+
+    // Beyond the first surface, each one adds its own light, and the last one the room's.
+    const double reflected = around.probeLight.radiance + bounces * around.sunShadow.radiance;
+    (void)plan.needs(pass, {"sdf_morph/bounces", render::boundOf(0, any, {{bounces > 0 ? 1.0 : 0.0, "no bounce is asked for"}, {reflected, "there is no light to reflect"}})});
+    pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
+}
+
+Pass marchPass(const Scene& s, const char* name, std::string reason, render::FramePlan& plan)
 {
     Pass pass = s.pass(name, std::move(reason), "sdf_morph/proxy.vert", "sdf_morph/march.frag");
     pass.draws = {s.proxy()};
@@ -103,12 +129,14 @@ Pass marchPass(const Scene& s, const char* name, std::string reason)
     // It shades itself by rays of its own; the exhibits' shadow map is for what others keep from it.
     if (s.context.alone) std::erase_if(pass.inputs, [](const render::Input& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
     else pass.shader.defines.emplace_back("OTHERS_SHADOWS");
+    ParameterValues values = s.values;
+    planEffects(s, pass, values, plan);
     return pass;
 }
 
 void planMarch(const Scene& s, render::FramePlan& plan)
 {
-    Pass march = marchPass(s, "march", "in view");
+    Pass march = marchPass(s, "march", "in view", plan);
     march.colors = {{radianceImage, Load::keep, {}, -1, 0}};
     march.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
     if (s.context.channels.normal) {
@@ -122,7 +150,7 @@ void planMarch(const Scene& s, render::FramePlan& plan)
         return;
     }
     // Rays that miss leave nothing in the picture, so they are counted in a pass of their own.
-    Pass count = marchPass(s, "count", "the evaluations channel is asked for");
+    Pass count = marchPass(s, "count", "the evaluations channel is asked for", plan);
     count.stage = render::Stage::resolve;
     count.shader.defines.emplace_back("COUNT");
     count.colors = {{evaluationsImage, Load::keep, {}, -1, 0}};

@@ -13,7 +13,7 @@
 namespace vitrine::render {
 namespace {
 
-[[noreturn]] void fail(const std::string& name, const std::string& cause)
+[[noreturn]] void failReading(const std::string& name, const std::string& cause)
 {
     throw Failure(Blame::file, "Cannot read " + name + ": " + cause);
 }
@@ -28,11 +28,11 @@ std::string causeOf(int error)
 std::string readAll(const Descriptor& file, const std::string& name, std::uint64_t mostBytes)
 {
     struct stat status {};
-    if (::fstat(file.get(), &status) != 0) fail(name, causeOf(errno));
-    if (!S_ISREG(status.st_mode)) fail(name, "it is not a regular file; choose a file.");
+    if (::fstat(file.get(), &status) != 0) failReading(name, causeOf(errno));
+    if (!S_ISREG(status.st_mode)) failReading(name, "it is not a regular file; choose a file.");
     const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
     if (size > mostBytes) {
-        fail(name, "it has " + std::to_string(size) + " bytes, more than the " + std::to_string(mostBytes) +
+        failReading(name, "it has " + std::to_string(size) + " bytes, more than the " + std::to_string(mostBytes) +
                        " allowed here; choose a smaller file.");
     }
     std::string bytes(size, '\0');
@@ -40,8 +40,8 @@ std::string readAll(const Descriptor& file, const std::string& name, std::uint64
     while (done < bytes.size()) {
         const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) fail(name, causeOf(errno));
-        if (got == 0) fail(name, "it became shorter while it was read; try again.");
+        if (got < 0) failReading(name, causeOf(errno));
+        if (got == 0) failReading(name, "it became shorter while it was read; try again.");
         done += static_cast<std::size_t>(got);
     }
     return bytes;
@@ -53,7 +53,7 @@ std::string readFile(const std::filesystem::path& path, std::uint64_t mostBytes)
 {
     // Without O_NONBLOCK, opening a named pipe waits for a writer for ever.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (!file.open()) fail(path.string(), causeOf(errno));
+    if (!file.open()) failReading(path.string(), causeOf(errno));
     return readAll(file, path.string(), mostBytes);
 }
 
@@ -102,7 +102,7 @@ std::string readFileBeneath(const std::filesystem::path& folder, std::string_vie
         if (last && at.open()) return readAll(at, shown, mostBytes);
         start = slash + 1;
     }
-    fail(shown, causeOf(errno));
+    failReading(shown, causeOf(errno));
 }
 
 }  // namespace vitrine::render

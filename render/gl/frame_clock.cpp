@@ -7,6 +7,7 @@
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 
@@ -20,9 +21,9 @@ constexpr int repetitions = 3;
 constexpr int attempts = 3;             // A busy machine may spoil one.
 
 /// The load and everything it needs, with nothing left behind.
-class Load {
+class KnownLoad {
 public:
-    Load() : target_({.name = "clock", .format = Format::rgba8}, {side, side}), program_(buildProgram(ShaderSource(), {"lib/fullscreen.vert", "lib/clock_load.frag", "", {}}))
+    KnownLoad() : target_({.name = "clock", .format = Format::rgba8}, {side, side}), program_(buildProgram(ShaderSource(), {"lib/fullscreen.vert", "lib/clock_load.frag", "", {}}))
     {
         GLuint name = 0;
         glCreateVertexArrays(1, &name);
@@ -42,15 +43,15 @@ public:
         glBindVertexArray(vertices_.name());
         glBindBufferBase(GL_UNIFORM_BUFFER, BLOCK_OBJECT, block_.name());
     }
-    ~Load()
+    ~KnownLoad()
     {
         glUseProgram(0);
         glBindVertexArray(0);
         glBindBufferBase(GL_UNIFORM_BUFFER, BLOCK_OBJECT, 0);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(callersFramebuffer_));
     }
-    Load(const Load&) = delete;
-    Load& operator=(const Load&) = delete;
+    KnownLoad(const KnownLoad&) = delete;
+    KnownLoad& operator=(const KnownLoad&) = delete;
 
     [[nodiscard]] bool usable() const { return static_cast<bool>(program_.program); }
 
@@ -80,25 +81,29 @@ private:
     GLint callersFramebuffer_ = 0;
 };
 
-/// Seconds that the two marks around a frame cost by themselves.
+/// Seconds that the two marks around a frame cost by themselves, in the processor's time where that is the clock. The
+/// median: one interruption by another program may be longer than all of them together.
 double overheadOf(ClockMethod method)
 {
-    constexpr int times = 16;
+    const auto now = method == ClockMethod::cpu ? processCpuSeconds : wallSeconds;
+    std::array<double, 31> costs{};
     glFinish();
-    const double start = wallSeconds();
-    for (int i = 0; i < times; ++i) {
+    for (double& cost : costs) {
+        const double start = now();
         FrameClock clock(method);
         clock.mark();
         clock.mark();
         if (method == ClockMethod::query) (void)clock.seconds();
+        cost = now() - start;
     }
-    return (wallSeconds() - start) / times;
+    std::nth_element(costs.begin(), costs.begin() + costs.size() / 2, costs.end());
+    return costs[costs.size() / 2];
 }
 
 ClockChoice tryClocks(bool software)
 {
     ClockChoice choice = chooseClock({}, software, 0);
-    const Load load;
+    const KnownLoad load;
     if (!load.usable()) return choice;
     (void)load.timed(16, 1);  // The first draw compiles.
     int rounds = 64;

@@ -201,7 +201,7 @@ FrameReport Renderer::draw(const FramePlan& plan)
         s.run(pass, ranges[i]);
         if (pass.countSamples) SamplesQuery::end();
         s.remember(pass);
-        report.ran.push_back({pass.name, pass.reason, pass.work, -1, pass.bound});
+        report.ran.push_back({pass.name, pass.reason, pass.work, -1, pass.bound, pass.effects});
         if (s.timeSteps) clock.mark();
         countDraws(pass, report.counters);
     }

@@ -27,15 +27,25 @@ double linearFromSrgb(double encoded)
 
 std::uint8_t srgb8FromLinear(float linear)
 {
-    // The linear values halfway between two codes: a search among them is ten times faster than pow.
+    // The linear values halfway between two codes: looking among them is far faster than pow.
     static const std::array<double, 255> halfway = [] {
         std::array<double, 255> table{};
         for (std::size_t i = 0; i < table.size(); ++i)
             table.at(i) = linearFromSrgb((static_cast<double>(i) + 0.5) / 255);
         return table;
     }();
+    // Where to begin: codes are never closer than a cell, so that no more than two have to be looked at.
+    constexpr std::size_t cells = 4096;
+    static const std::array<std::uint8_t, cells + 1> first = [] {
+        std::array<std::uint8_t, cells + 1> table{};
+        for (std::size_t i = 0; i < table.size(); ++i)
+            table.at(i) = static_cast<std::uint8_t>(std::upper_bound(halfway.begin(), halfway.end(), static_cast<double>(i) / cells) - halfway.begin());
+        return table;
+    }();
     const double x = unit(linear);
-    return static_cast<std::uint8_t>(std::upper_bound(halfway.begin(), halfway.end(), x) - halfway.begin());
+    std::size_t code = first[static_cast<std::size_t>(x * cells)];
+    while (code < halfway.size() && halfway[code] <= x) ++code;
+    return static_cast<std::uint8_t>(code);
 }
 
 std::uint16_t srgb16FromLinear(float linear)

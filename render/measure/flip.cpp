@@ -21,7 +21,7 @@ struct Size {
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
-// Rec. 709 primaries, D65 (IEC 61966-2-1), as rows: XYZ = M rgb.
+// Rec. 709 primaries, D65 with five digits (0.31271, 0.32902), as rows: XYZ = M rgb.
 constexpr double xyzFromRgb[3][3] = {{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                                      {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                                      {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}};

@@ -60,11 +60,28 @@ void FramePlan::image(ImageInfo info)
 void FramePlan::add(Pass pass)
 {
     assert(!find(pass.name) && "two passes share a name");
-    if (pass.bound == 0 && !runEverything) {
-        skip(std::move(pass.name), "it can change nothing that is seen: its bound is 0", pass.work);
+    if (pass.bound.isZero() && !runEverything) {
+        skipped_.push_back({.name = std::move(pass.name), .reason = std::move(pass.bound.whyNone), .work = pass.work, .boundIsZero = true});
         return;
     }
     passes_.push_back(std::move(pass));
+}
+
+bool FramePlan::needs(const Bound& bound, std::initializer_list<const char*> passes)
+{
+    if (!bound.isZero() || runEverything) return true;
+    for (const char* pass : passes) skipped_.push_back({.name = pass, .reason = bound.whyNone, .work = Work::raster, .boundIsZero = true});
+    return false;
+}
+
+bool FramePlan::needs(Pass& pass, Effect effect)
+{
+    if (effect.bound.isZero() && !runEverything) {
+        if (!findSkipped(effect.name)) skipped_.push_back({.name = std::move(effect.name), .reason = std::move(effect.bound.whyNone), .work = pass.work, .boundIsZero = true});
+        return false;
+    }
+    pass.effects.push_back(std::move(effect));
+    return true;
 }
 
 void FramePlan::skip(std::string name, std::string reason, Work work)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/plan/bound.h"
 #include "render/scene/camera.h"
 #include "render/scene/mesh.h"
 
@@ -8,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -103,6 +103,12 @@ struct Draw {
 enum class Work : std::uint8_t { simulation, raster, compute };
 [[nodiscard]] const char* toString(Work);
 
+/// Part of a pass that a permutation or a branch of its shader can leave out.
+struct Effect {
+    std::string name;  ///< "sdf_morph/occlusion".
+    Bound bound;
+};
+
 /// One step of a frame: a simulation step on the CPU, a raster pass or a compute dispatch.
 struct Pass {
     std::string name;    ///< Unique in the plan: "sdf_morph/march".
@@ -129,9 +135,8 @@ struct Pass {
     std::map<std::string, std::int64_t> counts;
     bool countSamples = false;            ///< Raster: samples that pass the depth test go to the counter "samples".
 
-    /// The most that this pass can change of any pixel's light, where its planner knows: 0 for what is provably
-    /// invisible, which is then skipped; infinite where nobody knows.
-    double bound = std::numeric_limits<double>::infinity();
+    Bound bound;                   ///< What it changes: 0 for what is provably invisible, which is then skipped.
+    std::vector<Effect> effects;   ///< In its shader; FramePlan::needs says which of them belong here.
 
     /// When set and all outputs are kept images last written under the same key, the pass is skipped
     /// as unchanged. It must cover everything that the output depends on.
@@ -143,6 +148,7 @@ struct Skipped {
     std::string reason;
     Work work = Work::raster;
     bool complaint = false;  ///< Its input was bad: a line in the log, besides the ledger's.
+    bool boundIsZero = false;  ///< It could be drawn, and would change nothing.
 };
 
 /// Keys under which kept images were last written: image name and pass name -> key.
@@ -164,6 +170,11 @@ public:
     void skip(std::string name, std::string reason, Work = Work::raster);
     /// Left out or mended because the input was bad, and why, in one sentence for the visitor.
     void complain(std::string name, std::string reason, Work = Work::raster);
+    /// Whether an effect has to be drawn: its bound is not 0, or everything runs. Otherwise its passes, by name, are
+    /// listed as skipped.
+    [[nodiscard]] bool needs(const Bound&, std::initializer_list<const char*> passes);
+    /// The same for an effect within a pass, which is then listed with the pass.
+    [[nodiscard]] bool needs(Pass&, Effect);
 
     /// Sorts by stage, drops every pass that no output depends on, and those whose kept outputs are
     /// up to date under `kept`. A dropped pass moves to `skipped()` with its reason.

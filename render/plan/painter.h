@@ -4,7 +4,6 @@
 #include "render/plan/frame_plan.h"
 
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,7 +16,8 @@ struct StepReport {
     std::string reason;
     Work work = Work::raster;
     double milliseconds = -1;
-    double bound = std::numeric_limits<double>::infinity();  ///< As Pass::bound.
+    Bound bound;                  ///< As Pass::bound.
+    std::vector<Effect> effects;  ///< As Pass::effects.
 };
 
 /// The ledger of one frame.

@@ -22,7 +22,7 @@ void main()
     vec3 direction = normalize(frameRay(gl_FragCoord.xy));
     vec3 color = vec3(1.0);
     if (rays.mask.z > 0.5 || rays.mask.x > 0.0) {
-        vec3 sky = min(max(skyRadiance(direction), vec3(0.0)) * light.probeHigh.w, vec3(1.0));
+        vec3 sky = min(max(skyRadiance(direction, frame.timing.w), vec3(0.0)) * light.probeHigh.w, vec3(1.0));
         float brightness = dot(sky, vec3(0.2126, 0.7152, 0.0722));
         if (rays.mask.x > 0.0) open *= smoothStep(0.9 * rays.mask.x, rays.mask.x, brightness);
         if (rays.mask.z > 0.5) color = sky;

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace vitrine::render {
+
+/// The most that an effect changes of any channel of any pixel of the image "radiance": `share` of what the pixel is
+/// without the effect, plus `radiance` in scene-linear light before exposure. An effect that others read (a shadow map, a
+/// probe) states what it changes on a surface that it falls on; what is made of it elsewhere is bounded there.
+struct Bound {
+    double share = 0;
+    double radiance = std::numeric_limits<double>::infinity();  ///< Infinite: nobody knows, or it is the thing itself.
+    std::string whyNone = {};                                   ///< Of a bound of 0: what makes it so.
+
+    /// Nothing is changed, so that the effect can be left out.
+    [[nodiscard]] bool isZero() const { return share == 0 && radiance == 0; }
+    /// Whether something finite is promised.
+    [[nodiscard]] bool isKnown() const { return share < std::numeric_limits<double>::infinity() && radiance < std::numeric_limits<double>::infinity(); }
+};
+
+/// A number that an effect is in proportion to, or 1 and 0 for whether it can be seen, and what a visitor is told of its 0.
+struct Factor {
+    double value = 1;  ///< NaN counts as infinite, negative as 0.
+    std::string_view whenZero;
+};
+
+/// Share and radiance times all factors; the first factor that is 0 says why. 0 times infinity is 0: what is not there
+/// changes nothing, whatever it would.
+[[nodiscard]] Bound boundOf(double share, double radiance, std::initializer_list<Factor> factors);
+
+/// "at most 40 % of the light and 0.3 more"; "nothing: its bound is 0"; empty when nothing is promised.
+[[nodiscard]] std::string toString(const Bound&);
+
+}  // namespace vitrine::render
