@@ -141,8 +141,7 @@ render::Bound airBound(const RaysScene& s, const render::View& view)
     const double drift = 1 + 1.5 * s.values[s.table.unevenness];
     const double scattered = largest(s.values[s.table.airColor].value) *
                              (s.values[s.table.ambient] * around.brightest + s.values[s.table.beamStrength] * sun * ahead * drift * static_cast<double>(s.beams.size()));
-    return render::boundOf(hidden, hidden * scattered, {{s.context.alone ? 0.0 : 1.0, "there is no hall for the sun to shine into"},
-                                                        {s.values[s.table.airDensity] > 0 ? 1.0 : 0.0, "the air is clear"},
+    return render::boundOf(hidden, hidden * scattered, {{s.values[s.table.airDensity] > 0 ? 1.0 : 0.0, "the air is clear"},
                                                         {sun > 0 ? 1.0 : 0.0, "the sun's strength is 0"},
                                                         {s.beams.empty() ? 0.0 : 1.0, s.context.alone ? "the sun does not shine through the window" : "the sun shines neither through the window nor through the oculus"},
                                                         {seen ? 1.0 : 0.0, "the beams are out of view"}});

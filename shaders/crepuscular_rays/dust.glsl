@@ -43,5 +43,5 @@ float dustDrift(vec3 world)
 {
     if (parameters.unevenness <= 0.0) return 1.0;
     float drift = dustNoise(world * vec3(1.1, 1.6, 1.1)) * 0.65 + dustNoise(world * vec3(2.7, 3.7, 2.7) + 19.0) * 0.35;
-    return 1.0 + parameters.unevenness * (3.0 * drift - 1.5);
+    return max(1.0 + parameters.unevenness * (3.0 * drift - 1.5), 0.0);  // Air can be clear, but no clearer.
 }
