@@ -36,10 +36,11 @@ need() {
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing >&2
 }
 
-# build TARGET...: configures once and builds, quietly unless something is to be done.
+# build TARGET...: configures once and builds, quietly unless something is to be done. From nothing, few large files take
+# two minutes less on two cores than many small ones; `cmake --preset release` alone configures for small changes.
 build() {
     if [ ! -f build/release/build.ninja ]; then
-        cmake --preset release >&2 || return 1
+        cmake --preset release -DVITRINE_UNITY_BUILD=ON >&2 || return 1
     fi
     cmake --build build/release --target "$@" >&2
 }

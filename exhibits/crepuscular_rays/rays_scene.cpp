@@ -39,14 +39,14 @@ render::View viewOfWhole(const render::View& view, glm::ivec2 size)
 
 void fillBeams(const std::vector<Beam>& beams, RaysBlock& block)
 {
-    const std::size_t count = std::min<std::size_t>(beams.size(), 2);
-    for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t opened = std::min<std::size_t>(beams.size(), 2);
+    for (std::size_t i = 0; i < opened; ++i) {
         block.low[i] = glm::vec4(glm::vec3(beams[i].opening.low), static_cast<float>(beams[i].axis));
         block.high[i] = glm::vec4(glm::vec3(beams[i].opening.high), static_cast<float>(beams[i].plane));
         block.airLow[i] = glm::vec4(glm::vec3(beams[i].box.low), 0);
         block.airHigh[i] = glm::vec4(glm::vec3(beams[i].box.high), 0);
     }
-    block.airLow[0].w = static_cast<float>(count);
+    block.airLow[0].w = static_cast<float>(opened);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "exhibits/framework/expression.h"
 
+#include "render/files/number_text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -283,6 +285,8 @@ std::optional<double> evaluate(std::string_view text, Unit unit)
 {
     constexpr std::size_t longest = 4096;
     if (text.size() > longest) return std::nullopt;
+    // A number alone is the double nearest to it: by way of a wider number it would be rounded twice.
+    if (const std::optional<double> plain = render::parseNumber(text); plain && std::isfinite(*plain) && info(unit).shownPerStored == 1) return plain;
     // The reading that measures the right thing is meant: 1/(20 ms) in hertz, (1/50) s in seconds.
     const std::optional<double> x = Parser(text, unit, Parser::Suffix::divisor).result();
     return x ? x : Parser(text, unit, Parser::Suffix::quotient).result();

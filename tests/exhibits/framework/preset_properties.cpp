@@ -81,6 +81,14 @@ RC_GTEST_PROP(PresetProperty, EveryLegalSetOfValuesReadsBackBitForBit, ())
     RC_ASSERT(back.notes.empty());
 }
 
+TEST(PresetProperty, ANumberIsRoundedOnce)
+{
+    // By way of 64 bits of mantissa, this one became the next double.
+    const std::size_t tint = *table.find("tint");
+    const Value color = glm::dvec3(0, 0, 0.024421);
+    EXPECT_EQ(parseValue(table.rows()[tint], formatValue(table.rows()[tint], color)), color);
+}
+
 RC_GTEST_PROP(PresetProperty, EveryValueReadsBackFromItsText, ())
 {
     const ParameterValues values = *legalValues();
