@@ -1,6 +1,7 @@
 #include "app/command.h"
 
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/preset_values.h"
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
@@ -16,24 +17,13 @@ namespace {
 
 using render::Json;
 
-Json valueJson(const ParameterInfo& row, const Value& value)
-{
-    if (const auto* v = std::get_if<glm::dvec3>(&value)) return Json::array({v->x, v->y, v->z});
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    const double x = std::get<double>(value);
-    if (row.kind == Kind::toggle) return x != 0;
-    if (row.kind == Kind::choice) return std::string(row.choices[static_cast<std::size_t>(x)]);
-    if (row.kind == Kind::count) return static_cast<std::int64_t>(x);
-    return x;
-}
-
 /// Numbers are in SI, and `unit` is the SI unit that they are in.
 Json rowJson(const ParameterInfo& row)
 {
     Json choices = Json::array();
     for (const std::string_view choice : row.choices) choices.push_back(std::string(choice));
     Json quality = nullptr;
-    if (row.qualityReference) quality = Json{{"reference", valueJson(row, *row.qualityReference)}};
+    if (row.qualityReference) quality = Json{{"reference", jsonFromValue(row, *row.qualityReference)}};
     return Json{{"name", std::string(row.name)},
                 {"kind", std::string(toString(row.kind))},
                 {"unit", std::string(info(row.unit).storedSymbol)},
@@ -42,7 +32,7 @@ Json rowJson(const ParameterInfo& row)
                 {"softLow", row.range.softLow},
                 {"softHigh", row.range.softHigh},
                 {"scale", std::string(toString(row.range.scale))},
-                {"initial", valueJson(row, row.initial)},
+                {"initial", jsonFromValue(row, row.initial)},
                 {"help", std::string(row.help)},
                 {"choices", choices},
                 {"quality", quality}};

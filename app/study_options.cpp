@@ -106,7 +106,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     request.maxError = options.maxError;
     request.maxMilliseconds = options.maxMilliseconds;
     const bool one = options.parameters.size() == 1;
-    const int points = options.points > 0 ? options.points : usualPoints(options.parameters.empty() ? qualityAxes(museum.exhibits(), job.subject, 2).size() : options.parameters.size());
+    const int points = options.points > 0 ? options.points : usualPoints(options.parameters.size());
     for (const std::string& name : options.parameters) request.axes.push_back(axisNamed(museum, job.subject, name, points));
     for (std::size_t i = 0; i < request.axes.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
@@ -115,7 +115,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
         if (!one) throw Failure(Blame::usage, "--values: name exactly one parameter before it.");
         setValues(museum, request.axes.front(), options.values);
     }
-    if (request.axes.empty()) request.axes = qualityAxes(museum.exhibits(), job.subject, points);
+    if (request.axes.empty()) request.axes = qualityAxes(museum.exhibits(), job.subject, options.points);
     if (request.axes.empty()) throw Failure(Blame::usage, options.subject + " has no parameter of which accuracy depends.");
     return request;
 }

@@ -174,16 +174,10 @@ void StudyDock::measure()
 {
     const int row = parameter_->currentData().toInt();
     if (row < 0) {
-        start(requestFor(allAxes()));
+        start(requestFor(qualityAxes(gallery_.exhibits(), subject_)));
         return;
     }
     if (auto axis = studyAxis(gallery_.exhibits(), subject_, static_cast<std::size_t>(row), usualPoints(1))) start(requestFor({std::move(*axis)}));
-}
-
-std::vector<StudyAxis> StudyDock::allAxes() const
-{
-    const std::size_t count = qualityAxes(gallery_.exhibits(), subject_, usualPoints(1)).size();
-    return qualityAxes(gallery_.exhibits(), subject_, usualPoints(count));
 }
 
 void StudyDock::find(bool byError)
@@ -194,7 +188,7 @@ void StudyDock::find(bool byError)
         words_->setText(tr("\"%1\" is no limit; type a number above 0, such as %2.").arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
         return;
     }
-    StudyRequest request = requestFor(allAxes());
+    StudyRequest request = requestFor(qualityAxes(gallery_.exhibits(), subject_));
     (byError ? request.maxError : request.maxMilliseconds) = *limit;
     request.modelError = false;
     start(std::move(request));

@@ -56,7 +56,6 @@ protected:
 
 private:
     void measure();
-    [[nodiscard]] std::vector<StudyAxis> allAxes() const;
     void find(bool byError);
     void start(StudyRequest);
     void step();

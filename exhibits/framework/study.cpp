@@ -315,18 +315,22 @@ void Study::nextPhase()
     }
 }
 
-bool Study::step()
+void Study::findJob()
 {
     while (jobs_.empty() && phase_ != Phase::done) nextPhase();
     result_.complete = phase_ == Phase::done;
-    if (phase_ == Phase::done) return false;
+}
+
+bool Study::step()
+{
+    findJob();
+    if (finished()) return false;
     doing_ = jobs_.front().name;
     if (jobs_.front().step()) {
         jobs_.pop_front();
         ++jobsDone_;
     }
-    while (jobs_.empty() && phase_ != Phase::done) nextPhase();
-    result_.complete = phase_ == Phase::done;
+    findJob();
     return true;
 }
 

@@ -141,6 +141,7 @@ private:
     void addSetting(const Setting&);
     void addTimes();
     void nextPhase();
+    void findJob();
     [[nodiscard]] Look lookAt(const std::vector<double>& axisValues, std::size_t view) const;
     [[nodiscard]] std::vector<double> valuesOf(const Setting&) const;
     [[nodiscard]] PictureRequest pictureRequest(const Look&, std::size_t view) const;
@@ -159,6 +160,8 @@ private:
     bool searchOn();
     void measureSteps();
     [[nodiscard]] double presentCost() const;
+    /// Of a setting: `present` where it does the same work or differs by noise.
+    [[nodiscard]] double searchedCost(const StudyPoint&, double present) const;
     [[nodiscard]] std::vector<Setting> predictedFront() const;
     /// How far this is from what was asked for, as a logarithm; 0 when nothing was.
     [[nodiscard]] double fromLimit(double error, double cost) const;

@@ -50,8 +50,10 @@ std::optional<StudyAxis> studyAxis(Exhibits exhibits, std::size_t exhibit, std::
 
 std::vector<StudyAxis> qualityAxes(Exhibits exhibits, std::size_t exhibit, int points)
 {
+    const auto& rows = exhibits[exhibit]->parameters().rows();
+    if (points == 0) points = usualPoints(static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); })));
     std::vector<StudyAxis> axes;
-    for (std::size_t row = 0; row < exhibits[exhibit]->parameters().rows().size(); ++row)
+    for (std::size_t row = 0; row < rows.size(); ++row)
         if (auto axis = studyAxis(exhibits, exhibit, row, points)) axes.push_back(std::move(*axis));
     return axes;
 }

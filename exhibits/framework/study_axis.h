@@ -41,8 +41,8 @@ using Setting = std::vector<std::size_t>;
 /// among three axes or more measures only those that matter.
 [[nodiscard]] constexpr int usualPoints(std::size_t axes) { return axes == 1 ? 8 : axes == 2 ? 5 : 17; }
 
-/// One axis for every quality row of the exhibit.
-[[nodiscard]] std::vector<StudyAxis> qualityAxes(Exhibits, std::size_t exhibit, int points);
+/// One axis for every quality row of the exhibit; of `usualPoints` values where `points` is 0.
+[[nodiscard]] std::vector<StudyAxis> qualityAxes(Exhibits, std::size_t exhibit, int points = 0);
 
 /// The values at which everything that the table marks as quality counts as exact.
 [[nodiscard]] ParameterValues atReference(ParameterValues);

@@ -22,9 +22,6 @@ constexpr std::size_t coarseValues = 5;
 /// In each round of the search, the settings around so many of the front's points are measured.
 constexpr std::size_t pointsLookedAround = 4;
 
-/// The first if what is between the two is noise, else the second.
-double beyondNoise(double reference, double cost) { return cost < reference * noise && cost * noise > reference ? reference : cost; }
-
 /// Whether the first look takes this value. Choices have no order to fill in between.
 bool isCoarse(const StudyAxis& axis, const ParameterInfo& row, std::size_t i)
 {
@@ -111,6 +108,12 @@ double Study::presentCost() const
     return std::max(render::quantile(costs, 0.5), 1e-9);
 }
 
+double Study::searchedCost(const StudyPoint& point, double present) const
+{
+    const bool near = point.cost < present * noise && point.cost * noise > present;
+    return near || point.counters == result_.points.front().counters ? present : point.cost;
+}
+
 void Study::measureSteps()
 {
     judge();
@@ -133,7 +136,7 @@ void Study::measureSteps()
             if (!point) continue;
             std::vector<double> errors;
             for (std::size_t view = 0; view < exact.shots.size(); ++view) errors.push_back(errorsOf(exact.shots[view].picture, point->shots[view].picture)[request_.metric]);
-            steps[i] = {pooled(errors), point->counters == present.counters ? 1 : beyondNoise(1, point->cost / cost)};
+            steps[i] = {pooled(errors), searchedCost(*point, cost) / cost};
             // What lies between two that were measured is taken to, until it is measured.
             for (std::size_t j = last + 1; j < i; ++j) {
                 const double t = static_cast<double>(j - last) / static_cast<double>(i - last);
@@ -170,6 +173,7 @@ std::vector<Setting> Study::predictedFront() const
         Setting setting;
         double fromLimit = 0;
     };
+    const double cost = presentCost();
     std::vector<Predicted> path;
     std::vector<std::size_t> place(useful.size(), 0);
     while (true) {
@@ -181,7 +185,7 @@ std::vector<Setting> Study::predictedFront() const
             ratio *= steps_[a][setting.back()].ratio;
             error += steps_[a][setting.back()].error;
         }
-        if (ratio <= dearest) path.push_back({setting, fromLimit(error, ratio * presentCost())});
+        if (ratio <= dearest) path.push_back({setting, fromLimit(error, ratio * cost)});
         std::optional<std::size_t> best;
         double bestWorth = -1;
         for (std::size_t a = 0; a < useful.size(); ++a) {
@@ -213,7 +217,7 @@ std::vector<std::size_t> Study::searchedFront()
     judge();
     const double present = presentCost();
     std::vector<render::CostAndError> measured;
-    for (const StudyPoint& point : result_.points) measured.push_back({point.counters == result_.points.front().counters ? present : beyondNoise(present, point.cost), point.error});
+    for (const StudyPoint& point : result_.points) measured.push_back({searchedCost(point, present), point.error});
     std::vector<std::size_t> front = render::paretoFront(measured);
     if (!request_.maxError && !request_.maxMilliseconds) return front;
     std::stable_sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {

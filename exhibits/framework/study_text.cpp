@@ -1,5 +1,6 @@
 #include "exhibits/framework/study_text.h"
 
+#include "exhibits/framework/preset_values.h"
 #include "exhibits/framework/value_text.h"
 #include "render/files/number_text.h"
 
@@ -16,14 +17,6 @@ using render::shortNumber;
 Json number(double x)
 {
     return std::isfinite(x) ? Json(x) : Json(nullptr);
-}
-
-Json valueJson(const ParameterInfo& row, double value)
-{
-    if (row.kind == Kind::toggle) return value != 0;
-    if (row.kind == Kind::choice) return std::string(row.choices[static_cast<std::size_t>(value)]);
-    if (row.kind == Kind::count) return static_cast<std::int64_t>(value);
-    return value;
 }
 
 Json errorsJson(const Errors& errors)
@@ -53,7 +46,7 @@ Json pointJson(Exhibits exhibits, const StudyRequest& request, const StudyResult
     Json values = Json::object();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        values[axisName(exhibits, request.subject, axis)] = valueJson(rowOf(exhibits, axis), axis.values[point.setting[a]]);
+        values[axisName(exhibits, request.subject, axis)] = jsonFromValue(rowOf(exhibits, axis), axis.values[point.setting[a]]);
     }
     Json json{{"values", values},
               {"error", number(point.error)},
@@ -161,8 +154,8 @@ Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult
         const StudyAxis& axis = request.axes[a];
         const ParameterInfo& row = rowOf(exhibits, axis);
         Json values = Json::array();
-        for (const double value : axis.values) values.push_back(valueJson(row, value));
-        axes.push_back(Json{{"name", axisName(exhibits, request.subject, axis)}, {"unit", std::string(info(row.unit).storedSymbol)}, {"values", values}, {"reference", valueJson(row, result.exact[a])}});
+        for (const double value : axis.values) values.push_back(jsonFromValue(row, value));
+        axes.push_back(Json{{"name", axisName(exhibits, request.subject, axis)}, {"unit", std::string(info(row.unit).storedSymbol)}, {"values", values}, {"reference", jsonFromValue(row, result.exact[a])}});
     }
     Json points = Json::array();
     for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back(pointJson(exhibits, request, result, i));

@@ -32,6 +32,15 @@ struct RayShot : Shot {
         rays().set(raysTable().view, RayView::light);
         rays().set(raysTable().unevenness, 0.0);
     }
+    /// Alone there is nothing but sky, a white mask, and the sun stands in the picture.
+    RayShot& onWhite()
+    {
+        request.frame.alone = *gallery().museum.find("crepuscular_rays");
+        request.frame.transparent = true;
+        hall().set(hallTable().exposure, -std::log2(6.5 * 0.16));
+        see({0, 0, 0}, {-0.05, 0.2, -1});
+        return *this;
+    }
     [[nodiscard]] ParameterValues& rays() { return look.values[*gallery().museum.find("crepuscular_rays")]; }
     /// Largest component of the color in which a white mask comes out.
     [[nodiscard]] glm::dvec3 white() const

@@ -82,11 +82,7 @@ TEST_F(Rays, OfTheSunBehindChangeNothing)
 TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
 {
     RayShot shot(RayTechnique::screen);
-    // Alone there is nothing but sky, and the sun stands in the picture.
-    shot.request.frame.alone = *gallery().museum.find("crepuscular_rays");
-    shot.request.frame.transparent = true;
-    shot.hall().set(hallTable().exposure, -std::log2(6.5 * 0.16));
-    shot.see({0, 0, 0}, {-0.05, 0.2, -1});
+    shot.onWhite();
     shot.size(64, 36);
     for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
         for (const double decay : {0.0, 0.9, 0.98, 1.0}) {
@@ -235,10 +231,7 @@ TEST_F(Rays, AreNeverBrighterThanTheMask)
 TEST_F(Rays, OfTheOriginalAddUpToItsClosedFormOnAWhiteMask)
 {
     RayShot shot(RayTechnique::screen);
-    shot.request.frame.alone = *gallery().museum.find("crepuscular_rays");
-    shot.request.frame.transparent = true;
-    shot.hall().set(hallTable().exposure, -std::log2(6.5 * 0.16));
-    shot.see({0, 0, 0}, {-0.05, 0.2, -1});
+    shot.onWhite();
     shot.rays().set(raysTable().sum, RaySum::plain);
     shot.rays().set(raysTable().density, 1.0);
     shot.rays().set(raysTable().weight, 0.1);

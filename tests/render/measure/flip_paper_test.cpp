@@ -3,6 +3,7 @@
 // that its authors publish (a mean of 0.159691 for their pair at 67 pixels per degree) are not in this repository.
 
 #include "render/measure/flip.h"
+#include "tests/support/made_image.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,7 @@
 namespace vitrine {
 namespace {
 
+using test::made;
 using render::Image;
 using Color = std::array<double, 3>;
 using Matrix = std::array<Color, 3>;  // Rows.
@@ -194,15 +196,6 @@ double errorAt(const Map& reference, const Map& test, int x, int y, double ppd)
     const double points = std::fabs(featureAt(reference, x, y, ppd, true) - featureAt(test, x, y, ppd, true));
     const double feature = std::sqrt(std::max(edges, points) / std::sqrt(2.0));
     return std::pow(color, 1 - feature);
-}
-
-Image made(int width, int height, const std::function<float(int x, int y, int c)>& value)
-{
-    Image image(width, height, 3);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (int c = 0; c < 3; ++c) image.at(x, y, c) = value(x, y, c);
-    return image;
 }
 
 Image noise(unsigned seed, int width, int height)

@@ -1,27 +1,19 @@
 // What its paper says of FLIP, and what follows from it.
 
 #include "render/measure/flip.h"
+#include "tests/support/made_image.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <random>
 
 namespace vitrine {
 namespace {
 
+using test::made;
 using namespace render;
-
-Image made(int width, int height, const std::function<float(int x, int y, int c)>& value)
-{
-    Image image(width, height, 3);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (int c = 0; c < 3; ++c) image.at(x, y, c) = value(x, y, c);
-    return image;
-}
 
 Image noise(unsigned seed)
 {
