@@ -54,6 +54,7 @@ struct Fur::Wardrobe {
     std::shared_ptr<const render::Mesh> fins[furBodyCount];
     std::string modelPath;
     std::shared_ptr<const render::Mesh> model, modelFins;
+    double modelRadius = 0;  ///< Metres, of the ball that stands for it; 0: there is none.
     std::vector<std::string> notes;  ///< What of the model was left out or mended.
     std::optional<Bounce> bounce;
     std::int64_t stepsTold = 0;  ///< Steps of that jump that a plan has counted.
@@ -118,6 +119,7 @@ Fur::Moment Fur::moment(const ParameterValues& values, double time, double since
     if (const std::string path = values[table_.ringModel]; path != w.modelPath) {
         w.notes.clear();
         w.model = path.empty() ? nullptr : modelSkin(render::loadGltf(modelFile(path)), path, ringRadius + ringTube, w.notes);
+        w.modelRadius = w.model ? meanRadius(*w.model) : 0;
         w.modelPath = path;
         w.modelFins = nullptr;
     }
@@ -191,7 +193,7 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
     } else {
         plan.skip(motion, now.reason, render::Work::simulation);
     }
-    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, right ? context.time : 0, plan.seed, w.model ? meanRadius(*w.model) : 0}, {}, {}};
+    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, right ? context.time : 0, plan.seed, w.modelRadius}, {}, {}};
     for (int i = 0; i < furBodyCount; ++i) {
         const bool model = i == furRing && w.model;
         scene.skins[i] = model ? w.model : w.skins[i];
