@@ -68,7 +68,7 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
 
 std::optional<Value> typedValue(const ParameterInfo& row, const std::string& text)
 {
-    if (row.kind == Kind::real || row.kind == Kind::count)
+    if (row.isNumeric())
         if (const auto plain = evaluate(text, Unit::none)) return *plain;
     return parseValue(row, text);
 }

@@ -52,11 +52,6 @@ QString three(const glm::dvec3& v)
     return QStringLiteral("%1, %2, %3").arg(shortNumber(v.x, 3), shortNumber(v.y, 3), shortNumber(v.z, 3));
 }
 
-bool isNumber(const ParameterInfo& row)
-{
-    return row.kind == Kind::real || row.kind == Kind::count;
-}
-
 }  // namespace
 
 QString shownText(const ParameterInfo& row, const Value& value)
@@ -78,14 +73,14 @@ QString shownText(const ParameterInfo& row, const Value& value)
 
 QString legalRangeText(const ParameterInfo& row)
 {
-    if (!isNumber(row)) return {};
+    if (!row.isNumeric()) return {};
     return QStringLiteral("%1 to %2").arg(number(row.range.low, row.unit), withUnit(number(row.range.high, row.unit), row.unit));
 }
 
 QString tooltipText(const ParameterInfo& row)
 {
     QStringList lines{text(row.help), QString()};
-    if (isNumber(row)) {
+    if (row.isNumeric()) {
         lines << QStringLiteral("Legal: %1").arg(legalRangeText(row));
         if (row.range.softLow != row.range.low || row.range.softHigh != row.range.high)
             lines.last() +=
@@ -94,7 +89,7 @@ QString tooltipText(const ParameterInfo& row)
     }
     lines << QStringLiteral("Initial value: %1").arg(shownText(row, row.initial));
     lines << QStringLiteral("In presets: %1").arg(text(row.name));
-    if (isNumber(row))
+    if (row.isNumeric())
         lines << QString()
               << QStringLiteral("Drag the label or the number; click to type, 2*pi or 30deg too.\nShift is ten times "
                                 "finer, Ctrl ten times coarser.");
@@ -115,7 +110,7 @@ std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, 
             *problem = QStringLiteral("\"%1\" is no value for %2.").arg(typed.left(80), QString::fromStdString(label(row)));
         return std::nullopt;
     }
-    const bool brought = isNumber(row) && std::get<double>(*legal) != std::get<double>(*meant);
+    const bool brought = row.isNumeric() && std::get<double>(*legal) != std::get<double>(*meant);
     if (problem && brought)
         *problem = QStringLiteral("Legal: %1; brought to %2.").arg(legalRangeText(row), shownText(row, *legal));
     return legal;

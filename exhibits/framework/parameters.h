@@ -53,6 +53,9 @@ struct ParameterInfo {
     Value initial;
     std::vector<std::string_view> choices;    ///< Names, for Kind::choice only.
     std::optional<double> qualityReference;   ///< The value that counts as exact, when accuracy costs time.
+
+    /// Whether its values are numbers, with others between them: a real or a count.
+    [[nodiscard]] bool isNumeric() const { return kind == Kind::real || kind == Kind::count; }
 };
 
 /// "Shell count" for "shellCount".

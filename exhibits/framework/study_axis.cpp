@@ -42,7 +42,7 @@ std::optional<StudyAxis> studyAxis(Exhibits exhibits, std::size_t exhibit, std::
     if (!info.qualityReference) return std::nullopt;
     // One place is the initial value's, unless the sweep meets it anyway.
     axis.values = derive::sweep(info, std::max(points - 1, 2));
-    if (info.kind == Kind::real || info.kind == Kind::count) axis.values.push_back(*info.qualityReference);
+    if (info.isNumeric()) axis.values.push_back(*info.qualityReference);
     std::sort(axis.values.begin(), axis.values.end());
     axis.values.erase(std::unique(axis.values.begin(), axis.values.end()), axis.values.end());
     return axis;
@@ -69,7 +69,7 @@ Exactness exactness(const ParameterInfo& row, int doublings)
 {
     const double reference = row.qualityReference.value_or(std::get<double>(row.initial));
     Exactness result{reference, {}, {}};
-    const bool number = row.kind == Kind::real || row.kind == Kind::count;
+    const bool number = row.isNumeric();
     const double initial = number ? std::get<double>(row.initial) : reference;
     if (!number || initial == reference) return result;
     const auto legal = [&](double x) { return x >= row.range.low && x <= row.range.high; };

@@ -26,8 +26,7 @@ constexpr std::size_t pointsLookedAround = 4;
 bool isCoarse(const StudyAxis& axis, const ParameterInfo& row, std::size_t i)
 {
     const std::size_t count = axis.values.size();
-    const bool ordered = row.kind == Kind::real || row.kind == Kind::count;
-    const std::size_t stride = ordered && count > coarseValues ? (count - 1 + coarseValues - 2) / (coarseValues - 1) : 1;
+    const std::size_t stride = row.isNumeric() && count > coarseValues ? (count - 1 + coarseValues - 2) / (coarseValues - 1) : 1;
     return i % stride == 0 || i + 1 == count;
 }
 

@@ -188,10 +188,7 @@ void Study::judgeCosts()
     result_.knee = place ? std::optional(result_.front[*place]) : std::nullopt;
 
     result_.law.reset();
-    const bool numeric = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& axis) {
-        const Kind kind = rowOf(museum_.exhibits(), axis).kind;
-        return kind == Kind::real || kind == Kind::count;
-    });
+    const bool numeric = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& axis) { return rowOf(museum_.exhibits(), axis).isNumeric(); });
     if (request_.axes.size() > 2 || !numeric) return;
     std::vector<double> errors;
     std::vector<double> costs;

@@ -13,7 +13,7 @@ namespace {
 /// What lies at `part` (0 to 1) of the way; nothing where there is no way.
 std::optional<Value> between(const ParameterInfo& row, const Value& from, const Value& to, double part)
 {
-    if (row.kind == Kind::real || row.kind == Kind::count) {
+    if (row.isNumeric()) {
         const double a = std::get<double>(from);
         const double b = std::get<double>(to);
         if (row.range.scale == Scale::logarithmic && a > 0 && b > 0) return a * std::pow(b / a, part);
