@@ -60,7 +60,7 @@ void main()
         vec3 ray = frameRay(gl_FragCoord.xy);
         float stretch = length(ray);
         vec3 direction = ray / stretch;
-        float hidden = 1.0 - airThrough(frame.eye.xyz, direction, airStretches(frame.eye.xyz, direction), depth * stretch);
+        float hidden = airScattered(1.0, airThrough(frame.eye.xyz, direction, airStretches(frame.eye.xyz, direction), depth * stretch));
         // Alone there are no walls to end the air: its box would be seen, so there is none but what the beam lights.
         if (light.skyHorizon.w > 1.5) {
             over.rgb += broughtUp(scattered, gl_FragCoord.xy, depth);

@@ -45,7 +45,7 @@ void main()
             if (at < before.x || at > before.y) {
                 vec3 world = eye + direction * at;
                 float lit = sunInAir(world);
-                if (lit > 0.0) sum += lit * (through - throughEnd) * dustDrift(world);
+                if (lit > 0.0) sum += lit * airScattered(through, throughEnd) * dustDrift(world);
             }
             through = throughEnd;
         }

@@ -2,6 +2,9 @@
 //
 // This file is GLSL 4.50 and C++ (render/glsl/cpu.h); needs lib/numerics.glsl.
 
+// Metres beyond which a ray has left all air: an endless one has a length, too.
+const float AIR_FARTHEST = 1.0e9;
+
 // Share of light scattered into a unit of solid angle, per steradian; integrates to 1. `cosine` between the ways
 // before and after. Henyey and Greenstein 1941, "Diffuse Radiation in the Galaxy".
 float airPhase(float cosine, float anisotropy)
@@ -24,7 +27,16 @@ float airMean(float x)
 float airOpticalDepth(float from, float slope, float way, float density, float thinning)
 {
     float atStart = density * exp(clamp(-thinning * from, -40.0, 40.0));
-    return clamp(atStart * max(way, 0.0) * airMean(thinning * slope * max(way, 0.0)), 0.0, 1.0e4);
+    float metres = clamp(way, 0.0, AIR_FARTHEST);
+    return clamp(atStart * metres * airMean(thinning * slope * metres), 0.0, 1.0e4);
+}
+
+// Light of radiance 1 from all sides that a stretch of air scatters into a ray and out to the eye, by air that swallows
+// nothing: what the stretch takes out of the ray. `through` and `throughEnd` are the shares of light that come through
+// the air before the stretch and up to its end. However it is cut into steps, they add up to the same.
+float airScattered(float through, float throughEnd)
+{
+    return max(through - throughEnd, 0.0);
 }
 
 // Entry and exit of a ray in the box, as distances along it; exit < entry where it misses.

@@ -3,6 +3,7 @@
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 #include "render/glsl/cpu.h"
 #include "tests/gl/ray_shot.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +36,7 @@ struct SlabShot : RayShot {
     }
 };
 
-TEST_F(Rays, OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
+TEST_F(Rays, H68_OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
 {
     SlabShot shot;
     const dvec3 towardsSun = glm::normalize(dvec3(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree), -std::cos(-3 * degree) * std::cos(19 * degree)));
@@ -70,6 +71,48 @@ TEST_F(Rays, OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
         EXPECT_GT(compared, 1000);
         EXPECT_LT(worst, 2e-4) << steps;  // Half floats near 0.05, and positions at float32.
     }
+}
+
+TEST_F(Rays, OfTheVolumeLeaveAWhiteFurnaceWhite)
+{
+    // A panorama of even light all around, and nothing else: through dust that swallows nothing, every picture is as it
+    // was, however much of it there is. The light goes through panorama, probe and dust as it does in the hall.
+    const test::TemporaryFolder folder;
+    test::writePanorama(folder / "white.hdr", [](const dvec3&) { return dvec3(1); });
+    RayShot shot(RayTechnique::volume);
+    const std::size_t rays = *gallery().museum.find("crepuscular_rays");
+    shot.request.frame.alone = rays;
+    shot.request.frame.transparent = false;
+    shot.request.frame.camera = gallery().museum.exhibits()[rays]->bestView(shot.rays());
+    shot.size(64, 36);
+    shot.hall().set(hallTable().environment, (folder / "white.hdr").string());
+    shot.hall().set(hallTable().reflectionProbe, true);
+    shot.rays().set(raysTable().view, RayView::picture);
+    shot.rays().set(raysTable().ambient, 1.0);
+    shot.rays().set(raysTable().beamStrength, 0.0);  // The sun's own light would be added to the furnace's.
+    shot.rays().set(raysTable().airColor, ColorValue{dvec3(1)});
+    const auto furthestFromBefore = [&](double density) {
+        shot.rays().set(raysTable().airDensity, 0.0);
+        const Picture before = shot.take();
+        shot.rays().set(raysTable().airDensity, density);
+        const Picture after = shot.take();
+        double worst = 0;
+        after.each([&](int x, int y) {
+            EXPECT_GT(before.luminance(x, y), 0.01);
+            for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(after.color(x, y)[c] / before.color(x, y)[c] - 1));
+        });
+        return worst;
+    };
+    for (const double density : {0.012, 0.3, 10.0}) EXPECT_LT(furthestFromBefore(density), 0.004) << density;  // Half floats, blended.
+    // It is the dust that does it: what swallows half of the light, or is lit by half of it, leaves no white.
+    shot.rays().set(raysTable().airColor, ColorValue{dvec3(0.5)});
+    EXPECT_GT(furthestFromBefore(0.3), 0.2);
+    shot.rays().set(raysTable().airColor, ColorValue{dvec3(1)});
+    shot.rays().set(raysTable().ambient, 0.5);
+    EXPECT_GT(furthestFromBefore(0.3), 0.2);
+    // Read once more without it, so that no other test finds it in the hall's cache.
+    shot.hall().set(hallTable().environment, std::string());
+    (void)shot.take();
 }
 
 TEST_F(Rays, OfTheVolumeAreBrokenByWhatHangsInTheBeam)

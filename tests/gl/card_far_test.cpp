@@ -66,7 +66,7 @@ TEST_F(CardFar, WhereAPixelHoldsManyFringesItShowsTheMeanOfAllViews)
     }
 }
 
-TEST_F(CardFar, LensesSmallerThanAPixelLeaveNoMoire)
+TEST_F(CardFar, H95_LensesSmallerThanAPixelLeaveNoMoire)
 {
     // At its distance the whole card shows the same strips, so every difference between pixels is moire. The
     // lens is out of focus: one ray a pixel lands anywhere in the spot.
@@ -165,7 +165,7 @@ TEST_F(CardFar, ThePrintedRasterLooksAsItsViewsDo)
     }
 }
 
-TEST_F(CardFar, NothingIsEverNotANumber)
+TEST_F(CardFar, H96_NothingIsEverNotANumber)
 {
     CardShot shot;
     const LenticularTable& t = cardTable();

@@ -175,7 +175,7 @@ int whitePixels(const Picture& p)
 
 TEST_F(HardCases, H85_NormalsWithoutLengthInAVisitorsFileLeaveNumbersInThePicture)
 {
-    EXPECT_TRUE(std::isnan(glm::normalize(glm::vec3(0)).x));
+    // Normalized as they are, these normals would be NaN.
     const auto lit = [](float x, float y, float z) {
         test::GltfBuilder builder = quad(x, y, z);
         builder.node({{"name", "quad"}, {"mesh", 0}});

@@ -67,7 +67,7 @@ TEST_F(Rays, LeaveThePictureAsItIsToTheBitWhenTheyAreOff)
     EXPECT_EQ(test::largestDifference(off.image, changed.take().image), 0);
 }
 
-TEST_F(Rays, OfTheSunBehindChangeNothing)
+TEST_F(Rays, H54_OfTheSunBehindChangeNothing)
 {
     // The original projects a sun behind the camera into the middle of the picture, and draws rays there.
     RayShot shot(RayTechnique::none);
@@ -75,38 +75,19 @@ TEST_F(Rays, OfTheSunBehindChangeNothing)
     const dvec3 sun(-0.049, 0.3256, -0.944);
     shot.see(dvec3(0, 5, 1), dvec3(0, 5, 1) - sun);
     const Picture off = shot.take();
+    const glm::dvec4 clip = off.view.clipFromWorld * glm::dvec4(sun, 0);
+    EXPECT_LT(clip.w, 0);
+    EXPECT_LT(glm::length(dvec2(clip) / clip.w), 0.1);
     shot.rays().set(raysTable().technique, RayTechnique::screen);
     EXPECT_EQ(test::largestDifference(off.image, shot.take().image), 0);
+    EXPECT_EQ(gallery().museum.plan(shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
 }
 
-TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
-{
-    RayShot shot(RayTechnique::screen);
-    shot.onWhite();
-    shot.size(64, 36);
-    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
-        for (const double decay : {0.0, 0.9, 0.98, 1.0}) {
-            for (const double density : {0.0, 0.3, 1.0}) {
-                for (const int samples : {1, 8, 216}) {
-                    shot.rays().set(raysTable().method, method);
-                    shot.rays().set(raysTable().decay, decay);
-                    shot.rays().set(raysTable().density, density);
-                    shot.rays().set(raysTable().samples, samples);
-                    const Picture p = shot.take();
-                    double worst = 0;
-                    // Half floats carry the mean: a thousandth.
-                    p.each([&](int x, int y) { worst = std::max(worst, glm::length(p.color(x, y) / shot.white() - dvec3(1))); });
-                    EXPECT_LT(worst, 0.004) << static_cast<int>(method) << ' ' << decay << ' ' << density << ' ' << samples;
-                }
-            }
-        }
-    }
-}
-
-TEST_F(Rays, AreTheMeanThatFloat64Finds)
+TEST_F(Rays, H56_AreTheMeanThatFloat64Finds)
 {
     // The sun in the picture; beyond its upper edge; and beyond its corner.
     const std::pair<dvec3, dvec3> views[] = {{{0.4, 1.65, -1}, {0.1, 3.8, -12}}, {{0.4, 1.65, -5}, {0.4, 1.6, -12}}, {{-3, 1.65, -6}, {1.5, 2.6, -12}}};
+    double bent = 0;
     for (const auto& [eye, target] : views) {
         RayShot shot(RayTechnique::screen);
         shot.size(161, 91);
@@ -119,6 +100,11 @@ TEST_F(Rays, AreTheMeanThatFloat64Finds)
         const dvec3 towardsSun(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree), -std::cos(-3 * degree) * std::cos(19 * degree));
         const SunInPicture sun = sunInPicture(loop.view, towardsSun);
         ASSERT_TRUE(sun.inFront);
+        if (sun.beyond > 0) {
+            // Clamped to the picture, the light would bend every ray: that through the middle by this much.
+            const auto angle = [](const dvec2& to) { return std::atan2(to.y - 45.5, to.x - 80.5); };
+            bent = std::max(bent, std::abs(angle(sun.pixel) - angle(glm::clamp(sun.pixel, dvec2(0), dvec2(161, 91)))));
+        }
         const double reach = std::max(glm::length(sun.pixel - dvec2(80.5, 45.5)) / 91, 1.0);
         const double density = glsl::shaftDensity(shot.rays()[raysTable().density], reach);
         const double exponent = glsl::shaftExponentAt(shot.rays()[raysTable().decay], reach);
@@ -152,6 +138,7 @@ TEST_F(Rays, AreTheMeanThatFloat64Finds)
         EXPECT_LT(std::sqrt(polarSquares / pixels), 0.004);
         EXPECT_LT(std::sqrt(passesSquares / pixels), 0.006);
     }
+    EXPECT_GT(bent, 5 * degree);
 }
 
 TEST_F(Rays, OfMoreSamplesAreNoBrighter)
@@ -178,7 +165,7 @@ TEST_F(Rays, OfMoreSamplesAreNoBrighter)
     EXPECT_GT(shot.take().mean(), 1.5 * few);
 }
 
-TEST_F(Rays, OfADiskAreCenteredAtHalfSizeToATwentiethOfAPixel)
+TEST_F(Rays, H65_OfADiskAreCenteredAtHalfSizeToATwentiethOfAPixel)
 {
     // Alone, the sky within five degrees of the sun shines: a disk in the picture, whole pixels or not.
     for (const glm::ivec2 size : {glm::ivec2(97, 55), glm::ivec2(96, 54), glm::ivec2(101, 53)}) {
@@ -204,28 +191,18 @@ TEST_F(Rays, OfADiskAreCenteredAtHalfSizeToATwentiethOfAPixel)
         };
         const dvec2 full = centroid(RayResolution::full);
         EXPECT_LT(glm::length(centroid(RayResolution::half) - full), 0.05) << size.x << 'x' << size.y;
+        if (size.x % 2 == 0) continue;
+        // Stretched over the picture from edge to edge, as a texture of half the size usually is, it is not where it was.
+        const render::Image coarse = gallery().renderer.read("crepuscular_rays.rays");
+        double sum = 0;
+        double all = 0;
+        for (int y = 0; y < coarse.height; ++y)
+            for (int x = 0; x < coarse.width; ++x) {
+                sum += (x + 0.5) * coarse.at(x, y, 1);
+                all += coarse.at(x, y, 1);
+            }
+        EXPECT_GT(std::abs(sum / all * size.x / coarse.width - (full.x + 0.5)), 0.2);
     }
-}
-
-TEST_F(Rays, AreNeverBrighterThanTheMask)
-{
-    RayShot shot(RayTechnique::screen);
-    shot.rays().set(raysTable().jitter, true);
-    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
-        for (const RayResolution resolution : {RayResolution::full, RayResolution::half, RayResolution::quarter}) {
-            shot.rays().set(raysTable().method, method);
-            shot.rays().set(raysTable().resolution, resolution);
-            const Picture p = shot.take();
-            p.each([&](int x, int y) { EXPECT_LE(p.color(x, y).x, 1.002 * shot.white().x) << x << ',' << y; });
-        }
-    }
-    // The original's sum is, by far.
-    shot.rays().set(raysTable().sum, RaySum::plain);
-    shot.rays().set(raysTable().decay, 1.0);
-    const Picture plain = shot.take();
-    double brightest = 0;
-    plain.each([&](int x, int y) { brightest = std::max(brightest, plain.color(x, y).x); });
-    EXPECT_GT(brightest, 20);
 }
 
 TEST_F(Rays, OfTheOriginalAddUpToItsClosedFormOnAWhiteMask)
@@ -245,7 +222,7 @@ TEST_F(Rays, OfTheOriginalAddUpToItsClosedFormOnAWhiteMask)
     }
 }
 
-TEST_F(Rays, WithoutDensityAreTheMaskToTheBit)
+TEST_F(Rays, H62_WithoutDensityAreTheMaskToTheBit)
 {
     RayShot shot(RayTechnique::screen);
     shot.rays().set(raysTable().density, 0.0);
@@ -317,31 +294,6 @@ TEST_F(Rays, AreWhereTheyShouldBeAtHalfSizeAndOddSizes)
         const dvec2 full = centroid(RayResolution::full);
         EXPECT_LT(glm::length(centroid(RayResolution::half) - full), 0.3) << size.x << 'x' << size.y;
     }
-}
-
-TEST_F(Rays, ChangeLittleByLittleWhileTheCameraTurnsAway)
-{
-    // From the sun in the picture through the edge to a quarter turn beyond, in steps of a tenth of a degree (here
-    // around the edge and where the last of it fades): nothing pops.
-    RayShot shot(RayTechnique::screen);
-    shot.size(64, 36);
-    shot.rays().set(raysTable().edgeFade, 0.8);
-    const auto mean = [&](double yaw) {
-        const double a = yaw * degree;
-        shot.see({0.4, 1.65, -1}, dvec3(0.4, 1.65, -1) + dvec3(std::sin(a), 0.2, -std::cos(a)));
-        return shot.take().mean();
-    };
-    const double straight = mean(0);
-    EXPECT_GT(straight, 0.05);
-    for (const double around : {-42.0, 36.0, 58.0, 66.0}) {
-        double last = mean(around);
-        for (int i = 1; i <= 12; ++i) {
-            const double now = mean(around + 0.1 * i);
-            EXPECT_LT(std::abs(now - last), 0.02 * straight) << around + 0.1 * i;
-            last = now;
-        }
-    }
-    EXPECT_EQ(gallery().museum.plan(shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
 }
 
 TEST_F(Rays, JitterMovesTheGrainAndNotTheMean)
@@ -426,20 +378,6 @@ TEST_F(Rays, LegalValuesNeverMakeWhatIsNotANumber)
         const Picture p = shot.take();
         EXPECT_EQ(test::notFinite(p.image, 4), "") << i;
         p.each([&](int x, int y) { for (int c = 0; c < 3; ++c) EXPECT_GE(p.image.at(x, y, c), -1e-4); });
-    }
-}
-
-TEST_F(Rays, AreFiniteWithTheSunOnAPixelsCenterAndTheEyeInTheWindow)
-{
-    const dvec3 sun(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree), -std::cos(-3 * degree) * std::cos(19 * degree));
-    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
-        RayShot shot(RayTechnique::both);
-        shot.size(33, 19);
-        shot.rays().set(raysTable().method, method);
-        shot.see({0, 3, -9}, dvec3(0, 3, -9) + sun);
-        EXPECT_EQ(test::notFinite(shot.take().image, 4), "");
-        shot.see({0, 3.9, -12.2}, dvec3(0, 3.9, -12.2) + sun);
-        EXPECT_EQ(test::notFinite(shot.take().image, 4), "");
     }
 }
 

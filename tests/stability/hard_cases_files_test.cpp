@@ -58,7 +58,7 @@ TEST(HardCases, H17_ANegativeSizeInAPresetIsBroughtIntoRangeAndSaid)
 
 TEST(HardCases, H61_NumbersThatAreNoneAreRefusedForEveryRowOfEveryExhibit)
 {
-    EXPECT_TRUE(std::isnan(std::clamp(std::nan(""), 0.0, 1.0)));  // A clamp alone lets it through.
+    // A clamp alone would let NaN through.
     const double infinity = std::numeric_limits<double>::infinity();
     const auto exhibits = allExhibits();
     int rows = 0;
@@ -88,8 +88,7 @@ TEST(HardCases, H61_NumbersThatAreNoneAreRefusedForEveryRowOfEveryExhibit)
 
 TEST(HardCases, H94_ARefractiveIndexThatNoGlassHasIsRefusedOrBroughtIntoRange)
 {
-    const float infinity = std::numeric_limits<float>::infinity();  // One over an index of 0.
-    EXPECT_TRUE(std::isnan(glm::normalize(glm::refract(vec3(0.6F, -0.8F, 0), vec3(0, 1, 0), infinity)).x));
+    // One over an index of 0 is infinite, and what it refracts is NaN.
     for (const char* bad : {"0", "-1.5", "0.2", "1e300"}) {
         const Preset preset = read("\"refractiveIndex\": " + std::string(bad));
         const double index = preset.values[table.refractiveIndex];

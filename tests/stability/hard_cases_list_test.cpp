@@ -82,6 +82,7 @@ std::string fault(const std::string& heldBy, const std::set<std::string>& tests,
     for (auto n = std::sregex_iterator(heldBy.begin(), heldBy.end(), name); n != std::sregex_iterator(); ++n) {
         named = true;
         if (!tests.contains((*n)[1])) return "there is no test " + (*n)[1].str() + " (any more)";
+        if (!numbered.contains((*n)[1])) return (*n)[1].str() + " does not bear the number of this case";
     }
     if (named) return {};
     if (awaited) return with[1].str() + " is there: name the tests of this case";
@@ -117,6 +118,7 @@ TEST(HardCaseList, FaultyRowsAreSeen)
     const std::set<std::string>& fog = numbered.at(66);
     EXPECT_EQ(fault("`Fog.H66_IsClear`", fog, fog, root), "");
     EXPECT_NE(fault("`Fog.H66_WasRenamed`", fog, fog, root), "");
+    EXPECT_NE(fault("`Fog.H66_IsClear`", fog, {}, root), "") << "it bears another number";
     EXPECT_NE(fault("not here: nothing of the kind exists", fog, fog, root), "");
     EXPECT_NE(fault("open: nobody knows how, up to now", fog, fog, root), "");
     EXPECT_NE(fault("not here: no", {}, {}, root), "");

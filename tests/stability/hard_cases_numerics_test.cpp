@@ -36,7 +36,6 @@ TEST(HardCases, H92_TotalReflectionIsAllTheLightAndNoDirectionIsNaN)
         const float mirrored = f32::fresnelDielectric(float(cosine), 1 / 1.5F);
         if (through == vec3(0)) {
             ++total;
-            EXPECT_TRUE(std::isnan(glm::normalize(through).x));  // The naive next direction.
             EXPECT_FLOAT_EQ(glm::length(glm::reflect(ray, normal)), 1);
             if (1.5 * sine > 1 + 1e-6) {
                 EXPECT_EQ(mirrored, 1);

@@ -53,7 +53,7 @@ TEST(Numerics, H93_FresnelOfClearSurfacesIsThatOfTheTwoPolarizations)
 
 TEST(Numerics, H44_AnglesOfCosinesBeyondOneAreDefinedAndAccurate)
 {
-    EXPECT_TRUE(std::isnan(std::acos(1.0000001F)));
+    // acos itself is NaN beyond 1, where rounding puts the product of two unit vectors.
     EXPECT_EQ(f32::safeAcos(1.0000001F), 0);
     EXPECT_FLOAT_EQ(f32::safeAcos(-1.0000001F), float(M_PI));
     for (int i = -1000; i <= 1000; ++i) {
@@ -94,7 +94,7 @@ TEST(Numerics, H101_PowersOfZeroAreDefined)
 
 TEST(Numerics, H103_AStepBetweenEqualEdgesIsAHardStep)
 {
-    EXPECT_TRUE(std::isnan(glm::smoothstep(0.5F, 0.5F, 0.5F)) || glm::smoothstep(0.5F, 0.5F, 0.5F) == 0);
+    // GLSL leaves smoothstep between equal edges undefined: a driver gives 0, 1 or NaN.
     EXPECT_EQ(f32::smoothStep(0.5F, 0.5F, 0.49F), 0);
     EXPECT_EQ(f32::smoothStep(0.5F, 0.5F, 0.5F), 1);
     for (int i = -10; i <= 20; ++i)
@@ -103,11 +103,10 @@ TEST(Numerics, H103_AStepBetweenEqualEdgesIsAHardStep)
 
 TEST(Numerics, VectorsWithoutLengthTakeTheFallback)
 {
-    EXPECT_TRUE(std::isnan(glm::normalize(vec3(0)).x));
+    // normalize() of a zero vector and sqrt() of a negative number are NaN.
     EXPECT_EQ(f32::safeNormalize(vec3(0), vec3(0, 1, 0)), vec3(0, 1, 0));
     EXPECT_EQ(f32::safeNormalize(vec3(1e-25F), vec3(0, 1, 0)), vec3(0, 1, 0));  // The square underflows.
     EXPECT_FLOAT_EQ(glm::length(f32::safeNormalize(vec3(1e-10F, 2e-10F, 0), vec3(0))), 1);
-    EXPECT_TRUE(std::isnan(std::sqrt(-1e-7F)));
     EXPECT_EQ(f32::safeSqrt(-1e-7F), 0);
     EXPECT_EQ(f32::safeDivide(0, 0, 3), 3);
 }

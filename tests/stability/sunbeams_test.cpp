@@ -1,5 +1,5 @@
-// The arithmetic of the sunbeams: weights along a ray of the screen, and light scattered in air. The very source that
-// the GPU runs, at float64 and at float32.
+// The arithmetic of the sunbeams of the screen: weights along a line towards the light. The very source that the GPU
+// runs, at float64 and at float32. What air scatters is in air_test.cpp.
 
 #include "render/glsl/cpu.h"
 #include "render/glsl/cpu32.h"
@@ -7,17 +7,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
 #include <functional>
-#include <numbers>
+#include <limits>
 #include <vector>
 
 namespace {
 
 namespace r64 = vitrine::glsl;
 namespace r32 = vitrine::glsl32;
-using glm::dvec2;
-using glm::dvec3;
 
 const double decays[] = {0.0, 1e-6, 0.5, 0.9, 0.96, 0.99, 0.9999, 1 - 1e-6, 1.0};
 const double densities[] = {0.0, 1e-7, 1e-3, 0.1, 0.5, 0.95, 1.0};
@@ -67,7 +64,7 @@ TEST(ShaftWeights, OfGeometricTapsAddUpToOneForEverySetting)
     }
 }
 
-TEST(ShaftWeights, ThePlainSumIsTheClosedFormAlsoWhereItIsZeroOverZero)
+TEST(ShaftWeights, H58_ThePlainSumIsTheClosedFormAlsoWhereItIsZeroOverZero)
 {
     for (const int n : {1, 2, 64, 128, 512}) {
         for (const double decay : decays) {
@@ -82,10 +79,11 @@ TEST(ShaftWeights, ThePlainSumIsTheClosedFormAlsoWhereItIsZeroOverZero)
             EXPECT_NEAR(r32::shaftPlainSum(1, static_cast<float>(1 + e), static_cast<float>(n)), n, 1e-3 * n);
         }
     }
-    EXPECT_TRUE(std::isnan((1 - std::pow(1.0F, 64.0F)) / (1 - 1.0F)));
+    const auto naive = [](float decay, float n) { return (1 - std::pow(decay, n)) / (1 - decay); };
+    EXPECT_TRUE(std::isnan(naive(1, 64)));
 }
 
-TEST(ShaftWeights, MoreSamplesMakeNothingBrighter)
+TEST(ShaftWeights, H60_MoreSamplesMakeNothingBrighter)
 {
     // A mask of bars: the mean over many lines must not move by half a percent from 8 to 512 samples.
     const auto mean = [](int samples, bool normalized) {
@@ -125,17 +123,40 @@ TEST(ShaftWeights, GeometricStepsHaveTheirMeanHoweverLongTheyAre)
     }
 }
 
-TEST(ShaftWeights, WithoutAWayToGoTheMaskItselfIsSeen)
+TEST(ShaftWeights, H59_ADecayAboveOneIsNoBrighterThanTheMask)
 {
+    // The original's sum at a decay of 1.1: four and a half thousand times the mask.
+    double naive = 0;
+    for (int i = 0; i < 64; ++i) naive += std::pow(1.1, i);
+    EXPECT_GT(naive, 4400);
+    for (const double decay : {1 + 1e-9, 1.001, 1.1, 2.0, 1e30, std::numeric_limits<double>::infinity()}) {
+        EXPECT_EQ(r64::shaftExponent(decay), 1) << decay;
+        EXPECT_GE(r64::shaftExponentAt(decay, 3), 1) << decay;
+        for (const double density : densities) {
+            EXPECT_NEAR(gathered(64, decay, density, [](double) { return 1.0; }), 1, 1e-9) << decay;
+            const double ratio = r64::shaftRatio(density, r64::shaftExponent(decay), 6, 3);
+            double sum = 0;
+            for (double i = 0; i < 6; ++i) sum += r64::shaftTapWeight(i, 6, ratio, r64::shaftExponent(decay));
+            EXPECT_NEAR(sum, 1, 1e-9) << decay;
+        }
+        EXPECT_EQ(r32::shaftExponent(static_cast<float>(decay)), 1) << decay;
+    }
+}
+
+TEST(ShaftWeights, H62_WithoutAWayToGoTheMaskItselfIsSeen)
+{
+    // A step's share of nothing.
+    const auto naive = [](double i, double n, double density, double a) { return (std::pow(1 - density * i / n, a) - std::pow(1 - density * (i + 1) / n, a)) / (1 - std::pow(1 - density, a)); };
+    EXPECT_TRUE(std::isnan(naive(0, 8, 0, 3)));
     for (const int n : {1, 8, 100}) EXPECT_NEAR(gathered(n, 0.97, 0, [](double t) { return t == 1 ? 0.375 : 99; }), 0.375, 1e-12);
     EXPECT_NEAR(gathered(64, 0, 1, [](double t) { return t > 0.99 ? 0.375 : 0; }), 0.375, 1e-12);
 }
 
-TEST(ShaftWeights, DensityBeyondOneDoesNotReachThroughTheLight)
+TEST(ShaftWeights, H63_DensityBeyondOneDoesNotReachThroughTheLight)
 {
     for (const double density : {1.0, 1.5, 100.0})
         for (int i = 0; i < 8; ++i) EXPECT_GE(r64::shaftStep(i, 8, r64::shaftDensity(density, 1), 0.5), 0);
-    EXPECT_LT(1 - 1.5 * (7.5 / 8), 0);  // Unclamped, it would: rays mirrored beyond the sun.
+    EXPECT_LT(r64::shaftStep(7, 8, 1.5, 0), 0);  // Unclamped, it would: rays mirrored beyond the sun.
 }
 
 TEST(ShaftWeights, ComposeExactlyOverPassesOfGeometricTaps)
@@ -198,120 +219,6 @@ TEST(EdgeFade, IsOneInsideZeroBeyondTheMarginAndSmoothBetween)
         EXPECT_LT(before - fade, 0.016);
         before = fade;
     }
-}
-
-TEST(AirPhase, IntegratesToOneOverAllDirections)
-{
-    for (const double g : {-0.999, -0.95, -0.5, 0.0, 0.3, 0.9, 0.999, 5.0}) {
-        // In the cosine's own variable the peak is resolved by a substitution towards it.
-        double sum = 0;
-        const int n = 400000;
-        for (int i = 0; i < n; ++i) {
-            const double u = (i + 0.5) / n;
-            const double toPeak = 2 * u * u * u * u;  // 1 - |cosine| side of the peak
-            const double cosine = g >= 0 ? 1 - toPeak : toPeak - 1;
-            const double phase = r64::airPhase(cosine, g);
-            EXPECT_TRUE(std::isfinite(phase));
-            sum += phase * 8 * u * u * u / n;
-        }
-        EXPECT_NEAR(2 * std::numbers::pi * sum, 1, 1e-3) << g;
-    }
-    EXPECT_TRUE(std::isfinite(r32::airPhase(1, 1)));
-    EXPECT_TRUE(std::isfinite(r32::airPhase(-1, -1)));
-}
-
-TEST(AirOpticalDepth, IsTheIntegralOfTheDensity)
-{
-    for (const double slope : {-0.7, -1e-9, 0.0, 1e-5, 0.3, 1.0}) {
-        for (const double thinning : {0.0, 1e-7, 0.08, 2.0}) {
-            for (const double way : {0.0, 1e-3, 3.0, 20.0}) {
-                double sum = 0;
-                const int n = 4000;
-                for (int i = 0; i < n; ++i) sum += 0.05 * std::exp(-thinning * (1.5 + slope * way * (i + 0.5) / n)) * way / n;
-                sum = std::min(sum, 1e4);  // Beyond this nothing comes through, and exp could overflow.
-                EXPECT_NEAR(r64::airOpticalDepth(1.5, slope, way, 0.05, thinning), sum, 1e-5 * (1 + sum)) << slope << ' ' << thinning << ' ' << way;
-                EXPECT_NEAR(r32::airOpticalDepth(1.5F, static_cast<float>(slope), static_cast<float>(way), 0.05F, static_cast<float>(thinning)), sum, 2e-5 * (1 + sum));
-            }
-        }
-    }
-}
-
-TEST(AirOpticalDepth, LetsThroughBetweenNothingAndAllForEveryInput)
-{
-    for (const double density : {0.0, 1e-12, 1e-6, 0.01, 10.0})
-        for (const double thinning : {0.0, 1e-12, 1.0, 10.0})
-            for (const double way : {-1.0, 0.0, 1e-9, 10.0, 1e9, std::numeric_limits<double>::infinity()})
-                for (const double slope : {-1.0, 0.0, 1.0}) {
-                    const double through = std::exp(-r64::airOpticalDepth(-3, slope, std::min(way, 1e9), density, thinning));
-                    EXPECT_TRUE(through >= 0 && through <= 1) << density << ' ' << thinning << ' ' << way << ' ' << slope;
-                    const float through32 = std::exp(-r32::airOpticalDepth(-3, static_cast<float>(slope), static_cast<float>(std::min(way, 1e9)), static_cast<float>(density), static_cast<float>(thinning)));
-                    EXPECT_TRUE(through32 >= 0 && through32 <= 1) << density << ' ' << thinning << ' ' << way << ' ' << slope;
-                }
-    // Small densities are small depths, not rounding: sigma from 0 to 1e-6.
-    for (int i = 0; i <= 100; ++i) EXPECT_NEAR(r64::airOpticalDepth(0, 0, 10, i * 1e-8, 0), i * 1e-7, 1e-15);
-}
-
-TEST(AirScattering, OfALitSlabIsTheClosedFormForAnyNumberOfSteps)
-{
-    const double exact = 1 - std::exp(-r64::airOpticalDepth(2, -0.2, 12, 0.2, 0.1));
-    for (const int steps : {1, 2, 3, 16, 1000}) {
-        double sum = 0;
-        double before = 1;
-        for (int i = 1; i <= steps; ++i) {
-            const double after = std::exp(-r64::airOpticalDepth(2, -0.2, 12.0 * i / steps, 0.2, 0.1));
-            sum += before - after;
-            before = after;
-        }
-        EXPECT_NEAR(sum, exact, 1e-12) << steps;
-    }
-    // Density times transmittance times length, at the beginning of each of two steps, makes far too much light.
-    double naive = 0;
-    for (int i = 0; i < 2; ++i) naive += 0.2 * std::exp(-0.1 * (2 - 0.2 * 6 * i)) * std::exp(-r64::airOpticalDepth(2, -0.2, 6.0 * i, 0.2, 0.1)) * 6;
-    EXPECT_GT(naive / exact, 1.4);
-}
-
-TEST(AirScattering, AWhiteRoomStaysWhite)
-{
-    // Light 1 behind the air and light 1 all around in it: what is taken out is what is put in.
-    for (const double density : {0.0, 0.01, 1.0, 1e4}) {
-        const double through = std::exp(-r64::airOpticalDepth(1, 0.4, 9, density, 0.3));
-        EXPECT_NEAR(1.0 * through + 1.0 * (1 - through), 1, 1e-15);
-    }
-}
-
-TEST(AirBeam, HoldsExactlyThePointsThatTheLightReachesThroughTheOpening)
-{
-    const dvec3 sun = glm::normalize(dvec3(-0.3, 0.5, -1));
-    const dvec3 along = sun / sun.z;
-    const dvec3 low(-1.2, 1.4, -12.5), high(1.2, 6.4, -11.9), roomLow(-6, 0, -12), roomHigh(6, 9, 12);
-    std::uint32_t state = 7;
-    const auto number = [&](double a, double b) {
-        state = state * 747796405U + 2891336453U;
-        return a + (b - a) * (state >> 8U) / 16777216.0;
-    };
-    int inside = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const dvec3 eye(number(-6, 6), number(0, 8), number(-14, 12));
-        const dvec3 direction = glm::normalize(dvec3(number(-1, 1), number(-1, 1), number(-1, 1)));
-        const dvec2 stretch = r64::airBeam(eye, direction, low, high, 2, -12, along, roomLow, roomHigh);
-        for (int k = 0; k < 20; ++k) {
-            const double t = number(-20, 20);
-            const dvec3 p = eye + direction * t;
-            const dvec3 onWindow = p - along * (p.z + 12);
-            const bool lit = onWindow.x > low.x && onWindow.x < high.x && onWindow.y > low.y && onWindow.y < high.y && p.x > -6 && p.x < 6 && p.y > 0 && p.y < 9 && p.z > -12 && p.z < 12;
-            inside += lit;
-            EXPECT_EQ(t > stretch.x && t < stretch.y, lit) << i << ' ' << t;
-        }
-    }
-    EXPECT_GT(inside, 500);
-}
-
-TEST(AirBox, IsDefinedForRaysAlongItsFaces)
-{
-    const dvec2 through = r64::airBox({0, 0, -5}, {0, 0, 1}, dvec3(-1), dvec3(1));
-    EXPECT_EQ(through, dvec2(4, 6));
-    const dvec2 beside = r64::airBox({2, 0, -5}, {0, 0, 1}, dvec3(-1), dvec3(1));
-    EXPECT_LT(beside.y, beside.x);
 }
 
 }  // namespace
