@@ -56,7 +56,7 @@ struct CrepuscularRaysTable final : Parameters {
     Toggle jitter = toggle("jitter", true, "Shift samples and steps by blue noise, so that too few of them look like grain and not like bands.");
     Count volumeSteps = count("volumeSteps", 16, {1, 1024, logarithmic}, "Steps in which a ray crosses a beam of the volume.", quality(1024));
     Choice<RayResolution> resolution = choice("resolution", RayResolution::half, {"full", "half", "quarter"},
-        "Of the beams, before they are brought up to the picture's with regard to its depth.", quality(0));
+        "Of the beams, before they are brought up to the picture's with regard to its depth.", exactAt(0));
 
     Group hangings = group("Hangings");
     Toggle animate = toggle("animate", false, "Let the draught turn the mobile.");

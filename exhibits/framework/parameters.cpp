@@ -105,17 +105,17 @@ Parameters::Group Parameters::group(std::string_view title)
 
 Real Parameters::real(std::string_view name, double initial, Unit unit, Range range, std::string_view help, Quality q)
 {
-    return {append({name, group_, help, Kind::real, unit, range, initial, {}, q.reference})};
+    return {append({name, group_, help, Kind::real, unit, range, initial, {}, q.reference, q.byMeaning})};
 }
 
 Count Parameters::count(std::string_view name, int initial, Range range, std::string_view help, Quality q)
 {
-    return {append({name, group_, help, Kind::count, none, range, static_cast<double>(initial), {}, q.reference})};
+    return {append({name, group_, help, Kind::count, none, range, static_cast<double>(initial), {}, q.reference, q.byMeaning})};
 }
 
 Toggle Parameters::toggle(std::string_view name, bool initial, std::string_view help, Quality q)
 {
-    return {append({name, group_, help, Kind::toggle, none, {0, 1}, initial ? 1.0 : 0.0, {}, q.reference})};
+    return {append({name, group_, help, Kind::toggle, none, {0, 1}, initial ? 1.0 : 0.0, {}, q.reference, q.byMeaning})};
 }
 
 Color Parameters::color(std::string_view name, glm::dvec3 initial, std::string_view help)
@@ -137,7 +137,7 @@ std::uint16_t Parameters::appendChoice(std::string_view name, int initial, std::
                                        std::string_view help, Quality q)
 {
     const double last = static_cast<double>(names.size()) - 1;
-    return append({name, group_, help, Kind::choice, none, {0, last}, static_cast<double>(initial), names, q.reference});
+    return append({name, group_, help, Kind::choice, none, {0, last}, static_cast<double>(initial), names, q.reference, q.byMeaning});
 }
 
 std::uint16_t Parameters::append(ParameterInfo row)

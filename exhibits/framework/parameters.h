@@ -53,6 +53,7 @@ struct ParameterInfo {
     Value initial;
     std::vector<std::string_view> choices;    ///< Names, for Kind::choice only.
     std::optional<double> qualityReference;   ///< The value that counts as exact, when accuracy costs time.
+    bool exactByMeaning = false;              ///< Nothing is approximated there; else that it is exact has to be checked.
 
     /// Whether its values are numbers, with others between them: a real or a count.
     [[nodiscard]] bool isNumeric() const { return kind == Kind::real || kind == Kind::count; }
@@ -105,8 +106,14 @@ protected:
     using enum Scale;
 
     struct Group {};
-    struct Quality { std::optional<double> reference; };
-    [[nodiscard]] static Quality quality(double reference) { return {reference}; }
+    struct Quality {
+        std::optional<double> reference;
+        bool byMeaning;
+    };
+    /// Accuracy costs time, and `reference` is as near to exact as the row comes; a study checks how near.
+    [[nodiscard]] static Quality quality(double reference) { return {reference, false}; }
+    /// The same, but at `reference` the row approximates nothing: a closed form, or an approximation that is off.
+    [[nodiscard]] static Quality exactAt(double reference) { return {reference, true}; }
 
     /// Heading of the rows that follow.
     Group group(std::string_view title);

@@ -190,20 +190,16 @@ void Study::addPicture(std::string name, Look look, std::size_t view, std::funct
                      }});
 }
 
-void Study::addReference(std::size_t view, bool withHalfway)
+void Study::addReference(std::size_t view, bool withNeighbors)
 {
     if (views_[view].heldOut && phase_ != Phase::choice) return;
-    std::vector<double> halfway;
-    for (const StudyAxis& axis : request_.axes) {
-        const Exactness e = exactness(rowOf(museum_.exhibits(), axis), doublings_);
-        halfway.push_back(e.halfway.value_or(e.exact));
-    }
     addPicture("reference of " + views_[view].view.name, lookAt(result_.exact, view), view, [this, view](render::Image picture) {
         if (!views_[view].heldOut) result_.references[view] = picture;
         views_[view].reference = std::move(picture);
     });
-    if (withHalfway && halfway != result_.exact)
-        addPicture("half as exact, " + views_[view].view.name, lookAt(halfway, view), view, [this, view](render::Image picture) { views_[view].halfway = std::move(picture); });
+    if (!withNeighbors) return;
+    for (const std::vector<double>& neighbor : neighborsOf(museum_.exhibits(), request_.axes, doublings_))
+        addPicture("check of the reference, " + views_[view].view.name, lookAt(neighbor, view), view, [this, view](render::Image picture) { views_[view].neighbors.push_back(std::move(picture)); });
 }
 
 void Study::addSetting(const Setting& setting)

@@ -130,14 +130,15 @@ private:
     };
     struct View {
         StudyView view;
-        render::Image reference, halfway, exact;
+        render::Image reference, exact;
+        std::vector<render::Image> neighbors;  ///< What the reference is checked against.
         bool heldOut = false;
     };
 
     // Jobs: what is drawn.
     void addViews();
     void addPicture(std::string name, Look, std::size_t view, std::function<void(render::Image)> take);
-    void addReference(std::size_t view, bool withHalfway);
+    void addReference(std::size_t view, bool withNeighbors);
     void addSetting(const Setting&);
     void addTimes();
     void nextPhase();
@@ -154,6 +155,7 @@ private:
     void renewErrors();
     bool refineReference();
     void judge();
+    [[nodiscard]] std::string convergenceSentence(std::size_t uncertainErrors, double smallestError) const;
     void judgeCosts();
 
     // Searching and choosing.

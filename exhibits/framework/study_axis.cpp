@@ -67,23 +67,47 @@ ParameterValues atReference(ParameterValues values)
 
 Exactness exactness(const ParameterInfo& row, int doublings)
 {
-    const double reference = row.qualityReference.value_or(std::get<double>(row.initial));
-    Exactness result{reference, {}, {}};
-    const bool number = row.isNumeric();
-    const double initial = number ? std::get<double>(row.initial) : reference;
-    if (!number || initial == reference) return result;
+    const double initial = row.isNumeric() ? std::get<double>(row.initial) : 0;
+    Exactness result{row.qualityReference.value_or(initial), {}, row.exactByMeaning, {}};
+    if (row.exactByMeaning || !row.isNumeric()) return result;
+    const bool byFactors = row.range.scale == Scale::logarithmic;
+    if (!byFactors && row.kind != Kind::count) return result;
     const auto legal = [&](double x) { return x >= row.range.low && x <= row.range.high; };
-    const bool more = reference > initial;
-    if (row.range.scale == Scale::logarithmic) {
-        const double factor = more ? 2 : 0.5;
-        for (int i = 0; i < doublings && legal(result.exact * factor); ++i) result.exact *= factor;
-        result.halfway = result.exact / factor;
-        if (legal(result.exact * factor)) result.beyond = result.exact * factor;
-    } else if (row.kind == Kind::count) {
-        result.halfway = result.exact + (more ? -1 : 1);
+    const auto moved = [&](double x, bool up) {
+        const double to = byFactors ? x * (up ? 2 : 0.5) : x + (up ? 1 : -1);
+        return row.kind == Kind::count ? std::round(to) : to;
+    };
+    const auto check = [&](bool up) {
+        if (const double to = moved(result.exact, up); legal(to) && to != result.exact) result.neighbors.push_back(to);
+    };
+    if (result.exact == initial) {
+        // Which way is the less exact one, nobody knows.
+        check(false);
+        check(true);
+        return result;
     }
-    if (row.kind == Kind::count && result.halfway) result.halfway = std::round(*result.halfway);
+    const bool more = result.exact > initial;
+    if (byFactors) {
+        for (int i = 0; i < doublings && legal(moved(result.exact, more)); ++i) result.exact = moved(result.exact, more);
+        if (const double to = moved(result.exact, more); legal(to)) result.beyond = to;
+    }
+    check(!more);
     return result;
+}
+
+std::vector<std::vector<double>> neighborsOf(Exhibits exhibits, const std::vector<StudyAxis>& axes, int doublings)
+{
+    std::vector<double> exact, first, last;
+    for (const StudyAxis& axis : axes) {
+        const Exactness e = exactness(rowOf(exhibits, axis), doublings);
+        exact.push_back(e.exact);
+        first.push_back(e.neighbors.empty() ? e.exact : e.neighbors.front());
+        last.push_back(e.neighbors.empty() ? e.exact : e.neighbors.back());
+    }
+    std::vector<std::vector<double>> settings;
+    if (first != exact) settings.push_back(first);
+    if (last != first) settings.push_back(last);
+    return settings;
 }
 
 }  // namespace vitrine

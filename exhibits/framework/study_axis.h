@@ -47,13 +47,21 @@ using Setting = std::vector<std::size_t>;
 /// The values at which everything that the table marks as quality counts as exact.
 [[nodiscard]] ParameterValues atReference(ParameterValues);
 
-/// Where a numeric row counts as exact, and how sure that is: half as exact and twice as exact.
+/// Where a row counts as exact, and what tells how sure that is.
 struct Exactness {
     double exact = 0;
-    std::optional<double> halfway;  ///< Towards the initial value: half or double on a logarithmic scale, one less or more of a count. Nothing: exact by its meaning.
-    std::optional<double> beyond;   ///< As far the other way, while legal.
+    /// Values whose pictures the exact one's is checked against: half or double on a logarithmic scale, one less or more of
+    /// a count; towards the initial value, or both ways from a value that is the initial one. Empty for a row that is
+    /// exact by its meaning, and for one that nothing can check: a choice, a number on a linear scale.
+    std::vector<double> neighbors;
+    bool byMeaning = false;        ///< Its row says so: nothing is approximated there.
+    std::optional<double> beyond;  ///< As far away from the initial value, while legal.
 };
 /// `doublings` moves the exact value that many times away from the initial one, on a logarithmic scale, while legal.
 [[nodiscard]] Exactness exactness(const ParameterInfo&, int doublings = 0);
+
+/// The settings, none to two, whose pictures a reference of all these axes is checked against: every axis at its first
+/// neighbor, then every one at its last.
+[[nodiscard]] std::vector<std::vector<double>> neighborsOf(Exhibits, const std::vector<StudyAxis>&, int doublings = 0);
 
 }  // namespace vitrine

@@ -26,6 +26,15 @@ bool isDrawn(const StudyPoint& point)
     return std::all_of(point.shots.begin(), point.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); });
 }
 
+/// Those whose reference counts as exact although neither its meaning nor another value says so.
+std::vector<StudyAxis> uncheckedAxes(Exhibits exhibits, const std::vector<StudyAxis>& axes)
+{
+    std::vector<StudyAxis> found;
+    for (const StudyAxis& axis : axes)
+        if (const Exactness e = exactness(rowOf(exhibits, axis)); !e.byMeaning && e.neighbors.empty()) found.push_back(axis);
+    return found;
+}
+
 /// The counter that tells the settings' work apart: of what is done per pixel, the first that differs enough, else the
 /// one in which they differ most; empty when none does.
 std::string mostTelling(const std::vector<StudyPoint>& points)
@@ -90,14 +99,15 @@ bool Study::refineReference()
 {
     renewErrors();
     judge();
-    if (result_.converged || doublings_ >= mostDoublings) return false;
+    const bool tellsAll = std::none_of(result_.points.begin(), result_.points.end(), [](const StudyPoint& point) { return point.uncertain; });
+    if (tellsAll || doublings_ >= mostDoublings) return false;
     std::vector<double> doubled;
     for (const StudyAxis& axis : request_.axes) doubled.push_back(exactness(rowOf(museum_.exhibits(), axis), doublings_ + 1).exact);
     if (doubled == result_.exact) return false;
     ++doublings_;
     result_.exact = doubled;
     for (std::size_t view = 0; view < result_.views.size(); ++view) {
-        views_[view].halfway = views_[view].reference;
+        views_[view].neighbors = {views_[view].reference};
         addReference(view, false);
     }
     return true;
@@ -108,7 +118,12 @@ void Study::judge()
     std::vector<double> uncertainties;
     for (std::size_t view = 0; view < result_.views.size(); ++view) {
         const View& v = views_[view];
-        if (!v.halfway.empty() && !v.reference.empty()) uncertainties.push_back(errorsOf(v.reference, v.halfway)[request_.metric]);
+        if (v.reference.empty()) continue;
+        for (std::size_t i = 0; i < v.neighbors.size(); ++i) {
+            const double change = errorsOf(v.reference, v.neighbors[i])[request_.metric];
+            if (i == 0) uncertainties.push_back(change);
+            else uncertainties.back() = std::max(uncertainties.back(), change);
+        }
     }
     result_.uncertainty = pooled(uncertainties);
 
@@ -141,21 +156,42 @@ void Study::judge()
         }
         if (isPresent) result_.present = i;
     }
-    result_.converged = uncertain == 0;
-    const std::string how = doublings_ > 0 ? "The reference was made twice as exact " + std::to_string(doublings_) + (doublings_ == 1 ? " time" : " times") + ", the last time" : "Half as exact,";
-    if (uncertainties.empty()) result_.convergence = "The reference is exact by the meaning of the parameter.";
-    else if (result_.converged)
-        result_.convergence = how + (doublings_ > 0 ? " changing it by " : " the reference changes by ") + shortNumber(result_.uncertainty) +
-                              (std::isfinite(smallest) ? ", less than a quarter of the smallest error, " + shortNumber(smallest) + '.' : ".");
-    else
-        result_.convergence = how + (doublings_ > 0 ? " changing it by " : " the reference changes by ") + shortNumber(result_.uncertainty) + ": " + std::to_string(uncertain) +
-                              (uncertain == 1 ? " error is" : " errors are") + " under four times that, and uncertain.";
+    result_.converged = uncertain == 0 && uncheckedAxes(museum_.exhibits(), request_.axes).empty();
+    result_.convergence = convergenceSentence(uncertain, smallest);
     if (std::isinf(smallest) && result_.points.size() > 1 && std::all_of(result_.points.begin(), result_.points.end(), isDrawn)) {
         std::string names;
         for (const StudyAxis& axis : request_.axes) names += (names.empty() ? "" : " or ") + axisName(museum_.exhibits(), request_.subject, axis);
         result_.convergence = "Nothing depends on " + names + " at present: every setting gives the same picture. Switch on what it acts on, and study again.";
     }
     judgeCosts();
+}
+
+std::string Study::convergenceSentence(std::size_t uncertainErrors, double smallestError) const
+{
+    const Exhibits exhibits = museum_.exhibits();
+    const auto listed = [&](const std::vector<StudyAxis>& axes, const std::vector<double>& values) {
+        std::string text;
+        for (std::size_t i = 0; i < axes.size(); ++i) text += (text.empty() ? "" : ", ") + axisName(exhibits, request_.subject, axes[i]) + ' ' + axisValueText(exhibits, axes[i], values[i]);
+        return text;
+    };
+    const std::vector<StudyAxis> unchecked = uncheckedAxes(exhibits, request_.axes);
+    std::vector<double> takenFor;
+    for (const StudyAxis& axis : unchecked) takenFor.push_back(exactness(rowOf(exhibits, axis)).exact);
+    const std::string onTrust = unchecked.empty() ? "" : "What counts as exact is not checked: " + listed(unchecked, takenFor) + '.';
+    const auto neighbors = neighborsOf(exhibits, request_.axes);
+    if (neighbors.empty()) return onTrust.empty() ? "The reference is exact by the meaning of the parameter." : onTrust;
+
+    std::string text;
+    const std::string change = shortNumber(result_.uncertainty);
+    if (doublings_ > 0) {
+        text = "The reference was made twice as exact " + std::to_string(doublings_) + (doublings_ == 1 ? " time" : " times") + ", the last time changing it by " + change;
+    } else {
+        for (const std::vector<double>& neighbor : neighbors) text += (text.empty() ? "At " : ", or at ") + listed(request_.axes, neighbor);
+        text += " the reference changes by " + change;
+    }
+    if (uncertainErrors > 0) text += ": " + std::to_string(uncertainErrors) + (uncertainErrors == 1 ? " error is" : " errors are") + " under four times that, and uncertain.";
+    else text += std::isfinite(smallestError) ? ", less than a quarter of the smallest error, " + shortNumber(smallestError) + '.' : ".";
+    return text + (onTrust.empty() ? "" : ' ' + onTrust);
 }
 
 void Study::judgeCosts()

@@ -94,12 +94,12 @@ struct FurTable final : Parameters {
     Choice<FurSilhouette> silhouette = choice("silhouette", FurSilhouette::march, {"none", "fins", "by angle", "march"},
         "What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells where they are seen at an angle, or a march from shell to shell.", quality(3));
     Choice<FurOrder> drawOrder = choice("drawOrder", FurOrder::outerFirst, {"outer first", "inner first"},
-        "Outer shells first hide what is behind them before it is drawn; the picture is the same.", quality(0));
-    Toggle levelOfDetail = toggle("levelOfDetail", true, "Fewer shells where the coat is far away and small.", quality(0));
+        "Outer shells first hide what is behind them before it is drawn; the picture is the same.", exactAt(0));
+    Toggle levelOfDetail = toggle("levelOfDetail", true, "Fewer shells where the coat is far away and small.", exactAt(0));
     Choice<FurRotation> rotationModel = choice("rotationModel", FurRotation::slerp, {"matrix mix", "nlerp", "slerp"},
-        "How a strand turns from root to tip: the mix of the source shortens it, nlerp hurries in the middle, slerp does neither.", quality(2));
+        "How a strand turns from root to tip: the mix of the source shortens it, nlerp hurries in the middle, slerp does neither.", exactAt(2));
     Choice<FurSpring> springModel = choice("springModel", FurSpring::closedForm, {"explicit Euler", "semi-implicit", "closed form"},
-        "How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.", quality(2));
+        "How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.", exactAt(2));
     Count springRate = count("springRate", 240, {15, 240, logarithmic}, "Spring steps a second: few make the first two methods fail.", quality(240));
 };
 

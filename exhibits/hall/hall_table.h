@@ -17,7 +17,7 @@ struct HallTable final : Parameters {
     Real exposure = real("exposure", 0.0, stop, Range{-16, 16}.soft(-4, 4), "Brightness of the whole picture: each stop doubles it.");
 
     Count supersamples = count("supersamples", 16, Range{1, 1024, logarithmic}.soft(1, 64), "Samples per pixel that a picture at rest is refined to: few leave stairs at edges, many take longer to settle.", quality(64));
-    Real resolutionScale = real("resolutionScale", 1.0, none, {0.25, 1}, "Sides of the drawn picture against the window's: less is quicker and blurred.", quality(1));
+    Real resolutionScale = real("resolutionScale", 1.0, none, {0.25, 1}, "Sides of the drawn picture against the window's: less is quicker and blurred.", exactAt(1));
 
     Group sun = group("Sun");
     Choice<SunBy> sunBy = choice("sunBy", SunBy::angles, {"angles", "time of day"}, "Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.");

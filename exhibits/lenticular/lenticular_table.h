@@ -38,7 +38,7 @@ struct LenticularTable final : Parameters {
 
     Group lens = group("Simulation");
     Choice<CardModel> model = choice("model", CardModel::exact, {"linear", "paraxial", "exact"},
-        "From an eye's angle to the strip: in proportion to its tangent as in the source, first-order optics, or Snell's law on the lens.", quality(2));
+        "From an eye's angle to the strip: in proportion to its tangent as in the source, first-order optics, or Snell's law on the lens.", exactAt(2));
     Real magnification = real("magnification", 1, none, {0, 2}, "Size of the spot that a lens shows against what the model gives: 0 is one point of a strip, above 1 the neighbors bleed in.");
     Real intendedMaxAngle = real("intendedMaxAngle", 0.785398163397448, degree, Range{0.0174532925199433, 1.48352986419518}.soft(0.0872664625997165, 1.0471975511966),
         "Of the linear model: the angle to either side at which all views have been seen.");

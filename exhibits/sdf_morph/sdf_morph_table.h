@@ -45,9 +45,9 @@ struct SdfMorphTable final : Parameters {
     Real hitTolerance = real("hitTolerance", 1.0, none, Range{0.001, 64, logarithmic}.soft(0.05, 16), "How near a ray must come to the surface, in half pixels at that distance.", quality(0.001));
     Count stepLimit = count("stepLimit", 128, {1, 1024, logarithmic}, "Steps a ray may take; one that runs out ends on its best candidate.", quality(1024));
     Choice<SdfRelaxation> relaxation = choice("relaxation", SdfRelaxation::automatic, {"none", "fixed", "automatic"},
-        "Whether steps may be longer than the distance: by a fixed factor, or as long as the field's slope promises.", quality(0));
-    Real relaxationFactor = real("relaxationFactor", 1.2, none, {1, 1.99}, "Of the fixed kind: 1 is none, higher takes longer steps and has to take back more.", quality(1));
-    Toggle conePrepass = toggle("conePrepass", true, "First march one cone for every 8 × 8 pixels, and start their rays where it ended.", quality(0));
+        "Whether steps may be longer than the distance: by a fixed factor, or as long as the field's slope promises.", exactAt(0));
+    Real relaxationFactor = real("relaxationFactor", 1.2, none, {1, 1.99}, "Of the fixed kind: 1 is none, higher takes longer steps and has to take back more.", exactAt(1));
+    Toggle conePrepass = toggle("conePrepass", true, "First march one cone for every 8 × 8 pixels, and start their rays where it ended.", exactAt(0));
     Choice<SdfNormal> normalMethod = choice("normalMethod", SdfNormal::central, {"forward", "tetrahedron", "central"},
         "Differences that give the normal: 4, 4 or 6 evaluations; the first two lean across creases.", quality(2));
     Real normalStep = real("normalStep", 0.0003, metre, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02), "Step of those differences near the eye: too small drowns in rounding, too large rounds creases.", quality(0.0003));

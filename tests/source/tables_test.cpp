@@ -2,6 +2,7 @@
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
+#include "exhibits/framework/study_axis.h"
 #include "exhibits/hall/hall_table.h"
 #include "tests/source/source_files.h"
 
@@ -78,6 +79,8 @@ TEST(Tables, EveryExhibitSaysWhatItsAccuracyIs)
             EXPECT_TRUE(row.kind == Kind::real || row.kind == Kind::count || row.kind == Kind::choice || row.kind == Kind::toggle) << exhibit << '.' << row.name;
             EXPECT_EQ(nearestLegal(row, *row.qualityReference), Value(*row.qualityReference)) << exhibit << '.' << row.name << ": its reference is not legal";
             EXPECT_GE(derive::sweep(row, 3).size(), 2U) << exhibit << '.' << row.name << ": nothing to vary";
+            const bool isChecked = row.exactByMeaning || !exactness(row).neighbors.empty();
+            EXPECT_TRUE(isChecked || !row.isNumeric()) << exhibit << '.' << row.name << ": no study can check its reference: let its scale be logarithmic, or say exactAt";
         }
     }
 }

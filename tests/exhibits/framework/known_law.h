@@ -17,7 +17,7 @@ struct KnownTable final : Parameters {
     Count steps = count("steps", 8, {1, 1024, logarithmic}, "More is exact.", quality(256));
     Count rays = count("rays", 4, {1, 64, logarithmic}, "More is exact.", quality(64));
     Choice<int> method = choice("method", 0, {"rough", "fair", "exact"}, "The last is exact.", quality(2));
-    Toggle shortcut = toggle("shortcut", true, "Off is exact.", quality(0));
+    Toggle shortcut = toggle("shortcut", true, "Off is exact.", exactAt(0));
     Real hue = real("hue", 0.5, none, {0, 1}, "No question of accuracy.");
 };
 

@@ -129,6 +129,50 @@ TEST(Study, SaysWhichErrorsItsReferenceCannotTell)
     EXPECT_NE(result.convergence.find("uncertain"), std::string::npos) << result.convergence;
 }
 
+TEST(Study, SaysThatAReferenceIsExactByMeaningOnlyWhereItsRowSaysSo)
+{
+    const auto convergence = [](const std::vector<std::string>& rows) {
+        Subject subject(sumOfParts());
+        return subject.run(subject.request(rows));
+    };
+    const StudyResult shortcut = convergence({"shortcut"});
+    EXPECT_EQ(shortcut.convergence, "The reference is exact by the meaning of the parameter.");
+    EXPECT_TRUE(shortcut.converged);
+    // A choice is taken for exact: nothing beyond it could tell.
+    const StudyResult method = convergence({"method"});
+    EXPECT_EQ(method.convergence, "What counts as exact is not checked: method exact.");
+    EXPECT_FALSE(method.converged);
+    const StudyResult both = convergence({"method", "steps"});
+    EXPECT_NE(both.convergence.find("twice as exact"), std::string::npos) << both.convergence;
+    EXPECT_NE(both.convergence.find(" What counts as exact is not checked: method exact."), std::string::npos) << both.convergence;
+    EXPECT_FALSE(both.converged);
+    const StudyResult rays = convergence({"rays"});
+    EXPECT_EQ(rays.convergence.rfind("At rays 32 the reference changes by ", 0), 0U) << rays.convergence;
+}
+
+/// Numbers whose initial value counts as exact, in the middle of their range and at its end.
+struct AtTheirBest final : Parameters {
+    Real step = real("step", 0.001, none, {1e-6, 1, logarithmic}, "Too small is as bad as too large.", quality(0.001));
+    Count rate = count("rate", 240, {15, 240, logarithmic}, "More is exact.", quality(240));
+    Count bounces = count("bounces", 4, {0, 8}, "More is exact.", quality(4));
+    Real factor = real("factor", 1, none, {1, 2}, "1 is none.", exactAt(1));
+};
+
+TEST(Study, ChecksAReferenceThatIsTheInitialValueOnBothSides)
+{
+    const AtTheirBest table;
+    using Values = std::vector<double>;
+    for (const int doublings : {0, 2}) {
+        EXPECT_EQ(exactness(table.rows()[table.step.row], doublings).exact, 0.001) << "which way is more exact, nobody knows";
+        EXPECT_EQ(exactness(table.rows()[table.step.row], doublings).neighbors, (Values{0.0005, 0.002}));
+        EXPECT_EQ(exactness(table.rows()[table.rate.row], doublings).neighbors, Values{120});
+        EXPECT_EQ(exactness(table.rows()[table.bounces.row], doublings).neighbors, (Values{3, 5}));
+    }
+    const Exactness factor = exactness(table.rows()[table.factor.row]);
+    EXPECT_TRUE(factor.byMeaning);
+    EXPECT_TRUE(factor.neighbors.empty());
+}
+
 TEST(Study, FindsTheLawOfSampling)
 {
     // Noise falls with the root of the samples, the work grows with them: cost = c error^-2.
