@@ -175,7 +175,7 @@ TEST(Proof, OfAPrintOfPhotographsShowsEachFromItsOwnSide)
         const render::Image seen = lookThrough(layout, raster, {.angle = angleOfView(layout, k)});
         ASSERT_EQ(seen.width, lenses);
         ASSERT_EQ(seen.height, rows);
-        // Its own photograph, with as much of the others as the sheet's optics let through. What is left (0.007 to 0.023 with
+        // Its own photograph, with as much of the others as the sheet's optics let through. What is left (up to 0.023 with
         // those of Debian 12) are rays from the lenses' edges that land under a neighbor, which shows something else; looked at
         // half a lens beside its place, a photograph is off by up to 0.076.
         render::Image expected(lenses, rows, 3, 0.0F);
