@@ -148,23 +148,28 @@ while [ $# -gt 0 ]; do
     esac
     shift
 done
-cmake --build build/release >"$part/build" 2>&1 || { tail -n 20 "$part/build" >&2; exit 1; }
 mkdir -p "$results" build/studies
 commit=$(git rev-parse HEAD)
 [ -z "$(changes)" ] && dirty="" || dirty="with uncommitted changes"
-entries >"$part/entries"
-known=""
-while read -r name kind command <&3; do
-    chosen=""
-    set -f
+targets="vitrine vitrine_oiio bench_machine"
+set -f
+entries | while read -r name kind command; do
     for pattern in ${wanted:-"*"}; do
         # shellcheck disable=SC2254
-        case $name in $pattern) chosen=yes ;; esac
+        case $name in $pattern) printf '%s %s %s\n' "$name" "$kind" "$command"; break ;; esac
     done
-    set +f
-    [ -z "$chosen" ] && continue
-    known=yes
+done >"$part/chosen"
+set +f
+[ -s "$part/chosen" ] || { echo "results.sh: there is no$wanted; --list tells the names." >&2; exit 2; }
+while read -r name kind command; do
+    case $command in
+    *bench_*) targets="$targets bench_$name" ;;
+    *ctest*) targets="$targets stability_sdf stability_cases stability_scan" ;;
+    esac
+done <"$part/chosen"
+# shellcheck disable=SC2086
+cmake --build build/release --target $targets >"$part/build" 2>&1 || { tail -n 20 "$part/build" >&2; exit 1; }
+while read -r name kind command <&3; do
     measure "$name" "$kind" "$command$options"
-done 3<"$part/entries"
-[ -n "$known" ] || { echo "results.sh: there is no$wanted; --list tells the names." >&2; exit 2; }
+done 3<"$part/chosen"
 excerpts

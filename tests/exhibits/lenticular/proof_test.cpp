@@ -175,9 +175,9 @@ TEST(Proof, OfAPrintOfPhotographsShowsEachFromItsOwnSide)
         const render::Image seen = lookThrough(layout, raster, {.angle = angleOfView(layout, k)});
         ASSERT_EQ(seen.width, lenses);
         ASSERT_EQ(seen.height, rows);
-        // Its own photograph, with as much of the others as the sheet's optics let through. What is left (up to 0.023 with
-        // those of Debian 12) are rays from the lenses' edges that land under a neighbor, which shows something else; looked at
-        // half a lens beside its place, a photograph is off by up to 0.076.
+        // Its own photograph, with as much of the others as the sheet's optics let through. That takes neighboring
+        // lenses to show the same, which photographs do not: up to 0.023 is left with those of Debian 12. Looked at half a lens
+        // beside its place, a photograph is off by up to 0.076.
         render::Image expected(lenses, rows, 3, 0.0F);
         for (int other = 0; other < count; ++other)
             for (std::size_t i = 0; i < expected.pixels.size(); ++i) expected.pixels[i] += static_cast<float>(mixing.at(k, other)) * photographs[static_cast<std::size_t>(other)].pixels[i];
