@@ -21,12 +21,12 @@ entries() {
 sdf_evaluations cpu $tests/bench_sdf_evaluations
 interlacing cpu $tests/bench_interlacing
 large_print cpu $tests/bench_large_print
-hall_costs gl $tests/bench_hall_costs
 window_start gl xvfb-run -a $tests/bench_window_start
 fur_costs gl $tests/bench_fur_costs
 lenticular_card gl $tests/bench_lenticular_card
 shadow_filters gl $tests/bench_shadow_filters
 sunbeams gl $tests/bench_sunbeams
+hall_costs gl $tests/bench_hall_costs
 study_sdf_morph_hitTolerance gl $study sdf_morph hitTolerance
 study_lenticular_apertureSamples gl $study lenticular apertureSamples
 study_fur_shellCount gl $study fur shellCount --set levelOfDetail=off
