@@ -7,11 +7,10 @@
 #include "render/gl/context.h"
 #include "render/gl/frame_clock.h"
 #include "render/image/oiio_codec.h"
+#include "render/library_versions.h"
 
 #include <CLI/CLI.hpp>
-#include <QtGlobal>
-#include <glm/glm.hpp>
-#include <nlohmann/json.hpp>
+#include <qcustomplot.h>
 
 #include <cstdio>
 #include <memory>
@@ -23,12 +22,12 @@ using render::Json;
 
 Json libraries()
 {
-    const auto dotted = [](int major, int minor, int patch) { return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch); };
-    return Json{{"Qt", qVersion()},
-                {"GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH)},
-                {"nlohmann-json", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
-                {"CLI11", CLI11_VERSION},
-                {"OpenImageIO", render::oiioCodec().libraryVersion()}};
+    Json versions(render::libraryVersions());
+    versions["Qt"] = qVersion();
+    versions["QCustomPlot"] = QCUSTOMPLOT_VERSION_STR;
+    versions["CLI11"] = CLI11_VERSION;
+    versions["OpenImageIO"] = render::oiioCodec().libraryVersion();
+    return versions;
 }
 
 Json examine()

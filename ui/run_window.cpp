@@ -1,6 +1,7 @@
 #include "ui/run_window.h"
 
 #include "render/failure.h"
+#include "ui/first_picture.h"
 #include "ui/gl_probe.h"
 #include "ui/main_window.h"
 #include "ui/museum_gallery.h"
@@ -44,6 +45,7 @@ int runWindow(int& argc, char** argv)
     const Museum museum;
     MuseumGallery gallery(museum);
     MainWindow window(gallery);
+    reportFirstPicture(window);
     window.show();
     return QApplication::exec();
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,7 @@ constexpr double tanHalfFovY = 0.26;  // 29 degrees
 constexpr double farthest = 20;       // Metres: how far a ray without a box has to look.
 constexpr double pixelCone = tanHalfFovY / height;
 
-/// The exhibit's best view: slightly from above, slightly from the handle's side.
+/// From a step away, so that the object takes a fifth of the frame: slightly from above, slightly from the handle's side.
 struct View {
     glm::dvec3 eye{1.05, 0.75, 2.05};
     glm::dvec3 forward = glm::normalize(glm::dvec3(0, -0.05, 0) - eye);
@@ -73,7 +74,13 @@ struct Variant {
     double absoluteTolerance = 0;  ///< Metres; 0 means half a pixel.
 };
 
-void measure(const View& view, double morph, const std::vector<bool>& truth, const Variant& variant)
+/// What a variant took per pixel, and how many pixels it missed.
+struct Found {
+    double evaluations = 0;
+    int missed = 0;
+};
+
+Found measure(const View& view, double morph, const std::vector<bool>& truth, const Variant& variant)
 {
     const auto shape = gpu::torusMugShape(mug32(morph));
     std::int64_t calls = 0;
@@ -136,6 +143,7 @@ void measure(const View& view, double morph, const std::vector<bool>& truth, con
     const double pixels = width * height;
     std::printf("  %-38s %7.2f %7.2f %9d %8d%s\n", variant.name, double(counted + inCones) / pixels,
                 double(inCones) / pixels, missed, extra, calls == counted + inCones ? "" : "   COUNTERS DISAGREE");
+    return {double(counted + inCones) / pixels, missed};
 }
 
 /// The same for shadows: against 400 hard rays over the light's disk, at float64.
@@ -254,6 +262,7 @@ int main()
         "Evaluations per pixel of the whole %d x %d frame, float32; tolerance half a pixel unless stated.\n"
         "Missed and extra: pixels against a float64 trace to 1e-9 m. Cones: one march per %d x %d pixels, included.\n",
         width, height, block, block);
+    std::vector<Found> plain, best;
     for (const double morph : {0.0, 0.5, 1.0}) {
         const std::vector<bool> truth = reference(view, morph);
         std::printf("\n%s (morph %.1f): %.1f %% of the pixels\n  %-38s %7s %7s %9s %8s\n",
@@ -262,9 +271,16 @@ int main()
                                  : "Half melted",
                     morph, 100.0 * double(std::count(truth.begin(), truth.end(), true)) / (width * height), "variant",
                     "all", "cones", "missed", "extra");
-        for (const Variant& variant : variants)
-            measure(view, morph, truth, variant);
+        for (const Variant& variant : variants) {
+            const Found found = measure(view, morph, truth, variant);
+            if (&variant == &variants[1]) plain.push_back(found);
+            if (&variant == &variants[std::size(variants) - 1]) best.push_back(found);
+        }
     }
+    std::printf("\nBox, cones and automatic relaxation find torus, half melted and mug with %.2f, %.2f and %.2f field evaluations per pixel of "
+                "the frame at half-pixel tolerance and miss %d pixels; classic sphere tracing takes %.2f, %.2f and %.2f.\n",
+                best[0].evaluations, best[1].evaluations, best[2].evaluations, best[0].missed + best[1].missed + best[2].missed, plain[0].evaluations,
+                plain[1].evaluations, plain[2].evaluations);
     shadows(view, 1);
     normals(view);
     return 0;

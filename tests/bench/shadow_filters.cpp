@@ -1,6 +1,7 @@
 // How wrong the filters of the hall's shadows are, and what they cost: every filter, over the size of the map or the
 // number of comparisons, against an area light, the mean over many suns spread over the sun's disk, each with a hard
-// shadow. Prints Markdown: bench_shadow_filters > results/shadow_filters.md
+// shadow. Prints Markdown.
+//   bench_shadow_filters [--suns 128]
 
 #include "exhibits/framework/picture.h"
 #include "exhibits/hall/hall_table.h"
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -20,7 +23,7 @@ namespace {
 using namespace vitrine;
 
 const HallTable table;
-constexpr int suns = 128;
+int suns = 128;
 
 struct View {
     const char* name;
@@ -77,7 +80,7 @@ struct Bench {
             hall().set(table.sunAzimuth, before[table.sunAzimuth] + radius * std::cos(angle) / std::cos(elevation));
             const render::Image one = draw();
             if (i == 0) mean = render::Image(one.width, one.height, one.channels);
-            for (std::size_t p = 0; p < mean.pixels.size(); ++p) mean.pixels[p] += one.pixels[p] / suns;
+            for (std::size_t p = 0; p < mean.pixels.size(); ++p) mean.pixels[p] += one.pixels[p] / static_cast<float>(suns);
         }
         hall() = before;
         return mean;
@@ -142,13 +145,14 @@ void study(Bench& bench, const render::Image& truth)
 
 }  // namespace
 
-int main()
+int main(int argc, char** argv)
 {
+    if (argc == 3 && std::strcmp(argv[1], "--suns") == 0) suns = std::max(std::atoi(argv[2]), 1);
     Bench bench;
-    std::printf("# Shadow filters: error and time\n\n%s, %d × %d. The error is the root mean square, of the light of the whole sun, against the mean of %d hard shadows of\n"
+    std::printf("%d × %d. The error is the root mean square, of the light of the whole sun, against the mean of %d hard shadows of\n"
                 "suns spread over the disk; the map's size is in texels along a side (8192 would be exact), the comparisons are those over the disk or the tent. "
                 "Time is that of a frame of floor and walls, median of seven.\n",
-                bench.context.info().renderer.c_str(), bench.frame.raster.size.x, bench.frame.raster.size.y, suns);
+                bench.frame.raster.size.x, bench.frame.raster.size.y, suns);
     for (const View& view : views) {
         for (const double disk : disks) {
             bench.frame.camera = view.camera;

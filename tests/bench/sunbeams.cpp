@@ -1,5 +1,6 @@
 // What the sunbeams cost and how wrong they are: every method of the screen-space rays against the plain loop with
-// 4096 samples, and the volume's steps against 1024. Prints Markdown: bench_sunbeams > results/sunbeams.md
+// 4096 samples, and the volume's steps against 1024. Prints Markdown.
+//   bench_sunbeams [--size 640x360]    that size alone instead of two
 
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/framework/picture.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <vector>
@@ -191,6 +193,30 @@ void volume(Bench& bench)
     }
 }
 
+/// What the beams cost as they stand, seen from the entrance, step by step.
+void entrance(Bench& bench)
+{
+    FrameRequest frame;
+    frame.camera = bench.look.camera;
+    frame.raster.size = bench.size;
+    bench.renderer.timeSteps(true);
+    std::map<std::string, std::vector<double>> times;
+    for (int run = 0; run < 7; ++run) {
+        std::map<std::string, double> once;
+        for (const render::StepReport& step : bench.renderer.draw(bench.museum.plan(bench.look, frame, bench.renderer.kept())).ran)
+            once[step.name.rfind("crepuscular_rays/", 0) == 0 ? step.name : "everything else"] += step.milliseconds;
+        if (run < 2) continue;  // Shadow maps, probe and programs are made once.
+        for (const auto& [name, milliseconds] : once) times[name].push_back(milliseconds);
+    }
+    bench.renderer.timeSteps(false);
+    std::printf("\n## The beams in the hall, from the entrance, %d × %d\n\n| step | ms |\n|---|---|\n", bench.size.x, bench.size.y);
+    for (auto& [name, values] : times) {
+        std::sort(values.begin(), values.end());
+        std::printf("| %s | %.0f |\n", name.c_str(), values[values.size() / 2]);
+    }
+    std::fflush(stdout);
+}
+
 /// How much of the converged volume's light no gain of the rays in screen space can explain.
 void modelError(Bench& bench)
 {
@@ -226,10 +252,17 @@ void modelError(Bench& bench)
 
 }  // namespace
 
-int main()
+int main(int argc, char** argv)
 {
+    std::vector<glm::ivec2> sizes{{640, 360}, {1280, 720}};
+    if (argc == 3 && std::strcmp(argv[1], "--size") == 0) {
+        sizes.resize(1);
+        std::sscanf(argv[2], "%dx%d", &sizes[0].x, &sizes[0].y);
+    }
     Bench bench;
-    std::printf("# Sunbeams: work, error, time\n\n%s. Time is that of the exhibit's own passes, median of five, by the process's CPU time around glFinish.\n", bench.context.info().renderer.c_str());
+    std::printf("Time is that of the exhibit's own passes, median of five, by the process's CPU time around glFinish.\n");
+    bench.size = sizes.back();
+    entrance(bench);
     const Exhibit& exhibit = *bench.museum.exhibits()[bench.exhibit];
     const auto look = [&](const StudyView& view) {
         const glm::dmat4 world = bench.museum.worldFromExhibit(bench.exhibit);
@@ -245,7 +278,7 @@ int main()
         std::printf("| %s |", view.name.c_str());
         modelError(bench);
     }
-    for (const glm::ivec2 size : {glm::ivec2(640, 360), glm::ivec2(1280, 720)}) {
+    for (const glm::ivec2 size : sizes) {
         bench.size = size;
         for (const StudyView& view : views) {
             if (view.name != "best view" && (view.name != "window ahead" || size.x > 640)) continue;

@@ -1,0 +1,49 @@
+#include "tests/bench/child.h"
+
+#include "render/measure/clock.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+
+namespace vitrine::bench {
+
+Run runProgram(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& changes, double longest)
+{
+    Run run;
+    std::array<int, 2> pipe{};
+    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return run;
+    run.started = render::wallSeconds();
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::dup2(pipe[1], 1);
+        ::alarm(static_cast<unsigned>(longest));  // Ends it by a signal, which lasts over exec.
+        for (const auto& [name, value] : changes) ::setenv(name.c_str(), value.c_str(), 1);
+        std::vector<std::string> words{VITRINE_PROGRAM};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        std::vector<char*> pointers;
+        for (std::string& word : words) pointers.push_back(word.data());
+        pointers.push_back(nullptr);
+        ::execv(VITRINE_PROGRAM, pointers.data());
+        ::_exit(127);
+    }
+    ::close(pipe[1]);
+    std::array<char, 4096> bytes{};
+    for (ssize_t got = 0; (got = ::read(pipe[0], bytes.data(), bytes.size())) > 0;) run.out.append(bytes.data(), static_cast<std::size_t>(got));
+    ::close(pipe[0]);
+    int status = 0;
+    rusage used{};
+    ::wait4(child, &status, 0, &used);
+    run.wallSeconds = render::wallSeconds() - run.started;
+    const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    run.cpuSeconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+    run.peakMegabytes = static_cast<double>(used.ru_maxrss) * 1024 / 1e6;
+    run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return run;
+}
+
+}  // namespace vitrine::bench

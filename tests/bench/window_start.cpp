@@ -1,0 +1,79 @@
+// From the start of the process to the first picture that the window shows, as a user meets it: the program itself is
+// started with a display, says when its first picture was on the screen, and closes. Once with the programs (shaders) in the
+// cache and once without, in turn. Prints a table; passes or fails nothing.
+//   xvfb-run -a bench_window_start [--runs 5]
+
+#include "tests/bench/child.h"
+#include "tests/support/temporary_folder.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+
+namespace {
+
+using namespace vitrine;
+
+std::string shownSize;
+
+struct Start {
+    double seconds = 0;     ///< To the first picture.
+    double cpuSeconds = 0;  ///< Of the process until it has closed.
+};
+
+/// With the caches in `cache`; nothing when no picture came.
+std::optional<Start> start(const std::string& cache)
+{
+    const test::TemporaryFolder home;
+    const bench::Run run = bench::runProgram({}, {{"VITRINE_FIRST_PICTURE", "1"}, {"QT_QPA_PLATFORM", "xcb"}, {"XDG_CACHE_HOME", cache}, {"XDG_STATE_HOME", home / "state"},
+                                                  {"XDG_CONFIG_HOME", home / "config"}, {"XDG_DATA_HOME", home / "data"}}, 120);
+    double shown = 0;
+    char size[64] = "";
+    if (run.code != 0 || std::sscanf(run.out.c_str(), "first picture at %lf s, %63s", &shown, size) != 2) return std::nullopt;
+    shownSize = size;
+    return Start{shown - run.started, run.cpuSeconds};
+}
+
+/// Prints a row, and gives the median of the seconds.
+double row(const char* name, const std::vector<Start>& starts)
+{
+    std::vector<double> wall, cpu;
+    for (const Start& start : starts) {
+        wall.push_back(start.seconds);
+        cpu.push_back(start.cpuSeconds);
+    }
+    std::sort(wall.begin(), wall.end());
+    std::sort(cpu.begin(), cpu.end());
+    const double median = wall[wall.size() / 2];
+    std::printf("| %s | %.0f | %.0f to %.0f | %.0f | %zu |\n", name, 1e3 * median, 1e3 * wall.front(), 1e3 * wall.back(), 1e3 * cpu[cpu.size() / 2], starts.size());
+    return median;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    int runs = 5;
+    if (argc == 3 && std::strcmp(argv[1], "--runs") == 0) runs = std::max(std::atoi(argv[2]), 1);
+    const test::TemporaryFolder caches;
+    std::vector<Start> warm, cold;
+    (void)start(caches / "warm");  // Fills it, and brings the program's files into memory.
+    for (int run = 0; run < runs; ++run) {
+        const std::optional<Start> first = start(caches / ("cold-" + std::to_string(run)));
+        const std::optional<Start> again = start(caches / "warm");
+        if (!first || !again) {
+            std::fprintf(stderr, "bench_window_start: no picture was shown; is there a display?\n");
+            return 1;
+        }
+        cold.push_back(*first);
+        warm.push_back(*again);
+    }
+    std::printf("From just before the process is started until the window's first picture of %s pixels is on the screen; wall clock, medians.\n\n", shownSize.c_str());
+    std::printf("| programs | ms | lowest to highest | ms of CPU until it has closed | runs |\n|---|---|---|---|---|\n");
+    const double cached = row("cached", warm);
+    const double compiled = row("compiled, as after installation or a change of driver", cold);
+    std::printf("\nFrom the start of the process to the window's first picture: %.1f s with the programs cached (goal: 1.5 s), %.1f s when they are compiled.\n", cached, compiled);
+    return 0;
+}
