@@ -31,6 +31,7 @@ public:
     }
 
     [[nodiscard]] const Json& root() const { return root_; }
+    [[nodiscard]] Json& root() { return root_; }  ///< Lines go on to be those of the text.
     [[nodiscard]] const std::string& name() const { return name_; }  ///< Of the file, as messages show it.
     [[nodiscard]] const std::string& text() const { return text_; }
 

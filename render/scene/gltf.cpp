@@ -4,96 +4,74 @@
 #include "render/files/read_file.h"
 #include "render/scene/gltf_convert.h"
 #include "render/scene/gltf_guard.h"
+#include "render/scene/gltf_sources.h"
 #include "render/scene/gltf_validate.h"
 #include "render/scene/tinygltf.h"
 
+#include <algorithm>
 #include <exception>
 
 namespace vitrine::render {
 namespace {
 
-/// What tinygltf's callbacks may touch.
-struct Sources {
-    std::filesystem::path folder;
-    const GltfLimits& limits;
-    std::uint64_t packedImageBytes = 0;
-};
-
-/// tinygltf tries "" and "." as folders: both mean ours.
-std::string_view withoutDot(const std::string& path)
+/// `json` without extras, and without extensions but for those of materials: nothing else of them is read.
+Json drawnPart(const Json& json, bool inMaterial)
 {
-    std::string_view reference = path;
-    while (reference.starts_with("./")) reference.remove_prefix(2);
-    return reference;
-}
-
-bool fileExists(const std::string& path, void* /*sources*/)
-{
-    return whyRefused(withoutDot(path)).empty();  // Reading it will tell.
-}
-
-std::string expandPath(const std::string& path, void* /*sources*/)
-{
-    return path;
-}
-
-bool readWholeFile(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* context)
-{
-    const auto& sources = *static_cast<const Sources*>(context);
-    try {
-        const std::string bytes = readFileBeneath(sources.folder, withoutDot(path), sources.limits.fileBytes);
-        out->assign(bytes.begin(), bytes.end());
-        return true;
-    } catch (const std::exception& e) {
-        if (error) *error += e.what();
-        return false;
+    if (json.is_array()) {
+        Json out = Json::array();
+        for (const Json& element : json) out.push_back(drawnPart(element, inMaterial));
+        return out;
     }
-}
-
-/// Keeps the packed bytes; nothing is decoded here.
-bool keepImage(tinygltf::Image* image, const int /*index*/, std::string* error, std::string* /*warning*/, int /*width*/,
-               int /*height*/, const unsigned char* bytes, int size, void* context)
-{
-    // tinygltf does not check where a buffer view lies: those bytes are taken after validation.
-    if (image->bufferView >= 0) return true;
-    auto& sources = *static_cast<Sources*>(context);
-    sources.packedImageBytes += static_cast<std::uint64_t>(std::max(size, 0));
-    if (size < 0 || sources.packedImageBytes > sources.limits.bufferBytes) {
-        if (error) *error += "the pictures are too large";
-        return false;
+    if (!json.is_object()) return json;
+    Json out = Json::object();
+    auto& members = out.get_ref<Json::object_t&>();  // The keys are known to differ: none is looked for.
+    for (const auto& [key, value] : json.items()) {
+        if (key == "extras" || (key == "extensions" && !inMaterial)) continue;
+        members.emplace_back(key, key == "extensions" ? value : drawnPart(value, inMaterial));
     }
-    image->image.assign(bytes, bytes + size);
-    return true;
+    return out;
 }
 
-tinygltf::Model parse(const std::string& bytes, const std::string& name, Sources& sources)
+/// What tinygltf reads: the JSON without buffers and pictures, which are read here, and without what is never drawn.
+std::string textForTinygltf(const Json& root)
+{
+    Json out = Json::object();
+    for (const char* key : {"asset", "extensionsUsed", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "textures", "samplers", "materials"})
+        if (const auto at = root.find(key); at != root.end()) out[key] = drawnPart(*at, std::string_view(key) == "materials");
+    // tinygltf refuses indices without a view, which are zeros: they get one for as long as it reads.
+    Json& views = out["bufferViews"];
+    const std::size_t none = views.size();
+    views.push_back({{"buffer", 0U}, {"byteLength", 1U}});
+    if (const auto accessors = out.find("accessors"); accessors != out.end())
+        for (Json& accessor : *accessors)
+            if (!accessor.contains("bufferView")) accessor["bufferView"] = none;
+    return out.dump();
+}
+
+tinygltf::Model parse(const JsonDocument& document)
 {
     tinygltf::TinyGLTF loader;
-    loader.SetFsCallbacks({&fileExists, &expandPath, &readWholeFile, nullptr, &sources});
-    loader.SetImageLoader(&keepImage, &sources);
-    loader.SetImageWriter(nullptr, nullptr);
     tinygltf::Model model;
     std::string error;
     std::string warning;
-    const auto size = static_cast<unsigned int>(bytes.size());  // At most limits.fileBytes, below 2^32.
+    const std::string text = textForTinygltf(document.root());
     bool good = false;
     try {
-        good = isGlb(bytes)
-                   ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                                 reinterpret_cast<const unsigned char*>(bytes.data()), size, "")
-                   : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
+        // At most limits.jsonBytes, below 2^32.
+        good = loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned int>(text.size()), "");
     } catch (const std::exception& e) {
-        good = false;
         error = e.what();
     } catch (...) {
-        good = false;
         error = "unknown error";
     }
     if (!good) {
         while (!error.empty() && (error.back() == '\n' || error.back() == '.')) error.pop_back();
-        throw Failure(Blame::file,
-                      "Cannot read " + name + ": " + (error.empty() ? "it is not glTF" : error) + "; export it again.");
+        throw Failure(Blame::file, "Cannot read " + document.name() + ": " + (error.empty() ? "it is not glTF" : error) +
+                                       "; export it again.");
     }
+    model.bufferViews.pop_back();
+    for (std::size_t i = 0; i < model.accessors.size(); ++i)
+        if (!document.root()["accessors"][i].contains("bufferView")) model.accessors[i].bufferView = -1;
     return model;
 }
 
@@ -107,10 +85,15 @@ Model parseGltf(const std::string& bytes, const std::filesystem::path& path, con
         throw Failure(Blame::file, "Cannot read " + name + ": the file is too large; simplify the model.");
     }
     const JsonDocument document = guardGltf(bytes, name, limits);
-    Sources sources{path.has_parent_path() ? path.parent_path() : std::filesystem::path("."), limits};
-    const tinygltf::Model gltf = parse(bytes, name, sources);
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    tinygltf::Model gltf = parse(document);
+    std::vector<std::string> warnings;
+    gltf.buffers = readBuffers(document, binOf(bytes, name), folder, limits, warnings);
+    gltf.images = readImages(document, folder, limits);
     validateGltf(gltf, document, limits);
-    return convertGltf(gltf, document, limits, cancelled);
+    Model model = convertGltf(gltf, document, limits, cancelled);
+    model.warnings.insert(model.warnings.end(), warnings.begin(), warnings.end());
+    return model;
 }
 
 Model loadGltf(const std::filesystem::path& path, const GltfLimits& limits, const std::function<bool()>& cancelled)

@@ -14,6 +14,7 @@ struct GltfLimits {
     std::uint64_t fileBytes = 512ULL << 20U;     ///< Of the file, and of each file it names.
     std::uint64_t jsonBytes = 32ULL << 20U;
     std::uint64_t bufferBytes = 1ULL << 30U;     ///< Of all buffers together; the same again for packed images.
+    std::uint64_t zeroBytes = 64ULL << 20U;      ///< Of buffers and accessors that the file gives no data for.
     std::uint64_t nodes = 100'000;
     std::uint64_t nodeDepth = 256;
     std::uint64_t primitives = 100'000;
@@ -26,7 +27,8 @@ struct GltfLimits {
 
 /// Reads a glTF 2.0 file, .glb or .gltf, as untrusted input: the container, the JSON, every index, range,
 /// path and number is checked before it is used (see gltf_guard.h and gltf_validate.h), and other files are
-/// opened only below the folder of `path`.
+/// opened only below the folder of `path`. What the standard leaves without data (an accessor without a view,
+/// a buffer without a uri) is zeros.
 ///
 /// The node tree is flattened: one Part per triangle primitive and node, a Marker for each node without a
 /// mesh. Missing normals become flat normals, as the format asks. Missing tangents, where a normal map needs

@@ -114,9 +114,10 @@ private:
 
     void warnAboutTheRest()
     {
-        if (!gltf_.animations.empty()) warnings_.add("Animations are not supported; the model stands still.");
-        if (!gltf_.skins.empty()) warnings_.add("Skins are not supported; meshes keep their rest pose.");
-        if (!gltf_.cameras.empty()) warnings_.add("Cameras are not supported; their nodes become markers.");
+        const auto has = [this](const char* array) { return document_.root().contains(array); };
+        if (has("animations")) warnings_.add("Animations are not supported; the model stands still.");
+        if (has("skins")) warnings_.add("Skins are not supported; meshes keep their rest pose.");
+        if (has("cameras")) warnings_.add("Cameras are not supported; their nodes become markers.");
         if (gltf_.scenes.size() > 1) warnings_.add("Only the default scene is shown.");
         for (const std::string& name : gltf_.extensionsUsed) {
             if (name == "KHR_materials_emissive_strength" || name == "KHR_mesh_quantization") continue;

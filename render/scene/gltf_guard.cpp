@@ -1,14 +1,18 @@
 #include "render/scene/gltf_guard.h"
 
 #include "render/files/read_file.h"
+#include "render/scene/gltf_schema.h"
+#include "render/scene/gltf_sources.h"
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace vitrine::render {
 namespace {
+
+constexpr std::uint64_t jsonChunk = 0x4E4F534A;
+constexpr std::uint64_t binChunk = 0x004E4942;
 
 [[noreturn]] void fail(const std::string& name, const std::string& problem)
 {
@@ -22,27 +26,40 @@ std::uint64_t littleEndian32(const std::string& bytes, std::size_t at)
     return x;
 }
 
-/// The JSON chunk of a container whose lengths all agree.
-std::string jsonChunk(const std::string& bytes, const std::string& name)
+/// A chunk's length, and the place of its first byte.
+struct Chunk {
+    std::uint64_t type = 0, first = 0, length = 0;
+};
+
+/// The chunks of a container whose lengths all agree. Those after the first two, and of unknown type, are for extensions.
+std::vector<Chunk> chunksOf(const std::string& bytes, const std::string& name)
 {
-    constexpr std::uint64_t json = 0x4E4F534A;
-    constexpr std::uint64_t bin = 0x004E4942;
     const std::uint64_t size = bytes.size();
     if (size < 20) fail(name, "it is too short for a GLB container");
     if (littleEndian32(bytes, 4) != 2) fail(name, "it is not of glTF version 2");
     if (littleEndian32(bytes, 8) != size) fail(name, "its header gives another length than the file has");
-    const std::uint64_t jsonLength = littleEndian32(bytes, 12);
-    if (littleEndian32(bytes, 16) != json) fail(name, "its first chunk is not JSON");
-    if (20 + jsonLength > size || jsonLength % 4 != 0) fail(name, "its JSON chunk does not fit the file");
-    const std::uint64_t next = 20 + jsonLength;
-    if (next < size) {
-        if (next + 8 > size) fail(name, "something other than a chunk follows its JSON");
-        const std::uint64_t binLength = littleEndian32(bytes, next);
-        if (littleEndian32(bytes, next + 4) != bin) fail(name, "its second chunk is not BIN");
-        if (next + 8 + binLength > size || binLength % 4 != 0) fail(name, "its BIN chunk does not fit the file");
-        if (next + 8 + binLength < size) fail(name, "something follows its BIN chunk");
+    std::vector<Chunk> chunks;
+    for (std::uint64_t next = 12; next < size;) {
+        const std::string after = chunks.empty() ? "its header" : chunks.size() == 1 ? "its JSON" : chunks[1].type == binChunk ? "its BIN chunk" : "its second chunk";
+        if (next + 8 > size) fail(name, "something follows " + after + " that is no chunk");
+        const Chunk chunk{littleEndian32(bytes, next + 4), next + 8, littleEndian32(bytes, next)};
+        const std::string self = chunk.type == jsonChunk ? "JSON chunk" : chunk.type == binChunk ? "BIN chunk" : "chunk number " + std::to_string(chunks.size() + 1);
+        if (chunk.first + chunk.length > size || chunk.length % 4 != 0) fail(name, "its " + self + " does not fit the file");
+        chunks.push_back(chunk);
+        next = chunk.first + chunk.length;
     }
-    std::string text = bytes.substr(20, jsonLength);
+    if (chunks[0].type != jsonChunk) fail(name, "its first chunk is not JSON");
+    for (std::size_t i = 1; i < chunks.size(); ++i) {
+        if (chunks[i].type == jsonChunk) fail(name, "it has two JSON chunks");
+        if (i > 1 && chunks[i].type == binChunk) fail(name, "its BIN chunk is not the second one");
+    }
+    return chunks;
+}
+
+std::string jsonOf(const std::string& bytes, const std::string& name)
+{
+    const Chunk json = chunksOf(bytes, name).front();
+    std::string text = bytes.substr(json.first, json.length);
     while (!text.empty() && text.back() == ' ') text.pop_back();  // Padding.
     return text;
 }
@@ -52,7 +69,6 @@ const Json& arrayAt(const JsonDocument& document, const char* key)
     static const Json none = Json::array();
     const auto at = document.root().find(key);
     if (at == document.root().end()) return none;
-    if (!at->is_array()) throw document.failure(key, "this must be an array; export the file again.");
     return *at;
 }
 
@@ -64,19 +80,11 @@ std::string element(const char* array, std::size_t i, const char* key)
     return path;
 }
 
-/// A whole number that is not negative, `absent` when the key is not there.
-std::uint64_t wholeNumber(const JsonDocument& document, const char* array, std::size_t i, const char* key,
-                          std::optional<std::uint64_t> absent)
+/// A size that the schema check has found to be one; `absent` when the key is not there.
+std::uint64_t sizeAt(const Json& object, const char* key, std::uint64_t absent = 0)
 {
-    const Json& object = arrayAt(document, array)[i];
-    if (!object.is_object())
-        throw document.failure(element(array, i, ""), "this must be an object; export the file again.");
     const auto at = object.find(key);
-    if (at == object.end() && absent) return *absent;
-    if (at == object.end() || !at->is_number_unsigned()) {
-        throw document.failure(element(array, i, key), "this must be a whole number from 0 up; export the file again.");
-    }
-    return at->get<std::uint64_t>();
+    return at == object.end() ? absent : at->get<std::uint64_t>();
 }
 
 void checkCount(const JsonDocument& document, const char* array, std::uint64_t most)
@@ -93,7 +101,7 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
     std::vector<std::uint64_t> lengths;
     std::uint64_t total = 0;
     for (std::size_t i = 0; i < arrayAt(document, "buffers").size(); ++i) {
-        const std::uint64_t length = wholeNumber(document, "buffers", i, "byteLength", std::nullopt);
+        const std::uint64_t length = sizeAt(arrayAt(document, "buffers")[i], "byteLength");
         if (length < 1) throw document.failure(element("buffers", i, "byteLength"), "a buffer cannot be empty.");
         // One at a time: the sum of two numbers below 2^31 cannot overflow.
         if (length > limits.bufferBytes || (total += length) > limits.bufferBytes) {
@@ -104,52 +112,48 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
         lengths.push_back(length);
     }
     for (std::size_t i = 0; i < arrayAt(document, "bufferViews").size(); ++i) {
-        const std::uint64_t buffer = wholeNumber(document, "bufferViews", i, "buffer", std::nullopt);
-        const std::uint64_t offset = wholeNumber(document, "bufferViews", i, "byteOffset", 0);
-        const std::uint64_t length = wholeNumber(document, "bufferViews", i, "byteLength", std::nullopt);
+        const Json& view = arrayAt(document, "bufferViews")[i];
+        const std::uint64_t buffer = sizeAt(view, "buffer");
+        const std::uint64_t offset = sizeAt(view, "byteOffset");
+        const std::uint64_t length = sizeAt(view, "byteLength");
+        const std::uint64_t stride = sizeAt(view, "byteStride", 4);
         if (buffer >= lengths.size())
             throw document.failure(element("bufferViews", i, "buffer"), "there is no such buffer.");
         if (length < 1) throw document.failure(element("bufferViews", i, "byteLength"), "a view cannot be empty.");
         if (offset > lengths[buffer] || length > lengths[buffer] - offset) {
             throw document.failure(element("bufferViews", i, "byteLength"), "this view reaches beyond its buffer.");
         }
+        if (stride < 4 || stride > 252 || stride % 4 != 0)
+            throw document.failure(element("bufferViews", i, "byteStride"), "a stride is a multiple of 4 from 4 to 252; export the file again.");
     }
 }
 
-int hexDigit(char c)
+/// Elements that are zeros because no view holds them cost the file nothing: they have a limit of their own.
+void checkAccessors(const JsonDocument& document, const GltfLimits& limits)
 {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    return -1;
-}
-
-std::string percentDecoded(const std::string& uri)
-{
-    std::string out;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
-        const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
-        if (low < 0) {
-            out += uri[i];
-            continue;
-        }
-        out += static_cast<char>(16 * high + low);
-        i += 2;
+    constexpr std::array<std::uint64_t, 6> componentTypes = {5120, 5121, 5122, 5123, 5125, 5126};
+    constexpr std::array<std::string_view, 7> types = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+    std::uint64_t zeros = 0;
+    const Json& accessors = arrayAt(document, "accessors");
+    for (std::size_t i = 0; i < accessors.size(); ++i) {
+        const Json& accessor = accessors[i];
+        const auto isOneOf = [](const auto& all, const auto& one) { return std::find(all.begin(), all.end(), one) != all.end(); };
+        if (!isOneOf(componentTypes, sizeAt(accessor, "componentType")) || !isOneOf(types, accessor.at("type").get<std::string>()))
+            throw document.failure(element("accessors", i, "componentType"), "its type or component type is none of glTF's; export the file again.");
+        if (accessor.contains("bufferView")) continue;
+        const std::uint64_t mostElements = limits.zeroBytes / (16 * sizeof(float));
+        const std::uint64_t count = sizeAt(accessor, "count");
+        if (count > mostElements || (zeros += count) > mostElements)
+            throw document.failure(element("accessors", i, "count"), "accessors without data have more than " + std::to_string(mostElements) + " elements; give them a bufferView.");
     }
-    return out;
 }
 
 void checkReferences(const JsonDocument& document, const char* array)
 {
     for (std::size_t i = 0; i < arrayAt(document, array).size(); ++i) {
         const Json& object = arrayAt(document, array)[i];
-        if (!object.is_object())
-            throw document.failure(element(array, i, ""), "this must be an object; export the file again.");
         const auto uri = object.find("uri");
         if (uri == object.end()) continue;
-        if (!uri->is_string())
-            throw document.failure(element(array, i, "uri"), "this must be text; export the file again.");
         const auto& text = uri->get_ref<const std::string&>();
         if (text.starts_with("data:")) continue;
         if (const std::string why = whyRefused(percentDecoded(text)); !why.empty()) {
@@ -166,7 +170,7 @@ void checkExtensions(const JsonDocument& document)
     constexpr std::array<std::string_view, 2> known = {"KHR_materials_emissive_strength", "KHR_mesh_quantization"};
     const Json& required = arrayAt(document, "extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
-        const std::string name = required[i].is_string() ? required[i].get<std::string>() : "?";
+        const auto name = required[i].get<std::string>();
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             throw document.failure(element("extensionsRequired", i, ""),
                                    "the file cannot be shown without " + name +
@@ -206,18 +210,31 @@ bool isGlb(const std::string& bytes)
     return bytes.starts_with("glTF");
 }
 
+std::string_view binOf(const std::string& bytes, const std::string& name)
+{
+    if (!isGlb(bytes)) return {};
+    const std::vector<Chunk> chunks = chunksOf(bytes, name);
+    if (chunks.size() < 2 || chunks[1].type != binChunk) return {};
+    return std::string_view(bytes).substr(chunks[1].first, chunks[1].length);
+}
+
 JsonDocument guardGltf(const std::string& bytes, const std::string& name, const GltfLimits& limits)
 {
     JsonLimits json;
     json.bytes = limits.jsonBytes;
     json.stringBytes = limits.jsonBytes;
-    JsonDocument document = parseJson(isGlb(bytes) ? jsonChunk(bytes, name) : bytes, name, json);
+    JsonDocument document = parseJson(isGlb(bytes) ? jsonOf(bytes, name) : bytes, name, json);
     if (!document.root().is_object()) fail(name, "its JSON is not an object");
     checkStrings(document, document.root(), {}, limits.stringBytes);
+    makeWholeNumbersIntegers(document.root());
+    checkGltfSchema(document);
+    if (const auto version = document.root()["asset"]["version"].get<std::string>(); !version.starts_with("2."))
+        throw document.failure("asset.version", "this is glTF " + version + ", and version 2 is read; export it as glTF 2.0.");
     checkExtensions(document);
     checkCount(document, "nodes", limits.nodes);
     checkCount(document, "images", limits.images);
     checkBuffers(document, limits);
+    checkAccessors(document, limits);
     checkReferences(document, "buffers");
     checkReferences(document, "images");
     return document;

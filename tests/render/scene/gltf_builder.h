@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vitrine::test {
@@ -37,7 +38,8 @@ private:
     [[nodiscard]] render::Json complete() const;
 };
 
-/// A GLB container around any JSON text and BIN bytes, padded.
-[[nodiscard]] std::string glbOf(std::string json, std::string bin);
+/// A GLB container around any JSON text and BIN bytes, padded, and further chunks: types of four characters, and bytes.
+[[nodiscard]] std::string glbOf(std::string json, std::string bin,
+                                const std::vector<std::pair<std::string, std::string>>& further = {});
 
 }  // namespace vitrine::test

@@ -268,4 +268,99 @@ TEST(Gltf, ReadsExternalBuffersBelowItsFolder)
     EXPECT_FAILURE(loadGltf(folder / "model.gltf"), "symbolic link");
 }
 
+// glTF 2.0, 3.6.2.1: without a view an accessor is zeros; 3.6.2.3: sparse values may lie over them.
+TEST(Gltf, TakesAccessorsWithoutAViewForZeros)
+{
+    GltfBuilder builder;
+    const int mesh = builder.triangle();
+    const int places = builder.view(std::string("\1\2", 2));
+    const float moved[6] = {1, 0, 0, 0, 1, 0};
+    const int values = builder.view(std::string_view(reinterpret_cast<const char*>(moved), sizeof moved));
+    Json& positions = builder.json["accessors"][0];
+    positions.erase("bufferView");
+    positions["sparse"] = {{"count", 2}, {"indices", {{"bufferView", places}, {"componentType", 5121}}}, {"values", {{"bufferView", values}}}};
+    builder.json["accessors"][1].erase("bufferView");
+    builder.node({{"mesh", mesh}});
+    const Model model = modelOf(builder);
+    EXPECT_TRUE(model.warnings.empty());
+    const Mesh& read = *model.parts.at(0).mesh;
+    EXPECT_EQ(read.vertices[0].position, glm::vec3(0));
+    EXPECT_EQ(read.vertices[1].position, glm::vec3(1, 0, 0));
+    EXPECT_EQ(read.vertices[2].position, glm::vec3(0, 1, 0));
+    for (const Vertex& vertex : read.vertices) EXPECT_EQ(vertex.uv, glm::vec2(0));
+
+    builder.json["accessors"][2].erase("bufferView");  // The indices, too: three times the first vertex.
+    for (const Vertex& vertex : modelOf(builder).parts.at(0).mesh->vertices) EXPECT_EQ(vertex.position, glm::vec3(0));
+}
+
+TEST(Gltf, TakesABufferWithoutAUriForTheChunkOrZeros)
+{
+    GltfBuilder builder;
+    builder.node({{"mesh", builder.triangle()}});
+    // A second one that nothing gives data for, and a view of it in place of the texture coordinates.
+    builder.json["buffers"] = Json::array({Json{{"byteLength", builder.bin.size()}}, Json{{"byteLength", 24U}}});
+    builder.json["bufferViews"].push_back({{"buffer", 1U}, {"byteLength", 24U}});
+    builder.json["accessors"][1]["bufferView"] = builder.json["bufferViews"].size() - 1;
+    const Model model = modelOf(builder);
+    EXPECT_EQ(model.parts.at(0).mesh->vertices[1].position, glm::vec3(1, 0, 0)) << "from the chunk";
+    EXPECT_EQ(model.parts.at(0).mesh->vertices[1].uv, glm::vec2(0));
+    EXPECT_TRUE(warnsOf(model, "Buffer 1 names no data"));
+    const Model text = parseGltf(builder.json.dump(), "model.gltf");
+    EXPECT_EQ(text.parts.at(0).mesh->vertices[1].position, glm::vec3(0)) << "a .gltf has no chunk";
+    EXPECT_TRUE(warnsOf(text, "Buffer 0 names no data"));
+}
+
+TEST(Gltf, ReadsBuffersWithUrisInsideAContainer)
+{
+    GltfBuilder builder;
+    builder.node({{"mesh", builder.triangle()}});
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "more data/mesh+1.bin", builder.bin + "the file may be longer");
+    for (const std::string& uri : {"data:application/octet-stream;base64," + test::base64(builder.bin),
+                                   "data:application/gltf-buffer;base64," + test::base64(builder.bin),
+                                   "data:;base64," + test::base64(builder.bin), std::string("more%20data/mesh+1.bin"),
+                                   std::string("./more%20data/mesh%2B1.bin")}) {
+        Json file = builder.json;
+        file["buffers"] = Json::array({Json{{"byteLength", builder.bin.size()}, {"uri", uri}}});
+        test::writeBytes(folder / "model.glb", test::glbOf(file.dump(), "none of this is meant"));
+        const Model model = loadGltf(folder / "model.glb");
+        EXPECT_EQ(model.parts.at(0).mesh->vertices[2].position, glm::vec3(0, 1, 0)) << uri;
+        EXPECT_TRUE(model.warnings.empty()) << uri;
+    }
+}
+
+// In JSON 4.0 and 4 are one number, and some exporters write every number with a point.
+TEST(Gltf, ReadsWholeNumbersWrittenWithAPoint)
+{
+    GltfBuilder builder;
+    builder.node({{"mesh", builder.triangle()}});
+    std::string text = builder.text();
+    const auto withPoint = [&](const std::string& key) {
+        std::size_t count = 0;
+        for (std::size_t at = text.find("\"" + key + "\": "); at != std::string::npos; at = text.find("\"" + key + "\": ", at + 1)) {
+            const std::size_t end = text.find_first_not_of("0123456789", at + key.size() + 4);
+            text.insert(end, ".0");
+            ++count;
+        }
+        EXPECT_GT(count, 0U) << key;
+    };
+    for (const char* key : {"scene", "mesh", "bufferView", "byteOffset", "byteLength", "componentType", "count", "buffer", "indices", "POSITION"}) withPoint(key);
+    const Model model = parseGltf(text, "model.gltf");
+    EXPECT_EQ(model.parts.at(0).mesh->indices, (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(model.parts.at(0).mesh->vertices[1].position, glm::vec3(1, 0, 0));
+}
+
+// glTF 2.0, 4.4.1: chunks of unknown types are passed over; an empty BIN chunk is left out.
+TEST(Gltf, PassesOverFurtherChunks)
+{
+    GltfBuilder builder;
+    builder.node({{"mesh", builder.triangle()}});
+    Json file = builder.json;
+    file["buffers"] = Json::array({Json{{"byteLength", builder.bin.size()}}});
+    const Model model = parseGltf(test::glbOf(file.dump(), builder.bin, {{"XTRA", "12345678"}, {"MORE", ""}}), "model.glb");
+    EXPECT_EQ(model.parts.at(0).mesh->vertices[1].position, glm::vec3(1, 0, 0));
+    file["buffers"][0]["uri"] = "data:;base64," + test::base64(builder.bin);
+    EXPECT_EQ(parseGltf(test::glbOf(file.dump(), "", {{"XTRA", "1234"}}), "model.glb").parts.size(), 1U) << "no BIN chunk";
+}
+
 }  // namespace

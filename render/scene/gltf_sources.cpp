@@ -1,0 +1,188 @@
+#include "render/scene/gltf_sources.h"
+
+#include "render/failure.h"
+#include "render/files/read_file.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace vitrine::render {
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+std::string element(const char* array, std::size_t i, const char* key)
+{
+    std::string path = array;
+    (((path += '[') += std::to_string(i)) += "].") += key;
+    return path;
+}
+
+const Json& arrayAt(const JsonDocument& document, const char* key)
+{
+    static const Json none = Json::array();
+    const auto at = document.root().find(key);
+    return at == document.root().end() ? none : *at;
+}
+
+std::string textAt(const Json& object, const char* key)
+{
+    const auto at = object.find(key);
+    return at == object.end() ? std::string() : at->get<std::string>();
+}
+
+int hexDigit(char c)
+{
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+}
+
+/// The value of a digit of base 64 (RFC 4648, 4), or -1.
+int base64Digit(char c)
+{
+    if (c >= 'A' && c <= 'Z') return c - 'A';
+    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+    if (c >= '0' && c <= '9') return c - '0' + 52;
+    return c == '+' ? 62 : (c == '/' ? 63 : -1);
+}
+
+/// Nothing when `text` is not base 64. Padding may be missing.
+std::optional<Bytes> base64Decoded(std::string_view text)
+{
+    for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
+    if (text.size() % 4 == 1) return std::nullopt;
+    Bytes out;
+    out.reserve(text.size() / 4 * 3 + 2);
+    std::uint32_t bits = 0;
+    int held = 0;
+    for (const char c : text) {
+        const int digit = base64Digit(c);
+        if (digit < 0) return std::nullopt;
+        bits = bits << 6U | static_cast<std::uint32_t>(digit);
+        if ((held += 6) >= 8) out.push_back(static_cast<unsigned char>(bits >> static_cast<unsigned>(held -= 8)));
+    }
+    return out;
+}
+
+/// What a data: URI (RFC 2397) holds, of whatever media type.
+Bytes dataOf(const JsonDocument& document, const std::string& path, const std::string& uri)
+{
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string::npos)
+        throw document.failure(path, "a data: URI has a comma before its data; export the file again.");
+    const std::string_view head = std::string_view(uri).substr(0, comma);
+    const std::string_view data = std::string_view(uri).substr(comma + 1);
+    const bool encoded = data.find('%') != std::string_view::npos;
+    const std::string plain = encoded ? percentDecoded(data) : std::string();
+    const std::string_view text = encoded ? std::string_view(plain) : data;
+    if (!head.ends_with(";base64")) return {text.begin(), text.end()};
+    std::optional<Bytes> bytes = base64Decoded(text);
+    if (!bytes) throw document.failure(path, "this data: URI is not base 64; export the file again.");
+    return std::move(*bytes);
+}
+
+Bytes fileOf(const std::string& uri, const std::filesystem::path& folder, const GltfLimits& limits)
+{
+    const std::string bytes = readFileBeneath(folder, percentDecoded(uri), limits.fileBytes);
+    return {bytes.begin(), bytes.end()};
+}
+
+/// Cut to `length`. Throws when there are fewer.
+Bytes ofLength(const JsonDocument& document, const std::string& path, Bytes bytes, std::size_t length)
+{
+    if (bytes.size() < length) {
+        throw document.failure(path, "the buffer has " + std::to_string(bytes.size()) + " bytes, fewer than its byteLength of " +
+                                         std::to_string(length) + "; export the file again.");
+    }
+    bytes.resize(length);
+    return bytes;
+}
+
+}  // namespace
+
+std::string percentDecoded(std::string_view uri)
+{
+    std::string out;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
+        const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
+        if (low < 0) {
+            out += uri[i];
+            continue;
+        }
+        out += static_cast<char>(16 * high + low);
+        i += 2;
+    }
+    return out;
+}
+
+std::vector<tinygltf::Buffer> readBuffers(const JsonDocument& document, std::string_view bin,
+                                          const std::filesystem::path& folder, const GltfLimits& limits,
+                                          std::vector<std::string>& warnings)
+{
+    const Json& rows = arrayAt(document, "buffers");
+    std::vector<tinygltf::Buffer> buffers(rows.size());
+    std::uint64_t zeros = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto length = rows[i].at("byteLength").get<std::size_t>();
+        const std::string uri = textAt(rows[i], "uri");
+        const std::string path = element("buffers", i, uri.empty() ? "byteLength" : "uri");
+        Bytes& data = buffers[i].data;
+        if (uri.starts_with("data:")) {
+            data = ofLength(document, path, dataOf(document, path, uri), length);
+        } else if (!uri.empty()) {
+            try {
+                data = fileOf(uri, folder, limits);
+            } catch (const Failure& failure) {
+                throw document.failure(path, failure.what());
+            }
+            data = ofLength(document, path, std::move(data), length);
+        } else if (i == 0 && !bin.empty()) {
+            data = ofLength(document, path, Bytes(bin.begin(), bin.end()), length);
+        } else {
+            if ((zeros += length) > limits.zeroBytes) {
+                throw document.failure(path, "the buffers without data are larger than " + std::to_string(limits.zeroBytes) +
+                                                 " bytes; give them a uri.");
+            }
+            data.resize(length);
+            warnings.push_back("Buffer " + std::to_string(i) + " names no data; it is zeros.");
+        }
+    }
+    return buffers;
+}
+
+std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std::filesystem::path& folder,
+                                        const GltfLimits& limits)
+{
+    const Json& rows = arrayAt(document, "images");
+    std::vector<tinygltf::Image> images(rows.size());
+    std::uint64_t total = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        tinygltf::Image& image = images[i];
+        image.name = textAt(rows[i], "name");
+        const std::string uri = textAt(rows[i], "uri");
+        const std::string path = element("images", i, "uri");
+        const auto view = rows[i].find("bufferView");
+        if ((view != rows[i].end()) == !uri.empty())
+            throw document.failure(path, "a picture has either a uri or a bufferView; export the file again.");
+        if (view != rows[i].end()) {
+            image.bufferView = view->get<int>();  // Its bytes are taken after validation.
+        } else if (uri.starts_with("data:")) {
+            image.image = dataOf(document, path, uri);
+        } else {
+            image.uri = uri;
+            try {
+                image.image = fileOf(uri, folder, limits);
+            } catch (const Failure&) {
+                // Drawn without it; that it is missing is told by who uses it.
+            }
+        }
+        if ((total += image.image.size()) > limits.bufferBytes)
+            throw document.failure(path, "the pictures together are larger than " + std::to_string(limits.bufferBytes) + " bytes; simplify the model.");
+    }
+    return images;
+}
+
+}  // namespace vitrine::render
