@@ -17,14 +17,34 @@ namespace {
 
 using render::Json;
 
+/// {"test": "all", "parts": [...]}, or {"test": "among", "row": "sunBy", "values": ["angles"]}.
+Json conditionJson(const Condition& condition, const Parameters& table)
+{
+    Json json{{"test", std::string(toString(condition.test))}};
+    if (condition.row.empty()) {
+        json["parts"] = Json::array();
+        for (const Condition& part : condition.parts) json["parts"].push_back(conditionJson(part, table));
+        return json;
+    }
+    const ParameterInfo& row = table.rows()[table.find(condition.row).value()];
+    json["row"] = std::string(condition.row);
+    json["values"] = Json::array();
+    for (const double value : condition.values) json["values"].push_back(jsonFromValue(row, value));
+    return json;
+}
+
 /// Numbers are in SI, and `unit` is the SI unit that they are in.
-Json rowJson(const ParameterInfo& row)
+Json rowJson(const ParameterInfo& row, const Parameters& table)
 {
     Json choices = Json::array();
     for (const std::string_view choice : row.choices) choices.push_back(std::string(choice));
     Json quality = nullptr;
     if (row.qualityReference) quality = Json{{"reference", jsonFromValue(row, *row.qualityReference)}};
+    Json when = nullptr;
+    if (row.actsWhen) when = conditionJson(*row.actsWhen, table);
     return Json{{"name", std::string(row.name)},
+                {"label", label(row)},
+                {"group", std::string(row.group)},
                 {"kind", std::string(toString(row.kind))},
                 {"unit", std::string(info(row.unit).storedSymbol)},
                 {"low", row.range.low},
@@ -35,13 +55,14 @@ Json rowJson(const ParameterInfo& row)
                 {"initial", jsonFromValue(row, row.initial)},
                 {"help", std::string(row.help)},
                 {"choices", choices},
-                {"quality", quality}};
+                {"quality", quality},
+                {"actsWhen", when}};
 }
 
 Json exhibitJson(std::string_view name, std::string_view title, std::string_view summary, const Parameters& table)
 {
     Json rows = Json::array();
-    for (const ParameterInfo& row : table.rows()) rows.push_back(rowJson(row));
+    for (const ParameterInfo& row : table.rows()) rows.push_back(rowJson(row, table));
     return Json{{"name", std::string(name)}, {"title", std::string(title)}, {"summary", std::string(summary)}, {"parameters", rows}};
 }
 

@@ -1,11 +1,14 @@
 #include "ui/color_editor.h"
 
+#include "ui/number_field.h"
+#include "ui/shown_text.h"
 #include "ui/theme.h"
 
 #include <QColorDialog>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -76,9 +79,9 @@ ColorEditor::ColorEditor(const ParameterInfo& row, QWidget* parent)
     swatch_->setToolTip(tr("Choose a color. The dialog stays open beside the picture."));
     swatch_->setMinimumSize(40, 22);
     code_->setAccessibleName(name);
-    code_->setFixedSize(84, 22);
+    code_->setFixedSize(NumberField::usualWidth, 22);
     code_->setAlignment(Qt::AlignRight);
-    code_->setMaxLength(16);
+    code_->setMaxLength(40);
     code_->setContextMenuPolicy(Qt::NoContextMenu);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(6, 0, 0, 0);
@@ -87,6 +90,7 @@ ColorEditor::ColorEditor(const ParameterInfo& row, QWidget* parent)
     layout->addWidget(code_);
     connect(swatch_, &QAbstractButton::clicked, this, &ColorEditor::choose);
     connect(code_, &QLineEdit::editingFinished, this, &ColorEditor::typed);
+    connect(code_, &QLineEdit::textEdited, this, [this] { showWrong(false); });
 }
 
 void ColorEditor::showValue(const Value& value)
@@ -95,18 +99,34 @@ void ColorEditor::showValue(const Value& value)
     const QColor color = encoded(value_);
     static_cast<Swatch*>(swatch_)->setColor(color);
     code_->setText(color.name());
+    showWrong(false);
+}
+
+void ColorEditor::showWrong(bool wrong)
+{
+    if (wrong == wrong_) return;
+    wrong_ = wrong;
+    QPalette colors;  // The application's, whatever theme it has by then.
+    if (wrong) colors.setColor(QPalette::Text, theme().error);
+    code_->setPalette(wrong ? colors : QPalette());
 }
 
 void ColorEditor::typed()
 {
-    const QString text = code_->text().trimmed();
-    const QColor color(text.startsWith(QLatin1Char('#')) ? text : QLatin1Char('#') + text);
-    if (!color.isValid() || color.name() == encoded(value_).name()) {
-        showValue(value_);
+    // Leaving the field as it was keeps the digits that the code does not show.
+    if (code_->text() == encoded(value_).name()) return showWrong(false);
+    QString problem;
+    const std::optional<Value> color = typedValue(row(), code_->text(), &problem);
+    if (!color) {
+        // Left without Enter, the field goes back to what is.
+        if (code_->hasFocus()) showWrong(true);
+        else showValue(value_);
+        QToolTip::showText(code_->mapToGlobal(QPoint(0, code_->height())), problem, code_);
         return;
     }
-    showValue(linear(color));
-    emit edited(value_, newGesture());
+    const bool changed = std::get<glm::dvec3>(*color) != value_;
+    showValue(*color);
+    if (changed) emit edited(value_, newGesture());
 }
 
 void ColorEditor::choose()

@@ -14,7 +14,7 @@ namespace vitrine::ui {
 [[nodiscard]] QColor encoded(const glm::dvec3& linear);
 [[nodiscard]] glm::dvec3 linear(const QColor&);
 
-/// A swatch that opens a dialog beside the window, and the color as #rrggbb.
+/// A swatch that opens a dialog beside the window, and the color as #rrggbb; typed in any way that `typedValue` takes.
 class ColorEditor final : public ValueEditor {
     Q_OBJECT
 
@@ -25,10 +25,12 @@ public:
 private:
     void choose();
     void typed();
+    void showWrong(bool);
 
     QAbstractButton* swatch_;
     QLineEdit* code_;
     glm::dvec3 value_{0};
+    bool wrong_ = false;
 };
 
 }  // namespace vitrine::ui

@@ -104,7 +104,8 @@ void EyesPreview::paintEvent(QPaintEvent*)
     const QRect below(0, height() - caption, width(), caption);
     painter.setPen(theme().dim);
     if (images_[0].isNull()) {
-        painter.drawText(rect(), Qt::AlignCenter, preview_ ? tr("Looking") : tr("Nothing to look at yet"));
+        for (int eye = 0; eye < 2; ++eye)
+            painter.drawText(half(eye).adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap, preview_ ? tr("Looking") : tr("Nothing to look at yet"));
     } else {
         const auto side = [](double angle, const QString& positive, const QString& negative) {
             const QString size = QString::number(std::abs(angle / degree), 'f', 1) + QChar(0xb0);

@@ -59,7 +59,10 @@ QString LedgerDock::reasonText() const
 void LedgerDock::renew()
 {
     reason_->setText(askReason_());
-    sums_->setText(tr("%1 steps, %2 ms (%3); skipping saves %4 ms").arg(ran_).arg(QLocale::c().toString(milliseconds_, 'f', 2), clock_, QLocale::c().toString(saved_, 'f', 2)));
+    const QString sums = tr("%1 steps, %2 ms; skipping saves %3 ms").arg(ran_).arg(QLocale::c().toString(milliseconds_, 'f', 2), QLocale::c().toString(saved_, 'f', 2));
+    sums_->setText(sums_->fontMetrics().elidedText(sums, Qt::ElideRight, sums_->width()));
+    sums_->setToolTip(tr("%1.\nTimes by: %2.").arg(sums, clock_));
+    reason_->setToolTip(reason_->text());
 }
 
 }  // namespace vitrine::ui

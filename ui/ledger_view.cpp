@@ -39,6 +39,18 @@ void LedgerView::note(const render::FrameReport& report)
     if (isVisible() && !timer_.isActive()) timer_.start();
 }
 
+void LedgerView::setTitles(const QHash<QString, QString>& titles)
+{
+    titles_ = titles;
+}
+
+QString LedgerView::stepText(const QString& name) const
+{
+    const qsizetype slash = name.indexOf(QLatin1Char('/'));
+    const auto title = titles_.constFind(name.left(slash));
+    return slash < 0 || title == titles_.constEnd() ? name : *title + QStringLiteral(": ") + name.mid(slash + 1);
+}
+
 double LedgerView::lastCost(const std::string& name) const
 {
     const auto known = lastCost_.find(name);
@@ -65,7 +77,8 @@ void LedgerView::renew()
     const auto milliseconds = [](double ms) { return ms < 0 ? QStringLiteral("–") : QLocale::c().toString(ms, 'f', 2); };
     const auto fill = [&](const std::string& name, render::Work kind, const QString& ms, const QString& notSpent, const std::string& why, bool ran) {
         QTreeWidgetItem* item = topLevelItem(row++);
-        item->setText(step, QString::fromStdString(name));
+        item->setText(step, stepText(QString::fromStdString(name)));
+        item->setToolTip(step, QString::fromStdString(name));
         item->setText(work, QString::fromLatin1(render::toString(kind)));
         item->setText(time, ms);
         item->setText(saved, notSpent);
@@ -76,7 +89,7 @@ void LedgerView::renew()
     for (const render::StepReport& s : report_.ran) {
         fill(s.name, s.work, milliseconds(s.milliseconds), {}, s.reason + (s.bound.isKnown() ? "; changes " + toString(s.bound) : std::string()), true);
         for (const render::Effect& e : s.effects)
-            fill(e.name, s.work, tr("within"), {}, e.bound.isKnown() ? "changes " + toString(e.bound) : std::string("how much it changes is not known"), true);
+            fill(e.name, s.work, tr("in step above"), {}, e.bound.isKnown() ? "changes " + toString(e.bound) : std::string("how much it changes is not known"), true);
     }
     for (const render::Skipped& s : report_.skipped)
         fill(s.name, s.work, tr("skipped"), milliseconds(lastCost(s.name)), s.reason + (s.boundIsZero ? ": its bound is 0" : ""), false);

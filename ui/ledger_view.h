@@ -2,6 +2,7 @@
 
 #include "render/plan/painter.h"
 
+#include <QHash>
 #include <QTimer>
 #include <QTreeWidget>
 
@@ -18,6 +19,8 @@ public:
     explicit LedgerView(QWidget* parent = nullptr);
     /// Milliseconds that a step took when it last ran and was timed; negative: never.
     [[nodiscard]] double lastCost(const std::string& step) const;
+    /// What stands for the part of a step's name before the slash: "Torus to Mug: cone" for "sdf_morph/cone".
+    void setTitles(const QHash<QString, QString>&);
     /// Shown twice a second at most, and only while visible.
     void note(const render::FrameReport&);
 
@@ -26,7 +29,9 @@ protected:
 
 private:
     void renew();
+    [[nodiscard]] QString stepText(const QString& name) const;
 
+    QHash<QString, QString> titles_;
     render::FrameReport report_;
     std::map<std::string, double> lastCost_;  // Milliseconds by step, of the last frame in which it ran and was timed.
     QTimer timer_;

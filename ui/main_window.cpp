@@ -55,8 +55,8 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     layout->setSpacing(0);
     messages_ = new MessageStrip;
     viewport_ = new Viewport(gallery_, history_);
-    layout->addWidget(messages_);
     layout->addWidget(viewport_, 1);
+    messages_->lieOver(viewport_);
     setCentralWidget(middle);
 
     status_ = new StatusLine;
@@ -123,9 +123,9 @@ void MainWindow::connectParts()
     connect(messages_, &MessageStrip::said, log_, &LogView::add);
 }
 
-void MainWindow::say(MessageStrip::Mood mood, const QString& words)
+void MainWindow::say(MessageStrip::Mood mood, const QString& words, const QString& several, const QString& what)
 {
-    messages_->say(mood, words);
+    messages_->say(mood, words, several, what);
 }
 
 void MainWindow::choose(std::size_t exhibit)

@@ -33,7 +33,8 @@ public:
     explicit MainWindow(Gallery&, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    void say(MessageStrip::Mood, const QString& text);
+    /// As `MessageStrip::say`.
+    void say(MessageStrip::Mood, const QString& text, const QString& several = {}, const QString& what = {});
     /// Shows this exhibit's parameters and presets; 0 is the hall.
     void choose(std::size_t exhibit);
     /// ... and goes there.

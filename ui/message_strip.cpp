@@ -4,9 +4,12 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QEvent>
+#include <QGraphicsOpacityEffect>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPropertyAnimation>
 #include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
@@ -36,9 +39,42 @@ public:
         layout->addWidget(copy, 0, Qt::AlignTop);
         layout->addWidget(dismiss, 0, Qt::AlignTop);
         connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(words_->text()); });
+        life_.setSingleShot(true);
+        connect(&life_, &QTimer::timeout, this, [this] { fade(); });
         connect(dismiss, &QToolButton::clicked, this, &QObject::deleteLater);
     }
     [[nodiscard]] QString text() const { return words_->text(); }
+
+    /// One more of the same kind: `several` with their number and what the newest is about.
+    void repeat(const QString& several, const QString& what)
+    {
+        words_->setText(several.arg(++count_).arg(what));
+        goAfter(life_.interval());
+    }
+    [[nodiscard]] const QString& kind() const { return kind_; }
+    void setKind(const QString& several) { kind_ = several; }
+    /// Fades out once the time is over and the pointer is elsewhere.
+    void goAfter(int milliseconds)
+    {
+        life_.start(milliseconds);
+    }
+
+private:
+    void fade()
+    {
+        if (underMouse()) {
+            life_.start();
+            return;
+        }
+        auto* veil = new QGraphicsOpacityEffect(this);
+        setGraphicsEffect(veil);
+        auto* fading = new QPropertyAnimation(veil, "opacity", this);
+        fading->setDuration(400);
+        fading->setStartValue(1.0);
+        fading->setEndValue(0.0);
+        connect(fading, &QAbstractAnimation::finished, this, &QObject::deleteLater);
+        fading->start();
+    }
 
 protected:
     void paintEvent(QPaintEvent*) override
@@ -61,6 +97,9 @@ private:
 
     MessageStrip::Mood mood_;
     QLabel* words_;
+    QString kind_;
+    int count_ = 1;
+    QTimer life_;
 };
 
 }  // namespace
@@ -82,15 +121,50 @@ MessageStrip::MessageStrip(QWidget* parent)
     hide();
 }
 
-void MessageStrip::say(Mood mood, const QString& text)
+void MessageStrip::lieOver(QWidget* under)
+{
+    under_ = under;
+    setParent(under->parentWidget());
+    under->installEventFilter(this);
+    fit();
+}
+
+void MessageStrip::say(Mood mood, const QString& text, const QString& several, const QString& what)
 {
     emit said(text);
     if (texts().contains(text)) return;
-    auto* line = new Line(mood, text, content_);
-    list_->addWidget(line);
-    connect(line, &QObject::destroyed, this, [this] { QTimer::singleShot(0, this, &MessageStrip::fit); });
+    Line* line = nullptr;
+    for (int i = 0; i < list_->count() && !several.isEmpty(); ++i)
+        if (auto* other = dynamic_cast<Line*>(list_->itemAt(i)->widget()); other && other->kind() == several) line = other;
+    if (line) {
+        line->repeat(several, what);
+    } else {
+        line = new Line(mood, text, content_);
+        line->setKind(several);
+        list_->addWidget(line);
+        connect(line, &QObject::destroyed, this, [this] { QTimer::singleShot(0, this, &MessageStrip::fit); });
+        if (mood == Mood::notice) line->goAfter(noticeTime_);
+    }
     fit();
     QTimer::singleShot(0, this, &MessageStrip::fit);  // Once the width is known, wrapped lines know their height.
+}
+
+void MessageStrip::setBanned(bool banned)
+{
+    banned_ = banned;
+    fit();
+}
+
+bool MessageStrip::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == under_ && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) fit();
+    return QWidget::eventFilter(watched, event);
+}
+
+void MessageStrip::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), theme().window);
 }
 
 QStringList MessageStrip::texts() const
@@ -108,9 +182,13 @@ void MessageStrip::dismissAll()
 
 void MessageStrip::fit()
 {
-    setVisible(list_->count() > 0);
-    const int wanted = list_->hasHeightForWidth() ? list_->heightForWidth(std::max(200, width())) : list_->sizeHint().height();
+    setVisible(list_->count() > 0 && !banned_);
+    const int wide = under_ ? under_->width() : width();
+    const int wanted = list_->hasHeightForWidth() ? list_->heightForWidth(std::max(200, wide)) : list_->sizeHint().height();
     setFixedHeight(std::min(highest, wanted));
+    if (!under_) return;
+    setGeometry(under_->x(), under_->y(), wide, height());
+    raise();
 }
 
 }  // namespace vitrine::ui

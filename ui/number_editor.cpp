@@ -13,7 +13,7 @@ NumberEditor::NumberEditor(const ParameterInfo& row, QWidget* parent)
     const QString name = QString::fromStdString(label(row));
     slider_->setAccessibleName(tr("%1, slider").arg(name));
     field_->setAccessibleName(name);
-    field_->setFixedWidth(84);
+    field_->setFixedWidth(NumberField::usualWidth);
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -16,7 +16,7 @@ NumberField::NumberField(const ParameterInfo& row, QWidget* parent) : QLineEdit(
 {
     setFrame(false);
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    setTextMargins(4, 0, 4, 0);
+    setTextMargins(2, 0, 2, 0);
     setFocusPolicy(Qt::StrongFocus);
     setContextMenuPolicy(Qt::NoContextMenu);  // The row's menu, so that reset is always there.
     setFixedHeight(22);
@@ -213,7 +213,7 @@ void NumberField::paintEvent(QPaintEvent* event)
         QColor fill = colors.text;
         fill.setAlphaF(editing_ ? 0.02F : underMouse() ? 0.1F : 0.055F);
         painter.setBrush(fill);
-        painter.setPen(wrong_ ? QPen(colors.error) : hasFocus() ? QPen(colors.accent) : QPen(Qt::NoPen));
+        painter.setPen(wrong_ ? QPen(colors.error) : hasFocus() ? QPen(colors.accent) : QPen(colors.outline));
         painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
     }
     QLineEdit::paintEvent(event);

@@ -15,6 +15,8 @@ class NumberField final : public QLineEdit {
     Q_OBJECT
 
 public:
+    static constexpr int usualWidth = 70;
+
     NumberField(const ParameterInfo& row, QWidget* parent);
 
     void showValue(double value);

@@ -14,6 +14,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 namespace vitrine::ui {
@@ -50,7 +51,7 @@ ParameterPanel::ParameterPanel(QWidget* parent)
     onlyChanged_->setFocusPolicy(Qt::StrongFocus);
     nothing_->setTextFormat(Qt::PlainText);
     nothing_->setWordWrap(true);
-    nothing_->setContentsMargins(16, 16, 16, 16);
+    nothing_->setMargin(16);
     nothing_->setEnabled(false);
     nothing_->hide();
     scroll_->setWidgetResizable(true);
@@ -82,15 +83,23 @@ void ParameterPanel::showValues(const ParameterValues& values, const QString& ex
     exhibit_ = exhibit;
     if (!sameTable) rebuild();
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->showValue(values_->row(i));
+    showWhatActs();
     for (ParameterSection* section : sections_) section->refresh();
     // While only changed rows are shown, a row that was just reset stays until the next look.
     if (!sameTable) applyFilter();
+}
+
+void ParameterPanel::showWhatActs()
+{
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        rows_[i]->setIdle(acts(*values_, i) ? QString() : QString::fromStdString(actsWhen(*values_, i)));
 }
 
 void ParameterPanel::rebuild()
 {
     rows_.clear();
     sections_.clear();
+    foldedAtFirst_.clear();
     content_ = new QWidget;
     auto* layout = new QVBoxLayout(content_);
     layout->setContentsMargins(0, 0, 4, 8);
@@ -102,9 +111,10 @@ void ParameterPanel::rebuild()
             group = info.group;
             auto* section = new ParameterSection(QString::fromUtf8(group.data(), static_cast<qsizetype>(group.size())), content_);
             const QString key = exhibit_ + QLatin1Char('/') + section->title();
-            section->setFolded(folded_.contains(key));
-            connect(section, &ParameterSection::foldedByVisitor, this, [this, key](bool folded) {
-                if (folded) folded_.insert(key);
+            foldedAtFirst_.push_back(info.groupFolded);
+            section->setFolded(folded_.contains(key) != info.groupFolded);
+            connect(section, &ParameterSection::foldedByVisitor, this, [this, key, atFirst = info.groupFolded](bool folded) {
+                if (folded != atFirst) folded_.insert(key);
                 else folded_.remove(key);
             });
             sections_.push_back(section);
@@ -160,8 +170,8 @@ QStringList ParameterPanel::foldedGroups() const
 void ParameterPanel::setFoldedGroups(const QStringList& groups)
 {
     folded_ = QSet<QString>(groups.begin(), groups.end());
-    for (ParameterSection* section : sections_)
-        section->setFolded(folded_.contains(exhibit_ + QLatin1Char('/') + section->title()));
+    for (std::size_t i = 0; i < sections_.size(); ++i)
+        sections_[i]->setFolded(folded_.contains(exhibit_ + QLatin1Char('/') + sections_[i]->title()) != foldedAtFirst_[i]);
 }
 
 void ParameterPanel::focusFilter()
@@ -186,6 +196,7 @@ void ParameterPanel::edit(std::size_t row, const Value& value, Gesture gesture, 
     if (next == *values_) return;
     values_ = next;
     rows_[row]->showValue(values_->row(row));
+    showWhatActs();
     for (ParameterSection* section : sections_) section->refresh();
     emit edited(*values_, gesture, text);
 }
@@ -232,6 +243,7 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
     menu->addAction(tr("Copy value"), this, [this, row] { copy(row); });
     menu->addAction(tr("Paste"), this, [this, row] { paste(row); });
     menu->addAction(tr("Copy all as JSON"), this, [this] { copyAll(); });
+    menu->addAction(tr("Paste all"), this, [this, row] { pasteAll(row); });
     menu->popup(at);
 }
 
@@ -245,6 +257,22 @@ void ParameterPanel::paste(std::size_t row)
     QString problem;
     const std::optional<Value> value = typedValue(values_->rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
     if (value) edit(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values_->rows()[row]).toLower()));
+    if (!problem.isEmpty()) tell(row, problem);
+}
+
+void ParameterPanel::pasteAll(std::size_t row)
+{
+    QString problem;
+    const std::optional<ParameterValues> pasted = allFromJson(values_->table(), exhibit_, QApplication::clipboard()->text(), &problem);
+    if (!problem.isEmpty()) tell(row, problem);
+    if (!pasted || *pasted == *values_) return;
+    showValues(*pasted, exhibit_);
+    emit edited(*values_, newGesture(), tr("Paste all values"));
+}
+
+void ParameterPanel::tell(std::size_t row, const QString& words)
+{
+    QToolTip::showText(rows_[row]->mapToGlobal(QPoint(16, ParameterRow::rowHeight)), words, rows_[row]);
 }
 
 void ParameterPanel::copyAll() const

@@ -38,7 +38,8 @@ public:
     /// Connect `accuracyAsked` before showing the gauge: a mark that does nothing is no mark.
     void setGaugesShown(bool);
 
-    /// Groups that the visitor folded, "exhibit/group": kept with the window's layout.
+    /// Groups that the visitor folded, or unfolded where they are folded at first, "exhibit/group": kept with the
+    /// window's layout.
     [[nodiscard]] QStringList foldedGroups() const;
     void setFoldedGroups(const QStringList&);
 
@@ -56,12 +57,16 @@ protected:
 
 private:
     void rebuild();
+    void showWhatActs();
     void applyFilter();
     void edit(std::size_t row, const Value&, Gesture, const QString& text);
     void openMenu(std::size_t row, const QPoint& at);
     void copy(std::size_t row) const;
     void paste(std::size_t row);
     void copyAll() const;
+    void pasteAll(std::size_t row);
+    /// Something about what was pasted, at the row where it was asked for.
+    void tell(std::size_t row, const QString& words);
     [[nodiscard]] std::optional<std::size_t> rowAt(QObject*) const;
 
     QLineEdit* filter_;
@@ -71,6 +76,7 @@ private:
     QWidget* content_ = nullptr;
     std::vector<ParameterRow*> rows_;
     std::vector<ParameterSection*> sections_;
+    std::vector<bool> foldedAtFirst_;  // By section.
     std::optional<ParameterValues> values_;
     QString exhibit_;
     QSet<QString> folded_;

@@ -3,10 +3,14 @@
 #include "ui/shown_text.h"
 #include "ui/theme.h"
 
+#include <QGraphicsOpacityEffect>
 #include <QHBoxLayout>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QResizeEvent>
+
+#include <algorithm>
 
 namespace vitrine::ui {
 namespace {
@@ -15,6 +19,8 @@ QString text(std::string_view s)
 {
     return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
 }
+
+constexpr float idleInk = 0.45F;  // Of a row that does not act.
 
 }  // namespace
 
@@ -28,8 +34,18 @@ RowLabel::RowLabel(const QString& name, ValueEditor* editor, QWidget* parent) : 
 void RowLabel::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    painter.setPen(isEnabled() ? theme().text : theme().dim);
-    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    QColor ink = isEnabled() ? theme().text : theme().dim;
+    if (dim_) ink.setAlphaF(idleInk);
+    painter.setPen(ink);
+    // Names differ at their ends: "Handle radius", "Handle thickness".
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideMiddle, width()));
+}
+
+void RowLabel::setDim(bool dim)
+{
+    if (dim_ == dim) return;
+    dim_ = dim;
+    update();
 }
 
 void RowLabel::mousePressEvent(QMouseEvent* event)
@@ -114,7 +130,7 @@ void GaugeMark::paintEvent(QPaintEvent*)
 }
 
 ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
-    : QWidget(parent), editor_(makeEditor(info, this)), dot_(new ResetDot(this))
+    : QWidget(parent), editor_(makeEditor(info, this)), label_(new RowLabel(QString::fromStdString(labelInGroup(info)), editor_, this)), naming_(new QWidget(this)), dot_(new ResetDot(this))
 {
     const QString name = QString::fromStdString(label(info));
     setFixedHeight(rowHeight);
@@ -124,7 +140,6 @@ ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
     dot_->setAccessibleName(tr("Reset %1").arg(name));
     dot_->setToolTip(tr("Reset to %1").arg(shownText(info, info.initial)));
 
-    auto* rowLabel = new RowLabel(name, editor_, this);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(16, 2, 2, 2);
     layout->setSpacing(4);
@@ -140,12 +155,11 @@ ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
     auto* naming = new QHBoxLayout;
     naming->setContentsMargins(0, 0, 0, 0);
     naming->setSpacing(4);
-    naming->addWidget(rowLabel, 1);
+    naming->addWidget(label_, 1);
     if (gauge_) naming->addWidget(gauge_);
-    auto* namingBox = new QWidget(this);
-    namingBox->setLayout(naming);
-    namingBox->setFixedWidth(labelWidth);
-    layout->addWidget(namingBox);
+    naming_->setLayout(naming);
+    naming_->setFixedWidth(narrowestLabel);
+    layout->addWidget(naming_);
     layout->addWidget(editor_, 1);
     layout->addWidget(dot_);
 
@@ -158,6 +172,29 @@ void ParameterRow::showValue(const Value& value)
     editor_->showValue(value);
     differs_ = !(value == info().initial);
     dot_->setDiffers(differs_);
+}
+
+void ParameterRow::setIdle(const QString& when)
+{
+    if (when == idleUntil_) return;
+    idleUntil_ = when;
+    label_->setDim(idle());
+    QGraphicsOpacityEffect* gray = nullptr;
+    if (idle()) {
+        gray = new QGraphicsOpacityEffect(editor_);
+        gray->setOpacity(idleInk);
+    }
+    editor_->setGraphicsEffect(gray);
+    const QString sentence = idle() ? tr("Does nothing now: acts when %1. It keeps its value.").arg(idleUntil_) : QString();
+    setToolTip(idle() ? sentence + QStringLiteral("\n\n") + tooltipText(info()) : tooltipText(info()));
+    setAccessibleDescription(sentence);
+}
+
+void ParameterRow::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    // Of a wider panel, labels take their share; all rows are as wide, so that all editors begin at the same place.
+    naming_->setFixedWidth(std::clamp(width() * 36 / 100, narrowestLabel, widestLabel));
 }
 
 bool ParameterRow::matches(const QString& words) const

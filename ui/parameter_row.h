@@ -13,6 +13,7 @@ class RowLabel final : public QLabel {
 
 public:
     RowLabel(const QString& text, ValueEditor* editor, QWidget* parent);
+    void setDim(bool dim);
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -23,6 +24,7 @@ protected:
 private:
     ValueEditor* editor_;
     bool dragging_ = false;
+    bool dim_ = false;
 };
 
 /// An amber dot while the value differs from the initial one, an arrow under the pointer; a click resets.
@@ -54,7 +56,7 @@ class ParameterRow final : public QWidget {
 
 public:
     static constexpr int rowHeight = 26;
-    static constexpr int labelWidth = 124;
+    static constexpr int narrowestLabel = 112, widestLabel = 240;
 
     /// `info` must outlive the row.
     ParameterRow(const ParameterInfo& info, QWidget* parent);
@@ -67,6 +69,10 @@ public:
     /// A row that means nothing at the moment is not shown, whatever is searched for.
     void setWanted(bool wanted) { wanted_ = wanted; }
     [[nodiscard]] bool wanted() const { return wanted_; }
+    /// Grays the row while it does not act and says in its tooltip when it does: `when` is empty while it acts. It can be
+    /// edited all the same, and acts with that value as soon as it does.
+    void setIdle(const QString& when);
+    [[nodiscard]] bool idle() const { return !idleUntil_.isEmpty(); }
     /// Quality parameters show their gauge only once something answers it.
     void setGaugeShown(bool);
 
@@ -75,9 +81,15 @@ signals:
     void resetAsked();
     void accuracyAsked();
 
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
 private:
     ValueEditor* editor_;
+    RowLabel* label_;
+    QWidget* naming_;
     ResetDot* dot_;
+    QString idleUntil_;
     GaugeMark* gauge_ = nullptr;
     bool differs_ = false;
     bool wanted_ = true;

@@ -8,6 +8,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace vitrine::ui {
 namespace {
 
@@ -78,10 +80,14 @@ void PresetList::fill(const std::vector<PresetLine>& entries)
     const QSignalBlocker quiet(list_);
     const QString before = selected();
     list_->clear();
-    for (const PresetLine& entry : entries) {
+    // The visitor's own first.
+    std::vector<PresetLine> sorted = entries;
+    std::stable_partition(sorted.begin(), sorted.end(), [](const PresetLine& entry) { return !entry.shipped; });
+    for (const PresetLine& entry : sorted) {
         auto* item = new QListWidgetItem(entry.name, list_);
         item->setData(idRole, entry.id);
-        item->setData(TileDelegate::secondLine, entry.shipped ? tr("Comes with the exhibit") : tr("Yours"));
+        item->setData(TileDelegate::secondLine, entry.shipped ? QString() : tr("Yours"));
+        if (entry.shipped) item->setToolTip(tr("Comes with the exhibit: can be duplicated, not changed."));
         if (!entry.thumbnail.isNull()) item->setIcon(QIcon(entry.thumbnail));
         if (!entry.problem.isEmpty()) {
             item->setData(TileDelegate::secondLine, tr("Cannot be opened"));

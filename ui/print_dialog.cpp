@@ -55,7 +55,8 @@ void PrintDialog::connectParts()
     connect(source_, &SourceBar::renderAsked, this, &PrintDialog::getViews);
     connect(sheets_, &SheetBar::chosen, this, [this](const QString& name) {
         try {
-            setValues(desk_->withSheet(*values_, name.toStdString()));
+            sheet_ = name.toStdString();
+            setValues(desk_->withSheet(*values_, sheet_));
         } catch (const std::exception& failure) {
             say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
         }
@@ -69,7 +70,12 @@ void PrintDialog::connectParts()
         showSheets();
     };
     connect(sheets_, &SheetBar::saveAsked, this,
-            [this, changeSheets](const QString& name) { changeSheets([&] { desk_->saveSheet(*values_, name.toStdString()); }); });
+            [this, changeSheets](const QString& name) {
+                changeSheets([&] {
+                    desk_->saveSheet(*values_, name.toStdString());
+                    sheet_ = name.toStdString();
+                });
+            });
     connect(sheets_, &SheetBar::removeAsked, this,
             [this, changeSheets](const QString& name) { changeSheets([&] { desk_->removeSheet(name.toStdString()); }); });
     connect(panel_, &ParameterPanel::edited, this, [this](const ParameterValues& values) { setValues(values); });
@@ -146,7 +152,7 @@ void PrintDialog::showRows()
 void PrintDialog::showSheets()
 {
     std::string problem;
-    sheets_->showSheets(desk_->sheets(problem), desk_->sheetName(*values_));
+    sheets_->showSheets(desk_->sheets(problem), desk_->sheetName(*values_, sheet_));
     if (!problem.empty()) say(MessageStrip::Mood::problem, QString::fromStdString(problem));
 }
 

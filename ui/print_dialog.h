@@ -90,6 +90,7 @@ private:
     std::shared_ptr<const PrintViews> views_;
     std::optional<SceneDepth> depth_;
     PrintSummary summary_;
+    std::string sheet_;       ///< Chosen or saved last: of sheets that are alike, the one that is meant.
     bool draft_ = false;      ///< The views are small ones, to look at.
     bool chart_ = false;
     bool exporting_ = false;

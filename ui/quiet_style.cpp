@@ -28,17 +28,18 @@ void drawField(QPainter* painter, const QRect& rect, QStyle::State state, bool a
     const bool pressed = state & (QStyle::State_Sunken | QStyle::State_On);
     painter->setBrush(veil(pressed ? 0.16F : hovered ? 0.1F : 0.055F));
     const bool focused = state & QStyle::State_HasFocus;
-    painter->setPen(focused || accented ? QPen(theme().accent) : QPen(Qt::NoPen));
+    painter->setPen(focused || accented ? QPen(theme().accent) : QPen(enabled ? theme().outline : veil(0.2F)));
     painter->drawRoundedRect(QRectF(rect).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
     painter->restore();
 }
 
-void drawChevron(QPainter* painter, const QPointF& middle, bool enabled)
+void drawChevron(QPainter* painter, const QPointF& middle, bool enabled, bool up = false)
 {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(QPen(enabled ? theme().dim : veil(0.2F), 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    const QPointF points[3] = {middle + QPointF(-3, -1.5), middle + QPointF(0, 1.5), middle + QPointF(3, -1.5)};
+    const double tip = up ? -1.5 : 1.5;
+    const QPointF points[3] = {middle + QPointF(-3, -tip), middle + QPointF(0, tip), middle + QPointF(3, -tip)};
     painter->drawPolyline(points, 3);
     painter->restore();
 }
@@ -53,7 +54,7 @@ void drawCheckBox(QPainter* painter, const QStyleOption& option)
     QColor fill = theme().accent;
     if (!(option.state & QStyle::State_Enabled)) fill.setAlphaF(0.4F);
     painter->setBrush(on ? fill : veil(option.state & QStyle::State_MouseOver ? 0.14F : 0.08F));
-    painter->setPen(focused ? QPen(theme().text) : QPen(on ? Qt::transparent : veil(0.25F)));
+    painter->setPen(focused ? QPen(theme().text) : QPen(on ? QColor(Qt::transparent) : theme().outline));
     painter->drawRoundedRect(box, 3, 3);
     if (on) {
         painter->setPen(QPen(theme().dark ? theme().window : QColor(Qt::white), 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -86,6 +87,13 @@ void QuietStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         return;
     }
     case PE_FrameFocusRect: return;  // Every control of ours shows the focus in its own edge.
+    case PE_PanelTipLabel:
+        painter->save();
+        painter->setPen(theme().outline);
+        painter->setBrush(theme().base);
+        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        painter->restore();
+        return;
     case PE_IndicatorArrowDown: drawChevron(painter, QRectF(option->rect).center(), option->state & State_Enabled); return;
     default: QProxyStyle::drawPrimitive(element, option, painter, widget);
     }
@@ -133,6 +141,14 @@ void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
                     option->state & State_Enabled);
         return;
     }
+    if (control == CC_SpinBox) {
+        drawField(painter, option->rect, option->state & ~(State_Sunken | State_On));
+        const QRectF up = subControlRect(CC_SpinBox, option, SC_SpinBoxUp, widget);
+        const QRectF down = subControlRect(CC_SpinBox, option, SC_SpinBoxDown, widget);
+        drawChevron(painter, up.center(), option->state & State_Enabled, true);
+        drawChevron(painter, down.center(), option->state & State_Enabled);
+        return;
+    }
     if (control == CC_ScrollBar) {
         const QRect slider = subControlRect(CC_ScrollBar, option, SC_ScrollBarSlider, widget);
         painter->save();
@@ -155,6 +171,7 @@ int QuietStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     case PM_IndicatorWidth:
     case PM_IndicatorHeight: return 15;
     case PM_DockWidgetSeparatorExtent: return 4;
+    case PM_ToolTipLabelFrameWidth: return 7;
     case PM_ButtonShiftHorizontal:
     case PM_ButtonShiftVertical: return 0;
     default: return QProxyStyle::pixelMetric(metric, option, widget);

@@ -5,7 +5,7 @@
 #include "ui/gl_probe.h"
 #include "ui/main_window.h"
 #include "ui/museum_gallery.h"
-#include "ui/theme.h"
+#include "ui/theme_choice.h"
 #include "ui/viewport.h"
 
 #include <QApplication>
@@ -41,7 +41,7 @@ int runWindow(int& argc, char** argv)
         std::fprintf(stderr, "vitrine: %s\n", qPrintable(why));
         return static_cast<int>(Blame::openGl);
     }
-    applyTheme(app, desktopPrefersDark(app) ? darkTheme() : lightTheme());
+    chooseTheme(app, savedThemeChoice());
     const Museum museum;
     MuseumGallery gallery(museum);
     MainWindow window(gallery);

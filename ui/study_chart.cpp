@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace vitrine::ui {
 namespace {
@@ -103,9 +104,9 @@ void StudyChart::scaleAxes()
     if (!(highY > 0)) lowY = highY = 1e-3;
     const double marginX = std::max(std::pow(highX / lowX, 0.09), 1.06);
     const double marginY = std::max(std::pow(highY / lowY, 0.14), 1.15);
-    floor_ = lowY / (marginY * marginY);
+    floor_ = lowY / (marginY * marginY);  // Room between it and the lowest error.
     xAxis->setRange(lowX / marginX, highX * marginX * std::pow(highX / lowX, 0.05));
-    yAxis->setRange(anyExact_ ? floor_ / marginY : lowY / marginY, highY * marginY);
+    yAxis->setRange(anyExact_ ? floor_ / std::pow(marginY, 1.5) : lowY / marginY, highY * marginY);
 }
 
 void StudyChart::rebuild()
@@ -114,6 +115,18 @@ void StudyChart::rebuild()
     clearItems();
     scaleAxes();
     const Theme& t = theme();
+    // Without a point there is no scale to show.
+    const bool empty = std::none_of(points_.begin(), points_.end(), [](const ChartPoint& p) { return p.cost > 0; });
+    for (QCPAxis* axis : {xAxis, yAxis}) axis->setVisible(!empty);
+    if (empty) {
+        auto* nothing = new QCPItemText(this);
+        nothing->setText(tr("No point is measured yet"));
+        nothing->setColor(t.dim);
+        nothing->position->setType(QCPItemPosition::ptAxisRectRatio);
+        nothing->position->setCoords(0.5, 0.5);
+        replot(QCustomPlot::rpQueuedReplot);
+        return;
+    }
     QColor gray = t.dim;
     gray.setAlphaF(0.55F);
 
@@ -176,39 +189,50 @@ void StudyChart::addMarks()
         const double dy = std::log(shownError(points_[i].error) / shownError(points_[j].error)) / std::log(yAxis->range().upper / yAxis->range().lower);
         return std::abs(dx) < width && std::abs(dy) < height;
     };
-    const auto isBesideSpecial = [&](std::size_t i) {
-        for (std::size_t j = 0; j < points_.size(); ++j)
-            if (j != i && isSpecial(j) && isWithin(i, j, 0.12, 0.05)) return true;
-        return false;
+    struct Label {
+        std::size_t point;
+        QCPItemText* item;
+        QRectF place;
     };
-    std::vector<std::pair<std::size_t, QCPItemText*>> labels;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+    std::vector<Label> labels;
+    const QFont small(font().family(), 8);
+    const QFontMetricsF metrics(small);
+    // Marked points first: where two would write over each other, the later one is silent.
+    std::vector<std::size_t> order(points_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_partition(order.begin(), order.end(), isSpecial);
+    for (const std::size_t i : order) {
         const ChartPoint& p = points_[i];
         if (!(p.cost > 0)) continue;
         if (p.present) ring(p, t.text, 15, QCPScatterStyle::ssDiamond);
         if (p.knee) ring(p, t.good, 15, QCPScatterStyle::ssCircle);
         if (emphasized_ == i) ring(p, t.accent, 20, QCPScatterStyle::ssCircle);
-        if (!isSpecial(i) && (crowded || isBesideSpecial(i))) continue;
+        if (!isSpecial(i) && crowded) continue;
         // Points in one place share a label.
-        const auto same = std::find_if(labels.begin(), labels.end(), [&](const auto& other) { return !isSpecial(i) && isWithin(i, other.first, 0.03, 0.02); });
+        const auto same = std::find_if(labels.begin(), labels.end(), [&](const Label& other) { return !isSpecial(i) && !isSpecial(other.point) && isWithin(i, other.point, 0.03, 0.02); });
         if (same != labels.end()) {
-            same->second->setText(same->second->text() + QStringLiteral(", ") + p.text);
+            same->item->setText(same->item->text() + QStringLiteral(", ") + p.text);
+            same->place.setWidth(metrics.horizontalAdvance(same->item->text()) + 14);
             continue;
         }
-        auto* label = new QCPItemText(this);
         QString text = p.text;
         if (p.knee) text += tr(" · knee");
         if (p.present) text += tr(" · present");
+        const bool atRightEdge = std::log(p.cost / xAxis->range().lower) > 0.8 * std::log(xAxis->range().upper / xAxis->range().lower);
+        const QSizeF size(metrics.horizontalAdvance(text) + 14, metrics.height() + 5);
+        const QPointF at = placeOf(i);
+        const QRectF place(QPointF(atRightEdge ? at.x() - size.width() : at.x(), at.y() - size.height()), size);
+        if (std::any_of(labels.begin(), labels.end(), [&](const Label& other) { return other.place.intersects(place); })) continue;
+        auto* label = new QCPItemText(this);
         label->setText(text);
         label->setColor(p.onFront ? t.text : t.dim);
-        label->setFont(QFont(font().family(), 8));
-        const bool atRightEdge = std::log(p.cost / xAxis->range().lower) > 0.8 * std::log(xAxis->range().upper / xAxis->range().lower);
+        label->setFont(small);
         label->setPositionAlignment((atRightEdge ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
         label->position->setType(QCPItemPosition::ptPlotCoords);
         label->position->setCoords(p.cost, shownError(p.error));
         label->setPadding(QMargins(7, 0, 7, 5));
         label->setSelectable(false);
-        labels.emplace_back(i, label);
+        labels.push_back({i, label, place});
     }
     if (!anyExact_) return;
     auto* line = new QCPItemStraightLine(this);
@@ -254,11 +278,13 @@ void StudyChart::emphasize(std::optional<std::size_t> point)
 
 QImage StudyChart::picture(QSize size, double scale)
 {
+    layOutFor(size);
     return toPixmap(size.width(), size.height(), scale).toImage();
 }
 
 QByteArray StudyChart::svg(QSize size)
 {
+    layOutFor(size);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     QSvgGenerator generator;
@@ -284,15 +310,34 @@ void StudyChart::mouseMoveEvent(QMouseEvent* event)
     if (now == hovered_) return;
     hovered_ = now;
     setCursor(now >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    emit hovered(now);
+    // The last one stays on show beside the chart, so that the pointer can go there; only another one takes its place.
+    if (now >= 0) emit hovered(now);
+}
+
+void StudyChart::mousePressEvent(QMouseEvent* event)
+{
+    QCustomPlot::mousePressEvent(event);
+    if (!pointAt(event->position())) emit hovered(-1);
+}
+
+void StudyChart::resizeEvent(QResizeEvent* event)
+{
+    QCustomPlot::resizeEvent(event);
+    layOutFor(size());
+}
+
+/// Which labels have room is known once the axes are laid out for that size.
+void StudyChart::layOutFor(QSize size)
+{
+    setViewport(QRect(QPoint(0, 0), size));
+    replot(QCustomPlot::rpImmediateRefresh);
+    rebuild();
 }
 
 void StudyChart::leaveEvent(QEvent* event)
 {
     QCustomPlot::leaveEvent(event);
-    if (hovered_ < 0) return;
     hovered_ = -1;
-    emit hovered(-1);
 }
 
 void StudyChart::changeEvent(QEvent* event)

@@ -40,15 +40,18 @@ public:
     [[nodiscard]] QByteArray svg(QSize size);
 
 signals:
-    void hovered(int point);  ///< -1: none.
+    void hovered(int point);  ///< Stays until another one is, or until a press beside all of them: -1.
 
 protected:
     void mouseMoveEvent(QMouseEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
     void leaveEvent(QEvent*) override;
     void changeEvent(QEvent*) override;
 
 private:
     void rebuild();
+    void layOutFor(QSize);
     void scaleAxes();
     void addMarks();
     [[nodiscard]] double shownError(double error) const;

@@ -3,11 +3,18 @@
 #include "exhibits/framework/expression.h"
 #include "exhibits/framework/study_text.h"
 #include "render/failure.h"
+#include "render/files/atomic_write.h"
 #include "render/measure/distance.h"
+#include "ui/progress_job.h"
 #include "ui/study_chart.h"
 #include "ui/study_pictures.h"
 
+#include <QApplication>
+#include <QBuffer>
+#include <QClipboard>
 #include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,6 +22,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSplitter>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace vitrine::ui {
@@ -40,7 +48,7 @@ QLineEdit* numberField(const QString& name, const QString& start, QWidget* paren
 }  // namespace
 
 StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext, QWidget* parent)
-    : QWidget(parent), gallery_(gallery), history_(history), withContext_(std::move(withContext)), parameter_(new QComboBox(this)), view_(new QComboBox(this)), go_(new QPushButton(this)),
+    : QWidget(parent), gallery_(gallery), history_(history), withContext_(std::move(withContext)), parameter_(new QComboBox(this)), view_(new QComboBox(this)), go_(new QPushButton(this)), copy_(new QToolButton(this)), save_(new QToolButton(this)),
       progress_(new QProgressBar(this)), doing_(new QLabel(this)), words_(new QLabel(this)), caption_(new QLabel(this)), error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
       milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this)), chart_(new StudyChart(this)), pictures_(new StudyPictures(this))
 {
@@ -73,6 +81,17 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     choose->setSpacing(8);
     for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest, new QLabel(tr("Best within"), this), milliseconds_, new QLabel(tr("ms"), this), best}) choose->addWidget(w);
     choose->addStretch(1);
+    copy_->setText(tr("Copy"));
+    copy_->setAccessibleName(tr("Copy the measurements"));
+    copy_->setToolTip(tr("Copies what was measured as a table (CSV)."));
+    save_->setText(tr("Save…"));
+    save_->setAccessibleName(tr("Save the measurements"));
+    save_->setToolTip(tr("Saves what was measured as a table (CSV) or JSON, or the chart as PNG or SVG."));
+    for (QToolButton* button : {copy_, save_}) {
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setFixedHeight(26);
+        choose->addWidget(button);
+    }
 
     auto* right = new QWidget(this);
     auto* column = new QVBoxLayout(right);
@@ -84,10 +103,10 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     auto* split = new QSplitter(Qt::Horizontal, this);
     split->addWidget(chart_);
     split->addWidget(right);
-    split->setStretchFactor(0, 3);
-    split->setStretchFactor(1, 2);
+    split->setStretchFactor(0, 1);
+    split->setStretchFactor(1, 1);
     split->setChildrenCollapsible(false);
-    split->setSizes({600, 400});
+    split->setSizes({500, 500});
 
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(8, 8, 8, 8);
@@ -102,6 +121,7 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     }
     words_->setWordWrap(true);
+    caption_->setWordWrap(true);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measure(); });
@@ -110,6 +130,9 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     connect(error_, &QLineEdit::returnPressed, this, [this] { find(true); });
     connect(milliseconds_, &QLineEdit::returnPressed, this, [this] { find(false); });
     connect(view_, &QComboBox::currentIndexChanged, this, [this] { showPoint(shownPoint_); });
+    connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(QString::fromUtf8(exported(QStringLiteral("csv")))); });
+    connect(save_, &QToolButton::clicked, this, &StudyDock::save);
+    connect(pictures_, &StudyPictures::enlargeAsked, this, [this] { chart_->setVisible(chart_->isHidden()); });
     connect(chart_, &StudyChart::hovered, this, [this](int point) { showPoint(point); });
     connect(chart_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
         if (const auto point = chart_->pointAt(event->position()); point && event->button() == Qt::LeftButton) apply(*point);
@@ -197,9 +220,7 @@ void StudyDock::find(bool byError)
 void StudyDock::start(StudyRequest request)
 {
     stop();
-    request_ = request;
-    result_ = {};
-    shownPoint_ = -1;
+    running_ = request;
     try {
         const bool drawn = withContext_([&] { job_ = gallery_.makeStudy(request); });
         if (!drawn || !job_.study) throw Failure(Blame::openGl, "Nothing can be measured: there is no renderer.");
@@ -208,17 +229,26 @@ void StudyDock::start(StudyRequest request)
         words_->setText(QString::fromUtf8(failure.what()));
         return;
     }
-    {
-        const QSignalBlocker quiet(view_);
-        view_->clear();
-        for (const std::string& view : job_.study->result().views) view_->addItem(QString::fromStdString(view));
-    }
     go_->setText(tr("Cancel"));
     progress_->show();
     elapsed_.start();
     sinceRefresh_.start();
-    refresh();
+    doing_->setText(tr("Starting"));
     timer_.start(0);
+}
+
+void StudyDock::showRunningOnceItHasAPoint()
+{
+    if (showsRunning_ || !job_.study) return;
+    const StudyResult& now = job_.study->result();
+    const auto measured = [](const StudyPoint& p) { return p.cost > 0 && std::all_of(p.shots.begin(), p.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); }); };
+    if (!job_.study->finished() && std::none_of(now.points.begin(), now.points.end(), measured)) return;
+    showsRunning_ = true;
+    request_ = running_;
+    shownPoint_ = -1;
+    const QSignalBlocker quiet(view_);
+    view_->clear();
+    for (const std::string& view : now.views) view_->addItem(QString::fromStdString(view));
 }
 
 void StudyDock::step()
@@ -233,10 +263,11 @@ void StudyDock::step()
         return;
     }
     const bool done = job_.study->finished();
+    showRunningOnceItHasAPoint();
     const double part = job_.study->progress();
     progress_->setValue(static_cast<int>(100 * part));
     const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
-    doing_->setText(QString::fromStdString(job_.study->doing()) + (part > 0.05 && !done ? tr(", about %1 s left").arg(std::ceil(seconds / part * (1 - part))) : QString()));
+    doing_->setText(QString::fromStdString(job_.study->doing()) + (part > 0.05 && !done ? QStringLiteral(", ") + timeLeft(seconds / part * (1 - part)) : QString()));
     if (done || sinceRefresh_.elapsed() > refreshTime) {
         refresh();
         sinceRefresh_.restart();
@@ -254,7 +285,10 @@ void StudyDock::step()
 void StudyDock::stop()
 {
     timer_.stop();
-    if (job_.study) result_ = job_.study->result();
+    if (showsRunning_) {
+        result_ = job_.study->result();
+        showsRunning_ = false;
+    }
     if (job_.painter || job_.study) {
         // The painter goes with its context current, or with the context.
         if (!withContext_([this] { job_ = {}; })) job_ = {};
@@ -268,7 +302,46 @@ void StudyDock::showIdle()
     go_->setEnabled(parameter_->count() > 1);
     progress_->hide();
     doing_->clear();
+    for (QToolButton* button : {copy_, save_}) button->setEnabled(!result_.points.empty());
+    suggestTime();
     if (result_.points.empty()) words_->setText(tr("Choose a parameter: error is measured against its most exact value, cost in work done and in time."));
+}
+
+void StudyDock::suggestTime()
+{
+    // A limit that the present setting misses by half is one to look for; what was typed stays.
+    if (milliseconds_->isModified() || !result().present) return;
+    const StudyPoint& present = result().points[*result().present];
+    if (present.time) milliseconds_->setText(shortNumber(present.time->median / 2));
+}
+
+QByteArray StudyDock::exported(const QString& suffix) const
+{
+    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(studyCsv(gallery_.exhibits(), request_, result()));
+    if (suffix == QLatin1String("json")) return QByteArray::fromStdString(render::writeJson(studyJson(gallery_.exhibits(), request_, result(), render::Json::object())));
+    const QSize size(960, 600);
+    if (suffix == QLatin1String("svg")) return chart_->svg(size);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    chart_->picture(size, 2).save(&buffer, "PNG");
+    return bytes;
+}
+
+void StudyDock::save()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the measurements"), QStringLiteral("study.csv"), tr("Tables and charts (*.csv *.json *.png *.svg)"));
+    if (path.isEmpty()) return;
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix != QLatin1String("csv") && suffix != QLatin1String("json") && suffix != QLatin1String("png") && suffix != QLatin1String("svg")) {
+        emit failed(tr("%1 was not saved: its name must end in .csv, .json, .png or .svg.").arg(path));
+        return;
+    }
+    try {
+        const QByteArray bytes = exported(suffix);
+        render::atomicWrite(path.toStdString(), std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    } catch (const Failure& failure) {
+        emit failed(QString::fromUtf8(failure.what()));
+    }
 }
 
 std::optional<std::size_t> StudyDock::presentPoint() const
@@ -320,7 +393,9 @@ void StudyDock::showPoint(int wanted)
     const StudyShot& shot = p.shots[view];
     if (shot.picture.empty()) return;
     const render::Image errors = render::errorMap(request_.metric, result().references[view], shot.picture).value_or(render::differenceMap(result().references[view], shot.picture));
-    pictures_->show(screenImage(shot.picture), screenImage(result().references[view]), screenImage(render::heatMap(errors, render::fullScale(request_.metric, errors))));
+    const double full = render::fullScale(request_.metric, errors);
+    pictures_->show(screenImage(shot.picture), screenImage(result().references[view]), screenImage(render::heatMap(errors, full)),
+                    QStringLiteral("%1 %2").arg(QString::fromUtf8(title(request_.metric).data(), static_cast<qsizetype>(title(request_.metric).size())), shortNumber(full)));
     QString text = QString::fromStdString(pointText(gallery_.exhibits(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
     if (result().costName != "ms") text += tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(p.cost)), QString::fromStdString(costTitle(result().costName)));
     if (p.time) text += tr(", %1 ms (%2 to %3)").arg(shortNumber(p.time->median), shortNumber(p.time->interval.low), shortNumber(p.time->interval.high));

@@ -15,6 +15,7 @@ class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
+class QToolButton;
 
 namespace vitrine::ui {
 
@@ -41,7 +42,10 @@ public:
     /// Ends the study that runs; what it measured stays to be seen.
     void stop();
     [[nodiscard]] bool running() const { return job_.study != nullptr; }
-    [[nodiscard]] const StudyResult& result() const { return job_.study ? job_.study->result() : result_; }
+    /// What is shown: of the study that runs as soon as it has a point, until then of the one before.
+    [[nodiscard]] const StudyResult& result() const { return showsRunning_ ? job_.study->result() : result_; }
+    /// Everything shown that was measured, as a file: .csv, .json (with `machine` beside it), or the chart as .png or .svg.
+    [[nodiscard]] QByteArray exported(const QString& suffix) const;
     [[nodiscard]] StudyChart& chart() const { return *chart_; }
 
     /// Side of the pictures that it measures with, and how often each is timed.
@@ -63,6 +67,9 @@ private:
     void showPoint(int point);
     void apply(std::size_t point);
     void showIdle();
+    void showRunningOnceItHasAPoint();
+    void save();
+    void suggestTime();
     [[nodiscard]] StudyRequest requestFor(std::vector<StudyAxis>) const;
     [[nodiscard]] std::optional<std::size_t> presentPoint() const;
 
@@ -71,6 +78,8 @@ private:
     WithContext withContext_;
     StudyJob job_;
     StudyRequest request_;   ///< Of what is shown.
+    StudyRequest running_;   ///< Of the study that runs.
+    bool showsRunning_ = false;
     StudyResult result_;     ///< Of the study that ended last.
     std::size_t subject_ = 0;
     glm::ivec2 size_{320, 180};
@@ -82,6 +91,8 @@ private:
     QComboBox* parameter_;
     QComboBox* view_;
     QPushButton* go_;
+    QToolButton* copy_;
+    QToolButton* save_;
     QProgressBar* progress_;
     QLabel* doing_;
     QLabel* words_;

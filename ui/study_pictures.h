@@ -17,22 +17,27 @@ class StudyPictures final : public QWidget {
 public:
     explicit StudyPictures(QWidget* parent = nullptr);
 
-    /// Null images show nothing yet.
-    void show(const QImage& picture, const QImage& reference, const QImage& heat);
+    /// Null images show nothing yet. `full` is the error that the heat map shows brightest, with its name.
+    void show(const QImage& picture, const QImage& reference, const QImage& heat, const QString& full = {});
     [[nodiscard]] double wipe() const { return wipe_; }
     void setWipe(double share);  ///< 0: all reference, 1: all setting.
+
+signals:
+    void enlargeAsked();  ///< By a double click, or Enter.
 
 protected:
     void paintEvent(QPaintEvent*) override;
     void mouseMoveEvent(QMouseEvent*) override;
+    void mouseDoubleClickEvent(QMouseEvent*) override;
     void keyPressEvent(QKeyEvent*) override;
-    [[nodiscard]] QSize sizeHint() const override { return {420, 140}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 80}; }
+    [[nodiscard]] QSize sizeHint() const override { return {520, 200}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 110}; }
 
 private:
     [[nodiscard]] QRectF placeOf(int index) const;  ///< 0: picture, 1: heat map.
 
     QImage picture_, reference_, heat_;
+    QString full_;
     double wipe_ = 0.5;
 };
 

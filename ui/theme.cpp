@@ -18,12 +18,12 @@ Theme& current()
 
 Theme darkTheme()
 {
-    return {true, "#1f1f1e", "#272726", "#d8d4cc", "#9a958c", "#d9a05b", "#d9735b", "#8fae7a"};
+    return {true, "#1f1f1e", "#272726", "#d8d4cc", "#9a958c", "#d9a05b", "#d9735b", "#8fae7a", "#74706a"};
 }
 
 Theme lightTheme()
 {
-    return {false, "#f1efeb", "#fbfaf8", "#2a2825", "#6d685f", "#9a5f14", "#a83a22", "#4a6b33"};
+    return {false, "#f1efeb", "#fbfaf8", "#2a2825", "#6d685f", "#9a5f14", "#a83a22", "#4a6b33", "#8f897e"};
 }
 
 const Theme& theme()
@@ -54,8 +54,10 @@ void applyTheme(QApplication& app, const Theme& chosen)
     palette.setColor(QPalette::Highlight, chosen.accent);
     palette.setColor(QPalette::HighlightedText, chosen.dark ? chosen.window : QColor(Qt::white));
     palette.setColor(QPalette::Link, chosen.accent);
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-        palette.setColor(QPalette::Disabled, role, chosen.dim);
+    for (const auto role : {QPalette::WindowText, QPalette::Text}) palette.setColor(QPalette::Disabled, role, chosen.dim);
+    QColor off = chosen.text;  // A button that cannot be pressed must not read like one that can.
+    off.setAlphaF(0.35F);
+    palette.setColor(QPalette::Disabled, QPalette::ButtonText, off);
     app.setPalette(palette);
 }
 

@@ -47,7 +47,7 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &Viewport::tick);
-    connect(&history, &History::changed, this, &Viewport::lookChanged);
+    connect(&history, &History::changed, this, &Viewport::valuesChanged);
     connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.look().camera); });
 #ifndef NDEBUG
     connect(&shaderPoll_, &QTimer::timeout, this, &Viewport::reloadShaders);
@@ -193,6 +193,16 @@ void Viewport::tick()
     schedule_.setMoving(animated || buttons || keys_.any() || control_.moving(), at);
     if (schedule_.next(at)) update();
     else scheduleNext();
+}
+
+void Viewport::valuesChanged()
+{
+    // What differs in rows alone that do not act is the same picture: it goes on being refined.
+    std::vector<ParameterValues> acting;
+    for (const ParameterValues& values : history_.look().values) acting.push_back(actingValues(values));
+    if (acting == acting_) return;
+    acting_ = std::move(acting);
+    lookChanged();
 }
 
 void Viewport::lookChanged()

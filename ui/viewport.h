@@ -83,6 +83,7 @@ private:
     [[nodiscard]] double now() const { return static_cast<double>(steady_.nsecsElapsed()) * 1e-9; }
     [[nodiscard]] FrameRequest request() const;
     void tick();
+    void valuesChanged();
     void scheduleNext();
     void draw(const DrawOrder&);
     void closeGl();
@@ -109,6 +110,7 @@ private:
     bool drewOnce_ = false;
     long long picturesDrawn_ = 0;
     QString lastFailure_;
+    std::vector<ParameterValues> acting_;  // Of the look that was drawn last: what of it acts.
     std::vector<double> pressedAt_;  // Per exhibit, on the steady clock; very negative: never.
     std::optional<LookedAt> lookedAt_;
 

@@ -3,6 +3,7 @@
 #include "ui/main_window.h"
 #include "ui/parameter_panel.h"
 #include "ui/preset_shelf.h"
+#include "ui/theme_choice.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -21,6 +22,7 @@ public:
 
     void menu(const QString& title) { menu_ = window_.menuBar()->addMenu(title); }
     void separator() { menu_->addSeparator(); }
+    void submenu(QMenu* menu) { menu_->addMenu(menu); }
     QAction* add(const QString& text, const Keys& keys, const QString& tip, std::function<void()> work)
     {
         auto* action = new QAction(text, &window_);
@@ -131,6 +133,7 @@ WindowActions::WindowActions(MainWindow& window)
     make.inViewport(bare);
     fullScreen = make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."),
                              [&window](bool on) { window.setFullScreen(on); });
+    make.submenu(themeMenu(&window));
     make.separator();
     pause = make.toggle(tr("Pause &clock"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Pause)},
                         tr("Stops and starts the exhibits' clock."), [&window](bool on) { window.viewport().setPaused(on); });

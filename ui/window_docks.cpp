@@ -5,6 +5,7 @@
 #include "ui/dock_title.h"
 #include "ui/exhibit_list.h"
 #include "ui/ledger_dock.h"
+#include "ui/ledger_view.h"
 #include "ui/log_view.h"
 #include "ui/parameter_panel.h"
 #include "ui/preset_list.h"
@@ -67,6 +68,10 @@ void MainWindow::buildDocks()
     studyRoom->setFrameShape(QFrame::NoFrame);
     QDockWidget* study = dock(tr("Study"), "study", studyRoom, Qt::BottomDockWidgetArea);
     ledger_ = new LedgerDock([this] { return QString::fromStdString(viewport_->schedule().reason()); });
+    QHash<QString, QString> titles;
+    for (const auto& exhibit : gallery_.exhibits())
+        titles.insert(QString::fromUtf8(exhibit->name().data(), static_cast<qsizetype>(exhibit->name().size())), QString::fromUtf8(exhibit->title().data(), static_cast<qsizetype>(exhibit->title().size())));
+    ledger_->view().setTitles(titles);
     connect(ledger_, &LedgerDock::runEverythingAsked, viewport_, &Viewport::setRunEverything);
     log_ = new LogView;
     QDockWidget* ledger = dock(tr("Ledger"), "ledger", ledger_, Qt::BottomDockWidgetArea);
@@ -110,6 +115,7 @@ void MainWindow::hidePanels(bool hidden)
     }
     menuBar()->setVisible(!hidden);
     status_->setVisible(!hidden);
+    messages_->setBanned(hidden);
     if (actions_) actions_->panels->setChecked(hidden);
     viewport_->setFocus();
 }

@@ -81,7 +81,9 @@ void MainWindow::saveScreenshotNow()
     wish.samples = viewport_->schedule().samples();
     auto* work = new PictureExport(*this, wish);
     connect(work, &PictureExport::finished, this,
-            [this](const QString& path) { say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(path)); });
+            [this](const QString& path) {
+                say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(path), tr("%1 screenshots saved, the last one to %2."), path);
+            });
     connect(work, &PictureExport::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     work->start();
 }

@@ -76,10 +76,12 @@ render::Bytes uniformBytes(const ParameterValues& values)
 std::string manualTable(const Parameters& table)
 {
     std::string text = "| parameter | initial | range | unit | what it does |\n|---|---|---|---|---|\n";
-    for (const ParameterInfo& row : table.rows()) {
+    for (std::size_t i = 0; i < table.rows().size(); ++i) {
+        const ParameterInfo& row = table.rows()[i];
         std::string unit(info(row.unit).symbol);
         text += "| `" + std::string(row.name) + "` | " + formatValue(row, row.initial) + " | " + rangeText(row) + " | " + unit + " | " + std::string(row.help);
         if (row.qualityReference) text += " *Quality: exact at " + formatValue(row, *row.qualityReference) + ".*";
+        if (row.actsWhen) text += " *Acts when " + actsWhen(table, i) + ".*";
         text += " |\n";
     }
     return text;

@@ -16,7 +16,7 @@ namespace {
 // unit would otherwise skip some.
 using Number = long double;
 
-enum class Measure : std::uint8_t { none, length, angle, time, pixel, stop, ratio, kelvin };
+enum class Measure : std::uint8_t { none, length, angle, time, pixel, stop, ratio, kelvin, hour };
 
 /// A physical dimension: a measure and its power (per metre is length to the power -1).
 struct Dimension {
@@ -39,7 +39,7 @@ struct UnitWord {
 
 constexpr Number degree = std::numbers::pi_v<Number> / 180;
 
-constexpr std::array<UnitWord, 22> unitWords = {{
+constexpr std::array<UnitWord, 23> unitWords = {{
     {"mm", 1e-3L, {Measure::length, 1}},    {"cm", 1e-2L, {Measure::length, 1}},
     {"m", 1, {Measure::length, 1}},         {"um", 1e-6L, {Measure::length, 1}},
     {"µm", 1e-6L, {Measure::length, 1}},    {"μm", 1e-6L, {Measure::length, 1}},  // Micro sign and Greek mu.
@@ -51,7 +51,7 @@ constexpr std::array<UnitWord, 22> unitWords = {{
     {"kHz", 1e3L, {Measure::time, -1}},     {"px", 1, {Measure::pixel, 1}},
     {"EV", 1, {Measure::stop, 1}},          {"stops", 1, {Measure::stop, 1}},
     {"stop", 1, {Measure::stop, 1}},        {"%", 1e-2L, {Measure::ratio, 1}},
-    {"K", 1, {Measure::kelvin, 1}},
+    {"K", 1, {Measure::kelvin, 1}},         {"h", 1, {Measure::hour, 1}},  // Of the day: no length of time.
 }};
 
 Dimension dimensionOf(Unit unit)
@@ -70,6 +70,7 @@ Dimension dimensionOf(Unit unit)
     case Unit::percent: return {Measure::ratio, 1};
     case Unit::kelvin: return {Measure::kelvin, 1};
     case Unit::perMetre: return {Measure::length, -1};
+    case Unit::hour: return {Measure::hour, 1};
     }
     return {};
 }

@@ -42,12 +42,34 @@ std::string_view toString(Scale scale)
 
 std::string label(const ParameterInfo& row)
 {
+    if (!row.called.empty()) return std::string(row.called);
     std::string text;
     for (const char c : row.name) {
         const bool upper = std::isupper(static_cast<unsigned char>(c)) != 0;
         if (upper && !text.empty()) text += ' ';
         const int shownAs = text.empty() ? std::toupper(static_cast<unsigned char>(c)) : std::tolower(static_cast<unsigned char>(c));
         text += static_cast<char>(shownAs);
+    }
+    return text;
+}
+
+std::string labelInGroup(const ParameterInfo& row)
+{
+    std::string text = label(row);
+    const std::size_t end = text.find(' ');
+    if (end == std::string::npos) return text;
+    const std::string first = text.substr(0, end);
+    // The word as a whole word of the heading, whatever the case of its first letter: "Ball" in "Coat of the ball".
+    const auto lower = [](unsigned char c) { return std::tolower(c); };
+    for (std::size_t from = 0; from <= row.group.size();) {
+        const std::size_t to = std::min(row.group.find(' ', from), row.group.size());
+        const std::string_view word = row.group.substr(from, to - from);
+        if (std::equal(word.begin(), word.end(), first.begin(), first.end(), [&](char a, char b) { return lower(static_cast<unsigned char>(a)) == lower(static_cast<unsigned char>(b)); })) {
+            text.erase(0, end + 1);
+            text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+            return text;
+        }
+        from = to + 1;
     }
     return text;
 }
@@ -100,52 +122,25 @@ ParameterValues Parameters::initial() const
 Parameters::Group Parameters::group(std::string_view title)
 {
     group_ = title;
+    groupFolded_ = false;
     return {};
 }
 
-Real Parameters::real(std::string_view name, double initial, Unit unit, Range range, std::string_view help, Quality q)
+Parameters::Group Parameters::foldedGroup(std::string_view title)
 {
-    return {append({name, group_, help, Kind::real, unit, range, initial, {}, q.reference, q.byMeaning})};
+    group_ = title;
+    groupFolded_ = true;
+    return {};
 }
 
-Count Parameters::count(std::string_view name, int initial, Range range, std::string_view help, Quality q)
-{
-    return {append({name, group_, help, Kind::count, none, range, static_cast<double>(initial), {}, q.reference, q.byMeaning})};
-}
-
-Toggle Parameters::toggle(std::string_view name, bool initial, std::string_view help, Quality q)
-{
-    return {append({name, group_, help, Kind::toggle, none, {0, 1}, initial ? 1.0 : 0.0, {}, q.reference, q.byMeaning})};
-}
-
-Color Parameters::color(std::string_view name, glm::dvec3 initial, std::string_view help)
-{
-    return {append({name, group_, help, Kind::color, none, {0, 1}, initial, {}, {}})};
-}
-
-Direction Parameters::direction(std::string_view name, glm::dvec3 initial, std::string_view help)
-{
-    return {append({name, group_, help, Kind::direction, none, {-1, 1}, glm::normalize(initial), {}, {}})};
-}
-
-File Parameters::file(std::string_view name, std::string_view help)
-{
-    return {append({name, group_, help, Kind::file, none, {0, 0}, std::string(), {}, {}})};
-}
-
-std::uint16_t Parameters::appendChoice(std::string_view name, int initial, std::initializer_list<std::string_view> names,
-                                       std::string_view help, Quality q)
-{
-    const double last = static_cast<double>(names.size()) - 1;
-    return append({name, group_, help, Kind::choice, none, {0, last}, static_cast<double>(initial), names, q.reference, q.byMeaning});
-}
-
-std::uint16_t Parameters::append(ParameterInfo row)
+std::uint16_t Parameters::appendRow(ParameterInfo row)
 {
     assert(!find(row.name) && "two rows share a name");
     assert(row.range.low <= row.range.softLow && row.range.softHigh <= row.range.high);
     assert(row.range.scale == Scale::linear || row.range.softLow > 0);
     assert(nearestLegal(row, row.initial).has_value());
+    assert(!row.word || row.isNumeric());
+    row.groupFolded = groupFolded_;
     rows_.push_back(std::move(row));
     return static_cast<std::uint16_t>(rows_.size() - 1);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/condition.h"
 #include "exhibits/framework/units.h"
 
 #include <glm/glm.hpp>
@@ -10,6 +11,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -38,6 +41,12 @@ struct Range {
 /// (its index); three numbers for color (linear Rec. 709) and direction (unit length); a path for file.
 using Value = std::variant<double, glm::dvec3, std::string>;
 
+/// A number that means something else than a number: shown as this word, and typed as it.
+struct Word {
+    double value = 0;
+    std::string_view text;  ///< "auto".
+};
+
 /// One row of a parameter table.
 ///
 /// Everything the program says about a parameter is said here: the slider and its tooltip, the key in
@@ -51,16 +60,22 @@ struct ParameterInfo {
     Unit unit = Unit::none;  ///< How to show it; `range` and `initial` are in SI.
     Range range;
     Value initial;
-    std::vector<std::string_view> choices;    ///< Names, for Kind::choice only.
-    std::optional<double> qualityReference;   ///< The value that counts as exact, when accuracy costs time.
+    std::vector<std::string_view> choices = {};  ///< Names, for Kind::choice only.
+    std::optional<double> qualityReference = {};  ///< The value that counts as exact, when accuracy costs time.
     bool exactByMeaning = false;              ///< Nothing is approximated there; else that it is exact has to be checked.
+    std::optional<Condition> actsWhen = {};  ///< When it changes anything that can be seen; nothing: always.
+    std::string_view called = {};            ///< Its label where `name` does not read as one.
+    std::optional<Word> word = {};           ///< For a real or a count.
+    bool groupFolded = false;                ///< Whether the panel shows its group folded at first.
 
     /// Whether its values are numbers, with others between them: a real or a count.
     [[nodiscard]] bool isNumeric() const { return kind == Kind::real || kind == Kind::count; }
 };
 
-/// "Shell count" for "shellCount".
+/// "Shell count" for "shellCount", or what the row is called.
 [[nodiscard]] std::string label(const ParameterInfo&);
+/// The label under the heading of its group, whose word it need not repeat: "Length" for "Ball length" in "Coat of the ball".
+[[nodiscard]] std::string labelInGroup(const ParameterInfo&);
 
 /// The legal value nearest to `value`, or nothing when its type or a NaN leaves no nearest one.
 [[nodiscard]] std::optional<Value> nearestLegal(const ParameterInfo&, const Value& value);
@@ -106,6 +121,8 @@ protected:
     using enum Scale;
 
     struct Group {};
+
+    // What may be said of a row after its help, in any order:
     struct Quality {
         std::optional<double> reference;
         bool byMeaning;
@@ -114,32 +131,96 @@ protected:
     [[nodiscard]] static Quality quality(double reference) { return {reference, false}; }
     /// The same, but at `reference` the row approximates nothing: a closed form, or an approximation that is off.
     [[nodiscard]] static Quality exactAt(double reference) { return {reference, true}; }
+    struct Called { std::string_view text; };
+    [[nodiscard]] static Called called(std::string_view text) { return {text}; }
+    /// `value` is shown and typed as this word.
+    [[nodiscard]] static Word reads(double value, std::string_view word) { return {value, word}; }
+    /// When the row acts: `when(...) && when(...)`, `when(...) || when(...)`.
+    [[nodiscard]] Condition when(Toggle row, bool on = true) const { return {Condition::Test::among, nameOf(row), {on ? 1.0 : 0.0}}; }
+    template <typename Enum> requires std::is_enum_v<Enum>
+    [[nodiscard]] Condition when(Choice<Enum> row, Enum value) const { return when(row, {value}); }
+    template <typename Enum> requires std::is_enum_v<Enum>
+    [[nodiscard]] Condition when(Choice<Enum> row, std::initializer_list<Enum> values) const
+    {
+        Condition condition{Condition::Test::among, nameOf(row)};
+        for (const Enum value : values) condition.values.push_back(static_cast<double>(value));
+        return condition;
+    }
+    template <typename Enum> requires std::is_enum_v<Enum>
+    [[nodiscard]] Condition whenNot(Choice<Enum> row, Enum value) const { return {Condition::Test::differs, nameOf(row), {static_cast<double>(value)}}; }
+    [[nodiscard]] Condition when(Real row, double value) const { return {Condition::Test::among, nameOf(row), {value}}; }
+    [[nodiscard]] Condition whenNot(Real row, double value) const { return {Condition::Test::differs, nameOf(row), {value}}; }
+    [[nodiscard]] Condition whenAbove(Real row, double value) const { return {Condition::Test::above, nameOf(row), {value}}; }
+    [[nodiscard]] Condition whenGiven(File row) const { return {Condition::Test::given, nameOf(row)}; }
+    // Of a row further down, by its name and its value as a number:
+    [[nodiscard]] static Condition whenLater(std::string_view row, double value) { return {Condition::Test::among, row, {value}}; }
+    [[nodiscard]] static Condition whenLaterAbove(std::string_view row, double value) { return {Condition::Test::above, row, {value}}; }
 
     /// Heading of the rows that follow.
     Group group(std::string_view title);
+    /// The same; the panel shows the group folded until someone opens it.
+    Group foldedGroup(std::string_view title);
 
-    Real real(std::string_view name, double initial, Unit, Range, std::string_view help, Quality = {});
-    Count count(std::string_view name, int initial, Range, std::string_view help, Quality = {});
-    Toggle toggle(std::string_view name, bool initial, std::string_view help, Quality = {});
-    /// `initial` is linear Rec. 709, each component 0 to 1.
-    Color color(std::string_view name, glm::dvec3 initial, std::string_view help);
-    /// `initial` is normalized here.
-    Direction direction(std::string_view name, glm::dvec3 initial, std::string_view help);
-    File file(std::string_view name, std::string_view help);
-    template <typename Enum>
-    Choice<Enum> choice(std::string_view name, Enum initial, std::initializer_list<std::string_view> names,
-                        std::string_view help, Quality reference = {})
+    template <typename... Traits>
+    Real real(std::string_view name, double initial, Unit unit, Range range, std::string_view help, const Traits&... traits)
     {
-        return {appendChoice(name, static_cast<int>(initial), names, help, reference)};
+        return {append({name, group_, help, Kind::real, unit, range, initial}, traits...)};
+    }
+    template <typename... Traits>
+    Count count(std::string_view name, int initial, Range range, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::count, Unit::none, range, static_cast<double>(initial)}, traits...)};
+    }
+    template <typename... Traits>
+    Toggle toggle(std::string_view name, bool initial, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::toggle, Unit::none, {0, 1}, initial ? 1.0 : 0.0}, traits...)};
+    }
+    /// `initial` is linear Rec. 709, each component 0 to 1.
+    template <typename... Traits>
+    Color color(std::string_view name, glm::dvec3 initial, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::color, Unit::none, {0, 1}, initial}, traits...)};
+    }
+    /// `initial` is normalized here.
+    template <typename... Traits>
+    Direction direction(std::string_view name, glm::dvec3 initial, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::direction, Unit::none, {-1, 1}, glm::normalize(initial)}, traits...)};
+    }
+    template <typename... Traits>
+    File file(std::string_view name, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::file, Unit::none, {0, 0}, std::string()}, traits...)};
+    }
+    template <typename Enum, typename... Traits>
+    Choice<Enum> choice(std::string_view name, Enum initial, std::initializer_list<std::string_view> names, std::string_view help,
+                        const Traits&... traits)
+    {
+        const double last = static_cast<double>(names.size()) - 1;
+        return {append({name, group_, help, Kind::choice, Unit::none, {0, last}, static_cast<double>(initial), names}, traits...)};
     }
 
 private:
-    std::uint16_t append(ParameterInfo);
-    std::uint16_t appendChoice(std::string_view name, int initial, std::initializer_list<std::string_view> names,
-                               std::string_view help, Quality);
+    static void say(ParameterInfo& row, const Quality& quality)
+    {
+        row.qualityReference = quality.reference;
+        row.exactByMeaning = quality.byMeaning;
+    }
+    static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
+    static void say(ParameterInfo& row, const Word& word) { row.word = word; }
+    static void say(ParameterInfo& row, const Condition& condition) { row.actsWhen = condition; }
+    template <typename... Traits> std::uint16_t append(ParameterInfo row, const Traits&... traits)
+    {
+        (say(row, traits), ...);
+        return appendRow(std::move(row));
+    }
+    std::uint16_t appendRow(ParameterInfo);
+    template <typename T> [[nodiscard]] std::string_view nameOf(Parameter<T> row) const { return rows_[row.row].name; }
 
     std::vector<ParameterInfo> rows_;
     std::string_view group_;
+    bool groupFolded_ = false;
 };
 
 /// A snapshot of one value per row of one table. Cheap to copy: presets, A/B comparisons, undo and

@@ -131,8 +131,9 @@ public:
     [[nodiscard]] virtual std::vector<SheetEntry> sheets(std::string& problem) const = 0;
     /// The values with that sheet's numbers. Throws Failure when there is none of that name.
     [[nodiscard]] virtual ParameterValues withSheet(const ParameterValues&, const std::string& name) const = 0;
-    /// The name of the sheet that these values have, or empty when they match none of the list.
-    [[nodiscard]] virtual std::string sheetName(const ParameterValues&) const = 0;
+    /// The name of the sheet that these values have, or empty when they match none of the list. Of several alike, the
+    /// one that is named `preferred`, else the first.
+    [[nodiscard]] virtual std::string sheetName(const ParameterValues&, const std::string& preferred = {}) const = 0;
     /// Adds the sheet of these values to the user's own under that name, or replaces it. Throws Failure when
     /// the sheet cannot be, when a shipped sheet has that name, or when the file cannot be written.
     virtual void saveSheet(const ParameterValues&, const std::string& name) = 0;

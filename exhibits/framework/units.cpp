@@ -20,6 +20,7 @@ UnitInfo info(Unit unit)
     case Unit::percent: return {"%", "", 100};
     case Unit::kelvin: return {"K", "K", 1};
     case Unit::perMetre: return {"1/m", "1/m", 1};
+    case Unit::hour: return {"h", "h", 1};
     }
     return {"", "", 1};
 }

@@ -6,9 +6,9 @@
 namespace vitrine {
 
 /// How a value is shown to people. Values are stored, computed and uploaded in SI (metres, seconds,
-/// radians); only panels, the manual and typed input convert, through `shown` and `stored`.
+/// radians; hours of the day); only panels, the manual and typed input convert, through `shown` and `stored`.
 enum class Unit : std::uint8_t {
-    none, metre, centimetre, millimetre, micrometre, degree, second, hertz, pixel, stop, percent, kelvin, perMetre
+    none, metre, centimetre, millimetre, micrometre, degree, second, hertz, pixel, stop, percent, kelvin, perMetre, hour
 };
 
 struct UnitInfo {

@@ -62,6 +62,23 @@ std::optional<Value> parseHexColor(std::string_view digits)
     return color;
 }
 
+/// "17:30" or "17:30:15" as hours; nothing when it is no time of day.
+std::optional<double> parseClock(std::string_view text)
+{
+    double hours = 0;
+    double each = 1;
+    for (int part = 0; part < 3; ++part, each /= 60) {
+        const std::size_t colon = std::min(text.find(':'), text.size());
+        int number = 0;
+        const std::from_chars_result end = std::from_chars(text.data(), text.data() + colon, number);
+        if (end.ec != std::errc() || end.ptr != text.data() + colon || number < 0 || number >= (part == 0 ? 25 : 60)) return std::nullopt;
+        hours += number * each;
+        if (colon == text.size()) return part > 0 ? std::optional(hours) : std::nullopt;
+        text.remove_prefix(colon + 1);
+    }
+    return std::nullopt;
+}
+
 std::optional<glm::dvec3> parseThree(std::string_view text)
 {
     glm::dvec3 v(0);
@@ -120,7 +137,7 @@ std::optional<Value> parseValue(const ParameterInfo& row, std::string_view text)
     case Kind::toggle: return parseToggle(text);
     case Kind::choice: return parseChoice(row, text);
     case Kind::color: {
-        if (text.starts_with('#')) return parseHexColor(text.substr(1));
+        if (const std::optional<Value> color = parseHexColor(text.substr(text.starts_with('#') ? 1 : 0))) return color;
         if (const std::optional<glm::dvec3> color = parseThree(text)) return *color;
         return std::nullopt;
     }
@@ -129,6 +146,8 @@ std::optional<Value> parseValue(const ParameterInfo& row, std::string_view text)
         return std::nullopt;
     }
     default: {
+        if (row.word && lower(text) == lower(row.word->text)) return row.word->value;
+        if (row.unit == Unit::hour && text.find(':') != std::string_view::npos) return parseClock(text) ? std::optional<Value>(*parseClock(text)) : std::nullopt;
         if (const std::optional<double> x = evaluate(text, row.unit)) return *x;
         return std::nullopt;
     }

@@ -82,7 +82,8 @@ BounceSettings bounceSettings(const FurTable& table, const ParameterValues& v, s
     s.model = std::move(model);
     s.jump = v[table.jump];
     s.toss = static_cast<std::uint32_t>(v[table.toss]);
-    s.growth = {v[table.growth], v[table.growthRate], v[table.growing], v[table.growing] ? time : 0.0};
+    const bool growing = v[table.growing] && !v[table.byHand];  // By hand, they keep still.
+    s.growth = {v[table.growth], v[table.growthRate], growing, growing ? time : 0.0};
     s.spring = {2 * std::numbers::pi * v[table.frequency], v[table.damping]};
     s.method = v[table.springModel];
     s.springRate = v[table.springRate];

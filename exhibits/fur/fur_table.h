@@ -13,27 +13,27 @@ enum class FurOrder : int { outerFirst, innerFirst };
 struct FurTable final : Parameters {
     Group ball = group("Coat of the ball");
     Real ballLength = real("ballLength", 0.2, metre, Range{0, 1}.soft(0, 0.4), "Of its longest strands: 0 leaves the bare skin.");
-    Real ballUniformity = real("ballUniformity", 0.35, none, {0, 1}, "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.");
-    Count ballDensity = count("ballDensity", 60000, Range{1, 1000000, logarithmic}.soft(100, 200000), "Strands on a square metre.");
-    Real ballThickness = real("ballThickness", 0.0045, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.");
+    Real ballUniformity = real("ballUniformity", 0.35, none, {0, 1}, "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.", whenAbove(ballLength, 0));
+    Count ballDensity = count("ballDensity", 60000, Range{1, 1000000, logarithmic}.soft(100, 200000), "Strands on a square metre.", whenAbove(ballLength, 0));
+    Real ballThickness = real("ballThickness", 0.0045, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.", whenAbove(ballLength, 0));
     Color ballRoot = color("ballRoot", {0.24, 0.075, 0.03}, "Of its fur at the skin.");
-    Color ballTip = color("ballTip", {0.95, 0.58, 0.31}, "Of its fur at the tips.");
+    Color ballTip = color("ballTip", {0.95, 0.58, 0.31}, "Of its fur at the tips.", whenAbove(ballLength, 0));
 
     Group roll = group("Coat of the roll");
     Real rollLength = real("rollLength", 0.10, metre, Range{0, 1}.soft(0, 0.4), "Of its longest strands: 0 leaves the bare skin.");
-    Real rollUniformity = real("rollUniformity", 0.5, none, {0, 1}, "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.");
-    Count rollDensity = count("rollDensity", 30000, Range{1, 1000000, logarithmic}.soft(100, 200000), "Strands on a square metre.");
-    Real rollThickness = real("rollThickness", 0.0048, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.");
+    Real rollUniformity = real("rollUniformity", 0.5, none, {0, 1}, "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.", whenAbove(rollLength, 0));
+    Count rollDensity = count("rollDensity", 30000, Range{1, 1000000, logarithmic}.soft(100, 200000), "Strands on a square metre.", whenAbove(rollLength, 0));
+    Real rollThickness = real("rollThickness", 0.0048, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.", whenAbove(rollLength, 0));
     Color rollRoot = color("rollRoot", {0.018, 0.022, 0.032}, "Of its fur at the skin.");
-    Color rollTip = color("rollTip", {0.50, 0.55, 0.62}, "Of its fur at the tips.");
+    Color rollTip = color("rollTip", {0.50, 0.55, 0.62}, "Of its fur at the tips.", whenAbove(rollLength, 0));
 
     Group ring = group("Coat of the ring");
     Real ringLength = real("ringLength", 0.075, metre, Range{0, 1}.soft(0, 0.4), "Of its longest strands: 0 leaves the bare skin.");
-    Real ringUniformity = real("ringUniformity", 0.6, none, {0, 1}, "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.");
-    Count ringDensity = count("ringDensity", 42000, Range{1, 1000000, logarithmic}.soft(100, 200000), "Strands on a square metre.");
-    Real ringThickness = real("ringThickness", 0.0042, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.");
+    Real ringUniformity = real("ringUniformity", 0.6, none, {0, 1}, "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.", whenAbove(ringLength, 0));
+    Count ringDensity = count("ringDensity", 42000, Range{1, 1000000, logarithmic}.soft(100, 200000), "Strands on a square metre.", whenAbove(ringLength, 0));
+    Real ringThickness = real("ringThickness", 0.0042, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.", whenAbove(ringLength, 0));
     Color ringRoot = color("ringRoot", {0.10, 0.006, 0.016}, "Of its fur at the skin.");
-    Color ringTip = color("ringTip", {0.78, 0.16, 0.20}, "Of its fur at the tips.");
+    Color ringTip = color("ringTip", {0.78, 0.16, 0.20}, "Of its fur at the tips.", whenAbove(ringLength, 0));
     File ringModel = file("ringModel", "A glTF object that wears the ring's coat in place of the ring; models/teddy.glb is one of ours.");
 
     Group strands = group("Strands");
@@ -43,9 +43,9 @@ struct FurTable final : Parameters {
     Real comb = real("comb", 0.6, none, Range{0, 10}.soft(0, 2), "How far the coat is combed to one side.");
     Real disorder = real("disorder", 0.22, none, Range{0, 10}.soft(0, 2), "How far it lies in swirls instead.");
     Real clump = real("clump", 0.75, none, {0, 0.95}, "How far strands draw together towards their tips: 0 is freshly brushed, high is wet.");
-    Real clumpSize = real("clumpSize", 10.0, none, Range{1, 50}.soft(2, 20), "Strands along a side of one tuft.");
+    Real clumpSize = real("clumpSize", 10.0, none, Range{1, 50}.soft(2, 20), "Strands along a side of one tuft.", whenAbove(clump, 0) || whenLaterAbove("curl", 0));
     Real curl = real("curl", 0.0, none, Range{0, 1}.soft(0, 0.3), "Radius of the curls of a tuft, in strand lengths.");
-    Real curlTurns = real("curlTurns", 1.5, none, Range{0, 20}.soft(0, 5), "Turns of a curl from skin to tip.");
+    Real curlTurns = real("curlTurns", 1.5, none, Range{0, 20}.soft(0, 5), "Turns of a curl from skin to tip.", whenAbove(curl, 0));
 
     Group light = group("Light");
     Real occlusionAttenuation = real("occlusionAttenuation", 1.2, none, {0, 5}, "How dark it is between the roots: 0 not at all, high all the way up.");
@@ -58,39 +58,39 @@ struct FurTable final : Parameters {
     Real colorVariation = real("colorVariation", 0.5, none, {0, 1}, "How far strands differ in color.");
 
     Real lamp = real("lamp", 1.6, none, Range{0, 1000}.soft(0, 6), "Strength of the lamp in the vault above the pit.");
-    Direction lampDirection = direction("lampDirection", {-0.62, 0.62, -0.48}, "Where it hangs, seen from the pit.");
+    Direction lampDirection = direction("lampDirection", {-0.62, 0.62, -0.48}, "Where it hangs, seen from the pit.", whenAbove(lamp, 0));
 
     Group jumping = group("Jump");
-    Real jump = real("jump", 3.1, none, Range{0, 8}.soft(1, 5), "How fast they leave the ground when the button is pressed, in metres a second.");
-    Count toss = count("toss", 2, Range{1, 9999}.soft(1, 20), "Which of many ways they are tossed: the same number is the same jump.");
-    Real frozenAt = real("frozenAt", 0.0, second, Range{0, 10}.soft(0, 5), "Shows them so long after a jump and stops the clock there; 0 lets the button and the clock decide.");
-    Real bouncePeriod = real("bouncePeriod", 0.0, second, Range{0, 60}.soft(0, 12), "Lets them jump by themselves every so often; 0 leaves it to the button.");
-    Real growth = real("growth", 0.05, metre, Range{0, 0.2}.soft(0, 0.12), "How much the ball's radius grows and shrinks.");
-    Real growthRate = real("growthRate", 0.7, hertz, Range{0, 20}.soft(0, 3), "How often it does so.");
-    Toggle growing = toggle("growing", false, "Grow and shrink all the time, not only while they jump.");
+    Real jump = real("jump", 3.1, none, Range{0, 8}.soft(1, 5), "How fast they leave the ground when the button is pressed, in metres a second.", whenLater("byHand", 0));
+    Count toss = count("toss", 2, Range{1, 9999}.soft(1, 20), "Which of many ways they are tossed: the same number is the same jump.", whenLater("byHand", 0));
+    Real frozenAt = real("frozenAt", 0.0, second, Range{0, 10}.soft(0, 5), "Shows them so long after a jump and stops the clock there; 0 lets the button and the clock decide.", reads(0, "off"), whenLater("byHand", 0));
+    Real bouncePeriod = real("bouncePeriod", 0.0, second, Range{0, 60}.soft(0, 12), "Lets them jump by themselves every so often; 0 leaves it to the button.", reads(0, "off"), whenLater("byHand", 0) && when(frozenAt, 0));
+    Real growth = real("growth", 0.05, metre, Range{0, 0.2}.soft(0, 0.12), "How much the ball's radius grows and shrinks.", whenLater("byHand", 0));
+    Real growthRate = real("growthRate", 0.7, hertz, Range{0, 20}.soft(0, 3), "How often it does so.", whenLater("byHand", 0) && whenAbove(growth, 0));
+    Toggle growing = toggle("growing", false, "Grow and shrink all the time, not only while they jump.", whenLater("byHand", 0) && whenAbove(growth, 0) && whenAbove(growthRate, 0));
 
-    Group motion = group("Motion of the fur");
-    Real frequency = real("frequency", 2.2, hertz, Range{0, 1000}.soft(0.3, 12), "How stiff the fur is: low sways, high snaps back.");
-    Real damping = real("damping", 0.3, none, Range{0, 100}.soft(0, 2), "How soon it stops swaying: 0 never, 1 without one overshoot.");
-    Real inertia = real("inertia", 0.45, none, Range{0, 100}.soft(0, 3), "How far it lags behind when the body starts, stops or spins.");
-    Real gravity = real("gravity", 0.35, none, Range{0, 20}.soft(0, 3), "How far it hangs at rest, in strand lengths.");
-    Real airDrag = real("airDrag", 0.22, none, Range{0, 10}.soft(0, 1), "How far it trails in moving air, in strand lengths for each metre a second.");
-    Real strength = real("strength", 1.0, none, Range{0, 10}.soft(0, 3), "How much of all this is seen: 0 keeps every strand upright.");
-    Real displacementLimit = real("displacementLimit", 2.2, none, Range{0, 100}.soft(0, 5), "How far tips may be drawn at most, in strand lengths.");
-    Real rotationLimit = real("rotationLimit", 1.2, degree, {0, 3.141592653589793}, "How far they may turn less than their body at most; the source allows 30 degrees.");
+    Group motion = foldedGroup("Motion of the fur");
+    Real frequency = real("frequency", 2.2, hertz, Range{0, 1000}.soft(0.3, 12), "How stiff the fur is: low sways, high snaps back.", whenLater("byHand", 0));
+    Real damping = real("damping", 0.3, none, Range{0, 100}.soft(0, 2), "How soon it stops swaying: 0 never, 1 without one overshoot.", whenLater("byHand", 0));
+    Real inertia = real("inertia", 0.45, none, Range{0, 100}.soft(0, 3), "How far it lags behind when the body starts, stops or spins.", whenLater("byHand", 0));
+    Real gravity = real("gravity", 0.35, none, Range{0, 20}.soft(0, 3), "How far it hangs at rest, in strand lengths.", whenLater("byHand", 0));
+    Real airDrag = real("airDrag", 0.22, none, Range{0, 10}.soft(0, 1), "How far it trails in moving air, in strand lengths for each metre a second.", whenLater("byHand", 0));
+    Real strength = real("strength", 1.0, none, Range{0, 10}.soft(0, 3), "How much of all this is seen: 0 keeps every strand upright.", whenLater("byHand", 0));
+    Real displacementLimit = real("displacementLimit", 2.2, none, Range{0, 100}.soft(0, 5), "How far tips may be drawn at most, in strand lengths.", whenLater("byHand", 0));
+    Real rotationLimit = real("rotationLimit", 1.2, degree, {0, 3.141592653589793}, "How far they may turn less than their body at most; the source allows 30 degrees.", whenLater("byHand", 0));
     Real wind = real("wind", 0.0, none, Range{0, 20}.soft(0, 3), "Strength of a draught over the pit: it keeps the fur moving.");
-    Direction windDirection = direction("windDirection", {1, 0, -0.3}, "Where the draught blows.");
-    Real gustiness = real("gustiness", 0.5, none, {0, 1}, "How uneven it is: 0 leans on the fur steadily and moves nothing.");
+    Direction windDirection = direction("windDirection", {1, 0, -0.3}, "Where the draught blows.", whenAbove(wind, 0));
+    Real gustiness = real("gustiness", 0.5, none, {0, 1}, "How uneven it is: 0 leans on the fur steadily and moves nothing.", whenAbove(wind, 0));
     Real flattening = real("flattening", 0.75, none, {0, 1}, "How flat fur is pressed by what it touches: 0 carries the body on its tips, 1 lets the skin down to the ground.");
     Toggle byHand = toggle("byHand", false, "Set how the fur lies by the four numbers below, and keep the bodies still.");
-    Real handX = real("handX", 0.0, none, Range{-20, 20}.soft(-3, 3), "By hand: how far the tips are drawn to the right.");
-    Real handY = real("handY", -3.0, none, Range{-20, 20}.soft(-3, 3), "By hand: how far they are drawn up.");
-    Real handZ = real("handZ", 0.0, none, Range{-20, 20}.soft(-3, 3), "By hand: how far they are drawn towards the entrance.");
-    Real handTurn = real("handTurn", 0.0, degree, Range{-3.141593, 3.141593}, "By hand: how far they are turned about the axis towards the entrance.");
+    Real handX = real("handX", 0.0, none, Range{-20, 20}.soft(-3, 3), "By hand: how far the tips are drawn to the right.", when(byHand));
+    Real handY = real("handY", -3.0, none, Range{-20, 20}.soft(-3, 3), "By hand: how far they are drawn up.", when(byHand));
+    Real handZ = real("handZ", 0.0, none, Range{-20, 20}.soft(-3, 3), "By hand: how far they are drawn towards the entrance.", when(byHand));
+    Real handTurn = real("handTurn", 0.0, degree, Range{-3.141593, 3.141593}, "By hand: how far they are turned about the axis towards the entrance.", when(byHand));
 
-    Group accuracy = group("Accuracy");
+    Group accuracy = foldedGroup("Accuracy");
     Count shellCount = count("shellCount", 10, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
-    Count samplesBetween = count("samplesBetween", 16, {1, 32}, "Points at most that a ray visits between two shells, where it grazes them.", quality(32));
+    Count samplesBetween = count("samplesBetween", 16, {1, 32}, "Points at most that a ray visits between two shells, where it grazes them.", quality(32), whenLater("silhouette", static_cast<double>(FurSilhouette::march)));
     Choice<FurSilhouette> silhouette = choice("silhouette", FurSilhouette::march, {"none", "fins", "by angle", "march"},
         "What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells where they are seen at an angle, or a march from shell to shell.", quality(3));
     Choice<FurOrder> drawOrder = choice("drawOrder", FurOrder::outerFirst, {"outer first", "inner first"},
@@ -99,8 +99,8 @@ struct FurTable final : Parameters {
     Choice<FurRotation> rotationModel = choice("rotationModel", FurRotation::slerp, {"matrix mix", "nlerp", "slerp"},
         "How a strand turns from root to tip: the mix of the source shortens it, nlerp hurries in the middle, slerp does neither.", exactAt(2));
     Choice<FurSpring> springModel = choice("springModel", FurSpring::closedForm, {"explicit Euler", "semi-implicit", "closed form"},
-        "How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.", exactAt(2));
-    Count springRate = count("springRate", 240, {15, 240, logarithmic}, "Spring steps a second: few make the first two methods fail.", quality(240));
+        "How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.", exactAt(2), when(byHand, false));
+    Count springRate = count("springRate", 240, {15, 240, logarithmic}, "Spring steps a second: few make the first two methods fail.", quality(240), when(byHand, false));
 };
 
 }  // namespace vitrine

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 namespace vitrine::lenticular {
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 constexpr int smallSide = 400;
 constexpr int draftWidth = 240;
 constexpr int largestView = 16384;
+constexpr double flipZone = 40;  ///< Degrees: sheets for depth have about 30, sheets for flips about 50.
 constexpr std::size_t mostJsonBytes = 4U << 20U;
 
 /// Box-filtered by a whole factor, so that its longer side is at most about twice `side`.
@@ -166,13 +168,18 @@ ParameterValues LenticularDesk::withSheet(const ParameterValues& values, const s
     throw Failure(Blame::usage, "There is no sheet \"" + name + "\".");
 }
 
-std::string LenticularDesk::sheetName(const ParameterValues& values) const
+std::string LenticularDesk::sheetName(const ParameterValues& values, const std::string& preferred) const
 {
     try {
         const Sheet own = sheetOf(table_, values);
         std::string problem;
-        for (const Sheet& sheet : allSheets(problem))
-            if (sameLens(own, sheet)) return sheet.name;
+        std::string first;
+        for (const Sheet& sheet : allSheets(problem)) {
+            if (!sameLens(own, sheet)) continue;
+            if (sheet.name == preferred) return preferred;
+            if (first.empty()) first = sheet.name;
+        }
+        return first;
     } catch (const Failure&) {  // A sheet that cannot be has no name; the summary says why.
     }
     return {};
@@ -287,6 +294,9 @@ PrintSummary LenticularDesk::summary(const ParameterValues& values, const PrintV
         else static_cast<void>(tileCuts(layout, tileWidth(values)));
         const PrintNumbers numbers = numbersOf(layout, render::storedDpi(path, layout.settings().dpiX));
         summary.warnings = warningsOf(layout);
+        const bool upright = std::abs(values[table_.direction]) < std::numbers::pi / 4;
+        if (!chart && upright && numbers.zoneDegrees > flipZone)
+            summary.warnings.emplace_back("This sheet is made for flips, and its lenses stand upright: each eye sees another picture. For a flip, lay them across (direction 90°).");
         summary.width = layout.width();
         summary.height = layout.height();
         summary.bytes = static_cast<double>(layout.width()) * static_cast<double>(layout.height()) * 3 * (values[table_.bits] == 0 ? 1 : 2);

@@ -44,7 +44,7 @@ public:
 
     [[nodiscard]] std::vector<SheetEntry> sheets(std::string& problem) const override;
     [[nodiscard]] ParameterValues withSheet(const ParameterValues&, const std::string& name) const override;
-    [[nodiscard]] std::string sheetName(const ParameterValues&) const override;
+    [[nodiscard]] std::string sheetName(const ParameterValues&, const std::string& preferred = {}) const override;
     void saveSheet(const ParameterValues&, const std::string& name) override;
     void removeSheet(const std::string& name) override;
 

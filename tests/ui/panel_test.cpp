@@ -19,6 +19,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <clocale>
@@ -31,6 +32,7 @@ class PanelTest : public QObject {
     Q_OBJECT
 
     const test::SampleTable table_{};
+    const test::IdleTable idle_{};
     std::unique_ptr<History> history_;
     std::unique_ptr<ParameterPanel> panel_;
 
@@ -60,6 +62,27 @@ class PanelTest : public QObject {
                              Qt::NoButton, Qt::LeftButton, modifiers);
             QApplication::sendEvent(widget, &move);
         }
+    }
+    void showIdleTable() { panel_->showValues(idle_.initial(), "sample"); }
+    /// How much a row's label stands out: the largest difference from its background, 0 to 255.
+    [[nodiscard]] int ink(ParameterRow* row)
+    {
+        const QImage seen = row->findChild<RowLabel*>()->grab().toImage();
+        const int back = qGray(seen.pixel(seen.width() - 1, 0));
+        int most = 0;
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x) most = std::max(most, std::abs(qGray(seen.pixel(x, y)) - back));
+        return most;
+    }
+    /// Chooses an entry of the row's menu.
+    void choose(std::string_view row, const char* entry)
+    {
+        QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, panel_->row(row)->mapToGlobal(QPoint(5, 5)));
+        QApplication::sendEvent(panel_->row(row), &event);
+        auto* menu = panel_->findChildren<QMenu*>().constLast();
+        for (QAction* action : menu->actions())
+            if (action->text() == QLatin1String(entry)) action->trigger();
+        menu->close();
     }
     void release(QWidget* widget, QPoint at) { QTest::mouseRelease(widget, Qt::LeftButton, {}, at); }
 
@@ -395,6 +418,173 @@ private slots:
             if (action->text() == "Copy all as JSON") action->trigger();
         QVERIFY(QApplication::clipboard()->text().contains("\"roughness\": 0.1234567890123"));
         menu->close();
+    }
+
+    void aRowThatDoesNotActIsGrayAndSaysWhenItDoesAndKeepsWhatIsTyped()
+    {
+        showIdleTable();
+        ParameterRow* row = panel_->row("hourOfDay");
+        QVERIFY(row->idle());
+        QVERIFY(!panel_->row("sunHeight")->idle());
+        QVERIFY2(row->toolTip().startsWith(QStringLiteral("Does nothing now: acts when “Set sun by” is hour.")), qPrintable(row->toolTip()));
+        QCOMPARE(row->accessibleDescription(), QStringLiteral("Does nothing now: acts when “Set sun by” is hour. It keeps its value."));
+        QVERIFY(ink(row) < 0.7 * ink(panel_->row("sunHeight")));
+        type("hourOfDay", "9.5");
+        QCOMPARE(std::get<double>(panel_->values()->row(*idle_.find("hourOfDay"))), 9.5);
+        auto* choice = in<QComboBox>("sunBy");
+        choice->setFocus();
+        QTest::keyClick(choice, Qt::Key_Down);
+        QVERIFY(!row->idle());
+        QVERIFY(panel_->row("sunHeight")->idle());
+        QCOMPARE(std::get<double>(panel_->values()->row(*idle_.find("hourOfDay"))), 9.5);
+        QVERIFY(!row->toolTip().contains(QStringLiteral("Does nothing")));
+        QVERIFY(row->toolTip().contains(QStringLiteral("Of the day.")));
+    }
+
+    void labelsSayWhatTheirHeadingDoesNotAndTooltipsSayAll()
+    {
+        showIdleTable();
+        const auto label = [&](const char* row) { return panel_->row(row)->findChild<RowLabel*>()->text(); };
+        QCOMPARE(label("sunBy"), QStringLiteral("Set sun by"));
+        QCOMPARE(label("sunHeight"), QStringLiteral("Height"));
+        QVERIFY(panel_->row("sunHeight")->toolTip().contains(QStringLiteral("Sun height")));
+        QVERIFY(panel_->row("sunHeight")->toolTip().contains(QStringLiteral("Allowed: 0 to 1")));
+    }
+
+    void aNumberThatMeansAWordReadsAndIsTypedAsIt()
+    {
+        showIdleTable();
+        QCOMPARE(field("convergence")->text(), QStringLiteral("auto"));
+        type("convergence", "2.5");
+        QCOMPARE(std::get<double>(panel_->values()->row(*idle_.find("convergence"))), 2.5);
+        type("convergence", "Auto");
+        QCOMPARE(std::get<double>(panel_->values()->row(*idle_.find("convergence"))), 0.0);
+        QCOMPARE(field("convergence")->text(), QStringLiteral("auto"));
+    }
+
+    void aTimeOfDayIsTypedAndShownAsOne()
+    {
+        showIdleTable();
+        QCOMPARE(field("hourOfDay")->text(), QStringLiteral("16:06"));
+        type("hourOfDay", "17:30");
+        QCOMPARE(std::get<double>(panel_->values()->row(*idle_.find("hourOfDay"))), 17.5);
+        type("hourOfDay", "8 h");
+        QCOMPARE(std::get<double>(panel_->values()->row(*idle_.find("hourOfDay"))), 8.0);
+        for (const char* wrong : {"17:60", "17:3x", "25:00", ":30", "-1:30"}) {
+            type("hourOfDay", wrong);
+            QVERIFY2(field("hourOfDay")->editing(), wrong);
+            QTest::keyClick(field("hourOfDay"), Qt::Key_Escape);
+            QCOMPARE(std::get<double>(panel_->values()->row(*idle_.find("hourOfDay"))), 8.0);
+        }
+    }
+
+    void aDecimalCommaIsTakenWhereItIsTheLanguages()
+    {
+        type("roughness", "0,05");
+        QCOMPARE(values()[table_.roughness], 0.25);  // In English, it is none.
+        QTest::keyClick(field("roughness"), Qt::Key_Escape);
+        const QLocale before;
+        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+        type("roughness", "0,05");
+        const double typed = values()[table_.roughness];
+        type("roughness", "0.75");
+        QLocale::setDefault(before);
+        QCOMPARE(typed, 0.05);
+        QCOMPARE(values()[table_.roughness], 0.75);
+    }
+
+    void groupsThatStartFoldedAreRememberedWhenOpened()
+    {
+        showIdleTable();
+        QVERIFY(!panel_->row("steps")->isVisible());
+        QVERIFY(panel_->foldedGroups().isEmpty());
+        QTest::mouseClick(panel_->findChildren<SectionHeading*>().at(1), Qt::LeftButton);
+        QVERIFY(panel_->row("steps")->isVisible());
+        ParameterPanel other;
+        other.setFoldedGroups(panel_->foldedGroups());
+        other.showValues(*panel_->values(), "sample");
+        other.show();
+        QVERIFY(other.row("steps")->isVisible());
+    }
+
+    void aColorIsTypedInManyWaysAndWhatIsNoneSaysSo()
+    {
+        auto* code = in<QLineEdit>("baseColor");
+        const auto enter = [&](const char* text) {
+            code->setFocus();
+            code->selectAll();
+            QTest::keyClicks(code, QLatin1String(text));
+            QTest::keyClick(code, Qt::Key_Return);
+        };
+        for (const char* text : {"red", "f00", "#f00", "#ff0000", "FF0000", "1, 0, 0"}) {
+            enter("#102030");
+            enter(text);
+            QVERIFY2(values()[table_.base].value == glm::dvec3(1, 0, 0), text);
+            QCOMPARE(code->text(), QStringLiteral("#ff0000"));
+        }
+        enter("reddish");
+        QVERIFY(values()[table_.base].value == glm::dvec3(1, 0, 0));
+        QCOMPARE(code->text(), QStringLiteral("reddish"));  // Still there to be mended.
+        QVERIFY(QToolTip::text().contains(QStringLiteral("\"reddish\" is no value for “Base color”")));
+        QCOMPARE(code->palette().color(QPalette::Text), theme().error);
+        enter("#00ff00");
+        QCOMPARE(code->palette().color(QPalette::Text), theme().text);
+    }
+
+    void pastingNonsenseSaysSoAndPasteAllIsTheCounterpartOfCopyAll()
+    {
+        type("roughness", "0.7");
+        type("morph", "0.125");
+        choose("roughness", "Copy all as JSON");
+        const QString all = QApplication::clipboard()->text();
+        type("roughness", "0.3");
+        type("stepLimit", "5");
+        const int before = history_->stack().count();
+        QApplication::clipboard()->setText(all);
+        choose("speed", "Paste all");
+        QCOMPARE(values()[table_.roughness], 0.7);
+        QCOMPARE(values()[table_.morph], 0.125);
+        QCOMPARE(values()[table_.stepLimit], 96);  // What is not in it is initial, as with a preset.
+        QCOMPARE(history_->stack().count(), before + 1);
+        const ParameterValues kept = values();
+        QApplication::clipboard()->setText("a poem");
+        choose("roughness", "Paste");
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("\"a poem\" is no value for “Roughness”")), qPrintable(QToolTip::text()));
+        choose("roughness", "Paste all");
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("the clipboard")), qPrintable(QToolTip::text()));
+        QVERIFY(values() == kept);
+    }
+
+    void slidersHaveRoomAtTheDefaultWidth()
+    {
+        QVERIFY2(slider("roughness")->width() >= 100, qPrintable(QString::number(slider("roughness")->width())));
+        QVERIFY(field("stepLimit")->width() >= 64);
+        const int start = slider("roughness")->mapTo(panel_.get(), QPoint()).x();
+        for (const char* row : {"speed", "stepLimit", "exposure"}) QCOMPARE(slider(row)->mapTo(panel_.get(), QPoint()).x(), start);
+        panel_->resize(600, 400);
+        QCoreApplication::processEvents();
+        QVERIFY(panel_->row("roughness")->findChild<RowLabel*>()->width() > 160);
+        QCOMPARE(slider("speed")->mapTo(panel_.get(), QPoint()).x(), slider("roughness")->mapTo(panel_.get(), QPoint()).x());
+    }
+
+    void fieldsStandOutInBothThemes()
+    {
+        // WCAG 2.2, 1.4.11: 3:1 for what tells a control from its surroundings; contrast by 1.4.3's formula.
+        const auto luminance = [](const QColor& c) { return glm::dot(linear(c), glm::dvec3(0.2126, 0.7152, 0.0722)); };
+        const auto contrast = [&](const QColor& a, const QColor& b) {
+            const double x = luminance(a) + 0.05;
+            const double y = luminance(b) + 0.05;
+            return std::max(x / y, y / x);
+        };
+        for (const Theme& each : {darkTheme(), lightTheme()}) {
+            QVERIFY(contrast(each.outline, each.window) >= 3);
+            QVERIFY(contrast(each.outline, each.base) >= 3);
+            applyTheme(*qApp, each);
+            QWidget* number = field("roughness");
+            const QImage seen = number->grab().toImage();
+            QVERIFY2(contrast(seen.pixelColor(seen.width() / 2, 0), each.window) > 2, "the edge of a number is drawn");  // It is antialiased.
+        }
+        applyTheme(*qApp, darkTheme());
     }
 
     void gaugesAreHiddenUntilSomethingAnswersThem()

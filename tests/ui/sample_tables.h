@@ -6,12 +6,23 @@ namespace vitrine::test {
 
 enum class Method { forward, tetrahedron, central };
 
+/// Rows that act only sometimes, words for numbers, groups that start folded.
+struct IdleTable final : Parameters {
+    Group sun = group("Sun");
+    Choice<Method> sunBy = choice("sunBy", Method::forward, {"angles", "hour", "nothing"}, "How the sun is set.", called("Set sun by"));
+    Real height = real("sunHeight", 0.5, none, {0, 1}, "Above the horizon.", when(sunBy, Method::forward));
+    Real hourOfDay = real("hourOfDay", 16.1, hour, {0, 24}, "Of the day.", when(sunBy, Method::tetrahedron));
+    Real gap = real("convergence", 0, metre, {0, 10}, "Where the views meet.", reads(0, "auto"));
+    Group accuracy = foldedGroup("Accuracy");
+    Count steps = count("steps", 8, {1, 64}, "Of the march.");
+};
+
 /// One row of every kind, unit style and scale.
 struct SampleTable final : Parameters {
     Group shape = group("Shape");
     Real morph = real("morph", 0.5, none, {0, 1}, "0 is a torus, 1 is a mug, and everything between is one solid with one hole.");
     Toggle animated = toggle("animated", true, "Lets the morph travel from end to end and back.");
-    Real speed = real("speed", 0.05, hertz, Range{0, 5}.soft(0, 0.5), "Round trips per second: low melts, high jumps.");
+    Real speed = real("speed", 0.05, hertz, Range{0, 5}.soft(0, 0.5), "Round trips per second: low melts, high jumps.", when(animated));
     Real tube = real("tubeRadius", 0.012, millimetre, {0.001, 0.2, logarithmic, 0.002, 0.1}, "Radius of the torus's tube.");
     Real tilt = real("tilt", 0, degree, {-3.14159265358979, 3.14159265358979}, "Turns the solid about the axis to the visitor.");
 

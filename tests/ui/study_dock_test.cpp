@@ -8,10 +8,15 @@
 #include "ui/study_pictures.h"
 #include "ui/theme.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
+#include <QJsonDocument>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSet>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QtTest>
 
 using namespace vitrine;
@@ -201,6 +206,109 @@ private slots:
         QVERIFY(pictures->grab().toImage() != before);
         QTest::mouseMove(pictures, QPoint(3, 3));
         QVERIFY(pictures->wipe() < 0.2);
+    }
+
+    void thePointOnShowStaysWhileThePointerGoesToItsPicture()
+    {
+        dock_->ask(1, row("steps"));
+        finish();
+        StudyChart& chart = dock_->chart();
+        chart.replot();
+        std::size_t other = 0;
+        while (chart.points()[other].present) ++other;
+        QTest::mouseMove(&chart, chart.placeOf(other).toPoint());
+        auto* pictures = dock_->findChild<StudyPictures*>();
+        const QImage hovered = pictures->grab().toImage();
+        QTest::mouseMove(&chart, chart.rect().topRight() + QPoint(-3, 3));  // Over the empty part of the chart ...
+        QEvent leave(QEvent::Leave);
+        QApplication::sendEvent(&chart, &leave);                            // ... and out of it.
+        QCOMPARE(pictures->grab().toImage(), hovered);
+        QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.rect().topRight() + QPoint(-3, 3));
+        QVERIFY(pictures->grab().toImage() != hovered);  // A press beside all points: the present one again.
+    }
+
+    void anEmptyChartShowsNoScale()
+    {
+        QVERIFY(!dock_->chart().xAxis->visible());
+        QVERIFY(!dock_->chart().yAxis->visible());
+        dock_->ask(1, row("steps"));
+        finish();
+        QVERIFY(dock_->chart().xAxis->visible());
+        QVERIFY(dock_->chart().yAxis->visible());
+    }
+
+    void labelsOfTheChartDoNotLieOverEachOther()
+    {
+        for (const char* parameter : {"steps", "rays", "method"}) {
+            dock_->ask(1, row(parameter));
+            finish();
+            StudyChart& chart = dock_->chart();
+            chart.setPoints(std::vector<ChartPoint>(chart.points()));
+            chart.replot();
+            std::vector<QRectF> places;
+            for (int i = 0; i < chart.itemCount(); ++i) {
+                auto* label = qobject_cast<QCPItemText*>(chart.item(i));
+                if (!label || label->text() == QStringLiteral("exact")) continue;
+                const QRectF place(label->topLeft->pixelPosition(), label->bottomRight->pixelPosition());
+                for (const QRectF& other : places) QVERIFY2(!place.adjusted(1, 1, -1, -1).intersects(other), qPrintable(label->text()));
+                places.push_back(place);
+            }
+            QVERIFY(!places.empty());
+        }
+    }
+
+    void theFormerResultStaysUntilTheNextOneHasAPoint()
+    {
+        dock_->ask(1, row("steps"));
+        finish();
+        const std::size_t before = dock_->result().points.size();
+        const QString words = dock_->chart().points().front().text;
+        dock_->ask(1, row("rays"));
+        QVERIFY(dock_->running());
+        QCOMPARE(dock_->result().points.size(), before);
+        QCOMPARE(dock_->chart().points().front().text, words);
+        dock_->stop();  // Before it has a point.
+        QCOMPARE(dock_->result().points.size(), before);
+        QVERIFY(!dock_->result().front.empty());
+        dock_->ask(1, row("rays"));
+        finish();
+        QCOMPARE(dock_->chart().points().size(), dock_->result().points.size());
+    }
+
+    void whatWasMeasuredIsCopiedAndSaved()
+    {
+        const auto button = [&](const char* text) {
+            for (QToolButton* each : dock_->findChildren<QToolButton*>())
+                if (each->text() == QLatin1String(text)) return each;
+            return static_cast<QToolButton*>(nullptr);
+        };
+        QVERIFY(!button("Copy")->isEnabled());
+        dock_->ask(1, row("steps"));
+        finish();
+        QVERIFY(button("Copy")->isEnabled());
+        button("Copy")->click();
+        const QStringList lines = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
+        QCOMPARE(static_cast<std::size_t>(lines.size()), 1 + dock_->result().points.size() * dock_->result().views.size());
+        QVERIFY(lines[0].contains("steps"));
+        QVERIFY(QJsonDocument::fromJson(dock_->exported("json")).isObject());
+        QVERIFY(dock_->exported("svg").contains("<svg"));
+        QCOMPARE(QImage::fromData(dock_->exported("png")).size(), QSize(1920, 1200));
+    }
+
+    void theHeatMapHasAScale()
+    {
+        auto* pictures = dock_->findChild<StudyPictures*>();
+        QImage gray(64, 36, QImage::Format_RGB888);
+        gray.fill(Qt::gray);
+        pictures->show(gray, gray, gray, QString());
+        const QImage without = pictures->grab().toImage();
+        pictures->show(gray, gray, gray, QStringLiteral("RMS 0.031"));
+        QVERIFY(pictures->grab().toImage() != without);
+        QSet<QRgb> colors;
+        const QImage seen = pictures->grab().toImage();
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x) colors << seen.pixel(x, y);
+        QVERIFY(colors.size() > 60);  // A ramp, not a few tones of gray and text.
     }
 
     void theChartIsOfTheThemeInUse()

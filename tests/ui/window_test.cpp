@@ -3,6 +3,7 @@
 #include "ui/command_palette.h"
 #include "ui/exhibit_list.h"
 #include "ui/gl_probe.h"
+#include "ui/ledger_view.h"
 #include "ui/log_view.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
@@ -13,6 +14,7 @@
 #include "ui/preset_shelf.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
+#include "ui/theme_choice.h"
 #include "ui/value_slider.h"
 #include "ui/viewport.h"
 
@@ -180,6 +182,48 @@ private slots:
         QCOMPARE(roughness(), 0.25);
     }
 
+    void thePresetsOfTheVisitorStandFirstAndOnlyTheyAreMarked()
+    {
+        window_->choose(1);
+        auto* list = window_->findChild<PresetList*>()->findChild<QListWidget*>();
+        const int shipped = list->count();
+        QVERIFY(shipped > 0);
+        window_->shelf().saveUnder("Zz, the last by name");
+        QCOMPARE(list->count(), shipped + 1);
+        QCOMPARE(list->item(0)->text(), QString("Zz, the last by name"));
+        QCOMPARE(list->item(0)->data(TileDelegate::secondLine).toString(), QString("Yours"));
+        for (int i = 1; i < list->count(); ++i) QCOMPARE(list->item(i)->data(TileDelegate::secondLine).toString(), QString());
+    }
+
+    void theThemeIsChosenInTheViewMenuAndKept()
+    {
+        QVERIFY(theme().dark);
+        action("Light")->trigger();
+        QVERIFY(!theme().dark);
+        QVERIFY(QApplication::palette().color(QPalette::Window) == lightTheme().window);
+        closeWindow();
+        openWindow();
+        QVERIFY(action("Light")->isChecked());
+        QCOMPARE(savedThemeChoice(), ThemeChoice::light);
+        action("Dark")->trigger();
+        QVERIFY(theme().dark);
+        QCOMPARE(savedThemeChoice(), ThemeChoice::dark);
+    }
+
+    void theLedgerNamesExhibitsByTheirTitles()
+    {
+        LedgerView ledger;
+        ledger.setTitles({{"sdf_morph", "Torus to mug"}});
+        ledger.show();
+        render::FrameReport report;
+        report.ran = {{.name = "sdf_morph/cone", .reason = "it saves steps"}, {.name = "tonemap", .reason = "always"}};
+        ledger.note(report);
+        QTRY_COMPARE(ledger.topLevelItemCount(), 2);
+        QCOMPARE(ledger.topLevelItem(0)->text(0), QString("Torus to mug: cone"));
+        QCOMPARE(ledger.topLevelItem(0)->toolTip(0), QString("sdf_morph/cone"));
+        QCOMPARE(ledger.topLevelItem(1)->text(0), QString("tonemap"));
+    }
+
     void aDeletedPresetComesBackByUndo()
     {
         window_->choose(1);
@@ -318,6 +362,67 @@ private slots:
         for (QLabel* label : strip->findChildren<QLabel*>()) QCOMPARE(label->textFormat(), Qt::PlainText);
         strip->dismissAll();
         QTRY_VERIFY(!strip->isVisible());
+    }
+
+    void messagesLieOverThePictureAndNoticesOfOneKindBecomeOne()
+    {
+        settle();
+        auto* strip = window_->findChild<MessageStrip*>();
+        const QSize before = window_->viewport().size();
+        const long long drawn = window_->viewport().picturesDrawn();
+        for (int i = 1; i <= 4; ++i)
+            window_->say(MessageStrip::Mood::notice, QString("Screenshot saved to %1.png.").arg(i), "%1 screenshots saved, the last one to %2.", QString("%1.png").arg(i));
+        window_->say(MessageStrip::Mood::problem, "The disk is full.");
+        QCOMPARE(strip->texts(), (QStringList{"4 screenshots saved, the last one to 4.png.", "The disk is full."}));
+        QTRY_VERIFY(strip->isVisible());
+        QTest::qWait(100);
+        QCOMPARE(window_->viewport().size(), before);
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The same picture: nothing to refine again.
+        QCOMPARE(strip->mapToGlobal(QPoint(0, 0)), window_->viewport().mapToGlobal(QPoint(0, 0)));
+        QCOMPARE(strip->width(), window_->viewport().width());
+    }
+
+    void noticesGoByThemselvesAndProblemsStay()
+    {
+        auto* strip = window_->findChild<MessageStrip*>();
+        QCursor::setPos(window_->mapToGlobal(window_->rect().bottomRight() - QPoint(5, 5)));  // Not on the strip: there, notices stay.
+        strip->setNoticeTime(50);
+        window_->say(MessageStrip::Mood::problem, "The disk is full.");
+        window_->say(MessageStrip::Mood::notice, "Saved.");
+        QTRY_COMPARE_WITH_TIMEOUT(strip->texts(), QStringList{"The disk is full."}, 20000);
+        QTest::qWait(300);
+        QCOMPARE(strip->texts(), QStringList{"The disk is full."});
+    }
+
+    void theBarePictureHidesMessages()
+    {
+        auto* strip = window_->findChild<MessageStrip*>();
+        window_->say(MessageStrip::Mood::problem, "The disk is full.");
+        QTRY_VERIFY(strip->isVisible());
+        window_->hidePanels(true);
+        QVERIFY(!strip->isVisible());
+        window_->say(MessageStrip::Mood::problem, "The other disk, too.");
+        QVERIFY(!strip->isVisible());
+        window_->hidePanels(false);
+        QVERIFY(strip->isVisible());
+        QCOMPARE(strip->texts().size(), 2);
+    }
+
+    void aRowThatDoesNotActDrawsNothingAgain()
+    {
+        window_->choose(1);
+        Look next = window_->history().look();
+        next.values[1].set(gallery_->table(1).animated, false);
+        window_->history().change("Stand still", next);
+        settle();
+        const long long drawn = window_->viewport().picturesDrawn();
+        next.values[1].set(gallery_->table(1).speed, 3.0);  // Acts only while it is animated.
+        window_->history().change("Change speed", next);
+        QTest::qWait(300);
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);
+        next.values[1].set(gallery_->table(1).animated, true);
+        window_->history().change("Move", next);
+        QTRY_VERIFY(window_->viewport().picturesDrawn() > drawn);
     }
 
     void badInputIsOneLineInTheLogHoweverManyFramesItLasts()

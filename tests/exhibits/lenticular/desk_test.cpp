@@ -12,6 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numbers>
+
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -176,6 +179,33 @@ TEST_F(Desk, EverySheetOfTheListIsFoundByItsNumbers)
     values_.set(table_.refractiveIndex, 1.51);
     EXPECT_EQ(desk_.sheetName(values_), "");
     EXPECT_EQ(problem, "");
+}
+
+TEST_F(Desk, OfSheetsWithTheSameNumbersTheOneThatIsMeantIsFound)
+{
+    const std::string shipped = desk_.sheetName(values_);
+    ASSERT_NE(shipped, "");
+    desk_.saveSheet(values_, "Mine");
+    EXPECT_EQ(desk_.sheetName(values_), shipped);
+    EXPECT_EQ(desk_.sheetName(values_, "Mine"), "Mine");
+    EXPECT_EQ(desk_.sheetName(values_, shipped), shipped);
+    values_.set(table_.refractiveIndex, 1.51);
+    EXPECT_EQ(desk_.sheetName(values_, "Mine"), "") << "it has other numbers";
+}
+
+TEST_F(Desk, AFlipUnderUprightLensesIsToldToShowEachEyeAnotherPicture)
+{
+    const auto warns = [&] {
+        const PrintSummary summary = desk_.summary(values_, nullptr, false, "a.tif");
+        EXPECT_EQ(summary.refusal, "");
+        return std::any_of(summary.warnings.begin(), summary.warnings.end(), [](const std::string& w) { return w.find("each eye sees another picture") != std::string::npos; });
+    };
+    values_ = desk_.withSheet(values_, "60-3d");
+    EXPECT_FALSE(warns());
+    values_ = desk_.withSheet(values_, "60-flip");
+    EXPECT_TRUE(warns());
+    values_.set(table_.direction, std::numbers::pi / 2);
+    EXPECT_FALSE(warns());
 }
 
 TEST_F(Desk, SheetsOfTheUsersOwnAreKeptAndABrokenListIsNeverWrittenOver)

@@ -1,0 +1,141 @@
+#include "exhibits/framework/condition.h"
+
+#include "exhibits/framework/parameters.h"
+#include "exhibits/framework/value_text.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <utility>
+
+namespace vitrine {
+namespace {
+
+/// Parts of the same kind lie side by side: (a and b) and c is a and b and c.
+Condition joined(Condition::Test test, Condition a, Condition b)
+{
+    Condition both{test};
+    for (Condition* one : {&a, &b}) {
+        if (one->test != test) both.parts.push_back(std::move(*one));
+        else both.parts.insert(both.parts.end(), std::make_move_iterator(one->parts.begin()), std::make_move_iterator(one->parts.end()));
+    }
+    return both;
+}
+
+std::size_t rowNamed(const Parameters& table, std::string_view name)
+{
+    const std::optional<std::size_t> row = table.find(name);
+    assert(row && "a condition names a row that its table does not have");
+    return row.value_or(0);
+}
+
+bool holds(const Condition& condition, const ParameterValues& values)
+{
+    const auto part = [&](const Condition& one) { return holds(one, values); };
+    if (condition.test == Condition::Test::all) return std::all_of(condition.parts.begin(), condition.parts.end(), part);
+    if (condition.test == Condition::Test::any) return std::any_of(condition.parts.begin(), condition.parts.end(), part);
+    const std::size_t row = rowNamed(values.table(), condition.row);
+    if (!acts(values, row)) return false;
+    if (condition.test == Condition::Test::given) return !std::get<std::string>(values.row(row)).empty();
+    const double x = std::get<double>(values.row(row));
+    const bool among = std::find(condition.values.begin(), condition.values.end(), x) != condition.values.end();
+    if (condition.test == Condition::Test::among) return among;
+    if (condition.test == Condition::Test::differs) return !among;
+    return x > condition.values.front();
+}
+
+/// "a, b or c".
+std::string alternatives(const ParameterInfo& row, const std::vector<double>& values)
+{
+    std::string text;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i > 0) text += i + 1 == values.size() ? " or " : ", ";
+        text += formatValue(row, values[i]);
+    }
+    return text;
+}
+
+/// `values` adds, of each row that does not act itself, when it does.
+std::string text(const Condition& condition, const Parameters& table, const ParameterValues* values)
+{
+    const bool all = condition.test == Condition::Test::all;
+    if (all || condition.test == Condition::Test::any) {
+        std::string line;
+        for (const Condition& part : condition.parts) {
+            const std::string one = text(part, table, values);
+            if (!line.empty()) line += all ? " and " : " or ";
+            line += all && part.test == Condition::Test::any ? "(" + one + ")" : one;
+        }
+        return line;
+    }
+    const std::size_t index = rowNamed(table, condition.row);
+    const ParameterInfo& row = table.rows()[index];
+    std::string line = "“" + label(row) + "” ";
+    if (condition.test == Condition::Test::given) line += "names a file";
+    else if (condition.test == Condition::Test::above) line += "is above " + formatValue(row, condition.values.front());
+    else line += (condition.test == Condition::Test::differs ? "is not " : "is ") + alternatives(row, condition.values);
+    if (values && !acts(*values, index)) line += " (which acts when " + text(*row.actsWhen, table, values) + ")";
+    return line;
+}
+
+}  // namespace
+
+Condition operator&&(Condition a, Condition b)
+{
+    return joined(Condition::Test::all, std::move(a), std::move(b));
+}
+
+Condition operator||(Condition a, Condition b)
+{
+    return joined(Condition::Test::any, std::move(a), std::move(b));
+}
+
+std::string_view toString(Condition::Test test)
+{
+    switch (test) {
+    case Condition::Test::among: return "among";
+    case Condition::Test::differs: return "differs";
+    case Condition::Test::above: return "above";
+    case Condition::Test::given: return "given";
+    case Condition::Test::all: return "all";
+    case Condition::Test::any: return "any";
+    }
+    return "";
+}
+
+std::vector<std::string_view> rowsOf(const Condition& condition)
+{
+    std::vector<std::string_view> names;
+    if (!condition.row.empty()) names.push_back(condition.row);
+    for (const Condition& part : condition.parts)
+        for (const std::string_view name : rowsOf(part)) names.push_back(name);
+    return names;
+}
+
+bool acts(const ParameterValues& values, std::size_t row)
+{
+    const std::optional<Condition>& condition = values.rows()[row].actsWhen;
+    return !condition || holds(*condition, values);
+}
+
+std::string actsWhen(const Parameters& table, std::size_t row)
+{
+    const std::optional<Condition>& condition = table.rows()[row].actsWhen;
+    return condition ? text(*condition, table, nullptr) : std::string();
+}
+
+std::string actsWhen(const ParameterValues& values, std::size_t row)
+{
+    const std::optional<Condition>& condition = values.rows()[row].actsWhen;
+    return condition ? text(*condition, values.table(), &values) : std::string();
+}
+
+ParameterValues actingValues(const ParameterValues& values)
+{
+    ParameterValues result = values;
+    for (std::size_t i = 0; i < values.rows().size(); ++i)
+        if (!acts(values, i)) result.resetRow(i);
+    return result;
+}
+
+}  // namespace vitrine
