@@ -128,9 +128,9 @@ Direction Parameters::direction(std::string_view name, glm::dvec3 initial, std::
     return {append({name, group_, help, Kind::direction, none, {-1, 1}, glm::normalize(initial), {}, {}})};
 }
 
-File Parameters::file(std::string_view name, std::string_view help)
+File Parameters::file(std::string_view name, std::string_view help, std::string_view endings)
 {
-    return {append({name, group_, help, Kind::file, none, {0, 0}, std::string(), {}, {}})};
+    return {append({name, group_, help, Kind::file, none, {0, 0}, std::string(), {}, {}, endings})};
 }
 
 std::uint16_t Parameters::appendChoice(std::string_view name, int initial, std::initializer_list<std::string_view> names,

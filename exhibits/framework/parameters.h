@@ -53,6 +53,7 @@ struct ParameterInfo {
     Value initial;
     std::vector<std::string_view> choices;    ///< Names, for Kind::choice only.
     std::optional<double> qualityReference;   ///< The value that counts as exact, when accuracy costs time.
+    std::string_view endings = {};            ///< For Kind::file: what a dialog offers, "glb gltf"; empty: everything.
 
     /// Whether its values are numbers, with others between them: a real or a count.
     [[nodiscard]] bool isNumeric() const { return kind == Kind::real || kind == Kind::count; }
@@ -118,7 +119,8 @@ protected:
     Color color(std::string_view name, glm::dvec3 initial, std::string_view help);
     /// `initial` is normalized here.
     Direction direction(std::string_view name, glm::dvec3 initial, std::string_view help);
-    File file(std::string_view name, std::string_view help);
+    /// `endings`: of the files it reads, with blanks between: "glb gltf".
+    File file(std::string_view name, std::string_view help, std::string_view endings = {});
     template <typename Enum>
     Choice<Enum> choice(std::string_view name, Enum initial, std::initializer_list<std::string_view> names,
                         std::string_view help, Quality reference = {})
