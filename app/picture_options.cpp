@@ -135,7 +135,7 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
     add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
     command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light")->group(heading);
     add("--samples", o.samples, "Samples per pixel; without it 4, or the hall's supersamples where a preset or --set changes them")->check(CLI::Range(1, 4096));
-    command.add_flag("--transparent", o.transparent, "Nothing behind it: alpha 0")->group(heading);
+    command.add_flag("--transparent", o.transparent, "Nothing around the exhibit: alpha 0 there")->group(heading);
     add("--environment", o.environment, "A panorama in place of the sky");
     add("--model", o.model, "A glTF object for the free plinth");
 }
@@ -210,6 +210,7 @@ PictureJob pictureJob(const Museum& museum, const PictureOptions& options)
     frame.time = options.time;
     frame.seed = options.seed;
     frame.transparent = options.transparent;
+    if (options.transparent && !options.alone && !isHall) frame.cutOut = *subject;
     frame.runEverything = options.everything;
     frame.exhibitTransform = exhibitTransform(options);
     if (options.alone) frame.alone = *subject;

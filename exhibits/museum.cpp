@@ -17,9 +17,6 @@
 namespace vitrine {
 namespace {
 
-constexpr double reachOfButton = 2.0;   ///< Metres at which a button can be pressed (the source's ray length).
-constexpr double radiusOfAim = 0.09;    ///< Metres around a button that still count as looking at it.
-
 /// The box together with the shadow it throws on the floor (or 15 m of it, where the sun is low).
 render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun)
 {
@@ -147,7 +144,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     render::Hash shadowKey;
     bool shadowSeen = false;
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {
-        if (alone && i != *request.alone) continue;
+        if ((alone && i != *request.alone) || (request.cutOut && i != *request.cutOut)) continue;
         Present p{i, alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}};
         if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
         const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(p.worldFromExhibit);
@@ -195,10 +192,10 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
 
     std::vector<double> turns;
     for (std::size_t i = 1; i < exhibits_.size(); ++i) turns.push_back(exhibits_[i]->turnOfHangings(look.values[i], request.time));
-    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, {}, {},
+    const PlanContext hallContext{look.values.front(), light, glm::dmat4(1), request.time, request.channels, alone, request.cutOut ? "one exhibit is asked for without what is around it" : "", {},
                                   std::span(request.sincePressed).subspan(std::min<std::size_t>(request.sincePressed.size(), 1)), turns};
     theHall.plan(hallContext, plan);
-    if (alone) {
+    if (alone || request.cutOut) {
         render::Pass clear;
         clear.name = "clear";
         clear.reason = "an empty picture to start from";
@@ -236,7 +233,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         context.seenFrom = seenFrom;
         exhibits_[present[i].index]->planOverFrame(context, plan);
     }
-    if (request.transparent) plan.skip("sky", "a transparent background is asked for");
+    if (request.transparent || request.cutOut) plan.skip("sky", "a transparent background is asked for");
     else planSky(scene, light, plan);
     planDevelop(light, request, plan);
 
@@ -267,46 +264,6 @@ double Museum::nextChange(const Look& look, const FrameRequest& request) const
 glm::dvec3 Museum::walk(const glm::dvec3& from, const glm::dvec3& to) const
 {
     return walkAround(model_->colliders(), from, to);
-}
-
-std::optional<LookedAt> Museum::lookedAt(const Look& look) const
-{
-    const glm::dvec3 toTarget = look.camera.target - look.camera.eye;
-    if (!(glm::length(toTarget) > 1e-9)) return std::nullopt;
-    const glm::dvec3 forward = glm::normalize(toTarget);
-    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
-        const Place* place = exhibits_[i]->buttonText().empty() ? nullptr : model_->place(exhibits_[i]->place());
-        if (!place || !place->worldFromButton) continue;
-        const glm::dvec3 toButton = glm::dvec3((*place->worldFromButton)[3]) - look.camera.eye;
-        const double along = glm::dot(toButton, forward);
-        if (along <= 0 || along > reachOfButton || glm::length(toButton - forward * along) > radiusOfAim) continue;
-        return LookedAt{i, "E – " + std::string(exhibits_[i]->buttonText())};
-    }
-    return std::nullopt;
-}
-
-std::optional<std::size_t> Museum::pick(const Look& look, glm::dvec2 ndc, double aspect) const
-{
-    const int height = 1000;
-    const render::View view = render::makeView(look.camera, {.size = {static_cast<int>(height * aspect), height}});
-    const glm::dvec3 direction = view.direction(ndc);
-    std::optional<std::size_t> nearest;
-    double nearestDistance = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
-        const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(worldFromExhibit(i));
-        if (!whyHidden(box, view, false).empty()) continue;
-        const glm::dvec3 a = (box.low - look.camera.eye) / direction;
-        const glm::dvec3 b = (box.high - look.camera.eye) / direction;
-        const glm::dvec3 entries = glm::min(a, b);
-        const glm::dvec3 exits = glm::max(a, b);
-        const double enter = std::max({entries.x, entries.y, entries.z, 0.0});
-        const double exit = std::min({exits.x, exits.y, exits.z});
-        if (enter <= exit && enter < nearestDistance) {
-            nearestDistance = enter;
-            nearest = i;
-        }
-    }
-    return nearest;
 }
 
 std::vector<int> Museum::emptyPlaces() const

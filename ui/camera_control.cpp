@@ -138,6 +138,16 @@ render::Camera Glide::camera() const
     return camera;
 }
 
+render::Camera widened(const render::Camera& camera, double aspect)
+{
+    constexpr double kept = 1.5;
+    constexpr double widest = 2.6;  // Radians: beyond it, straight lines are all that is left of a picture.
+    if (!(aspect > 0) || aspect >= kept) return camera;
+    render::Camera wide = camera;
+    wide.fovY = std::max(camera.fovY, std::min(2 * std::atan(std::tan(camera.fovY / 2) * kept / aspect), widest));
+    return wide;
+}
+
 void CameraControl::jumpTo(const render::Camera& camera)
 {
     const bool stands = std::abs(camera.eye.y - Walker::eyeHeight) < 0.01;
@@ -147,24 +157,28 @@ void CameraControl::jumpTo(const render::Camera& camera)
     mode_ = stands ? Mode::walk : Mode::orbit;
 }
 
-void CameraControl::visit(const render::Camera& bestView)
+void CameraControl::glideTo(const Standpoint& there)
 {
     if (mode_ == Mode::walk) beforeVisit_ = walker_.camera();
-    glide_.start(camera(), bestView);
+    glide_.start(camera(), there.camera);
     walker_.stop();
-    afterGlide_ = Mode::orbit;
+    afterGlide_ = there.mode;
     mode_ = Mode::glide;
+}
+
+CameraControl::Standpoint CameraControl::standpoint() const
+{
+    if (mode_ == Mode::glide) return {glide_.end(), afterGlide_};
+    return {camera(), mode_};
 }
 
 void CameraControl::walkOn()
 {
     if (mode_ == Mode::walk || (mode_ == Mode::glide && afterGlide_ == Mode::walk)) return;
     const render::Camera now = camera();
-    const glm::dvec3 look = now.target - now.eye;
     render::Camera standing = now;
     standing.eye.y = Walker::eyeHeight;
     if (walkable_ && glm::distance(walkable_(standing.eye, standing.eye), standing.eye) > 1e-6) standing.eye = beforeVisit_.eye;
-    standing.target = standing.eye + look;
     glide_.start(now, standing);
     afterGlide_ = Mode::walk;
     mode_ = Mode::glide;

@@ -92,18 +92,29 @@ private:
     double elapsed_ = duration;
 };
 
+/// `camera` for a picture of this aspect ratio (width / height): in one narrower than 3:2 the field of view grows, so
+/// that it shows as much from left to right as one of 3:2 does, for which the best views are made.
+[[nodiscard]] render::Camera widened(const render::Camera& camera, double aspect);
+
 /// The visitor: walks, glides to an exhibit, orbits it, and walks on.
 class CameraControl {
 public:
     enum class Mode { walk, glide, orbit };
 
+    /// Where a visitor is, or is gliding to.
+    struct Standpoint {
+        render::Camera camera;
+        Mode mode = Mode::walk;  ///< Never `glide`.
+    };
+
     void setWalkable(Walkable walkable) { walkable_ = std::move(walkable); }
     /// At once: walking where a visitor can stand, else orbiting the camera's target.
     void jumpTo(const render::Camera&);
-    /// Glides there and then orbits its target.
-    void visit(const render::Camera& bestView);
+    /// Glides there and then orbits its target, or walks.
+    void glideTo(const Standpoint&);
+    void visit(const render::Camera& bestView) { glideTo({bestView, Mode::orbit}); }
     /// Leaves an exhibit: glides to eye height beside it, or back to where the visit began when
-    /// something stands there, and walks.
+    /// something stands there, looks at it still, and walks.
     void walkOn();
 
     /// Radians. Walking: looks around. Orbiting: moves around. Gliding: nothing.
@@ -114,6 +125,7 @@ public:
 
     [[nodiscard]] render::Camera camera() const;
     [[nodiscard]] Mode mode() const { return mode_; }
+    [[nodiscard]] Standpoint standpoint() const;
     [[nodiscard]] bool moving() const { return mode_ == Mode::glide || walker_.moving(); }
 
 private:

@@ -48,6 +48,7 @@ double DrawSchedule::wait(double now) const
 void DrawSchedule::drawn(const DrawOrder& order, double seconds)
 {
     dirty_ = false;
+    drawnScale_ = order.scale;
     // A quick picture is no part of a refined one, though that, too, may be of one sample.
     if (order.samples == samples_ && order.scale == 1) refined_ = order.sample + 1;
     if (order.sample == 0) adapt(order, seconds);
@@ -73,7 +74,7 @@ std::string DrawSchedule::reason() const
 {
     char text[96];
     if (moving_ || dirty_ || refined_ == 0) {
-        std::snprintf(text, sizeof text, "moving: %d%% of full resolution", static_cast<int>(scales[level_] * 100 + 0.5));
+        std::snprintf(text, sizeof text, "moving: %d%% of full resolution", static_cast<int>(drawnScale_ * 100 + 0.5));
         return text;
     }
     if (refined_ < samples_) {

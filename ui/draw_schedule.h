@@ -41,7 +41,7 @@ public:
 
     [[nodiscard]] double scaleWhileMoving() const { return scales[level_]; }
     [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples_; }
-    /// For the status line: what is drawn and why.
+    /// For the status line: what the last picture was drawn as, and why.
     [[nodiscard]] std::string reason() const;
 
 private:
@@ -53,6 +53,7 @@ private:
     int refined_ = 0;  // Supersamples of the full picture that are drawn.
     double lastChange_ = -1e9;
     std::size_t level_ = 0;  // Index into `scales`.
+    double drawnScale_ = 1;  // Of the last picture.
     int fastFrames_ = 0;     // In a row that would have allowed a finer level.
 };
 

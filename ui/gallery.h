@@ -35,7 +35,7 @@ public:
     [[nodiscard]] virtual render::Camera bestView(std::size_t exhibit, const ParameterValues&) const = 0;
     [[nodiscard]] virtual glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const = 0;
     [[nodiscard]] virtual std::optional<LookedAt> lookedAt(const Look&) const = 0;
-    [[nodiscard]] virtual std::optional<std::size_t> pick(const Look&, glm::dvec2 ndc, double aspect) const = 0;
+    [[nodiscard]] virtual std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const = 0;
     [[nodiscard]] virtual std::vector<int> emptyPlaces() const = 0;
     [[nodiscard]] virtual double nextChange(const Look&, const FrameRequest&) const = 0;
 
@@ -47,6 +47,8 @@ public:
     virtual render::FrameReport draw(const Look&, const FrameRequest&) = 0;
     /// Copies the last picture to the framebuffer that is bound, of this size in device pixels.
     virtual void present(int width, int height) = 0;
+    /// The last picture as `PictureMaker::picture` gives it; empty where there is none.
+    [[nodiscard]] virtual render::Image shownPicture() { return {}; }
     virtual void timeSteps(bool on) = 0;
     /// Returns whether any picture may have changed.
     virtual bool reloadChangedShaders() = 0;

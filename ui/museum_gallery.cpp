@@ -29,9 +29,9 @@ std::optional<LookedAt> MuseumGallery::lookedAt(const Look& look) const
     return museum_.lookedAt(look);
 }
 
-std::optional<std::size_t> MuseumGallery::pick(const Look& look, glm::dvec2 ndc, double aspect) const
+std::optional<Pointed> MuseumGallery::pick(const Look& look, const FrameRequest& request, glm::dvec2 ndc) const
 {
-    return museum_.pick(look, ndc, aspect);
+    return museum_.pick(look, request, ndc);
 }
 
 std::vector<int> MuseumGallery::emptyPlaces() const
@@ -64,6 +64,13 @@ render::FrameReport MuseumGallery::draw(const Look& look, const FrameRequest& re
 void MuseumGallery::present(int width, int height)
 {
     renderer_->present("frame", width, height);
+}
+
+render::Image MuseumGallery::shownPicture()
+{
+    render::Image picture = renderer_->read("frame");
+    picture.channelNames = {"R", "G", "B", "A"};
+    return picture;
 }
 
 void MuseumGallery::timeSteps(bool on)

@@ -14,7 +14,7 @@ public:
     [[nodiscard]] render::Camera bestView(std::size_t exhibit, const ParameterValues&) const override;
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const override;
     [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override;
-    [[nodiscard]] std::optional<std::size_t> pick(const Look&, glm::dvec2 ndc, double aspect) const override;
+    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const override;
     [[nodiscard]] std::vector<int> emptyPlaces() const override;
     [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const override;
 
@@ -22,6 +22,7 @@ public:
     void close() override;
     render::FrameReport draw(const Look&, const FrameRequest&) override;
     void present(int width, int height) override;
+    [[nodiscard]] render::Image shownPicture() override;
     void timeSteps(bool on) override;
     bool reloadChangedShaders() override;
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override;

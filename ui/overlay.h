@@ -11,7 +11,7 @@ class Overlay final : public QLabel {
     Q_OBJECT
 
 public:
-    enum class Place { topLeft, center, bottom };
+    enum class Place { topLeft, center, bottom, pointer };
 
     Overlay(Place, QWidget* viewport);
 
@@ -19,12 +19,15 @@ public:
     void say(const QString& text);
     /// After the viewport's size changed.
     void place();
+    /// For `Place::pointer`: beside this point of the viewport.
+    void placeAt(const QPoint&);
 
 protected:
     void paintEvent(QPaintEvent*) override;
 
 private:
     Place place_;
+    QPoint pointer_;
 };
 
 }  // namespace vitrine::ui

@@ -1,5 +1,6 @@
 #include "ui/parameter_panel.h"
 
+#include "ui/idle_undo.h"
 #include "ui/parameter_row.h"
 #include "ui/parameter_section.h"
 #include "ui/shown_text.h"
@@ -17,6 +18,8 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace vitrine::ui {
 namespace {
 
@@ -33,12 +36,15 @@ QString changeText(const ParameterInfo& row)
 }  // namespace
 
 ParameterPanel::ParameterPanel(QWidget* parent)
-    : QWidget(parent), filter_(new QLineEdit(this)), onlyChanged_(new QToolButton(this)), scroll_(new QScrollArea(this)),
+    : QWidget(parent), filter_(new QLineEdit(this)), onlyChanged_(new QToolButton(this)), elsewhere_(new QToolButton(this)),
+      scroll_(new QScrollArea(this)),
       nothing_(new QLabel(this))
 {
     filter_->setPlaceholderText(tr("Find a parameter"));
     filter_->setAccessibleName(tr("Find a parameter"));
-    filter_->setToolTip(tr("Shows only parameters whose name, group, help or choices contain these words (Ctrl+F). Esc clears."));
+    filter_->setToolTip(tr("Shows only parameters whose name, group, help or choices contain these words (Ctrl+F). Enter goes to the "
+                           "first, Esc clears, Esc again leaves."));
+    filter_->setProperty(IdleUndo::searches, true);
     filter_->setClearButtonEnabled(true);
     filter_->setFixedHeight(26);
     filter_->setTextMargins(4, 0, 4, 0);
@@ -49,6 +55,13 @@ ParameterPanel::ParameterPanel(QWidget* parent)
     onlyChanged_->setCheckable(true);
     onlyChanged_->setFixedHeight(26);
     onlyChanged_->setFocusPolicy(Qt::StrongFocus);
+    elsewhere_->setAccessibleName(tr("Matches in the other tab"));
+    elsewhere_->setToolTip(tr("Shows these in their tab."));
+    elsewhere_->setFocusPolicy(Qt::StrongFocus);
+    elsewhere_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    elsewhere_->setFixedHeight(26);
+    elsewhere_->hide();
+    connect(elsewhere_, &QToolButton::clicked, this, &ParameterPanel::elsewhereAsked);
     nothing_->setTextFormat(Qt::PlainText);
     nothing_->setWordWrap(true);
     nothing_->setMargin(16);
@@ -68,11 +81,15 @@ ParameterPanel::ParameterPanel(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(top);
+    layout->addWidget(elsewhere_);
     layout->addWidget(nothing_);
     layout->addWidget(scroll_, 1);
     setMinimumWidth(320);
 
-    connect(filter_, &QLineEdit::textChanged, this, &ParameterPanel::applyFilter);
+    connect(filter_, &QLineEdit::textChanged, this, [this] {
+        applyFilter();
+        emit filtered();
+    });
     connect(onlyChanged_, &QToolButton::toggled, this, &ParameterPanel::applyFilter);
 }
 
@@ -135,6 +152,48 @@ void ParameterPanel::rebuild()
     }
     layout->addStretch(1);
     scroll_->setWidget(content_);
+    orderTabs();
+}
+
+void ParameterPanel::orderTabs()
+{
+    // From the filter straight into the rows, in their order: Qt would put what is made later behind everything else.
+    QWidget* before = elsewhere_;
+    setTabOrder(filter_, onlyChanged_);
+    setTabOrder(onlyChanged_, elsewhere_);
+    for (QWidget* child : content_->findChildren<QWidget*>()) {
+        if (child->focusPolicy() == Qt::NoFocus || child->window() != window()) continue;  // Choices have windows of their own.
+        setTabOrder(before, child);
+        before = child;
+    }
+}
+
+void ParameterPanel::focusFirst()
+{
+    for (ParameterRow* row : rows_) {
+        if (!row->isVisible()) continue;
+        for (QWidget* child : row->findChildren<QWidget*>())
+            if ((child->focusPolicy() & Qt::TabFocus) && child->isEnabled() && child->isVisible()) {
+                child->setFocus(Qt::TabFocusReason);
+                return;
+            }
+    }
+}
+
+QString ParameterPanel::filterText() const
+{
+    return filter_->text();
+}
+
+void ParameterPanel::clearFilter()
+{
+    filter_->clear();
+}
+
+void ParameterPanel::offerElsewhere(const QString& what)
+{
+    elsewhere_->setText(fontMetrics().elidedText(what, Qt::ElideRight, std::max(width() - 32, 200)));
+    elsewhere_->setVisible(!what.isEmpty());
 }
 
 ParameterRow* ParameterPanel::row(std::string_view name) const
@@ -216,9 +275,17 @@ bool ParameterPanel::eventFilter(QObject* object, QEvent* event)
         event->ignore();  // Scrolling the panel never changes a value.
         return true;
     }
-    if (event->type() == QEvent::KeyPress && object == filter_ && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        filter_->clear();
-        return true;
+    if (event->type() == QEvent::KeyPress && object == filter_) {
+        switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Escape:
+            if (filter_->text().isEmpty()) emit filterLeft();
+            else filter_->clear();
+            return true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+        case Qt::Key_Down: focusFirst(); return true;
+        default: break;
+        }
     }
     if (event->type() == QEvent::ContextMenu) {
         if (const auto i = rowAt(object)) {

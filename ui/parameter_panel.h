@@ -35,6 +35,11 @@ public:
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
     /// Shows only rows that are wanted; an empty function wants all.
     void setWanted(const std::function<bool(const ParameterInfo&)>&);
+    [[nodiscard]] QString filterText() const;
+    /// Another exhibit is on show: what was searched for belonged to the one before.
+    void clearFilter();
+    /// Says that something outside this table matches the filter; a click asks for it. Empty: nothing does.
+    void offerElsewhere(const QString& what);
     /// Connect `accuracyAsked` before showing the gauge: a mark that does nothing is no mark.
     void setGaugesShown(bool);
 
@@ -51,6 +56,11 @@ signals:
     void edited(const vitrine::ParameterValues& values, int gesture, const QString& text);
     /// The gauge of a quality parameter: what does its accuracy cost?
     void accuracyAsked(std::size_t row);
+    /// The words of the filter changed.
+    void filtered();
+    void elsewhereAsked();
+    /// Esc in the empty filter: the visitor is done here.
+    void filterLeft();
 
 protected:
     bool eventFilter(QObject*, QEvent*) override;
@@ -60,6 +70,8 @@ private:
     void showWhatActs();
     void applyFilter();
     void edit(std::size_t row, const Value&, Gesture, const QString& text);
+    void focusFirst();
+    void orderTabs();
     void openMenu(std::size_t row, const QPoint& at);
     void copy(std::size_t row) const;
     void paste(std::size_t row);
@@ -71,6 +83,7 @@ private:
 
     QLineEdit* filter_;
     QToolButton* onlyChanged_;
+    QToolButton* elsewhere_;
     QScrollArea* scroll_;
     QLabel* nothing_;
     QWidget* content_ = nullptr;

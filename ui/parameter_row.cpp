@@ -197,9 +197,8 @@ void ParameterRow::resizeEvent(QResizeEvent* event)
     naming_->setFixedWidth(std::clamp(width() * 36 / 100, narrowestLabel, widestLabel));
 }
 
-bool ParameterRow::matches(const QString& words) const
+bool ParameterRow::matches(const ParameterInfo& row, const QString& words)
 {
-    const ParameterInfo& row = info();
     QString all = QString::fromStdString(label(row)) + QLatin1Char(' ') + text(row.name) + QLatin1Char(' ') + text(row.group) +
                   QLatin1Char(' ') + text(row.help);
     for (const std::string_view choice : row.choices) all += QLatin1Char(' ') + text(choice);

@@ -65,7 +65,8 @@ public:
     void showValue(const Value&);
     [[nodiscard]] bool differs() const { return differs_; }
     /// Whether label, name, group, help or a choice contains `words`, whatever the case.
-    [[nodiscard]] bool matches(const QString& words) const;
+    [[nodiscard]] static bool matches(const ParameterInfo&, const QString& words);
+    [[nodiscard]] bool matches(const QString& words) const { return matches(info(), words); }
     /// A row that means nothing at the moment is not shown, whatever is searched for.
     void setWanted(bool wanted) { wanted_ = wanted; }
     [[nodiscard]] bool wanted() const { return wanted_; }

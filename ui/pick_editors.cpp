@@ -27,6 +27,16 @@ QString nameOf(const ParameterInfo& row)
     return QString::fromStdString(label(row));
 }
 
+/// What the row's own files end in, and everything.
+QStringList filtersOf(const ParameterInfo& row)
+{
+    QStringList patterns;
+    const QString endings = QString::fromUtf8(row.endings.data(), static_cast<qsizetype>(row.endings.size()));
+    for (const QString& ending : endings.split(QLatin1Char(' '), Qt::SkipEmptyParts)) patterns << QStringLiteral("*.") + ending;
+    const QString all = FileEditor::tr("All files (*)");
+    return patterns.isEmpty() ? QStringList{all} : QStringList{FileEditor::tr("%1 (%2)").arg(nameOf(row), patterns.join(QLatin1Char(' '))), all};
+}
+
 }  // namespace
 
 ToggleEditor::ToggleEditor(const ParameterInfo& row, QWidget* parent) : ValueEditor(row, parent), box_(new QCheckBox(this))
@@ -92,8 +102,12 @@ void FileEditor::showValue(const Value& value)
 void FileEditor::browse()
 {
     const QString folder = shown_.isEmpty() ? QString() : QFileInfo(shown_).absolutePath();
-    const QString chosen = QFileDialog::getOpenFileName(this, tr("Choose a file for %1").arg(nameOf(row())), folder);
-    if (!chosen.isEmpty()) take(chosen);
+    auto* dialog = new QFileDialog(this, tr("Choose a file for %1").arg(nameOf(row())), folder);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters(filtersOf(row()));
+    connect(dialog, &QFileDialog::fileSelected, this, &FileEditor::take);
+    dialog->open();
 }
 
 void FileEditor::take(const QString& path)

@@ -8,6 +8,8 @@
 #include <QDir>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 namespace vitrine::ui {
 namespace {
 
@@ -23,8 +25,16 @@ std::filesystem::path freeScreenshotPath(const QString& exhibit)
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
     QDir().mkpath(folder.path());
     const QString stem = exhibit + QDateTime::currentDateTime().toString(QStringLiteral("-yyyy-MM-dd-HHmmss"));
-    QString name = stem + QStringLiteral(".png");
-    for (int i = 2; folder.exists(name); ++i) name = QStringLiteral("%1-%2.png").arg(stem).arg(i);
+    // One that was given away in this second may still be drawn: there is no file of that name yet.
+    static QString lastStem;
+    static int given = 0;
+    if (stem != lastStem) given = 0;
+    lastStem = stem;
+    QString name;
+    do {
+        ++given;
+        name = given == 1 ? stem + QStringLiteral(".png") : QStringLiteral("%1-%2.png").arg(stem).arg(given);
+    } while (folder.exists(name));
     return folder.filePath(name).toStdString();
 }
 
@@ -59,10 +69,11 @@ void PictureExport::fail(const QString& why)
 void PictureExport::start()
 {
     PictureRequest request;
-    request.frame.camera = window_.history().look().camera;
+    request.frame.camera = widened(window_.history().look().camera, static_cast<double>(wish_.size.x) / std::max(wish_.size.y, 1));
     request.frame.raster.size = wish_.size;
     request.frame.time = window_.viewport().time();
     request.frame.transparent = wish_.transparent;
+    if (wish_.transparent) request.frame.cutOut = window_.chosen();
     request.frame.averageIn = isLinear(wish_.format) ? AverageIn::radiance : AverageIn::display;
     request.samples = wish_.samples;
     const Look& look = window_.history().look();

@@ -21,7 +21,7 @@ struct ExportWish {
     render::PictureFormat format = render::PictureFormat::png8;
     glm::ivec2 size{1280, 720};
     int samples = 16;
-    bool transparent = false;
+    bool transparent = false;  ///< Only the chosen exhibit, cut out of the hall.
 };
 
 /// Makes one picture step by step between the window's other work, then writes it with the look inside.

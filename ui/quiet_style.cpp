@@ -135,6 +135,10 @@ void QuietStyle::drawControl(ControlElement element, const QStyleOption* option,
 void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                                     const QWidget* widget) const
 {
+    // Fusion leaves the panel of a raised button out while the pointer is elsewhere, and the focus with it.
+    constexpr State drawnAnyhow = State_MouseOver | State_Sunken | State_On;
+    if (control == CC_ToolButton && (option->state & State_AutoRaise) && (option->state & State_HasFocus) && !(option->state & drawnAnyhow))
+        drawField(painter, option->rect, option->state);
     if (control == CC_ComboBox) {
         drawField(painter, option->rect, option->state & ~(State_Sunken | State_On));
         drawChevron(painter, QPointF(option->rect.right() - 10, QRectF(option->rect).center().y()),

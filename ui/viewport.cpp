@@ -15,6 +15,8 @@ namespace {
 constexpr double buttonTime = 0.25;  // Seconds in which a pressed button is still moving, with some to spare.
 constexpr double longestTick = 0.5;
 constexpr double firstTick = 1.0 / 60;  // After a rest no time has passed for those who walk.
+constexpr int hoverDelay = 30;          // Milliseconds after which a resting pointer is told what is under it.
+constexpr std::size_t mostFormer = 100;
 
 }  // namespace
 
@@ -32,10 +34,12 @@ QSurfaceFormat viewportFormat()
 
 Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     : QOpenGLWidget(parent), gallery_(gallery), history_(history), hint_(new Overlay(Overlay::Place::bottom, this)),
-      label_(new Overlay(Overlay::Place::center, this)), problems_(new Overlay(Overlay::Place::topLeft, this))
+      label_(new Overlay(Overlay::Place::center, this)), problems_(new Overlay(Overlay::Place::topLeft, this)),
+      name_(new Overlay(Overlay::Place::pointer, this))
 {
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
     setMinimumSize(160, 90);
     setAccessibleName(tr("Museum"));
     setAccessibleDescription(tr("The picture. W A S D walk, dragging looks around, a click visits an exhibit."));
@@ -47,6 +51,9 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &Viewport::tick);
+    hoverTimer_.setSingleShot(true);
+    hoverTimer_.setInterval(hoverDelay);
+    connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::hover);
     connect(&history, &History::changed, this, &Viewport::valuesChanged);
     connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.look().camera); });
 #ifndef NDEBUG
@@ -104,13 +111,12 @@ bool Viewport::withContext(const std::function<void()>& work)
 FrameRequest Viewport::request() const
 {
     FrameRequest wanted;
-    wanted.camera = control_.camera();
+    wanted.camera = widened(control_.camera(), static_cast<double>(width()) / std::max(height(), 1));
     wanted.raster.size = {std::max(1, static_cast<int>(std::lround(width() * devicePixelRatioF()))),
                           std::max(1, static_cast<int>(std::lround(height() * devicePixelRatioF())))};
     wanted.time = time_;
     wanted.runEverything = runEverything_;
-    const double at = now();
-    for (const double pressedAt : pressedAt_) wanted.sincePressed.push_back(at - pressedAt);
+    for (const double pressedAt : pressedAt_) wanted.sincePressed.push_back(time_ - pressedAt);
     return wanted;
 }
 
@@ -180,17 +186,17 @@ void Viewport::tick()
     if (control_.advance(seconds, keys_)) cameraChanged();
     if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) emit walkedOn();
 
-    const bool buttons = std::any_of(pressedAt_.begin(), pressedAt_.end(), [&](double t) { return at - t < buttonTime; });
+    const bool buttons = !paused_ && std::any_of(pressedAt_.begin(), pressedAt_.end(), [&](double t) { return time_ - t < buttonTime; });
     const double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request());
-    const bool animated = change <= 0;
-    clockRuns_ = std::isfinite(change) || keys_.any() || control_.moving();
+    const bool animated = change <= 0 || buttons;
+    clockRuns_ = std::isfinite(change) || buttons || keys_.any() || control_.moving();
     if (animated) {
         time_ += seconds;
     } else if (std::isfinite(change)) {
         time_ += since;
         if (change <= since) schedule_.changed(at);
     }
-    schedule_.setMoving(animated || buttons || keys_.any() || control_.moving(), at);
+    schedule_.setMoving(animated || keys_.any() || control_.moving(), at);
     if (schedule_.next(at)) update();
     else scheduleNext();
 }
@@ -219,13 +225,33 @@ void Viewport::cameraChanged()
     Look look = history_.look();
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? gallery_.lookedAt(look) : std::nullopt;
     label_->say(lookedAt_ ? QString::fromStdString(lookedAt_->text) : QString());
+    if (hoverPoint_) hoverTimer_.start();
     lookChanged();
 }
 
 void Viewport::visit(std::size_t exhibit)
 {
-    control_.visit(gallery_.bestView(exhibit, history_.look().values[exhibit]));
+    remember();
+    subject_ = exhibit;
+    control_.glideTo({gallery_.bestView(exhibit, history_.look().values[exhibit]), exhibit == 0 ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     cameraChanged();
+}
+
+void Viewport::remember()
+{
+    if (former_.size() == mostFormer) former_.erase(former_.begin());
+    former_.push_back({control_.standpoint(), subject_});
+}
+
+void Viewport::goBack()
+{
+    if (former_.empty()) return;
+    const Former former = former_.back();
+    former_.pop_back();
+    subject_ = former.subject;
+    control_.glideTo(former.standpoint);
+    cameraChanged();
+    emit visited(former.subject);
 }
 
 void Viewport::jumpTo(const render::Camera& camera)
@@ -236,7 +262,8 @@ void Viewport::jumpTo(const render::Camera& camera)
 
 void Viewport::walkOn()
 {
-    if (control_.mode() == CameraControl::Mode::walk) return;
+    if (control_.standpoint().mode == CameraControl::Mode::walk) return;
+    remember();
     control_.walkOn();
     cameraChanged();
     emit walkedOn();
@@ -244,10 +271,25 @@ void Viewport::walkOn()
 
 void Viewport::press()
 {
-    if (!lookedAt_) return;
-    pressedAt_[lookedAt_->exhibit] = now();
+    if (control_.mode() == CameraControl::Mode::orbit && !gallery_.exhibits()[subject_]->buttonText().empty()) pressButton(subject_);
+    else if (lookedAt_) pressButton(lookedAt_->exhibit);
+}
+
+void Viewport::pressButton(std::size_t exhibit)
+{
+    pressedAt_[exhibit] = time_;
     lookChanged();
-    emit pressed(lookedAt_->exhibit);
+    emit pressed(exhibit);
+}
+
+std::optional<render::Image> Viewport::finishedPicture()
+{
+    const bool whole = pictureQuality(history_.look().values.front()).resolutionScale == 1;
+    if (!opened_ || !drewOnce_ || !whole || !schedule_.still() || !lastFailure_.isEmpty()) return std::nullopt;
+    render::Image picture;
+    withContext([&] { picture = gallery_.shownPicture(); });
+    if (picture.width == 0) return std::nullopt;
+    return picture;
 }
 
 void Viewport::setPaused(bool paused)

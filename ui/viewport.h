@@ -24,8 +24,14 @@ public:
     Viewport(Gallery&, History&, QWidget* parent = nullptr);
     ~Viewport() override;
 
-    /// Glides to the exhibit's best view and orbits it.
+    /// Glides to the exhibit's best view and orbits it; to the hall's, and walks.
     void visit(std::size_t exhibit);
+    /// Glides back to where the visitor was before the last visit or step away from one; emits `visited` for what was
+    /// on show there. Nothing while there is no such place.
+    void goBack();
+    [[nodiscard]] bool canGoBack() const { return !former_.empty(); }
+    /// Whose parameters are on show: what E presses while it is orbited.
+    void setSubject(std::size_t exhibit) { subject_ = exhibit; }
     void jumpTo(const render::Camera&);
     /// Leaves the exhibit.
     void walkOn();
@@ -43,6 +49,8 @@ public:
 
     [[nodiscard]] const DrawSchedule& schedule() const { return schedule_; }
     [[nodiscard]] double time() const { return time_; }
+    /// The finished picture on the screen, in device pixels; nothing while it is still being made.
+    [[nodiscard]] std::optional<render::Image> finishedPicture();
     /// Number of pictures drawn since the start: tests count that an idle window draws none.
     [[nodiscard]] long long picturesDrawn() const { return picturesDrawn_; }
     /// Calls `work` with the context current; does nothing before there is one.
@@ -51,7 +59,7 @@ public:
 public slots:
     /// Something visible changed.
     void lookChanged();
-    /// Presses the button that the look rests on.
+    /// Presses the button that the look rests on; while an exhibit is orbited, its own.
     void press();
 
 signals:
@@ -73,6 +81,7 @@ protected:
     void keyPressEvent(QKeyEvent*) override;
     void keyReleaseEvent(QKeyEvent*) override;
     void focusOutEvent(QFocusEvent*) override;
+    void leaveEvent(QEvent*) override;
     void mousePressEvent(QMouseEvent*) override;
     void mouseMoveEvent(QMouseEvent*) override;
     void mouseReleaseEvent(QMouseEvent*) override;
@@ -91,6 +100,12 @@ private:
     void showProblems();
     [[nodiscard]] bool setKey(int key, bool down);
     void click(const QPointF&);
+    void pressButton(std::size_t exhibit);
+    void remember();
+    /// What lies under a point of the widget.
+    [[nodiscard]] std::optional<Pointed> pointedAt(const QPointF&) const;
+    void hover();
+    void forgetHover();
     void releasePointer();
 
     Gallery& gallery_;
@@ -111,9 +126,18 @@ private:
     long long picturesDrawn_ = 0;
     QString lastFailure_;
     std::vector<ParameterValues> acting_;  // Of the look that was drawn last: what of it acts.
-    std::vector<double> pressedAt_;  // Per exhibit, on the steady clock; very negative: never.
+    std::vector<double> pressedAt_;  // Per exhibit, on the exhibits' clock; very negative: never.
     std::optional<LookedAt> lookedAt_;
 
+    struct Former {
+        CameraControl::Standpoint standpoint;
+        std::size_t subject = 0;
+    };
+    std::vector<Former> former_;  // The last one last.
+    std::size_t subject_ = 0;
+
+    QTimer hoverTimer_;
+    std::optional<QPointF> hoverPoint_;  // Where the pointer is while it is over the picture and no button is down.
     QPointF pressPoint_, lastPoint_;
     Qt::MouseButton button_ = Qt::NoButton;
     bool dragged_ = false;
@@ -121,6 +145,7 @@ private:
     Overlay* hint_;
     Overlay* label_;
     Overlay* problems_;
+    Overlay* name_;
 };
 
 /// The format every context of the window asks for: OpenGL 4.5 core, with a debug context in debug builds.

@@ -1,4 +1,5 @@
 // The visitor's hands: keys, pointer and wheel of the viewport.
+#include "ui/overlay.h"
 #include "ui/viewport.h"
 
 #include <QApplication>
@@ -54,6 +55,10 @@ void Viewport::keyPressEvent(QKeyEvent* event)
         walkOn();
         return;
     }
+    if (plain && event->key() == Qt::Key_Backspace) {
+        goBack();
+        return;
+    }
     if (plain && event->key() == Qt::Key_E) {
         if (!event->isAutoRepeat()) press();
         return;
@@ -80,6 +85,7 @@ void Viewport::focusOutEvent(QFocusEvent* event)
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() != Qt::LeftButton && event->button() != Qt::RightButton) return;
+    forgetHover();
     button_ = event->button();
     pressPoint_ = lastPoint_ = event->position();
     dragged_ = false;
@@ -87,7 +93,11 @@ void Viewport::mousePressEvent(QMouseEvent* event)
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
-    if (button_ == Qt::NoButton) return;
+    if (button_ == Qt::NoButton) {
+        hoverPoint_ = event->position();
+        if (!hoverTimer_.isActive()) hoverTimer_.start();
+        return;
+    }
     const QPointF moved = event->position() - lastPoint_;
     if (!dragged_) {
         if ((event->position() - pressPoint_).manhattanLength() < QApplication::startDragDistance() / 2.0) return;
@@ -130,11 +140,52 @@ void Viewport::releasePointer()
 void Viewport::click(const QPointF& at)
 {
     if (width() <= 0 || height() <= 0) return;
-    const glm::dvec2 ndc(2 * at.x() / width() - 1, 1 - 2 * at.y() / height());
-    const std::optional<std::size_t> exhibit = gallery_.pick(history_.look(), ndc, static_cast<double>(width()) / height());
-    if (!exhibit || *exhibit == 0) return;
-    visit(*exhibit);
-    emit visited(*exhibit);
+    const std::optional<Pointed> found = pointedAt(at);
+    if (!found) return;
+    const bool orbited = control_.mode() == CameraControl::Mode::orbit && found->exhibit == subject_;
+    if (found->button && (found->inReach || orbited)) {
+        pressButton(found->exhibit);
+        return;
+    }
+    remember();
+    subject_ = found->exhibit;
+    control_.visit(found->view);
+    cameraChanged();
+    emit visited(found->exhibit);
+}
+
+std::optional<Pointed> Viewport::pointedAt(const QPointF& at) const
+{
+    if (width() <= 0 || height() <= 0) return std::nullopt;
+    try {
+        return gallery_.pick(history_.look(), request(), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
+    } catch (const std::exception&) {
+        return std::nullopt;  // What cannot be read is told of where it is drawn.
+    }
+}
+
+void Viewport::hover()
+{
+    if (!hoverPoint_ || button_ != Qt::NoButton) return;
+    const std::optional<Pointed> found = pointedAt(*hoverPoint_);
+    if (found) setCursor(Qt::PointingHandCursor);
+    else unsetCursor();
+    name_->say(found ? QString::fromStdString(found->name) : QString());
+    name_->placeAt(hoverPoint_->toPoint());
+}
+
+void Viewport::forgetHover()
+{
+    hoverTimer_.stop();
+    hoverPoint_.reset();
+    name_->say({});
+    unsetCursor();
+}
+
+void Viewport::leaveEvent(QEvent* event)
+{
+    forgetHover();
+    QOpenGLWidget::leaveEvent(event);
 }
 
 void Viewport::wheelEvent(QWheelEvent* event)

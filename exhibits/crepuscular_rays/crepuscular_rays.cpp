@@ -59,6 +59,14 @@ render::Box CrepuscularRays::bounds(const ParameterValues&) const
     return {{-1.3, -1.15, -3.6}, {1.3, 3.95, -3.0}};
 }
 
+double CrepuscularRays::firstHit(const ParameterValues& values, double, double, const render::Ray& ray) const
+{
+    // Flat and behind the wall's inner face, so that whoever looks at the wall beside the window does not hit it.
+    render::Box panes = bounds(values);
+    panes.low.z = panes.high.z = panes.center().z;
+    return render::firstHit(ray, panes);
+}
+
 render::Camera CrepuscularRays::bestView(const ParameterValues&) const
 {
     return {{2.35, -0.85, 13.2}, {-0.55, 0.25, -0.5}, 0.959931};

@@ -21,6 +21,8 @@ public:
     [[nodiscard]] const Table& parameters() const override { return table_; }
     /// The window: what is clicked to get here. The beams reach as far as the sun does.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    /// The panes, from wall to wall.
+    [[nodiscard]] double firstHit(const ParameterValues&, double time, double sinceOwnPress, const render::Ray&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;

@@ -4,6 +4,7 @@
 #include "exhibits/framework/surroundings.h"
 #include "render/plan/frame_plan.h"
 #include "render/scene/camera.h"
+#include "render/scene/ray.h"
 
 #include <glm/glm.hpp>
 
@@ -75,6 +76,12 @@ public:
 
     /// The space it may fill, in its own space: what is culled, framed and collided with.
     [[nodiscard]] virtual render::Box bounds(const ParameterValues&) const = 0;
+    /// Where a ray (own space) first meets what is seen of it `sinceOwnPress` seconds after its button was pressed, as
+    /// `render::firstHit` counts; infinity: nowhere. What a visitor points at. By default its bounds.
+    [[nodiscard]] virtual double firstHit(const ParameterValues& values, double /*time*/, double /*sinceOwnPress*/, const render::Ray& ray) const
+    {
+        return render::firstHit(ray, bounds(values));
+    }
     /// Its best view, in its own space.
     [[nodiscard]] virtual render::Camera bestView(const ParameterValues&) const = 0;
     /// Seconds until its picture next changes by itself: 0 while animated, infinity when still.

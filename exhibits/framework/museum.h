@@ -33,8 +33,9 @@ struct FrameRequest {
     int samples = 1;              ///< ... of so many.
     AverageIn averageIn = AverageIn::display;
     Channels channels;
-    bool transparent = false;     ///< Nothing behind the exhibit: alpha 0 there.
+    bool transparent = false;     ///< No sky or environment behind what is drawn: alpha 0 there.
     std::optional<std::size_t> alone;  ///< Only this exhibit, in the environment's light.
+    std::optional<std::size_t> cutOut;  ///< Only this exhibit, where it stands, in the hall's light: alpha 0 around it.
     glm::dmat4 exhibitTransform{1};    ///< For `alone` or `subject`: scale and rotation about its own origin.
     std::optional<std::size_t> subject;
     bool runEverything = false;
@@ -46,6 +47,16 @@ struct FrameRequest {
 struct LookedAt {
     std::size_t exhibit = 0;
     std::string text;  ///< "E – melt it".
+};
+
+/// What the visitor points at, and where going there leads.
+struct Pointed {
+    std::size_t exhibit = 0;   ///< 0: the hall; then it is the visitor's own object.
+    std::string name;          ///< "Torus to Mug", "Your object", "E – melt it".
+    double distance = 0;       ///< Metres from the eye.
+    bool button = false;       ///< It is the button of `exhibit` ...
+    bool inReach = false;      ///< ... and can be pressed from here.
+    render::Camera view;       ///< Its best view, in the world.
 };
 
 /// How finely a picture is drawn: rows of the hall's table that are no part of what is shown.
@@ -87,10 +98,13 @@ public:
     /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: walls and furniture stop
     /// him, and he slides along them.
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
-    /// The button within 2 m that the middle of the view rests on.
+    /// The button within 2 m that the middle of the view rests on, when nothing stands before it.
     [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const;
-    /// The exhibit seen at `ndc` (each -1 to 1, y up) of a picture with this aspect ratio (width / height).
-    [[nodiscard]] std::optional<std::size_t> pick(const Look&, glm::dvec2 ndc, double aspect) const;
+    /// The exhibit, button or visitor's object seen at `ndc` (each -1 to 1, y up) of that picture; nothing where the
+    /// nearest thing there is a wall or furniture. Throws Failure when a file that is on show cannot be read.
+    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const;
+    /// Metres from the eye to whatever is seen there; infinity: the sky.
+    [[nodiscard]] double distanceTo(const Look&, const FrameRequest&, glm::dvec2 ndc) const;
     /// Which of the places 1 to 9 still wait for an exhibit.
     [[nodiscard]] std::vector<int> emptyPlaces() const;
 
@@ -98,6 +112,8 @@ public:
     [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const;
 
 private:
+    struct Seen;
+    [[nodiscard]] Seen firstSeen(const Look&, const FrameRequest&, const render::Ray&) const;
     [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&, bool alone) const;
 
     std::vector<std::unique_ptr<Exhibit>> exhibits_;

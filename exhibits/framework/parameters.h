@@ -67,6 +67,7 @@ struct ParameterInfo {
     std::string_view called = {};            ///< Its label where `name` does not read as one.
     std::optional<Word> word = {};           ///< For a real or a count.
     bool groupFolded = false;                ///< Whether the panel shows its group folded at first.
+    std::string_view endings = {};           ///< For Kind::file: what a dialog offers, "glb gltf"; empty: everything.
 
     /// Whether its values are numbers, with others between them: a real or a count.
     [[nodiscard]] bool isNumeric() const { return kind == Kind::real || kind == Kind::count; }
@@ -131,6 +132,9 @@ protected:
     [[nodiscard]] static Quality quality(double reference) { return {reference, false}; }
     /// The same, but at `reference` the row approximates nothing: a closed form, or an approximation that is off.
     [[nodiscard]] static Quality exactAt(double reference) { return {reference, true}; }
+    /// Of the files that a file row reads, with blanks between: "glb gltf".
+    struct Endings { std::string_view text; };
+    [[nodiscard]] static Endings endings(std::string_view text) { return {text}; }
     struct Called { std::string_view text; };
     [[nodiscard]] static Called called(std::string_view text) { return {text}; }
     /// `value` is shown and typed as this word.
@@ -207,6 +211,7 @@ private:
         row.qualityReference = quality.reference;
         row.exactByMeaning = quality.byMeaning;
     }
+    static void say(ParameterInfo& row, const Endings& endings) { row.endings = endings.text; }
     static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
     static void say(ParameterInfo& row, const Word& word) { row.word = word; }
     static void say(ParameterInfo& row, const Condition& condition) { row.actsWhen = condition; }

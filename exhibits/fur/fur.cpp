@@ -6,6 +6,8 @@
 #include "render/files/assets.h"
 #include "render/scene/gltf.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -74,6 +76,24 @@ Fur::~Fur() = default;
 render::Box Fur::bounds(const ParameterValues&) const
 {
     return {{-pitRadius, 0, -pitRadius}, {pitRadius, 1.9, pitRadius}};
+}
+
+double Fur::firstHit(const ParameterValues& values, double time, double sinceOwnPress, const render::Ray& ray) const
+{
+    const Moment now = moment(values, time, sinceOwnPress);
+    const Coats coats{table_, values, now.states, glm::dmat4(1), time, 1, wardrobe_->modelRadius};
+    double nearest = never;
+    for (int i = 0; i < furBodyCount; ++i) {
+        const auto& skin = i == furRing && wardrobe_->model ? wardrobe_->model : wardrobe_->skins[i];
+        // The ellipsoid that touches the sides of the space the coat may fill.
+        const render::Box space = coats.space(i, skin->bounds);
+        const glm::dmat4 bodyFromBall = glm::scale(glm::translate(glm::dmat4(1), space.center()), glm::max(space.halfSize(), 1e-6));
+        nearest = std::min(nearest, render::firstHit(ray.transformed(glm::inverse(coats.worldFromBody(i) * bodyFromBall)), glm::dvec3(0), 1));
+    }
+    // The floor of the pit is theirs, too.
+    const double floor = render::firstHit(ray, {{-pitRadius, 0, -pitRadius}, {pitRadius, 0, pitRadius}});
+    const glm::dvec3 there = std::isfinite(floor) ? ray.at(floor) : glm::dvec3(2 * pitRadius);
+    return std::hypot(there.x, there.z) < pitRadius ? std::min(nearest, floor) : nearest;
 }
 
 render::Camera Fur::bestView(const ParameterValues&) const

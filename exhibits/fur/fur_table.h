@@ -34,7 +34,7 @@ struct FurTable final : Parameters {
     Real ringThickness = real("ringThickness", 0.0042, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.", whenAbove(ringLength, 0));
     Color ringRoot = color("ringRoot", {0.10, 0.006, 0.016}, "Of its fur at the skin.");
     Color ringTip = color("ringTip", {0.78, 0.16, 0.20}, "Of its fur at the tips.", whenAbove(ringLength, 0));
-    File ringModel = file("ringModel", "A glTF object that wears the ring's coat in place of the ring; models/teddy.glb is one of ours.");
+    File ringModel = file("ringModel", "A glTF object that wears the ring's coat in place of the ring; models/teddy.glb is one of ours.", endings("glb gltf"));
 
     Group strands = group("Strands");
     Real strandRoundness = real("strandRoundness", 0.55, none, {0, 0.999}, "0 tapers every strand like a needle, high leaves it thick with a blunt tip.");

@@ -95,6 +95,7 @@ void Hall::plan(const PlanContext& context, render::FramePlan& plan) const
     planHallShadow(hall, context.surroundings, plan);
     planProbe(hall, context.surroundings, plan);
     if (context.alone) plan.skip("hall/walls", "the exhibit is shown alone");
+    else if (!context.hiddenBecause.empty()) plan.skip("hall/walls", context.hiddenBecause);
     else planWalls(hall, context.surroundings, context.channels, context.sincePressed, plan);
 }
 

@@ -242,6 +242,17 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
 
 }  // namespace
 
+std::vector<Part> partsAt(const HallScene& scene, const Place& place)
+{
+    if (!isOccupied(scene, place.number)) return place.cloth;
+    std::vector<Part> parts = place.stand;
+    for (Part part : place.turning) {
+        part.modelFromPart = glm::rotate(part.modelFromPart, turnAt(scene, place.number), glm::dvec3(0, 1, 0));
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
 void planHallShadow(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
 {
     if (light.light.sunIrradiance.w < 0.5F) {

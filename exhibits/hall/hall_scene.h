@@ -35,6 +35,10 @@ struct HallScene {
     std::span<const double> turns;  ///< How far the hangings of each guest's place have turned, radians; may be shorter.
 };
 
+/// What is drawn at a place beside its exhibit: a cloth over an empty one, else its stand and what hangs there, as far
+/// as it has turned.
+[[nodiscard]] std::vector<render::Part> partsAt(const HallScene&, const Place&);
+
 // hall_light.cpp
 
 /// Unit vector towards the sun, world space.

@@ -37,7 +37,7 @@ struct HallTable final : Parameters {
     Real skyStrength = real("skyStrength", 2.3, none, Range{0, 1000}.soft(0, 4), "Light of the sky through window and oculus.");
     Real skyTemperature = real("skyTemperature", 9500, kelvin, Range{1000, 25000}.soft(5000, 20000), "Color of the sky's light: high is bluer.", whenAbove(skyStrength, 0));
     Toggle bakedLight = toggle("bakedLight", true, "Light the walls with baked sky light and occlusion; without it, they get one even ambient light.");
-    File environment = file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.");
+    File environment = file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.", endings("hdr exr jpg jpeg png tif tiff"));
     Real environmentTurn = real("environmentTurn", 0.0, degree, {-3.141593, 3.141593}, "Turns the panorama around the vertical.", whenGiven(environment));
 
     Group reflections = group("Reflections");
@@ -46,7 +46,7 @@ struct HallTable final : Parameters {
     Count probeSamples = count("probeSamples", 24, {1, 1024, logarithmic}, "Samples per texel when the mirror image is blurred for rough surfaces.", quality(1024), when(reflectionProbe));
 
     Group visitor = group("Visitor's object");
-    File model = file("model", "A glTF object (.glb or .gltf) on the free plinth.");
+    File model = file("model", "A glTF object (.glb or .gltf) on the free plinth.", endings("glb gltf"));
     Real modelSize = real("modelSize", 0.8, metre, Range{0.01, 100, logarithmic}.soft(0.1, 3), "Largest side of the visitor's object as it stands on the plinth.", whenGiven(model));
     Real modelTurn = real("modelTurn", 0.0, degree, {-3.141593, 3.141593}, "Turns the visitor's object around the vertical.", whenGiven(model));
 };

@@ -14,8 +14,8 @@ enum class CardEyes : int { off, left, right, anaglyph };
 /// Everything that can be set about the lenticular card. Lengths in meters.
 struct LenticularTable final : Parameters {
     Group prints = group("Prints");
-    File frontPrint = file("frontPrint", "Views of the first print: a folder of pictures, or a print that vitrine print wrote. Empty: the turning mug.");
-    File backPrint = file("backPrint", "Views of the second print, in the same ways. Empty: the melting torus.");
+    File frontPrint = file("frontPrint", "Views of the first print: a folder of pictures, or a print that vitrine print wrote. Empty: the turning mug.", endings("tif tiff png jpg jpeg exr"));
+    File backPrint = file("backPrint", "Views of the second print, in the same ways. Empty: the melting torus.", endings("tif tiff png jpg jpeg exr"));
     Choice<CardFace> face = choice("face", CardFace::front, {"front", "back"}, "Which print rests in the card before it scrolls.");
     Count views = count("views", 16, Range{1, 256}.soft(1, 32), "Strips under each lens: views chosen evenly from those that the print has, no more than it has.");
     Toggle scroll = toggle("scroll", true, "Roll from one print to the other and on, like a billboard.");

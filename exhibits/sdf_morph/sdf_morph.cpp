@@ -252,6 +252,12 @@ render::Box SdfMorph::bounds(const ParameterValues& values) const
     return resized(values[table_.animate] ? boxOverMorph(moment) : momentaryBox(moment), values[table_.boxSize]);
 }
 
+double SdfMorph::firstHit(const ParameterValues& values, double time, double, const render::Ray& ray) const
+{
+    const double morph = values[table_.animate] ? morphAt(values[table_.morph], values[table_.speed], time) : values[table_.morph];
+    return firstHitOf({table_, values, morph}, ray);
+}
+
 render::Camera SdfMorph::bestView(const ParameterValues& values) const
 {
     const double reach = glm::length(boxOverMorph({table_, values, values[table_.morph]}).halfSize());

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <map>
 
 namespace vitrine {
@@ -105,6 +106,23 @@ render::Box boxOverMorph(const SdfMoment& m)
 render::Box resized(const render::Box& box, double factor)
 {
     return {box.center() - factor * box.halfSize(), box.center() + factor * box.halfSize()};
+}
+
+double firstHitOf(const SdfMoment& m, const render::Ray& ray)
+{
+    constexpr double never = std::numeric_limits<double>::infinity();
+    constexpr double tolerance = 1e-4;  // Metres: less than a pixel from anywhere a visitor can be.
+    const double length = glm::length(ray.direction);
+    const render::Stretch inside = render::insideBox(ray, momentaryBox(m));
+    if (!(inside.enter <= inside.exit) || !(length > 0)) return never;
+    const glsl::TorusMugShape shape = glsl::torusMugShape(torusMug(m));
+    double t = inside.enter;
+    for (int step = 0; step < 1000 && t <= inside.exit; ++step) {
+        const double distance = glsl::sdfTorusMug(ray.at(t), shape);
+        if (distance < tolerance) return t;
+        t += distance / length;
+    }
+    return never;
 }
 
 SdfObject sdfObject(const SdfMoment& m, const render::Box& box, const glm::dmat4& worldFromLocal)

@@ -3,6 +3,7 @@
 #include "exhibits/framework/parameters.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
 #include "render/scene/mesh.h"
+#include "render/scene/ray.h"
 
 #include <glm/glm.hpp>
 
@@ -20,6 +21,9 @@ struct SdfMoment {
 [[nodiscard]] render::Box boxOverMorph(const SdfMoment&);
 /// `box` with its size around its center changed by a factor.
 [[nodiscard]] render::Box resized(const render::Box&, double factor);
+
+/// Where a ray in the object's space first meets it, as `render::firstHit` counts: sphere tracing in float64.
+[[nodiscard]] double firstHitOf(const SdfMoment&, const render::Ray&);
 
 /// Mirrors the std140 block Object of shaders/sdf_morph/object.glsl.
 struct SdfObject {

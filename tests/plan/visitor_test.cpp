@@ -2,9 +2,13 @@
 
 #include "exhibits/hall/walk.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
+#include "exhibits/sdf_morph/sdf_shape.h"
+#include "render/files/assets.h"
+#include "render/scene/ray.h"
 #include "tests/plan/museum_on_paper.h"
 #include "tests/stability/fields.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -185,47 +189,149 @@ TEST(LookedAt, PressingMeltsAndPressingAgainStops)
     EXPECT_FALSE(scene.object()[test::sdfTable().animate]);
 }
 
+/// Looks at the button of the mug from the other side of its plinth, near enough to press it.
+TEST(LookedAt, NoButtonAnswersThroughItsPlinth)
+{
+    const dvec3 behind(-0.75, 0.62, -0.5);
+    ASSERT_LT(glm::length(button() - behind), 1.95);
+    EXPECT_FALSE(lookFrom(behind, button()));
+    // Control: as far away, with nothing between.
+    EXPECT_TRUE(lookFrom(button() + glm::length(button() - behind) * glm::normalize(dvec3(0.3, 0.4, 1)), button()));
+}
+
+std::optional<Pointed> pointed(const Scene& scene, glm::dvec2 ndc = {0, 0})
+{
+    return test::museum().pick(scene.look, scene.request, ndc);
+}
+
 TEST(Pick, FindsTheExhibitUnderThePointer)
 {
     Scene scene;
-    EXPECT_EQ(test::museum().pick(scene.look, {0, 0}, 16.0 / 9), scene.sdf);
-    EXPECT_FALSE(test::museum().pick(scene.look, {-0.98, 0.95}, 16.0 / 9));
+    // The handle's side: the middle of a torus is a hole.
+    const render::Box box = test::museum().exhibits()[scene.sdf]->bounds(scene.object()).transformed(test::museum().worldFromExhibit(scene.sdf));
+    scene.see(dvec3(box.center().x, box.center().y, 3), {box.center().x, box.low.y + 0.1, box.center().z});
+    const auto found = pointed(scene);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->exhibit, scene.sdf);
+    EXPECT_EQ(found->name, "Torus to Mug");
+    EXPECT_FALSE(found->button);
+    EXPECT_EQ(found->view, test::museum().bestView(scene.sdf, scene.object()));
+    EXPECT_FALSE(pointed(scene, {-0.98, 0.95}));
     scene.see({0, 1.65, 3}, {0, 1.65, 12});
-    EXPECT_FALSE(test::museum().pick(scene.look, {0, 0}, 16.0 / 9));
+    EXPECT_FALSE(pointed(scene));
 }
 
-TEST(Pick, AgreesWithTheProjectionOfTheBounds)
+TEST(Pick, AWallIsAWallThoughABoxOfAnExhibitIsBeforeIt)
 {
-    // Whatever point of the box is seen, clicking it picks it; a click past the box's whole outline does not.
+    // Over the pit, below the top of the space in which its bodies jump, to the bare wall behind.
+    Scene scene;
+    scene.see({0, 1.65, 3}, {6, 1.25, 3});
+    const std::size_t fur = *test::museum().find("fur");
+    const render::Box box = test::museum().exhibits()[fur]->bounds(scene.look.values[fur]).transformed(test::museum().worldFromExhibit(fur));
+    ASSERT_LT(render::firstHit({scene.look.camera.eye, scene.look.camera.target - scene.look.camera.eye}, box), 1);
+    EXPECT_FALSE(pointed(scene));
+    // Control: what lies in the pit.
+    scene.see({0, 1.65, 3}, {3.3, -0.2, 3});
+    ASSERT_TRUE(pointed(scene));
+    EXPECT_EQ(pointed(scene)->exhibit, fur);
+}
+
+TEST(Pick, WhatStandsBeforeAnExhibitIsNotSeenThrough)
+{
+    Scene scene;
+    // The mug, from below through its plinth.
+    const dvec3 mug(test::museum().worldFromExhibit(scene.sdf)[3]);
+    scene.see(mug + dvec3(0, -1.25, 0.6), mug);
+    const auto found = pointed(scene);
+    EXPECT_FALSE(found && found->exhibit == scene.sdf);
+}
+
+TEST(Pick, AButtonIsNamedByWhatItDoes)
+{
+    Scene scene;
+    scene.see(button() + dvec3(0.2, 0.5, 0.9), button());
+    const auto found = pointed(scene);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->button);
+    EXPECT_TRUE(found->inReach);
+    EXPECT_EQ(found->name, "E – let it melt");
+    scene.see(button() + dvec3(0.2, 1.5, 2.9), button());
+    ASSERT_TRUE(pointed(scene));
+    EXPECT_FALSE(pointed(scene)->inReach);
+}
+
+TEST(Pick, TheVisitorsOwnObjectCanBeVisited)
+{
+    Scene scene;
+    const dvec3 above = dvec3(test::building().place(10)->worldFromPlace[3]) + dvec3(0, 0.15, 0);
+    scene.see(above + dvec3(0.3, 0.6, 2.2), above);
+    EXPECT_FALSE(pointed(scene));
+    scene.hall().setRow(*scene.hall().table().find("model"), render::asset("models/teddy.glb").string());
+    const auto found = pointed(scene);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->exhibit, std::size_t{0});
+    EXPECT_EQ(found->name, "Your object");
+    // Its view shows it, from outside and not from afar.
+    scene.see(found->view);
+    const auto again = pointed(scene);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->name, "Your object");
+    EXPECT_GT(again->distance, 0.2);
+    EXPECT_LT(again->distance, 4);
+}
+
+TEST(Pick, AFieldIsHitWhereItsMeshIs)
+{
+    // Sphere tracing against triangles made from the same body: what one hits, the other does, at the same distance.
     test::Random random(6);
     Scene scene;
-    // Alone in the hall: what else stands there may be in front.
-    std::vector<std::unique_ptr<Exhibit>> guests;
-    guests.push_back(std::make_unique<SdfMorph>());
-    const Museum quiet(std::move(guests));
-    const render::Box box = test::museum().exhibits()[scene.sdf]->bounds(scene.object()).transformed(test::museum().worldFromExhibit(scene.sdf));
-    int tried = 0;
-    for (int i = 0; i < 400; ++i) {
-        scene.see(box.center() + random.direction() * random.number(1.2, 4), box.center() + random.point(0.8));
-        const double aspect = random.number(0.5, 2.5);
-        const render::View view = render::makeView(scene.look.camera, {.size = {static_cast<int>(1000 * aspect), 1000}});
-        const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(box.center() + box.halfSize() * random.point(0.99), 1);
-        const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
-        if (clip.w <= 0 || std::abs(ndc.x) > 1 || std::abs(ndc.y) > 1) continue;
-        ++tried;
-        EXPECT_EQ(quiet.pick(scene.look, ndc, static_cast<int>(1000 * aspect) / 1000.0), scene.sdf);
+    scene.object().set(test::sdfTable().morph, 0.6);
+    const SdfMoment moment{test::sdfTable(), scene.object(), 0.6};
+    const auto mesh = meshOf(moment, 96);
+    const double cell = 2 * std::max({mesh->bounds.halfSize().x, mesh->bounds.halfSize().y, mesh->bounds.halfSize().z}) / 96;
+    int hits = 0, wrong = 0;
+    for (int i = 0; i < 600; ++i) {
+        const dvec3 eye = mesh->bounds.center() + random.direction() * random.number(1.2, 4);
+        const render::Ray ray{eye, mesh->bounds.center() + random.point(0.5) - eye};
+        const double field = firstHitOf(moment, ray);
+        const double triangles = render::firstHit(ray, *mesh, render::Faces::both);
+        hits += std::isfinite(field);
+        // Rays that graze it part ways by chance.
+        const bool same = std::isfinite(field) == std::isfinite(triangles) && (!std::isfinite(field) || std::abs(field - triangles) * glm::length(ray.direction) < 3 * cell);
+        wrong += !same;
     }
-    EXPECT_GT(tried, 100);
+    EXPECT_GT(hits, 120);
+    EXPECT_LT(hits, 570);  // It has a hole, and rays pass by.
+    EXPECT_LT(wrong, 12);
 }
 
-TEST(Pick, StraightAlongAnAxisIsNoSpecialCase)
+TEST(Rays, ParallelToAFaceAreNoSpecialCase)
 {
-    // A ray parallel to the box's faces divides 0 by 0 in a careless slab test.
-    Scene scene;
-    const render::Box box = test::museum().exhibits()[scene.sdf]->bounds(scene.object()).transformed(test::museum().worldFromExhibit(scene.sdf));
-    for (const double y : {box.center().y, glm::mix(box.low.y, box.high.y, 0.001), glm::mix(box.low.y, box.high.y, 0.999)}) {
-        scene.see({box.center().x, y, 3}, {box.center().x, y, -3});
-        EXPECT_EQ(test::museum().pick(scene.look, {0, 0}, 1), scene.sdf) << y;
+    // A careless slab test divides 0 by 0 there.
+    const render::Box box{{-1, -1, -1}, {1, 1, 1}};
+    for (const double y : {-1.0, -0.999, 0.0, 0.999, 1.0}) EXPECT_EQ(render::firstHit({{0, y, 3}, {0, 0, -1}}, box), 2) << y;
+    for (const double y : {-1.001, 1.001}) EXPECT_FALSE(std::isfinite(render::firstHit({{0, y, 3}, {0, 0, -1}}, box))) << y;
+    EXPECT_EQ(render::firstHit({{0, 0, 0}, {0, 0, -1}}, box), 0);
+    EXPECT_FALSE(std::isfinite(render::firstHit({{0, 0, -3}, {0, 0, -1}}, box)));
+}
+
+TEST(Rays, DistancesAreTheSameInEverySpace)
+{
+    test::Random random(8);
+    for (int i = 0; i < 200; ++i) {
+        const dvec3 center = random.point(3);
+        const double radius = random.number(0.1, 1);
+        const render::Ray ray{random.point(5), random.direction() * random.number(0.1, 10)};
+        const double here = render::firstHit(ray, center, radius);
+        const glm::dmat4 unit = glm::inverse(glm::scale(glm::translate(glm::dmat4(1), center), dvec3(radius)));
+        const double there = render::firstHit(ray.transformed(unit), dvec3(0), 1);
+        ASSERT_EQ(std::isfinite(here), std::isfinite(there));
+        if (std::isfinite(here)) {
+            EXPECT_NEAR(here, there, 1e-9);
+            if (here > 0) {
+                EXPECT_NEAR(glm::length(ray.at(here) - center), radius, 1e-9);
+            }
+        }
     }
 }
 

@@ -213,6 +213,49 @@ private slots:
         QVERIFY(!control.moving());
     }
 
+    void walkingOnKeepsLookingAtWhatWasVisited()
+    {
+        CameraControl control;
+        control.setWalkable(room);
+        control.jumpTo(entrance());
+        control.visit({{0.4, 2.6, 2}, {0, 1, 0}, 0.8});  // From above: at eye height the same direction misses it.
+        for (int i = 0; i < 20; ++i) control.advance(0.05, {});
+        control.turn(0.3, -0.4);
+        control.walkOn();
+        for (int i = 0; i < 20; ++i) control.advance(0.05, {});
+        const Camera c = control.camera();
+        const glm::dvec3 look = glm::normalize(c.target - c.eye), there = glm::normalize(glm::dvec3(0, 1, 0) - c.eye);
+        QVERIFY2(glm::distance(look, there) < 1e-9, qPrintable(QString::number(glm::distance(look, there))));
+    }
+
+    void theWayBackEndsWhereOneStood()
+    {
+        CameraControl control;
+        control.setWalkable(room);
+        control.jumpTo(entrance());
+        const CameraControl::Standpoint before = control.standpoint();
+        control.visit({{0, 1.1, 2}, {0, 1, 0}, 0.8});
+        control.advance(0.05, {});
+        QVERIFY(control.standpoint().camera.eye == glm::dvec3(0, 1.1, 2));  // Where he is going counts.
+        QCOMPARE(control.standpoint().mode, CameraControl::Mode::orbit);
+        control.glideTo(before);
+        for (int i = 0; i < 20; ++i) control.advance(0.05, {});
+        QVERIFY(control.camera() == before.camera);
+        QCOMPARE(control.mode(), CameraControl::Mode::walk);
+    }
+
+    void aNarrowPictureShowsAsMuchFromSideToSide()
+    {
+        const Camera camera{{0, 1, 2}, {0, 1, 0}, 0.8};
+        for (const double aspect : {1.5, 16.0 / 9, 3.0}) QVERIFY(widened(camera, aspect) == camera);
+        for (const double aspect : {1.4, 1.0, 0.6}) {
+            const Camera wide = widened(camera, aspect);
+            QVERIFY(std::abs(std::tan(wide.fovY / 2) * aspect - std::tan(camera.fovY / 2) * 1.5) < 1e-12);
+            QVERIFY(wide.eye == camera.eye && wide.target == camera.target);
+        }
+        for (const double aspect : {1e-3, 0.0, -1.0, std::nan("")}) QVERIFY(widened(camera, aspect).fovY < 2.7);
+    }
+
     void aJumpIsExactAndOrbitsWhereNobodyCanStand()
     {
         CameraControl control;

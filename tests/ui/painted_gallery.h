@@ -57,13 +57,21 @@ public:
     {
         return {to.x, to.y, std::max(to.z, 2.0)};
     }
-    [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override { return std::nullopt; }
-    [[nodiscard]] std::optional<std::size_t> pick(const Look&, glm::dvec2 ndc, double) const override
+    [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override { return looked; }
+    /// The exhibit in the middle, its button at the right.
+    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const override
     {
-        return glm::length(ndc) < 0.3 ? std::optional<std::size_t>(1) : std::nullopt;
+        const Pointed exhibit{1, "Torus to mug", 3, false, false, {{0, 1.5, 3}, {0, 1, 0}, 0.9}};
+        if (glm::length(ndc) < 0.3) return exhibit;
+        if (glm::length(ndc - glm::dvec2(0.8, 0)) < 0.1) return Pointed{1, "E – melt it", 1, true, buttonInReach, exhibit.view};
+        return std::nullopt;
     }
     [[nodiscard]] std::vector<int> emptyPlaces() const override { return {2, 3, 4, 5, 6, 7, 8, 9}; }
-    [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const override { return INFINITY; }
+    /// Moves for `movesFor` seconds after a press.
+    [[nodiscard]] double nextChange(const Look&, const FrameRequest& request) const override
+    {
+        return request.sincePressed.size() > 1 && request.sincePressed[1] < movesFor ? 0 : INFINITY;
+    }
 
     void open() override { ++opened; }
     void close() override { ++closed; }
@@ -87,6 +95,15 @@ public:
         gl->glClearColor(red_, 0.45F, 0.4F, 1);
         gl->glClear(GL_COLOR_BUFFER_BIT);
     }
+    [[nodiscard]] render::Image shownPicture() override
+    {
+        ++pictureReads;
+        const FrameRequest& last = requests.back();
+        render::Image picture(last.raster.size.x, last.raster.size.y, 4);
+        picture.channelNames = {"R", "G", "B", "A"};
+        for (float& value : picture.pixels) value = red_;
+        return picture;
+    }
     void timeSteps(bool) override {}
     bool reloadChangedShaders() override { return false; }
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return shaderProblems; }
@@ -95,6 +112,10 @@ public:
     [[nodiscard]] ui::StudyJob makeStudy(const StudyRequest&) override { return {}; }
 
     int opened = 0, closed = 0;
+    std::optional<LookedAt> looked;
+    bool buttonInReach = true;
+    double movesFor = 0;
+    int pictureReads = 0;
     std::vector<FrameRequest> requests;
     std::vector<render::gl::ShaderProblem> shaderProblems;
     std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.

@@ -31,7 +31,7 @@ struct SampleTable final : Parameters {
     Real roughness = real("roughness", 0.25, none, {0, 1}, "0 mirrors, 1 is chalk.");
     Choice<Method> material = choice("material", Method::forward, {"chrome", "glazed ceramic", "glass"}, "What it is made of.");
     Direction light = direction("lightDirection", {0.4, 0.7, -0.6}, "Where the light comes from.");
-    File environment = file("environment", "A panorama (EXR, HDR, PNG) in place of the sky.");
+    File environment = file("environment", "A panorama (EXR, HDR, PNG) in place of the sky.", endings("hdr exr png"));
 
     Group tracing = group("Tracing");
     Count stepLimit =

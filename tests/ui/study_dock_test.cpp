@@ -45,7 +45,7 @@ public:
     [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues& v) const override { return museum.bestView(i, v); }
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3&, const glm::dvec3& to) const override { return to; }
     [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override { return std::nullopt; }
-    [[nodiscard]] std::optional<std::size_t> pick(const Look&, glm::dvec2, double) const override { return std::nullopt; }
+    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2) const override { return std::nullopt; }
     [[nodiscard]] std::vector<int> emptyPlaces() const override { return {}; }
     [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const override { return INFINITY; }
     void open() override {}
