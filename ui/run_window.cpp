@@ -1,13 +1,13 @@
 #include "ui/run_window.h"
 
 #include "render/failure.h"
+#include "ui/application.h"
 #include "ui/gl_probe.h"
 #include "ui/main_window.h"
 #include "ui/museum_gallery.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
 
-#include <QApplication>
 #include <QSurfaceFormat>
 
 #include <clocale>
@@ -31,7 +31,7 @@ int runWindow(int& argc, char** argv)
     // One family of contexts, so that undocking or reparenting the viewport keeps its objects.
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QSurfaceFormat::setDefaultFormat(viewportFormat());
-    QApplication app(argc, argv);
+    Application app(argc, argv);
     std::setlocale(LC_NUMERIC, "C");  // QApplication took the user's; numbers in shaders and files have points.
     QApplication::setApplicationName(QStringLiteral("vitrine"));
     QApplication::setApplicationDisplayName(QStringLiteral("Vitrine"));
@@ -44,6 +44,7 @@ int runWindow(int& argc, char** argv)
     const Museum museum;
     MuseumGallery gallery(museum);
     MainWindow window(gallery);
+    QObject::connect(&app, &Application::caught, &window, [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
     window.show();
     return QApplication::exec();
 }
