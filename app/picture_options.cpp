@@ -212,6 +212,7 @@ PictureJob pictureJob(const Museum& museum, const PictureOptions& options)
     frame.seed = options.seed;
     frame.transparent = options.transparent;
     frame.runEverything = options.everything;
+    frame.needsFiles = true;  // What was named and is not in the picture would be a lie.
     frame.exhibitTransform = exhibitTransform(options);
     if (options.alone) frame.alone = *subject;
     else if (!isHall) frame.subject = *subject;

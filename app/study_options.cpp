@@ -100,6 +100,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     request.runs = options.runs;
     request.metric = metricOption("--metric", options.metric);
     request.pixelsPerDegree = options.pixelsPerDegree;
+    request.needsFiles = true;
     request.alone = options.alone && job.subject != 0;
     request.modelError = !options.noModelError;
     request.settings = options.settings;

@@ -115,7 +115,11 @@ void MainWindow::connectParts()
     connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report, const QSize& pixels) {
         status_->note(report, pixels);
         ledger_->note(report);
-        for (const std::string& line : complaints_.begun(report.skipped)) log_->add(text(line));
+        for (const render::Skipped& complaint : complaints_.begun(report.skipped)) {
+            const QString line = text(lineOf(complaint));
+            if (complaint.unreadable.empty()) log_->add(line);
+            else say(MessageStrip::Mood::problem, line);  // The log hears what the strip says.
+        }
         keepThumbnail();
     });
     connect(viewport_, &Viewport::contextClosing, study_, &StudyDock::stop);
