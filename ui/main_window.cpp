@@ -79,6 +79,7 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     keeper_ = new SessionKeeper(*this);
     if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
     connect(&history_, &History::changed, keeper_, &SessionKeeper::noteChange);
+    keeper_->watchLayout();
     viewport_->setFocus();
 }
 
@@ -148,6 +149,7 @@ void MainWindow::choose(std::size_t exhibit)
     showValues();
     study_->setSubject(exhibit);
     shelf_->refresh();
+    if (keeper_) keeper_->noteLayout();
 }
 
 void MainWindow::visit(std::size_t exhibit)

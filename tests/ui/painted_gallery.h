@@ -8,6 +8,7 @@
 #include <QOpenGLFunctions>
 
 #include <cmath>
+#include <exception>
 
 namespace vitrine::test {
 
@@ -69,6 +70,7 @@ public:
     void close() override { ++closed; }
     render::FrameReport draw(const Look& look, const FrameRequest& request) override
     {
+        if (thrown) std::rethrow_exception(thrown);
         red_ = static_cast<float>(look.values[1][table(1).roughness]);
         requests.push_back(request);
         render::FrameReport report;
@@ -97,6 +99,7 @@ public:
     int opened = 0, closed = 0;
     std::vector<FrameRequest> requests;
     std::vector<render::gl::ShaderProblem> shaderProblems;
+    std::exception_ptr thrown;  ///< By every frame that is drawn from now on; null: nothing.
     std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.
 
 private:
