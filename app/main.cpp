@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 namespace {
 
@@ -55,6 +56,9 @@ int main(int argc, char** argv)
     } catch (const vitrine::Failure& failure) {
         std::fprintf(stderr, "vitrine: %s\n", failure.what());
         return failure.exitCode();
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "vitrine: There was not enough memory for this; ask for a smaller size, or fewer samples or views.\n");
+        return static_cast<int>(vitrine::Blame::usage);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "vitrine: %s\n", error.what());
         return static_cast<int>(vitrine::Blame::file);

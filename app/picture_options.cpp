@@ -83,7 +83,8 @@ std::string whatItTakes(const ParameterInfo& row)
     if (row.kind == Kind::toggle) return "on or off";
     if (row.kind == Kind::color) return "#rrggbb or r,g,b";
     if (row.kind == Kind::direction) return "x,y,z";
-    return "a number from " + render::shortestNumber(row.range.low) + " to " + render::shortestNumber(row.range.high) + ' ' + std::string(info(row.unit).storedSymbol);
+    const std::string unit(info(row.unit).storedSymbol);
+    return "a number from " + render::shortestNumber(row.range.low) + " to " + render::shortestNumber(row.range.high) + (unit.empty() ? "" : ' ' + unit);
 }
 
 render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
@@ -117,7 +118,7 @@ glm::ivec2 parseSize(const std::string& option, const std::string& text)
         const auto number = render::parseNumber(parts[static_cast<std::size_t>(i)]);
         if (number && *number >= 1 && *number <= 1e6 && *number == std::floor(*number)) size[i] = static_cast<int>(*number);
     }
-    if (size.x < 1 || size.y < 1) throw Failure(Blame::usage, option + " \"" + text + "\": give width x height in pixels, each at least 1, such as " + option + " 640x360.");
+    if (size.x < 1 || size.y < 1) throw Failure(Blame::usage, option + " \"" + text + "\": give width x height in whole pixels, each from 1 to 1000000, such as " + option + " 640x360.");
     return size;
 }
 
@@ -168,7 +169,7 @@ void applySet(const Museum& museum, Look& look, std::size_t subject, const std::
     const std::optional<Value> value = typedValue(info, text);
     if (!value || !nearestLegal(info, *value)) throw Failure(Blame::usage, "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info) + '.');
     if (!values.setRow(*row, *value) && info.kind != Kind::direction)
-        notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(*row)) + ", the nearest legal value (" + whatItTakes(info) + ").");
+        notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(*row)) + ", the nearest that is allowed (" + whatItTakes(info) + ").");
 }
 
 PictureJob pictureJob(const Museum& museum, const PictureOptions& options)
@@ -212,6 +213,7 @@ PictureJob pictureJob(const Museum& museum, const PictureOptions& options)
     frame.transparent = options.transparent;
     if (options.transparent && !options.alone && !isHall) frame.cutOut = *subject;
     frame.runEverything = options.everything;
+    frame.needsFiles = true;  // What was named and is not in the picture would be a lie.
     frame.exhibitTransform = exhibitTransform(options);
     if (options.alone) frame.alone = *subject;
     else if (!isHall) frame.subject = *subject;

@@ -44,7 +44,7 @@ int renderPicture(const RenderOptions& options)
     render::gl::Renderer renderer;
     PictureMaker maker(museum, renderer, job.look, job.request);
     while (maker.step()) {}
-    for (const std::string& line : render::Complaints().begun(maker.report().skipped)) std::fprintf(stderr, "vitrine: %s\n", line.c_str());
+    for (const render::Skipped& complaint : render::Complaints().begun(maker.report().skipped)) std::fprintf(stderr, "vitrine: %s\n", lineOf(complaint).c_str());
     render::writePicture(options.picture.out, maker.picture(), format, {.preset = presetOf(museum, job)});
     if (!options.report.empty()) writeReport(options.report, museum, renderer, context.info(), job, maker);
     return 0;

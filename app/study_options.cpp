@@ -100,6 +100,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     request.runs = options.runs;
     request.metric = metricOption("--metric", options.metric);
     request.pixelsPerDegree = options.pixelsPerDegree;
+    request.needsFiles = true;
     request.alone = options.alone && job.subject != 0;
     request.modelError = !options.noModelError;
     request.settings = options.settings;
@@ -116,7 +117,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
         setValues(museum, request.axes.front(), options.values);
     }
     if (request.axes.empty()) request.axes = qualityAxes(museum.exhibits(), job.subject, options.points);
-    if (request.axes.empty()) throw Failure(Blame::usage, options.subject + " has no parameter of which accuracy depends.");
+    if (request.axes.empty()) throw Failure(Blame::usage, options.subject + " has no parameter on which accuracy depends; name one of the hall, such as hall.supersamples.");
     return request;
 }
 

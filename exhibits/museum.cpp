@@ -5,6 +5,7 @@
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/walk.h"
+#include "render/failure.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -241,6 +242,8 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     if (request.channels.normal) outputs.emplace_back(normalImage);
     if (request.channels.evaluations) outputs.emplace_back(evaluationsImage);
     plan.prune(outputs, kept);
+    for (const render::Skipped& skipped : plan.skipped())
+        if (request.needsFiles && !skipped.unreadable.empty()) throw Failure(Blame::file, skipped.unreadable);
     return plan;
 }
 

@@ -83,6 +83,7 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     keeper_ = new SessionKeeper(*this);
     if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
     connect(&history_, &History::changed, keeper_, &SessionKeeper::noteChange);
+    keeper_->watchLayout();
     viewport_->setFocus();
 }
 
@@ -124,7 +125,11 @@ void MainWindow::connectParts()
     connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report, const QSize& pixels) {
         status_->note(report, pixels, QString::fromStdString(viewport_->schedule().reason()));
         ledger_->note(report);
-        for (const std::string& line : complaints_.begun(report.skipped)) log_->add(text(line));
+        for (const render::Skipped& complaint : complaints_.begun(report.skipped)) {
+            const QString line = text(lineOf(complaint));
+            if (complaint.unreadable.empty()) log_->add(line);
+            else say(MessageStrip::Mood::problem, line);  // The log hears what the strip says.
+        }
         keepThumbnail();
     });
     connect(viewport_, &Viewport::contextClosing, study_, &StudyDock::stop);
@@ -156,6 +161,7 @@ void MainWindow::choose(std::size_t exhibit)
     showValues();
     study_->setSubject(exhibit);
     shelf_->refresh();
+    if (keeper_) keeper_->noteLayout();
 }
 
 void MainWindow::visit(std::size_t exhibit)

@@ -7,7 +7,9 @@
 
 #include <QMainWindow>
 #include <QPixmap>
+#include <QPointer>
 
+class QMessageBox;
 class QTabBar;
 
 namespace vitrine::ui {
@@ -46,6 +48,8 @@ public:
     /// What it reads: "*.json", "*.glb", ...
     [[nodiscard]] static QStringList openable();
 
+    /// Nothing but the picture is shown.
+    [[nodiscard]] bool bare() const { return bare_; }
     [[nodiscard]] std::size_t chosen() const { return chosen_; }
     [[nodiscard]] Gallery& gallery() const { return gallery_; }
     [[nodiscard]] History& history() { return history_; }
@@ -104,6 +108,9 @@ private:
     render::Complaints complaints_;  // What the log has been told of.
     std::unique_ptr<WindowActions> actions_;
     QList<QDockWidget*> docks_, hiddenDocks_;
+    bool bare_ = false;          // Panels, menu and status line are hidden.
+    bool closeAnyway_ = false;   // The visitor gave up what is being written.
+    QPointer<QMessageBox> closing_;
     std::size_t chosen_ = 0;
 };
 

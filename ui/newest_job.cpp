@@ -1,5 +1,7 @@
 #include "ui/newest_job.h"
 
+#include "ui/application.h"
+
 #include <exception>
 #include <utility>
 
@@ -36,7 +38,7 @@ void NewestJob::start(std::function<Outcome()> work)
         try {
             outcome = work();
         } catch (const std::exception& failure) {
-            why = QString::fromUtf8(failure.what());
+            why = messageOf(failure);
         }
         QMetaObject::invokeMethod(this, [this, turn, outcome, why] { take(turn, outcome, why); }, Qt::QueuedConnection);
     });

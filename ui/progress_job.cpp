@@ -1,5 +1,7 @@
 #include "ui/progress_job.h"
 
+#include "ui/application.h"
+
 #include <cmath>
 #include <exception>
 #include <utility>
@@ -72,7 +74,7 @@ void ProgressJob::run(Work work)
         } catch (const PrintStopped&) {
             stopped = true;
         } catch (const std::exception& failure) {
-            why = QString::fromUtf8(failure.what());
+            why = messageOf(failure);
         }
         QMetaObject::invokeMethod(this, [this, turn, outcome, why, stopped] { end(turn, outcome, why, stopped); }, Qt::QueuedConnection);
     });

@@ -1,6 +1,7 @@
 #include "ui/run_window.h"
 
 #include "render/failure.h"
+#include "ui/application.h"
 #include "ui/first_picture.h"
 #include "ui/gl_probe.h"
 #include "ui/main_window.h"
@@ -8,7 +9,6 @@
 #include "ui/theme_choice.h"
 #include "ui/viewport.h"
 
-#include <QApplication>
 #include <QSurfaceFormat>
 
 #include <clocale>
@@ -32,7 +32,7 @@ int runWindow(int& argc, char** argv)
     // One family of contexts, so that undocking or reparenting the viewport keeps its objects.
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QSurfaceFormat::setDefaultFormat(viewportFormat());
-    QApplication app(argc, argv);
+    Application app(argc, argv);
     std::setlocale(LC_NUMERIC, "C");  // QApplication took the user's; numbers in shaders and files have points.
     QApplication::setApplicationName(QStringLiteral("vitrine"));
     QApplication::setApplicationDisplayName(QStringLiteral("Vitrine"));
@@ -45,6 +45,7 @@ int runWindow(int& argc, char** argv)
     const Museum museum;
     MuseumGallery gallery(museum);
     MainWindow window(gallery);
+    QObject::connect(&app, &Application::caught, &window, [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
     reportFirstPicture(window);
     window.show();
     return QApplication::exec();

@@ -9,6 +9,8 @@
 #include "ui/parameter_panel.h"
 #include "ui/viewport.h"
 
+#include <QDockWidget>
+#include <QEvent>
 #include <QSettings>
 
 namespace vitrine::ui {
@@ -16,6 +18,8 @@ namespace {
 
 constexpr int quietTime = 2000;  // Milliseconds.
 constexpr int longestWait = 10000;
+constexpr int settledAfter = 60000;
+constexpr int mostTimesRestored = 3;
 constexpr int layoutVersion = 1;
 
 QString settingsPath(const std::filesystem::path& folder)
@@ -30,22 +34,57 @@ SessionKeeper::SessionKeeper(MainWindow& window)
 {
     quiet_.setSingleShot(true);
     quiet_.setInterval(quietTime);
-    connect(&quiet_, &QTimer::timeout, this, &SessionKeeper::writeJournal);
+    connect(&quiet_, &QTimer::timeout, this, &SessionKeeper::write);
+    settled_.setSingleShot(true);
+    settled_.setInterval(settledAfter);
+    connect(&settled_, &QTimer::timeout, this, [this] { setTimesRestored(0); });
 }
 
 void SessionKeeper::noteChange()
 {
+    changed_ = true;
+    noteLayout();
+}
+
+void SessionKeeper::noteLayout()
+{
+    if (closed_) return;
     // Restarts the quiet time, unless that would put it off for too long.
     if (!quiet_.isActive()) sinceWritten_.start();
     if (!quiet_.isActive() || sinceWritten_.elapsed() < longestWait - quietTime) quiet_.start();
 }
 
-void SessionKeeper::writeJournal()
+void SessionKeeper::watchLayout()
+{
+    window_.installEventFilter(this);
+    for (const QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
+        connect(dock, &QDockWidget::visibilityChanged, this, &SessionKeeper::noteLayout);
+        connect(dock, &QDockWidget::dockLocationChanged, this, &SessionKeeper::noteLayout);
+        connect(dock, &QDockWidget::topLevelChanged, this, &SessionKeeper::noteLayout);
+    }
+}
+
+bool SessionKeeper::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize || event->type() == QEvent::Move || event->type() == QEvent::WindowStateChange) noteLayout();
+    return QObject::eventFilter(watched, event);
+}
+
+void SessionKeeper::write()
+{
+    if (!writeJournal()) return;
+    saveLayout();
+    if (changed_) setTimesRestored(0);
+}
+
+bool SessionKeeper::writeJournal()
 {
     try {
         journal_.write(textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Journal"));
+        return true;
     } catch (const std::exception& failure) {
         window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        return false;
     }
 }
 
@@ -63,17 +102,32 @@ bool SessionKeeper::restoreLook(const std::string& text, const std::string& file
     }
 }
 
+bool SessionKeeper::restoreCrash()
+{
+    for (const AbandonedSession& session : journal_.abandoned()) {
+        const int before = timesRestored();
+        const bool again = before < mostTimesRestored;
+        if (again && restoreLook(session.text, session.path.string())) {
+            setTimesRestored(before + 1);
+            settled_.start();
+            if (writeJournal()) journal_.discard(session);  // Before that, it is all there is.
+            window_.say(MessageStrip::Mood::notice, tr("Vitrine crashed or was stopped; your last state was restored."));
+            return true;
+        }
+        const QString kept = QString::fromStdString(journal_.putAside(session).string());
+        if (again) continue;
+        setTimesRestored(0);
+        window_.say(MessageStrip::Mood::problem,
+                    tr("Your last state was restored %1 times, and each time Vitrine crashed or was stopped soon after. It is not restored again; "
+                       "File > Open brings it back from %2.").arg(mostTimesRestored).arg(kept));
+    }
+    return false;
+}
+
 bool SessionKeeper::restore()
 {
     restoreLayout();
-    const std::vector<AbandonedSession> abandoned = journal_.abandoned();
-    for (const AbandonedSession& session : abandoned) {
-        const bool back = restoreLook(session.text, session.path.string());
-        journal_.discard(session);
-        if (!back) continue;
-        window_.say(MessageStrip::Mood::notice, tr("The last session did not end by itself; what was on show is back."));
-        return true;
-    }
+    if (restoreCrash()) return true;
     const std::filesystem::path file = folder_ / "session.json";
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) return false;
@@ -87,11 +141,14 @@ bool SessionKeeper::restore()
 
 void SessionKeeper::close()
 {
+    closed_ = true;
     quiet_.stop();
+    settled_.stop();
     try {
         std::filesystem::create_directories(folder_);
         render::atomicWrite(folder_ / "session.json", textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Last session"));
         saveLayout();
+        setTimesRestored(0);
         journal_.cleanExit();
     } catch (const std::exception& failure) {
         // The window is closing: the journal stays and brings everything back.
@@ -104,7 +161,7 @@ void SessionKeeper::saveLayout() const
 {
     QSettings settings(settingsPath(folder_), QSettings::IniFormat);
     settings.setValue(QStringLiteral("geometry"), window_.saveGeometry());
-    settings.setValue(QStringLiteral("docks"), window_.saveState(layoutVersion));
+    if (!window_.bare()) settings.setValue(QStringLiteral("docks"), window_.saveState(layoutVersion));
     settings.setValue(QStringLiteral("folded"), window_.panel().foldedGroups());
     settings.setValue(QStringLiteral("chosen"),
                       QString::fromUtf8(window_.gallery().exhibits()[window_.chosen()]->name().data(),
@@ -120,6 +177,16 @@ void SessionKeeper::restoreLayout()
     const std::string chosen = settings.value(QStringLiteral("chosen")).toString().toStdString();
     for (std::size_t i = 0; i < window_.gallery().exhibits().size(); ++i)
         if (window_.gallery().exhibits()[i]->name() == chosen) window_.choose(i);
+}
+
+int SessionKeeper::timesRestored() const
+{
+    return QSettings(settingsPath(folder_), QSettings::IniFormat).value(QStringLiteral("timesRestored")).toInt();
+}
+
+void SessionKeeper::setTimesRestored(int times) const
+{
+    QSettings(settingsPath(folder_), QSettings::IniFormat).setValue(QStringLiteral("timesRestored"), times);
 }
 
 }  // namespace vitrine::ui

@@ -13,7 +13,10 @@ namespace vitrine::ui {
 class MainWindow;
 
 /// Brings back the last session, also after a crash: values and camera as an exhibition, the window's
-/// layout, folded groups. Writes the journal after two quiet seconds, at most every ten.
+/// layout, folded groups, the chosen exhibit. Writes journal and layout after two quiet seconds, at most every ten.
+///
+/// The journal of a crash is kept until this session has written its own. One that was brought back three times
+/// without anything being changed or a minute going by is put aside: it may be what crashes.
 class SessionKeeper final : public QObject {
     Q_OBJECT
 
@@ -24,19 +27,34 @@ public:
     bool restore();
     /// The window closes as it should.
     void close();
-    /// Something worth keeping changed.
+    /// The look changed.
     void noteChange();
+    /// What stands where changed.
+    void noteLayout();
+    /// From now on the window's own changes count: not those of its making.
+    void watchLayout();
+    /// The bare picture is no layout: docks are left as they were saved before.
+    void saveLayout() const;
+
+protected:
+    bool eventFilter(QObject*, QEvent*) override;
 
 private:
-    void writeJournal();
+    void write();
+    bool writeJournal();
+    bool restoreCrash();
     bool restoreLook(const std::string& text, const std::string& fileName);
     void restoreLayout();
-    void saveLayout() const;
+    [[nodiscard]] int timesRestored() const;
+    void setTimesRestored(int) const;
 
     MainWindow& window_;
     std::filesystem::path folder_;
     RecoveryJournal journal_;
     QTimer quiet_;
+    QTimer settled_;         // Runs out when a restored session did not crash again.
+    bool changed_ = false;   // The look, since the start.
+    bool closed_ = false;
     QElapsedTimer sinceWritten_;
 };
 

@@ -1,6 +1,7 @@
 #include "ui/shown_views.h"
 
 #include "render/failure.h"
+#include "ui/application.h"
 #include "ui/main_window.h"
 #include "ui/preset_shelf.h"
 #include "ui/viewport.h"
@@ -39,7 +40,7 @@ void ShownViews::start(const PrintDesk& desk, const ParameterValues& values, boo
     try {
         pictures_ = desk.shots(values, look, frame, draft);
     } catch (const std::exception& failure) {
-        fail(QString::fromUtf8(failure.what()));
+        fail(messageOf(failure));
         return;
     }
     PrintShot quick{look, pictures_.front().request};
@@ -76,7 +77,7 @@ void ShownViews::begin(std::size_t picture)
     const PrintShot& shot = pictures_[picture];
     if (job_.renderer) window_.gallery().nextPicture(job_, shot.look, shot.request);
     else job_ = window_.gallery().makePicture(shot.look, shot.request);
-    if (!job_.maker) throw Failure(Blame::openGl, "No views can be rendered: there is no renderer.");
+    if (!job_.maker) throw Failure(Blame::openGl, "No views can be rendered before the first picture is on the screen; try again then.");
 }
 
 void ShownViews::take()
@@ -96,7 +97,7 @@ void ShownViews::step()
             if (job_.maker->finished()) take();
         });
     } catch (const std::exception& failure) {
-        fail(QString::fromUtf8(failure.what()));
+        fail(messageOf(failure));
         return;
     }
     if (next_ == pictures_.size()) {

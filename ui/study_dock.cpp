@@ -223,7 +223,7 @@ void StudyDock::start(StudyRequest request)
     running_ = request;
     try {
         const bool drawn = withContext_([&] { job_ = gallery_.makeStudy(request); });
-        if (!drawn || !job_.study) throw Failure(Blame::openGl, "Nothing can be measured: there is no renderer.");
+        if (!drawn || !job_.study) throw Failure(Blame::openGl, "Nothing can be measured before the first picture is on the screen; try again then.");
     } catch (const std::exception& failure) {
         stop();
         words_->setText(QString::fromUtf8(failure.what()));

@@ -1,6 +1,8 @@
 #include "ui/viewport.h"
 
+#include "exhibits/framework/named_files.h"
 #include "render/failure.h"
+#include "ui/application.h"
 #include "ui/overlay.h"
 
 #include <QOpenGLContext>
@@ -14,6 +16,7 @@ namespace {
 
 constexpr double buttonTime = 0.25;  // Seconds in which a pressed button is still moving, with some to spare.
 constexpr double longestTick = 0.5;
+constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
 constexpr double firstTick = 1.0 / 60;  // After a rest no time has passed for those who walk.
 constexpr int hoverDelay = 30;          // Milliseconds after which a resting pointer is told what is under it.
 constexpr std::size_t mostFormer = 100;
@@ -48,12 +51,17 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return gallery_.walk(from, to); });
     control_.jumpTo(history.look().camera);
     schedule_.setSamples(pictureQuality(history.look().values.front()).supersamples);
+    watchFiles();
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &Viewport::tick);
     hoverTimer_.setSingleShot(true);
     hoverTimer_.setInterval(hoverDelay);
     connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::hover);
+    fileWatch_.setInterval(lookAtFilesEvery);
+    connect(&fileWatch_, &QTimer::timeout, this, [this] {
+        if (stateOfFiles(history_.look()) != filesDrawn_) lookChanged();
+    });
     connect(&history, &History::changed, this, &Viewport::valuesChanged);
     connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.look().camera); });
 #ifndef NDEBUG
@@ -82,8 +90,8 @@ void Viewport::initializeGL()
     try {
         gallery_.open();
         opened_ = true;
-    } catch (const Failure& failure) {
-        emit failed(QString::fromUtf8(failure.what()));
+    } catch (const std::exception& thrown) {
+        emit failed(messageOf(thrown));
     }
     drewOnce_ = false;
     schedule_.changed(now());
@@ -123,12 +131,17 @@ FrameRequest Viewport::request() const
 void Viewport::paintGL()
 {
     if (!opened_ || width() <= 0 || height() <= 0) return;
-    if (const std::optional<DrawOrder> order = schedule_.next(now())) draw(*order);
-    if (drewOnce_) {
-        const double ratio = devicePixelRatioF();
-        gallery_.present(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
+    // Qt is in the middle of painting the window: nothing may be thrown through it.
+    try {
+        if (const std::optional<DrawOrder> order = schedule_.next(now())) draw(*order);
+        if (drewOnce_) {
+            const double ratio = devicePixelRatioF();
+            gallery_.present(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
+        }
+        scheduleNext();
+    } catch (const std::exception& thrown) {
+        fail(thrown);
     }
-    scheduleNext();
 }
 
 void Viewport::draw(const DrawOrder& order)
@@ -146,14 +159,27 @@ void Viewport::draw(const DrawOrder& order)
         lastFailure_.clear();
         schedule_.drawn(order, now() - start);
         emit drawn(report, QSize(wanted.raster.size.x, wanted.raster.size.y));
-    } catch (const Failure& failure) {
+    } catch (const std::exception& thrown) {
         // The last good picture stays; nothing is tried again until something changes.
         schedule_.drawn({1, schedule_.samples() - 1, schedule_.samples()}, 0);
-        const QString message = QString::fromUtf8(failure.what());
-        if (message != lastFailure_) emit failed(message);
-        lastFailure_ = message;
+        fail(thrown);
     }
     showProblems();
+}
+
+void Viewport::fail(const std::exception& thrown)
+{
+    const QString message = messageOf(thrown);
+    if (message != lastFailure_) emit failed(message);
+    lastFailure_ = message;
+}
+
+void Viewport::watchFiles()
+{
+    const bool named = namesFiles(history_.look());
+    filesDrawn_ = named ? stateOfFiles(history_.look()) : 0;
+    if (named && !fileWatch_.isActive()) fileWatch_.start();
+    if (!named) fileWatch_.stop();
 }
 
 void Viewport::resizeGL(int, int)
@@ -215,6 +241,7 @@ void Viewport::lookChanged()
 {
     schedule_.setSamples(pictureQuality(history_.look().values.front()).supersamples);
     schedule_.changed(now());
+    watchFiles();
     if (!timer_.isActive()) timer_.start(0);
 }
 

@@ -98,6 +98,8 @@ private:
     void closeGl();
     void cameraChanged();
     void showProblems();
+    void watchFiles();
+    void fail(const std::exception&);
     [[nodiscard]] bool setKey(int key, bool down);
     void click(const QPointF&);
     void pressButton(std::size_t exhibit);
@@ -116,6 +118,8 @@ private:
     QElapsedTimer steady_;
     QTimer timer_;
     QTimer shaderPoll_;
+    QTimer fileWatch_;
+    std::uint64_t filesDrawn_ = 0;  // Their state, as far as the picture knows.
     double lastTick_ = 0;
     double time_ = 0;         // The exhibits' clock, seconds.
     bool clockRuns_ = false;  // Time passed since the last tick, for someone.

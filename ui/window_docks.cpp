@@ -10,6 +10,7 @@
 #include "ui/parameter_panel.h"
 #include "ui/preset_list.h"
 #include "ui/preset_shelf.h"
+#include "ui/session_keeper.h"
 #include "ui/status_line.h"
 #include "ui/study_dock.h"
 #include "ui/viewport.h"
@@ -107,14 +108,17 @@ void MainWindow::buildDocks()
 
 void MainWindow::hidePanels(bool hidden)
 {
-    if (hidden == !hiddenDocks_.isEmpty()) return;
+    if (hidden == bare_) return;
     if (hidden) {
+        if (keeper_) keeper_->saveLayout();  // What comes back next time is what was there before.
+        bare_ = true;
         for (QDockWidget* dock : docks_)
             if (dock->isVisible()) hiddenDocks_ << dock;
         for (QDockWidget* dock : hiddenDocks_) dock->hide();
     } else {
         for (QDockWidget* dock : hiddenDocks_) dock->show();
         hiddenDocks_.clear();
+        bare_ = false;
     }
     menuBar()->setVisible(!hidden);
     status_->setVisible(!hidden);

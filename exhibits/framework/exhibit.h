@@ -109,4 +109,11 @@ public:
     [[nodiscard]] virtual double turnOfHangings(const ParameterValues&, double time) const { (void)time; return 0; }
 };
 
+/// "Ring model of Fur with Physics: Cannot read bear.glb: there is no such file.": which parameter of which exhibit
+/// names a file that cannot be read, and why.
+[[nodiscard]] inline std::string unreadableFile(const ParameterInfo& row, std::string_view exhibitTitle, const std::string& why)
+{
+    return label(row) + " of " + std::string(exhibitTitle) + ": " + why + (why.ends_with('.') ? "" : ".");
+}
+
 }  // namespace vitrine

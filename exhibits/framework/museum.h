@@ -39,6 +39,7 @@ struct FrameRequest {
     glm::dmat4 exhibitTransform{1};    ///< For `alone` or `subject`: scale and rotation about its own origin.
     std::optional<std::size_t> subject;
     bool runEverything = false;
+    bool needsFiles = false;  ///< A file that the look names and that cannot be read is a Failure, not a complaint of the plan.
     /// Seconds since each exhibit's button was pressed, in the order of Museum::exhibits(); may be shorter.
     std::vector<double> sincePressed;
 };
@@ -92,7 +93,8 @@ public:
     [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues&) const;
 
     /// Plans and prunes one picture. Its outputs are the images "frame" (rgba16f, display-referred linear
-    /// light, alpha not premultiplied) and, as asked, "radiance", "depth", "normal", "evaluations".
+    /// light, alpha not premultiplied) and, as asked, "radiance", "depth", "normal", "evaluations". Files that the
+    /// look names and that cannot be read are left out, with a complaint; where the request needs them, throws Failure.
     [[nodiscard]] render::FramePlan plan(const Look&, const FrameRequest&, const render::KeptKeys& = {}) const;
 
     /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: walls and furniture stop

@@ -2,12 +2,33 @@
 
 #include "render/failure.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
+#include <sstream>
 
 namespace vitrine {
 namespace {
+
+/// Throws Failure when a picture would not fit into half of the machine's memory: writing it takes as much again.
+void requireMemory(const glm::ivec2& size, std::size_t channels)
+{
+    const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    const double perPixel = static_cast<double>(channels * sizeof(float));
+    const double wanted = static_cast<double>(size.x) * size.y * perPixel;
+    if (wanted <= machine / 2) return;
+    // With the same shape.
+    const double shrink = std::sqrt(machine / 2 / wanted);
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(3);
+    text << "A picture of " << size.x << " × " << size.y << " pixels takes " << 2 * wanted / 1e9 << " GB of memory while it is made and written, and this machine has "
+         << machine / 1e9 << " GB; ask for no more than " << std::max(1, static_cast<int>(size.x * shrink)) << " × " << std::max(1, static_cast<int>(size.y * shrink)) << '.';
+    throw Failure(Blame::usage, text.str());
+}
 
 constexpr int apron = 8;  ///< Pixels: two cells of the coarsest image that is brought up to the picture's size.
 
@@ -18,6 +39,11 @@ PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, Look 
 {
     const glm::ivec2 size = request_.frame.raster.size;
     if (size.x < 1 || size.y < 1) throw Failure(Blame::usage, "A picture needs at least 1 × 1 pixels; " + std::to_string(size.x) + " × " + std::to_string(size.y) + " were asked for.");
+    std::vector<std::string> names{"R", "G", "B", "A"};
+    if (request_.depth) names.emplace_back("depth.Z");
+    if (request_.frame.channels.normal) names.insert(names.end(), {"normal.X", "normal.Y", "normal.Z"});
+    if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
+    requireMemory(size, names.size());
     request_.samples = std::max(request_.samples, 1);
     int side = std::max(std::min(request_.largestTile, painter_.largestSide()), 1);
     // A tile is drawn with the pixels around it, for effects that look at a pixel's neighbors.
@@ -33,11 +59,6 @@ PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, Look 
             tiles_.push_back({offset, tile, low, glm::min(offset + tile + apron, size) - low});
         }
     }
-
-    std::vector<std::string> names{"R", "G", "B", "A"};
-    if (request_.depth) names.emplace_back("depth.Z");
-    if (request_.frame.channels.normal) names.insert(names.end(), {"normal.X", "normal.Y", "normal.Z"});
-    if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
     picture_ = render::Image(size.x, size.y, static_cast<int>(names.size()));
     picture_.channelNames = std::move(names);
 }

@@ -20,7 +20,8 @@ struct PictureRequest {
 /// Makes a picture step by step, so that a window can show progress and cancel between steps.
 class PictureMaker {
 public:
-    /// Look and request are copied; museum and painter must outlive it.
+    /// Look and request are copied; museum and painter must outlive it. Throws Failure (Blame::usage) for a size without
+    /// pixels, or whose pixels do not fit into half of the machine's memory.
     PictureMaker(const Museum&, render::Painter&, Look, PictureRequest);
 
     /// Draws one sample of one tile. Returns false when the picture was already finished.

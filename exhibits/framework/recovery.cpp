@@ -13,26 +13,32 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <sstream>
 
 namespace vitrine {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// When a process started, in clock ticks since boot (field 22 of /proc/<pid>/stat); nothing when there is
-/// no such process.
+/// When a process started, in clock ticks since boot (field 22 of /proc/<pid>/stat); nothing when there is no such
+/// process, or none that will do anything more: one that was killed stays listed until its memory is given back (the
+/// flag PF_EXITING of field 9) and its parent has asked for it (state Z or X, field 3).
 std::optional<std::string> startOf(pid_t pid)
 {
     std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     const std::size_t nameEnd = text.rfind(')');  // The name may hold blanks and parentheses.
     if (nameEnd == std::string::npos) return std::nullopt;
-    std::size_t at = nameEnd + 1;
-    for (int field = 3; field < 22; ++field) {
-        at = text.find(' ', at + 1);
-        if (at == std::string::npos) return std::nullopt;
-    }
-    return text.substr(at + 1, text.find(' ', at + 1) - at - 1);
+    std::istringstream rest(text.substr(nameEnd + 1));
+    std::string state, field, start;
+    unsigned long flags = 0;
+    rest >> state;
+    for (int i = 4; i < 9; ++i) rest >> field;
+    rest >> flags;
+    for (int i = 10; i < 22; ++i) rest >> field;
+    constexpr unsigned long exiting = 0x4;
+    if (!(rest >> start) || state == "Z" || state == "X" || (flags & exiting) != 0) return std::nullopt;
+    return start;
 }
 
 struct Owner {
@@ -96,6 +102,14 @@ void RecoveryJournal::discard(const AbandonedSession& session) const noexcept
 {
     std::error_code error;
     fs::remove(session.path, error);
+}
+
+fs::path RecoveryJournal::putAside(const AbandonedSession& session) const
+{
+    const fs::path aside = folder_ / ("aside-" + session.path.filename().string());
+    std::error_code error;
+    fs::rename(session.path, aside, error);
+    return error ? session.path : aside;
 }
 
 }  // namespace vitrine

@@ -32,10 +32,13 @@ public:
     /// Removes the journal of this session: it ended as it should.
     void cleanExit() const noexcept;
 
-    /// The journals of processes that are no longer there, the newest first. Unreadable ones are left out.
+    /// The journals of processes that are no longer there or are on their way out, the newest first. Unreadable ones
+    /// are left out.
     [[nodiscard]] std::vector<AbandonedSession> abandoned() const;
     /// Removes one after the user took it or declined it.
     void discard(const AbandonedSession&) const noexcept;
+    /// Keeps one under another name, so that it is not offered again. Returns where it is now.
+    std::filesystem::path putAside(const AbandonedSession&) const;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 

@@ -143,6 +143,7 @@ PictureRequest Study::pictureRequest(const Look& look, std::size_t view) const
     request.frame.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(request_.size) * quality.resolutionScale)), glm::ivec2(1));
     request.frame.camera = look.camera;
     request.frame.time = views_[view].view.time;
+    request.frame.needsFiles = request_.needsFiles;
     if (request_.alone) request.frame.alone = request_.subject;
     else if (request_.subject != 0) request.frame.subject = request_.subject;
     request.frame.channels = {.normal = true, .evaluations = true};

@@ -28,6 +28,7 @@ struct StudyRequest {
     render::Metric metric = render::Metric::rmse;  ///< What fronts and choices go by; never psnr, which is rmse in decibels.
     double pixelsPerDegree = 67;    ///< For FLIP.
     bool alone = false;             ///< Without the hall, in the environment's light. The hall itself is never without.
+    bool needsFiles = false;        ///< As FrameRequest's.
     bool modelError = true;         ///< Measure against everything at its best, too.
     int largestTile = 2048;         ///< Side in pixels: smaller ones make shorter steps.
     int settings = 60;              ///< At most, of a search over three axes or more.

@@ -3,8 +3,10 @@
 #include "exhibits/fur/bounce.h"
 #include "exhibits/fur/coat_mesh.h"
 #include "exhibits/fur/fur_passes.h"
+#include "render/files/asset_store.h"
 #include "render/files/assets.h"
 #include "render/scene/gltf.h"
+#include "render/scene/held_bytes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -52,12 +54,26 @@ bool clockIsRight(double time, double sinceOwnPress)
 }  // namespace
 
 struct Fur::Wardrobe {
+    /// What a visitor's model becomes.
+    struct RingModel {
+        std::shared_ptr<const render::Mesh> skin;
+        double radius = 0;               ///< Metres, of the ball that stands for it.
+        std::vector<std::string> notes;  ///< What of it was left out or mended.
+    };
+    static render::AssetStore::Made<RingModel> readRingModel(const std::string& path)
+    {
+        auto model = std::make_shared<RingModel>();
+        model->skin = modelSkin(render::loadGltf(path), path, ringRadius + ringTube, model->notes);
+        model->radius = meanRadius(*model->skin);
+        const std::uint64_t bytes = heldBytes(*model->skin);
+        return {std::move(model), bytes};
+    }
+
     std::shared_ptr<const render::Mesh> skins[furBodyCount] = {ballSkin(ballRadius, 8), rollSkin(rollRadius, rollHalfLength, 26), ringSkin(ringRadius, ringTube, 40)};
     std::shared_ptr<const render::Mesh> fins[furBodyCount];
-    std::string modelPath;
-    std::shared_ptr<const render::Mesh> model, modelFins;
-    double modelRadius = 0;  ///< Metres, of the ball that stands for it; 0: there is none.
-    std::vector<std::string> notes;  ///< What of the model was left out or mended.
+    render::AssetStore assets;
+    render::Asset<RingModel> model;  ///< Of the values asked about last.
+    std::shared_ptr<const render::Mesh> modelFins;  ///< Of that model.
     std::optional<Bounce> bounce;
     std::int64_t stepsTold = 0;  ///< Steps of that jump that a plan has counted.
 };
@@ -136,13 +152,12 @@ std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
 Fur::Moment Fur::moment(const ParameterValues& values, double time, double sinceOwnPress) const
 {
     Wardrobe& w = *wardrobe_;
-    if (const std::string path = values[table_.ringModel]; path != w.modelPath) {
-        w.notes.clear();
-        w.model = path.empty() ? nullptr : modelSkin(render::loadGltf(modelFile(path)), path, ringRadius + ringTube, w.notes);
-        w.modelRadius = w.model ? meanRadius(*w.model) : 0;
-        w.modelPath = path;
-        w.modelFins = nullptr;
-    }
+    const std::string path = values[table_.ringModel];
+    render::Asset<Wardrobe::RingModel> model;
+    if (!path.empty()) model = w.assets.get<Wardrobe::RingModel>("fur.ringModel", modelFile(path), Wardrobe::readRingModel);
+    if (model.value != w.model.value) w.modelFins = nullptr;
+    w.model = std::move(model);
+    const std::shared_ptr<const render::Mesh> skin = w.model.value ? w.model.value->skin : nullptr;
     const bool right = clockIsRight(time, sinceOwnPress);
     const double now = right ? time : 0;
     double since = right && sinceOwnPress < 1e6 ? sinceOwnPress : never;
@@ -154,7 +169,7 @@ Fur::Moment Fur::moment(const ParameterValues& values, double time, double since
     const bool growing = values[table_.growing] && values[table_.growth] > 0 && values[table_.growthRate] > 0 && !values[table_.byHand];
 
     Moment m;
-    const BounceSettings settings = bounceSettings(table_, values, w.model, since == never || frozen ? now : now - since);
+    const BounceSettings settings = bounceSettings(table_, values, skin, since == never || frozen ? now : now - since);
     if (since == never) {
         m.states = restStates(settings, 0);
         m.moving = growing;
@@ -213,18 +228,21 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
     } else {
         plan.skip(motion, now.reason, render::Work::simulation);
     }
-    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, right ? context.time : 0, plan.seed, w.modelRadius}, {}, {}};
+    const std::shared_ptr<const Wardrobe::RingModel> model = w.model.value;
+    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, right ? context.time : 0, plan.seed, model ? model->radius : 0}, {}, {}};
     for (int i = 0; i < furBodyCount; ++i) {
-        const bool model = i == furRing && w.model;
-        scene.skins[i] = model ? w.model : w.skins[i];
+        const bool worn = i == furRing && model;
+        scene.skins[i] = worn ? model->skin : w.skins[i];
         if (values[table_.silhouette] != FurSilhouette::fins) continue;
-        std::shared_ptr<const render::Mesh>& fins = model ? w.modelFins : w.fins[i];
+        std::shared_ptr<const render::Mesh>& fins = worn ? w.modelFins : w.fins[i];
         const int rows = finRows(*scene.skins[i]);
         if (!fins && rows > 0) fins = finsOf(*scene.skins[i], rows);
         if (!fins) plan.complain("fur/model fins", "the model has more than 200,000 triangles, too many for fins; a march fills its silhouette as well");
         scene.fins[i] = fins;
     }
-    if (!w.notes.empty()) plan.complain("fur/model", joined(w.notes));
+    if (model && !model->notes.empty()) plan.complain("fur/model", joined(model->notes));
+    if (!w.model.failure.empty())
+        plan.complainOfFile("fur/model", unreadableFile(values.rows()[table_.ringModel.row], title(), w.model.failure), "The ring is shown in its place until it can be read.");
     planCoats(scene, plan);
 }
 

@@ -3,6 +3,7 @@
 #include "exhibits/hall/plaque_text.h"
 #include "render/image/image_io.h"
 #include "render/scene/gltf.h"
+#include "render/scene/held_bytes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -11,14 +12,6 @@
 #include <limits>
 
 namespace vitrine {
-
-/// What the user named, read once per path. Planning is const; this is only a cache.
-struct Hall::Loaded {
-    std::string environmentPath, modelPath;
-    std::shared_ptr<const render::Texture> environment;
-    double environmentBrightest = 0;
-    std::shared_ptr<const render::Model> model;
-};
 
 namespace {
 
@@ -32,9 +25,29 @@ double brightestOf(const render::Texture& picture)
     return brightest;
 }
 
+struct Panorama {
+    std::shared_ptr<const render::Texture> picture;
+    double brightest = 0;
+};
+
+render::AssetStore::Made<Panorama> readPanorama(const std::string& path)
+{
+    auto picture = render::loadTexture(path, true, true);
+    const double brightest = brightestOf(*picture);
+    const std::uint64_t bytes = heldBytes(*picture);
+    return {std::make_shared<Panorama>(std::move(picture), brightest), bytes};
+}
+
+render::AssetStore::Made<render::Model> readModel(const std::string& path)
+{
+    auto model = std::make_shared<render::Model>(render::loadGltf(path));
+    const std::uint64_t bytes = heldBytes(*model);
+    return {std::move(model), bytes};
+}
+
 }  // namespace
 
-Hall::Hall(std::shared_ptr<const HallModel> model) : model_(std::move(model)), loaded_(std::make_unique<Loaded>()) {}
+Hall::Hall(std::shared_ptr<const HallModel> model) : model_(std::move(model)), assets_(std::make_unique<render::AssetStore>()) {}
 
 Hall::~Hall() = default;
 
@@ -61,23 +74,24 @@ double Hall::nextChange(const ParameterValues&, double) const
 
 HallScene Hall::scene(const ParameterValues& values, bool alone) const
 {
-    const std::string environment = values[table_.environment];
-    if (environment != loaded_->environmentPath) {
-        loaded_->environment = environment.empty() ? nullptr : render::loadTexture(environment, true, true);
-        loaded_->environmentBrightest = loaded_->environment ? brightestOf(*loaded_->environment) : 0;
-        loaded_->environmentPath = environment;
+    HallScene scene{*model_, table_, values, alone, nullptr, 0, nullptr, glm::dmat4(1), text_, guests_, {}, {}, {}};
+    if (const std::string path = values[table_.environment]; !path.empty()) {
+        const render::Asset<Panorama> found = assets_->get<Panorama>("hall.environment", path, readPanorama);
+        scene.environmentFailure = found.failure;
+        if (found.value) {
+            scene.environment = found.value->picture;
+            scene.environmentBrightest = found.value->brightest;
+        }
     }
-    const std::string model = values[table_.model];
-    if (model != loaded_->modelPath) {
-        loaded_->model = model.empty() ? nullptr : std::make_shared<render::Model>(render::loadGltf(model));
-        loaded_->modelPath = model;
+    if (const std::string path = values[table_.model]; !path.empty()) {
+        const render::Asset<render::Model> found = assets_->get<render::Model>("hall.model", path, readModel);
+        scene.visitorModelFailure = found.failure;
+        if (!alone) scene.visitorModel = found.value;
     }
-    HallScene scene{*model_, table_, values, alone, loaded_->environment, loaded_->environmentBrightest, nullptr, glm::dmat4(1), text_, guests_, {}};
-    if (alone || !loaded_->model) return scene;
+    if (!scene.visitorModel) return scene;
 
-    scene.visitorModel = loaded_->model;
     const Place* plinth = model_->place(10);
-    const render::Box& box = loaded_->model->bounds;
+    const render::Box& box = scene.visitorModel->bounds;
     const glm::dvec3 extent = 2.0 * box.halfSize();
     const double largest = std::max({extent.x, extent.y, extent.z, 1e-9});
     glm::dmat4 m = plinth ? plinth->worldFromPlace : glm::dmat4(1);
@@ -92,6 +106,12 @@ void Hall::plan(const PlanContext& context, render::FramePlan& plan) const
 {
     HallScene hall = scene(context.values, context.alone);
     hall.turns = context.turns;
+    if (!hall.environmentFailure.empty())
+        plan.complainOfFile("hall/environment", unreadableFile(context.values.rows()[table_.environment.row], title(), hall.environmentFailure),
+                            "It is left out until it can be read.");
+    if (!hall.visitorModelFailure.empty())
+        plan.complainOfFile("hall/model", unreadableFile(context.values.rows()[table_.model.row], title(), hall.visitorModelFailure),
+                            "It is left out until it can be read.");
     planHallShadow(hall, context.surroundings, plan);
     planProbe(hall, context.surroundings, plan);
     if (context.alone) plan.skip("hall/walls", "the exhibit is shown alone");

@@ -3,6 +3,7 @@
 #include "exhibits/framework/exhibit.h"
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/hall_table.h"
+#include "render/files/asset_store.h"
 
 #include <memory>
 #include <mutex>
@@ -30,20 +31,18 @@ public:
     /// exhibits add and `develop` ends.
     void plan(const PlanContext&, render::FramePlan&) const override;
 
-    /// The hall under these values, with the user's panorama and object read from disk when first named.
-    /// Throws Failure (Blame::file) when one of them cannot be read.
+    /// The hall under these values, with the user's panorama and object read from disk when first named, and again
+    /// when they changed there. One that cannot be read is left out, and the scene says why.
     [[nodiscard]] HallScene scene(const ParameterValues&, bool alone) const;
 
     /// Who stands where: read once, when the museum opens.
     void setGuests(std::vector<Guest> guests);
 
 private:
-    struct Loaded;
-
     Table table_;
     std::shared_ptr<const HallModel> model_;
     std::shared_ptr<const PlaqueText> text_;
-    std::unique_ptr<Loaded> loaded_;
+    std::unique_ptr<render::AssetStore> assets_;  ///< Planning is const; this is only a cache.
     std::vector<Guest> guests_;
 };
 

@@ -32,6 +32,7 @@ struct HallScene {
     glm::dmat4 worldFromVisitorModel{1};
     std::shared_ptr<const PlaqueText> text;
     std::span<const Guest> guests;
+    std::string environmentFailure, visitorModelFailure;  ///< Why what the user named is not there; empty otherwise.
     std::span<const double> turns;  ///< How far the hangings of each guest's place have turned, radians; may be shorter.
 };
 

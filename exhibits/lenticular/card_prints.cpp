@@ -7,6 +7,7 @@
 #include "render/image/image_io.h"
 #include "render/image/picture_stream.h"
 #include "render/image/srgb.h"
+#include "render/scene/held_bytes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,6 +127,22 @@ void readRaster(CardSource& source, const fs::path& file)
     source.raster = stacked(raster, source.rasterSize, source.lying, source.print.mirror);
 }
 
+render::AssetStore::Made<CardSource> readSource(const std::string& name, int count)
+{
+    auto source = std::make_shared<CardSource>();
+    std::error_code error;
+    if (fs::is_directory(name, error) || isPlainPicture(name)) {
+        const std::vector<fs::path> files = viewFiles({name});
+        source->available = static_cast<int>(files.size());
+        readInto(*source, files, count);
+    } else {
+        readRaster(*source, name);
+    }
+    std::uint64_t bytes = source->raster ? heldBytes(*source->raster) : 0;
+    for (int k = 0; k < source->views.count(); ++k) bytes += static_cast<std::uint64_t>(source->views.view(k).width) * static_cast<std::uint64_t>(source->views.height()) * 8;
+    return {std::move(source), bytes};
+}
+
 /// Where column `column` of `columns` lies in a picture of `texels` across, `lenses` of which span it.
 std::pair<double, double> spanOf(int column, int columns, double lenses, int texels)
 {
@@ -146,26 +163,28 @@ const char* shippedViews(CardFace face)
 const CardSource& CardPrints::source(CardFace face, const std::string& path, int count)
 {
     Slot& slot = slots_[static_cast<std::size_t>(face)];
-    const std::string name = path.empty() ? render::asset("frames").append(shippedViews(face)).string() : path;
-    if (slot.path == name && (slot.available == 0 || std::clamp(count, 1, slot.available) == slot.source.views.count())) return slot.source;
-    Slot fresh;
-    fresh.path = name;
-    std::error_code error;
-    if (fs::is_directory(name, error) || isPlainPicture(name)) {
-        const std::vector<fs::path> files = viewFiles({name});
-        fresh.available = static_cast<int>(files.size());
-        readInto(fresh.source, files, count);
-    } else {
-        readRaster(fresh.source, name);
-    }
-    slot = std::move(fresh);
-    return slot.source;
+    const std::string use = face == CardFace::front ? "lenticular.frontPrint" : "lenticular.backPrint";
+    const std::string shipped = render::asset("frames").append(shippedViews(face)).string();
+    // Where the files hold fewer views than are asked for, or a raster, other counts give the same source.
+    const bool sameCount = slot.source && slot.path == path && (slot.source->available == 0 || std::clamp(count, 1, slot.source->available) == slot.source->views.count());
+    if (!sameCount) slot.count = count;
+    slot.path = path;
+    const auto get = [&](const std::string& purpose, const std::string& name) {
+        return assets_.get<CardSource>(purpose, name, [&](const std::string& file) { return readSource(file, slot.count); }, static_cast<std::uint64_t>(slot.count));
+    };
+    render::Asset<CardSource> found = path.empty() ? get(use + ", shipped", shipped) : get(use, path);
+    slot.failure = path.empty() ? std::string() : found.failure;
+    if (!found.value && !path.empty()) found = get(use + ", shipped", shipped);
+    if (!found.value) throw Failure(Blame::file, found.failure);
+    if (found.value != slot.source) slot.texture = nullptr;
+    slot.source = std::move(found.value);
+    return *slot.source;
 }
 
 std::shared_ptr<const render::Texture> CardPrints::viewTexture(CardFace face, int columns, double lenses, bool lying)
 {
     Slot& slot = slots_[static_cast<std::size_t>(face)];
-    const ViewSet& views = slot.source.views;
+    const ViewSet& views = slot.source->views;
     int width = 1;
     for (int k = 0; k < views.count(); ++k) width = std::max(width, views.view(k).width);
     const int texels = lying ? views.height() : width;

@@ -3,6 +3,7 @@
 #include "exhibits/lenticular/lenticular_table.h"
 #include "exhibits/lenticular/print_layout.h"
 #include "exhibits/lenticular/view_source.h"
+#include "render/files/asset_store.h"
 #include "render/scene/mesh.h"
 
 #include <array>
@@ -14,6 +15,7 @@ namespace vitrine::lenticular {
 /// What lies in the card: views, or the raster of a printed file with its description.
 struct CardSource {
     double aspect = 1.5;  ///< Width over height.
+    int available = 0;    ///< Views in the files; 0 for a raster, where their number is settled.
     ViewSet views{};
     std::shared_ptr<const render::Texture> raster{};  ///< Null for views.
     PrintSettings print{};       ///< Of the raster.
@@ -22,13 +24,15 @@ struct CardSource {
     bool lying = false;          ///< The raster's lenses are horizontal.
 };
 
-/// The card's two prints as read from files, each kept until another one is asked for.
+/// The card's two prints as read from files, each kept until another one is asked for or the files change.
 class CardPrints {
 public:
     /// Reads `path`: a folder of views, a printed file with its JSON beside it or inside, or a single picture;
-    /// empty for the shipped set of that face. Of the views `count` are taken, evenly. Throws Failure naming
-    /// the file when it cannot be read or shown.
+    /// empty for the shipped set of that face. Of the views `count` are taken, evenly. What cannot be read or
+    /// shown is replaced by the shipped set, and `failure` says why; throws Failure when that one cannot be read.
     const CardSource& source(CardFace, const std::string& path, int count);
+    /// Why the last source of that face is not what was asked for, one full sentence; empty when it is.
+    [[nodiscard]] const std::string& failure(CardFace face) const { return slots_[static_cast<std::size_t>(face)].failure; }
 
     /// The views of the last source as an array of sRGB pictures. With `columns` > 0 and fewer than the views
     /// have texels across the lenses, each texel across is the mean over one of `columns` lenses, the middle
@@ -37,15 +41,16 @@ public:
 
 private:
     struct Slot {
-        std::string path{};
-        int available = 0;  ///< Views in the files; 0 for a raster, where their number is settled.
-        CardSource source{};
+        std::string path{}, failure{};
+        int count = 0;  ///< Views that were asked for when the source was read.
+        std::shared_ptr<const CardSource> source{};
         std::shared_ptr<const render::Texture> texture{};
         int columns = 0;
         double lenses = 0;
         bool lying = false;
     };
     std::array<Slot, 2> slots_{};
+    render::AssetStore assets_{64U << 20U};
 };
 
 /// The name of the folder, under the assets, of the shipped views of a face.

@@ -121,7 +121,7 @@ ParameterValues valuesFromDesk(const DeskTable& table, const render::JsonDocumen
     const render::Json& root = document.root();
     if (!root.is_object() || !root.contains("desk")) return values;
     const render::Json& desk = root["desk"];
-    if (!desk.is_object() || !desk.contains("values") || !desk["values"].is_object()) throw document.failure("desk", "must be an object with \"values\"");
+    if (!desk.is_object() || !desk.contains("values") || !desk["values"].is_object()) throw document.failure("desk", "this must be an object with \"values\"; correct it there.");
     for (const auto& [key, json] : desk["values"].items()) {
         const auto row = table.find(key);
         if (!row) {
@@ -132,9 +132,9 @@ ParameterValues valuesFromDesk(const DeskTable& table, const render::JsonDocumen
         values.setRow(*row, valueFromJson(table.rows()[*row], json, place, key, notes));
     }
     if (!desk.contains("files")) return values;
-    if (!desk["files"].is_array()) throw document.failure("desk.files", "must be a list of file names");
+    if (!desk["files"].is_array()) throw document.failure("desk.files", "this must be a list of file names; correct it there.");
     for (const render::Json& file : desk["files"]) {
-        if (!file.is_string()) throw document.failure("desk.files", "must be a list of file names");
+        if (!file.is_string()) throw document.failure("desk.files", "this must be a list of file names; correct it there.");
         sources.push_back(file.get<std::string>());
     }
     return values;

@@ -123,7 +123,7 @@ render::Bound dispersionBound(const Scene& s)
     return render::boundOf(0, 1, {{paper, "no light falls on the card"}});
 }
 
-Pass cardPass(const Scene& s, const render::View& view, const Moment& moment, const lenticular::Sheet& sheet, lenticular::CardPrints& prints, render::FramePlan& plan)
+Pass cardPass(const Scene& s, std::string_view title, const Moment& moment, const lenticular::Sheet& sheet, lenticular::CardPrints& prints, render::FramePlan& plan)
 {
     const ParameterValues& values = s.context.values;
     Pass pass;
@@ -131,13 +131,20 @@ Pass cardPass(const Scene& s, const render::View& view, const Moment& moment, co
     pass.reason = s.reason;
     pass.shader = {"lenticular/card.vert", "lenticular/card.frag", "", {}, derive::uniformBlock(s.table)};
     pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
-    CardObject object = cardObject(s, view, moment.roll);
+    CardObject object = cardObject(s, plan.view, moment.roll);
     addPicture(pass, object, 0, lenticular::cardPicture(s.table, values, sheet, prints, moment.first));
     const auto& first = prints.source(moment.first, values[moment.first == CardFace::front ? s.table.frontPrint : s.table.backPrint], values[s.table.views]);
     const bool lying = lenticular::horizontal(s.table, values, first);
     if (moment.roll > 0) {
         pass.shader.defines.emplace_back("SCROLLING");
         addPicture(pass, object, 1, lenticular::cardPicture(s.table, values, sheet, prints, otherFace(moment.first)));
+    }
+    for (const CardFace face : {moment.first, otherFace(moment.first)}) {
+        if (prints.failure(face).empty() || (face != moment.first && moment.roll == 0)) continue;
+        const bool front = face == CardFace::front;
+        plan.complainOfFile(front ? "lenticular/front print" : "lenticular/back print",
+                            unreadableFile(values.rows()[front ? s.table.frontPrint.row : s.table.backPrint.row], title, prints.failure(face)),
+                            "Our own is shown in its place until it can be read.");
     }
     object.axes = lying ? glm::vec4(0, -1, 1, 0) : glm::vec4(1, 0, 0, 1);
     if (!values[s.table.dispersion]) plan.skip("lenticular/dispersion", "dispersion is switched off");
@@ -232,7 +239,7 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
     const Moment moment = momentAt(table_, context.values, context.time, context.sinceOwnPress);
     if (moment.roll > 0) scene.reason += ", and one print rolls in after the other";
     if (!found.note.empty()) scene.reason += "; the sheet cannot be: " + found.note;
-    Pass card = cardPass(scene, plan.view, moment, found.sheet, cache_->prints, plan);
+    Pass card = cardPass(scene, title(), moment, found.sheet, cache_->prints, plan);
     Pass count = card;
     card.colors = {{radianceImage, Load::keep, {}, -1, 0}};
     card.depth = Attachment{depthImage, Load::keep, {}, -1, 0};

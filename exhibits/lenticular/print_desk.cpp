@@ -165,7 +165,7 @@ ParameterValues LenticularDesk::withSheet(const ParameterValues& values, const s
     std::string problem;
     for (const Sheet& sheet : allSheets(problem))
         if (sheet.name == name) return lenticular::withSheet(table_, values, sheet);
-    throw Failure(Blame::usage, "There is no sheet \"" + name + "\".");
+    throw Failure(Blame::usage, "There is no sheet \"" + name + "\"; choose one of the list.");
 }
 
 std::string LenticularDesk::sheetName(const ParameterValues& values, const std::string& preferred) const
@@ -385,7 +385,7 @@ PrintDesk::Settings LenticularDesk::settingsFrom(const std::string& text, const 
 {
     const render::JsonDocument document = render::parseJson(text, fileName, {.bytes = mostJsonBytes});
     if (!document.root().is_object() || document.root().value("vitrinePrint", render::Json()) != 1) {
-        throw document.failure("vitrinePrint", "this does not describe a lenticular print of version 1");
+        throw document.failure("vitrinePrint", "this does not describe a lenticular print of version 1; give a print, or the JSON beside it.");
     }
     Settings settings{table_.initial(), {}, {}};
     settings.values = valuesFromDesk(table_, document, settings.sources, settings.notes);

@@ -20,7 +20,7 @@ public:
         const Json& root = document_.root();
         const auto outer = root.is_object() ? root.find(group) : root.end();
         if (!root.is_object() || outer == root.end() || !outer->is_object() || !outer->contains(key)) {
-            throw document_.failure(group, "\"" + key + "\" is missing; this does not describe a lenticular print");
+            throw document_.failure(group, "\"" + key + "\" is missing: this does not describe a lenticular print; give a print, or the JSON beside it.");
         }
         return (*outer)[key];
     }
@@ -29,13 +29,13 @@ public:
     [[nodiscard]] double number(const std::string& group, const std::string& key) const
     {
         const Json& value = at(group, key);
-        if (!value.is_number()) throw document_.failure(group + "." + key, "must be a number");
+        if (!value.is_number()) throw document_.failure(group + "." + key, "this must be a number; correct it there.");
         return value.get<double>();
     }
     [[nodiscard]] bool flag(const std::string& group, const std::string& key) const
     {
         const Json& value = at(group, key);
-        if (!value.is_boolean()) throw document_.failure(group + "." + key, "must be true or false");
+        if (!value.is_boolean()) throw document_.failure(group + "." + key, "this must be true or false; correct it there.");
         return value.get<bool>();
     }
 
@@ -116,7 +116,7 @@ PrintSettings settingsFromJson(const render::JsonDocument& document)
     s.reverse = read.flag("print", "reverse");
     s.mirror = read.flag("print", "mirror");
     const double views = read.number("print", "views");
-    if (!(views >= 1 && views <= mostViews)) throw document.failure("print.views", "must be 1 to 256");
+    if (!(views >= 1 && views <= mostViews)) throw document.failure("print.views", "this must be 1 to 256; correct it there.");
     s.views = static_cast<int>(views);
     const Json& method = read.at("print", "method");
     for (const Method known : {Method::nearest, Method::area, Method::guard})

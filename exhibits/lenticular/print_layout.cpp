@@ -47,7 +47,7 @@ void checkSettings(const PrintSettings& s)
         refuse("the viewing distance is " + shortText(s.distance) + " mm; the eye must be farther away than the sheet is thick, " +
                shortText(s.sheet.thickness) + " mm");
     }
-    if (!(s.visualLpi >= 0) || !std::isfinite(s.visualLpi)) refuse("the visual LPI is " + shortText(s.visualLpi));
+    if (!(s.visualLpi >= 0) || !std::isfinite(s.visualLpi)) refuse("the visual LPI is " + shortText(s.visualLpi) + "; give lenses per inch, or 0 to let the viewing distance decide");
     if (!std::isfinite(s.phase) || std::abs(s.phase) > 1e6) refuse("the phase is " + shortText(s.phase) + "; give a part of a lens, 0 to 1");
     if (!(std::abs(s.direction) <= 90)) refuse("the direction is " + shortText(s.direction) + " degrees; give -90 to 90");
     if (!(s.guard >= 0 && s.guard <= 1)) refuse("the guard is " + shortText(s.guard) + "; give a part of a strip, 0 to 1");

@@ -17,7 +17,7 @@ std::vector<std::size_t> chosenViews(std::size_t available, const SequenceSettin
         for (std::size_t i = row.size() - 1; i-- > 1;) row.push_back(row[i]);
 
     if (settings.count < 0 || static_cast<std::size_t>(settings.count) > row.size()) {
-        throw Failure(Blame::usage, "--count " + std::to_string(settings.count) + ": there are " + std::to_string(row.size()) + " views.");
+        throw Failure(Blame::usage, "--count " + std::to_string(settings.count) + ": there are " + std::to_string(row.size()) + " views; give 1 to " + std::to_string(row.size()) + ", or leave it out for all.");
     }
     const auto most = static_cast<std::size_t>(mostViews);
     const std::size_t count = settings.count == 0 ? row.size() : static_cast<std::size_t>(settings.count);

@@ -5,14 +5,20 @@
 
 namespace vitrine::render {
 
-std::vector<std::string> Complaints::begun(const std::vector<Skipped>& skipped)
+std::string lineOf(const Skipped& complaint)
 {
-    std::vector<std::string> now, fresh;
+    return complaint.unreadable.empty() ? complaint.name + ": " + complaint.reason : complaint.reason;
+}
+
+std::vector<Skipped> Complaints::begun(const std::vector<Skipped>& skipped)
+{
+    std::vector<std::string> now;
+    std::vector<Skipped> fresh;
     for (const Skipped& s : skipped) {
         if (!s.complaint) continue;
-        std::string line = s.name + ": " + s.reason;
+        std::string line = lineOf(s);
         if (std::find(now.begin(), now.end(), line) != now.end()) continue;
-        if (std::find(last_.begin(), last_.end(), line) == last_.end()) fresh.push_back(line);
+        if (std::find(last_.begin(), last_.end(), line) == last_.end()) fresh.push_back(s);
         now.push_back(std::move(line));
     }
     last_ = std::move(now);

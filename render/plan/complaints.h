@@ -11,11 +11,14 @@ namespace vitrine::render {
 /// it comes again after a frame without it.
 class Complaints {
 public:
-    /// "fur/clock: the time is not a number" for each complaint of this frame that the last one did not have.
-    [[nodiscard]] std::vector<std::string> begun(const std::vector<Skipped>& skipped);
+    /// The complaints of this frame that the last one did not have.
+    [[nodiscard]] std::vector<Skipped> begun(const std::vector<Skipped>& skipped);
 
 private:
     std::vector<std::string> last_;
 };
+
+/// "fur/clock: the time is not a number"; what is said of a file says itself where it belongs.
+[[nodiscard]] std::string lineOf(const Skipped& complaint);
 
 }  // namespace vitrine::render

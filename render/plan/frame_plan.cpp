@@ -94,6 +94,12 @@ void FramePlan::complain(std::string name, std::string reason, Work work)
     skipped_.push_back({.name = std::move(name), .reason = std::move(reason), .work = work, .complaint = true});
 }
 
+void FramePlan::complainOfFile(std::string name, std::string unreadable, const std::string& instead)
+{
+    std::string reason = unreadable + ' ' + instead;
+    skipped_.push_back({.name = std::move(name), .reason = std::move(reason), .complaint = true, .unreadable = std::move(unreadable)});
+}
+
 void FramePlan::prune(const std::vector<std::string>& outputs, const KeptKeys& kept)
 {
     std::stable_sort(passes_.begin(), passes_.end(), [](const Pass& a, const Pass& b) { return a.stage < b.stage; });

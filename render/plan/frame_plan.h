@@ -149,6 +149,7 @@ struct Skipped {
     Work work = Work::raster;
     bool complaint = false;  ///< Its input was bad: a line in the log, besides the ledger's.
     bool boundIsZero = false;  ///< It could be drawn, and would change nothing.
+    std::string unreadable = {};  ///< Of a complaint about a file that the look names: which parameter, which file, and why.
 };
 
 /// Keys under which kept images were last written: image name and pass name -> key.
@@ -170,6 +171,9 @@ public:
     void skip(std::string name, std::string reason, Work = Work::raster);
     /// Left out or mended because the input was bad, and why, in one sentence for the visitor.
     void complain(std::string name, std::string reason, Work = Work::raster);
+    /// The look names a file that cannot be read: `unreadable` says which parameter, which file and why, `instead` what
+    /// is drawn in its place. Both are full sentences.
+    void complainOfFile(std::string name, std::string unreadable, const std::string& instead);
     /// Whether an effect has to be drawn: its bound is not 0, or everything runs. Otherwise its passes, by name, are
     /// listed as skipped.
     [[nodiscard]] bool needs(const Bound&, std::initializer_list<const char*> passes);

@@ -219,6 +219,12 @@ TEST(RenderCommand, WhatCannotBeReadIsExit5)
         EXPECT_EQ(ended.code, 5) << more[1];
         test::expectOneSentence(ended, {std::filesystem::path(more[1]).filename().string()});
     }
+    // Nor is an exhibit drawn without the file that it is to show.
+    for (const auto& [exhibit, row] : {std::pair{"fur", "ringModel"}, {"lenticular", "frontPrint"}}) {
+        const Ended ended = test::vitrine(rendering(exhibit, folder / "x.png", {"--set", std::string(row) + "=" + (folder / "broken.glb").string()}));
+        EXPECT_EQ(ended.code, 5) << row;
+        test::expectOneSentence(ended, {"broken.glb"});
+    }
     EXPECT_EQ(folder.files().size(), 2U);
 }
 

@@ -69,6 +69,7 @@ TEST(Usage, ABadSettingNamesItsKeyAndWhatItTakes)
         const Ended ended = refused({"--set", assignment});
         EXPECT_EQ(ended.code, 2) << assignment;
         expectOneSentence(ended, parts);
+        EXPECT_EQ(ended.err.find(" ."), std::string::npos) << ended.err;
     };
     expectUsage("morf=0.5", {"morf", "list"});
     expectUsage("morph=soup", {"morph", "soup", "0 to 1"});
@@ -92,6 +93,18 @@ TEST(Usage, BadNumbersNameTheirOption)
         EXPECT_EQ(ended.out, "");
         EXPECT_NE(ended.err.find(option), std::string::npos) << ended.err;
     }
+}
+
+TEST(Usage, ASizeThatNoMachineHasMemoryForIsRefusedWithOneThatItHas)
+{
+    for (const char* size : {"1000000x1000000", "1000000x700000"}) {
+        const Ended ended = refused({"--size", size});
+        EXPECT_EQ(ended.code, 2) << size;
+        expectOneSentence(ended, {"1000000 × ", "GB of memory", "ask for no more than"});
+    }
+    const Ended beyond = refused({"--size", "2000000x10"});
+    EXPECT_EQ(beyond.code, 2);
+    expectOneSentence(beyond, {"--size", "1 to 1000000"});
 }
 
 TEST(Usage, APictureOfUnknownKindIsRefusedBeforeItIsDrawn)

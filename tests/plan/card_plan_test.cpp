@@ -152,6 +152,7 @@ TEST(CardPlan, PrintsThatCannotBeReadAreNamed)
     const test::TemporaryFolder folder;
     for (const std::string& path : {std::string("/no/such/folder"), folder.path().string()}) {
         scene.values().set(scene.t.frontPrint, path);
+        scene.request.needsFiles = true;
         try {
             (void)scene.plan();
             ADD_FAILURE() << path;

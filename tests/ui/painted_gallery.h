@@ -8,6 +8,7 @@
 #include <QOpenGLFunctions>
 
 #include <cmath>
+#include <exception>
 
 namespace vitrine::test {
 
@@ -77,6 +78,7 @@ public:
     void close() override { ++closed; }
     render::FrameReport draw(const Look& look, const FrameRequest& request) override
     {
+        if (thrown) std::rethrow_exception(thrown);
         red_ = static_cast<float>(look.values[1][table(1).roughness]);
         requests.push_back(request);
         render::FrameReport report;
@@ -118,6 +120,7 @@ public:
     int pictureReads = 0;
     std::vector<FrameRequest> requests;
     std::vector<render::gl::ShaderProblem> shaderProblems;
+    std::exception_ptr thrown;  ///< By every frame that is drawn from now on; null: nothing.
     std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.
 
 private:

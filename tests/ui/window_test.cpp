@@ -213,7 +213,7 @@ private slots:
         QFile::remove(QString::fromLocal8Bit(qgetenv("XDG_STATE_HOME")) + "/vitrine/session.json");
         openWindow();
         QCOMPARE(roughness(), changed);
-        QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("did not end by itself"));
+        QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("your last state was restored"));
         QVERIFY(folder.entryList({"999999999*"}, QDir::Files).isEmpty());
     }
 

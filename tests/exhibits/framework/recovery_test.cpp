@@ -7,6 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
+
 namespace {
 
 using namespace vitrine;
@@ -32,6 +34,33 @@ TEST(Recovery, OffersWhatACrashLeftBehind)
     EXPECT_GT(sessions[0].modified, 1'600'000'000);
     journal.discard(sessions[0]);
     EXPECT_TRUE(journal.abandoned().empty());
+}
+
+TEST(Recovery, OffersWhatAProcessLeftThatWasKilledAndThatItsParentHasNotAskedFor)
+{
+    const TemporaryFolder folder;
+    const pid_t child = ::fork();
+    if (child == 0) {
+        RecoveryJournal(folder.path()).write("the state");
+        ::kill(::getpid(), SIGKILL);
+    }
+    siginfo_t info{};
+    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT), 0);  // It is dead, and still listed.
+    ASSERT_TRUE(std::filesystem::exists("/proc/" + std::to_string(child) + "/stat"));
+    EXPECT_EQ(RecoveryJournal(folder.path()).abandoned().size(), 1U);
+    ::waitpid(child, nullptr, 0);
+    EXPECT_EQ(RecoveryJournal(folder.path()).abandoned().size(), 1U);
+}
+
+TEST(Recovery, KeepsWhatIsPutAsideWithoutOfferingItAgain)
+{
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "999999999-1.json", "what crashes");
+    const RecoveryJournal journal(folder.path());
+    ASSERT_EQ(journal.abandoned().size(), 1U);
+    const std::filesystem::path aside = journal.putAside(journal.abandoned().front());
+    EXPECT_TRUE(journal.abandoned().empty());
+    EXPECT_EQ(test::bytesOf(aside), "what crashes");
 }
 
 TEST(Recovery, DoesNotOfferWhatIsStillRunning)

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/scene/mesh.h"
+
+#include <cstdint>
+#include <set>
+
+namespace vitrine::render {
+
+/// Bytes of memory that the samples take.
+[[nodiscard]] inline std::uint64_t heldBytes(const Texture& texture)
+{
+    return texture.bytes.size() + texture.floats.size() * sizeof(float);
+}
+
+[[nodiscard]] inline std::uint64_t heldBytes(const Mesh& mesh)
+{
+    return mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t);
+}
+
+/// Meshes and pictures that parts share count once.
+[[nodiscard]] inline std::uint64_t heldBytes(const Model& model)
+{
+    std::set<const void*> counted;
+    std::uint64_t sum = 0;
+    const auto add = [&](const auto& shared) {
+        if (shared && counted.insert(shared.get()).second) sum += heldBytes(*shared);
+    };
+    for (const Part& part : model.parts) {
+        add(part.mesh);
+        if (!part.material) continue;
+        for (const auto* map : {&part.material->baseColorMap, &part.material->metallicRoughnessMap, &part.material->normalMap, &part.material->occlusionMap, &part.material->emissiveMap}) add(*map);
+    }
+    return sum;
+}
+
+}  // namespace vitrine::render
