@@ -39,6 +39,10 @@ public:
     [[nodiscard]] virtual std::vector<int> emptyPlaces() const = 0;
     [[nodiscard]] virtual double nextChange(const Look&, const FrameRequest&) const = 0;
 
+    /// Which files that the look names and needs for what it shows cannot be read, and why: one full sentence each,
+    /// that begins with the parameter's label.
+    [[nodiscard]] virtual std::vector<std::string> unreadableFiles(const Look&) const { return {}; }
+
     // With the viewport's context current:
 
     /// Called when the context is made, and again after it was lost.

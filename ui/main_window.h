@@ -71,7 +71,7 @@ public:
     void setFullScreen(bool);
     void saveScreenshotNow();
     void openScreenshotDialog();
-    void openPrintDialog();
+    void openPrintDialog(const QString& print = {});
     void resetEverything();
     void openPalette();
     void openShortcutSheet();
@@ -90,6 +90,10 @@ private:
     void searchElsewhere();
     void keepThumbnail();
     void setHallFile(const char* parameter, const QString& path);
+    void openPicture(const QString& path);
+    void askBeforeClosing();
+    void closeWhenDone();
+    void closeIfDone();
 
     Gallery& gallery_;
     History history_;

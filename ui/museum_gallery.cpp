@@ -44,6 +44,17 @@ double MuseumGallery::nextChange(const Look& look, const FrameRequest& request) 
     return museum_.nextChange(look, request);
 }
 
+std::vector<std::string> MuseumGallery::unreadableFiles(const Look& look) const
+{
+    FrameRequest request;
+    request.camera = look.camera;
+    std::vector<std::string> sentences;
+    const render::FramePlan plan = museum_.plan(look, request);
+    for (const render::Skipped& skipped : plan.skipped())
+        if (!skipped.unreadable.empty()) sentences.push_back(skipped.unreadable);
+    return sentences;
+}
+
 void MuseumGallery::open()
 {
     renderer_ = std::make_unique<render::gl::Renderer>();

@@ -18,6 +18,8 @@ public:
     [[nodiscard]] std::vector<int> emptyPlaces() const override;
     [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const override;
 
+    [[nodiscard]] std::vector<std::string> unreadableFiles(const Look&) const override;
+
     void open() override;
     void close() override;
     render::FrameReport draw(const Look&, const FrameRequest&) override;

@@ -1,5 +1,6 @@
 #include "ui/picture_export.h"
 
+#include "ui/application.h"
 #include "ui/main_window.h"
 #include "ui/preset_shelf.h"
 #include "ui/viewport.h"
@@ -20,21 +21,15 @@ bool isLinear(render::PictureFormat format)
 
 }  // namespace
 
-std::filesystem::path freeScreenshotPath(const QString& exhibit)
+std::filesystem::path freeScreenshotPath(const MainWindow& window, const QString& exhibit)
 {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
     QDir().mkpath(folder.path());
     const QString stem = exhibit + QDateTime::currentDateTime().toString(QStringLiteral("-yyyy-MM-dd-HHmmss"));
-    // One that was given away in this second may still be drawn: there is no file of that name yet.
-    static QString lastStem;
-    static int given = 0;
-    if (stem != lastStem) given = 0;
-    lastStem = stem;
-    QString name;
-    do {
-        ++given;
-        name = given == 1 ? stem + QStringLiteral(".png") : QStringLiteral("%1-%2.png").arg(stem).arg(given);
-    } while (folder.exists(name));
+    QString name = stem + QStringLiteral(".png");
+    QStringList promised;
+    for (const PictureExport* other : window.findChildren<PictureExport*>()) promised << QString::fromStdString(other->path().filename().string());
+    for (int i = 2; folder.exists(name) || promised.contains(name); ++i) name = QStringLiteral("%1-%2.png").arg(stem).arg(i);
     return folder.filePath(name).toStdString();
 }
 
@@ -62,6 +57,7 @@ void PictureExport::drop()
 void PictureExport::fail(const QString& why)
 {
     timer_.stop();
+    running_ = false;
     emit failed(why);
     deleteLater();
 }
@@ -80,15 +76,17 @@ void PictureExport::start()
     try {
         window_.viewport().withContext([&] { job_ = window_.gallery().makePicture(look, request); });
     } catch (const std::exception& failure) {
-        fail(QString::fromUtf8(failure.what()));
+        fail(messageOf(failure));
         return;
     }
     elapsed_.start();
+    running_ = true;
     timer_.start(0);
 }
 
 void PictureExport::cancel()
 {
+    running_ = false;
     timer_.stop();
     drop();
     deleteLater();
@@ -97,7 +95,7 @@ void PictureExport::cancel()
 void PictureExport::step()
 {
     if (!job_.maker) {
-        fail(tr("No picture can be made: there is no renderer."));
+        fail(tr("No picture can be made before the first one is on the screen; try again then."));
         return;
     }
     try {
@@ -107,7 +105,7 @@ void PictureExport::step()
             return;
         }
     } catch (const std::exception& failure) {
-        fail(QString::fromUtf8(failure.what()));
+        fail(messageOf(failure));
         return;
     }
     const double part = job_.maker->progress();
@@ -121,6 +119,7 @@ void PictureExport::write()
     render::PictureMetadata inside;
     inside.preset = preset_;
     render::writePicture(wish_.path, job_.maker->picture(), wish_.format, inside);
+    running_ = false;
     emit progressed(1, 0);
     emit finished(QString::fromStdString(wish_.path.string()));
     deleteLater();

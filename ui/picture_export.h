@@ -35,6 +35,9 @@ public:
     void start();
     /// Leaves no file. Deletes itself.
     void cancel();
+    /// Until it is finished, failed or cancelled.
+    [[nodiscard]] bool running() const { return running_; }
+    [[nodiscard]] const std::filesystem::path& path() const { return wish_.path; }
 
 signals:
     /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
@@ -55,9 +58,10 @@ private:
     PictureJob job_;
     QTimer timer_;
     QElapsedTimer elapsed_;
+    bool running_ = false;
 };
 
-/// "<Pictures>/vitrine/<exhibit>-<date>-<time>.png", not taken yet.
-[[nodiscard]] std::filesystem::path freeScreenshotPath(const QString& exhibit);
+/// "<Pictures>/<exhibit>-<date>-<time>.png", neither taken yet nor by a picture that the window is making.
+[[nodiscard]] std::filesystem::path freeScreenshotPath(const MainWindow&, const QString& exhibit);
 
 }  // namespace vitrine::ui

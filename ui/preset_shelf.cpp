@@ -314,13 +314,13 @@ void PresetShelf::loadFile(const QString& path)
 
 bool PresetShelf::loadFromPicture(const QString& path)
 {
-    bool found = false;
+    bool done = true;
     trySafely([&] {
         const std::optional<std::string> text = render::embeddedPreset(path.toStdString());
-        found = text.has_value();
+        done = text.has_value();
         if (text) loadText(*text, path);
     });
-    return found;
+    return done;
 }
 
 std::string PresetShelf::lookText() const

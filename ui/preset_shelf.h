@@ -50,7 +50,7 @@ public:
 
     /// A preset or exhibition from a file: shown, not copied.
     void loadFile(const QString& path);
-    /// Returns false when the picture has no preset inside.
+    /// Returns false when the picture has no preset inside; true when it is shown, or what is wrong was said.
     bool loadFromPicture(const QString& path);
     /// The look on show as the text of an exhibition: what travels inside pictures.
     [[nodiscard]] std::string lookText() const;

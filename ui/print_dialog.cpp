@@ -17,6 +17,7 @@
 #include <QTabBar>
 
 #include <cmath>
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
@@ -85,7 +86,7 @@ void PrintDialog::connectParts()
     connect(load_, &QPushButton::clicked, this, [this] { askSettings(false); });
     connect(save_, &QPushButton::clicked, this, [this] { askSettings(true); });
     connect(go_, &QPushButton::clicked, this, &PrintDialog::startExport);
-    connect(stop_, &QPushButton::clicked, this, [this] { exporting_ ? stopExport() : static_cast<void>(close()); });
+    connect(stop_, &QPushButton::clicked, this, &PrintDialog::reject);
 
     for (NewestJob* job : {&look_, &count_})
         connect(job, &NewestJob::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
@@ -158,7 +159,11 @@ void PrintDialog::showSheets()
 
 void PrintDialog::setChart(bool chart)
 {
-    chart_ = chart;
+    if (chart != chart_) {
+        const QString other = std::exchange(otherPath_, path_->text());
+        chart_ = chart;
+        path_->setText(other);
+    }
     tabs_->setCurrentIndex(chart ? 1 : 0);
     source_->setVisible(!chart);
     eyes_->setVisible(!chart);
@@ -169,6 +174,11 @@ void PrintDialog::setChart(bool chart)
 void PrintDialog::setPath(const QString& path)
 {
     path_->setText(path);
+}
+
+QString PrintDialog::path() const
+{
+    return path_->text();
 }
 
 bool PrintDialog::hasViews() const

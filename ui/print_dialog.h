@@ -46,7 +46,9 @@ public:
     /// Views, or a print or its JSON whose settings come back: what a drop on the dialog does.
     void open(const QStringList& paths);
     void setChart(bool);
+    /// Of the print, or of the chart: each keeps its own.
     void setPath(const QString&);
+    [[nodiscard]] QString path() const;
     /// Whether the numbers and pictures are those of the values.
     [[nodiscard]] bool settled() const;
     [[nodiscard]] bool exporting() const { return exporting_; }
@@ -57,6 +59,12 @@ public slots:
     void loadSettings(const QString& path);
     void saveSettings(const QString& path);
     void done(int) override;
+    /// Cancels what runs; closes the dialog where nothing does.
+    void reject() override;
+
+signals:
+    /// The export is over; what was saved was asked for.
+    void exportEnded(bool saved);
 
 protected:
     void dragEnterEvent(QDragEnterEvent*) override;
@@ -80,6 +88,7 @@ private:
     [[nodiscard]] bool hasViews() const;
 
     void write(std::shared_ptr<const PrintViews>);
+    void begin(const QString& path);
     void endExport(const QString& words);
     void browse();
     void askSettings(bool save);
@@ -112,6 +121,8 @@ private:
     EyesPreview* eyes_;
     PrintNumbersView* numbers_;
     QLineEdit* path_;
+    QString otherPath_;  ///< Of the chart while the print is set up, and the other way round.
+    QString replaced_;   ///< The visitor agreed that this file may be replaced.
     QToolButton* browse_;
     QProgressBar* progress_;
     QLabel* status_;

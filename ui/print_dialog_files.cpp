@@ -4,6 +4,7 @@
 #include "exhibits/framework/save_bytes.h"
 #include "exhibits/framework/state_folder.h"
 #include "render/files/read_file.h"
+#include "ui/replace_question.h"
 #include "ui/shown_views.h"
 
 #include <QDir>
@@ -35,13 +36,18 @@ QString placesPath()
     return QString::fromStdString((stateFolder() / "print.ini").string());
 }
 
-/// "<folder>/lenticular-print.tif", or with a number, not taken yet.
-QString freePath(const QString& folder)
+/// The name in that folder, or with a number, not taken yet.
+QString freePath(const QString& folder, const QString& name)
 {
-    const QDir place(folder);
-    QString name = QStringLiteral("lenticular-print.tif");
-    for (int i = 2; place.exists(name); ++i) name = QStringLiteral("lenticular-print-%1.tif").arg(i);
-    return place.filePath(name);
+    const QString path = QDir(folder).filePath(name);
+    return QFileInfo::exists(path) ? nextFreePath(path) : path;
+}
+
+/// What a print of this name may be written to besides the file itself.
+QStringList besidePrint(const QString& path)
+{
+    const QFileInfo file(path);
+    return {path + QStringLiteral(".json"), QStringLiteral("%1/%2-1.%3").arg(file.path(), file.completeBaseName(), file.suffix())};
 }
 
 std::vector<std::string> textsOf(const QStringList& files)
@@ -59,7 +65,8 @@ void PrintDialog::recall()
     restoreGeometry(places.value(QStringLiteral("geometry")).toByteArray());
     QString folder = places.value(QStringLiteral("folder")).toString();
     if (folder.isEmpty() || !QDir(folder).exists()) folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    path_->setText(freePath(folder));
+    path_->setText(freePath(folder, QStringLiteral("lenticular-print.tif")));
+    otherPath_ = freePath(folder, QStringLiteral("lenticular-chart.tif"));
     std::error_code ignored;
     if (std::filesystem::exists(rememberedPath(), ignored)) {
         try {
@@ -158,7 +165,10 @@ void PrintDialog::browse()
     auto* dialog = new QFileDialog(this, tr("Export lenticular print"), path_->text(), tr("TIFF (*.tif);;PNG (*.png)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    connect(dialog, &QFileDialog::fileSelected, path_, &QLineEdit::setText);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
+        path_->setText(chosen);
+        replaced_ = chosen;  // The dialog has asked.
+    });
     dialog->open();
 }
 
@@ -176,6 +186,15 @@ void PrintDialog::askSettings(bool save)
 void PrintDialog::startExport()
 {
     if (exporting_) return;
+    if (path_->text() == replaced_) begin(replaced_);
+    else askBeforeReplacing(this, path_->text(), [this](const QString& path) { begin(path); }, besidePrint(path_->text()));
+}
+
+void PrintDialog::begin(const QString& path)
+{
+    if (exporting_) return;
+    path_->setText(path);
+    replaced_.clear();
     exporting_ = true;
     renderSoon_.stop();
     status_->setText(tr("Starting"));
@@ -203,10 +222,11 @@ void PrintDialog::write(std::shared_ptr<const PrintViews> views)
     write_.start([this, views = std::move(views), path, values = *values_, sources = textsOf(files_)](const PrintProgress& progress) -> ProgressJob::Outcome {
         const std::vector<std::filesystem::path> written = desk_->write(values, views, sources, path, progress);
         return [this, written] {
-            endExport(QString());
             const QString first = QString::fromStdString(written.front().string());
+            path_->setText(nextFreePath(path_->text()));
             say(MessageStrip::Mood::notice, written.size() == 1 ? tr("Saved %1, and its settings beside it.").arg(first)
                                                                 : tr("Saved %1 files, the first %2, and their settings beside them.").arg(written.size()).arg(first));
+            endExport(QString());
         };
     });
 }
@@ -217,6 +237,13 @@ void PrintDialog::endExport(const QString& words)
     progress_->setValue(0);
     status_->setText(words);
     showButtons();
+    emit exportEnded(words.isEmpty());
+}
+
+void PrintDialog::reject()
+{
+    if (exporting_) stopExport();
+    else QDialog::reject();
 }
 
 void PrintDialog::done(int result)

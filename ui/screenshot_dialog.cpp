@@ -1,6 +1,7 @@
 #include "ui/screenshot_dialog.h"
 
 #include "ui/main_window.h"
+#include "ui/replace_question.h"
 #include "ui/viewport.h"
 
 #include <QCheckBox>
@@ -62,21 +63,12 @@ ScreenshotDialog::ScreenshotDialog(MainWindow& window)
     connect(format_, &QComboBox::currentIndexChanged, this, &ScreenshotDialog::takeFormat);
     connect(go_, &QPushButton::clicked, this, &ScreenshotDialog::start);
     connect(stop_, &QPushButton::clicked, this, [this] {
-        if (!running_) {
-            close();
-            return;
-        }
-        running_->cancel();
-        setBusy(false);
-        left_->setText(tr("Cancelled; no file was written."));
-    });
-    connect(this, &QDialog::finished, this, [this] {
-        if (running_) running_->cancel();
+        reject();
     });
     setBusy(false);
     const auto name = window.gallery().exhibits()[window.chosen()]->name();
     path_->setText(
-        QString::fromStdString(freeScreenshotPath(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
+        QString::fromStdString(freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
 }
 
 void ScreenshotDialog::build()
@@ -127,7 +119,7 @@ void ScreenshotDialog::build()
     file->addWidget(browseButton);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
-    buttons->addWidget(left_, 1);
+    buttons->addStretch(1);
     buttons->addWidget(stop_);
     buttons->addWidget(go_);
     go_->setDefault(true);
@@ -143,6 +135,7 @@ void ScreenshotDialog::build()
     form->addRow(tr("Transparent"), transparent_);
     form->addRow(tr("File"), file);
     form->addRow(progress_);
+    form->addRow(left_);
     form->addRow(buttons);
 }
 
@@ -158,8 +151,32 @@ void ScreenshotDialog::browse()
     auto* dialog = new QFileDialog(this, tr("Export picture"), path_->text());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    connect(dialog, &QFileDialog::fileSelected, path_, &QLineEdit::setText);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
+        path_->setText(chosen);
+        replaced_ = chosen;  // The dialog has asked.
+    });
     dialog->open();
+}
+
+void ScreenshotDialog::setPath(const QString& path)
+{
+    path_->setText(path);
+}
+
+QString ScreenshotDialog::path() const
+{
+    return path_->text();
+}
+
+void ScreenshotDialog::reject()
+{
+    if (!running_ || !running_->running()) {
+        QDialog::reject();
+        return;
+    }
+    running_->cancel();
+    setBusy(false);
+    left_->setText(tr("Cancelled; no file was written."));
 }
 
 ExportWish ScreenshotDialog::wish() const
@@ -190,6 +207,15 @@ void ScreenshotDialog::start()
         left_->setText(tr("Visit an exhibit first: around the hall there is nothing to leave out."));
         return;
     }
+    if (path_->text() == replaced_) write(replaced_);
+    else askBeforeReplacing(this, path_->text(), [this](const QString& path) { write(path); });
+}
+
+void ScreenshotDialog::write(const QString& to)
+{
+    if (running_ && running_->running()) return;
+    path_->setText(to);
+    replaced_.clear();
     running_ = new PictureExport(window_, wish());
     connect(running_, &PictureExport::progressed, this, [this](double part, double secondsLeft) {
         progress_->setValue(static_cast<int>(part * 1000));
@@ -197,7 +223,9 @@ void ScreenshotDialog::start()
     });
     connect(running_, &PictureExport::finished, this, [this](const QString& path) {
         setBusy(false);
-        left_->setText(tr("Saved %1").arg(path));
+        left_->setText(tr("Saved %1.").arg(QFileInfo(path).fileName()));
+        left_->setToolTip(path);
+        path_->setText(nextFreePath(path));
     });
     connect(running_, &PictureExport::failed, this, [this](const QString& why) {
         setBusy(false);

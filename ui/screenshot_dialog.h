@@ -21,12 +21,19 @@ class ScreenshotDialog final : public QDialog {
 
 public:
     explicit ScreenshotDialog(MainWindow&);
+    void setPath(const QString&);
+    [[nodiscard]] QString path() const;
+
+public slots:
+    /// Cancels what runs; closes the dialog where nothing does.
+    void reject() override;
 
 private:
     void build();
     void takeFormat();
     void browse();
     void start();
+    void write(const QString& path);
     void setBusy(bool);
     [[nodiscard]] ExportWish wish() const;
 
@@ -36,6 +43,7 @@ private:
     QComboBox* format_;
     QCheckBox* transparent_;
     QLineEdit* path_;
+    QString replaced_;  // The visitor agreed that this file may be replaced.
     QProgressBar* progress_;
     QLabel* left_;
     QPushButton *go_, *stop_;

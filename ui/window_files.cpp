@@ -2,15 +2,16 @@
 #include "ui/main_window.h"
 
 #include "exhibits/exhibits.h"
+#include "render/failure.h"
+#include "render/image/image_io.h"
+#include "ui/application.h"
 #include "ui/picture_export.h"
 #include "ui/preset_shelf.h"
 #include "ui/print_dialog.h"
 #include "ui/screenshot_dialog.h"
-#include "ui/session_keeper.h"
 #include "ui/shown_views.h"
 #include "ui/viewport.h"
 
-#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -35,6 +36,22 @@ void MainWindow::dropEvent(QDropEvent* event)
     event->acceptProposedAction();
 }
 
+namespace {
+
+/// Whether the file is a lenticular print or describes one.
+bool isPrint(const QString& path)
+{
+    try {
+        const std::unique_ptr<PrintDesk> desk = makePrintDesk();
+        static_cast<void>(desk->settingsFrom(desk->settingsIn(path.toStdString()), path.toStdString()));
+        return true;
+    } catch (const Failure&) {
+        return false;
+    }
+}
+
+}  // namespace
+
 void MainWindow::setHallFile(const char* parameter, const QString& path)
 {
     Look next = history_.look();
@@ -45,6 +62,11 @@ void MainWindow::setHallFile(const char* parameter, const QString& path)
         return;
     }
     next.values[0].setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
+    for (const std::string& why : gallery_.unreadableFiles(next)) {
+        if (!why.starts_with(label(next.values[0].rows()[*row]) + " of ")) continue;
+        say(MessageStrip::Mood::problem, tr("%1 Nothing was changed.").arg(QString::fromStdString(why)));
+        return;
+    }
     history_.change(tr("Put %1 into the hall").arg(QFileInfo(path).fileName()), std::move(next));
 }
 
@@ -66,27 +88,47 @@ QStringList MainWindow::openable()
 void MainWindow::openFile(const QString& path)
 {
     const QString ending = QFileInfo(path).suffix().toLower();
-    if (ending == QLatin1String("json")) shelf_->loadFile(path);
-    else if (models.contains(ending)) setHallFile("model", path);
-    else if (pictures.contains(ending)) {
-        if (!shelf_->loadFromPicture(path)) setHallFile("environment", path);
+    if (ending == QLatin1String("json")) {
+        if (isPrint(path)) openPrintDialog(path);
+        else shelf_->loadFile(path);
+    } else if (models.contains(ending)) {
+        setHallFile("model", path);
+    } else if (pictures.contains(ending)) {
+        openPicture(path);
     } else {
         say(MessageStrip::Mood::problem,
             tr("%1 cannot be opened: it is none of .json, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif.").arg(path));
     }
 }
 
-void MainWindow::closeEvent(QCloseEvent* event)
+void MainWindow::openPicture(const QString& path)
 {
-    keeper_->close();
-    event->accept();
+    if (isPrint(path)) {
+        openPrintDialog(path);
+        return;
+    }
+    if (shelf_->loadFromPicture(path)) return;
+    const QString name = QFileInfo(path).fileName();
+    try {
+        const std::shared_ptr<const render::Texture> picture = render::loadTexture(path.toStdString(), true, true);
+        if (std::abs(picture->width - 2 * picture->height) > std::max(1, picture->height / 50)) {
+            say(MessageStrip::Mood::problem,
+                tr("%1 was not put into the sky: it has %2 × %3 pixels, and a panorama of the whole sky is twice as wide as high. "
+                   "To stretch it over the sky all the same, choose it for Environment of The hall.").arg(name).arg(picture->width).arg(picture->height));
+            return;
+        }
+    } catch (const std::exception& failure) {
+        say(MessageStrip::Mood::problem, messageOf(failure));
+        return;
+    }
+    setHallFile("environment", path);
 }
 
 void MainWindow::saveScreenshotNow()
 {
     const std::string_view name = gallery_.exhibits()[chosen_]->name();
     ExportWish wish;
-    wish.path = freeScreenshotPath(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+    wish.path = freeScreenshotPath(*this, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
     if (const std::optional<render::Image> shown = viewport_->finishedPicture()) {
         try {
             render::PictureMetadata inside;
@@ -118,13 +160,14 @@ void MainWindow::openScreenshotDialog()
     (new ScreenshotDialog(*this))->show();
 }
 
-void MainWindow::openPrintDialog()
+void MainWindow::openPrintDialog(const QString& print)
 {
     auto* dialog = findChild<PrintDialog*>();
     if (!dialog) dialog = new PrintDialog(makePrintDesk(), new ShownViews(*this), this);
     dialog->show();
     dialog->raise();
     dialog->activateWindow();
+    if (!print.isEmpty()) dialog->open({print});
 }
 
 }  // namespace vitrine::ui

@@ -97,10 +97,11 @@ render::Box Fur::bounds(const ParameterValues&) const
 double Fur::firstHit(const ParameterValues& values, double time, double sinceOwnPress, const render::Ray& ray) const
 {
     const Moment now = moment(values, time, sinceOwnPress);
-    const Coats coats{table_, values, now.states, glm::dmat4(1), time, 1, wardrobe_->modelRadius};
+    const std::shared_ptr<const Wardrobe::RingModel> model = wardrobe_->model.value;
+    const Coats coats{table_, values, now.states, glm::dmat4(1), time, 1, model ? model->radius : 0};
     double nearest = never;
     for (int i = 0; i < furBodyCount; ++i) {
-        const auto& skin = i == furRing && wardrobe_->model ? wardrobe_->model : wardrobe_->skins[i];
+        const auto& skin = i == furRing && model ? model->skin : wardrobe_->skins[i];
         // The ellipsoid that touches the sides of the space the coat may fill.
         const render::Box space = coats.space(i, skin->bounds);
         const glm::dmat4 bodyFromBall = glm::scale(glm::translate(glm::dmat4(1), space.center()), glm::max(space.halfSize(), 1e-6));

@@ -17,6 +17,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
 #include <QTabBar>
@@ -65,6 +66,11 @@ class PrintDialogTest : public QObject {
             image.save(files.back());
         }
         return files;
+    }
+    static QByteArray contentOf(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
     /// Types a number, as a visitor does.
     void type(const char* row, const QString& text)
@@ -261,6 +267,68 @@ private slots:
         settle();
         QVERIFY(dialog_->values() == before);
         QCOMPARE(dialog_->files(), views);
+    }
+
+    void nothingThatIsFinishedIsReplacedWithoutAQuestion()
+    {
+        dialog_->open(solidViews(3));
+        set("width", 0.02);
+        set("height", 0.02);
+        const QString out = home_->filePath("out");
+        QDir().mkpath(out);
+        // A chart has a name of its own: it never takes a print's place.
+        dialog_->setPath(out + "/card.tif");
+        dialog_->setChart(true);
+        QVERIFY2(dialog_->path().contains("chart"), qPrintable(dialog_->path()));
+        dialog_->setChart(false);
+        QCOMPARE(dialog_->path(), out + "/card.tif");
+        settle();
+        const auto write = [&] {
+            dialog_->startExport();
+            QTRY_VERIFY_WITH_TIMEOUT(!dialog_->exporting(), 20000);
+        };
+        const auto answer = [&](const char* button) {
+            dialog_->setPath(out + "/card.tif");
+            settle();
+            dialog_->startExport();
+            QVERIFY(!dialog_->exporting());
+            auto* chosen = dialog_->findChild<QMessageBox*>()->findChild<QPushButton*>(button);
+            if (chosen) chosen->click();
+            else dialog_->findChild<QMessageBox*>()->reject();
+            QTRY_VERIFY(!dialog_->findChild<QMessageBox*>());
+            QTRY_VERIFY_WITH_TIMEOUT(!dialog_->exporting(), 20000);
+        };
+        write();
+        QCOMPARE(filesIn(out), (QStringList{"card.tif", "card.tif.json"}));
+        // The next one is written beside it without being asked for.
+        QCOMPARE(dialog_->path(), out + "/card-2.tif");
+        const QByteArray first = contentOf(out + "/card.tif");
+        set("phase", 0.5);
+        answer("no such button");
+        QCOMPARE(contentOf(out + "/card.tif"), first);
+        answer("keepBoth");
+        QCOMPARE(contentOf(out + "/card.tif"), first);
+        QCOMPARE(filesIn(out), (QStringList{"card-2.tif", "card-2.tif.json", "card.tif", "card.tif.json"}));
+        answer("replace");
+        QVERIFY(contentOf(out + "/card.tif") != first);
+    }
+
+    void escapeCancelsAnExportAndOnlyThenClosesTheDialog()
+    {
+        dialog_->open(solidViews(12));
+        settle();
+        set("width", 1.2);
+        set("height", 1.2);
+        dialog_->setPath(home_->filePath("card.tif"));
+        settle();
+        dialog_->startExport();
+        QTest::qWait(100);
+        QVERIFY(dialog_->exporting());
+        QTest::keyClick(dialog_, Qt::Key_Escape);
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog_->exporting(), 20000);
+        QVERIFY(dialog_ && dialog_->isVisible());
+        QTest::keyClick(dialog_, Qt::Key_Escape);
+        QTRY_VERIFY(!dialog_);
     }
 
     void cancelLeavesNoFile()
