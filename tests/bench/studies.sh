@@ -39,4 +39,5 @@ measure fur rotationModel --views 6
 measure fur springModel --views 6
 measure crepuscular_rays volumeSteps
 measure crepuscular_rays method samples --points 6 --runs 3 --set technique="screen space" --set resolution=full
-measure hall supersamples --values 1,2,4,8,16 --size 160x90
+measure hall supersamples --values 1,2,4,8,16,32 --size 160x90 --views 1
+measure sdf_morph hall.supersamples --alone --values 1,2,4,8,16,32,64 --size 160x90 --views 1
