@@ -67,6 +67,15 @@ render::Camera Hall::bestView(const ParameterValues&) const
     return {{1.35, 1.65, 10.2}, {-0.35, 2.15, -4.0}, 0.959931};
 }
 
+std::vector<StudyView> Hall::studyViews(const ParameterValues& values) const
+{
+    // Half-shadows and mirror images in the grazing floor; the coffers' fine edges; bars before the brightest there is.
+    return {{"best view", bestView(values), 0, values},
+            {"along the floor", {{4.6, 0.45, 2.5}, {-2.5, 0.35, -9}, 0.959931}, 0, values},
+            {"up into the vault", {{-2.2, 1.65, 5.5}, {0.6, 7.2, -3}, 1.047198}, 0, values},
+            {"into the window", {{1.2, 1.65, -5.5}, {-0.4, 3.6, -12}, 0.959931}, 0, values}};
+}
+
 double Hall::nextChange(const ParameterValues&, double) const
 {
     return std::numeric_limits<double>::infinity();

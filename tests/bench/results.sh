@@ -34,7 +34,8 @@ study_fur_rotationModel gl $study fur rotationModel --views 6 --runs 3
 study_fur_springModel gl $study fur springModel --views 6 --runs 3
 study_crepuscular_rays_volumeSteps gl $study crepuscular_rays volumeSteps
 study_crepuscular_rays_method_samples gl $study crepuscular_rays method samples --points 6 --runs 3 --set technique=screen\ space --set resolution=full
-study_hall_supersamples gl $study hall supersamples --values 1,2,4,8,16 --size 160x90
+study_hall_supersamples gl $study hall supersamples --values 1,2,4,8,16,32 --size 160x90 --views 1
+study_sdf_morph_supersamples gl $study sdf_morph hall.supersamples --alone --values 1,2,4,8,16,32,64 --size 160x90 --views 1
 stability_suite gl env VITRINE_SCAN_PRESETS=100 ctest --test-dir build/release -L stability -j 2
 END
 }

@@ -4,6 +4,7 @@
 #include "exhibits/lenticular/lenticular_table.h"
 #include "tests/gl/gallery.h"
 
+#include <cstdio>
 #include <functional>
 
 namespace vitrine {
@@ -23,6 +24,9 @@ struct Case {
     std::function<void(Shot&, bool on)> with;
     bool inHall = true;
     std::function<void(Shot&)> prepare = {};    ///< After the random settings: what makes the effect be seen.
+    /// How much of its bound the effect has to come to in one of the settings. Few pictures come near to a bound that holds
+    /// for a mirror in the sun as well: where it is so, the case says less.
+    double leastPart = 0.01;
 };
 
 ParameterValues& valuesOf(Shot& shot, std::string_view exhibit)
@@ -67,16 +71,19 @@ Shot shotOf(const Case& c, std::uint64_t seed)
     return shot;
 }
 
-/// The largest change of a channel over its bound, and whether anything changed at all.
+/// The largest change of a channel over its bound, in which of the random settings it was, and in how many anything
+/// changed at all.
 struct Held {
     double largest = 0;
+    int seed = 0;
     int seen = 0;
 };
 
-Held held(const Case& c, int seeds)
+/// Over the settings `first` to `last`. The bound is taken `lowered` times as high as its plan states it.
+Held held(const Case& c, int first, int last, double lowered = 1)
 {
     Held result;
-    for (int seed = 1; seed <= seeds; ++seed) {
+    for (int seed = first; seed <= last; ++seed) {
         Shot shot = shotOf(c, static_cast<std::uint64_t>(seed));
         c.with(shot, false);
         const Picture without = shot.take();
@@ -92,10 +99,13 @@ Held held(const Case& c, int seeds)
         with.each([&](int x, int y) {
             for (int i = 0; i < 3; ++i) {
                 const double before = without.color(x, y)[i];
-                const double allowed = bound->share * before + bound->radiance + halfFloat * (before + with.color(x, y)[i]);
+                const double allowed = lowered * (bound->share * before + bound->radiance) + halfFloat * (before + with.color(x, y)[i]);
                 const double difference = std::abs(with.color(x, y)[i] - before);
                 change = std::max(change, difference);
-                result.largest = std::max(result.largest, difference / std::max(allowed, 1e-12));
+                const double part = difference / std::max(allowed, 1e-12);
+                if (part <= result.largest) continue;
+                result.largest = part;
+                result.seed = seed;
             }
         });
         result.seen += change > 1e-3;
@@ -103,12 +113,16 @@ Held held(const Case& c, int seeds)
     return result;
 }
 
+/// That the bound holds, that there is something for it to hold, and that this test would see one that is too low: set
+/// to nine tenths of what was measured, it has to fail.
 void expectHeld(const Case& c, int seeds = 4)
 {
-    const Held result = held(c, seeds);
+    const Held result = held(c, 1, seeds);
     EXPECT_LE(result.largest, 1) << c.passOrEffect << " of " << c.exhibit;
     EXPECT_GE(result.seen, 1) << c.passOrEffect << " was never seen to change anything: the test proves nothing";
-    testing::Test::RecordProperty("largestShareOfBound", std::to_string(result.largest));
+    EXPECT_GE(result.largest, c.leastPart) << c.passOrEffect << " of " << c.exhibit << ": the bound is so high that the test proves little";
+    EXPECT_GT(held(c, result.seed, result.seed, 0.9 * result.largest).largest, 1) << c.passOrEffect << " of " << c.exhibit << ": a bound that is too low passes";
+    std::printf("%s of %s: at most %.3g of its bound\n", c.passOrEffect.c_str(), c.exhibit.c_str(), result.largest);
 }
 
 void noAir(Shot& shot)
@@ -126,7 +140,7 @@ TEST_F(BoundsOfEffects, ShadowsOfTheSunTakeNoMoreThanTheSunGives)
 TEST_F(BoundsOfEffects, MirrorImagesAreNoBrighterThanWhatIsMirrored)
 {
     const auto probe = [](Shot& shot, bool on) { shot.hall().set(hallTable().reflectionProbe, on); };
-    expectHeld({"hall", "probe/irradiance", probe, true, noAir});
+    expectHeld({"hall", "probe/irradiance", probe, true, noAir, 1e-4});  // The sun itself could stand in the mirror image.
     expectHeld({"sdf_morph", "probe/irradiance", probe, false});
     expectHeld({"lenticular", "probe/irradiance", probe, false});
 }
@@ -159,8 +173,8 @@ TEST_F(BoundsOfEffects, OfTheTorusMugHold)
     expectHeld({"sdf_morph", "sdf_morph/self-shadow", [](Shot& s, bool on) {
         s.object().set(sdfTable().shadowMethod, on ? SdfShadow::improved : SdfShadow::none);
         s.see({0.45, 1.1, 0.8}, {0, 0, 0});
-    }, false, mugInTheSun}, 6);
-    expectHeld({"sdf_morph", "sdf_morph/bounces", [](Shot& s, bool on) { s.object().set(sdfTable().bounces, on ? 3 : 0); }, false, plain}, 6);
+    }, false, mugInTheSun, 2e-4}, 6);
+    expectHeld({"sdf_morph", "sdf_morph/bounces", [](Shot& s, bool on) { s.object().set(sdfTable().bounces, on ? 3 : 0); }, false, plain, 2e-3}, 6);
 }
 
 TEST_F(BoundsOfEffects, OcclusionOfGlassIsCulledAndWouldHaveChangedNothing)
@@ -179,7 +193,7 @@ TEST_F(BoundsOfEffects, OcclusionOfGlassIsCulledAndWouldHaveChangedNothing)
 TEST_F(BoundsOfEffects, ColorsThatSpreadStayBelowWhitePaper)
 {
     const LenticularTable table;
-    expectHeld({"lenticular", "lenticular/dispersion", [&](Shot& s, bool on) { valuesOf(s, "lenticular").set(table.dispersion, on); }, false});
+    expectHeld({"lenticular", "lenticular/dispersion", [&](Shot& s, bool on) { valuesOf(s, "lenticular").set(table.dispersion, on); }, false, {}, 1e-3});
 }
 
 TEST_F(BoundsOfEffects, RaysAddNoMoreThanTheMaskTimesTheirStrength)
@@ -211,13 +225,6 @@ TEST_F(BoundsOfEffects, ToneMappingShowsLightBetweenZeroAndOne)
                 for (int c = 0; c < 3; ++c)
                     EXPECT_LE(std::abs(shown.at(x, y, c) - light.at(x, y, c)), bound->share * light.at(x, y, c) + bound->radiance + 1e-3);
     }
-}
-
-TEST_F(BoundsOfEffects, ABoundThatIsTooLowIsSeen)
-{
-    // The negative control: a thousandth of the light that the probe's bound allows is less than the mirror image holds.
-    const Case c{"sdf_morph", "probe/irradiance", [](Shot& shot, bool on) { shot.hall().set(hallTable().reflectionProbe, on); }, false};
-    EXPECT_GT(held(c, 2).largest, 1e-3);
 }
 
 }  // namespace

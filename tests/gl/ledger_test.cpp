@@ -2,6 +2,10 @@
 
 #include "tests/gl/gallery.h"
 
+#include <algorithm>
+#include <functional>
+#include <set>
+
 namespace vitrine {
 namespace {
 
@@ -54,17 +58,66 @@ std::map<std::string, std::int64_t> heldFor(const Shot& shot)
     return renderer.draw(gallery().museum.plan(shot.look, shot.request.frame, renderer.kept())).counters;
 }
 
+/// How many different programs a plan draws with.
+std::size_t programsOf(const render::FramePlan& plan)
+{
+    std::set<std::string> programs;
+    for (const render::Pass& pass : plan.passes()) {
+        std::string program = pass.shader.vertex + ' ' + pass.shader.fragment + ' ' + pass.shader.compute;
+        for (const std::string& define : pass.shader.defines) program += ' ' + define;
+        programs.insert(std::move(program));
+    }
+    return programs.size();
+}
+
+/// An effect, what its passes and images are called, and its switch.
+struct Switched {
+    const char* passes;
+    const char* image;
+    std::size_t exhibit;
+    bool alone;
+    std::function<void(Shot&, bool on)> with;
+};
+
 TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
 {
-    Shot on = shotOf(gallery().museum.find("sdf_morph").value(), true);
-    Shot off = on;
-    on.object().set(sdfTable().conePrepass, true);
-    off.object().set(sdfTable().conePrepass, false);
-    auto with = heldFor(on);
-    auto without = heldFor(off);
-    EXPECT_EQ(with["passes"], without["passes"] + 1);
-    EXPECT_EQ(with["programs"], without["programs"] + 1);
-    EXPECT_EQ(with["images"], without["images"] + 1);
+    const Museum& museum = gallery().museum;
+    const std::size_t sdf = *museum.find("sdf_morph");
+    const std::size_t rays = *museum.find("crepuscular_rays");
+    const auto beams = [rays](RayTechnique technique) {
+        return [=](Shot& s, bool on) { s.look.values[rays].set(raysTable().technique, on ? technique : RayTechnique::none); };
+    };
+    const Switched effects[] = {
+        {"sdf_morph/cone", "sdf_morph.cone", sdf, true, [](Shot& s, bool on) { s.object().set(sdfTable().conePrepass, on); }},
+        {"hall/shadow", "shadow.hall", 0, false, [](Shot& s, bool on) { s.hall().set(hallTable().sunShadows, on); }},
+        {"probe/", "probe", 0, false, [](Shot& s, bool on) { s.hall().set(hallTable().reflectionProbe, on); }},
+        {"crepuscular_rays/mask", "crepuscular_rays.mask", rays, false, beams(RayTechnique::screen)},
+        {"crepuscular_rays/", "crepuscular_rays.scattered", rays, false, beams(RayTechnique::volume)},
+    };
+    for (const Switched& effect : effects) {
+        SCOPED_TRACE(effect.passes);
+        Shot on = shotOf(effect.exhibit, effect.alone);
+        Shot off = on;
+        effect.with(on, true);
+        effect.with(off, false);
+        const render::FramePlan with = museum.plan(on.look, on.request.frame);
+        const render::FramePlan without = museum.plan(off.look, off.request.frame);
+        const auto passes = [&](const render::FramePlan& plan) {
+            return std::count_if(plan.passes().begin(), plan.passes().end(), [&](const render::Pass& pass) { return pass.name.starts_with(effect.passes); });
+        };
+        EXPECT_GE(passes(with), 1);
+        EXPECT_EQ(passes(without), 0);
+        EXPECT_TRUE(with.images().contains(effect.image));
+        EXPECT_FALSE(without.images().contains(effect.image));
+        EXPECT_GT(programsOf(with), programsOf(without));
+        if (!effect.alone) continue;
+        // And what the plan says is what is held.
+        auto held = heldFor(on);
+        auto heldOff = heldFor(off);
+        EXPECT_EQ(held["passes"], heldOff["passes"] + static_cast<std::int64_t>(with.passes().size() - without.passes().size()));
+        EXPECT_EQ(held["programs"], heldOff["programs"] + static_cast<std::int64_t>(programsOf(with) - programsOf(without)));
+        EXPECT_EQ(held["images"], heldOff["images"] + static_cast<std::int64_t>(with.images().size() - without.images().size()));
+    }
 }
 
 TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)

@@ -138,7 +138,7 @@ TEST_F(Rays, H56_AreTheMeanThatFloat64Finds)
         EXPECT_LT(std::sqrt(polarSquares / pixels), 0.004);
         EXPECT_LT(std::sqrt(passesSquares / pixels), 0.006);
     }
-    EXPECT_GT(bent, 5 * degree);
+    EXPECT_GT(bent, 3 * degree);
 }
 
 TEST_F(Rays, OfMoreSamplesAreNoBrighter)

@@ -1,5 +1,6 @@
 #include "render/scene/camera.h"
 #include "tests/stability/fields.h"
+#include "tests/support/edge_error.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -217,6 +218,22 @@ TEST(Camera, SamplesFillThePixelEvenlyAndStartInItsMiddle)
         // A low-discrepancy sequence: its mean misses the middle by far less than 1/sqrt(n).
         EXPECT_LT(glm::length(sum) / n, n == 1 ? 1e-12 : 0.6 / n + 0.25 / std::sqrt(n)) << n;
     }
+}
+
+TEST(Camera, SamplesOfEdgesErrWithThePower3Over4OfTheirNumberButForTheFirstFew)
+{
+    const auto ours = [](int n) { return test::edgeError(n, [n](int i) { return samplePosition(i, n); }); };
+    test::Random places(9);
+    const auto random = [&](int n) { return test::edgeError(n, [&](int) { return glm::dvec2(places.number(-0.5, 0.5), places.number(-0.5, 0.5)); }); };
+    const auto power = [](double few, double many, double ratio) { return std::log(few / many) / std::log(ratio); };
+    // Of a low-discrepancy sequence of two dimensions, 3/4 (Mitchell 1996): half the error for 2^(4/3) = 2.5 times the
+    // samples. Of random ones 1/2: for 4 times.
+    EXPECT_NEAR(power(ours(2), ours(1024), 512), 0.75, 0.05);
+    EXPECT_NEAR(power(random(2), random(128), 64), 0.5, 0.03);
+    // A single sample lies in the middle, where it is worth two random ones: to 16, the law seems to be a worse one.
+    EXPECT_LT(ours(1), 0.75 * random(1));
+    EXPECT_LT(power(ours(1), ours(16), 16), 0.5);
+    EXPECT_LT(ours(16), 0.85 * random(16));
 }
 
 TEST(Camera, ReversedOrthographicPutsNearAt1AndFarAt0)

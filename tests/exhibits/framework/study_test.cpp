@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace vitrine {
 namespace {
@@ -171,6 +172,16 @@ TEST(Study, ChecksAReferenceThatIsTheInitialValueOnBothSides)
     const Exactness factor = exactness(table.rows()[table.factor.row]);
     EXPECT_TRUE(factor.byMeaning);
     EXPECT_TRUE(factor.neighbors.empty());
+}
+
+TEST(Study, HasSeveralViewsOfEveryExhibitAndOfTheHall)
+{
+    const Museum museum;
+    for (const auto& exhibit : museum.exhibits()) {
+        std::set<std::string> names;
+        for (const StudyView& view : exhibit->studyViews(exhibit->parameters().initial())) names.insert(view.name);
+        EXPECT_GE(names.size(), 3U) << exhibit->name();
+    }
 }
 
 TEST(Study, FindsTheLawOfSampling)
