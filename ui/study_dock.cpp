@@ -4,6 +4,7 @@
 #include "exhibits/framework/study_text.h"
 #include "render/failure.h"
 #include "render/measure/distance.h"
+#include "render/measure/memory.h"
 #include "ui/study_chart.h"
 #include "ui/study_pictures.h"
 
@@ -254,10 +255,11 @@ void StudyDock::step()
 void StudyDock::stop()
 {
     timer_.stop();
-    if (job_.study) result_ = job_.study->result();
+    if (job_.study) result_ = job_.study->takeResult();
     if (job_.painter || job_.study) {
         // The painter goes with its context current, or with the context.
         if (!withContext_([this] { job_ = {}; })) job_ = {};
+        render::trimHeap();
     }
     showIdle();
 }
