@@ -1,5 +1,6 @@
 #include "app/command.h"
 #include "render/failure.h"
+#include "render/measure/memory.h"
 #include "ui/run_window.h"
 
 #include <CLI/CLI.hpp>
@@ -51,6 +52,7 @@ int main(int argc, char** argv)
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     std::setlocale(LC_NUMERIC, "C");
+    vitrine::render::returnFreedMemory();
     try {
         return parseAndRun(argc, argv);
     } catch (const vitrine::Failure& failure) {

@@ -83,7 +83,7 @@ void addRenderCommand(CLI::App& parser, Action& chosen)
     command->add_option("exhibit", options->picture.subject, "An exhibit's name, or hall")->required();
     command->add_option("--out", options->picture.out, "The picture: .png, .exr (linear light) or .tif")->required();
     command->add_flag("--sixteen-bit", options->sixteenBit, "PNG or TIFF with 16 bits per channel");
-    command->add_option("--report", options->report, "What ran, what was skipped and why, counters and times, as JSON");
+    command->add_option("--report", options->report, "What ran, what was skipped and why, counters, times and memory by owner, as JSON");
     addPictureOptions(*command, options->picture);
     command->callback([&chosen, options] { chosen = [options] { return renderPicture(*options); }; });
 }

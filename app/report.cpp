@@ -2,6 +2,7 @@
 
 #include "render/files/atomic_write.h"
 #include "render/files/strict_json.h"
+#include "render/measure/memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,9 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     (void)renderer.draw(museum.plan(job.look, counting, renderer.kept()));
     counters["evaluations"] = total(renderer.read(evaluationsImage));
 
+    Json memory{{"residentBytes", render::processMemory().resident}, {"ownBytes", render::processMemory().own}};
+    for (const render::gl::Stored& kept : renderer.stored()) memory[kept.what] = Json{{"count", kept.count}, {"bytes", kept.bytes}};
+
     const Json report{{"exhibit", std::string(museum.exhibits()[job.subject]->name())},
                       {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},
                       {"renderer", gl.renderer},
@@ -86,6 +90,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
                       {"ran", ran},
                       {"skipped", skipped},
                       {"counters", counters},
+                      {"memory", memory},
                       {"ms", Json{{"median", milliseconds[timedRuns / 2]}, {"low", milliseconds.front()}, {"high", milliseconds.back()}, {"runs", timedRuns}}}};
     render::atomicWrite(file, render::writeJson(report));
 }

@@ -84,6 +84,11 @@ render::Image MuseumGallery::shownPicture()
     return picture;
 }
 
+std::vector<render::gl::Stored> MuseumGallery::stored() const
+{
+    return renderer_ ? renderer_->stored() : std::vector<render::gl::Stored>();
+}
+
 void MuseumGallery::timeSteps(bool on)
 {
     timeSteps_ = on;
@@ -103,7 +108,7 @@ std::vector<render::gl::ShaderProblem> MuseumGallery::problems() const
 PictureJob MuseumGallery::makePicture(const Look& look, const PictureRequest& request)
 {
     PictureJob job;
-    job.renderer = std::make_unique<render::gl::Renderer>();
+    job.renderer = renderer_->sibling();
     nextPicture(job, look, request);
     return job;
 }
@@ -116,7 +121,7 @@ void MuseumGallery::nextPicture(PictureJob& job, const Look& look, const Picture
 StudyJob MuseumGallery::makeStudy(const StudyRequest& request)
 {
     StudyJob job;
-    job.painter = std::make_unique<render::gl::Renderer>();
+    job.painter = renderer_->sibling();
     job.study = std::make_unique<Study>(museum_, *job.painter, request);
     return job;
 }

@@ -32,6 +32,9 @@ public:
     void nextPicture(PictureJob&, const Look&, const PictureRequest&) override;
     [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override;
 
+    /// What the viewport's renderer keeps, by owner; nothing before it is open.
+    [[nodiscard]] std::vector<render::gl::Stored> stored() const;
+
 private:
     const Museum& museum_;
     std::unique_ptr<render::gl::Renderer> renderer_;

@@ -1,5 +1,6 @@
 #include "ui/picture_export.h"
 
+#include "render/measure/memory.h"
 #include "ui/application.h"
 #include "ui/main_window.h"
 #include "ui/preset_shelf.h"
@@ -51,7 +52,9 @@ PictureExport::~PictureExport()
 
 void PictureExport::drop()
 {
-    if (job_.renderer) window_.viewport().withContext([this] { job_ = {}; });
+    if (!job_.renderer) return;
+    window_.viewport().withContext([this] { job_ = {}; });
+    render::trimHeap();
 }
 
 void PictureExport::fail(const QString& why)

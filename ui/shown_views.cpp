@@ -1,6 +1,7 @@
 #include "ui/shown_views.h"
 
 #include "render/failure.h"
+#include "render/measure/memory.h"
 #include "ui/application.h"
 #include "ui/main_window.h"
 #include "ui/preset_shelf.h"
@@ -62,8 +63,10 @@ void ShownViews::start(const PrintDesk& desk, const ParameterValues& values, boo
 void ShownViews::stop()
 {
     timer_.stop();
-    if (job_.renderer) window_.viewport().withContext([this] { job_ = {}; });
+    const bool had = job_.renderer != nullptr;
+    if (had) window_.viewport().withContext([this] { job_ = {}; });
     views_.reset();
+    if (had) render::trimHeap();
 }
 
 void ShownViews::fail(const QString& why)

@@ -5,6 +5,7 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/measure/distance.h"
+#include "render/measure/memory.h"
 #include "ui/progress_job.h"
 #include "ui/study_chart.h"
 #include "ui/study_pictures.h"
@@ -286,12 +287,13 @@ void StudyDock::stop()
 {
     timer_.stop();
     if (showsRunning_) {
-        result_ = job_.study->result();
+        result_ = job_.study->takeResult();
         showsRunning_ = false;
     }
     if (job_.painter || job_.study) {
         // The painter goes with its context current, or with the context.
         if (!withContext_([this] { job_ = {}; })) job_ = {};
+        render::trimHeap();
     }
     showIdle();
 }

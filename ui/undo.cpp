@@ -2,7 +2,9 @@
 
 #include <QUndoCommand>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace vitrine::ui {
 
@@ -12,29 +14,67 @@ Gesture newGesture()
     return ++last;
 }
 
-/// From one look to another.
+namespace {
+
+struct RowChange {
+    std::size_t exhibit = 0, row = 0;
+    Value before, after;
+};
+
+std::vector<RowChange> changesBetween(const Look& before, const Look& after)
+{
+    std::vector<RowChange> changes;
+    for (std::size_t e = 0; e < before.values.size(); ++e)
+        for (std::size_t r = 0; r < before.values[e].rows().size(); ++r)
+            if (before.values[e].row(r) != after.values[e].row(r)) changes.push_back({e, r, before.values[e].row(r), after.values[e].row(r)});
+    return changes;
+}
+
+}  // namespace
+
+/// From one look to another. Keeps the rows that differ: looks are large, and an afternoon has thousands of steps.
 class LookStep final : public QUndoCommand {
 public:
-    LookStep(History& history, const QString& text, Look after, Gesture gesture, History::Camera camera)
-        : QUndoCommand(text), history_(history), before_(history.look()), after_(std::move(after)), gesture_(gesture),
-          camera_(camera)
+    LookStep(History& history, const QString& text, const Look& after, Gesture gesture, History::Camera camera)
+        : QUndoCommand(text), history_(history), changes_(changesBetween(history.look(), after)), cameraBefore_(history.look().camera),
+          cameraAfter_(after.camera), gesture_(gesture), camera_(camera)
     {
     }
 
     [[nodiscard]] int id() const override { return gesture_ == 0 ? -1 : gesture_; }
-    void redo() override { history_.show(after_, camera_); }
-    void undo() override { history_.show(before_, camera_); }
+    void redo() override
+    {
+        Look look = history_.look();
+        for (const RowChange& change : changes_) look.values[change.exhibit].setRow(change.row, change.after);
+        look.camera = cameraAfter_;
+        history_.show(look, camera_);
+    }
+    void undo() override
+    {
+        Look look = history_.look();
+        for (const RowChange& change : changes_) look.values[change.exhibit].setRow(change.row, change.before);
+        look.camera = cameraBefore_;
+        history_.show(look, camera_);
+    }
 
     bool mergeWith(const QUndoCommand* next) override
     {
-        after_ = static_cast<const LookStep*>(next)->after_;
-        setObsolete(after_.values == before_.values && camera_ == History::Camera::stays);
+        const auto& later = *static_cast<const LookStep*>(next);
+        for (const RowChange& change : later.changes_) {
+            const auto known = std::find_if(changes_.begin(), changes_.end(), [&](const RowChange& c) { return c.exhibit == change.exhibit && c.row == change.row; });
+            if (known == changes_.end()) changes_.push_back(change);
+            else known->after = change.after;
+        }
+        std::erase_if(changes_, [](const RowChange& change) { return change.before == change.after; });
+        cameraAfter_ = later.cameraAfter_;
+        setObsolete(changes_.empty() && camera_ == History::Camera::stays);
         return true;
     }
 
 private:
     History& history_;
-    Look before_, after_;
+    std::vector<RowChange> changes_;
+    render::Camera cameraBefore_, cameraAfter_;
     Gesture gesture_;
     History::Camera camera_;
 };
@@ -62,7 +102,7 @@ void History::change(const QString& text, Look after, Gesture gesture, Camera ca
 {
     const bool sameCamera = camera == Camera::stays || after.camera == look_.camera;
     if (after.values == look_.values && sameCamera) return;
-    stack_.push(new LookStep(*this, text, std::move(after), gesture, camera));
+    stack_.push(new LookStep(*this, text, after, gesture, camera));
 }
 
 void History::record(const QString& text, std::function<void()> redo, std::function<void()> undo)

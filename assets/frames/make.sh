@@ -6,7 +6,7 @@ cd "$(dirname "$0")/../.."
 program=build/release/vitrine
 # Cards of the card's own shape, on a sheet with room for 16 views.
 card="--count 16 --lpi 40 --dpi 720 --width-mm 600 --height-mm 400"
-picture="--view-size 480x320 --samples ${SAMPLES:-25} --view-format jpg"
+picture="--view-size 480x320 --samples ${SAMPLES:-25}"
 
 # A mug of orange glaze in the evening sun, turning its handle to the front.
 rm -f assets/frames/turning_mug/view_*

@@ -32,6 +32,22 @@ std::int64_t totalOf(const render::Image& picture, std::string_view channel)
     return std::llround(sum);
 }
 
+bool goesByColor(render::Metric metric)
+{
+    return metric != render::Metric::normal && metric != render::Metric::depth;
+}
+
+/// The first four channels of a picture as PictureMaker makes it.
+render::Image colorsOf(const render::Image& from)
+{
+    render::Image to(from.width, from.height, 4);
+    to.channelNames = {"R", "G", "B", "A"};
+    for (int y = 0; y < to.height; ++y)
+        for (int x = 0; x < to.width; ++x)
+            for (int c = 0; c < 4; ++c) to.at(x, y, c) = from.at(x, y, c);
+    return to;
+}
+
 /// Color only, at another size: what a screen does with a picture of fewer pixels.
 render::Image resampled(const render::Image& from, glm::ivec2 size)
 {
@@ -179,9 +195,10 @@ void Study::findDependentPasses()
 
 void Study::addPicture(std::string name, Look look, std::size_t view, std::function<void(render::Image)> take)
 {
-    PictureRequest request = pictureRequest(look, view);
-    auto maker = std::make_shared<PictureMaker>(museum_, painter_, std::move(look), std::move(request));
-    jobs_.push_back({std::move(name), [this, maker, take = std::move(take)] {
+    // Made when its turn comes: it holds the whole picture.
+    std::shared_ptr<PictureMaker> none;
+    jobs_.push_back({std::move(name), [this, look = std::move(look), view, maker = std::move(none), take = std::move(take)]() mutable {
+                         if (!maker) maker = std::make_shared<PictureMaker>(museum_, painter_, look, pictureRequest(look, view));
                          maker->step();
                          if (!maker->finished()) return false;
                          const render::Image& picture = maker->picture();
@@ -225,8 +242,7 @@ void Study::addSetting(const Setting& setting)
             shot.firstMilliseconds = report.milliseconds * samples;
             shot.errors = errorsOf(views_[view].reference, picture);
             // A search keeps many pictures: of those, the colors are enough, unless it goes by something else.
-            const bool byColor = request_.metric != render::Metric::normal && request_.metric != render::Metric::depth;
-            shot.picture = request_.axes.size() > 2 && byColor ? resampled(picture, request_.size) : std::move(picture);
+            shot.picture = request_.axes.size() > 2 && goesByColor(request_.metric) ? colorsOf(picture) : std::move(picture);
             if (view + 1 == result_.views.size()) judge();
         });
     }
@@ -316,6 +332,20 @@ void Study::findJob()
 {
     while (jobs_.empty() && phase_ != Phase::done) nextPhase();
     result_.complete = phase_ == Phase::done;
+    if (result_.complete) keepColors();
+}
+
+/// A result is kept and looked at long after the study: what only its errors needed goes.
+void Study::keepColors()
+{
+    for (View& view : views_) view = {std::move(view.view), {}, {}, {}, view.heldOut};
+    if (!goesByColor(request_.metric)) return;
+    const auto keep = [](render::Image& picture) {
+        if (picture.channels > 4) picture = colorsOf(picture);
+    };
+    for (render::Image& reference : result_.references) keep(reference);
+    for (StudyPoint& point : result_.points)
+        for (StudyShot& shot : point.shots) keep(shot.picture);
 }
 
 bool Study::step()

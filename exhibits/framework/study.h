@@ -42,7 +42,8 @@ using Errors = std::map<render::Metric, double>;
 
 /// One setting in one view.
 struct StudyShot {
-    render::Image picture;                         ///< As PictureMaker makes it; empty until drawn.
+    /// As PictureMaker makes it; empty until drawn. Once the study is finished, color only, unless it goes by more.
+    render::Image picture;
     Errors errors;                                 ///< Against the same model with the studied parameters exact.
     double modelError = 0;                         ///< By the request's metric, against everything exact.
     std::map<std::string, std::int64_t> counters;  ///< Of one picture, and "pixels": samples drawn; the machine's state left out.
@@ -114,6 +115,8 @@ public:
     [[nodiscard]] const std::string& doing() const { return doing_; }
     [[nodiscard]] const StudyRequest& request() const { return request_; }
     [[nodiscard]] const StudyResult& result() const { return result_; }
+    /// The same for good, its pictures moved: nothing more may be asked of the study.
+    [[nodiscard]] StudyResult takeResult() { return std::move(result_); }
     /// The look with this point's values: what a click applies.
     [[nodiscard]] Look lookOf(const StudyPoint&) const;
 
@@ -144,6 +147,7 @@ private:
     void addTimes();
     void nextPhase();
     void findJob();
+    void keepColors();
     [[nodiscard]] Look lookAt(const std::vector<double>& axisValues, std::size_t view) const;
     [[nodiscard]] std::vector<double> valuesOf(const Setting&) const;
     [[nodiscard]] PictureRequest pictureRequest(const Look&, std::size_t view) const;

@@ -2,6 +2,7 @@
 
 #include "exhibits/lenticular/numbers.h"
 #include "exhibits/lenticular/print_raster.h"
+#include "exhibits/lenticular/view_source.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
@@ -39,18 +40,38 @@ render::Image shrunk(const render::Image& image, int factor)
     return small;
 }
 
+/// The interlacer's 16 bits of linear light are more than a texture of 8-bit codes can show.
+CardViews codesOf(const ViewSet& set)
+{
+    CardViews out;
+    out.height = set.height();
+    for (int k = 0; k < set.count(); ++k) {
+        CardViews::View view{set.view(k).width};
+        view.codes.reserve(3 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(out.height));
+        for (int y = 0; y < out.height; ++y) {
+            const std::uint16_t* row = set.row(k, y);
+            for (int x = 0; x < view.width; ++x)
+                for (int c = 0; c < 3; ++c) view.codes.push_back(render::srgb8FromLinear(static_cast<float>(row[4 * x + c]) / 65535));
+        }
+        out.views.push_back(std::move(view));
+    }
+    return out;
+}
+
 void readInto(CardSource& source, const std::vector<fs::path>& files, int count)
 {
     const int available = static_cast<int>(files.size());
     const int taken = std::clamp(count, 1, available);
+    ViewSet views;
     for (int i = 0; i < taken; ++i) {
         // The middles of equal parts of the sequence.
         const int at = static_cast<int>((i + 0.5) * available / taken);
         const render::Image image = render::readImage(files[static_cast<std::size_t>(at)]);
         const double texels = static_cast<double>(image.width) * image.height * taken;
-        source.views.add(shrunk(image, static_cast<int>(std::ceil(std::sqrt(texels / mostTexels)))));
+        views.add(shrunk(image, static_cast<int>(std::ceil(std::sqrt(texels / mostTexels)))));
         if (i == 0) source.aspect = static_cast<double>(image.width) / image.height;
     }
+    source.views = codesOf(views);
 }
 
 /// A picture that vitrine print did not describe: a view.
@@ -139,7 +160,7 @@ render::AssetStore::Made<CardSource> readSource(const std::string& name, int cou
         readRaster(*source, name);
     }
     std::uint64_t bytes = source->raster ? heldBytes(*source->raster) : 0;
-    for (int k = 0; k < source->views.count(); ++k) bytes += static_cast<std::uint64_t>(source->views.view(k).width) * static_cast<std::uint64_t>(source->views.height()) * 8;
+    for (const CardViews::View& view : source->views.views) bytes += view.codes.size();
     return {std::move(source), bytes};
 }
 
@@ -184,17 +205,19 @@ const CardSource& CardPrints::source(CardFace face, const std::string& path, int
 std::shared_ptr<const render::Texture> CardPrints::viewTexture(CardFace face, int columns, double lenses, bool lying)
 {
     Slot& slot = slots_[static_cast<std::size_t>(face)];
-    const ViewSet& views = slot.source->views;
+    const CardViews& views = slot.source->views;
     int width = 1;
-    for (int k = 0; k < views.count(); ++k) width = std::max(width, views.view(k).width);
-    const int texels = lying ? views.height() : width;
+    for (int k = 0; k < views.count(); ++k) width = std::max(width, views.views[static_cast<std::size_t>(k)].width);
+    const int texels = lying ? views.height : width;
     if (columns >= texels) columns = 0;
     if (columns == 0) lenses = 0;
     if (slot.texture && slot.columns == columns && slot.lenses == lenses && slot.lying == lying) return slot.texture;
+    std::array<double, 256> linear{};
+    for (std::size_t code = 0; code < linear.size(); ++code) linear[code] = render::linearFromSrgb(static_cast<double>(code) / 255);
     auto texture = std::make_shared<render::Texture>();
     texture->name = "lenticular views";
     texture->width = lying || columns == 0 ? width : columns;
-    texture->height = lying && columns > 0 ? columns : views.height();
+    texture->height = lying && columns > 0 ? columns : views.height;
     // A single layer would not be an array.
     texture->layers = std::max(views.count(), 2);
     texture->sRgb = true;
@@ -202,22 +225,22 @@ std::shared_ptr<const render::Texture> CardPrints::viewTexture(CardFace face, in
     texture->bytes.reserve(static_cast<std::size_t>(texture->width) * static_cast<std::size_t>(texture->height) * 4 * static_cast<std::size_t>(texture->layers));
     for (int layer = 0; layer < texture->layers; ++layer) {
         const int k = std::min(layer, views.count() - 1);
-        const int ownWidth = views.view(k).width;
+        const auto& [ownWidth, codes] = views.views[static_cast<std::size_t>(k)];
         for (int y = 0; y < texture->height; ++y) {
-            const auto [top, bottom] = lying && columns > 0 ? spanOf(y, columns, lenses, views.height()) : std::pair<double, double>(y, y + 1);
+            const auto [top, bottom] = lying && columns > 0 ? spanOf(y, columns, lenses, views.height) : std::pair<double, double>(y, y + 1);
             for (int x = 0; x < texture->width; ++x) {
                 const auto [left, right] = !lying && columns > 0 ? spanOf(x, columns, lenses, ownWidth)
                                                                  : std::pair<double, double>(static_cast<double>(x) * ownWidth / width, (x + 1.0) * ownWidth / width);
                 double sum[3] = {0, 0, 0};
                 for (int j = static_cast<int>(top); j < bottom; ++j) {
                     const double high = std::min<double>(bottom, j + 1) - std::max<double>(top, j);
-                    const std::uint16_t* row = views.row(k, j);
+                    const std::uint8_t* row = codes.data() + 3 * static_cast<std::size_t>(j) * static_cast<std::size_t>(ownWidth);
                     for (int i = static_cast<int>(left); i < right; ++i) {
                         const double share = high * (std::min<double>(right, i + 1) - std::max<double>(left, i));
-                        for (int c = 0; c < 3; ++c) sum[c] += share * row[4 * i + c];
+                        for (int c = 0; c < 3; ++c) sum[c] += share * linear[row[3 * i + c]];
                     }
                 }
-                const double area = 65535 * (bottom - top) * (right - left);
+                const double area = (bottom - top) * (right - left);
                 for (const double channel : sum) texture->bytes.push_back(render::srgb8FromLinear(static_cast<float>(channel / area)));
                 texture->bytes.push_back(255);
             }

@@ -2,21 +2,35 @@
 
 #include "exhibits/lenticular/lenticular_table.h"
 #include "exhibits/lenticular/print_layout.h"
-#include "exhibits/lenticular/view_source.h"
 #include "render/files/asset_store.h"
 #include "render/scene/mesh.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace vitrine::lenticular {
+
+/// The card's views as its texture needs them: sRGB codes, red, green and blue; row 0 at the top. All have the same
+/// height; widths differ.
+struct CardViews {
+    struct View {
+        int width = 0;
+        std::vector<std::uint8_t> codes{};  ///< 3 * width * height.
+    };
+    int height = 0;
+    std::vector<View> views{};
+
+    [[nodiscard]] int count() const { return static_cast<int>(views.size()); }
+};
 
 /// What lies in the card: views, or the raster of a printed file with its description.
 struct CardSource {
     double aspect = 1.5;  ///< Width over height.
     int available = 0;    ///< Views in the files; 0 for a raster, where their number is settled.
-    ViewSet views{};
+    CardViews views{};
     std::shared_ptr<const render::Texture> raster{};  ///< Null for views.
     PrintSettings print{};       ///< Of the raster.
     glm::ivec2 rasterSize{0};    ///< Pixels across the lenses and along them.

@@ -3,6 +3,8 @@
 #include "render/gl/object.h"
 #include "render/scene/mesh.h"
 
+#include <cstdint>
+
 namespace vitrine::render::gl {
 
 /// A mesh on the graphics processor.
@@ -12,12 +14,14 @@ public:
 
     void draw(int instances) const;
     [[nodiscard]] GLsizei indexCount() const { return indexCount_; }
+    [[nodiscard]] std::int64_t bytes() const { return bytes_; }
     void abandon();
 
 private:
     BufferName vertices_, indices_;
     VertexArrayName array_;
     GLsizei indexCount_ = 0;
+    std::int64_t bytes_ = 0;
 };
 
 }  // namespace vitrine::render::gl

@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <atomic>
 #include <utility>
 
 namespace vitrine::render::gl {
@@ -10,7 +11,7 @@ namespace vitrine::render::gl {
 template <auto Delete> class Object {
 public:
     Object() = default;
-    explicit Object(GLuint name) : name_(name) {}
+    explicit Object(GLuint name) : name_(name) { live_ += name_ != 0 ? 1 : 0; }
     ~Object() { reset(); }
     Object(Object&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
     Object& operator=(Object&& other) noexcept
@@ -27,14 +28,22 @@ public:
     [[nodiscard]] GLuint name() const { return name_; }
     [[nodiscard]] explicit operator bool() const { return name_ != 0; }
     /// Forgets the name without deleting it: the context is gone.
-    void abandon() { name_ = 0; }
+    void abandon()
+    {
+        live_ -= name_ != 0 ? 1 : 0;
+        name_ = 0;
+    }
+    /// How many names of this kind the program owns.
+    [[nodiscard]] static int live() { return live_; }
 
 private:
     void reset()
     {
         if (name_ != 0) Delete(name_);
-        name_ = 0;
+        abandon();
     }
+
+    static inline std::atomic<int> live_{0};
 
     GLuint name_ = 0;
 };

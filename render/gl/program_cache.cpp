@@ -29,7 +29,18 @@ GLuint ProgramCache::use(const ShaderKey& key)
         throw Failure(Blame::shader, "shaders/" + problem.file + ", line " + std::to_string(problem.line) + ": " + problem.text +
                                          " (while building " + describe(key) + "); correct the shader or reinstall the program.");
     }
+    found->second.lastUse = frame_;
     return build.program.name();
+}
+
+void ProgramCache::dropIdle()
+{
+    std::vector<std::pair<std::uint64_t, std::string>> idle;
+    for (const auto& [id, entry] : programs_)
+        if (entry.lastUse != frame_) idle.emplace_back(entry.lastUse, id);
+    if (idle.size() <= mostIdle) return;
+    std::sort(idle.begin(), idle.end());
+    for (std::size_t i = 0; i < idle.size() - mostIdle; ++i) programs_.erase(idle[i].second);
 }
 
 void ProgramCache::rebuild(Entry& entry)

@@ -8,6 +8,7 @@
 #include "render/gl/pass_state.h"
 #include "render/gl/program_cache.h"
 #include "render/gl/resources.h"
+#include "render/gl/uploads.h"
 #include "render/measure/clock.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -68,17 +69,25 @@ private:
 
 }  // namespace
 
+/// What siblings have in common.
+struct Renderer::Shared {
+    ProgramCache programs;
+    Uploads uploads;
+};
+
 struct Renderer::State {
     ContextInfo info = currentContextInfo();
+    std::shared_ptr<Shared> shared;
+    ProgramCache& programs;
+    Uploads& uploads;
     Resources resources;
-    ProgramCache programs;
     BlockArena arena;
     VertexArrayName noVertices;
     KeptKeys kept;
     std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes whose key vouches for it.
     bool timeSteps = false;
 
-    State()
+    explicit State(std::shared_ptr<Shared> common) : shared(std::move(common)), programs(shared->programs), uploads(shared->uploads)
     {
         GLuint name = 0;
         glCreateVertexArrays(1, &name);
@@ -103,7 +112,7 @@ struct Renderer::State {
     {
         for (const Input& input : inputs) {
             if (const auto* name = std::get_if<std::string>(&input.source)) resources.image(*name).bind(input.unit);
-            else resources.texture(std::get<std::shared_ptr<const render::Texture>>(input.source)).bind(input.unit);
+            else uploads.texture(std::get<std::shared_ptr<const render::Texture>>(input.source)).bind(input.unit);
         }
     }
 
@@ -132,7 +141,7 @@ struct Renderer::State {
             arena.bind(BLOCK_OBJECT, ranges.objects[i]);
             glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
             if (draw.mesh) {
-                resources.mesh(draw.mesh).draw(draw.instances);
+                uploads.mesh(draw.mesh).draw(draw.instances);
             } else {
                 glBindVertexArray(noVertices.name());
                 glDrawArraysInstanced(GL_TRIANGLES, 0, 3, draw.instances);
@@ -157,12 +166,27 @@ struct Renderer::State {
     }
 };
 
-Renderer::Renderer() : state_(std::make_unique<State>())
+Renderer::Renderer() : Renderer(std::make_unique<State>(std::make_shared<Shared>())) {}
+
+Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state))
 {
     if (const std::string why = whyUnusable(state_->info); !why.empty()) throw Failure(Blame::openGl, why);
 }
 
 Renderer::~Renderer() = default;
+
+std::unique_ptr<Renderer> Renderer::sibling() const
+{
+    return std::unique_ptr<Renderer>(new Renderer(std::make_unique<State>(state_->shared)));
+}
+
+std::vector<Stored> Renderer::stored() const
+{
+    std::vector<Stored> all = state_->uploads.stored();
+    all.insert(all.begin(), state_->resources.stored());
+    all.push_back({"programs", static_cast<std::int64_t>(state_->programs.size()), 0});
+    return all;
+}
 
 FrameReport Renderer::draw(const FramePlan& plan)
 {
@@ -182,7 +206,8 @@ FrameReport Renderer::draw(const FramePlan& plan)
     FrameClock clock(choice.method);
     clock.mark();
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    s.resources.sweep();
+    s.uploads.sweep();
+    s.programs.beginFrame();
     s.forget(s.resources.prepare(plan, size));
 
     s.arena.clear();
@@ -205,6 +230,7 @@ FrameReport Renderer::draw(const FramePlan& plan)
         if (s.timeSteps) clock.mark();
         countDraws(pass, report.counters);
     }
+    s.programs.dropIdle();
     clock.mark();
     glFinish();
     report.wallMilliseconds = 1e3 * (wallSeconds() - wallStart);
@@ -281,6 +307,7 @@ const std::vector<ShaderProblem>& Renderer::problems() const
 void Renderer::abandon()
 {
     state_->resources.abandon();
+    state_->uploads.abandon();
     state_->programs.abandon();
     state_->arena.abandon();
     state_->noVertices.abandon();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/gl/stored.h"
 #include "render/plan/painter.h"
 
 #include <memory>
@@ -15,10 +16,14 @@ struct ShaderProblem {
     std::string message;
 };
 
-/// Executes frame plans on the OpenGL 4.5 core context that is current, at construction and at every call.
+/// Executes frame plans on the OpenGL 4.5 core context that is current, at construction and at every call. Images are
+/// kept while frames declare or use them, meshes and pictures while their originals live, programs while they are among
+/// the last ones used (ProgramCache::mostIdle).
 class Renderer final : public Painter {
 public:
     Renderer();
+    /// Another one on the same context, with images of its own: programs, meshes and pictures are there once for both.
+    [[nodiscard]] std::unique_ptr<Renderer> sibling() const;
     ~Renderer() override;  ///< The context must be current, or gone for good (see `abandon`).
 
     FrameReport draw(const FramePlan&) override;
@@ -40,11 +45,16 @@ public:
     bool reloadChangedShaders();
     [[nodiscard]] const std::vector<ShaderProblem>& problems() const;
 
+    /// What is kept by owner: images of this renderer, and pictures, meshes and programs, which siblings share.
+    [[nodiscard]] std::vector<Stored> stored() const;
+
     /// Forgets all GL objects without deleting them: the context was lost.
     void abandon();
 
 private:
     struct State;
+    struct Shared;
+    explicit Renderer(std::unique_ptr<State>);
     std::unique_ptr<State> state_;
 };
 

@@ -55,33 +55,16 @@ const Texture& Resources::image(const std::string& name) const
     return images_.at(name).texture;
 }
 
-const Texture& Resources::texture(const std::shared_ptr<const render::Texture>& picture)
+Stored Resources::stored() const
 {
-    auto found = textures_.find(picture.get());
-    if (found == textures_.end() || found->second.source.expired())
-        found = textures_.insert_or_assign(picture.get(), Uploaded<render::Texture, Texture>{picture, Texture(*picture)}).first;
-    return found->second.buffers;
-}
-
-const MeshBuffers& Resources::mesh(const std::shared_ptr<const Mesh>& mesh)
-{
-    auto found = meshes_.find(mesh.get());
-    if (found == meshes_.end() || found->second.source.expired())
-        found = meshes_.insert_or_assign(mesh.get(), Uploaded<Mesh, MeshBuffers>{mesh, MeshBuffers(*mesh)}).first;
-    return found->second.buffers;
-}
-
-void Resources::sweep()
-{
-    std::erase_if(textures_, [](const auto& entry) { return entry.second.source.expired(); });
-    std::erase_if(meshes_, [](const auto& entry) { return entry.second.source.expired(); });
+    Stored sum{"images"};
+    for (const auto& [name, image] : images_) sum.add(image.texture.bytes());
+    return sum;
 }
 
 void Resources::abandon()
 {
     for (auto& [name, stored] : images_) stored.texture.abandon();
-    for (auto& [key, uploaded] : textures_) uploaded.buffers.abandon();
-    for (auto& [key, uploaded] : meshes_) uploaded.buffers.abandon();
 }
 
 }  // namespace vitrine::render::gl

@@ -49,6 +49,20 @@ PixelFormat pixelFormat(const render::Texture& picture)
     }
 }
 
+int bytesOfTexel(Format format)
+{
+    switch (format) {
+    case Format::rgba8: return 4;
+    case Format::rgba16f: return 8;
+    case Format::rgba32f: return 16;
+    case Format::rg16f: return 4;
+    case Format::r16f: return 2;
+    case Format::r32f: return 4;
+    case Format::depth32f: return 4;
+    }
+    return 4;
+}
+
 void setParameter(GLuint name, GLenum parameter, GLenum value)
 {
     glTextureParameteri(name, parameter, static_cast<GLint>(value));
@@ -71,7 +85,7 @@ GLenum internalFormat(Format format)
 }
 
 Texture::Texture(const ImageInfo& info, glm::ivec2 size)
-    : name_(create(targetOf(info.shape))), size_(size), layers_(info.shape == Shape::cube ? 6 : info.layers), format_(info.format)
+    : name_(create(targetOf(info.shape))), size_(size), layers_(info.shape == Shape::cube ? 6 : info.layers), levels_(info.levels), texelBytes_(bytesOfTexel(info.format)), format_(info.format)
 {
     const GLuint name = name_.name();
     while (glGetError() != GL_NO_ERROR) {}
@@ -96,11 +110,12 @@ Texture::Texture(const ImageInfo& info, glm::ivec2 size)
 }
 
 Texture::Texture(const render::Texture& picture)
-    : name_(create(picture.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D)), size_(picture.width, picture.height), layers_(picture.layers)
+    : name_(create(picture.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D)), size_(picture.width, picture.height), layers_(picture.layers),
+      levels_(picture.mipmaps ? mipLevels(picture.width, picture.height) : 1), texelBytes_((picture.channels == 1 ? 1 : 4) * (picture.floats.empty() ? 1 : 2))
 {
     const GLuint name = name_.name();
     const PixelFormat format = pixelFormat(picture);
-    const int levels = picture.mipmaps ? mipLevels(picture.width, picture.height) : 1;
+    const int levels = levels_;
     const void* data = picture.floats.empty() ? static_cast<const void*>(picture.bytes.data()) : picture.floats.data();
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (picture.layers > 1) {
@@ -118,6 +133,13 @@ Texture::Texture(const render::Texture& picture)
     setParameter(name, GL_TEXTURE_WRAP_S, wrap);
     setParameter(name, GL_TEXTURE_WRAP_T, wrap);
     glObjectLabel(GL_TEXTURE, name, -1, picture.name.substr(0, 200).c_str());
+}
+
+std::int64_t Texture::bytes() const
+{
+    std::int64_t texels = 0;
+    for (int level = 0; level < levels_; ++level) texels += static_cast<std::int64_t>(size(level).x) * size(level).y;
+    return texels * layers_ * texelBytes_;
 }
 
 glm::ivec2 Texture::size(int level) const

@@ -3,6 +3,8 @@
 #include "render/gl/object.h"
 #include "render/plan/frame_plan.h"
 
+#include <cstdint>
+
 namespace vitrine::render::gl {
 
 /// A GL texture with its immutable storage: an image of a frame, or a picture for sampling.
@@ -18,6 +20,8 @@ public:
     [[nodiscard]] glm::ivec2 size(int level = 0) const;
     [[nodiscard]] int layers() const { return layers_; }
     [[nodiscard]] Format format() const { return format_; }
+    /// Of all levels and layers, as stored by a driver that pads three channels to four.
+    [[nodiscard]] std::int64_t bytes() const;
     void bind(int unit) const { glBindTextureUnit(static_cast<GLuint>(unit), name_.name()); }
     void makeMipmaps() const { glGenerateTextureMipmap(name_.name()); }
     void abandon() { name_.abandon(); }
@@ -26,6 +30,8 @@ private:
     TextureName name_;
     glm::ivec2 size_{0};
     int layers_ = 1;
+    int levels_ = 1;
+    int texelBytes_ = 4;
     Format format_ = Format::rgba8;
 };
 

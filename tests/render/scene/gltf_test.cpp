@@ -290,7 +290,8 @@ TEST(Gltf, TakesAccessorsWithoutAViewForZeros)
     for (const Vertex& vertex : read.vertices) EXPECT_EQ(vertex.uv, glm::vec2(0));
 
     builder.json["accessors"][2].erase("bufferView");  // The indices, too: three times the first vertex.
-    for (const Vertex& vertex : modelOf(builder).parts.at(0).mesh->vertices) EXPECT_EQ(vertex.position, glm::vec3(0));
+    const Model point = modelOf(builder);
+    for (const Vertex& vertex : point.parts.at(0).mesh->vertices) EXPECT_EQ(vertex.position, glm::vec3(0));
 }
 
 TEST(Gltf, TakesABufferWithoutAUriForTheChunkOrZeros)

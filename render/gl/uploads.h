@@ -1,0 +1,32 @@
+#pragma once
+
+#include "render/gl/mesh_buffers.h"
+#include "render/gl/stored.h"
+#include "render/gl/texture.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace vitrine::render::gl {
+
+/// The GL copies of meshes and pictures, by address: made when first used, freed when nobody holds the original.
+class Uploads {
+public:
+    [[nodiscard]] const Texture& texture(const std::shared_ptr<const render::Texture>&);
+    [[nodiscard]] const MeshBuffers& mesh(const std::shared_ptr<const Mesh>&);
+    /// Frees the copies whose originals nobody else holds any more.
+    void sweep();
+    [[nodiscard]] std::vector<Stored> stored() const;
+    void abandon();
+
+private:
+    template <typename T, typename Buffers> struct Uploaded {
+        std::weak_ptr<const T> source;
+        Buffers buffers;
+    };
+    std::map<const render::Texture*, Uploaded<render::Texture, Texture>> textures_;
+    std::map<const Mesh*, Uploaded<Mesh, MeshBuffers>> meshes_;
+};
+
+}  // namespace vitrine::render::gl
