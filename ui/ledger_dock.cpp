@@ -53,16 +53,17 @@ void LedgerDock::note(const render::FrameReport& report)
 
 QString LedgerDock::reasonText() const
 {
-    return reason_->text();
+    return reasonText_;
 }
 
 void LedgerDock::renew()
 {
-    reason_->setText(askReason_());
+    reasonText_ = askReason_();
+    reason_->setText(reason_->fontMetrics().elidedText(reasonText_, Qt::ElideRight, reason_->width()));
     const QString sums = tr("%1 steps, %2 ms; skipping saves %3 ms").arg(ran_).arg(QLocale::c().toString(milliseconds_, 'f', 2), QLocale::c().toString(saved_, 'f', 2));
     sums_->setText(sums_->fontMetrics().elidedText(sums, Qt::ElideRight, sums_->width()));
     sums_->setToolTip(tr("%1.\nTimes by: %2.").arg(sums, clock_));
-    reason_->setToolTip(reason_->text());
+    reason_->setToolTip(reasonText_);
 }
 
 }  // namespace vitrine::ui

@@ -35,6 +35,7 @@ private:
     void renew();
 
     std::function<QString()> askReason_;
+    QString reasonText_;
     QLabel* reason_;
     QLabel* sums_;
     QCheckBox* everything_;

@@ -42,7 +42,8 @@ void StatusLine::renew()
 {
     labels_[0]->setText(reason_);
     labels_[1]->setText(tr("%1 × %2").arg(pixels_.width()).arg(pixels_.height()));
-    labels_[2]->setText(tr("%1 ms (%2)").arg(QLocale::c().toString(milliseconds_, 'f', 1), clock_));
+    labels_[2]->setText(tr("%1 ms").arg(QLocale::c().toString(milliseconds_, 'f', 1)));
+    labels_[2]->setToolTip(tr("Time of the frame, by %1").arg(clock_));
     labels_[3]->setText(tr("%1 passes ran, %2 skipped").arg(ran_).arg(skipped_));
 }
 

@@ -397,7 +397,9 @@ void StudyDock::showPoint(int wanted)
     const render::Image errors = render::errorMap(request_.metric, result().references[view], shot.picture).value_or(render::differenceMap(result().references[view], shot.picture));
     const double full = render::fullScale(request_.metric, errors);
     pictures_->show(screenImage(shot.picture), screenImage(result().references[view]), screenImage(render::heatMap(errors, full)),
-                    QStringLiteral("%1 %2").arg(QString::fromUtf8(title(request_.metric).data(), static_cast<qsizetype>(title(request_.metric).size())), shortNumber(full)));
+                    shortNumber(full));
+    pictures_->setAccessibleDescription(tr("Left of the line the setting, right of it the reference; arrows move the line. The heat map goes from 0 to %1 (%2).")
+                                            .arg(shortNumber(full), QString::fromUtf8(title(request_.metric).data(), static_cast<qsizetype>(title(request_.metric).size()))));
     QString text = QString::fromStdString(pointText(gallery_.exhibits(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
     if (result().costName != "ms") text += tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(p.cost)), QString::fromStdString(costTitle(result().costName)));
     if (p.time) text += tr(", %1 ms (%2 to %3)").arg(shortNumber(p.time->median), shortNumber(p.time->interval.low), shortNumber(p.time->interval.high));

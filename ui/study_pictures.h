@@ -17,7 +17,7 @@ class StudyPictures final : public QWidget {
 public:
     explicit StudyPictures(QWidget* parent = nullptr);
 
-    /// Null images show nothing yet. `full` is the error that the heat map shows brightest, with its name.
+    /// Null images show nothing yet. `full` is the error that the heat map shows brightest.
     void show(const QImage& picture, const QImage& reference, const QImage& heat, const QString& full = {});
     [[nodiscard]] double wipe() const { return wipe_; }
     void setWipe(double share);  ///< 0: all reference, 1: all setting.

@@ -37,12 +37,12 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
     const Json all = render::parseJson(ended.out, "list").root();
     ASSERT_TRUE(all.is_array());
     const std::set<std::string> kinds{"real", "count", "toggle", "choice", "color", "direction", "file"};
-    int rows = 0, qualities = 0;
+    int rows = 0, qualities = 0, conditions = 0;
     for (const Json& exhibit : all) {
         EXPECT_EQ(keysOf(exhibit), (std::set<std::string>{"name", "title", "summary", "parameters"}));
         for (const Json& row : exhibit["parameters"]) {
             ++rows;
-            EXPECT_EQ(keysOf(row), (std::set<std::string>{"name", "kind", "unit", "low", "high", "softLow", "softHigh", "scale", "initial", "help", "choices", "quality"})) << row["name"];
+            EXPECT_EQ(keysOf(row), (std::set<std::string>{"name", "label", "group", "kind", "unit", "low", "high", "softLow", "softHigh", "scale", "initial", "help", "choices", "quality", "actsWhen"})) << row["name"];
             EXPECT_TRUE(kinds.contains(row["kind"].get<std::string>())) << row["kind"];
             EXPECT_TRUE(row["scale"] == "linear" || row["scale"] == "logarithmic");
             EXPECT_TRUE(row["choices"].is_array());
@@ -50,6 +50,15 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
             if (!row["quality"].is_null()) {
                 ++qualities;
                 EXPECT_EQ(keysOf(row["quality"]), std::set<std::string>{"reference"});
+            }
+            if (!row["actsWhen"].is_null()) {
+                ++conditions;
+                const Json& when = row["actsWhen"];
+                const bool ofParts = when["test"] == "all" || when["test"] == "any";
+                EXPECT_EQ(keysOf(when), ofParts ? (std::set<std::string>{"test", "parts"}) : (std::set<std::string>{"test", "row", "values"})) << row["name"];
+            }
+            if (row["name"] == "timeOfDay") {
+                EXPECT_EQ(row["actsWhen"], (Json{{"test", "among"}, {"row", "sunBy"}, {"values", {"time of day"}}}));
             }
             if (row["kind"] == "real" || row["kind"] == "count") {
                 EXPECT_LE(row["low"].get<double>(), row["initial"].get<double>());
@@ -59,6 +68,7 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
     }
     EXPECT_GT(rows, 40);
     EXPECT_GT(qualities, 5);
+    EXPECT_GT(conditions, 50);
     const auto sdf = std::find_if(all.begin(), all.end(), [](const Json& e) { return e["name"] == "sdf_morph"; });
     ASSERT_NE(sdf, all.end());
     EXPECT_EQ((*sdf)["parameters"][0]["name"], "morph");

@@ -87,12 +87,29 @@ TEST(ValueText, ReadsEveryKind)
     EXPECT_EQ(parseValue(row("tint"), "#f00"), Value(glm::dvec3(1, 0, 0)));
     EXPECT_NEAR(std::get<glm::dvec3>(*parseValue(row("tint"), "#808080")).x, 0.215861, 1e-6) << "sRGB is decoded";
     EXPECT_EQ(parseValue(row("tint"), "0.25, 1/2, 1"), Value(glm::dvec3(0.25, 0.5, 1)));
+    EXPECT_EQ(parseValue(row("tint"), "f00"), Value(glm::dvec3(1, 0, 0))) << "the # may be left out";
+    EXPECT_EQ(parseValue(row("tint"), "ff0000"), Value(glm::dvec3(1, 0, 0)));
+    EXPECT_EQ(parseValue(row("tint"), "ff00"), std::nullopt);
     EXPECT_EQ(parseValue(row("tint"), "#ggg"), std::nullopt);
     EXPECT_EQ(parseValue(row("tint"), "1,2"), std::nullopt);
     EXPECT_EQ(parseValue(row("tint"), "1,2,3,4"), std::nullopt);
     EXPECT_EQ(parseValue(row("sun"), "0,0,-2"), Value(glm::dvec3(0, 0, -1)));
     EXPECT_EQ(parseValue(row("sun"), "0,0,0"), std::nullopt);
     EXPECT_EQ(parseValue(row("picture"), "a b, c.png"), Value(std::string("a b, c.png")));
+}
+
+TEST(ValueText, ReadsTimesOfDayAndWordsForNumbers)
+{
+    ParameterInfo clock{.name = "clock", .kind = Kind::real, .unit = Unit::hour, .range = {0, 24}, .initial = 12.0};
+    EXPECT_EQ(parseValue(clock, "17:30"), Value(17.5));
+    EXPECT_EQ(parseValue(clock, " 0:15 "), Value(0.25));
+    EXPECT_EQ(parseValue(clock, "6:00:36"), Value(6.01));
+    EXPECT_EQ(parseValue(clock, "16.1"), Value(16.1));
+    EXPECT_EQ(parseValue(clock, "16 h"), Value(16.0));
+    for (const char* wrong : {"17:60", "25:00", ":30", "17:", "17:30:15:1", "-1:30", "1.5:30", "17 : 30", "auto"}) EXPECT_EQ(parseValue(clock, wrong), std::nullopt) << wrong;
+    clock.word = Word{0, "auto"};
+    EXPECT_EQ(parseValue(clock, "Auto"), Value(0.0));
+    EXPECT_EQ(parseValue(row("angle"), "17:30"), std::nullopt);
 }
 
 TEST(ValueText, WritesWhatPeopleWouldType)
