@@ -66,12 +66,12 @@ using NamedValues = std::vector<std::pair<std::string, ParameterValues>>;
 /// `values` are "sdf_morph.morph", "hall.exposure", ...
 struct Exhibition {
     std::string name;
-    std::string chosen;                    ///< The exhibit whose parameters were on show; empty: not known.
     NamedValues values;
     render::Camera camera;
 
     render::Json kept = render::Json::object();
     std::vector<std::string> notes;
+    std::string chosen = {};  ///< The exhibit whose parameters were on show; empty: not known.
 };
 
 /// As `parsePreset`. `initial` names the exhibits and gives their tables; values not in the file get their
