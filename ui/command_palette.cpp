@@ -112,10 +112,11 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     line(tr("W A S D, arrows"), tr("Walk; Shift runs"));
     line(tr("Drag"), tr("Look around, or around the exhibit"));
     line(tr("Right drag"), tr("Look around with the pointer locked"));
-    line(tr("Click"), tr("Visit an exhibit"));
+    line(tr("Click"), tr("Visit an exhibit, press a button"));
     line(tr("Wheel"), tr("Come nearer to the exhibit or step back"));
-    line(QStringLiteral("E"), tr("Press the button looked at"));
+    line(QStringLiteral("E"), tr("Press the button looked at, or that of the exhibit on show"));
     line(QStringLiteral("Esc"), tr("Walk on"));
+    line(tr("Backspace, Alt+Left"), tr("Back to where you stood before"));
     heading(tr("In number fields"));
     line(tr("Drag the label or the number"), tr("Change it; Shift ten times finer, Ctrl ten times coarser"));
     line(tr("Click, or any digit"), tr("Type: 1/3, 2*pi, 30deg"));

@@ -2,6 +2,7 @@
 
 #include "ui/theme.h"
 
+#include <QLineEdit>
 #include <QPainter>
 
 #include <algorithm>
@@ -81,6 +82,25 @@ bool ExhibitList::hasThumbnail(std::size_t exhibit) const
 void ExhibitList::choose(std::size_t exhibit)
 {
     setCurrentItem(itemOf(exhibit));
+}
+
+QWidget* TileDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
+    if (!editor) return nullptr;
+    editor->setAutoFillBackground(true);
+    editor->setAccessibleName(tr("New name"));
+    QPalette colors = editor->palette();
+    colors.setColor(QPalette::Base, colors.color(QPalette::Window));
+    editor->setPalette(colors);
+    if (auto* line = qobject_cast<QLineEdit*>(editor)) line->setFrame(true);
+    return editor;
+}
+
+void TileDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
+{
+    const int left = 12 + picture.width() + 8;
+    editor->setGeometry(option.rect.adjusted(left, 3, -4, -3));
 }
 
 QSize TileDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const

@@ -43,6 +43,9 @@ public:
     using QStyledItemDelegate::QStyledItemDelegate;
     void paint(QPainter*, const QStyleOptionViewItem&, const QModelIndex&) const override;
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override;
+    /// In place of the name, and nothing shines through it.
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override;
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem&, const QModelIndex&) const override;
 };
 
 }  // namespace vitrine::ui

@@ -1,10 +1,13 @@
 #include "ui/main_window.h"
 
+#include "ui/about_dialog.h"
 #include "ui/command_palette.h"
 #include "ui/exhibit_list.h"
+#include "ui/idle_undo.h"
 #include "ui/ledger_dock.h"
 #include "ui/log_view.h"
 #include "ui/parameter_panel.h"
+#include "ui/parameter_row.h"
 #include "ui/picture_export.h"
 #include "ui/preset_list.h"
 #include "ui/preset_shelf.h"
@@ -21,6 +24,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QTabBar>
@@ -45,9 +49,10 @@ QString thumbnailPath(const Exhibit& exhibit)
 MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     : QMainWindow(parent), gallery_(gallery), history_(gallery.initialLook())
 {
-    setWindowTitle(tr("Vitrine"));
+    setWindowIcon(programIcon());
     setAcceptDrops(true);
-    resize(1400, 860);
+    resize(firstSize(screen()->availableSize()));
+    new IdleUndo(this);
 
     auto* middle = new QWidget;
     auto* layout = new QVBoxLayout(middle);
@@ -62,7 +67,6 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     status_ = new StatusLine;
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
-    status_->setReason([this] { return QString::fromStdString(viewport_->schedule().reason()); });
 
     buildDocks();
     actions_ = std::make_unique<WindowActions>(*this);
@@ -94,16 +98,21 @@ void MainWindow::connectParts()
 {
     connect(panel_, &ParameterPanel::edited, this, [this](const ParameterValues& values, int gesture, const QString& step) {
         Look next = history_.look();
-        next.values[static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong())] = values;
+        next.values[shown()] = values;
         history_.change(step, std::move(next), gesture);
     });
     connect(&history_, &History::changed, this, &MainWindow::showValues);
-    connect(tabs_, &QTabBar::currentChanged, this, &MainWindow::showValues);
+    connect(tabs_, &QTabBar::currentChanged, this, [this] {
+        showValues();
+        shelf_->refresh();
+        searchElsewhere();
+    });
+    connect(panel_, &ParameterPanel::filtered, this, &MainWindow::searchElsewhere);
+    connect(panel_, &ParameterPanel::elsewhereAsked, this, [this] { tabs_->setCurrentIndex(1 - tabs_->currentIndex()); });
+    connect(panel_, &ParameterPanel::filterLeft, viewport_, [this] { viewport_->setFocus(); });
+    connect(shelf_, &PresetShelf::marked, this, &MainWindow::showTitle);
     connect(exhibits_, &ExhibitList::chosen, this, [this](std::size_t exhibit) {
-        if (exhibit == 0) viewport_->walkOn();
-        if (exhibit == 0) choose(0);
-        else visit(exhibit);
-        viewport_->setFocus();
+        visit(exhibit);
     });
     connect(viewport_, &Viewport::visited, this, &MainWindow::choose);
     connect(viewport_, &Viewport::pressed, this, [this](std::size_t exhibit) {
@@ -113,7 +122,7 @@ void MainWindow::connectParts()
     });
     connect(viewport_, &Viewport::failed, this, [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
     connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report, const QSize& pixels) {
-        status_->note(report, pixels);
+        status_->note(report, pixels, QString::fromStdString(viewport_->schedule().reason()));
         ledger_->note(report);
         for (const std::string& line : complaints_.begun(report.skipped)) log_->add(text(line));
         keepThumbnail();
@@ -130,8 +139,10 @@ void MainWindow::say(MessageStrip::Mood mood, const QString& words)
 
 void MainWindow::choose(std::size_t exhibit)
 {
+    if (chosen_ != exhibit) panel_->clearFilter();
     chosen_ = exhibit;
     exhibits_->choose(exhibit);
+    viewport_->setSubject(exhibit);
     {
         const QSignalBlocker quiet(tabs_);
         while (tabs_->count() > 0) tabs_->removeTab(0);
@@ -140,6 +151,7 @@ void MainWindow::choose(std::size_t exhibit)
             tabs_->setTabData(tab, static_cast<qulonglong>(i));
             tabs_->setTabToolTip(tab, text(gallery_.exhibits()[i]->summary()));
         }
+        tabs_->updateGeometry();  // A tab bar that is not shown yet does not tell its layout that it has grown.
     }
     showValues();
     study_->setSubject(exhibit);
@@ -150,25 +162,64 @@ void MainWindow::visit(std::size_t exhibit)
 {
     choose(exhibit);
     viewport_->visit(exhibit);
+    viewport_->setFocus();
+}
+
+std::size_t MainWindow::shown() const
+{
+    return static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
+}
+
+QSize MainWindow::firstSize(const QSize& room)
+{
+    // Title bar and borders, as large as desktops draw them.
+    return QSize(1400, 860).boundedTo(room - QSize(16, 48));
+}
+
+void MainWindow::showTitle()
+{
+    const QString use = shelf_->titleOfUse();
+    QStringList parts{text(gallery_.exhibits()[shown()]->title())};
+    if (!use.isEmpty()) parts << use;
+    setWindowTitle(tr("%1 – Vitrine").arg(parts.join(QStringLiteral(": "))));
+}
+
+void MainWindow::searchElsewhere()
+{
+    QStringList found;
+    const QString words = panel_->filterText();
+    if (tabs_->count() > 1 && !words.isEmpty()) {
+        const auto other = static_cast<std::size_t>(tabs_->tabData(1 - tabs_->currentIndex()).toULongLong());
+        for (const ParameterInfo& row : gallery_.exhibits()[other]->parameters().rows())
+            if (ParameterRow::matches(row, words)) found << QString::fromStdString(label(row));
+        if (!found.isEmpty()) {
+            const QString title = text(gallery_.exhibits()[other]->title());
+            const QString more = found.size() > 3 ? tr(" and %1 more").arg(found.size() - 3) : QString();
+            panel_->offerElsewhere(tr("%1: %2%3").arg(title, found.mid(0, 3).join(QStringLiteral(", ")), more));
+            return;
+        }
+    }
+    panel_->offerElsewhere({});
 }
 
 void MainWindow::showValues()
 {
-    const auto shown = static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
-    panel_->showValues(history_.look().values[shown], text(gallery_.exhibits()[shown]->name()));
+    panel_->showValues(history_.look().values[shown()], text(gallery_.exhibits()[shown()]->name()));
 }
 
 void MainWindow::resetEverything()
 {
-    const auto shown = static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
+    const Exhibit& exhibit = *gallery_.exhibits()[shown()];
     Look next = history_.look();
-    next.values[shown] = gallery_.exhibits()[shown]->parameters().initial();
-    history_.change(tr("Reset %1").arg(text(gallery_.exhibits()[shown]->title())), std::move(next));
+    next.values[shown()] = exhibit.parameters().initial();
+    history_.change(tr("Reset %1").arg(text(exhibit.title())), std::move(next));
 }
 
 void MainWindow::keepThumbnail()
 {
-    if (exhibits_->hasThumbnail(chosen_) || !viewport_->schedule().still()) return;
+    if (!viewport_->schedule().still()) return;
+    QMetaObject::invokeMethod(shelf_, &PresetShelf::keepMissingThumbnail, Qt::QueuedConnection);
+    if (exhibits_->hasThumbnail(chosen_)) return;
     const auto posed = chosen_ == 0 ? CameraControl::Mode::walk : CameraControl::Mode::orbit;
     if (viewport_->mode() != posed) return;
     // After this picture is on the screen; grabbing draws again.
@@ -195,9 +246,12 @@ QPixmap MainWindow::thumbnailOf(const QImage& picture)
 
 void MainWindow::openPalette()
 {
-    QList<QAction*> commands = actions_->all;
-    for (QDockWidget* dock : findChildren<QDockWidget*>()) commands << dock->toggleViewAction();
-    (new CommandPalette(commands, this))->show();
+    (new CommandPalette(actions_->all, this))->show();
+}
+
+void MainWindow::openAbout()
+{
+    (new AboutDialog(this))->show();
 }
 
 void MainWindow::openShortcutSheet()

@@ -36,10 +36,14 @@ public:
     void say(MessageStrip::Mood, const QString& text);
     /// Shows this exhibit's parameters and presets; 0 is the hall.
     void choose(std::size_t exhibit);
+    /// Whose parameters the panel shows: the chosen exhibit, or the hall beside it.
+    [[nodiscard]] std::size_t shown() const;
     /// ... and goes there.
     void visit(std::size_t exhibit);
     /// A picture, preset, model or panorama: what a drop on the window does.
     void openFile(const QString& path);
+    /// What it reads: "*.json", "*.glb", ...
+    [[nodiscard]] static QStringList openable();
 
     [[nodiscard]] std::size_t chosen() const { return chosen_; }
     [[nodiscard]] Gallery& gallery() const { return gallery_; }
@@ -49,11 +53,16 @@ public:
     [[nodiscard]] StudyDock& study() const { return *study_; }
     [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }
 
+    /// Of a first window on a screen with this much room, its frame left out: as large as is useful, never larger.
+    [[nodiscard]] static QSize firstSize(const QSize& room);
     /// Cut to the shape of the lists' pictures.
     [[nodiscard]] static QPixmap thumbnailOf(const QImage&);
 
     // What the actions do.
     void hidePanels(bool hidden);
+    void findParameter();
+    void openAbout();
+    [[nodiscard]] const QList<QDockWidget*>& docks() const { return docks_; }
     void setFullScreen(bool);
     void saveScreenshotNow();
     void openScreenshotDialog();
@@ -71,6 +80,9 @@ private:
     void buildDocks();
     void connectParts();
     void showValues();
+    void showTitle();
+    /// What of the other tab matches the filter.
+    void searchElsewhere();
     void keepThumbnail();
     void setHallFile(const char* parameter, const QString& path);
 

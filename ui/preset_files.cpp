@@ -30,9 +30,15 @@ void PresetShelf::importFile()
                                      tr("Presets, and pictures with one inside (*.json *.png *.exr)"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         trySafely([&] {
-            const std::filesystem::path copy = store_.importFile(path.toStdString(), exhibitName(), table());
+            std::filesystem::path copy = store_.importFile(path.toStdString(), exhibitName(), table());
+            // A picture shows itself what is in it; the others get theirs once what they look like is on the screen.
+            if (const QImage picture(path); !picture.isNull())
+                MainWindow::thumbnailOf(picture).save(QString::fromStdString(PresetStore::thumbnailPath(copy).string()), "PNG");
+            const QString name = QString::fromStdString(store_.load(copy, exhibitName(), table()).preset.name);
+            if (const QString unique = freeName(name, copy); unique != name) copy = store_.rename(copy, unique.toStdString());
             refresh();
             load(QString::fromStdString(copy.string()));
+            keepMissingThumbnail();  // Where the picture shows it already.
         });
     });
     dialog->open();
@@ -57,7 +63,7 @@ void PresetShelf::saveExhibition()
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& target) {
         trySafely([&] {
             const std::string name = QFileInfo(target).completeBaseName().toStdString();
-            render::atomicWrite(target.toStdString(), textOf(window_.gallery(), window_.history().look(), name));
+            render::atomicWrite(target.toStdString(), textOf(window_.gallery(), window_.history().look(), window_.chosen(), name));
             window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(target));
         });
     });

@@ -12,6 +12,7 @@ namespace vitrine::ui {
 namespace {
 
 constexpr int idRole = Qt::UserRole;
+constexpr int ownLine = TileDelegate::mark + 1;  // The second line of a preset as it was loaded.
 
 }  // namespace
 
@@ -81,10 +82,13 @@ void PresetList::fill(const std::vector<PresetLine>& entries)
     for (const PresetLine& entry : entries) {
         auto* item = new QListWidgetItem(entry.name, list_);
         item->setData(idRole, entry.id);
-        item->setData(TileDelegate::secondLine, entry.shipped ? tr("Comes with the exhibit") : tr("Yours"));
+        item->setData(ownLine, entry.shipped ? QString() : tr("Yours"));
+        item->setData(TileDelegate::secondLine, item->data(ownLine));
+        if (entry.shipped) item->setToolTip(tr("Comes with the exhibit."));
         if (!entry.thumbnail.isNull()) item->setIcon(QIcon(entry.thumbnail));
         if (!entry.problem.isEmpty()) {
-            item->setData(TileDelegate::secondLine, tr("Cannot be opened"));
+            item->setData(ownLine, tr("Cannot be opened"));
+            item->setData(TileDelegate::secondLine, item->data(ownLine));
             item->setToolTip(entry.problem);
         }
         if (!entry.shipped) item->setFlags(item->flags() | Qt::ItemIsEditable);
@@ -99,9 +103,16 @@ QListWidgetItem* PresetList::itemOf(const QString& id) const
     return nullptr;
 }
 
-void PresetList::setCurrent(const QString& id)
+void PresetList::setCurrent(const QString& id, bool changed)
 {
-    list_->setCurrentItem(itemOf(id));
+    const QSignalBlocker quiet(list_);
+    QListWidgetItem* current = itemOf(id);
+    for (int i = 0; i < list_->count(); ++i) {
+        QListWidgetItem* item = list_->item(i);
+        const QString line = item == current && changed ? tr("Changed since") : item->data(ownLine).toString();
+        if (item->data(TileDelegate::secondLine).toString() != line) item->setData(TileDelegate::secondLine, line);
+    }
+    list_->setCurrentItem(current);
 }
 
 QString PresetList::selected() const

@@ -27,8 +27,8 @@ public:
     explicit PresetList(QWidget* parent = nullptr);
 
     void fill(const std::vector<PresetLine>&);
-    /// The preset that the look was loaded from or saved to, or "" for none.
-    void setCurrent(const QString& id);
+    /// The preset that the look was loaded from or saved to, or "" for none; `changed`: the look has left it since.
+    void setCurrent(const QString& id, bool changed = false);
     [[nodiscard]] QString selected() const;
     /// The actions that its buttons and menu offer, in this order; null is a separator.
     void setActions(QAction* save, QAction* saveAs, const QList<QAction*>& menu);

@@ -9,6 +9,9 @@
 #include "ui/viewport.h"
 
 #include <QInputDialog>
+#include <QUndoStack>
+
+#include <algorithm>
 
 namespace vitrine::ui {
 namespace {
@@ -31,20 +34,25 @@ QString words(const std::string& s)
 }  // namespace
 
 PresetShelf::PresetShelf(MainWindow& window, PresetList& list, PresetStore store)
-    : QObject(&window), window_(window), list_(list), store_(std::move(store))
+    : QObject(&window), window_(window), list_(list), store_(std::move(store)), uses_(window.history().stack())
 {
     connect(&list, &PresetList::loadAsked, this, &PresetShelf::load);
     connect(&list, &PresetList::renamed, this, &PresetShelf::renameTo);
+    connect(&window.history().stack(), &QUndoStack::indexChanged, this, [this] {
+        uses_.prune();
+        mark();
+    });
+    connect(&window.history(), &History::changed, this, &PresetShelf::mark);
 }
 
 std::string PresetShelf::exhibitName() const
 {
-    return std::string(window_.gallery().exhibits()[window_.chosen()]->name());
+    return std::string(window_.gallery().exhibits()[window_.shown()]->name());
 }
 
 const Parameters& PresetShelf::table() const
 {
-    return window_.gallery().exhibits()[window_.chosen()]->parameters();
+    return window_.gallery().exhibits()[window_.shown()]->parameters();
 }
 
 void PresetShelf::trySafely(const std::function<void()>& work)
@@ -66,7 +74,6 @@ void PresetShelf::tell(const QString& origin, const std::vector<std::string>& no
 
 void PresetShelf::refresh()
 {
-    if (inUse_ && inUse_->preset.exhibit != exhibitName()) inUse_.reset();
     trySafely([this] {
         std::vector<PresetLine> lines;
         for (const PresetEntry& entry : store_.list(exhibitName())) {
@@ -74,9 +81,54 @@ void PresetShelf::refresh()
             if (entry.thumbnail) line.thumbnail.load(idOf(*entry.thumbnail));
             lines.push_back(std::move(line));
         }
+        // The visitor's own first: these are looked for.
+        std::stable_partition(lines.begin(), lines.end(), [](const PresetLine& line) { return !line.shipped; });
         list_.fill(lines);
     });
-    list_.setCurrent(inUse_ ? idOf(inUse_->path) : QString());
+    mark();
+}
+
+const StoredPreset* PresetShelf::inUse() const
+{
+    return uses_.of(exhibitName());
+}
+
+void PresetShelf::use(StoredPreset stored)
+{
+    uses_.add(std::move(stored));
+    mark();
+}
+
+bool PresetShelf::changedSince(const StoredPreset& stored) const
+{
+    return !(stored.preset.values == window_.history().look().values[window_.shown()]);
+}
+
+void PresetShelf::mark()
+{
+    const StoredPreset* used = inUse();
+    list_.setCurrent(used ? idOf(used->path) : QString(), used && changedSince(*used));
+    emit marked();
+}
+
+QString PresetShelf::titleOfUse() const
+{
+    const StoredPreset* used = inUse();
+    if (!used) return {};
+    return words(used->preset.name) + (changedSince(*used) ? QStringLiteral(" *") : QString());
+}
+
+QString PresetShelf::freeName(const QString& wanted, const std::filesystem::path& exceptFor) const
+{
+    const std::vector<PresetEntry> all = store_.list(exhibitName());
+    const auto taken = [&](const QString& name) {
+        return std::any_of(all.begin(), all.end(), [&](const PresetEntry& entry) {
+            return entry.path != exceptFor && words(entry.name).compare(name, Qt::CaseInsensitive) == 0;
+        });
+    };
+    QString name = wanted;
+    for (int i = 2; taken(name); ++i) name = QStringLiteral("%1 %2").arg(wanted).arg(i);
+    return name;
 }
 
 void PresetShelf::show(const Preset& preset, std::size_t exhibit, const QString& step)
@@ -93,37 +145,40 @@ void PresetShelf::load(const QString& id)
     trySafely([&] {
         StoredPreset loaded = store_.load(pathOf(id), exhibitName(), table());
         tell(words(loaded.preset.name), loaded.preset.notes);
-        show(loaded.preset, window_.chosen(), tr("Load %1").arg(words(loaded.preset.name)));
-        inUse_ = std::move(loaded);
+        show(loaded.preset, window_.shown(), tr("Load %1").arg(words(loaded.preset.name)));
+        use(std::move(loaded));
     });
-    list_.setCurrent(inUse_ ? idOf(inUse_->path) : QString());
+    mark();  // Also where the click chose a preset that could not be loaded.
 }
 
 Preset PresetShelf::presetOnShow(const QString& name) const
 {
     const Look& look = window_.history().look();
     return {
-        exhibitName(), name.toStdString(), look.values[window_.chosen()], look.camera, presetVersion, render::Json::object(), {}};
+        exhibitName(), name.toStdString(), look.values[window_.shown()], look.camera, presetVersion, render::Json::object(), {}};
 }
 
 void PresetShelf::save()
 {
-    if (!inUse_ || inUse_->shipped) {
+    const StoredPreset* used = inUse();
+    if (!used || used->shipped) {
         saveAs();
         return;
     }
-    trySafely([this] {
-        const Preset now = presetOnShow(words(inUse_->preset.name));
-        inUse_->preset.values = now.values;
-        inUse_->preset.camera = now.camera;
-        if (store_.save(*inUse_) == SaveOutcome::changedOnDisk) {
+    trySafely([this, used] {
+        StoredPreset next = *used;
+        const Preset now = presetOnShow(words(next.preset.name));
+        next.preset.values = now.values;
+        next.preset.camera = now.camera;
+        if (store_.save(next) == SaveOutcome::changedOnDisk) {
             window_.say(MessageStrip::Mood::problem, tr("%1 was changed by someone else since it was loaded, and was "
                                                         "not overwritten. Save under another name, or load it again.")
-                                                         .arg(idOf(inUse_->path)));
+                                                         .arg(idOf(next.path)));
             return;
         }
-        keepThumbnail(inUse_->path);
-        window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(idOf(inUse_->path)));
+        keepThumbnail(next.path);
+        window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(idOf(next.path)));
+        use(std::move(next));
     });
     refresh();
 }
@@ -132,10 +187,17 @@ void PresetShelf::saveAs()
 {
     auto* ask = new QInputDialog(&window_);
     ask->setAttribute(Qt::WA_DeleteOnClose);
-    ask->setWindowTitle(tr("Save preset as"));
-    ask->setLabelText(tr("Name"));
-    ask->setTextValue(inUse_ && !inUse_->shipped ? tr("%1 copy").arg(words(inUse_->preset.name)) : QString());
-    connect(ask, &QInputDialog::textValueSelected, this, &PresetShelf::saveUnder);
+    const Exhibit& exhibit = *window_.gallery().exhibits()[window_.shown()];
+    const QString title = QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()));
+    const StoredPreset* used = inUse();
+    ask->setWindowTitle(tr("Save preset of %1").arg(title));
+    ask->setLabelText(tr("Name of this preset of %1").arg(title));
+    ask->setTextValue(freeName(used ? words(used->preset.name) : title));
+    // Whatever is on show by then, it is this exhibit that was named.
+    connect(ask, &QInputDialog::textValueSelected, this, [this, shown = window_.shown()](const QString& name) {
+        if (window_.shown() != shown) window_.choose(shown);
+        saveUnder(name);
+    });
     ask->show();
 }
 
@@ -143,8 +205,12 @@ void PresetShelf::saveUnder(const QString& name)
 {
     if (name.trimmed().isEmpty()) return;
     trySafely([&] {
-        inUse_ = store_.saveAs(presetOnShow(name.trimmed()));
-        keepThumbnail(inUse_->path);
+        const QString unique = freeName(name.trimmed());
+        StoredPreset saved = store_.saveAs(presetOnShow(unique));
+        keepThumbnail(saved.path);
+        use(std::move(saved));
+        if (unique != name.trimmed())
+            window_.say(MessageStrip::Mood::notice, tr("There is a preset \"%1\" already; this one is \"%2\".").arg(name.trimmed(), unique));
     });
     refresh();
 }
@@ -153,6 +219,18 @@ void PresetShelf::keepThumbnail(const std::filesystem::path& preset)
 {
     const QImage picture = window_.viewport().grabFramebuffer();
     if (!picture.isNull()) MainWindow::thumbnailOf(picture).save(idOf(PresetStore::thumbnailPath(preset)), "PNG");
+}
+
+void PresetShelf::keepMissingThumbnail()
+{
+    if (!window_.viewport().schedule().still()) return;
+    const StoredPreset* used = inUse();
+    std::error_code ignored;
+    if (!used || used->shipped || changedSince(*used) || std::filesystem::exists(PresetStore::thumbnailPath(used->path), ignored)) return;
+    // Of an exhibit that nobody stands before, the picture shows something else.
+    if (window_.shown() != 0 && (window_.viewport().mode() != CameraControl::Mode::orbit || window_.chosen() != window_.shown())) return;
+    keepThumbnail(used->path);
+    refresh();
 }
 
 void PresetShelf::rename()
@@ -164,8 +242,9 @@ void PresetShelf::renameTo(const QString& id, const QString& name)
 {
     trySafely([&] {
         if (name.trimmed().isEmpty()) return;
-        const std::filesystem::path path = store_.rename(pathOf(id), name.trimmed().toStdString());
-        if (inUse_ && idOf(inUse_->path) == id) inUse_ = store_.load(path, exhibitName(), table());
+        const QString unique = freeName(name.trimmed(), pathOf(id));
+        const std::filesystem::path path = store_.rename(pathOf(id), unique.toStdString());
+        uses_.renamed(pathOf(id), store_.load(path, exhibitName(), table()));
     });
     // The list is in the middle of an edit.
     QMetaObject::invokeMethod(this, &PresetShelf::refresh, Qt::QueuedConnection);
@@ -177,7 +256,7 @@ void PresetShelf::duplicate()
     if (id.isEmpty()) return;
     trySafely([&] {
         const StoredPreset original = store_.load(pathOf(id), exhibitName(), table());
-        store_.duplicate(pathOf(id), tr("%1 copy").arg(words(original.preset.name)).toStdString());
+        store_.duplicate(pathOf(id), freeName(tr("%1 copy").arg(words(original.preset.name))).toStdString());
     });
     refresh();
 }
@@ -190,7 +269,7 @@ void PresetShelf::remove()
         // Fails here, before there is a step to undo, when the file may not be deleted.
         auto removed = std::make_shared<RemovedPreset>(store_.remove(pathOf(id)));
         auto first = std::make_shared<bool>(true);
-        if (inUse_ && idOf(inUse_->path) == id) inUse_.reset();
+        uses_.forget(pathOf(id));
         window_.history().record(
             tr("Delete %1").arg(idOf(removed->original.stem())),
             [this, removed, first] {
@@ -209,9 +288,11 @@ void PresetShelf::loadText(const std::string& text, const QString& origin)
     const PresetHeader header = presetHeader(render::parseJson(text, origin.toStdString(), presetLimits));
     if (header.isExhibition) {
         std::vector<std::string> notes;
-        Look look = lookFrom(window_.gallery(), text, origin.toStdString(), notes);
+        std::size_t chosen = 0;
+        Look look = lookFrom(window_.gallery(), text, origin.toStdString(), notes, &chosen);
         tell(origin, notes);
         window_.history().change(tr("Load %1").arg(origin), std::move(look), 0, History::Camera::moves);
+        window_.choose(chosen);
         return;
     }
     for (std::size_t i = 0; i < window_.gallery().exhibits().size(); ++i) {
@@ -244,7 +325,7 @@ bool PresetShelf::loadFromPicture(const QString& path)
 
 std::string PresetShelf::lookText() const
 {
-    return textOf(window_.gallery(), window_.history().look(), "Picture");
+    return textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Picture");
 }
 
 }  // namespace vitrine::ui

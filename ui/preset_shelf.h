@@ -1,19 +1,22 @@
 #pragma once
 
 #include "exhibits/framework/preset_store.h"
+#include "ui/preset_uses.h"
 
 #include <QObject>
+#include <QString>
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vitrine::ui {
 
 class MainWindow;
 class PresetList;
 
-/// Presets on disk, for the exhibit that is chosen: loads, saves, renames, duplicates, deletes. What fails is
+/// Presets on disk, for the exhibit whose parameters the panel shows: loads, saves, renames, duplicates, deletes. What fails is
 /// said in the message strip, and everything stays as it was.
 class PresetShelf final : public QObject {
     Q_OBJECT
@@ -22,14 +25,21 @@ public:
     /// Both must outlive it.
     PresetShelf(MainWindow&, PresetList&, PresetStore);
 
-    /// Shows the presets of the chosen exhibit.
+    /// Shows the presets of the table on show.
     void refresh();
+    /// The values or the table on show changed: marks the preset in use.
+    void mark();
+    /// The picture is at rest: it becomes that of the preset in use, if this has none and shows its own look.
+    void keepMissingThumbnail();
+    /// "Old gold", with " *" when the look has left it since; empty when no preset is in use.
+    [[nodiscard]] QString titleOfUse() const;
 
     // What the actions do; those without an argument work on the preset selected in the list.
     void load(const QString& id);
-    /// To the preset in use, or under a new name where that is none of the visitor's own.
+    /// What the panel shows, to the preset in use, or under a new name where that is none of the visitor's own.
     void save();
     void saveAs();
+    /// A name that is taken gets a number: no two presets of an exhibit have one name.
     void saveUnder(const QString& name);
     void rename();
     void duplicate();
@@ -45,6 +55,10 @@ public:
     /// The look on show as the text of an exhibition: what travels inside pictures.
     [[nodiscard]] std::string lookText() const;
 
+signals:
+    /// Which preset is in use, or whether the look has left it, may have changed.
+    void marked();
+
 private:
     void loadText(const std::string& text, const QString& origin);
     void show(const Preset&, std::size_t exhibit, const QString& step);
@@ -55,11 +69,16 @@ private:
     [[nodiscard]] std::string exhibitName() const;
     [[nodiscard]] const Parameters& table() const;
     [[nodiscard]] Preset presetOnShow(const QString& name) const;
+    /// What "Save" writes back, and what the list marks; null where none was loaded or saved.
+    [[nodiscard]] const StoredPreset* inUse() const;
+    void use(StoredPreset);
+    [[nodiscard]] bool changedSince(const StoredPreset&) const;
+    [[nodiscard]] QString freeName(const QString& wanted, const std::filesystem::path& exceptFor = {}) const;
 
     MainWindow& window_;
     PresetList& list_;
     PresetStore store_;
-    std::optional<StoredPreset> inUse_;  ///< What "Save" writes back.
+    PresetUses uses_;
 };
 
 }  // namespace vitrine::ui

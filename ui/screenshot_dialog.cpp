@@ -94,7 +94,7 @@ void ScreenshotDialog::build()
     samples_->setRange(1, 64);
     samples_->setValue(16);
     for (const FormatLine& line : formats) format_->addItem(tr(line.name));
-    transparent_->setText(tr("Nothing behind the exhibit"));
+    transparent_->setText(tr("Only the chosen exhibit"));
     path_->setMinimumWidth(320);
     left_->setTextFormat(Qt::PlainText);
     left_->setWordWrap(true);
@@ -108,7 +108,7 @@ void ScreenshotDialog::build()
     path_->setAccessibleName(tr("File"));
     progress_->setAccessibleName(tr("Progress"));
     samples_->setToolTip(tr("Samples per pixel: 1 has stairs, 16 is smooth, 64 is for prints."));
-    transparent_->setToolTip(tr("Leaves the background out: alpha is 0 there."));
+    transparent_->setToolTip(tr("The exhibit as it stands in the hall's light, cut out: alpha is 0 around it."));
 
     auto* size = new QHBoxLayout;
     size->setSpacing(8);
@@ -182,6 +182,14 @@ void ScreenshotDialog::setBusy(bool busy)
 
 void ScreenshotDialog::start()
 {
+    if (transparent_->isChecked() && !window_.gallery().exhibits()[window_.chosen()]->castsShadow()) {
+        left_->setText(tr("This is made of light alone: there is nothing to cut out."));
+        return;
+    }
+    if (transparent_->isChecked() && window_.chosen() == 0) {
+        left_->setText(tr("Visit an exhibit first: around the hall there is nothing to leave out."));
+        return;
+    }
     running_ = new PictureExport(window_, wish());
     connect(running_, &PictureExport::progressed, this, [this](double part, double secondsLeft) {
         progress_->setValue(static_cast<int>(part * 1000));

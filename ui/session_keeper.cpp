@@ -43,7 +43,7 @@ void SessionKeeper::noteChange()
 void SessionKeeper::writeJournal()
 {
     try {
-        journal_.write(textOf(window_.gallery(), window_.history().look(), "Journal"));
+        journal_.write(textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Journal"));
     } catch (const std::exception& failure) {
         window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
     }
@@ -53,7 +53,9 @@ bool SessionKeeper::restoreLook(const std::string& text, const std::string& file
 {
     try {
         std::vector<std::string> notes;
-        window_.history().restart(lookFrom(window_.gallery(), text, fileName, notes));
+        std::size_t chosen = 0;
+        window_.history().restart(lookFrom(window_.gallery(), text, fileName, notes, &chosen));
+        window_.choose(chosen);
         return true;
     } catch (const std::exception& failure) {
         window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
@@ -88,7 +90,7 @@ void SessionKeeper::close()
     quiet_.stop();
     try {
         std::filesystem::create_directories(folder_);
-        render::atomicWrite(folder_ / "session.json", textOf(window_.gallery(), window_.history().look(), "Last session"));
+        render::atomicWrite(folder_ / "session.json", textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Last session"));
         saveLayout();
         journal_.cleanExit();
     } catch (const std::exception& failure) {

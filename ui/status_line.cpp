@@ -26,8 +26,9 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent)
     connect(&timer_, &QTimer::timeout, this, &StatusLine::renew);
 }
 
-void StatusLine::note(const render::FrameReport& report, const QSize& pixels)
+void StatusLine::note(const render::FrameReport& report, const QSize& pixels, const QString& reason)
 {
+    reason_ = reason;
     pixels_ = pixels;
     milliseconds_ = report.milliseconds;
     clock_ = QString::fromStdString(report.clock);
@@ -39,7 +40,7 @@ void StatusLine::note(const render::FrameReport& report, const QSize& pixels)
 
 void StatusLine::renew()
 {
-    labels_[0]->setText(reason_ ? reason_() : QString());
+    labels_[0]->setText(reason_);
     labels_[1]->setText(tr("%1 × %2").arg(pixels_.width()).arg(pixels_.height()));
     labels_[2]->setText(tr("%1 ms (%2)").arg(QLocale::c().toString(milliseconds_, 'f', 1), clock_));
     labels_[3]->setText(tr("%1 passes ran, %2 skipped").arg(ran_).arg(skipped_));

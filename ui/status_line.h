@@ -7,7 +7,6 @@
 #include <QWidget>
 
 #include <array>
-#include <functional>
 
 class QLabel;
 
@@ -21,16 +20,15 @@ class StatusLine final : public QWidget {
 public:
     explicit StatusLine(QWidget* parent = nullptr);
 
-    /// Asked for at each renewal: DrawSchedule::reason.
-    void setReason(std::function<QString()> reason) { reason_ = std::move(reason); }
-    void note(const render::FrameReport&, const QSize& pixels);
+    /// All of one picture; `reason`: DrawSchedule::reason after it was drawn.
+    void note(const render::FrameReport&, const QSize& pixels, const QString& reason);
     [[nodiscard]] QString text() const;
 
 private:
     void renew();
 
     std::array<QLabel*, 4> labels_{};
-    std::function<QString()> reason_;
+    QString reason_;
     QTimer timer_;
     QSize pixels_;
     double milliseconds_ = 0;

@@ -1,14 +1,18 @@
 #include "ui/window_actions.h"
 
+#include "ui/about_dialog.h"
 #include "ui/main_window.h"
 #include "ui/parameter_panel.h"
 #include "ui/preset_shelf.h"
 #include "ui/viewport.h"
 
 #include <QAction>
+#include <QDesktopServices>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
+#include <QUrl>
 
 namespace vitrine::ui {
 namespace {
@@ -73,26 +77,15 @@ WindowActions::WindowActions(MainWindow& window)
     make.menu(tr("&File"));
     make.add(tr("&Open…"), {QKeySequence(Qt::CTRL | Qt::Key_O)},
              tr("A preset, a picture with one inside, a model or a panorama."), [&window] {
-                 const QString path = QFileDialog::getOpenFileName(
-                     &window, tr("Open"), {},
-                     tr("All that can be opened (*.json *.png *.exr *.hdr *.jpg *.glb *.gltf);;All files (*)"));
-                 if (!path.isEmpty()) window.openFile(path);
+                 auto* dialog = new QFileDialog(&window, tr("Open"));
+                 dialog->setAttribute(Qt::WA_DeleteOnClose);
+                 dialog->setFileMode(QFileDialog::ExistingFile);
+                 dialog->setNameFilters({tr("All that can be opened (%1)").arg(MainWindow::openable().join(QLatin1Char(' '))), tr("All files (*)")});
+                 QObject::connect(dialog, &QFileDialog::fileSelected, &window, &MainWindow::openFile);
+                 dialog->open();
              });
-    savePreset = make.add(tr("&Save preset"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
-                          tr("Saves the exhibit's values to the preset in use."), [&shelf] { shelf.save(); });
-    savePresetAs = make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
-                            tr("Saves the exhibit's values under a new name."), [&shelf] { shelf.saveAs(); });
     make.add(tr("Save e&xhibition…"), {}, tr("Saves everything in one file: all exhibits, the hall and where you stand."),
              [&shelf] { shelf.saveExhibition(); });
-    presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)}, tr("Gives the selected preset another name."),
-                           [&shelf] { shelf.rename(); });
-    presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to one of your own."),
-                           [&shelf] { shelf.duplicate(); });
-    presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."),
-                           [&shelf] { shelf.remove(); });
-    presetMenu << make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own."), [&shelf] { shelf.importFile(); });
-    presetMenu << make.add(tr("&Export preset…"), {}, tr("Writes the selected preset to a file."),
-                           [&shelf] { shelf.exportFile(); });
     make.separator();
     make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves the picture at once, as PNG in your pictures folder."),
              [&window] { window.saveScreenshotNow(); });
@@ -114,13 +107,29 @@ WindowActions::WindowActions(MainWindow& window)
     make.take(redo);
     make.separator();
     make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)}, tr("Goes to the filter of the panel."), [&window] {
-        window.hidePanels(false);
-        window.panel().focusFilter();
+        window.findParameter();
     });
     make.add(tr("Reset &all parameters"), {}, tr("All values of the exhibit on show become the initial ones, as one step."),
              [&window] { window.resetEverything(); });
     make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)}, tr("Finds and runs any command by name."),
              [&window] { window.openPalette(); });
+
+    make.menu(tr("&Preset"));
+    savePreset = make.add(tr("&Save preset"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
+                          tr("Saves the values that the panel shows to the preset in use."), [&shelf] { shelf.save(); });
+    savePresetAs = make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
+                            tr("Saves the values that the panel shows under a new name."), [&shelf] { shelf.saveAs(); });
+    make.separator();
+    presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)}, tr("Gives the selected preset another name."),
+                           [&shelf] { shelf.rename(); });
+    presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to one of your own."),
+                           [&shelf] { shelf.duplicate(); });
+    presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."),
+                           [&shelf] { shelf.remove(); });
+    make.separator();
+    presetMenu << make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own."), [&shelf] { shelf.importFile(); });
+    presetMenu << make.add(tr("&Export preset…"), {}, tr("Writes the selected preset to a file."),
+                           [&shelf] { shelf.exportFile(); });
 
     make.menu(tr("&View"));
     panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
@@ -129,21 +138,33 @@ WindowActions::WindowActions(MainWindow& window)
     QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::Key_Tab)}, tr("Hides or shows everything but the picture."),
                              [this] { panels->toggle(); });
     make.inViewport(bare);
+    make.separator();
+    for (QDockWidget* dock : window.docks()) {
+        QAction* toggle = dock->toggleViewAction();
+        toggle->setToolTip(tr("Shows or hides this panel."));
+        toggle->setStatusTip(toggle->toolTip());
+        make.take(toggle);
+    }
+    make.separator();
     fullScreen = make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."),
                              [&window](bool on) { window.setFullScreen(on); });
     make.separator();
     pause = make.toggle(tr("Pause &clock"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Pause)},
                         tr("Stops and starts the exhibits' clock."), [&window](bool on) { window.viewport().setPaused(on); });
     make.inViewport(pause);
+#ifndef NDEBUG  // Other builds carry their shaders inside.
     make.add(tr("&Reload shaders"), {QKeySequence(Qt::Key_F5), QKeySequence(Qt::CTRL | Qt::Key_R)},
              tr("Builds changed shaders again; one that fails keeps its last good picture."),
              [&window] { window.viewport().reloadShaders(); });
+#endif
 
     make.menu(tr("E&xhibit"));
-    make.add(tr("&Entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)}, tr("Back to where the visit begins."), [&window] {
-        window.viewport().jumpTo(window.gallery().initialLook().camera);
-        window.choose(0);
-    });
+    make.add(tr("&Entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)}, tr("Back to where the visit begins."), [&window] { window.visit(0); });
+    make.add(tr("&Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)}, tr("To where you stood before; Backspace does the same while the picture has the focus."),
+             [&window] { window.viewport().goBack(); });
+    make.add(tr("&Press its button"), {}, tr("The red button of the exhibit that you look at; E does the same while the picture has the focus."),
+             [&window] { window.viewport().press(); });
+    make.separator();
     for (std::size_t i = 1; i < window.gallery().exhibits().size(); ++i) {
         const Exhibit& exhibit = *window.gallery().exhibits()[i];
         const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
@@ -157,6 +178,12 @@ WindowActions::WindowActions(MainWindow& window)
     make.menu(tr("&Help"));
     make.add(tr("&Keyboard and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)},
              tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
+    const QString manual = manualPath();
+    QAction* read = make.add(tr("&Manual"), {}, manual.isEmpty() ? tr("README.md did not come with this copy of the program.") : tr("Opens %1.").arg(manual),
+                             [manual] { QDesktopServices::openUrl(QUrl::fromLocalFile(manual)); });
+    read->setEnabled(!manual.isEmpty());
+    make.separator();
+    make.add(tr("&About Vitrine"), {}, tr("Version, libraries, licence."), [&window] { window.openAbout(); });
 }
 
 }  // namespace vitrine::ui

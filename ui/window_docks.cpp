@@ -19,6 +19,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollArea>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QVBoxLayout>
 
@@ -83,15 +84,17 @@ void MainWindow::buildDocks()
         study->show();
         study->raise();
         if (study->height() < 300) resizeDocks({study}, {320}, Qt::Vertical);
-        study_->ask(static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong()), row);
+        study_->ask(shown(), row);
     });
     panel_->setGaugesShown(true);
 
     // The tab bars of stacked docks are Qt's own, made when needed.
     for (const QDockWidget* each : docks_)
         connect(each, &QDockWidget::visibilityChanged, this, [this] {
-            for (QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+            for (QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
                 bar->setAccessibleName(tr("Stacked panels"));
+                bar->setFocusPolicy(bar->count() > 1 ? Qt::TabFocus : Qt::NoFocus);  // Qt gives it to empty ones, too.
+            }
         });
     resizeDocks({exhibits, presets}, {400, 300}, Qt::Vertical);
     resizeDocks({exhibits, docks_[2]}, {240, 360}, Qt::Horizontal);
@@ -109,9 +112,18 @@ void MainWindow::hidePanels(bool hidden)
         hiddenDocks_.clear();
     }
     menuBar()->setVisible(!hidden);
-    status_->setVisible(!hidden);
+    statusBar()->setVisible(!hidden);
     if (actions_) actions_->panels->setChecked(hidden);
     viewport_->setFocus();
+}
+
+void MainWindow::findParameter()
+{
+    hidePanels(false);
+    QDockWidget* parameters = findChild<QDockWidget*>(QStringLiteral("parameters"));
+    parameters->show();
+    parameters->raise();  // In front, where it is stacked with others.
+    panel_->focusFilter();
 }
 
 void MainWindow::setFullScreen(bool on)

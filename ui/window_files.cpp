@@ -48,12 +48,24 @@ void MainWindow::setHallFile(const char* parameter, const QString& path)
     history_.change(tr("Put %1 into the hall").arg(QFileInfo(path).fileName()), std::move(next));
 }
 
+namespace {
+
+const QStringList models{QStringLiteral("glb"), QStringLiteral("gltf")};
+const QStringList pictures{QStringLiteral("hdr"), QStringLiteral("exr"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
+                           QStringLiteral("png"), QStringLiteral("tif"), QStringLiteral("tiff")};
+
+}  // namespace
+
+QStringList MainWindow::openable()
+{
+    QStringList patterns{QStringLiteral("*.json")};
+    for (const QString& ending : models + pictures) patterns << QStringLiteral("*.") + ending;
+    return patterns;
+}
+
 void MainWindow::openFile(const QString& path)
 {
     const QString ending = QFileInfo(path).suffix().toLower();
-    const QStringList models{QStringLiteral("glb"), QStringLiteral("gltf")};
-    const QStringList pictures{QStringLiteral("hdr"), QStringLiteral("exr"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
-                               QStringLiteral("png"), QStringLiteral("tif"), QStringLiteral("tiff")};
     if (ending == QLatin1String("json")) shelf_->loadFile(path);
     else if (models.contains(ending)) setHallFile("model", path);
     else if (pictures.contains(ending)) {
@@ -75,6 +87,17 @@ void MainWindow::saveScreenshotNow()
     const std::string_view name = gallery_.exhibits()[chosen_]->name();
     ExportWish wish;
     wish.path = freeScreenshotPath(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+    if (const std::optional<render::Image> shown = viewport_->finishedPicture()) {
+        try {
+            render::PictureMetadata inside;
+            inside.preset = shelf_->lookText();
+            render::writePicture(wish.path, *shown, wish.format, inside);
+            say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(QString::fromStdString(wish.path.string())));
+        } catch (const std::exception& failure) {
+            say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        }
+        return;
+    }
     const double ratio = viewport_->devicePixelRatioF();
     wish.size = {std::max(1, static_cast<int>(std::lround(viewport_->width() * ratio))),
                  std::max(1, static_cast<int>(std::lround(viewport_->height() * ratio)))};
@@ -83,6 +106,8 @@ void MainWindow::saveScreenshotNow()
     connect(work, &PictureExport::finished, this,
             [this](const QString& path) { say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(path)); });
     connect(work, &PictureExport::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    viewport_->showHint(tr("Drawing the screenshot …"));
+    connect(work, &QObject::destroyed, viewport_, [this] { viewport_->showHint({}); });
     work->start();
 }
 

@@ -143,7 +143,7 @@ PresetHeader presetHeader(const JsonDocument& document)
         throw document.failure("format", "\"" + format + "\" is no format of Vitrine; choose a preset.");
     }
     header.isExhibition = format == exhibitionFormat;
-    if (!header.isExhibition) header.exhibit = textAt(document, root, "exhibit", true);
+    header.exhibit = textAt(document, root, "exhibit", !header.isExhibition);
     header.name = textAt(document, root, "name", false);
     return header;
 }
@@ -191,6 +191,7 @@ Exhibition parseExhibition(std::string text, std::string fileName, const NamedVa
     std::map<std::string, const Json*> left = entries(file.values);
     Exhibition exhibition;
     exhibition.name = file.header.name;
+    exhibition.chosen = file.header.exhibit;
     for (const auto& [name, values] : initial) {
         exhibition.values.emplace_back(name, readRows(file, values.table(), name + ".", left));
     }
@@ -206,7 +207,7 @@ std::string exhibitionText(const Exhibition& exhibition)
 {
     std::map<std::string, Json> values = keptValues(exhibition.kept);
     for (const auto& [name, ofExhibit] : exhibition.values) writeRows(ofExhibit, name + ".", values);
-    return writeFile(exhibitionFormat, {}, exhibition.name, values,
+    return writeFile(exhibitionFormat, exhibition.chosen, exhibition.name, values,
                      jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.kept);
 }
 

@@ -62,12 +62,13 @@ using NamedValues = std::vector<std::pair<std::string, ParameterValues>>;
 /// Values beside the names of the exhibits that they belong to; both in the same order.
 [[nodiscard]] NamedValues namedValues(std::span<const std::unique_ptr<Exhibit>>, std::span<const ParameterValues>);
 
-/// Settings of everything: "format" is "vitrine-exhibition", there is no "exhibit", and the keys of
+/// Settings of everything: "format" is "vitrine-exhibition", "exhibit" is the one that was chosen, and the keys of
 /// `values` are "sdf_morph.morph", "hall.exposure", ...
 struct Exhibition {
     std::string name;
     NamedValues values;
     render::Camera camera;
+    std::string chosen = {};               ///< The exhibit whose parameters were on show; empty: not known.
 
     render::Json kept = render::Json::object();
     std::vector<std::string> notes;
@@ -82,7 +83,7 @@ struct Exhibition {
 /// What kind of file a text is, without reading its values. Throws Failure when it is no preset at all.
 struct PresetHeader {
     bool isExhibition = false;
-    std::string exhibit;  ///< Empty for an exhibition.
+    std::string exhibit;  ///< Of an exhibition: the chosen one, or empty.
     std::string name;
     int version = presetVersion;
 };

@@ -1,8 +1,7 @@
-#include "painted_gallery.h"
+#include "open_window.h"
 
 #include "ui/command_palette.h"
 #include "ui/exhibit_list.h"
-#include "ui/gl_probe.h"
 #include "ui/log_view.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
@@ -12,7 +11,6 @@
 #include "ui/preset_list.h"
 #include "ui/preset_shelf.h"
 #include "ui/status_line.h"
-#include "ui/theme.h"
 #include "ui/value_slider.h"
 #include "ui/viewport.h"
 
@@ -32,71 +30,13 @@ using namespace vitrine;
 using namespace vitrine::ui;
 
 /// The whole window on a real OpenGL context, over a gallery whose picture is one color.
-class WindowTest : public QObject {
+class WindowTest : public test::OpenWindow {
     Q_OBJECT
 
-    std::unique_ptr<QTemporaryDir> home_;
-    std::unique_ptr<test::PaintedGallery> gallery_;
-    std::unique_ptr<MainWindow> window_;
-
-    void openWindow()
-    {
-        gallery_ = std::make_unique<test::PaintedGallery>();
-        window_ = std::make_unique<MainWindow>(*gallery_);
-        window_->resize(1200, 800);
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-        settle();
-    }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().schedule().still(), 8000); }
-    void closeWindow()
-    {
-        window_->close();
-        window_.reset();
-    }
-    [[nodiscard]] int red() { return window_->viewport().grabFramebuffer().pixelColor(20, 20).red(); }
-    [[nodiscard]] double roughness() { return window_->history().look().values[1][gallery_->table(1).roughness]; }
-    /// The presets of that name; shipped ones are in the list, too.
-    [[nodiscard]] QList<QListWidgetItem*> rowsNamed(const char* name)
-    {
-        return window_->findChild<PresetList*>()->findChild<QListWidget*>()->findItems(QString::fromLatin1(name), Qt::MatchExactly);
-    }
-    template <typename T> T* in(const char* row) { return window_->panel().row(row)->findChild<T*>(); }
-    QAction* action(const char* text)
-    {
-        for (QAction* a : window_->findChildren<QAction*>())
-            if (a->text().remove('&') == QLatin1String(text)) return a;
-        return nullptr;
-    }
-    void dragRoughness(int pixels)
-    {
-        auto* slider = in<ValueSlider>("roughness");
-        const QPoint from(12, slider->height() / 2);
-        QTest::mousePress(slider, Qt::LeftButton, {}, from);
-        for (int x = 0; x <= pixels; x += 2) QTest::mouseMove(slider, from + QPoint(x, 0));
-        QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(pixels, 0));
-    }
-
 private slots:
-    void initTestCase()
-    {
-        std::setlocale(LC_NUMERIC, "C");
-        applyTheme(*qApp, darkTheme());
-        QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
-    }
-    void init()
-    {
-        // Every case has folders of its own; nothing of the user's is ever touched.
-        home_ = std::make_unique<QTemporaryDir>();
-        QVERIFY(home_->isValid());
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
-            qputenv(name, home_->path().toLocal8Bit());
-        openWindow();
-    }
-    void cleanup()
-    {
-        if (window_) closeWindow();
-    }
+    void initTestCase() { prepare(); }
+    void init() { start(); }
+    void cleanup() { finish(); }
 
     void aRealSliderChangesThePictureAndUndoTakesItBack()
     {
@@ -269,7 +209,7 @@ private slots:
         }
         QVERIFY(commands >= 20);
         for (const char* key : {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+O", "Ctrl+F", "Ctrl+Shift+P",
-                                "F5", "Ctrl+R", "Space", "Pause", "F12", "Ctrl+Shift+E", "Ctrl+B", "F11", "F1", "?", "Tab"})
+                                "Space", "Pause", "F12", "Ctrl+Shift+E", "Ctrl+B", "F11", "F1", "?", "Tab"})
             QVERIFY2(keys.contains(key), key);
     }
 

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "painted_gallery.h"
+
+#include "ui/gl_probe.h"
+#include "ui/main_window.h"
+#include "ui/parameter_panel.h"
+#include "ui/parameter_row.h"
+#include "ui/preset_list.h"
+#include "ui/theme.h"
+#include "ui/value_slider.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QListWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <clocale>
+#include <memory>
+
+namespace vitrine::test {
+
+/// A test of the whole window on a real OpenGL context, over a gallery whose picture is one color.
+class OpenWindow : public QObject {
+protected:
+    std::unique_ptr<QTemporaryDir> home_;
+    std::unique_ptr<PaintedGallery> gallery_;
+    std::unique_ptr<ui::MainWindow> window_;
+
+    static void prepare()
+    {
+        std::setlocale(LC_NUMERIC, "C");
+        ui::applyTheme(*qApp, ui::darkTheme());
+        QVERIFY2(ui::whyNoOpenGl().isEmpty(), qPrintable(ui::whyNoOpenGl()));
+    }
+    void start()
+    {
+        // Every case has folders of its own; nothing of the user's is ever touched.
+        home_ = std::make_unique<QTemporaryDir>();
+        QVERIFY(home_->isValid());
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+            qputenv(name, home_->path().toLocal8Bit());
+        openWindow();
+    }
+    void finish()
+    {
+        if (window_) closeWindow();
+    }
+    void openWindow()
+    {
+        gallery_ = std::make_unique<PaintedGallery>();
+        window_ = std::make_unique<ui::MainWindow>(*gallery_);
+        window_->resize(1200, 800);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        settle();
+    }
+    void settle() { QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().schedule().still(), 8000); }
+    void closeWindow()
+    {
+        window_->close();
+        window_.reset();
+    }
+    [[nodiscard]] int red() { return window_->viewport().grabFramebuffer().pixelColor(20, 20).red(); }
+    [[nodiscard]] double roughness(std::size_t exhibit = 1) { return window_->history().look().values[exhibit][gallery_->table(exhibit).roughness]; }
+    [[nodiscard]] QListWidget* presets() { return window_->findChild<ui::PresetList*>()->findChild<QListWidget*>(); }
+    /// The presets of that name; shipped ones are in the list, too.
+    [[nodiscard]] QList<QListWidgetItem*> rowsNamed(const char* name)
+    {
+        return presets()->findItems(QString::fromUtf8(name), Qt::MatchExactly);
+    }
+    template <typename T> T* in(const char* row) { return window_->panel().row(row)->findChild<T*>(); }
+    QAction* action(const char* text)
+    {
+        for (QAction* a : window_->findChildren<QAction*>())
+            if (a->text().remove('&') == QString::fromUtf8(text)) return a;
+        return nullptr;
+    }
+    void dragRoughness(int pixels)
+    {
+        auto* slider = in<ui::ValueSlider>("roughness");
+        const QPoint from(12, slider->height() / 2);
+        QTest::mousePress(slider, Qt::LeftButton, {}, from);
+        for (int x = 0; x <= pixels; x += 2) QTest::mouseMove(slider, from + QPoint(x, 0));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(pixels, 0));
+    }
+};
+
+}  // namespace vitrine::test

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QDialog>
+#include <QIcon>
+
+namespace vitrine::ui {
+
+/// What this is: version, what it is made with, licence.
+class AboutDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit AboutDialog(QWidget* window);
+};
+
+/// A showcase with something round in it, at all the sizes that desktops ask for.
+[[nodiscard]] QIcon programIcon();
+
+/// Where README.md lies; empty where it did not come with the program.
+[[nodiscard]] QString manualPath();
+
+}  // namespace vitrine::ui
