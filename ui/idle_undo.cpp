@@ -11,11 +11,18 @@ IdleUndo::IdleUndo(QWidget* window) : QObject(window), window_(window)
     qApp->installEventFilter(this);
 }
 
+bool IdleUndo::belongs(const QObject* object) const
+{
+    // By parents, not QWidget::isAncestorOf: a panel that floats is a window of its own.
+    while (object && object != window_) object = object->parent();
+    return object != nullptr;
+}
+
 bool IdleUndo::eventFilter(QObject* object, QEvent* event)
 {
     if (event->type() != QEvent::ShortcutOverride) return false;
     const auto* edit = qobject_cast<QLineEdit*>(object);
-    if (!edit || !window_->isAncestorOf(edit)) return false;
+    if (!edit || !belongs(edit)) return false;
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool undo = key->matches(QKeySequence::Undo);
     const bool redo = key->matches(QKeySequence::Redo);

@@ -19,6 +19,8 @@ public:
     bool eventFilter(QObject*, QEvent*) override;
 
 private:
+    [[nodiscard]] bool belongs(const QObject*) const;
+
     QWidget* window_;
 };
 

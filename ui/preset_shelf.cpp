@@ -228,7 +228,9 @@ void PresetShelf::keepMissingThumbnail()
     std::error_code ignored;
     if (!used || used->shipped || changedSince(*used) || std::filesystem::exists(PresetStore::thumbnailPath(used->path), ignored)) return;
     // Of an exhibit that nobody stands before, the picture shows something else.
-    if (window_.shown() != 0 && (window_.viewport().mode() != CameraControl::Mode::orbit || window_.chosen() != window_.shown())) return;
+    const bool fromItsOwnView = used->preset.camera == window_.history().look().camera;
+    const bool before = window_.viewport().mode() == CameraControl::Mode::orbit && window_.chosen() == window_.shown();
+    if (window_.shown() != 0 && !fromItsOwnView && !before) return;
     keepThumbnail(used->path);
     refresh();
 }

@@ -61,9 +61,10 @@ render::Box CrepuscularRays::bounds(const ParameterValues&) const
 
 double CrepuscularRays::firstHit(const ParameterValues& values, double, double, const render::Ray& ray) const
 {
-    // Flat and behind the wall's inner face, so that whoever looks at the wall beside the window does not hit it.
+    // Flat and inside the wall, so that the wall beside the window hides it.
+    constexpr double wallsMiddle = -3.9;
     render::Box panes = bounds(values);
-    panes.low.z = panes.high.z = panes.center().z;
+    panes.low.z = panes.high.z = wallsMiddle;
     return render::firstHit(ray, panes);
 }
 

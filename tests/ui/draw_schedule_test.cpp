@@ -114,6 +114,17 @@ private slots:
         }
         QCOMPARE(schedule.scaleWhileMoving(), 1.0);
     }
+
+    void theReasonIsThatOfThePictureOnTheScreen()
+    {
+        DrawSchedule schedule;
+        schedule.setMoving(true, 0);
+        schedule.drawn(*schedule.next(0), 1.0);  // Far too slow: the next ones will be coarser.
+        QVERIFY(schedule.scaleWhileMoving() < 1);
+        QCOMPARE(QString::fromStdString(schedule.reason()), QString("moving: 100% of full resolution"));
+        schedule.drawn(*schedule.next(1), 0.05);
+        QCOMPARE(QString::fromStdString(schedule.reason()), QString("moving: %1% of full resolution").arg(schedule.scaleWhileMoving() * 100));
+    }
 };
 
 QTEST_APPLESS_MAIN(DrawScheduleTest)
