@@ -87,7 +87,7 @@ std::optional<Pointed> Museum::pick(const Look& look, const FrameRequest& reques
         return found;
     }
     const Exhibit& exhibit = *exhibits_[seen.exhibit];
-    found.name = found.button ? "E – " + std::string(exhibit.buttonText()) : std::string(exhibit.title());
+    found.name = found.inReach ? "E – " + std::string(exhibit.buttonText()) : std::string(exhibit.title());
     found.view = bestView(seen.exhibit, look.values[seen.exhibit]);
     return found;
 }

@@ -54,7 +54,7 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
     for (QAction* action : {save, saveAs}) {
         auto* button = new QToolButton(buttons_);
         button->setDefaultAction(action);
-        button->setAccessibleName(action->text());
+        button->setAccessibleName(action->text().remove(QLatin1Char('&')));
         button->setFocusPolicy(Qt::StrongFocus);
         button->setFixedHeight(26);
         row->addWidget(button, 1);

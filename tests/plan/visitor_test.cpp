@@ -258,6 +258,7 @@ TEST(Pick, AButtonIsNamedByWhatItDoes)
     scene.see(button() + dvec3(0.2, 1.5, 2.9), button());
     ASSERT_TRUE(pointed(scene));
     EXPECT_FALSE(pointed(scene)->inReach);
+    EXPECT_EQ(pointed(scene)->name, "Torus to Mug");  // A click goes there first.
 }
 
 TEST(Pick, TheVisitorsOwnObjectCanBeVisited)
