@@ -68,10 +68,10 @@ struct Exhibition {
     std::string name;
     NamedValues values;
     render::Camera camera;
-    std::string chosen = {};               ///< The exhibit whose parameters were on show; empty: not known.
 
     render::Json kept = render::Json::object();
     std::vector<std::string> notes;
+    std::string chosen = {};  ///< The exhibit whose parameters were on show; empty: not known.
 };
 
 /// As `parsePreset`. `initial` names the exhibits and gives their tables; values not in the file get their

@@ -195,11 +195,13 @@ TEST(Preset, OfTheWholeExhibitionHasDottedKeys)
     Exhibition exhibition{"All", initial, {{9, 8, 7}, {0, 0, 0}, 1}, Json::object(), {}};
     exhibition.values[0].second.set(hall.exposure, 2.0);
     exhibition.values[1].second.set(table.morph, 0.75);
+    exhibition.chosen = "everything";
     const std::string text = exhibitionText(exhibition);
     EXPECT_EQ(Json::parse(text)["values"].dump(), R"({"everything.morph":0.75,"hall.exposure":2.0})");
     const Exhibition back = parseExhibition(text, "all.json", initial);
     EXPECT_EQ(back.values, exhibition.values);
     EXPECT_EQ(back.camera, exhibition.camera);
+    EXPECT_EQ(back.chosen, "everything");
 
     const std::string more =
         R"({"format": "vitrine-exhibition", "version": 1, "values": {"gone.size": 3, "hall.exposure": 99}})";
