@@ -5,7 +5,7 @@
 #   sh tests/bench/results.sh                             all of them: about a quarter of an hour on two cores
 #   sh tests/bench/results.sh hall_costs study_fur_*      those, by name or pattern
 #   sh tests/bench/results.sh --missing                   all that are not of this commit yet: goes on after an interruption
-#   sh tests/bench/results.sh hall_costs -- --rounds 3    with options of the command's own, for a smaller run
+#   sh tests/bench/results.sh hall_costs -- --rounds 3    with options of the command's own, for a smaller run, which is not to be committed
 #   sh tests/bench/results.sh --list                      name, what it draws with, and command of each; measures nothing
 #   sh tests/bench/results.sh readme                      only the excerpts
 set -e
@@ -53,10 +53,10 @@ changes() { git status --porcelain -- . ':!tests/bench/results' ':!README.md' ':
 
 measure() {
     name=$1 kind=$2 command=$3
-    machine=$($tests/bench_machine)
+    machine=$($tests/bench_machine) || return 1
     file=$name
     [ "$kind" = cpu ] || file=$name-$(slug "$(field renderer)")
-    if [ -n "$missing" ] && [ -z "$(changes)" ] && grep -qs "^| commit | $commit |$" "$results/$file.md"; then return; fi
+    if [ -n "$missing" ] && [ -z "$(changes)" ] && grep -qs "^| commit | $commit |$" "$results/$file.md"; then return 0; fi
     echo "$name: $command" >&2
     beside=""
     format=markdown
@@ -70,7 +70,7 @@ measure() {
     esac
     started=$(date +%s)
     # Split as it stands: no word of a command has a blank in it but for "screen space", which the list escapes.
-    eval "$command \"\$@\"" >"$part/out" 2>"$part/err" </dev/null || { cat "$part/out" "$part/err" >&2; echo "$name: the command failed; nothing was changed." >&2; exit 1; }
+    eval "$command \"\$@\"" >"$part/out" 2>"$part/err" </dev/null || { cat "$part/out" "$part/err" >&2; echo "$name: the command failed; its file stays as it was." >&2; return 1; }
     took=$(($(date +%s) - started))
     {
         echo "# $name"
@@ -107,6 +107,7 @@ measure() {
 # the STARTs, word for word, in the file's order. A SECTION begins with # and ends at the next heading; it may be left out.
 # Nothing where the file has not been made yet.
 excerpts() {
+    failed=""
     for readme in README.md tests/bench/README.md exhibits/*/README.md; do
         awk -v readme="$readme" '
             /^<!-- end -->$/ { inside = 0 }
@@ -129,48 +130,54 @@ excerpts() {
                 close(file)
                 if (!found && more) { print readme ": nothing found for " $0 > "/dev/stderr"; bad = 1 }
             }
-            END { exit bad }' "$readme" >"$part/readme" || exit 1
+            END { exit bad }' "$readme" >"$part/readme" || failed=yes
         cmp -s "$part/readme" "$readme" || cat "$part/readme" >"$readme"
     done
+    [ -z "$failed" ]
 }
 
-part=$(mktemp -d)
-trap 'rm -rf "$part"' EXIT
-case ${1:-} in
---list) entries; exit ;;
-readme) excerpts; exit ;;
-esac
-missing="" wanted="" options=""
-while [ $# -gt 0 ]; do
-    case $1 in
-    --missing) missing=yes ;;
-    --) shift; options=" $*"; break ;;
-    *) wanted="$wanted $1" ;;
+# In a function, so that all of this is read before it runs: the script may change while it does.
+main() {
+    part=$(mktemp -d)
+    trap 'rm -rf "$part"' EXIT
+    case ${1:-} in
+    --list) entries; return ;;
+    readme) excerpts; return ;;
     esac
-    shift
-done
-mkdir -p "$results" build/studies
-commit=$(git rev-parse HEAD)
-[ -z "$(changes)" ] && dirty="" || dirty="with uncommitted changes"
-targets="vitrine vitrine_oiio bench_machine"
-set -f
-entries | while read -r name kind command; do
-    for pattern in ${wanted:-"*"}; do
-        # shellcheck disable=SC2254
-        case $name in $pattern) printf '%s %s %s\n' "$name" "$kind" "$command"; break ;; esac
+    missing="" wanted="" options="" left=""
+    while [ $# -gt 0 ]; do
+        case $1 in
+        --missing) missing=yes ;;
+        --) shift; options=" $*"; break ;;
+        *) wanted="$wanted $1" ;;
+        esac
+        shift
     done
-done >"$part/chosen"
-set +f
-[ -s "$part/chosen" ] || { echo "results.sh: there is no$wanted; --list tells the names." >&2; exit 2; }
-while read -r name kind command; do
-    case $command in
-    *bench_*) targets="$targets bench_$name" ;;
-    *ctest*) targets="$targets stability_sdf stability_cases stability_scan" ;;
-    esac
-done <"$part/chosen"
-# shellcheck disable=SC2086
-cmake --build build/release --target $targets >"$part/build" 2>&1 || { tail -n 20 "$part/build" >&2; exit 1; }
-while read -r name kind command <&3; do
-    measure "$name" "$kind" "$command$options"
-done 3<"$part/chosen"
-excerpts
+    mkdir -p "$results" build/studies
+    commit=$(git rev-parse HEAD)
+    [ -z "$(changes)" ] && dirty="" || dirty="with uncommitted changes"
+    targets="vitrine vitrine_oiio bench_machine"
+    set -f
+    entries | while read -r name kind command; do
+        for pattern in ${wanted:-"*"}; do
+            # shellcheck disable=SC2254
+            case $name in $pattern) printf '%s %s %s\n' "$name" "$kind" "$command"; break ;; esac
+        done
+    done >"$part/chosen"
+    set +f
+    [ -s "$part/chosen" ] || { echo "results.sh: there is no$wanted; --list tells the names." >&2; exit 2; }
+    while read -r name kind command; do
+        case $command in
+        *bench_*) targets="$targets bench_$name" ;;
+        *ctest*) targets="$targets stability_sdf stability_cases stability_scan" ;;
+        esac
+    done <"$part/chosen"
+    # shellcheck disable=SC2086
+    cmake --build build/release --target $targets >"$part/build" 2>&1 || { tail -n 20 "$part/build" >&2; exit 1; }
+    while read -r name kind command <&3; do
+        measure "$name" "$kind" "$command$options" || left="$left $name"
+    done 3<"$part/chosen"
+    excerpts || left="$left readme"
+    [ -z "$left" ] || { echo "results.sh: not made:$left." >&2; return 1; }
+}
+main "$@"; exit
