@@ -75,6 +75,8 @@ public:
 
     /// The space it may fill, in its own space: what is culled, framed and collided with.
     [[nodiscard]] virtual render::Box bounds(const ParameterValues&) const = 0;
+    /// The same, `sinceOwnPress` seconds after its button was pressed (infinity: never).
+    [[nodiscard]] virtual render::Box boundsAfterPress(const ParameterValues& values, double /*sinceOwnPress*/) const { return bounds(values); }
     /// Its best view, in its own space.
     [[nodiscard]] virtual render::Camera bestView(const ParameterValues&) const = 0;
     /// Seconds until its picture next changes by itself: 0 while animated, infinity when still.
