@@ -79,6 +79,19 @@ TEST_F(Rays, OfTheSunBehindChangeNothing)
     EXPECT_EQ(test::largestDifference(off.image, shot.take().image), 0);
 }
 
+TEST_F(Rays, InScreenSpaceAreInProportionToTheSunsStrengthDownToNone)
+{
+    // The light alone, from a white mask: nothing in it but rays.
+    RayShot shot(RayTechnique::screen);
+    const double initial = std::get<double>(hallTable().rows()[hallTable().sunStrength.row].initial);
+    const double mean = shot.take().mean();
+    ASSERT_GT(mean, 0.01);
+    for (const double share : {2.0, 0.5, 0.1, 1e-3}) {
+        shot.hall().set(hallTable().sunStrength, share * initial);
+        EXPECT_NEAR(shot.take().mean() / (share * mean), 1, 0.002) << share;
+    }
+}
+
 TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
 {
     RayShot shot(RayTechnique::screen);
