@@ -25,6 +25,7 @@ public:
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
+    [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
 
     /// The walls and what stands before them, their shadows, the probe and the sky: all but what the
     /// exhibits add and `develop` ends.
