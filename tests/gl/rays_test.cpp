@@ -90,6 +90,8 @@ TEST_F(Rays, InScreenSpaceAreInProportionToTheSunsStrengthDownToNone)
         shot.hall().set(hallTable().sunStrength, share * initial);
         EXPECT_NEAR(shot.take().mean() / (share * mean), 1, 0.002) << share;
     }
+    shot.hall().set(hallTable().sunStrength, 0.0);
+    EXPECT_EQ(shot.take().mean(), 0);
 }
 
 TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
