@@ -17,7 +17,7 @@ constexpr double gravity = 9.81;        ///< m/s².
 constexpr double strandScale = 0.15;    ///< Metres of lag that count as one strand length: as long as a strand of the museum after which this exhibit is made.
 // A throw: its mean speed is the table's jump; shares of it go up, more or less, and to the sides.
 constexpr double throwUp = 0.16, throwAside = 0.35;
-constexpr double landing = pitRadius - 0.4;  ///< Metres from the axis: throws that would come down beyond are steeper.
+constexpr double landing = pitRadius + pitPadRadius;  ///< Metres from the axis: throws that would come down beyond are steeper.
 constexpr double homeStart = 1.5;       ///< Seconds after which bodies that lie elsewhere hop home.
 constexpr double nearHome = 0.04, nearTurn = 0.12;  ///< Metres and radians: so near is there.
 constexpr double hopLeast = 0.02, hopMost = 0.6;    ///< Metres of height.
