@@ -148,7 +148,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
         if ((alone && i != *request.alone) || (request.cutOut && i != *request.cutOut)) continue;
         Present p{i, alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}};
         if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
-        const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(p.worldFromExhibit);
+        const render::Box box = exhibits_[i]->boundsAfterPress(look.values[i], sincePress(request, i)).transformed(p.worldFromExhibit);
         p.hidden = request.runEverything ? std::string() : whyHidden(box, plan.view, alone);
         const std::string unlit = exhibits_[i]->castsShadow() ? whyUnlit(scene, box) : "it is made of light";
         p.noShadow = !unlit.empty() || request.runEverything ? unlit : whyNoShadow(scene, box, plan.view);
@@ -223,7 +223,7 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
             const Exhibit& exhibit = *exhibits_[present[i].index];
             PlanContext context = contexts[i];
             context.channels = {};
-            context.hiddenBecause = whyHidden(exhibit.bounds(context.values).transformed(context.worldFromExhibit), view, alone);
+            context.hiddenBecause = whyHidden(exhibit.boundsAfterPress(context.values, context.sinceOwnPress).transformed(context.worldFromExhibit), view, alone);
             context.noShadowBecause = "the frame draws the shadows";
             exhibit.plan(context, other);
         }
@@ -256,7 +256,7 @@ double Museum::nextChange(const Look& look, const FrameRequest& request) const
     const HallScene scene = static_cast<const Hall&>(hall()).scene(look.values.front(), request.alone.has_value());
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {
         if (request.alone && *request.alone != i) continue;
-        const render::Box box = exhibits_[i]->bounds(look.values[i]).transformed(request.alone ? glm::dmat4(1) : worldFromExhibit(i));
+        const render::Box box = exhibits_[i]->boundsAfterPress(look.values[i], sincePress(request, i)).transformed(request.alone ? glm::dmat4(1) : worldFromExhibit(i));
         // What is hidden may move unseen, and so may its shadow.
         const bool shadowSeen = !request.alone && exhibits_[i]->castsShadow() && whyNoShadow(scene, box, view).empty();
         if (shadowSeen || whyHidden(box, view, request.alone.has_value()).empty()) next = std::min(next, exhibits_[i]->nextChangeAfterPress(look.values[i], request.time, sincePress(request, i)));

@@ -14,11 +14,11 @@ constexpr int screenBit = static_cast<int>(RayTechnique::screen);
 constexpr int volumeBit = static_cast<int>(RayTechnique::volume);
 
 /// Whether a technique is drawn; otherwise its passes are listed with the reason. What is invisible may be drawn all the
-/// same, to prove that it is; what cannot be drawn may not.
-bool isDrawn(bool asked, bool drawable, const render::Bound& bound, std::initializer_list<const char*> passes, render::FramePlan& plan)
+/// same, to prove that it is; what cannot be drawn may not: its bound says why where it is 0, else `cannot` does.
+bool isDrawn(bool asked, bool drawable, const render::Bound& bound, const char* cannot, std::initializer_list<const char*> passes, render::FramePlan& plan)
 {
-    if (asked && (drawable || !plan.runEverything)) return plan.needs(bound, passes);
-    for (const char* pass : passes) plan.skip(pass, asked ? bound.whyNone : "no technique in use makes them");
+    if (asked && drawable) return plan.needs(bound, passes);
+    for (const char* pass : passes) plan.skip(pass, !asked ? "no technique in use makes them" : bound.isZero() ? bound.whyNone : cannot);
     return false;
 }
 
@@ -102,22 +102,24 @@ std::vector<StudyView> CrepuscularRays::studyViews(const ParameterValues& values
 void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePlan& plan) const
 {
     RaysScene s = raysScene(table_, context, plan);
-    const bool maskShown = context.values[table_.view] == RayView::mask;
-    const render::Bound rays = screenRaysBound(s);
-    const render::Bound air = airBound(s, plan.view);
-    const bool raysShown = isDrawn(s.uses(RayTechnique::screen) || maskShown, s.sun.inFront, rays, {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan);
-    const bool airShown = isDrawn(s.uses(RayTechnique::volume) && !maskShown, !s.beams.empty(), air, {"crepuscular_rays/march"}, plan);
+    const RayView view = context.values[table_.view];
+    const bool maskShown = view == RayView::mask;
+    // A pass that shows the mask or the light alone is no effect, but the thing itself, however dark it is.
+    const bool effect = view == RayView::picture;
+    const render::Bound rays = effect ? screenRaysBound(s) : render::Bound{};
+    const render::Bound air = effect ? airBound(s, plan.view) : render::Bound{};
+    const bool raysShown = isDrawn(s.uses(RayTechnique::screen) || maskShown, s.sun.inFront || maskShown, rays, "the sun is not in front of the camera", {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan);
+    const bool airShown = isDrawn(s.uses(RayTechnique::volume) && !maskShown, !s.beams.empty(), air, "the sun makes no beam", {"crepuscular_rays/march"}, plan);
 
     if (raysShown) {
         planMask(s, plan);
         if (!maskShown) planGathering(s, plan);
     }
     if (airShown) planMarch(s, plan);
-    // A pass that shows the mask or the light alone is no effect, but the thing itself.
     render::Bound both;
-    if (context.values[table_.view] == RayView::picture)
-        both = {airShown ? air.share : 0, (airShown ? air.radiance : 0) + (raysShown ? rays.radiance : 0), {}};
-    if (raysShown || airShown) planComposite(s, (raysShown ? screenBit : 0) | (airShown ? volumeBit : 0), std::move(both), plan);
+    if (effect) both = {airShown ? air.share : 0, (airShown ? air.radiance : 0) + (raysShown ? rays.radiance : 0), {}};
+    const bool asked = s.uses(RayTechnique::screen) || s.uses(RayTechnique::volume);
+    if (raysShown || airShown || (!effect && asked)) planComposite(s, (raysShown ? screenBit : 0) | (airShown ? volumeBit : 0), std::move(both), plan);
     else plan.skip("crepuscular_rays/composite", plan.findSkipped(s.uses(RayTechnique::volume) ? "crepuscular_rays/march" : "crepuscular_rays/mask")->reason);
 }
 

@@ -29,13 +29,13 @@ struct CrepuscularRaysTable final : Parameters {
     const Condition anyBeams = (whenNot(technique, RayTechnique::none) || whenNot(compareWith, RayTechnique::none)) && whenNot(view, RayView::mask);
 
     Group rays = group("Screen space");
-    Real weight = real("weight", 0.8, none, Range{0, 10}.soft(0, 1), "Strength of the rays: 0 makes none. In the original, of each sample.", screenSpace);
+    Real weight = real("weight", 0.8, none, Range{0, 10}.soft(0, 1), "Strength of the rays in the sun's initial light: 0 makes none. In the plain sum, of each sample.", screenSpace);
     Real decay = real("decay", 0.994, none, Range{0, 1}.soft(0.9, 1), "How much of the light is left after each 128th of the way: 1 lets the sky reach everywhere, low keeps it near.", screenSpace);
     Real density = real("density", 1.0, none, {0, 1}, "How far towards the light is gathered: 0 sees the mask alone, 1 goes all the way.", screenSpace);
     Real rayExposure = real("rayExposure", 0.0, stop, Range{-16, 16}.soft(-4, 4), "Brightness of the rays: each stop doubles it.", screenSpace);
     Color tint = color("tint", {1.0, 0.86, 0.66}, "Color of the rays, on top of the sun's own.", screenSpace);
     Choice<RaySum> sum = choice("sum", RaySum::mean, {"mean", "plain sum"},
-        "The mean over the way, which no number of samples makes brighter or darker; or the original's sum, which grows with them.", screenSpace);
+        "The mean over the way, which no number of samples makes brighter or darker; or the plain sum of the museum that this exhibit follows, which grows with them.", screenSpace);
     Real streak = real("streak", 1.0, none, Range{0.05, 16}.soft(0.25, 3), "How long rays may become when the sun is far beyond the edge, in heights of the picture.", screenSpace && when(sum, RaySum::mean));
     Real edgeFade = real("edgeFade", 1.5, none, Range{0.01, 8}.soft(0.1, 4), "How far beyond the picture's edge the sun may be before its rays have faded, in halves of the picture.", screenSpace && when(sum, RaySum::mean));
 

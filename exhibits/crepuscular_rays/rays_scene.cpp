@@ -100,9 +100,9 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     const glm::dvec3 sunLight(light.sunIrradiance);
     const glm::dvec3 sunColor = sunLight / std::max({sunLight.x, sunLight.y, sunLight.z, 1e-6});
     const double fade = plain ? (s.sun.inFront ? 1 : 0) : glsl::shaftEdgeFade(s.sun.beyond, values[table.edgeFade]);
-    // Strength is told in the light of the finished picture, whatever its exposure is; the sun's own strength acts, too.
-    const double sunShare = sunLight == glm::dvec3(0) ? 0 : 1;
-    const double strength = values[table.weight] * std::exp2(values[table.rayExposure]) * fade * sunShare / std::max(static_cast<double>(light.probeHigh.w), 1e-9);
+    // Strength is told in the light of the finished picture, whatever its exposure is, under the sun that the hall begins
+    // with; a weaker sun makes weaker rays.
+    const double strength = values[table.weight] * std::exp2(values[table.rayExposure]) * fade * context.surroundings.sunShare / std::max(static_cast<double>(light.probeHigh.w), 1e-9);
     b.strength = glm::vec4(values[table.tint].value * sunColor * strength, 1 / std::max(light.probeHigh.w, 1e-9F));
     b.mask = {values[table.threshold], values[table.lightSize], values[table.skyColor] ? 1 : 0, values[table.jitter] ? 1 : 0};
     fillBeams(s.beams, b);

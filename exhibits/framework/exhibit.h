@@ -76,11 +76,13 @@ public:
 
     /// The space it may fill, in its own space: what is culled, framed and collided with.
     [[nodiscard]] virtual render::Box bounds(const ParameterValues&) const = 0;
+    /// The same, `sinceOwnPress` seconds after its button was pressed (infinity: never).
+    [[nodiscard]] virtual render::Box boundsAfterPress(const ParameterValues& values, double /*sinceOwnPress*/) const { return bounds(values); }
     /// Where a ray (own space) first meets what is seen of it `sinceOwnPress` seconds after its button was pressed, as
     /// `render::firstHit` counts; infinity: nowhere. What a visitor points at. By default its bounds.
-    [[nodiscard]] virtual double firstHit(const ParameterValues& values, double /*time*/, double /*sinceOwnPress*/, const render::Ray& ray) const
+    [[nodiscard]] virtual double firstHit(const ParameterValues& values, double /*time*/, double sinceOwnPress, const render::Ray& ray) const
     {
-        return render::firstHit(ray, bounds(values));
+        return render::firstHit(ray, boundsAfterPress(values, sinceOwnPress));
     }
     /// Its best view, in its own space.
     [[nodiscard]] virtual render::Camera bestView(const ParameterValues&) const = 0;

@@ -41,6 +41,9 @@ struct Surroundings {
     /// No direction but the sun's own sends more radiance than this; scene-linear, before exposure.
     double brightest = 0;
 
+    /// The sun's strength against the one that the hall's table begins with.
+    double sunShare = 1;
+
     /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while `castsShadows`.
     render::View exhibitShadowView;
     bool castsShadows = false;

@@ -13,9 +13,16 @@ namespace {
 const glm::dvec3 homes[furBodyCount] = {{-0.62, 0, -0.02}, {0.55, 0, 0.58}, {0.30, 0, -0.74}};
 constexpr double homeTurns[furBodyCount] = {0, 0.35, 0.2};
 
-constexpr double strandScale = 0.15;    ///< Metres of lag that count as one strand length (the source's strands).
-constexpr double homeStart = 1.5, homeFull = 3.0;  ///< Seconds: when they begin to be drawn back, and when fully.
-constexpr double homePull = 3.2;        ///< rad/s, of the critically damped spring that draws them back.
+constexpr double gravity = 9.81;        ///< m/s².
+constexpr double strandScale = 0.15;    ///< Metres of lag that count as one strand length: as long as a strand of the museum after which this exhibit is made.
+// A throw: its mean speed is the table's jump; shares of it go up, more or less, and to the sides.
+constexpr double throwUp = 0.16, throwAside = 0.35;
+constexpr double landing = pitRadius + pitPadRadius;  ///< Metres from the axis: throws that would come down beyond are steeper.
+constexpr double homeStart = 1.5;       ///< Seconds after which bodies that lie elsewhere hop home.
+constexpr double nearHome = 0.04, nearTurn = 0.12;  ///< Metres and radians: so near is there.
+constexpr double hopLeast = 0.02, hopMost = 0.6;    ///< Metres of height.
+constexpr double braking = 8;           ///< 1/s, of what slides and rolls on the ground then.
+constexpr double calm = 0.3;            ///< Seconds for which all have to lie.
 constexpr double settling = 0.5;        ///< Seconds in which the last millimetres go.
 constexpr double dt = 1.0 / Bounce::stepsPerSecond;
 
@@ -39,6 +46,21 @@ double throwOf(std::uint32_t toss, int i)
     return static_cast<double>((z ^ (z >> 31U)) >> 11U) / static_cast<double>(1ULL << 52U) - 1;
 }
 
+/// Velocity with which a body leaves the ground, m/s.
+glm::dvec3 throwVelocity(const BounceSettings& s, int body)
+{
+    const auto random = [&](int n) { return throwOf(s.toss, 16 * body + n); };
+    glm::dvec3 velocity = s.jump * glm::dvec3(throwAside * random(0), 1 + throwUp * random(1), throwAside * random(2));
+    const glm::dvec3 aside = glm::dvec3(velocity.x, 0, velocity.z) * (2 * velocity.y / gravity);
+    // Where the straight way from home to the landing leaves the circle: |home + t aside| = landing.
+    const double a = glm::dot(aside, aside);
+    const double b = glm::dot(aside, homes[body]);
+    const double c = glm::dot(homes[body], homes[body]) - landing * landing;
+    if (a + 2 * b + c <= 0) return velocity;
+    const double t = (std::sqrt(b * b - a * c) - b) / a;
+    return {velocity.x * t, velocity.y, velocity.z * t};
+}
+
 glm::dquat homeTurn(int body)
 {
     return glm::angleAxis(homeTurns[body], glm::dvec3(0, 1, 0));
@@ -49,6 +71,12 @@ double restHeight(const BounceSettings& s, int body, double grown)
 {
     if (body == furRing && s.model) return s.cushion[body] - s.model->bounds.low.y;
     return skinRadius(body) * grown + s.cushion[body];
+}
+
+/// The same at most, whatever skin the third body has.
+double heightOfStart(const BounceSettings& s, int body)
+{
+    return s.cushion[body] + (body == furBall ? ballRadius * s.growth.largest() : body == furRoll ? rollRadius : ringRadius + ringTube);
 }
 
 render::RigidShape shapeOf(const BounceSettings& s, int body)
@@ -75,6 +103,11 @@ double Growth::grown(double since) const
     return 1 + share * amount / ballRadius * std::sin(2 * std::numbers::pi * phase);
 }
 
+double Growth::largest() const
+{
+    return rate > 0 ? 1 + amount / ballRadius : 1;
+}
+
 BounceSettings bounceSettings(const FurTable& table, const ParameterValues& v, std::shared_ptr<const render::Mesh> model, double time)
 {
     BounceSettings s;
@@ -96,6 +129,30 @@ BounceSettings bounceSettings(const FurTable& table, const ParameterValues& v, s
     return s;
 }
 
+Flight flightOf(const BounceSettings& s, int body)
+{
+    const double fastest = s.jump * glm::length(glm::dvec3(throwAside, 1 + throwUp, throwAside));
+    return {heightOfStart(s, body) + fastest * fastest / (2 * gravity), pitRadius + 1};
+}
+
+render::Box bouncingSpace(const FurTable& table, const ParameterValues& values, bool jumping)
+{
+    const BounceSettings s = bounceSettings(table, values, nullptr, 0);
+    render::Box space;
+    for (int i = 0; i < furBodyCount; ++i) {
+        // Strands keep their length within 1 %.
+        const double reach = (i == furBall ? ballRadius * s.growth.largest() : i == furRoll ? rollRadius + rollHalfLength : ringRadius + ringTube) +
+                             1.02 * values[coatRows(table, i).length] + 1e-3;
+        const Flight flight = flightOf(s, i);
+        space.include(homes[i] + glm::dvec3(-reach, 0, -reach));
+        space.include(homes[i] + glm::dvec3(reach, heightOfStart(s, i) + reach, reach));
+        if (!jumping) continue;
+        space.include({-flight.farthest - reach, 0, -flight.farthest - reach});
+        space.include({flight.farthest + reach, flight.highest + reach, flight.farthest + reach});
+    }
+    return space;
+}
+
 FurStates restStates(const BounceSettings& s, double since)
 {
     FurStates states;
@@ -109,14 +166,16 @@ FurStates restStates(const BounceSettings& s, double since)
     return states;
 }
 
-struct Bounce::Flight {
-    render::RigidBodies bodies{{pitRadius, 6, 9.81}};
+struct Bounce::World {
+    render::RigidBodies bodies{{pitRadius, pitRim, pitPadRadius, pitPadLift, gravity}};
+    double nextHop[furBodyCount] = {};  ///< Seconds; before it, one that has hopped is still in the air.
     glm::dvec3 lastVelocity[furBodyCount] = {};
     glm::dvec3 lastSpin[furBodyCount] = {};
-    Moment asleep{};  ///< Where they fell asleep.
+    double calmSince = 0;  ///< Seconds.
+    Moment asleep{};  ///< Where they came to lie.
 };
 
-Bounce::Bounce(const BounceSettings& settings) : settings_(settings), flight_(std::make_unique<Flight>())
+Bounce::Bounce(const BounceSettings& settings) : settings_(settings), world_(std::make_unique<World>())
 {
     const FurStates rest = restStates(settings_);
     Moment first;
@@ -125,11 +184,10 @@ Bounce::Bounce(const BounceSettings& settings) : settings_(settings), flight_(st
         first.position[i] = state.position;
         first.turn[i] = state.turn;
         first.pull[i] = limited({{0, -settings_.gravity, 0}, {}}, settings_.displacementLimit);
-        const int body = flight_->bodies.add(shapeOf(settings_, i), {state.position, state.turn}, i == furBall ? 2.2 : 2.0);
+        const int body = world_->bodies.add(shapeOf(settings_, i), {state.position, state.turn}, i == furBall ? 2.2 : 2.0);
         const auto random = [&](int n) { return throwOf(settings_.toss, 16 * i + n); };
-        const glm::dvec3 up(0.35 * random(0), 1 + 0.16 * random(1), 0.35 * random(2));
         const glm::dvec3 spin(random(3), 0.6 * random(4), random(5));
-        flight_->bodies.accelerate(body, up * settings_.jump, spin * (2.2 * settings_.jump));
+        world_->bodies.accelerate(body, throwVelocity(settings_, i), spin * (2.2 * settings_.jump));
     }
     moments_.push_back(first);
 }
@@ -141,24 +199,58 @@ std::int64_t Bounce::steps() const
     return steps_;
 }
 
-/// Draws the bodies back to where they lay, so that the next press begins where this one ends.
-void Bounce::home(double seconds)
+/// Keeps a body within its flight, so that nothing is drawn where nobody looks for it: of the energy that collisions
+/// and a growing ball give it, no more than a throw's, and what little pushing bodies apart adds to that.
+void Bounce::hold()
 {
-    const double now = static_cast<double>(moments_.size()) * seconds;
-    const double gain = smooth(homeStart, homeFull, now) * seconds;
-    if (gain <= 0) return;
     for (int i = 0; i < furBodyCount; ++i) {
-        if (flight_->bodies.asleep(i)) continue;
-        const render::RigidPose pose = flight_->bodies.pose(i);
+        const Flight flight = flightOf(settings_, i);
+        glm::dvec3 at = world_->bodies.pose(i).position;
+        glm::dvec3 velocity = world_->bodies.velocity(i);
+        const glm::dvec3 was = at;
+        const double left = 2 * gravity * std::max(flight.highest - at.y, 0.0);
+        const double squared = glm::dot(velocity, velocity);
+        const bool fast = squared > left;
+        if (fast) velocity *= std::sqrt(left / squared);
+        at.y = std::min(at.y, flight.highest);
+        const double out = std::hypot(at.x, at.z);
+        if (out > flight.farthest) {
+            const glm::dvec3 outwards = glm::dvec3(at.x, 0, at.z) / out;
+            at -= outwards * (out - flight.farthest);
+            velocity -= outwards * std::max(glm::dot(velocity, outwards), 0.0);
+        }
+        if (fast || at != was) world_->bodies.move(i, at, velocity);
+    }
+}
+
+/// Brings the bodies back to where they lay, so that the next press begins where this one ends: whatever lies elsewhere,
+/// or on another side, hops there, over the rim where it must, and brakes where it comes down. Returns whether all lie
+/// where they should.
+bool Bounce::home(double now)
+{
+    bool all = true;
+    for (int i = 0; i < furBodyCount; ++i) {
+        const render::RigidPose pose = world_->bodies.pose(i);
         glm::dvec3 away = homes[i] - pose.position;
         away.y = 0;
         const glm::dvec3 turn = rotationVector(homeTurn(i) * glm::conjugate(pose.turn));
-        glm::dvec3 velocity = flight_->bodies.velocity(i);
-        velocity.y = 0;
-        const glm::dvec3 spin = flight_->bodies.angularVelocity(i);
-        if (glm::length(away) < 0.01 && glm::length(turn) < 0.03 && glm::length(velocity) < 0.02 && glm::length(spin) < 0.05) continue;
-        flight_->bodies.accelerate(i, (homePull * homePull * away - 2 * homePull * velocity) * gain, (homePull * homePull * turn - 2 * homePull * spin) * gain);
+        const glm::dvec3 velocity = world_->bodies.velocity(i);
+        const glm::dvec3 spin = world_->bodies.angularVelocity(i);
+        const bool there = glm::length(away) < nearHome && glm::length(turn) < nearTurn;
+        const bool lies = glm::length(velocity) < 0.15 && glm::length(spin) < 0.5;
+        all = all && there && lies;
+        if (now < homeStart) continue;
+        if (!lies) {
+            if (world_->bodies.touches(i)) world_->bodies.accelerate(i, glm::dvec3(-velocity.x, 0, -velocity.z) * (braking * dt), -spin * (braking * dt));
+        } else if (!there && now >= world_->nextHop[i] && world_->bodies.touches(i)) {
+            // As high as it is far, so that it comes over the rim and over what lies between.
+            const double up = std::sqrt(2 * gravity * std::min(hopLeast + 0.4 * glm::length(away), hopMost));
+            const double inAir = 2 * up / gravity;
+            world_->bodies.accelerate(i, away / inAir + glm::dvec3(0, up, 0) - velocity, turn / inAir - spin);
+            world_->nextHop[i] = now + inAir + 0.2;
+        }
     }
+    return all;
 }
 
 bool Bounce::still(const Moment& m) const
@@ -183,27 +275,28 @@ void Bounce::block()
         Moment next = moments_.back();
         ++steps_;
         if (now < landed_) {
-            flight_->bodies.resizeBall(furBall, ballRadius * settings_.growth.grown(now) + settings_.cushion[furBall]);
-            home(dt);
-            flight_->bodies.step(dt);
-            bool asleep = true;
+            world_->bodies.resizeBall(furBall, ballRadius * settings_.growth.grown(now) + settings_.cushion[furBall]);
+            if (!home(now)) world_->calmSince = now;
+            world_->bodies.step(dt);
+            hold();
             for (int i = 0; i < furBodyCount; ++i) {
-                const render::RigidPose pose = flight_->bodies.pose(i);
+                const render::RigidPose pose = world_->bodies.pose(i);
                 next.position[i] = pose.position;
                 next.turn[i] = pose.turn;
-                asleep = asleep && flight_->bodies.asleep(i);
             }
-            if (asleep || now > longest - 2) {
+            if ((now > homeStart && now - world_->calmSince > calm) || now > longest - 2) {
                 landed_ = now;
-                flight_->asleep = next;
+                world_->asleep = next;
+                const FurStates rest = restStates(settings_, now);
+                for (int i = 0; i < furBodyCount; ++i) slid_ = std::max(slid_, glm::length(rest[static_cast<std::size_t>(i)].position - next.position[i]));
             }
         } else {
             const FurStates rest = restStates(settings_, now);
             const double share = smooth(0, settling, now - landed_);
             for (int i = 0; i < furBodyCount; ++i) {
                 const FurState& state = rest[static_cast<std::size_t>(i)];
-                next.position[i] = glm::mix(flight_->asleep.position[i], state.position, share);
-                next.turn[i] = glm::slerp(flight_->asleep.turn[i], state.turn, share);
+                next.position[i] = glm::mix(world_->asleep.position[i], state.position, share);
+                next.turn[i] = glm::slerp(world_->asleep.turn[i], state.turn, share);
             }
         }
         moments_.push_back(next);
@@ -216,10 +309,10 @@ void Bounce::block()
         const glm::dvec3 spin = rotationVector(after.turn[i] * glm::conjugate(last.turn[i])) / h;
         SpringState pull = last.pull[i];
         SpringState lag = last.lag[i];
-        pull.rate -= settings_.inertia / strandScale * (velocity - flight_->lastVelocity[i]);
-        lag.rate -= settings_.inertia * (spin - flight_->lastSpin[i]);
-        flight_->lastVelocity[i] = velocity;
-        flight_->lastSpin[i] = spin;
+        pull.rate -= settings_.inertia / strandScale * (velocity - world_->lastVelocity[i]);
+        lag.rate -= settings_.inertia * (spin - world_->lastSpin[i]);
+        world_->lastVelocity[i] = velocity;
+        world_->lastSpin[i] = spin;
         const glm::dvec3 trail = -settings_.airDrag * velocity - glm::dvec3(0, settings_.gravity, 0);
         after.pull[i] = limited(advance(pull, trail, settings_.spring, h, settings_.method), settings_.displacementLimit);
         after.lag[i] = limited(advance(lag, -0.25 * settings_.airDrag * spin, settings_.spring, h, settings_.method), settings_.rotationLimit);
@@ -239,7 +332,7 @@ void Bounce::extend(double since)
         const double now = static_cast<double>(moments_.size() - 1) * dt;
         if (now >= longest || (now > landed_ + settling && still(moments_.back()))) {
             end_ = now;
-            flight_.reset();
+            world_.reset();
         }
     }
 }

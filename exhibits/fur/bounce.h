@@ -20,6 +20,8 @@ struct Growth {
     bool operator==(const Growth&) const = default;
     /// Skin over skin at rest, `since` seconds after the press.
     [[nodiscard]] double grown(double since) const;
+    /// The most that it ever is.
+    [[nodiscard]] double largest() const;
 };
 
 /// Everything that the motion after a press depends on.
@@ -41,16 +43,27 @@ struct BounceSettings {
 /// `time`: of the press, on the exhibit's clock.
 [[nodiscard]] BounceSettings bounceSettings(const FurTable&, const ParameterValues&, std::shared_ptr<const render::Mesh> model, double time);
 
+/// How far the middle of a body gets while it jumps, whatever it meets: pit space, metres.
+struct Flight {
+    double highest = 0;   ///< Above the pit's floor.
+    double farthest = 0;  ///< From the pit's axis.
+};
+[[nodiscard]] Flight flightOf(const BounceSettings&, int body);
+
+/// The space that the bodies and their fur may fill, pit space: at rest, or at any time of a jump. The largest skin
+/// that a body may have is counted, so that a visitor's model need not be known.
+[[nodiscard]] render::Box bouncingSpace(const FurTable&, const ParameterValues&, bool jumping);
+
 /// Where the bodies lie before a press, and again when they have come to rest; `since` only moves what grows.
 [[nodiscard]] FurStates restStates(const BounceSettings&, double since = 0);
 
-/// What happens after a press of the button: three bodies thrown up from rest, bouncing, then drawn back to
-/// where they lay, and their fur. Simulated in steps of 1/240 s as far as it is asked for, and kept: the state
+/// What happens after a press of the button: three bodies thrown up from rest, bouncing, then rolling back to
+/// where they lay (those that left the pit hop over its rim first), and their fur. Simulated in steps of 1/240 s as far as it is asked for, and kept: the state
 /// at a time is the same however, and in whatever order, one asks.
 class Bounce {
 public:
     static constexpr int stepsPerSecond = 240;
-    static constexpr double longest = 9;  ///< Seconds after which everything rests in any case.
+    static constexpr double longest = 14;  ///< Seconds after which everything rests in any case.
 
     explicit Bounce(const BounceSettings&);
     ~Bounce();
@@ -60,6 +73,8 @@ public:
     [[nodiscard]] FurStates at(double since);
     /// Seconds after the press at which all is at rest, when that is at or before `since`; else infinity.
     [[nodiscard]] double restedAt(double since);
+    /// Metres by which a body was put to rest beside its place, at most, and then moved there: as far as it was simulated.
+    [[nodiscard]] double slid() const { return slid_; }
     /// Steps that have been simulated so far.
     [[nodiscard]] std::int64_t steps() const;
 
@@ -70,19 +85,21 @@ private:
         SpringState pull[furBodyCount];
         SpringState lag[furBodyCount];  ///< As rotation vectors, pit space.
     };
-    struct Flight;
+    struct World;
     void extend(double since);
     void block();
-    void home(double dt);
+    bool home(double now);
+    void hold();
     [[nodiscard]] bool still(const Moment&) const;
     [[nodiscard]] FurStates states(const Moment&, double since) const;
 
     BounceSettings settings_;
     std::vector<Moment> moments_;
     double end_ = std::numeric_limits<double>::infinity();
-    double landed_ = std::numeric_limits<double>::infinity();  ///< When the bodies fell asleep, seconds.
-    std::unique_ptr<Flight> flight_;
+    double landed_ = std::numeric_limits<double>::infinity();  ///< When the bodies had come to lie, seconds.
+    std::unique_ptr<World> world_;
     std::int64_t steps_ = 0;
+    double slid_ = 0;
 };
 
 }  // namespace vitrine

@@ -107,7 +107,9 @@ FurBody Coats::body(int index) const
     };
     press({0, 1, 0}, 0);
     const double out = std::hypot(state.position.x, state.position.z);
-    if (out > 0.3 && state.position.y < pitRim + 0.3) press(-glm::dvec3(state.position.x, 0, state.position.z) / out, -pitRadius);
+    // Outside, the wall presses nothing, and the ground lies as high as the rim.
+    if (out > pitRadius) press({0, 1, 0}, pitRim);
+    else if (out > 0.3 && state.position.y < pitRim + 0.3) press(-glm::dvec3(state.position.x, 0, state.position.z) / out, -pitRadius);
     for (int other = 0; other < furBodyCount; ++other) {
         if (other == index) continue;
         // Between the nearest points of two spines, found by going back and forth, the middle of the gap.

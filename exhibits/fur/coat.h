@@ -19,6 +19,7 @@ inline constexpr double ballRadius = 0.33;
 inline constexpr double rollRadius = 0.22, rollHalfLength = 0.26;
 inline constexpr double ringRadius = 0.35, ringTube = 0.15;
 inline constexpr double pitRadius = 1.6, pitRim = 0.35;
+inline constexpr double pitPadRadius = 0.145, pitPadLift = 0.04;  ///< The leather tube around it.
 
 /// The rows of one body's own coat.
 struct CoatRows {

@@ -89,9 +89,19 @@ Fur::Fur() : wardrobe_(std::make_unique<Wardrobe>()) {}
 
 Fur::~Fur() = default;
 
-render::Box Fur::bounds(const ParameterValues&) const
+render::Box Fur::bounds(const ParameterValues& values) const
 {
-    return {{-pitRadius, 0, -pitRadius}, {pitRadius, 1.9, pitRadius}};
+    return boundsAfterPress(values, never);
+}
+
+render::Box Fur::boundsAfterPress(const ParameterValues& values, double sinceOwnPress) const
+{
+    const bool pressed = sinceOwnPress >= 0 && sinceOwnPress <= Bounce::longest;
+    const bool jumping = !values[table_.byHand] && (pressed || values[table_.frozenAt] > 0 || values[table_.bouncePeriod] > 0);
+    render::Box space = bouncingSpace(table_, values, jumping);
+    space.include({-pitRadius, 0, -pitRadius});
+    space.include({pitRadius, 1.9, pitRadius});
+    return space;
 }
 
 double Fur::firstHit(const ParameterValues& values, double time, double sinceOwnPress, const render::Ray& ray) const

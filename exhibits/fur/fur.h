@@ -24,6 +24,7 @@ public:
     [[nodiscard]] int place() const override { return 3; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    [[nodiscard]] render::Box boundsAfterPress(const ParameterValues&, double sinceOwnPress) const override;
     [[nodiscard]] double firstHit(const ParameterValues&, double time, double sinceOwnPress, const render::Ray&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;

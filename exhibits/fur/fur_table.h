@@ -38,6 +38,7 @@ struct FurTable final : Parameters {
 
     Group strands = group("Strands");
     Real strandRoundness = real("strandRoundness", 0.55, none, {0, 0.999}, "0 tapers every strand like a needle, high leaves it thick with a blunt tip.");
+    Real thicknessVariation = real("thicknessVariation", 0.0, none, {0, 1}, "How far strands differ in thickness: 0 makes all as thick as said above, 1 any thickness from that down to none.");
     Real distanceAttenuation = real("distanceAttenuation", 1.0, none, Range{0.01, 3}.soft(0.3, 3), "How shells are spread: below 1 more of them near the tips, above 1 near the skin.");
     Real curvature = real("curvature", 0.8, none, Range{0, 10}.soft(0, 5), "How late a strand bends: 0 leans like a stick, high bends only the tip.");
     Real comb = real("comb", 0.6, none, Range{0, 10}.soft(0, 2), "How far the coat is combed to one side.");
@@ -77,7 +78,7 @@ struct FurTable final : Parameters {
     Real airDrag = real("airDrag", 0.22, none, Range{0, 10}.soft(0, 1), "How far it trails in moving air, in strand lengths for each metre a second.", whenLater("byHand", 0));
     Real strength = real("strength", 1.0, none, Range{0, 10}.soft(0, 3), "How much of all this is seen: 0 keeps every strand upright.", whenLater("byHand", 0));
     Real displacementLimit = real("displacementLimit", 2.2, none, Range{0, 100}.soft(0, 5), "How far tips may be drawn at most, in strand lengths.", whenLater("byHand", 0));
-    Real rotationLimit = real("rotationLimit", 1.2, degree, {0, 3.141592653589793}, "How far they may turn less than their body at most; the source allows 30 degrees.", whenLater("byHand", 0));
+    Real rotationLimit = real("rotationLimit", 1.2, degree, {0, 3.141592653589793}, "How far they may turn less than their body at most; the museum that this exhibit follows allows 30 degrees.", whenLater("byHand", 0));
     Real wind = real("wind", 0.0, none, Range{0, 20}.soft(0, 3), "Strength of a draught over the pit: it keeps the fur moving.");
     Direction windDirection = direction("windDirection", {1, 0, -0.3}, "Where the draught blows.", whenAbove(wind, 0));
     Real gustiness = real("gustiness", 0.5, none, {0, 1}, "How uneven it is: 0 leans on the fur steadily and moves nothing.", whenAbove(wind, 0));
@@ -97,7 +98,7 @@ struct FurTable final : Parameters {
         "Outer shells first hide what is behind them before it is drawn; the picture is the same.", exactAt(0));
     Toggle levelOfDetail = toggle("levelOfDetail", true, "Fewer shells where the coat is far away and small.", exactAt(0));
     Choice<FurRotation> rotationModel = choice("rotationModel", FurRotation::slerp, {"matrix mix", "nlerp", "slerp"},
-        "How a strand turns from root to tip: the mix of the source shortens it, nlerp hurries in the middle, slerp does neither.", exactAt(2));
+        "How a strand turns from root to tip: the mix of matrices shortens it, nlerp hurries in the middle, slerp does neither.", exactAt(2));
     Choice<FurSpring> springModel = choice("springModel", FurSpring::closedForm, {"explicit Euler", "semi-implicit", "closed form"},
         "How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.", exactAt(2), when(byHand, false));
     Count springRate = count("springRate", 240, {15, 240, logarithmic}, "Spring steps a second: few make the first two methods fail.", quality(240), when(byHand, false));

@@ -130,6 +130,7 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
         for (int i = 0; i < 3; ++i) light.sunLightmap[i] = static_cast<float>(weights[i] * scene.model.sunLightmapInfo()[static_cast<std::size_t>(i)].scale);
     }
     result.sunShadow = shadowBound(source);
+    result.sunShare = source.strength / std::get<double>(table.rows()[table.sunStrength.row].initial);
     result.brightest = brightestAround(scene, light);
     result.probeLight = render::boundOf(0, mostAmbient, {{result.brightest, "there is no light to reflect"}});
     if (values[table.reflectionProbe] && (runEverything || !result.probeLight.isZero())) {

@@ -74,7 +74,7 @@ Draw partDraw(const HallScene& scene, const Part& part)
     return surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile);
 }
 
-/// Attachments of everything that draws surfaces of the picture; `first` clears them.
+/// Attachments of everything that draws surfaces of the picture; `load` says whether they are cleared first.
 void drawInto(Pass& pass, const Channels& channels, Load load)
 {
     pass.colors = {{radianceImage, load, glm::vec4(0), -1, 0}};

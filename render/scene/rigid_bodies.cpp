@@ -27,6 +27,8 @@ btTransform bulletOf(const RigidPose& pose)
     return btTransform(btQuaternion(s(pose.turn.x), s(pose.turn.y), s(pose.turn.z), s(pose.turn.w)), bulletOf(pose.position));
 }
 
+constexpr double restitutionOfPad = 0.4;  ///< Soft, against 0.9 of floor and wall.
+
 using Shapes = std::vector<std::unique_ptr<btCollisionShape>>;
 
 /// A shape made of others owns none of them: the parts go to `parts`.
@@ -71,11 +73,11 @@ struct RigidBodies::World {
     }
     btRigidBody& at(int body) { return *moving.at(static_cast<std::size_t>(body)); }
 
-    void wall(std::unique_ptr<btCollisionShape> shape, const btTransform& where)
+    void wall(std::unique_ptr<btCollisionShape> shape, const btTransform& where, double restitution = 0.9)
     {
         btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shape.get());
         info.m_startWorldTransform = where;
-        info.m_restitution = btScalar(0.9);
+        info.m_restitution = static_cast<btScalar>(restitution);
         info.m_friction = btScalar(0.8);
         still.push_back(std::make_unique<btRigidBody>(info));
         shapes.push_back(std::move(shape));
@@ -93,12 +95,19 @@ RigidBodies::RigidBodies(const RigidPit& pit) : world_(std::make_unique<World>()
     // The solver visits contacts in a random order otherwise, from a generator of its own.
     w.dynamics.getSolverInfo().m_solverMode &= ~SOLVER_RANDMIZE_ORDER;
     w.wall(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)), btTransform::getIdentity());
+    // Blocks of ground behind the wall, as wide as they must be to leave no gap between them outside, and the pad as a
+    // tube of as many straight pieces.
     constexpr int sides = 32;
+    constexpr double ground = 8;
     for (int i = 0; i < sides; ++i) {
         const double phi = 2 * std::numbers::pi * i / sides;
         const glm::dvec3 out(std::cos(phi), 0, std::sin(phi));
-        btTransform where(btQuaternion({0, 1, 0}, s(-phi)), bulletOf(out * (pit.radius + 0.2) + glm::dvec3(0, pit.wallHeight / 2, 0)));
-        w.wall(std::make_unique<btBoxShape>(btVector3(btScalar(0.2), s(pit.wallHeight / 2), s(std::numbers::pi * (pit.radius + 0.4) / sides))), where);
+        const btQuaternion turn({0, 1, 0}, s(-phi));
+        w.wall(std::make_unique<btBoxShape>(btVector3(s(ground / 2), s(pit.depth / 2), s(std::numbers::pi * (pit.radius + ground) / sides))),
+               btTransform(turn, bulletOf(out * (pit.radius + ground / 2) + glm::dvec3(0, pit.depth / 2, 0))));
+        const double middle = pit.radius + pit.padRadius;
+        w.wall(std::make_unique<btCapsuleShapeZ>(s(pit.padRadius), s(2 * std::numbers::pi * middle / sides)),
+               btTransform(turn, bulletOf(out * middle + glm::dvec3(0, pit.depth + pit.padLift, 0))), restitutionOfPad);
     }
 }
 
@@ -137,6 +146,15 @@ void RigidBodies::resizeBall(int body, double radius)
     world_->dynamics.updateSingleAabb(&world_->at(body));
 }
 
+void RigidBodies::move(int body, const glm::dvec3& position, const glm::dvec3& velocity)
+{
+    btRigidBody& b = world_->at(body);
+    b.getWorldTransform().setOrigin(bulletOf(position));
+    b.setInterpolationWorldTransform(b.getWorldTransform());
+    b.setLinearVelocity(bulletOf(velocity));
+    world_->dynamics.updateSingleAabb(&b);
+}
+
 void RigidBodies::accelerate(int body, const glm::dvec3& velocity, const glm::dvec3& angularVelocity)
 {
     btRigidBody& b = world_->at(body);
@@ -170,6 +188,18 @@ glm::dvec3 RigidBodies::angularVelocity(int body) const
 double RigidBodies::ballRadius(int body) const
 {
     return dynamic_cast<const btSphereShape&>(*world_->at(body).getCollisionShape()).getRadius();
+}
+
+bool RigidBodies::touches(int body) const
+{
+    btDispatcher& dispatcher = world_->dispatcher;
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& pair = *dispatcher.getManifoldByIndexInternal(i);
+        if (pair.getBody0() != &world_->at(body) && pair.getBody1() != &world_->at(body)) continue;
+        for (int k = 0; k < pair.getNumContacts(); ++k)
+            if (pair.getContactPoint(k).getDistance() < btScalar(0.005)) return true;
+    }
+    return false;
 }
 
 bool RigidBodies::asleep(int body) const

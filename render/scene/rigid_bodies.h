@@ -33,10 +33,13 @@ struct RigidPose {
     glm::dquat turn{1, 0, 0, 0};  ///< World from body, unit length.
 };
 
-/// A round pit: a floor at y = 0 and an upright wall; y is up, metres.
+/// A round pit in level ground: its floor at y = 0, an upright wall, and around it on the ground a padded rim; y is up,
+/// metres.
 struct RigidPit {
     double radius = 1;
-    double wallHeight = 1;
+    double depth = 1;           ///< Of the floor below the ground outside.
+    double padRadius = 0.15;    ///< Of the padded tube that lies on the edge; it begins where the wall ends.
+    double padLift = 0;         ///< Of the tube's middle above the ground.
     double gravity = 9.81;      ///< m/s², downwards.
 };
 
@@ -52,6 +55,8 @@ public:
     int add(const RigidShape&, const RigidPose&, double mass);
     /// Sets the radius of a ball that was added; above 0. Its mass stays.
     void resizeBall(int body, double radius);
+    /// Puts it elsewhere, as it is turned, with another velocity (m/s).
+    void move(int body, const glm::dvec3& position, const glm::dvec3& velocity);
     /// Adds to velocity (m/s) and angular velocity (rad/s), and wakes it.
     void accelerate(int body, const glm::dvec3& velocity, const glm::dvec3& angularVelocity);
     /// One step of `seconds`; at most 1/60 or fast bodies pass through walls.
@@ -62,6 +67,8 @@ public:
     [[nodiscard]] glm::dvec3 angularVelocity(int body) const;
     /// Radius at which a ball collides.
     [[nodiscard]] double ballRadius(int body) const;
+    /// Whether it touched anything in the last step.
+    [[nodiscard]] bool touches(int body) const;
     /// Whether it has hardly moved for half a second and is no longer computed.
     [[nodiscard]] bool asleep(int body) const;
 

@@ -82,13 +82,11 @@ void main()
     vec3 tuft = tuftField(skin * waves);
     tuft = (tuft - n * dot(n, tuft)) / (4.0 * waves);
 #endif
-    // A strand thinner than half a pixel is drawn half a pixel wide, but not every such strand.
     float widest = body.coat.z / cellSize;
     float pixel = 0.5 * frame.timing.w * distance_ * shrink / cellSize;
 #ifdef SHADOW
     pixel = 0.0;
 #endif
-    float shown = min(widest / max(pixel, 1e-9), 1.0);
 
     // The ray on the lattice, in cells: what the loop does not do for every sample is done here, once.
     StrandLattice lattice = strandLattice(n, seed);
@@ -109,6 +107,8 @@ void main()
     strand.offset = vec2(0.0);
     strand.along = 0.0;
     strand.rank = 0.0;
+    strand.tint = 0.0;
+    strand.girth = 0.0;
     float radius = widest;
     for (int i = 0; i < steps; ++i) {
         float t = far * float(i) / float(steps);
@@ -123,7 +123,10 @@ void main()
 #endif
         RootedStrand s = strandInCell(lattice, q, 0.8);
         float end = mix(body.coat.w, 1.0, s.rank);
-        float r = max(widest * strandTaper(at, end, parameters.strandRoundness), at < end ? pixel : 0.0);
+        float own = widest * (1.0 - parameters.thicknessVariation * s.girth);
+        // A strand thinner than half a pixel is drawn half a pixel wide, but not every such strand.
+        float shown = min(own / max(pixel, 1e-9), 1.0);
+        float r = max(own * strandTaper(at, end, parameters.strandRoundness), at < end ? pixel : 0.0);
         if (!hit && s.rooted && s.tint < shown && dot(s.offset, s.offset) + s.along * s.along < r * r) {
             hit = true;
             h = at;

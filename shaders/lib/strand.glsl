@@ -32,6 +32,7 @@ struct RootedStrand {
     float along;        // along the plane's normal, so that the offset stays in the surface's tangent plane
     float rank;
     float tint;
+    float girth;        // [0, 1), for its thickness
     bool rooted;
 };
 
@@ -70,8 +71,9 @@ RootedStrand strandInCell(StrandLattice l, vec2 q, float jitter)
     s.offset = q - cell - 0.5 - (vec2(unitFromBits(bits.x), unitFromBits(bits.y)) - 0.5) * jitter;
     s.along = -(s.offset.x * l.slope.x + s.offset.y * l.slope.y);
     s.rank = unitFromBits(bits.z);
-    // The low halves of words whose high halves are the root's place: nothing is seen of what they share.
+    // The low halves of words whose high halves are the root's place and the rank: nothing is seen of what they share.
     s.tint = float(bits.x & 65535u) * (1.0 / 65536.0);
+    s.girth = float(bits.z & 65535u) * (1.0 / 65536.0);
     s.rooted = float(bits.y & 65535u) * (1.0 / 65536.0) * l.facing < 0.5773502691896258;
     return s;
 }
@@ -106,7 +108,7 @@ float strandTaper(float h, float end, float roundness)
 }
 
 // Half Lambert: 1 where a surface faces the light, 1/4 from the terminator on (Mitchell, McTaggart and Green
-// 2006, "Shading in Valve's Source Engine", with the cosine clamped as the source has it).
+// 2006, "Shading in Valve's Source Engine", with the cosine clamped).
 float halfLambert(float cosine)
 {
     float facing = max(cosine, 0.0) * 0.5 + 0.5;

@@ -174,7 +174,7 @@ vec3 shadeGlass(vec3 toEye, Hit hit, MarchSettings settings)
         vec3 start = hit.local - hit.localNormal * (2.0 * hit.tolerance);
         March march = onward(start, localDirection, side, settings, hit.travelled);
         if (!march.hit) break;
-        if (side < 0.0) throughput *= exp(-absorption * march.t * object.boxLow.w);
+        if (side < 0.0) throughput *= exp(-absorption * march.t * length(mat3(object.worldFromLocal) * localDirection));
         MarchSettings next = settings;
         next.travelled = hit.travelled;
         hit = findHit(start, localDirection, march, next);

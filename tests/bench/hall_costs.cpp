@@ -92,7 +92,9 @@ int main(int argc, char** argv)
     render::gl::Renderer emptyRenderer;
     const Look emptyLook = empty.initialLook();
     FrameRequest away = entrance;
-    away.camera = {{0.5, 1.65, 9}, {0.5, 3.2, 12}, 0.959931};  // The exhibits and their shadows are behind the visitor.
+    away.camera = {{0.5, 1.65, 9}, {0.5, 1.2, 12}, 0.959931};  // The exhibits and their shadows are out of view.
+    FrameRequest intoTheBeam = away;
+    intoTheBeam.camera.target.y = 3.2;  // Up there, the beam of the oculus is in view: it is marched and laid over the picture.
     const std::size_t sdf = *museum.find("sdf_morph");
     FrameRequest near = entrance;
     near.camera = museum.bestView(sdf, look.values[sdf]);
@@ -103,7 +105,9 @@ int main(int argc, char** argv)
     const auto drawEmpty = [&](const FrameRequest& request) { return [&empty, &emptyRenderer, &emptyLook, request] { return emptyRenderer.draw(empty.plan(emptyLook, request, emptyRenderer.kept())); }; };
     std::vector<Row> rows;
     rows.push_back({"empty hall, towards the door", drawEmpty(away), {}, {}, {}});
-    rows.push_back({"hall with the exhibits out of view, towards the door", draw(away), {}, {}, {}});
+    rows.push_back({"hall with all exhibits out of view, towards the door", draw(away), {}, {}, {}});
+    rows.push_back({"empty hall, above the door", drawEmpty(intoTheBeam), {}, {}, {}});
+    rows.push_back({"hall with the exhibits out of view but for a beam in the air, above the door", draw(intoTheBeam), {}, {}, {}});
     rows.push_back({"empty hall, from the entrance", drawEmpty(entrance), {}, {}, {}});
     rows.push_back({"hall with the exhibit in view, from the entrance", draw(entrance), {}, {}, {}});
     rows.push_back({"hall, before the exhibit", draw(near), {}, {}, {}});

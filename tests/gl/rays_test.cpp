@@ -83,6 +83,21 @@ TEST_F(Rays, H54_OfTheSunBehindChangeNothing)
     EXPECT_EQ(gallery().museum.plan(shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
 }
 
+TEST_F(Rays, InScreenSpaceAreInProportionToTheSunsStrengthDownToNone)
+{
+    // The light alone, from a white mask: nothing in it but rays.
+    RayShot shot(RayTechnique::screen);
+    const double initial = std::get<double>(hallTable().rows()[hallTable().sunStrength.row].initial);
+    const double mean = shot.take().mean();
+    ASSERT_GT(mean, 0.01);
+    for (const double share : {2.0, 0.5, 0.1, 1e-3}) {
+        shot.hall().set(hallTable().sunStrength, share * initial);
+        EXPECT_NEAR(shot.take().mean() / (share * mean), 1, 0.002) << share;
+    }
+    shot.hall().set(hallTable().sunStrength, 0.0);
+    EXPECT_EQ(shot.take().mean(), 0);
+}
+
 TEST_F(Rays, H56_AreTheMeanThatFloat64Finds)
 {
     // The sun in the picture; beyond its upper edge; and beyond its corner.

@@ -119,6 +119,22 @@ TEST(RaysPlan, NothingToSeeAddsNoPassAndSaysWhy)
     EXPECT_EQ(reasonFor(alone.plan(), "crepuscular_rays/march"), "the sun does not shine through the window");
 }
 
+TEST(RaysPlan, TheMaskAndTheLightAloneAreShownHoweverDarkTheyAre)
+{
+    // Where there is no light, the light alone is black; the hall in its place would be a lie.
+    Scene mask = atTheWindow();
+    mask.rays().set(raysTable().view, RayView::mask);
+    mask.rays().set(raysTable().weight, 0.0);
+    EXPECT_EQ(reasonFor(mask.plan(), "crepuscular_rays/composite"), "it ran");
+    Scene light = atTheWindow();
+    light.rays().set(raysTable().view, RayView::light);
+    light.hall().set(test::hallTable().sunStrength, 0.0);
+    EXPECT_EQ(reasonFor(light.plan(), "crepuscular_rays/composite"), "it ran");
+    light.see({0, 1.65, 8}, {0, 1.65, 20});
+    EXPECT_EQ(reasonFor(light.plan(), "crepuscular_rays/mask"), "the sun is not in front of the camera");
+    EXPECT_EQ(reasonFor(light.plan(), "crepuscular_rays/composite"), "it ran");
+}
+
 TEST(RaysPlan, AloneTheWindowShinesWithoutItsHall)
 {
     Scene alone = atTheWindow(RayTechnique::volume);

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <regex>
+#include <string>
 
 namespace vitrine {
 namespace {
@@ -72,18 +74,28 @@ TEST(Shaders, OfTheLibraryKnowNoExhibit)
 
 TEST(Shaders, NamedInPlansExist)
 {
-    static const std::regex name(R"re("((?:lib|fur|hall|probe|sdf_morph)/[\w/]+\.(?:vert|frag|comp|glsl))")re");
-    int found = 0;
+    // Whatever folder it names: "lib/copy.frag" and "crepuscular_rays/polar.comp" alike.
+    static const std::regex name(R"re("([\w/]+/[\w/]+\.(?:vert|frag|comp))")re");
+    std::map<std::string, int> found;
     for (const char* folder : {"exhibits", "render"}) {
         for (const std::string& file : test::sourceFiles(folder, test::cppExtensions)) {
             const std::string text = test::withoutComments(test::sourceText(file));
             for (auto match = std::sregex_iterator(text.begin(), text.end(), name); match != std::sregex_iterator(); ++match) {
-                ++found;
+                ++found[(*match)[1].str().substr(0, (*match)[1].str().find('/'))];
                 EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders" / (*match)[1].str())) << file << ": " << (*match)[1];
             }
         }
     }
-    EXPECT_GT(found, 10);
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders"))
+        EXPECT_GT(found[entry.path().filename().string()], 0) << "no plan was seen to name a shader of " << entry.path().filename();
+}
+
+TEST(Shaders, EveryStageIsNamedByAPlanOrATest)
+{
+    std::string text;
+    for (const char* folder : {"exhibits", "render", "tests", "app"})
+        for (const std::string& file : test::sourceFiles(folder, test::cppExtensions)) text += test::sourceText(file);
+    for (const std::string& file : test::sourceFiles("shaders", {".vert", ".frag", ".comp"})) EXPECT_NE(text.find('"' + file.substr(8) + '"'), std::string::npos) << file << " is drawn by nothing";
 }
 
 TEST(Shaders, ShareTheirBlocksWithTheCodeByNumber)

@@ -265,7 +265,7 @@ TEST(Bending, H82_IsDefinedAtNothingAndAtHalfATurn)
 
 TEST(Bodies, H90_ComeToRestOnTheFloorAndSleepUntilTheyAreDisturbed)
 {
-    render::RigidBodies world({1.6, 4, 9.81});
+    render::RigidBodies world({.radius = 1.6});
     const int ball = world.add(render::BallShape{0.3}, {{0, 0.5, 0}}, 1);
     const int roll = world.add(render::RollShape{0.2, 0.2}, {{0.8, 0.4, 0}}, 1);
     const int ring = world.add(render::RingShape{0.35, 0.15}, {{-0.8, 0.4, 0}}, 1);

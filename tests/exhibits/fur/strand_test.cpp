@@ -66,6 +66,30 @@ TEST(Strands, AreAsDenseAtThePolesAsElsewhere)
     EXPECT_GT(unevenness(cell, false), 0.15);
 }
 
+TEST(Strands, DifferInThicknessEvenlyAndWithoutRegardToLengthAndTint)
+{
+    // Of 40,000 cells: a mean of numbers between 0 and 1 is off by 0.0014 (one standard deviation), a product of two
+    // independent ones, less that of their means, by 0.0005 or so.
+    const glsl::StrandLattice lattice = glsl::strandLattice(dvec3(0, 1, 0), 5);
+    double mean = 0, squares = 0, withRank = 0, withTint = 0;
+    constexpr int side = 200;
+    for (int x = 0; x < side; ++x) {
+        for (int y = 0; y < side; ++y) {
+            const glsl::RootedStrand s = glsl::strandInCell(lattice, glm::dvec2(x + 0.5, y + 0.5), 0.8);
+            ASSERT_GE(s.girth, 0);
+            ASSERT_LT(s.girth, 1);
+            mean += s.girth / (side * side);
+            squares += s.girth * s.girth / (side * side);
+            withRank += (s.girth - 0.5) * (s.rank - 0.5) / (side * side);
+            withTint += (s.girth - 0.5) * (s.tint - 0.5) / (side * side);
+        }
+    }
+    EXPECT_NEAR(mean, 0.5, 0.006);
+    EXPECT_NEAR(squares, 1.0 / 3, 0.006);
+    EXPECT_NEAR(withRank, 0, 0.002);
+    EXPECT_NEAR(withTint, 0, 0.002);
+}
+
 TEST(Strands, AreAsManyAsAreAskedFor)
 {
     for (const double density : {2000.0, 20000.0}) {
