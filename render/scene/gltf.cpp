@@ -50,6 +50,31 @@ bool readWholeFile(std::vector<unsigned char>* out, std::string* error, const st
     }
 }
 
+/// tinygltf 2.9 takes callbacks only where none is missing, though it writes nothing here, and readWholeFile knows the limit.
+bool writeNothing(std::string* /*error*/, const std::string& /*path*/, const std::vector<unsigned char>& /*bytes*/, void* /*sources*/)
+{
+    return false;
+}
+
+bool withinTheLimit(std::size_t* bytes, std::string* /*error*/, const std::string& /*path*/, void* /*sources*/)
+{
+    *bytes = 0;
+    return true;
+}
+
+/// By name, as versions differ: 2.7 (Debian 12) has no callback for sizes.
+template <typename Callbacks> Callbacks callbacksFor(Sources& sources)
+{
+    Callbacks callbacks{};
+    callbacks.FileExists = &fileExists;
+    callbacks.ExpandFilePath = &expandPath;
+    callbacks.ReadWholeFile = &readWholeFile;
+    callbacks.WriteWholeFile = &writeNothing;
+    if constexpr (requires { callbacks.GetFileSizeInBytes; }) callbacks.GetFileSizeInBytes = &withinTheLimit;
+    callbacks.user_data = &sources;
+    return callbacks;
+}
+
 /// Keeps the packed bytes; nothing is decoded here.
 bool keepImage(tinygltf::Image* image, const int /*index*/, std::string* error, std::string* /*warning*/, int /*width*/,
                int /*height*/, const unsigned char* bytes, int size, void* context)
@@ -69,7 +94,7 @@ bool keepImage(tinygltf::Image* image, const int /*index*/, std::string* error, 
 tinygltf::Model parse(const std::string& bytes, const std::string& name, Sources& sources)
 {
     tinygltf::TinyGLTF loader;
-    loader.SetFsCallbacks({&fileExists, &expandPath, &readWholeFile, nullptr, &sources});
+    loader.SetFsCallbacks(callbacksFor<tinygltf::FsCallbacks>(sources));
     loader.SetImageLoader(&keepImage, &sources);
     loader.SetImageWriter(nullptr, nullptr);
     tinygltf::Model model;
