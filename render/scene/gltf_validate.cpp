@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine::render {
@@ -125,8 +126,9 @@ private:
         }
         index(s.indices.bufferView, model_.bufferViews.size(), path + ".indices.bufferView");
         index(s.values.bufferView, model_.bufferViews.size(), path + ".values.bufferView");
-        if (s.indices.byteOffset < 0) fail(path + ".indices.byteOffset", "this must not be negative");
-        if (s.values.byteOffset < 0) fail(path + ".values.byteOffset", "this must not be negative");
+        // Signed up to tinygltf 2.7, unsigned since.
+        if (std::cmp_less(s.indices.byteOffset, 0)) fail(path + ".indices.byteOffset", "this must not be negative");
+        if (std::cmp_less(s.values.byteOffset, 0)) fail(path + ".values.byteOffset", "this must not be negative");
         const auto count = static_cast<std::uint64_t>(s.count);
         const auto indexBytes =
             static_cast<std::uint64_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
