@@ -123,6 +123,7 @@ void ScreenshotDialog::build()
     buttons->addWidget(stop_);
     buttons->addWidget(go_);
     go_->setDefault(true);
+    stop_->setAutoDefault(false);  // It has the focus while the export runs: a second Enter must not cancel it.
 
     auto* form = new QFormLayout(this);
     form->setContentsMargins(16, 16, 16, 16);

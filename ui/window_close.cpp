@@ -49,6 +49,7 @@ void MainWindow::askBeforeClosing()
     closing_->setAttribute(Qt::WA_DeleteOnClose);
     auto* wait = closing_->addButton(tr("Close when it is done"), QMessageBox::AcceptRole);
     auto* stop = closing_->addButton(tr("Give it up and close"), QMessageBox::DestructiveRole);
+    closing_->button(QMessageBox::Cancel)->setText(tr("Stay open"));
     wait->setObjectName(QStringLiteral("closeWhenDone"));
     stop->setObjectName(QStringLiteral("closeAnyway"));
     closing_->setDefaultButton(wait);

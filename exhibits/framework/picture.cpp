@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -24,7 +25,7 @@ void requireMemory(const glm::ivec2& size, std::size_t channels)
     const double shrink = std::sqrt(machine / 2 / wanted);
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text.precision(3);
+    text << std::fixed << std::setprecision(2 * wanted < 1e11 ? 1 : 0);
     text << "A picture of " << size.x << " × " << size.y << " pixels takes " << 2 * wanted / 1e9 << " GB of memory while it is made and written, and this machine has "
          << machine / 1e9 << " GB; ask for no more than " << std::max(1, static_cast<int>(size.x * shrink)) << " × " << std::max(1, static_cast<int>(size.y * shrink)) << '.';
     throw Failure(Blame::usage, text.str());

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace vitrine {
 namespace {
 
@@ -49,7 +51,8 @@ TEST(Usage, WhatIsUnknownIsUsage)
 Ended refused(std::vector<std::string> more, const std::string& exhibit = "sdf_morph")
 {
     const test::TemporaryFolder folder;
-    std::vector<std::string> words{"render", exhibit, "--size", "8x8", "--out", folder / "x.png"};
+    std::vector<std::string> words{"render", exhibit, "--out", folder / "x.png"};
+    if (std::find(more.begin(), more.end(), "--size") == more.end()) words.insert(words.end(), {"--size", "8x8"});
     words.insert(words.end(), more.begin(), more.end());
     const Ended ended = test::vitrine(words);
     EXPECT_TRUE(folder.files().empty());
