@@ -81,15 +81,6 @@ double Hall::nextChange(const ParameterValues&, double) const
     return std::numeric_limits<double>::infinity();
 }
 
-std::vector<StudyView> Hall::studyViews(const ParameterValues& values) const
-{
-    // The hard ones: bright sky against dark stone, lines thinner than a pixel, and a floor seen at a grazing angle.
-    return {{"from the entrance", bestView(values), 0, values},
-            {"into the window", {{0.4, 1.65, -5.5}, {0, 4.2, -12}, 0.959931}, 0, values},
-            {"up to the vault", {{-3.5, 1.65, 6}, {1, 8.5, -3}, 0.8}, 0, values},
-            {"along the floor", {{-4.5, 0.35, 9}, {2, 0.1, -9}, 0.6}, 0, values}};
-}
-
 HallScene Hall::scene(const ParameterValues& values, bool alone) const
 {
     HallScene scene{*model_, table_, values, alone, nullptr, 0, nullptr, glm::dmat4(1), text_, guests_, {}, {}, {}};
