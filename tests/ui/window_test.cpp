@@ -45,10 +45,10 @@ class WindowTest : public QObject {
         window_ = std::make_unique<MainWindow>(*gallery_);
         window_->resize(1200, 800);
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         settle();
     }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().schedule().still(), 8000); }
+    void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
     void closeWindow()
     {
         window_->close();
@@ -220,7 +220,7 @@ private slots:
         const double changed = roughness();
         // The journal of a process that is no longer there.
         const QDir folder(QString::fromLocal8Bit(qgetenv("XDG_STATE_HOME")) + "/vitrine/recovery");
-        QTRY_VERIFY_WITH_TIMEOUT(!folder.entryList({"*.json"}, QDir::Files).isEmpty(), 6000);
+        QTRY_VERIFY(!folder.entryList({"*.json"}, QDir::Files).isEmpty());
         const QString journal = folder.filePath(folder.entryList({"*.json"}, QDir::Files).first());
         QFile::copy(journal, folder.filePath("999999999-1.json"));
         closeWindow();
@@ -355,7 +355,7 @@ private slots:
         window_->viewport().resize(320, 240);
         window_->viewport().show();
         other->show();
-        QVERIFY(QTest::qWaitForWindowExposed(other));
+        QVERIFY(QTest::qWaitForWindowExposed(other, vitrine::test::patience));
         settle();
         QCOMPARE(gallery_->opened, gallery_->closed + 1);
         window_->viewport().setParent(home);
