@@ -229,6 +229,8 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
     restore.key = key.value();
     Pass hangings = follow("hall/shadow/hangings", "what hangs here has turned", Load::keep);
     hangings.key = key.value();
+    // The probe is kept however they turn, so it must not see them: it is made before they are drawn.
+    restore.stage = hangings.stage = render::Stage::prepare;
     hangings.shader.fragment = "hall/depth.frag";
     hangings.state = still.state;
     hangings.inputs.clear();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace vitrine::render {
@@ -126,9 +125,13 @@ private:
         }
         index(s.indices.bufferView, model_.bufferViews.size(), path + ".indices.bufferView");
         index(s.values.bufferView, model_.bufferViews.size(), path + ".values.bufferView");
-        // Signed up to tinygltf 2.7, unsigned since.
-        if (std::cmp_less(s.indices.byteOffset, 0)) fail(path + ".indices.byteOffset", "this must not be negative");
-        if (std::cmp_less(s.values.byteOffset, 0)) fail(path + ".values.byteOffset", "this must not be negative");
+        // tinygltf 2.9 takes a negative offset for 0, so the file itself is asked.
+        const Json& written = document_.root().at("accessors").at(i).at("sparse");
+        for (const char* part : {"indices", "values"}) {
+            const auto offset = written.at(part).find("byteOffset");
+            if (offset != written.at(part).end() && offset->is_number() && offset->get<double>() < 0)
+                fail(path + '.' + part + ".byteOffset", "this must not be negative");
+        }
         const auto count = static_cast<std::uint64_t>(s.count);
         const auto indexBytes =
             static_cast<std::uint64_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));

@@ -160,6 +160,24 @@ TEST_F(Rays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
     EXPECT_GT(test::largestDifference(gallery().renderer.read("shadow.hall"), anew), 0.01);
 }
 
+TEST_F(Rays, TheProbeIsTheSameHoweverTheMobileHungWhenItWasMade)
+{
+    // It is kept while the mobile turns: a picture must not depend on which turn it was made at.
+    const auto irradianceAt = [](double turn) {
+        RayShot shot(RayTechnique::volume);
+        shot.rays().set(raysTable().turn, turn);
+        shot.hall().set(hallTable().sunAzimuth, 0.2);  // A detour over another sun: it is made anew.
+        (void)shot.take();
+        const render::Image elsewhere = gallery().renderer.read("probe.irradiance");
+        shot.hall().resetRow(hallTable().sunAzimuth.row);
+        (void)shot.take();
+        const render::Image irradiance = gallery().renderer.read("probe.irradiance");
+        EXPECT_GT(test::largestDifference(irradiance, elsewhere), 0);
+        return irradiance;
+    };
+    EXPECT_EQ(test::largestDifference(irradianceAt(0.9), irradianceAt(-1.3)), 0);
+}
+
 TEST_F(Rays, OfTheVolumeAloneAreTheBeamOfTheWindowAndNothingElse)
 {
     RayShot shot(RayTechnique::volume);

@@ -1,33 +1,14 @@
 #include "tests/gl/gallery.h"
 
-#include "render/failure.h"
+#include "tests/gl/driver.h"
 #include "tests/support/image_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <numbers>
 
 namespace vitrine::test {
-namespace {
-
-/// Empty, or why the driver that the environment asks for cannot be tested here.
-std::string whyNoDriver()
-{
-    const char* driver = std::getenv("GALLIUM_DRIVER");
-    if (!driver || std::strcmp(driver, "zink") != 0) return {};
-    try {
-        const std::string renderer = gallery().context.info().renderer;
-        return renderer.find("zink") != std::string::npos ? std::string() : "no OpenGL 4.5 from zink here: " + renderer;
-    } catch (const Failure& failure) {
-        if (failure.blame() != Blame::openGl) throw;
-        return std::string("no OpenGL 4.5 from zink here: ") + failure.what();
-    }
-}
-
-}  // namespace
 
 Gallery& gallery()
 {
@@ -37,7 +18,7 @@ Gallery& gallery()
 
 void GlTest::SetUp()
 {
-    static const std::string why = whyNoDriver();
+    static const std::string why = whyNotTested(gallery);
     if (!why.empty()) GTEST_SKIP() << why;
     errorsBefore_ = gallery().log.errors().size();
 }

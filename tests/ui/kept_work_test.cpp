@@ -38,7 +38,7 @@ class KeptWorkTest : public QObject {
         gallery_ = std::make_unique<test::PaintedGallery>();
         window_ = std::make_unique<MainWindow>(*gallery_);
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(, vitrine::test::patience)));
         connect(static_cast<Application*>(qApp), &Application::caught, window_.get(), [this](const QString& message) { window_->say(MessageStrip::Mood::problem, message); });
     }
     void closeWindow()
@@ -50,7 +50,7 @@ class KeptWorkTest : public QObject {
     void crash(const QString& name)
     {
         const QDir folder = recovery();
-        QTRY_VERIFY_WITH_TIMEOUT(!own().isEmpty(), 15000);
+        QTRY_VERIFY(!own().isEmpty());
         const QString journal = folder.filePath(own());
         QFile::remove(folder.filePath(name));
         QVERIFY(QFile::copy(journal, folder.filePath(name)));

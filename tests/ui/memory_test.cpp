@@ -51,10 +51,10 @@ class MemoryTest : public QObject {
     {
         const long long drawn = window_->viewport().picturesDrawn();
         window_->viewport().lookChanged();
-        QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().picturesDrawn() > drawn, 60000);
+        QTRY_VERIFY(window_->viewport().picturesDrawn() > drawn);
         ++step_;
     }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().schedule().still(), 60000); }
+    void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
 
     void drag(int moves)
     {
@@ -98,7 +98,7 @@ class MemoryTest : public QObject {
         study.setEffort({16, 9}, 1);
         QSignalSpy finished(&study, &StudyDock::finished);
         study.ask(exhibit_, *window_->gallery().exhibits()[exhibit_]->parameters().find("hitTolerance"));
-        QTRY_VERIFY_WITH_TIMEOUT(finished.count() == 1, 120000);
+        QTRY_VERIFY(finished.count() == 1);
         QVERIFY(!study.result().points.empty());
         ++step_;
     }
@@ -112,7 +112,7 @@ class MemoryTest : public QObject {
         auto* work = new PictureExport(*window_, wish);
         QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
         work->start();
-        QTRY_VERIFY_WITH_TIMEOUT(finished.count() + failed.count() == 1, 60000);
+        QTRY_VERIFY(finished.count() + failed.count() == 1);
         QCOMPARE(failed.count(), 0);
         ++step_;
     }
@@ -162,7 +162,7 @@ private slots:
         window_ = std::make_unique<MainWindow>(*gallery_);
         window_->resize(700, 420);
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(, vitrine::test::patience)));
         // One sample of a small picture: what is counted does not depend on how fine it is.
         Look look = window_->history().look();
         look.values[0].setRow(*look.values[0].table().find(supersamplesRow), 1.0);

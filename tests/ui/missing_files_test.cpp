@@ -98,7 +98,7 @@ class MissingFilesTest : public QObject {
                 if (!skipped.unreadable.empty()) unreadable_ << QString::fromStdString(skipped.unreadable);
         });
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(, vitrine::test::patience)));
         drawAnother();
     }
     /// The window draws: it lives.
@@ -106,7 +106,7 @@ class MissingFilesTest : public QObject {
     {
         const long long before = window_->viewport().picturesDrawn();
         window_->viewport().lookChanged();
-        QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().picturesDrawn() > before, 60000);
+        QTRY_VERIFY(window_->viewport().picturesDrawn() > before);
     }
     [[nodiscard]] QStringList said() const { return window_->findChild<MessageStrip*>()->texts(); }
     void dismiss()
@@ -186,7 +186,7 @@ private slots:
         const Look initial = museum_->initialLook();
         writeSession(exhibit, row, path(file), index == 0 ? initial.camera : museum_->bestView(index, initial.values[index]));
         openWindow();
-        QTRY_COMPARE_WITH_TIMEOUT(unreadable_.size(), 1, 30000);
+        QTRY_COMPARE(unreadable_.size(), 1);
         QCOMPARE(said().size(), 1);
         QVERIFY2(said().front().startsWith(label + ": ") && said().front().contains(path(file)), qPrintable(said().front()));
         QCOMPARE(value(index, row.constData()), path(file).toStdString());
@@ -200,7 +200,7 @@ private slots:
             picture.fill(Qt::green);
             picture.save(path(file));
         }
-        QTRY_VERIFY_WITH_TIMEOUT(unreadable_.isEmpty(), 30000);
+        QTRY_VERIFY(unreadable_.isEmpty());
         QCOMPARE(value(index, row.constData()), path(file).toStdString());
     }
 
@@ -274,10 +274,10 @@ private slots:
         set("width", 0.02);
         set("height", 0.01);
         dialog->setPath(path("card.tif"));
-        QTRY_VERIFY_WITH_TIMEOUT(dialog->settled(), 60000);
+        QTRY_VERIFY(dialog->settled());
         const ParameterValues printed = dialog->values();
         dialog->startExport();
-        QTRY_VERIFY_WITH_TIMEOUT(!dialog->exporting(), 60000);
+        QTRY_VERIFY(!dialog->exporting());
         for (const char* file : {"card.tif", "card.tif.json"}) {
             set("width", 0.03);
             dialog->close();
@@ -319,7 +319,7 @@ private slots:
         }
         start("short.png", 2);
         answer("closeWhenDone");
-        QTRY_VERIFY_WITH_TIMEOUT(!window_->isVisible(), 60000);
+        QTRY_VERIFY(!window_->isVisible());
         QVERIFY(QFile::exists(path("short.png")));
         window_.reset();
         openWindow();
@@ -343,7 +343,7 @@ private slots:
             return static_cast<QPushButton*>(nullptr);
         };
         button("Export")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("look.png")), 60000);
+        QTRY_VERIFY(QFile::exists(path("look.png")));
         QTRY_COMPARE(dialog->path(), path("look-2.png"));
         const QByteArray first = contentOf(path("look.png"));
         dialog->setPath(path("look.png"));
@@ -351,7 +351,7 @@ private slots:
         auto* question = dialog->findChild<QMessageBox*>();
         QVERIFY(question);
         question->findChild<QPushButton*>("keepBoth")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("look-2.png")), 60000);
+        QTRY_VERIFY(QFile::exists(path("look-2.png")));
         QCOMPARE(contentOf(path("look.png")), first);
         QTRY_COMPARE(dialog->path(), path("look-3.png"));
         // Esc: first the export, then the dialog.

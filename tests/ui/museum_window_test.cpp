@@ -52,10 +52,10 @@ class MuseumWindowTest : public QObject {
         window_ = std::make_unique<MainWindow>(*gallery_);
         window_->resize(1000, 560);  // A small picture: a software renderer draws it too.
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         settle();
     }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().schedule().still(), 60000); }
+    void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
     [[nodiscard]] QImage picture()
     {
         settle();
@@ -140,14 +140,14 @@ private slots:
             setPrint(*dialog, row, value);
         const QDir home(home_->path());
         dialog->setPath(home.filePath("print.png"));
-        QTRY_VERIFY_WITH_TIMEOUT(dialog->settled(), 60000);
+        QTRY_VERIFY(dialog->settled());
         dialog->startExport();
         QVERIFY(dialog->exporting());
         dialog->stopExport();
         QVERIFY(!dialog->exporting());
         QVERIFY(!QFile::exists(home.filePath("print.png")));
         dialog->startExport();
-        QTRY_VERIFY_WITH_TIMEOUT(!dialog->exporting(), 60000);
+        QTRY_VERIFY(!dialog->exporting());
         const QImage print(home.filePath("print.png"));
         QCOMPARE(print.width(), 354);
         QFile json(home.filePath("print.png.json"));
@@ -204,7 +204,7 @@ private slots:
         auto* work = new PictureExport(*window_, wish);
         QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
         work->start();
-        QTRY_VERIFY_WITH_TIMEOUT(finished.count() + failed.count() == 1, 30000);
+        QTRY_VERIFY(finished.count() + failed.count() == 1);
         QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The viewport and its picture are left alone.
         QVERIFY(render::embeddedPreset(wish.path).has_value());
@@ -255,7 +255,7 @@ private slots:
         const auto row = window_->gallery().exhibits()[exhibit_]->parameters().find("hitTolerance");
         emit window_->panel().accuracyAsked(*row);
         QVERIFY(study.running());
-        QTRY_VERIFY_WITH_TIMEOUT(finished.count() == 1, 120000);
+        QTRY_VERIFY(finished.count() == 1);
         QVERIFY(study.result().points.size() >= 5);
         QCOMPARE(study.result().costName, std::string("evaluations"));
         QCOMPARE(window_->history().stack().count(), 0);
@@ -275,7 +275,7 @@ private slots:
         auto* work = new PictureExport(*window_, wish);
         QSignalSpy progressed(work, &PictureExport::progressed);
         work->start();
-        QTRY_VERIFY_WITH_TIMEOUT(progressed.count() >= 2, 30000);
+        QTRY_VERIFY(progressed.count() >= 2);
         work->cancel();
         QTest::qWait(200);
         QCOMPARE(QDir(home_->path()).entryList({"*never*"}, QDir::Files | QDir::Hidden), QStringList());

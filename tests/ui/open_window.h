@@ -54,10 +54,10 @@ protected:
         window_ = std::make_unique<ui::MainWindow>(*gallery_);
         window_->resize(1200, 800);
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(, vitrine::test::patience)));
         settle();
     }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().schedule().still(), 8000); }
+    void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
     void closeWindow()
     {
         window_->close();

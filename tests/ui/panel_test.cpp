@@ -105,7 +105,7 @@ private slots:
         panel_->showValues(values(), "sample");
         panel_->resize(360, 400);
         panel_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(panel_.get(), vitrine::test::patience));
         panel_->activateWindow();
     }
 

@@ -43,10 +43,10 @@ class PrintDialogTest : public QObject {
     {
         dialog_ = new PrintDialog(makePrintDesk(), nullptr, nullptr);
         dialog_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(dialog_));
+        QVERIFY(QTest::qWaitForWindowExposed(dialog_, vitrine::test::patience));
         settle();
     }
-    void settle() { QTRY_VERIFY_WITH_TIMEOUT(dialog_->settled(), 20000); }
+    void settle() { QTRY_VERIFY(dialog_->settled()); }
     void closeDialog()
     {
         if (dialog_) dialog_->close();
@@ -253,7 +253,7 @@ private slots:
         const ParameterValues before = dialog_->values();
         button("Export")->click();
         QVERIFY(dialog_->exporting());
-        QTRY_VERIFY_WITH_TIMEOUT(!dialog_->exporting(), 20000);
+        QTRY_VERIFY(!dialog_->exporting());
         QVERIFY2(said().contains("Saved " + out + "/card.tif"), qPrintable(said()));
         QCOMPARE(filesIn(out), (QStringList{"card.tif", "card.tif.json"}));
         const PrintDesk::Settings written = dialog_->desk().settingsFrom(render::readFile((out + "/card.tif.json").toStdString(), 1 << 20), "card.tif.json");
@@ -285,7 +285,7 @@ private slots:
         settle();
         const auto write = [&] {
             dialog_->startExport();
-            QTRY_VERIFY_WITH_TIMEOUT(!dialog_->exporting(), 20000);
+            QTRY_VERIFY(!dialog_->exporting());
         };
         const auto answer = [&](const char* button) {
             dialog_->setPath(out + "/card.tif");
@@ -296,7 +296,7 @@ private slots:
             if (chosen) chosen->click();
             else dialog_->findChild<QMessageBox*>()->reject();
             QTRY_VERIFY(!dialog_->findChild<QMessageBox*>());
-            QTRY_VERIFY_WITH_TIMEOUT(!dialog_->exporting(), 20000);
+            QTRY_VERIFY(!dialog_->exporting());
         };
         write();
         QCOMPARE(filesIn(out), (QStringList{"card.tif", "card.tif.json"}));
@@ -327,12 +327,12 @@ private slots:
         QTest::qWait(300);
         QVERIFY(dialog_->exporting());
         button("Cancel")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(!dialog_->exporting(), 20000);
+        QTRY_VERIFY(!dialog_->exporting());
         QCOMPARE(filesIn(out), QStringList());
         dialog_->startExport();
         QVERIFY(dialog_->exporting());
         QTest::keyClick(dialog_, Qt::Key_Escape);
-        QTRY_VERIFY_WITH_TIMEOUT(!dialog_->exporting(), 20000);
+        QTRY_VERIFY(!dialog_->exporting());
         QVERIFY(dialog_->isVisible());
         QCOMPARE(filesIn(out), QStringList());
         QVERIFY(button("Export")->isEnabled());
@@ -349,7 +349,7 @@ private slots:
         dialog_->setPath(home_->filePath("nowhere/card.tif"));
         settle();
         dialog_->startExport();
-        QTRY_VERIFY_WITH_TIMEOUT(!dialog_->exporting(), 20000);
+        QTRY_VERIFY(!dialog_->exporting());
         QVERIFY2(said().contains("nowhere/card.tif"), qPrintable(said()));
         QVERIFY(dialog_->values() == before);
         QVERIFY(!QDir(home_->filePath("nowhere")).exists());
@@ -377,7 +377,7 @@ private slots:
             settle();
             QVERIFY(button("Export chart")->isEnabled());
             button("Export chart")->click();
-            QTRY_VERIFY_WITH_TIMEOUT(!dialog_->exporting(), 20000);
+            QTRY_VERIFY(!dialog_->exporting());
             QVERIFY2(QFile::exists(file), qPrintable(said()));
         }
         tabs->setCurrentIndex(0);

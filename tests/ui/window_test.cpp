@@ -206,7 +206,7 @@ private slots:
         const double changed = roughness();
         // The journal of a process that is no longer there.
         const QDir folder(QString::fromLocal8Bit(qgetenv("XDG_STATE_HOME")) + "/vitrine/recovery");
-        QTRY_VERIFY_WITH_TIMEOUT(!folder.entryList({"*.json"}, QDir::Files).isEmpty(), 6000);
+        QTRY_VERIFY(!folder.entryList({"*.json"}, QDir::Files).isEmpty());
         const QString journal = folder.filePath(folder.entryList({"*.json"}, QDir::Files).first());
         QFile::copy(journal, folder.filePath("999999999-1.json"));
         closeWindow();
@@ -331,7 +331,7 @@ private slots:
         strip->setNoticeTime(50);
         window_->say(MessageStrip::Mood::problem, "The disk is full.");
         window_->say(MessageStrip::Mood::notice, "Saved.");
-        QTRY_COMPARE_WITH_TIMEOUT(strip->texts(), QStringList{"The disk is full."}, 20000);
+        QTRY_COMPARE(strip->texts(), QStringList{"The disk is full."});
         QTest::qWait(300);
         QCOMPARE(strip->texts(), QStringList{"The disk is full."});
     }
@@ -402,7 +402,7 @@ private slots:
         window_->viewport().resize(320, 240);
         window_->viewport().show();
         other->show();
-        QVERIFY(QTest::qWaitForWindowExposed(other));
+        QVERIFY(QTest::qWaitForWindowExposed(other, vitrine::test::patience));
         settle();
         QCOMPARE(gallery_->opened, gallery_->closed + 1);
         window_->viewport().setParent(home);

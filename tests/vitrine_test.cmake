@@ -1,0 +1,56 @@
+# How the folders below declare their programs. Every entry of ctest has a limit that a machine four times slower than two
+# idle cores still meets: it is there for what hangs, never for what is slow.
+
+find_package(GTest REQUIRED)
+find_package(rapidcheck QUIET)
+
+# What most tests include of other people's, compiled once for all programs.
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp "")
+add_library(vitrine_test_headers STATIC ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)
+target_link_libraries(vitrine_test_headers PRIVATE vitrine_options glm::glm nlohmann_json::nlohmann_json GTest::gtest)
+target_precompile_headers(vitrine_test_headers PRIVATE <gtest/gtest.h> <glm/glm.hpp> <nlohmann/json.hpp> <algorithm> <cmath>
+                          <filesystem> <fstream> <functional> <map> <memory> <random> <regex> <string> <vector>)
+target_compile_options(vitrine_test_headers PRIVATE -fPIC)  # As Qt 6.4 asks of what links it: one way for all programs.
+set_target_properties(vitrine_test_headers PROPERTIES UNITY_BUILD OFF)
+
+# vitrine_gtest_program(<name> SOURCES <file>... [LIBRARIES <target>...]): a GoogleTest program that ctest knows nothing of yet.
+function(vitrine_gtest_program name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+    add_executable(${name} ${arg_SOURCES})
+    target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
+    target_compile_definitions(${name} PRIVATE VITRINE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                               VITRINE_PROGRAM="${PROJECT_BINARY_DIR}/vitrine")
+    target_compile_options(${name} PRIVATE -fPIC)
+    target_precompile_headers(${name} REUSE_FROM vitrine_test_headers)
+    # Tests name their helpers as they like; where CMAKE_UNITY_BUILD is on, it is for the libraries.
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests UNITY_BUILD OFF)
+endfunction()
+
+# vitrine_test(<name> LABELS <label>... SOURCES <file>... [LIBRARIES <target>...]): a GoogleTest program, one entry of ctest.
+function(vitrine_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LABELS;SOURCES;LIBRARIES")
+    vitrine_gtest_program(${name} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES})
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600)
+endfunction()
+
+# vitrine_suites(<program> [AS <name>] LABELS <label>... [PROPERTIES <key> <value>...] [ENVIRONMENT <name=value>...]): an
+# entry <name>.<suite> for each suite of a GoogleTest program, and for each parameter of a suite with parameters. They are
+# listed when ctest starts, so that what is new in the program needs no line here. ctest starts what has the highest COST
+# first, and COST counts for all entries of a call: the seconds that the longest takes.
+function(vitrine_suites program)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "AS" "LABELS;PROPERTIES;ENVIRONMENT")
+    if(NOT arg_AS)
+        set(arg_AS ${program})
+    endif()
+    set(listing ${CMAKE_CURRENT_BINARY_DIR}/${arg_AS}_suites.cmake)
+    file(GENERATE OUTPUT ${listing} CONTENT
+"set(program [==[$<TARGET_FILE:${program}>]==])
+set(name [==[${arg_AS}]==])
+set(labels [==[${arg_LABELS}]==])
+set(environment [==[${arg_ENVIRONMENT}]==])
+set(properties [==[${arg_PROPERTIES}]==])
+include([==[${PROJECT_SOURCE_DIR}/tests/list_suites.cmake]==])
+")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${listing})
+endfunction()
