@@ -38,7 +38,7 @@ class KeptWorkTest : public QObject {
         gallery_ = std::make_unique<test::PaintedGallery>();
         window_ = std::make_unique<MainWindow>(*gallery_);
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get(, vitrine::test::patience)));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         connect(static_cast<Application*>(qApp), &Application::caught, window_.get(), [this](const QString& message) { window_->say(MessageStrip::Mood::problem, message); });
     }
     void closeWindow()

@@ -83,8 +83,10 @@ class MemoryTest : public QObject {
 
     void openDialogs()
     {
-        for (const auto& open : {&MainWindow::openScreenshotDialog, &MainWindow::openShortcutSheet, &MainWindow::openPrintDialog, &MainWindow::openPalette}) {
-            (window_.get()->*open)();
+        const std::function<void()> dialogs[] = {[this] { window_->openScreenshotDialog(); }, [this] { window_->openShortcutSheet(); },
+                                                 [this] { window_->openPrintDialog(); }, [this] { window_->openPalette(); }};
+        for (const auto& open : dialogs) {
+            open();
             draw();
             for (QDialog* dialog : window_->findChildren<QDialog*>()) dialog->close();
             for (CommandPalette* palette : window_->findChildren<CommandPalette*>()) palette->close();
@@ -162,7 +164,7 @@ private slots:
         window_ = std::make_unique<MainWindow>(*gallery_);
         window_->resize(700, 420);
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get(, vitrine::test::patience)));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         // One sample of a small picture: what is counted does not depend on how fine it is.
         Look look = window_->history().look();
         look.values[0].setRow(*look.values[0].table().find(supersamplesRow), 1.0);

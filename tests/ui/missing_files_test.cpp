@@ -98,7 +98,7 @@ class MissingFilesTest : public QObject {
                 if (!skipped.unreadable.empty()) unreadable_ << QString::fromStdString(skipped.unreadable);
         });
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get(, vitrine::test::patience)));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         drawAnother();
     }
     /// The window draws: it lives.

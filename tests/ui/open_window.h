@@ -54,7 +54,7 @@ protected:
         window_ = std::make_unique<ui::MainWindow>(*gallery_);
         window_->resize(1200, 800);
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get(, vitrine::test::patience)));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         settle();
     }
     void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }

@@ -186,7 +186,7 @@ private slots:
         QDir(home_->path()).removeRecursively();
         window_ = std::make_unique<MainWindow>(*gallery_);
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get(, vitrine::test::patience)));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         QCOMPARE(window_->size(), MainWindow::firstSize(window_->screen()->availableSize()));
     }
 
