@@ -1,7 +1,7 @@
 // What `vitrine doctor --stability` runs on a user's driver, on this one: the library's numbers, promises about
 // pictures, and every exhibit with random settings at hostile times, places and sizes.
 //   VITRINE_SCAN_PRESETS=20000   more than the 1000 settings of each exhibit
-//   VITRINE_SCAN_SEED=123        begin with another seed than 1, as tests/run does every day; a failure names the seed to
+//   VITRINE_SCAN_SEED=123        begin with another seed than 1, as .ci/full does every day; a failure names the seed to
 //                                begin with
 
 #include "exhibits/exhibits.h"
