@@ -106,7 +106,7 @@ render::Camera Museum::bestView(std::size_t i, const ParameterValues& values) co
 std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
 {
     if (!view.mayContain(box)) return "out of view";
-    if (alone) return {};  // No walls stand here.
+    if (alone || isInWalls(*model_, view.eye)) return {};  // No walls stand here, or one looks through them.
     for (const Occluder& occluder : model_->occluders())
         if (isBehind(occluder, box, view.eye)) return "behind a wall";
     return {};

@@ -121,7 +121,7 @@ void MainWindow::hidePanels(bool hidden)
         bare_ = false;
     }
     menuBar()->setVisible(!hidden);
-    status_->setVisible(!hidden);
+    statusBar()->setVisible(!hidden);
     messages_->setBanned(hidden);
     if (actions_) actions_->panels->setChecked(hidden);
     viewport_->setFocus();

@@ -114,7 +114,8 @@ render::Bound screenRaysBound(const RaysScene& s)
     const bool plain = s.values[s.table.sum] == RaySum::plain;
     const bool still = plain && s.block.source.w <= 0 && !(s.values[s.table.density] > 0);
     const auto& openings = s.context.surroundings.openings;
-    const bool sky = s.context.alone || std::any_of(openings.begin(), openings.end(), [&](const render::Box& opening) { return s.wholeView.mayContain(opening); });
+    const bool outside = !s.context.surroundings.room.contains(s.wholeView.eye);
+    const bool sky = s.context.alone || outside || std::any_of(openings.begin(), openings.end(), [&](const render::Box& opening) { return s.wholeView.mayContain(opening); });
     // The mask is at most 1, and so is its mean; the plain sum adds up all samples.
     const double samples = plain ? s.values[s.table.samples] : 1;
     const double strength = std::max({s.block.strength.x, s.block.strength.y, s.block.strength.z});

@@ -22,7 +22,7 @@ const render::Box room{{-6, 0, -12}, {6, 9, 12}};
 /// The exposure at which plaster in the shade of the default light is about a quarter grey.
 constexpr double baseExposure = 6.5;
 
-/// Largest plane-filling overlap test: does the box, swept towards the light, cross the opening?
+/// Conservative test of whether the box, swept towards the light, overlaps the opening.
 bool passesThrough(const render::Box& box, const glm::dvec3& towardsLight, const render::Box& opening, int axis)
 {
     const double along = towardsLight[axis];
@@ -89,6 +89,20 @@ glm::dvec3 lightmapWeights(const std::vector<SunLightmap>& maps, double elevatio
 }
 
 }  // namespace
+
+bool isInNave(const glm::dvec3& point)
+{
+    return room.contains(point);
+}
+
+bool isInWalls(const HallModel& model, const glm::dvec3& eye)
+{
+    constexpr double farthestNearPlane = 0.5;  // Metres from the eye, in the corners of the widest picture.
+    render::Box building = model.bounds();
+    building.low -= farthestNearPlane;
+    building.high += farthestNearPlane;
+    return building.contains(eye) && !isInNave(eye);
+}
 
 glm::dvec3 towardsSun(const HallScene& scene)
 {

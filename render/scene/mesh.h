@@ -20,6 +20,8 @@ struct Box {
     [[nodiscard]] bool empty() const { return !(low.x <= high.x && low.y <= high.y && low.z <= high.z); }
     [[nodiscard]] glm::dvec3 center() const { return 0.5 * (low + high); }
     [[nodiscard]] glm::dvec3 halfSize() const { return 0.5 * (high - low); }
+    /// Its faces belong to it.
+    [[nodiscard]] bool contains(const glm::dvec3& p) const { return glm::clamp(p, low, high) == p; }
     void include(const glm::dvec3& p)
     {
         low = glm::min(low, p);

@@ -168,7 +168,7 @@ TEST(RenderCommand, AValueOutOfRangeIsBroughtBackAndSaidSo)
     EXPECT_EQ(ended.code, 0);
     EXPECT_EQ(ended.out, "");
     EXPECT_NE(ended.err.find("morph"), std::string::npos) << ended.err;
-    EXPECT_NE(ended.err.find("nearest legal"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("the nearest that is allowed"), std::string::npos) << ended.err;
 }
 
 TEST(RenderCommand, DottedNamesSetAnyExhibitInTheHall)

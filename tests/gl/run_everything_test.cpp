@@ -7,6 +7,9 @@
 #include "exhibits/framework/stability_scan.h"
 #include "tests/gl/gallery.h"
 
+#define GLM_ENABLE_EXPERIMENTAL
+#include <glm/gtx/string_cast.hpp>
+
 #include <cstdlib>
 
 namespace vitrine {
@@ -24,6 +27,7 @@ std::uint64_t environment(const char* name, std::uint64_t otherwise)
 struct Drawn {
     std::vector<render::Image> images;
     std::string passes;
+    std::string leftOut;  ///< Those that it did without, and why.
 };
 
 Drawn drawn(ScanCase c, bool runEverything)
@@ -32,7 +36,8 @@ Drawn drawn(ScanCase c, bool runEverything)
     c.frame.channels.evaluations = false;  // They count what is run.
     const render::FramePlan plan = gallery().museum.plan(c.look, c.frame, gallery().renderer.kept());
     (void)gallery().renderer.draw(plan);
-    Drawn result{{gallery().renderer.read("frame"), gallery().renderer.read(depthImage)}, toString(plan)};
+    Drawn result{{gallery().renderer.read("frame"), gallery().renderer.read(depthImage)}, toString(plan), {}};
+    for (const render::Skipped& skipped : plan.skipped()) result.leftOut += "\n    " + skipped.name + ": " + skipped.reason;
     if (c.frame.averageIn == AverageIn::radiance) result.images.push_back(gallery().renderer.read(radianceImage));
     if (c.frame.channels.normal) result.images.push_back(gallery().renderer.read(normalImage));
     return result;
@@ -54,7 +59,7 @@ TEST_P(RunEverything, ChangesNoBitWhateverIsSetAndFromWhereverItIsSeen)
         ASSERT_EQ(needed.images.size(), everything.images.size());
         for (std::size_t i = 0; i < needed.images.size(); ++i)
             EXPECT_EQ(test::largestDifference(needed.images[i], everything.images[i]), 0)
-                << "VITRINE_SCAN_SEED=" << seed << ", image " << i << "\n  needed:     " << needed.passes << "\n  everything: " << everything.passes;
+                << "VITRINE_SCAN_SEED=" << seed << ", image " << i << ", seen from " << glm::to_string(c.frame.camera.eye) << " towards " << glm::to_string(c.frame.camera.target) << "\n  needed:     " << needed.passes << "\n  everything: " << everything.passes << "\n  left out:" << needed.leftOut;
     }
     EXPECT_GT(leftOut, 0) << "nothing was ever left out: this proves nothing";
 }

@@ -63,7 +63,7 @@ class PanelTest : public QObject {
             QApplication::sendEvent(widget, &move);
         }
     }
-    void showIdleTable() { panel_->showValues(idle_.initial(), "sample"); }
+    void showIdleTable() { history_->restart(Look{{idle_.initial()}, {}}); }
     /// How much a row's label stands out: the largest difference from its background, 0 to 255.
     [[nodiscard]] int ink(ParameterRow* row)
     {
