@@ -11,7 +11,7 @@
 namespace vitrine::lenticular {
 namespace {
 
-constexpr int apertureParts = 32;
+constexpr int previewParts = 32;
 constexpr int sights = 512;  ///< Directions between the print's two edges.
 
 struct Point {
@@ -28,7 +28,7 @@ public:
         for (int i = 0; i < count; ++i) {
             std::vector<Point> points;
             const double theta = count == 1 ? from : from + (to - from) * i / (count - 1);
-            for (const Aperture::Part& part : aperture(sheet, theta, beta, apertureParts).parts)
+            for (const Aperture::Part& part : aperture(sheet, theta, beta, previewParts).parts)
                 points.push_back({(part.from + part.to) / 2, static_cast<float>(part.share)});
             table_.push_back(std::move(points));
         }

@@ -64,22 +64,6 @@ std::string jsonOf(const std::string& bytes, const std::string& name)
     return text;
 }
 
-const Json& arrayAt(const JsonDocument& document, const char* key)
-{
-    static const Json none = Json::array();
-    const auto at = document.root().find(key);
-    if (at == document.root().end()) return none;
-    return *at;
-}
-
-std::string element(const char* array, std::size_t i, const char* key)
-{
-    std::string path = array;
-    ((path += '[') += std::to_string(i)) += ']';
-    if (*key != '\0') (path += '.') += key;
-    return path;
-}
-
 /// A size that the schema check has found to be one; `absent` when the key is not there.
 std::uint64_t sizeAt(const Json& object, const char* key, std::uint64_t absent = 0)
 {
@@ -102,10 +86,10 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
     std::uint64_t total = 0;
     for (std::size_t i = 0; i < arrayAt(document, "buffers").size(); ++i) {
         const std::uint64_t length = sizeAt(arrayAt(document, "buffers")[i], "byteLength");
-        if (length < 1) throw document.failure(element("buffers", i, "byteLength"), "a buffer cannot be empty.");
+        if (length < 1) throw document.failure(elementPath("buffers", i, "byteLength"), "a buffer cannot be empty.");
         // One at a time: the sum of two numbers below 2^31 cannot overflow.
         if (length > limits.bufferBytes || (total += length) > limits.bufferBytes) {
-            throw document.failure(element("buffers", i, "byteLength"), "the buffers together are larger than " +
+            throw document.failure(elementPath("buffers", i, "byteLength"), "the buffers together are larger than " +
                                                                             std::to_string(limits.bufferBytes) +
                                                                             " bytes; simplify the model.");
         }
@@ -118,13 +102,13 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
         const std::uint64_t length = sizeAt(view, "byteLength");
         const std::uint64_t stride = sizeAt(view, "byteStride", 4);
         if (buffer >= lengths.size())
-            throw document.failure(element("bufferViews", i, "buffer"), "there is no such buffer.");
-        if (length < 1) throw document.failure(element("bufferViews", i, "byteLength"), "a view cannot be empty.");
+            throw document.failure(elementPath("bufferViews", i, "buffer"), "there is no such buffer.");
+        if (length < 1) throw document.failure(elementPath("bufferViews", i, "byteLength"), "a view cannot be empty.");
         if (offset > lengths[buffer] || length > lengths[buffer] - offset) {
-            throw document.failure(element("bufferViews", i, "byteLength"), "this view reaches beyond its buffer.");
+            throw document.failure(elementPath("bufferViews", i, "byteLength"), "this view reaches beyond its buffer.");
         }
         if (stride < 4 || stride > 252 || stride % 4 != 0)
-            throw document.failure(element("bufferViews", i, "byteStride"), "a stride is a multiple of 4 from 4 to 252; export the file again.");
+            throw document.failure(elementPath("bufferViews", i, "byteStride"), "a stride is a multiple of 4 from 4 to 252; export the file again.");
     }
 }
 
@@ -139,12 +123,12 @@ void checkAccessors(const JsonDocument& document, const GltfLimits& limits)
         const Json& accessor = accessors[i];
         const auto isOneOf = [](const auto& all, const auto& one) { return std::find(all.begin(), all.end(), one) != all.end(); };
         if (!isOneOf(componentTypes, sizeAt(accessor, "componentType")) || !isOneOf(types, accessor.at("type").get<std::string>()))
-            throw document.failure(element("accessors", i, "componentType"), "its type or component type is none of glTF's; export the file again.");
+            throw document.failure(elementPath("accessors", i, "componentType"), "its type or component type is none of glTF's; export the file again.");
         if (accessor.contains("bufferView")) continue;
         const std::uint64_t mostElements = limits.zeroBytes / (16 * sizeof(float));
         const std::uint64_t count = sizeAt(accessor, "count");
         if (count > mostElements || (zeros += count) > mostElements)
-            throw document.failure(element("accessors", i, "count"), "accessors without data have more than " + std::to_string(mostElements) + " elements; give them a bufferView.");
+            throw document.failure(elementPath("accessors", i, "count"), "accessors without data have more than " + std::to_string(mostElements) + " elements; give them a bufferView.");
     }
 }
 
@@ -157,7 +141,7 @@ void checkReferences(const JsonDocument& document, const char* array)
         const auto& text = uri->get_ref<const std::string&>();
         if (text.starts_with("data:")) continue;
         if (const std::string why = whyRefused(percentDecoded(text)); !why.empty()) {
-            throw document.failure(element(array, i, "uri"),
+            throw document.failure(elementPath(array, i, "uri"),
                                    "this reference is refused because " + why +
                                        "; put the file beside the model and name it relatively.");
         }
@@ -172,7 +156,7 @@ void checkExtensions(const JsonDocument& document)
     for (std::size_t i = 0; i < required.size(); ++i) {
         const auto name = required[i].get<std::string>();
         if (std::find(known.begin(), known.end(), name) == known.end()) {
-            throw document.failure(element("extensionsRequired", i, ""),
+            throw document.failure(elementPath("extensionsRequired", i, ""),
                                    "the file cannot be shown without " + name +
                                        ", which is not supported; export it without that.");
         }

@@ -216,4 +216,19 @@ void makeWholeNumbersIntegers(Json& json)
     }
 }
 
+const Json& arrayAt(const JsonDocument& document, const char* key)
+{
+    static const Json none = Json::array();
+    const auto at = document.root().find(key);
+    return at == document.root().end() ? none : *at;
+}
+
+std::string elementPath(const char* array, std::size_t i, const char* key)
+{
+    std::string path = array;
+    ((path += '[') += std::to_string(i)) += ']';
+    if (*key != '\0') (path += '.') += key;
+    return path;
+}
+
 }  // namespace vitrine::render

@@ -1,4 +1,5 @@
 #include "render/scene/gltf_sources.h"
+#include "render/scene/gltf_schema.h"
 
 #include "render/failure.h"
 #include "render/files/read_file.h"
@@ -10,20 +11,6 @@ namespace vitrine::render {
 namespace {
 
 using Bytes = std::vector<unsigned char>;
-
-std::string element(const char* array, std::size_t i, const char* key)
-{
-    std::string path = array;
-    (((path += '[') += std::to_string(i)) += "].") += key;
-    return path;
-}
-
-const Json& arrayAt(const JsonDocument& document, const char* key)
-{
-    static const Json none = Json::array();
-    const auto at = document.root().find(key);
-    return at == document.root().end() ? none : *at;
-}
 
 std::string textAt(const Json& object, const char* key)
 {
@@ -128,7 +115,7 @@ std::vector<tinygltf::Buffer> readBuffers(const JsonDocument& document, std::str
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto length = rows[i].at("byteLength").get<std::size_t>();
         const std::string uri = textAt(rows[i], "uri");
-        const std::string path = element("buffers", i, uri.empty() ? "byteLength" : "uri");
+        const std::string path = elementPath("buffers", i, uri.empty() ? "byteLength" : "uri");
         Bytes& data = buffers[i].data;
         if (uri.starts_with("data:")) {
             data = ofLength(document, path, dataOf(document, path, uri), length);
@@ -163,7 +150,7 @@ std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std:
         tinygltf::Image& image = images[i];
         image.name = textAt(rows[i], "name");
         const std::string uri = textAt(rows[i], "uri");
-        const std::string path = element("images", i, "uri");
+        const std::string path = elementPath("images", i, "uri");
         const auto view = rows[i].find("bufferView");
         if ((view != rows[i].end()) == !uri.empty())
             throw document.failure(path, "a picture has either a uri or a bufferView; export the file again.");
