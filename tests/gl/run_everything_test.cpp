@@ -6,22 +6,15 @@
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/stability_scan.h"
 #include "tests/gl/gallery.h"
+#include "tests/support/environment_number.h"
 
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/string_cast.hpp>
-
-#include <cstdlib>
 
 namespace vitrine {
 namespace {
 
 using test::gallery;
-
-std::uint64_t environment(const char* name, std::uint64_t otherwise)
-{
-    const char* text = std::getenv(name);
-    return text ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 /// What a picture consists of, and which of its passes ran.
 struct Drawn {
@@ -47,8 +40,8 @@ class RunEverything : public test::GlTest, public testing::WithParamInterface<st
 
 TEST_P(RunEverything, ChangesNoBitWhateverIsSetAndFromWhereverItIsSeen)
 {
-    const std::uint64_t first = environment("VITRINE_SCAN_SEED", 1);
-    const std::uint64_t count = environment("VITRINE_SCAN_PRESETS", 8);
+    const std::uint64_t first = test::environmentNumber("VITRINE_SCAN_SEED", 1);
+    const std::uint64_t count = test::environmentNumber("VITRINE_SCAN_PRESETS", 8);
     const std::size_t exhibit = *gallery().museum.find(GetParam());
     int leftOut = 0;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {

@@ -10,20 +10,14 @@
 #include "exhibits/framework/stability_cases.h"
 #include "exhibits/framework/stability_scan.h"
 #include "tests/gl/gallery.h"
+#include "tests/support/environment_number.h"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace vitrine {
 namespace {
 
 using test::gallery;
-
-std::uint64_t environment(const char* name, std::uint64_t otherwise)
-{
-    const char* text = std::getenv(name);
-    return text ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 class StabilityScan : public test::GlTest {};
 
@@ -47,8 +41,8 @@ class ScanOfExhibit : public StabilityScan, public testing::WithParamInterface<s
 
 TEST_P(ScanOfExhibit, FindsNothingThatIsNoNumberOrWasNeverWritten)
 {
-    const int presets = static_cast<int>(environment("VITRINE_SCAN_PRESETS", 1000));
-    const std::uint64_t first = environment("VITRINE_SCAN_SEED", 1);
+    const int presets = static_cast<int>(test::environmentNumber("VITRINE_SCAN_PRESETS", 1000));
+    const std::uint64_t first = test::environmentNumber("VITRINE_SCAN_SEED", 1);
     const StabilityResult result = scanExhibit(gallery().museum, gallery().renderer, *gallery().museum.find(GetParam()), first, presets);
     EXPECT_TRUE(result.passed) << result.what << "\n  VITRINE_SCAN_SEED of " << result.detail;
 }
