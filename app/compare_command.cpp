@@ -1,7 +1,7 @@
 #include "app/command.h"
 
 #include "app/picture_options.h"
-#include "app/study_options.h"
+#include "app/study/study_options.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
 #include "render/image/image_io.h"

@@ -1,8 +1,8 @@
 #include "app/command.h"
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/preset_values.h"
 #include "exhibits/framework/derive.h"
+#include "exhibits/framework/preset_values.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"

@@ -1,7 +1,7 @@
 #include "app/command.h"
 #include "render/failure.h"
 #include "render/measure/memory.h"
-#include "ui/run_window.h"
+#include "ui/window/run_window.h"
 
 #include <CLI/CLI.hpp>
 

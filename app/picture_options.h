@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/picture.h"
+#include "exhibits/museum/picture.h"
 #include "render/image/image_io.h"
 
 #include <optional>

@@ -2,6 +2,7 @@
 #include "app/picture_options.h"
 #include "app/report.h"
 
+#include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
 #include "render/failure.h"
 #include "render/gl/context.h"
@@ -38,7 +39,7 @@ int renderPicture(const RenderOptions& options)
 {
     const render::PictureFormat format = pictureFormat("--out", options.picture.out, options.sixteenBit);
     const render::gl::HeadlessContext context;
-    const Museum museum;
+    const Museum museum{allExhibits()};
     const PictureJob job = pictureJob(museum, options.picture);
     for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
     render::gl::Renderer renderer;
@@ -53,7 +54,7 @@ int renderPicture(const RenderOptions& options)
 int renderTour(const std::string& folder, const std::string& size, int samples)
 {
     const render::gl::HeadlessContext context;
-    const Museum museum;
+    const Museum museum{allExhibits()};
     render::gl::Renderer renderer;
     std::error_code error;
     std::filesystem::create_directories(folder, error);

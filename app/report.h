@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/picture_options.h"
-#include "exhibits/framework/picture.h"
+#include "exhibits/museum/picture.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 

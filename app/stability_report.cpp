@@ -1,6 +1,7 @@
 #include "app/stability_report.h"
 
-#include "exhibits/framework/stability_cases.h"
+#include "exhibits/exhibits.h"
+#include "exhibits/stability/stability_cases.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
 #include "render/gl/context.h"
@@ -58,7 +59,7 @@ Json asJson(const render::gl::ContextInfo& gl, const StabilityOptions& options, 
 int stabilityReport(const StabilityOptions& options)
 {
     const render::gl::HeadlessContext context;
-    const Museum museum;
+    const Museum museum{allExhibits()};
     render::gl::Renderer renderer;
     const bool watched = ::isatty(STDERR_FILENO) == 1;
     std::vector<StabilityResult> results = arithmeticCases(renderer);

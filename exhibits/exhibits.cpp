@@ -3,7 +3,7 @@
 #include "exhibits/crepuscular_rays/crepuscular_rays.h"
 #include "exhibits/fur/fur.h"
 #include "exhibits/lenticular/lenticular.h"
-#include "exhibits/lenticular/print_desk.h"
+#include "exhibits/printing/lenticular_desk.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 
 namespace vitrine {

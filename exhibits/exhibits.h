@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/exhibit.h"
-#include "exhibits/framework/print_desk.h"
+#include "exhibits/printing/print_desk.h"
 
 namespace vitrine {
 

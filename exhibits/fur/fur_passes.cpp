@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/derive.h"
 #include "exhibits/fur/coat_mesh.h"
-#include "exhibits/hall/surface_draw.h"
+#include "exhibits/kit/surface_draw.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/museum.h"
+#include "exhibits/framework/exhibit.h"
 #include "render/scene/mesh.h"
 
 #include <glm/glm.hpp>

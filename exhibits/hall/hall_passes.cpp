@@ -1,7 +1,7 @@
 #include "exhibits/hall/hall_scene.h"
 
 #include "exhibits/hall/plaque_text.h"
-#include "exhibits/hall/surface_draw.h"
+#include "exhibits/kit/surface_draw.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 

@@ -1,6 +1,6 @@
 #include "exhibits/hall/hall_scene.h"
 
-#include "exhibits/hall/surface_draw.h"
+#include "exhibits/kit/surface_draw.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <glm/gtc/matrix_transform.hpp>

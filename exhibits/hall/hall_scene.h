@@ -1,9 +1,9 @@
 #pragma once
 
-#include "exhibits/framework/museum.h"
 #include "exhibits/framework/surroundings.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/hall_table.h"
+#include "exhibits/framework/frame_request.h"
 #include "render/plan/frame_plan.h"
 
 #include <memory>

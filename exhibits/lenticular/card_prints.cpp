@@ -1,8 +1,8 @@
 #include "exhibits/lenticular/card_prints.h"
 
-#include "exhibits/lenticular/numbers.h"
-#include "exhibits/lenticular/print_raster.h"
-#include "exhibits/lenticular/view_source.h"
+#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/print_raster.h"
+#include "exhibits/printing/view_source.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"

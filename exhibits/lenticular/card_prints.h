@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/lenticular/lenticular_table.h"
-#include "exhibits/lenticular/print_layout.h"
+#include "exhibits/printing/print_layout.h"
 #include "render/files/asset_store.h"
 #include "render/scene/mesh.h"
 

@@ -1,7 +1,7 @@
 #include "exhibits/lenticular/card_sheet.h"
 
-#include "exhibits/lenticular/numbers.h"
-#include "exhibits/lenticular/optics.h"
+#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/optics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "exhibits/lenticular/card_object.h"
 #include "exhibits/lenticular/card_prints.h"
 #include "exhibits/lenticular/lenticular_table.h"
-#include "exhibits/lenticular/sheet.h"
+#include "exhibits/printing/sheet.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "exhibits/lenticular/lenticular.h"
 
 #include "exhibits/framework/derive.h"
-#include "exhibits/hall/surface_draw.h"
+#include "exhibits/kit/surface_draw.h"
 #include "exhibits/lenticular/card_mesh.h"
 #include "exhibits/lenticular/card_sheet.h"
 #include "render/glsl/cpu.h"

@@ -1,7 +1,7 @@
 #include "exhibits/sdf_morph/sdf_morph.h"
 
 #include "exhibits/framework/derive.h"
-#include "exhibits/hall/surface_draw.h"
+#include "exhibits/kit/surface_draw.h"
 #include "exhibits/sdf_morph/sdf_shape.h"
 #include "shaders/lib/bindings.glsl"
 

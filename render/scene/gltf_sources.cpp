@@ -1,5 +1,5 @@
-#include "render/scene/gltf_sources.h"
 #include "render/scene/gltf_schema.h"
+#include "render/scene/gltf_sources.h"
 
 #include "render/failure.h"
 #include "render/files/read_file.h"

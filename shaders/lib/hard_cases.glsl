@@ -1,5 +1,5 @@
 // The library's functions at the inputs that break plain code, one number for each: `hardCase` by the library,
-// `naiveCase` by what is usually written in its place. exhibits/framework/stability_arithmetic.cpp compiles this
+// `naiveCase` by what is usually written in its place. exhibits/stability/stability_arithmetic.cpp compiles this
 // file at float64 and says which inputs each case gets.
 //
 // GLSL 4.50 and C++ (render/glsl/cpu.h).

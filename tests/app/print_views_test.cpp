@@ -1,7 +1,7 @@
 // Prints of exhibits, quilts and sequences, as users make them.
-#include "exhibits/lenticular/numbers.h"
-#include "exhibits/lenticular/print_json.h"
-#include "exhibits/lenticular/proof.h"
+#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/print_json.h"
+#include "exhibits/printing/proof.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
 #include "tests/app/child_process.h"

@@ -4,9 +4,9 @@
 //   bench_fur_costs [--size 640x360] [--rounds 5] [--only motion|calls|bodies|samples|counts|gaps|distance]
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/museum.h"
 #include "exhibits/fur/bounce.h"
 #include "exhibits/fur/fur.h"
+#include "exhibits/museum/museum.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/measure/clock.h"
@@ -241,7 +241,7 @@ private:
 
     const render::gl::HeadlessContext context_;
     render::gl::Renderer renderer_;
-    const Museum museum_;
+    const Museum museum_{allExhibits()};
     int rounds_;
     std::size_t fur_;
     Look look_;

@@ -3,7 +3,7 @@
 //   bench_hall_costs [--size 640x360] [--rounds 9]
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/museum.h"
+#include "exhibits/museum/museum.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
@@ -72,7 +72,7 @@ int main(int argc, char** argv)
     const double start = render::wallSeconds();
     const render::gl::HeadlessContext context;
     const double contextReady = render::wallSeconds();
-    const Museum museum;
+    const Museum museum{allExhibits()};
     const double museumReady = render::wallSeconds();
     render::gl::Renderer renderer;
     render::gl::Renderer aloneRenderer;

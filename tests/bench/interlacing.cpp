@@ -3,9 +3,9 @@
 // encoder working while the next rows are made, and one after the other. Prints a table; passes or fails nothing.
 //   bench_interlacing [--runs 25]
 
-#include "exhibits/lenticular/interlace.h"
-#include "exhibits/lenticular/print_file.h"
-#include "exhibits/lenticular/strip_weights.h"
+#include "exhibits/printing/interlace.h"
+#include "exhibits/printing/print_file.h"
+#include "exhibits/printing/strip_weights.h"
 #include "render/image/srgb.h"
 
 #include <algorithm>

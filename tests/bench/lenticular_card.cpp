@@ -2,9 +2,10 @@
 // far, measured in turn in each round. Prints a table; passes or fails nothing.
 //   bench_lenticular_card [--size 480x270] [--rounds 7]
 
-#include "exhibits/framework/museum.h"
-#include "exhibits/framework/picture.h"
+#include "exhibits/exhibits.h"
 #include "exhibits/lenticular/lenticular.h"
+#include "exhibits/museum/museum.h"
+#include "exhibits/museum/picture.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 
@@ -65,7 +66,7 @@ int main(int argc, char** argv)
         if (std::strcmp(argv[i], "--rounds") == 0) rounds = std::max(std::atoi(argv[i + 1]), 3);
     }
     const render::gl::HeadlessContext context;
-    const Museum museum;
+    const Museum museum{allExhibits()};
     render::gl::Renderer renderer;
     const std::size_t card = *museum.find("lenticular");
     const auto& exhibit = static_cast<const Lenticular&>(*museum.exhibits()[card]);

@@ -3,8 +3,9 @@
 // shadow. Prints Markdown.
 //   bench_shadow_filters [--suns 128]
 
-#include "exhibits/framework/picture.h"
+#include "exhibits/exhibits.h"
 #include "exhibits/hall/hall_table.h"
+#include "exhibits/museum/picture.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/measure/statistics.h"
@@ -36,7 +37,7 @@ const double disks[] = {0.00925, 0.05};
 
 struct Bench {
     render::gl::HeadlessContext context{false};
-    Museum museum;
+    Museum museum{allExhibits()};
     render::gl::Renderer renderer;
     Look look = museum.initialLook();
     FrameRequest frame;

@@ -3,8 +3,9 @@
 //   bench_sunbeams [--size 640x360]    that size alone instead of two
 
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
-#include "exhibits/framework/picture.h"
+#include "exhibits/exhibits.h"
 #include "exhibits/hall/hall_table.h"
+#include "exhibits/museum/picture.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 
@@ -34,7 +35,7 @@ struct Measured {
 
 struct Bench {
     render::gl::HeadlessContext context{false};
-    Museum museum;
+    Museum museum{allExhibits()};
     render::gl::Renderer renderer;
     Look look = museum.initialLook();
     std::size_t exhibit = *museum.find("crepuscular_rays");

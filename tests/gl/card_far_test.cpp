@@ -1,10 +1,10 @@
 // The card from afar and from near: no moire, no seam between the two, nothing that is not a number.
 
 #include "exhibits/lenticular/card_sheet.h"
-#include "exhibits/lenticular/interlace.h"
-#include "exhibits/lenticular/numbers.h"
-#include "exhibits/lenticular/print_file.h"
-#include "exhibits/lenticular/print_json.h"
+#include "exhibits/printing/interlace.h"
+#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/print_file.h"
+#include "exhibits/printing/print_json.h"
 #include "render/image/image_io.h"
 #include "tests/gl/card_shot.h"
 

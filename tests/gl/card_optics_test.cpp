@@ -1,7 +1,7 @@
 // Which views the simulated card shows, from where: the shader against float64 optics.
 
 #include "exhibits/lenticular/card_sheet.h"
-#include "exhibits/lenticular/optics.h"
+#include "exhibits/printing/optics.h"
 #include "tests/gl/card_shot.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/lenticular/lenticular.h"
-#include "exhibits/lenticular/sheet.h"
+#include "exhibits/printing/sheet.h"
 #include "tests/gl/gallery.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "exhibits/framework/museum.h"
-#include "exhibits/framework/picture.h"
+#include "exhibits/exhibits.h"
+#include "exhibits/museum/museum.h"
+#include "exhibits/museum/picture.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "tests/support/tables.h"
@@ -19,7 +20,7 @@ namespace vitrine::test {
 struct Gallery {
     render::gl::HeadlessContext context{true};
     render::gl::DebugLog log;
-    Museum museum;
+    Museum museum{allExhibits()};
     render::gl::Renderer renderer;
 };
 [[nodiscard]] Gallery& gallery();

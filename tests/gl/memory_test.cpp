@@ -1,6 +1,6 @@
 // What is kept between frames, and for how long. Counts are exact: GL names and bytes of data, not the process's memory.
 
-#include "exhibits/framework/study.h"
+#include "exhibits/study/study.h"
 #include "render/gl/program_cache.h"
 #include "render/image/oiio_codec.h"
 #include "tests/gl/gallery.h"

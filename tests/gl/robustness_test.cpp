@@ -1,7 +1,7 @@
 // Odd sizes, extreme values, hostile times: no GL error, nothing that is not a number.
 
-#include "tests/gl/gallery.h"
 #include "render/image/image_io.h"
+#include "tests/gl/gallery.h"
 #include "tests/stability/fields.h"
 #include "tests/support/temporary_folder.h"
 

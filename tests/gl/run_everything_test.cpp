@@ -4,7 +4,7 @@
 //   VITRINE_SCAN_SEED=123      begin with another seed; a failure names its own
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/stability_scan.h"
+#include "exhibits/stability/stability_scan.h"
 #include "tests/gl/gallery.h"
 #include "tests/support/environment_number.h"
 

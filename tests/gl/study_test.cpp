@@ -1,6 +1,6 @@
 // Studies of real pictures whose law is known.
 
-#include "exhibits/framework/study.h"
+#include "exhibits/study/study.h"
 #include "render/gl/frame_clock.h"
 #include "render/scene/camera.h"
 #include "tests/gl/gallery.h"

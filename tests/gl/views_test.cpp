@@ -1,6 +1,6 @@
 // Pictures by shifted lenses, and the views of a print.
 
-#include "exhibits/lenticular/view_maker.h"
+#include "exhibits/printing/view_maker.h"
 #include "tests/gl/gallery.h"
 
 #include <algorithm>

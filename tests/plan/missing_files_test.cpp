@@ -1,8 +1,8 @@
 // Files that a look names and that are not there: every plan goes on without them and says so.
 
-#include "exhibits/framework/named_files.h"
 #include "exhibits/fur/fur_table.h"
 #include "exhibits/lenticular/lenticular_table.h"
+#include "exhibits/museum/named_files.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/plan/complaints.h"

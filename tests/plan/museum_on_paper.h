@@ -1,7 +1,8 @@
 #pragma once
 
-#include "exhibits/framework/museum.h"
+#include "exhibits/exhibits.h"
 #include "exhibits/hall/hall_model.h"
+#include "exhibits/museum/museum.h"
 #include "tests/support/tables.h"
 
 #include <string>
@@ -11,7 +12,7 @@ namespace vitrine::test {
 /// The real museum and its building, read once.
 inline const Museum& museum()
 {
-    static const Museum opened;
+    static const Museum opened{allExhibits()};
     return opened;
 }
 inline const HallModel& building()

@@ -1,7 +1,7 @@
 // What the museum draws, and what it leaves out and why: plans of the real hall, without a GPU.
 
-#include "exhibits/sdf_morph/sdf_morph.h"
 #include "exhibits/hall/walk.h"
+#include "exhibits/sdf_morph/sdf_morph.h"
 #include "render/image/image.h"
 #include "tests/plan/museum_on_paper.h"
 #include "tests/stability/fields.h"

@@ -2,8 +2,8 @@
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
-#include "exhibits/framework/study_axis.h"
 #include "exhibits/hall/hall_table.h"
+#include "exhibits/study/study_axis.h"
 #include "tests/source/source_files.h"
 
 #include <gtest/gtest.h>
@@ -136,7 +136,7 @@ std::string readersOf(const std::string& exhibit)
     for (const std::string& file : test::sourceFiles("exhibits/" + exhibit, test::cppExtensions)) append(file);
     for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
         if (file.starts_with("shaders/" + exhibit + '/')) append(file);
-    if (exhibit == "hall") append("exhibits/museum.cpp");
+    if (exhibit == "hall") append("exhibits/museum/museum.cpp");
     return text;
 }
 

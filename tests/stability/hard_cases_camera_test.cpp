@@ -1,7 +1,8 @@
 // Depth and cameras at the ends of their ranges. Each case first shows what the plain formula does.
 
-#include "exhibits/framework/museum.h"
+#include "exhibits/exhibits.h"
 #include "exhibits/framework/surroundings.h"
+#include "exhibits/museum/museum.h"
 #include "render/scene/camera.h"
 #include "tests/stability/fields.h"
 
@@ -50,7 +51,7 @@ TEST(HardCases, H12_NormalsFromHalfFloatDepthAreStairsAndNoDepthHereIsHalf)
     EXPECT_LT(full[full.size() * 99 / 100], 0.2);
 
     // Every image that any plan attaches as depth, or that exhibits share as depth.
-    const Museum museum;
+    const Museum museum{allExhibits()};
     const Look look = museum.initialLook();
     int depths = 0;
     for (std::size_t i = 0; i < museum.exhibits().size(); ++i) {

@@ -2,7 +2,7 @@
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
-#include "exhibits/hall/surface_draw.h"
+#include "exhibits/kit/surface_draw.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
 #include "render/files/strict_json.h"
 #include "render/glsl/cpu32.h"

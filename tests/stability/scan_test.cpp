@@ -5,10 +5,10 @@
 //                                begin with
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/poison.h"
 #include "exhibits/framework/random_values.h"
-#include "exhibits/framework/stability_cases.h"
-#include "exhibits/framework/stability_scan.h"
+#include "exhibits/stability/poison.h"
+#include "exhibits/stability/stability_cases.h"
+#include "exhibits/stability/stability_scan.h"
 #include "tests/gl/gallery.h"
 #include "tests/support/environment_number.h"
 

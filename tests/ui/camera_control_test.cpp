@@ -1,4 +1,4 @@
-#include "ui/camera_control.h"
+#include "ui/viewport/camera_control.h"
 
 #include <QTest>
 

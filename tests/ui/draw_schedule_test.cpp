@@ -1,4 +1,4 @@
-#include "ui/draw_schedule.h"
+#include "ui/viewport/draw_schedule.h"
 
 #include <QTest>
 

@@ -2,13 +2,13 @@
 #include "ui_main.h"
 
 #include "render/failure.h"
-#include "ui/main_window.h"
-#include "ui/message_strip.h"
-#include "ui/number_field.h"
-#include "ui/parameter_panel.h"
-#include "ui/session_keeper.h"
-#include "ui/theme.h"
-#include "ui/viewport.h"
+#include "ui/parameters/number_field.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_strip.h"
+#include "ui/window/session_keeper.h"
+#include "ui/window/theme.h"
 
 #include <QAction>
 #include <QDir>

@@ -1,20 +1,20 @@
 // A thousand steps of ordinary use on the real window: what is kept at step 1000 is what was kept at step 200.
-#include "exhibits/framework/museum.h"
+#include "exhibits/museum/museum.h"
 #include "render/measure/memory.h"
-#include "ui/command_palette.h"
-#include "ui/gl_probe.h"
-#include "ui/main_window.h"
-#include "ui/museum_gallery.h"
-#include "ui/parameter_panel.h"
-#include "ui/parameter_row.h"
-#include "ui/picture_export.h"
-#include "ui/preset_list.h"
-#include "ui/preset_shelf.h"
-#include "ui/screenshot_dialog.h"
-#include "ui/study_dock.h"
-#include "ui/theme.h"
-#include "ui/value_slider.h"
-#include "ui/viewport.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/parameters/value_slider.h"
+#include "ui/presets/preset_list.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/study/study_dock.h"
+#include "ui/viewport/gl_probe.h"
+#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/command_palette.h"
+#include "ui/window/main_window.h"
+#include "ui/window/picture_export.h"
+#include "ui/window/screenshot_dialog.h"
+#include "ui/window/theme.h"
 
 #include <QApplication>
 #include <QDialog>
@@ -158,7 +158,7 @@ private slots:
         home_ = std::make_unique<QTemporaryDir>();
         for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
             qputenv(name, home_->path().toLocal8Bit());
-        museum_ = std::make_unique<Museum>();
+        museum_ = std::make_unique<Museum>(allExhibits());
         exhibit_ = museum_->find("sdf_morph").value();
         gallery_ = std::make_unique<MuseumGallery>(*museum_);
         window_ = std::make_unique<MainWindow>(*gallery_);
@@ -206,4 +206,5 @@ private slots:
 
 QTEST_MAIN(MemoryTest)
 
+#include "exhibits/exhibits.h"
 #include "memory_test.moc"

@@ -3,17 +3,17 @@
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
 #include "render/plan/frame_plan.h"
-#include "ui/gl_probe.h"
-#include "ui/main_window.h"
-#include "ui/message_strip.h"
-#include "ui/museum_gallery.h"
-#include "ui/parameter_panel.h"
-#include "ui/parameter_row.h"
-#include "ui/picture_export.h"
-#include "ui/print_dialog.h"
-#include "ui/screenshot_dialog.h"
-#include "ui/theme.h"
-#include "ui/viewport.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/print/print_dialog.h"
+#include "ui/viewport/gl_probe.h"
+#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_strip.h"
+#include "ui/window/picture_export.h"
+#include "ui/window/screenshot_dialog.h"
+#include "ui/window/theme.h"
 
 #include <QDir>
 #include <QDropEvent>
@@ -150,7 +150,7 @@ private slots:
         std::setlocale(LC_NUMERIC, "C");
         applyTheme(*qApp, darkTheme());
         QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
-        museum_ = std::make_unique<Museum>();
+        museum_ = std::make_unique<Museum>(allExhibits());
         fur_ = museum_->find("fur").value();
     }
     void init()
@@ -371,4 +371,5 @@ private slots:
 
 VITRINE_TEST_MAIN(MissingFilesTest)
 
+#include "exhibits/exhibits.h"
 #include "missing_files_test.moc"

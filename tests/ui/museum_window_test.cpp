@@ -1,23 +1,23 @@
-#include "exhibits/framework/museum.h"
+#include "exhibits/museum/museum.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "render/measure/clock.h"
-#include "ui/gl_probe.h"
-#include "ui/ledger_dock.h"
-#include "ui/ledger_view.h"
-#include "ui/main_window.h"
-#include "ui/message_strip.h"
-#include "ui/museum_gallery.h"
-#include "ui/parameter_panel.h"
-#include "ui/parameter_row.h"
-#include "ui/picture_export.h"
-#include "ui/preset_list.h"
-#include "ui/preset_shelf.h"
-#include "ui/print_dialog.h"
-#include "ui/study_dock.h"
-#include "ui/theme.h"
-#include "ui/value_slider.h"
-#include "ui/viewport.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/parameters/value_slider.h"
+#include "ui/presets/preset_list.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/print/print_dialog.h"
+#include "ui/study/study_dock.h"
+#include "ui/viewport/gl_probe.h"
+#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/ledger_dock.h"
+#include "ui/window/ledger_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_strip.h"
+#include "ui/window/picture_export.h"
+#include "ui/window/theme.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -109,7 +109,7 @@ private slots:
         applyTheme(*qApp, darkTheme());
         QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
         try {
-            museum_ = std::make_unique<Museum>();
+            museum_ = std::make_unique<Museum>(allExhibits());
         } catch (const std::exception& failure) {
             QFAIL(failure.what());
         }
@@ -284,4 +284,5 @@ private slots:
 
 QTEST_MAIN(MuseumWindowTest)
 
+#include "exhibits/exhibits.h"
 #include "museum_window_test.moc"

@@ -2,14 +2,14 @@
 
 #include "painted_gallery.h"
 
-#include "ui/gl_probe.h"
-#include "ui/main_window.h"
-#include "ui/parameter_panel.h"
-#include "ui/parameter_row.h"
-#include "ui/preset_list.h"
-#include "ui/theme.h"
-#include "ui/value_slider.h"
-#include "ui/viewport.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/parameters/value_slider.h"
+#include "ui/presets/preset_list.h"
+#include "ui/viewport/gl_probe.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+#include "ui/window/theme.h"
 
 #include <QAction>
 #include <QApplication>

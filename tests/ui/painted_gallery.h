@@ -2,7 +2,7 @@
 
 #include "sample_tables.h"
 
-#include "ui/gallery.h"
+#include "ui/viewport/gallery.h"
 
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>

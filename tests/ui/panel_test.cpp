@@ -1,13 +1,13 @@
 #include "sample_tables.h"
 
-#include "ui/color_editor.h"
-#include "ui/number_field.h"
-#include "ui/parameter_panel.h"
-#include "ui/parameter_row.h"
-#include "ui/parameter_section.h"
-#include "ui/theme.h"
-#include "ui/undo.h"
-#include "ui/value_slider.h"
+#include "ui/parameters/color_editor.h"
+#include "ui/parameters/number_field.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/parameters/parameter_section.h"
+#include "ui/parameters/value_slider.h"
+#include "ui/window/theme.h"
+#include "ui/window/undo.h"
 
 #include <QApplication>
 #include <QCheckBox>

@@ -1,8 +1,8 @@
 #include "open_window.h"
 
-#include "ui/exhibit_list.h"
-#include "ui/message_strip.h"
-#include "ui/preset_shelf.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/window/exhibit_list.h"
+#include "ui/window/message_strip.h"
 
 #include <QDir>
 #include <QFileDialog>

@@ -3,9 +3,9 @@
 #include "painted_views.h"
 
 #include "exhibits/exhibits.h"
-#include "ui/eyes_preview.h"
-#include "ui/print_dialog.h"
-#include "ui/theme.h"
+#include "ui/print/eyes_preview.h"
+#include "ui/print/print_dialog.h"
+#include "ui/window/theme.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

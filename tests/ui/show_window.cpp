@@ -2,13 +2,14 @@
 // the real one, else a gallery of one color with every kind of parameter.
 #include "painted_gallery.h"
 
-#include "ui/eyes_preview.h"
-#include "ui/main_window.h"
-#include "ui/museum_gallery.h"
-#include "ui/study_dock.h"
-#include "ui/print_dialog.h"
-#include "ui/theme.h"
-#include "ui/viewport.h"
+#include "exhibits/exhibits.h"
+#include "ui/print/eyes_preview.h"
+#include "ui/print/print_dialog.h"
+#include "ui/study/study_dock.h"
+#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+#include "ui/window/theme.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -43,7 +44,7 @@ int main(int argc, char** argv)
     const QString folder = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral(".");
     const bool real = argc > 2;
     std::unique_ptr<Museum> museum;
-    if (real) museum = std::make_unique<Museum>();
+    if (real) museum = std::make_unique<Museum>(allExhibits());
     for (const bool dark : {true, false}) {
         const QString ending = dark ? QStringLiteral("_dark.png") : QStringLiteral("_light.png");
         ui::applyTheme(app, dark ? ui::darkTheme() : ui::lightTheme());

@@ -1,12 +1,12 @@
 // The study dock: what it shows, applies and leaves alone, over an exhibit whose law is known. No GL.
 
-#include "tests/exhibits/framework/known_law.h"
+#include "tests/exhibits/study/known_law.h"
 
-#include "ui/museum_gallery.h"
-#include "ui/study_chart.h"
-#include "ui/study_dock.h"
-#include "ui/study_pictures.h"
-#include "ui/theme.h"
+#include "ui/study/study_chart.h"
+#include "ui/study/study_dock.h"
+#include "ui/study/study_pictures.h"
+#include "ui/viewport/museum_gallery.h"
+#include "ui/window/theme.h"
 
 #include <QApplication>
 #include <QClipboard>

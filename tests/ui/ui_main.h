@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/application.h"
+#include "ui/window/application.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 #include "sample_tables.h"
 
-#include "ui/undo.h"
+#include "ui/window/undo.h"
 
 #include <QSignalSpy>
 #include <QTest>

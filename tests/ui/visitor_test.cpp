@@ -1,12 +1,12 @@
 #include "open_window.h"
 
-#include "ui/about_dialog.h"
-#include "ui/exhibit_list.h"
-#include "ui/message_strip.h"
-#include "ui/number_field.h"
-#include "ui/overlay.h"
-#include "ui/preset_shelf.h"
-#include "ui/status_line.h"
+#include "ui/parameters/number_field.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/viewport/overlay.h"
+#include "ui/window/about_dialog.h"
+#include "ui/window/exhibit_list.h"
+#include "ui/window/message_strip.h"
+#include "ui/window/status_line.h"
 
 #include <QDir>
 #include <QDockWidget>

@@ -1,0 +1,157 @@
+#include "app/command.h"
+#include "app/print/print_options.h"
+#include "app/print/print_views.h"
+#include "app/progress.h"
+
+#include "exhibits/printing/chart.h"
+#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/print_file.h"
+#include "exhibits/printing/print_json.h"
+#include "render/failure.h"
+#include "render/files/atomic_write.h"
+#include "render/files/extension.h"
+#include "render/image/image_io.h"
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace vitrine::app {
+namespace {
+
+namespace fs = std::filesystem;
+using lenticular::PrintLayout;
+
+void warnOfShapes(const PrintLayout& layout, const lenticular::ViewSet& views)
+{
+    const lenticular::PrintSettings& s = layout.settings();
+    const double wanted = (s.width + 2 * s.bleed) / (s.height + 2 * s.bleed);
+    for (int k = 0; k < views.count(); ++k) {
+        const double shape = static_cast<double>(views.view(k).width) / views.height();
+        if (shape / wanted > 1.02 || shape / wanted < 0.98) {
+            std::fprintf(stderr, "vitrine: The views are not shaped as the print is and are stretched to it.\n");
+            return;
+        }
+    }
+}
+
+lenticular::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout, const std::vector<std::string>& sources, const render::Json& scene)
+{
+    lenticular::PrintFile file;
+    file.path = options.out;
+    file.bits = options.bits;
+    file.compression = streamCompression(options.compression);
+    file.tileWidth = options.tileMm;
+    file.threads = lenticular::interlacingThreads();
+    render::Json json = lenticular::printJson(layout, render::storedDpi(options.out, layout.settings().dpiX), sources);
+    if (!scene.is_null()) json["scene"] = scene;
+    file.json = render::writeJson(json);
+    return file;
+}
+
+void say(const PrintLayout& layout, const PrintOptions& options, const std::vector<fs::path>& written)
+{
+    for (const std::string& warning : lenticular::warningsOf(layout)) std::fprintf(stderr, "vitrine: %s\n", warning.c_str());
+    const lenticular::PrintNumbers numbers = lenticular::numbersOf(layout, render::storedDpi(options.out, layout.settings().dpiX));
+    for (const fs::path& path : written) std::printf("%s\n", path.c_str());
+    std::printf("%lld x %lld pixels, %.4f pixels per lens, %.6f LPI as stored\n", static_cast<long long>(layout.width()),
+                static_cast<long long>(layout.height()), numbers.pixelsPerLens, numbers.effectiveLpi);
+    const auto [least, most] = std::minmax_element(numbers.ownShare.begin(), numbers.ownShare.end());
+    std::printf("zone %.1f degrees, depth %.1f mm, cross-talk %.0f to %.0f %%, %.0f views can be told apart\n", numbers.zoneDegrees, numbers.depthBudget,
+                100 * (1 - *most), 100 * (1 - *least), numbers.effectiveViews);
+}
+
+/// Rendering views takes minutes: a print that cannot be written is refused before.
+void checkTarget(const std::string& out)
+{
+    const std::string extension = render::lowerExtension(out);
+    if (extension != ".tif" && extension != ".tiff" && extension != ".png") throw Failure(Blame::usage, "--out " + out + ": give a name that ends in .tif or .png.");
+    const fs::path folder = render::PartFile(out).target().parent_path();
+    if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
+        throw Failure(Blame::file, "Cannot write " + out + ": " + std::strerror(errno) + "; choose another folder.");
+}
+
+int makeChart(const PrintOptions& options)
+{
+    using lenticular::ChartKind;
+    const ChartKind kind = options.chart == "pitch"   ? ChartKind::pitch
+                           : options.chart == "phase" ? ChartKind::phase
+                           : options.chart == "views" ? ChartKind::views
+                                                      : ChartKind::rotation;
+    const PrintLayout layout(printSettings(options, options.views.count == 0 ? 12 : options.views.count));
+    const lenticular::Chart chart(layout, kind, options.chartSpan / 100);
+    const lenticular::PrintFile file = printFile(options, layout, {options.chart + " chart"}, nullptr);
+    const std::vector<fs::path> written = lenticular::writeRaster(
+        layout,
+        {[&](const lenticular::Region& region, std::uint8_t* out) { chart.fill(region, out); },
+         [&](const lenticular::Region& region, std::uint16_t* out) { chart.fill(region, out); }},
+        file);
+    if (!options.report.empty()) render::atomicWrite(options.report, file.json);
+    for (const fs::path& path : written) std::printf("%s\n", path.c_str());
+    return 0;
+}
+
+int makePrint(const PrintOptions& options)
+{
+    if (options.out.empty() && (options.views.saveViews.empty() || !options.chart.empty())) throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in .tif or .png.");
+    if (!options.chart.empty()) return makeChart(options);
+    if (!options.out.empty()) checkTarget(options.out);
+    const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
+    PrintViews made = printViews(options.views, layoutOf);
+    for (const std::string& note : made.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    const PrintLayout layout = layoutOf(made.views.count());
+    warnOfShapes(layout, made.views);
+    std::vector<fs::path> written;
+    lenticular::PrintFile file = printFile(options, layout, made.sources, made.scene);
+    if (!options.out.empty()) {
+        file.profile = made.profile;
+        if (layout.settings().compensate) {
+            const lenticular::ViewMatrix mixing = lenticular::viewMixing(layout);
+            const lenticular::CrossTalk talk = lenticular::crossTalkOf(made.views, mixing, lenticular::compensation(mixing));
+            file.json = lenticular::withCrossTalk(file.json, talk);
+            std::printf("cross-talk %.4f before, %.4f after compensation (root mean square, simulated); %.1f %% beyond black or white\n", talk.before,
+                        talk.after, 100 * talk.clipped);
+        }
+        ProgressLine line("interlacing");
+        file.progress = [&](double part) { return line.show(part); };
+        written = lenticular::writePrint(layout, made.views, file);
+    }
+    if (!options.report.empty()) render::atomicWrite(options.report, file.json);
+    if (made.folder) {
+        made.folder->publish();
+        std::printf("%d views in %s\n", made.views.count(), options.views.saveViews.c_str());
+    }
+    if (!written.empty()) say(layout, options, written);
+    for (const std::string& line : made.numbers) std::printf("%s\n", line.c_str());
+    return 0;
+}
+
+/// Ctrl-C is an orderly end: what was begun is undone, and the message is the one of the step that was stopped.
+int makeStoppably(const PrintOptions& options)
+{
+    const StopSignal signal;
+    try {
+        return makePrint(options);
+    } catch (const Failure& failure) {
+        if (!StopSignal::stopped()) throw;
+        std::fprintf(stderr, "vitrine: %s\n", failure.what());
+        return StopSignal::exitCode;
+    }
+}
+
+}  // namespace
+
+void addPrintCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand("print", "Interlace views into a print for a lenticular sheet");
+    auto options = std::make_shared<PrintOptions>();
+    addPrintOptions(*command, *options);
+    command->callback([&chosen, options] { chosen = [options] { return makeStoppably(*options); }; });
+}
+
+}  // namespace vitrine::app

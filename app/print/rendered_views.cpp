@@ -1,0 +1,172 @@
+#include "app/print/print_views.h"
+
+#include "app/progress.h"
+#include "exhibits/exhibits.h"
+#include "exhibits/framework/preset.h"
+#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/view_maker.h"
+#include "render/failure.h"
+#include "render/files/number_text.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace vitrine::app {
+namespace {
+
+using lenticular::DepthRange;
+using lenticular::PrintLayout;
+using lenticular::ViewRig;
+using lenticular::ViewShot;
+
+constexpr int longestSide = 1200;     ///< Where no size is asked for.
+constexpr int mostSide = 8192;        ///< A print of a meter at 40 LPI has 1600 lenses.
+constexpr int mostOfItself = 24;  ///< Views, where none are asked for: more cost time and show little.
+
+template <typename... Args> std::string text(const char* format, Args... args)
+{
+    std::array<char, 256> line{};
+    std::snprintf(line.data(), line.size(), format, args...);
+    return line.data();
+}
+
+int countFor(const ViewOptions& options, const LayoutOf& layoutOf)
+{
+    if (options.count != 0) return options.count;
+    return std::clamp(static_cast<int>(layoutOf(1).pixelsPerLens()), 2, mostOfItself);
+}
+
+/// Of the print's shape, no finer than the print.
+std::string sizeFor(const PrintLayout& layout)
+{
+    const lenticular::PrintSettings& s = layout.settings();
+    const glm::dvec2 print(s.width + 2 * s.bleed, s.height + 2 * s.bleed);
+    const double pixels = std::min<double>(longestSide, static_cast<double>(std::max(layout.width(), layout.height())));
+    const glm::dvec2 size = glm::max(glm::round(print * (pixels / std::max(print.x, print.y))), glm::dvec2(1));
+    return text("%.0fx%.0f", size.x, size.y);
+}
+
+/// What --baseline-scale says; nothing for "fit".
+std::optional<double> strengthOf(const ViewOptions& options)
+{
+    if (options.baselineScale.empty()) return options.turnDegrees == 0 && options.sweeps.empty() ? 1 : 0;
+    if (options.baselineScale == "fit") return std::nullopt;
+    const std::optional<double> number = render::parseNumber(options.baselineScale);
+    if (!number || !(*number >= 0)) throw Failure(Blame::usage, "--baseline-scale " + options.baselineScale + ": give 0 or more, 1 for depth in its true measure, or fit.");
+    return number;
+}
+
+/// "morph=0..1" as "morph=0" and "morph=1".
+std::array<std::string, 2> endsOf(const std::string& sweep)
+{
+    const std::size_t equals = sweep.find('=');
+    const std::size_t dots = equals == std::string::npos ? equals : sweep.find("..", equals);
+    if (dots == std::string::npos || equals == 0 || dots == equals + 1 || dots + 2 == sweep.size())
+        throw Failure(Blame::usage, "--sweep \"" + sweep + "\": give name=from..to, such as --sweep morph=0..1.");
+    const std::string name = sweep.substr(0, equals + 1);
+    return {sweep.substr(0, dots), name + sweep.substr(dots + 2)};
+}
+
+void applySweeps(const Museum& museum, const ViewOptions& options, const PictureJob& job, std::vector<ViewShot>& shots, std::vector<std::string>& notes)
+{
+    for (const std::string& typed : options.sweeps) {
+        const std::array<std::string, 2> ends = endsOf(typed);
+        if (typed.rfind("time=", 0) == 0) {
+            const auto from = render::parseNumber(ends[0].substr(5));
+            const auto to = render::parseNumber(ends[1].substr(5));
+            if (!from || !to) throw Failure(Blame::usage, "--sweep \"" + typed + "\": give seconds, such as --sweep time=0..2.");
+            for (std::size_t k = 0; k < shots.size(); ++k)
+                shots[k].request.frame.time = *from + (*to - *from) * static_cast<double>(k) / static_cast<double>(std::max<std::size_t>(shots.size() - 1, 1));
+            continue;
+        }
+        Look from = job.look;
+        Look to = job.look;
+        applySet(museum, from, job.subject, ends[0], notes);
+        applySet(museum, to, job.subject, ends[1], notes);
+        lenticular::sweep(shots, from, to);
+    }
+}
+
+std::string depthText(double meters)
+{
+    return std::isinf(meters) ? "the horizon" : text("%.2f m", meters);
+}
+
+/// The preset that brings one view back.
+std::string presetOf(const Museum& museum, const PictureJob& job, const ViewShot& shot)
+{
+    if (job.subject == 0) return exhibitionText({"View", namedValues(museum.exhibits(), shot.look.values), shot.look.camera});
+    return presetText(Preset{std::string(museum.exhibits()[job.subject]->name()), "View", shot.look.values[job.subject], shot.look.camera});
+}
+
+}  // namespace
+
+PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
+{
+    const std::optional<double> strength = strengthOf(options);
+    if (!std::isfinite(options.convergence) || options.convergence < 0) throw Failure(Blame::usage, "--convergence: give metres in front of the camera.");
+    if (options.every != 1 || options.pingPong) throw Failure(Blame::usage, "--every and --ping-pong choose among pictures; the views of an exhibit are made as many as --count says.");
+    const int count = countFor(options, layoutOf);
+    const PrintLayout layout = layoutOf(count);
+    PictureOptions scene = options.scene;
+    scene.size = options.viewSize.empty() ? sizeFor(layout) : options.viewSize;
+    const glm::ivec2 size = parseSize("--view-size", scene.size);
+    if (size.x > mostSide || size.y > mostSide) throw Failure(Blame::usage, "--view-size " + scene.size + ": a view has at most " + std::to_string(mostSide) + " pixels on a side.");
+    const render::gl::HeadlessContext context;
+    const Museum museum{allExhibits()};
+    const PictureJob job = pictureJob(museum, scene);
+    const ViewShot base{job.look, job.request};
+    const auto rigOf = [&](double s) { return ViewRig(layout, job.look.camera, size, {s, options.convergence}); };
+    ViewRig rig = rigOf(strength.value_or(1));
+    std::vector<ViewShot> shots = shotsOf(rig, base);
+    PrintViews result;
+    result.notes = job.notes;
+    if (options.turnDegrees != 0) lenticular::turn(shots, options.turnDegrees * lenticular::radiansPerDegree);
+    applySweeps(museum, options, job, shots, result.notes);
+    if (!options.saveViews.empty()) result.folder = std::make_unique<ViewFolder>(options.saveViews, options.viewFormat, count);
+
+    render::gl::Renderer renderer;
+    const DepthRange depth = lenticular::measuredDepth(museum, renderer, base);
+    if (!strength) {
+        rig = rigOf(std::min(1.0, rig.strengthThatHolds(depth)));
+        const std::vector<ViewShot> fitted = shotsOf(rig, base);
+        for (std::size_t k = 0; k < shots.size(); ++k) shots[k].look.camera = shots[k].request.frame.camera = fitted[k].look.camera;
+    }
+    const DepthRange budget = rig.budget();
+    result.numbers.push_back(rig.baseline() == 0 ? std::string("all views from one camera")
+                                                 : text("%d cameras over %.3f m (%.3g of true depth), converging at %.2f m, the perspective of an eye at %.0f mm", count,
+                                                        rig.baseline(), rig.strength(), rig.convergence(), rig.convergence() / rig.scale()));
+    if (rig.baseline() > 0) {
+        result.numbers.push_back(text("the scene reaches from %s to %s, and the print holds %s to %s without doubled contours", depthText(depth.nearest).c_str(),
+                                      depthText(depth.farthest).c_str(), depthText(budget.nearest).c_str(), depthText(budget.farthest).c_str()));
+    }
+    for (const std::string& warning : lenticular::warningsOf(rig, depth)) result.notes.push_back(warning);
+    if (layout.settings().reverse && rig.baseline() > 0) result.notes.emplace_back("With --order reverse the depth of rendered views is inside out.");
+
+    for (int k = 0; k < count; ++k) result.sources.push_back(scene.subject + ", view " + std::to_string(k));
+    result.scene = {{"exhibit", scene.subject},
+                    {"preset", render::Json::parse(presetOf(museum, job, base))},
+                    {"baseline", rig.baseline()},
+                    {"baselineScale", rig.strength()},
+                    {"convergence", rig.convergence()},
+                    {"turnDegrees", options.turnDegrees},
+                    {"sweeps", options.sweeps},
+                    {"samples", job.request.samples},
+                    {"seed", job.request.frame.seed},
+                    {"viewSize", {size.x, size.y}}};
+    ProgressLine line("rendering views");
+    lenticular::ViewMaker maker(museum, renderer, shots, [&](int k, const render::Image& image) {
+        result.views.add(image);
+        if (result.folder) result.folder->add(k, image, presetOf(museum, job, shots[static_cast<std::size_t>(k)]));
+    });
+    while (maker.step())
+        if (!line.show(maker.progress())) throw Failure(Blame::usage, "Rendering the views was stopped; nothing was written.");
+    return result;
+}
+
+}  // namespace vitrine::app

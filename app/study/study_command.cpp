@@ -1,0 +1,127 @@
+#include "app/command.h"
+#include "app/study/study_folder.h"
+#include "app/study/study_options.h"
+
+#include "exhibits/exhibits.h"
+#include "exhibits/framework/preset.h"
+#include "exhibits/study/study_text.h"
+#include "render/failure.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <numeric>
+
+namespace vitrine::app {
+namespace {
+
+using render::Json;
+
+/// One line that is written over while the study runs; nothing where nobody watches.
+class ProgressLine {
+public:
+    explicit ProgressLine(bool watched) : watched_(watched) {}
+    ~ProgressLine()
+    {
+        if (shown_ >= 0) std::fprintf(stderr, "\r\033[K");
+    }
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    void show(double progress, const std::string& doing)
+    {
+        const int percent = static_cast<int>(100 * progress);
+        if (!watched_ || percent == shown_) return;
+        shown_ = percent;
+        std::fprintf(stderr, "\r\033[K%3d %%  %s", percent, doing.c_str());
+        std::fflush(stderr);
+    }
+
+private:
+    bool watched_;
+    int shown_ = -1;
+};
+
+void printTable(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
+{
+    std::printf("%-44s %12s %14s %12s %10s\n", "setting", std::string(toString(request.metric)).c_str(), costTitle(result.costName).c_str(), "ms, median", "spread");
+    // A curve by its parameter; of a search, the front and the present setting, by cost.
+    std::vector<std::size_t> shown(result.points.size());
+    std::iota(shown.begin(), shown.end(), std::size_t{0});
+    if (request.axes.size() > 2) {
+        std::erase_if(shown, [&](std::size_t i) { return result.points[i].dominated && result.present != i; });
+        std::sort(shown.begin(), shown.end(), [&](std::size_t a, std::size_t b) { return result.points[a].cost < result.points[b].cost; });
+    }
+    for (const std::size_t i : shown) {
+        const StudyPoint& p = result.points[i];
+        std::string marks;
+        if (result.knee == i) marks += " knee";
+        if (result.present == i) marks += " present";
+        if (p.dominated) marks += " dominated";
+        if (p.uncertain) marks += " uncertain";
+        std::printf("%-44s %12.4g %14.8g %12.3f %10.3f%s\n", pointText(exhibits, request, p).c_str(), p.error, p.cost, p.time ? p.time->median : 0.0, p.time ? p.time->spread : 0.0, marks.c_str());
+    }
+    std::printf("Clock: %s, %s; taking a time adds %.4f ms to a picture.\n%s\n", result.clock.c_str(), result.clockTrusted ? "trusted" : "not trusted", result.overheadMilliseconds, result.convergence.c_str());
+    for (const std::string& sentence : {lawSentence(result), choiceSentence(exhibits, request, result)})
+        if (!sentence.empty()) std::printf("%s\n", sentence.c_str());
+}
+
+/// The chosen values as a preset of the exhibit; of the hall's, as an exhibition.
+std::string chosenPreset(const Museum& museum, const Study& study)
+{
+    const StudyResult& result = study.result();
+    if (!result.choice || !result.choice->holds) return {};
+    const Look look = study.lookOf(result.points[result.choice->point]);
+    const std::size_t subject = study.request().subject;
+    const std::string name = "Chosen by a study";
+    for (const StudyAxis& axis : study.request().axes)
+        if (axis.exhibit != subject) return exhibitionText({name, namedValues(museum.exhibits(), look.values), look.camera});
+    return presetText(Preset{std::string(museum.exhibits()[subject]->name()), name, look.values[subject], std::nullopt});
+}
+
+int runStudy(const StudyOptions& options)
+{
+    requireStudyFolder(options.out);
+    const render::gl::HeadlessContext context;
+    const Museum museum{allExhibits()};
+    std::vector<std::string> notes;
+    StudyRequest request = studyRequest(museum, options, notes);
+    for (const std::string& note : notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    render::gl::Renderer renderer;
+    Study study(museum, renderer, std::move(request));
+    {
+        ProgressLine line(isatty(STDERR_FILENO) != 0);
+        while (study.step()) line.show(study.progress(), study.doing());
+    }
+    const render::gl::ContextInfo& gl = context.info();
+    const Json machine{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"software", gl.software}, {"processors", sysconf(_SC_NPROCESSORS_ONLN)}};
+    const std::string preset = chosenPreset(museum, study);
+    writeStudyFolder(options.out, museum.exhibits(), study, machine, preset);
+    printTable(museum.exhibits(), study.request(), study.result());
+    std::printf("The study is in %s/index.html\n", options.out.c_str());
+    if (!options.maxError && !options.maxMilliseconds) return 0;
+    if (!preset.empty()) {
+        std::printf("The preset is %s/preset.json\n", options.out.c_str());
+        return 0;
+    }
+    std::fprintf(stderr, "vitrine: %s Nothing was chosen; allow more, or study other parameters.\n", choiceSentence(museum.exhibits(), study.request(), study.result()).c_str());
+    return static_cast<int>(Blame::check);
+}
+
+}  // namespace
+
+void addStudyCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand("study", "Measure what accuracy costs: error over work and time, with pictures");
+    auto options = std::make_shared<StudyOptions>();
+    addStudyOptions(*command, *options);
+    command->callback([&chosen, options] { chosen = [options] { return runStudy(*options); }; });
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,165 @@
+#include "app/study/study_folder.h"
+
+#include "app/study/study_page.h"
+#include "exhibits/study/study_text.h"
+#include "render/failure.h"
+#include "render/files/atomic_write.h"
+#include "render/image/image_io.h"
+#include "render/measure/distance.h"
+#include "ui/study/study_chart.h"
+#include "ui/window/theme.h"
+
+#include <QApplication>
+#include <QBuffer>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <clocale>
+
+namespace vitrine::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+const QSize chartSize(960, 540);
+constexpr double chartScale = 1.5;  // Of the PNG, for sharp screens.
+
+/// A folder beside the target that is gone again unless it took the target's place.
+class PartFolder {
+public:
+    explicit PartFolder(fs::path target) : target_(std::move(target)), part_(target_)
+    {
+        part_ += ".part-" + std::to_string(getpid());
+        std::error_code error;
+        fs::create_directories(part_ / "pictures", error);
+        if (error) throw Failure(Blame::file, target_.string() + ": the folder cannot be made (" + error.message() + "); choose another with --out.");
+    }
+    ~PartFolder()
+    {
+        std::error_code ignored;
+        fs::remove_all(part_, ignored);
+    }
+    PartFolder(const PartFolder&) = delete;
+    PartFolder& operator=(const PartFolder&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return part_; }
+    void publish() const
+    {
+        fs::path old = target_;
+        old += ".old-" + std::to_string(getpid());
+        std::error_code error;
+        const bool replaces = fs::exists(target_, error);
+        if (replaces) fs::rename(target_, old, error);
+        if (!error) fs::rename(part_, target_, error);
+        if (error) {
+            std::error_code ignored;
+            if (replaces && fs::exists(old, ignored)) fs::rename(old, target_, ignored);
+            throw Failure(Blame::file, target_.string() + ": the study cannot be put in place (" + error.message() + "); choose another folder with --out.");
+        }
+        fs::remove_all(old, error);
+    }
+
+private:
+    fs::path target_, part_;
+};
+
+render::Image colorOf(const render::Image& picture)
+{
+    render::Image color(picture.width, picture.height, 3);
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            for (int c = 0; c < 3; ++c) color.at(x, y, c) = picture.at(x, y, c);
+    return color;
+}
+
+/// Of a study of few parameters, every point; of a search, those that one may choose.
+bool isShown(const StudyRequest& request, const StudyResult& result, std::size_t point)
+{
+    if (request.axes.size() <= 2) return true;
+    return result.present == point || (result.choice && result.choice->point == point) || std::find(result.front.begin(), result.front.end(), point) != result.front.end();
+}
+
+std::vector<StudyPagePoint> writePictures(const fs::path& folder, Exhibits exhibits, const Study& study)
+{
+    const StudyResult& result = study.result();
+    for (std::size_t v = 0; v < result.references.size(); ++v)
+        render::writePicture(folder / ("reference-" + std::to_string(v + 1) + ".png"), colorOf(result.references[v]), render::PictureFormat::png8);
+    // One scale for all heat maps of a view, so that they can be compared.
+    std::vector<StudyPagePoint> points;
+    for (std::size_t v = 0; v < result.references.size(); ++v) {
+        std::map<std::size_t, render::Image> maps;
+        double full = 0;
+        for (std::size_t i = 0; i < result.points.size(); ++i) {
+            if (!isShown(study.request(), result, i)) continue;
+            const std::optional<render::Image> errors = render::errorMap(study.request().metric, result.references[v], result.points[i].shots[v].picture, study.request().pixelsPerDegree);
+            maps[i] = errors ? *errors : render::differenceMap(result.references[v], result.points[i].shots[v].picture);
+            if (result.points[i].shots[v].errors.at(render::Metric::rmse) > 0) full = std::max(full, render::fullScale(study.request().metric, maps[i]));
+        }
+        for (const auto& [i, map] : maps) {
+            const std::string name = "point-" + std::to_string(i + 1) + "-view-" + std::to_string(v + 1);
+            render::writePicture(folder / (name + ".png"), colorOf(result.points[i].shots[v].picture), render::PictureFormat::png8);
+            render::writePicture(folder / (name + "-heat.png"), render::heatMap(map, full > 0 ? full : 1), render::PictureFormat::png8);
+        }
+    }
+    for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back({pointText(exhibits, study.request(), result.points[i]), isShown(study.request(), result, i), {}});
+    return points;
+}
+
+/// Qt draws the chart without a display; there may be an application already.
+void ensureApplication()
+{
+    static int count = 1;
+    static char name[] = "vitrine";
+    static char* arguments[] = {name, nullptr};
+    if (QApplication::instance()) return;
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});  // What it says of a display concerns nobody here.
+    static QApplication application(count, arguments);
+    std::setlocale(LC_NUMERIC, "C");  // Qt brings the user's.
+    ui::applyTheme(application, ui::lightTheme());
+}
+
+}  // namespace
+
+void requireStudyFolder(const fs::path& folder)
+{
+    std::error_code error;
+    if (!fs::exists(folder, error)) return;
+    if (!fs::is_directory(folder, error)) throw Failure(Blame::usage, "--out " + folder.string() + ": this is a file; name a folder.");
+    if (!fs::is_empty(folder, error) && !fs::exists(folder / "study.json", error)) throw Failure(Blame::usage, "--out " + folder.string() + ": this folder holds something else than a study; name another.");
+}
+
+void writeStudyFolder(const fs::path& folder, Exhibits exhibits, const Study& study, const render::Json& machine, const std::string& presetText)
+{
+    requireStudyFolder(folder);
+    const StudyRequest& request = study.request();
+    const StudyResult& result = study.result();
+    const PartFolder part(folder);
+    std::vector<StudyPagePoint> points = writePictures(part.path() / "pictures", exhibits, study);
+
+    ensureApplication();
+    ui::StudyChart chart;
+    chart.setTitles(QString::fromStdString(costTitle(result.costName) + (result.costName == "ms" ? " of a frame, " + result.clock : " in all views")), QString::fromStdString(std::string(title(request.metric))));
+    chart.setPoints(ui::chartPoints(exhibits, request, result));
+    const QImage png = chart.picture(chartSize, chartScale);
+    const QByteArray svg = chart.svg(chartSize);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const QPointF at = chart.placeOf(i);
+        points[i].place = {at.x(), at.y()};
+    }
+    QByteArray pngBytes;
+    QBuffer buffer(&pngBytes);
+    if (!png.save(&buffer, "PNG")) throw Failure(Blame::file, folder.string() + ": the chart could not be drawn; check that Qt's offscreen platform and a font are installed.");
+
+    const render::Json json = studyJson(exhibits, request, result, machine);
+    render::atomicWrite(part.path() / "study.json", render::writeJson(json));
+    render::atomicWrite(part.path() / "study.csv", studyCsv(exhibits, request, result));
+    render::atomicWrite(part.path() / "chart.svg", svg.toStdString());
+    render::atomicWrite(part.path() / "chart.png", pngBytes.toStdString());
+    render::atomicWrite(part.path() / "index.html", studyPage(exhibits, request, result, svg.toStdString(), {chartSize.width(), chartSize.height()}, points));
+    if (!presetText.empty()) render::atomicWrite(part.path() / "preset.json", presetText);
+    part.publish();
+}
+
+}  // namespace vitrine::app

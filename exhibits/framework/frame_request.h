@@ -1,0 +1,48 @@
+#pragma once
+
+#include "exhibits/framework/exhibit.h"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace vitrine {
+
+/// What the supersamples of a picture are averaged in: tone-mapped light for the eye, radiance for files
+/// of linear light.
+enum class AverageIn : std::uint8_t { display, radiance };
+
+/// One picture to plan.
+struct FrameRequest {
+    render::Camera camera;
+    render::Raster raster;
+    double time = 0;              ///< Seconds.
+    std::uint32_t seed = 1;
+    int sample = 0;               ///< This is sample number `sample` (from 0) ...
+    int samples = 1;              ///< ... of so many.
+    AverageIn averageIn = AverageIn::display;
+    Channels channels;
+    bool transparent = false;     ///< No sky or environment behind what is drawn: alpha 0 there.
+    std::optional<std::size_t> alone;  ///< Only this exhibit, in the environment's light.
+    std::optional<std::size_t> cutOut;  ///< Only this exhibit, where it stands, in the hall's light: alpha 0 around it.
+    glm::dmat4 exhibitTransform{1};    ///< For `alone` or `subject`: scale and rotation about its own origin.
+    std::optional<std::size_t> subject;
+    bool runEverything = false;
+    bool needsFiles = false;  ///< A file that the look names and that cannot be read is a Failure, not a complaint of the plan.
+    /// Seconds since each exhibit's button was pressed, in the order of Museum::exhibits(); may be shorter.
+    std::vector<double> sincePressed;
+};
+
+/// How finely a picture is drawn: rows of the hall's table that are no part of what is shown.
+struct PictureQuality {
+    int supersamples = 16;
+    double resolutionScale = 1;
+};
+inline constexpr std::string_view supersamplesRow = "supersamples";
+inline constexpr std::string_view resolutionScaleRow = "resolutionScale";
+
+/// Of the hall's values; as it is where its table has no such rows.
+[[nodiscard]] PictureQuality pictureQuality(const ParameterValues& hall);
+
+}  // namespace vitrine

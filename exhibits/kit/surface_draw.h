@@ -1,0 +1,39 @@
+#pragma once
+
+#include "render/scene/mesh.h"
+#include "render/plan/frame_plan.h"
+
+#include <glm/glm.hpp>
+
+namespace vitrine {
+
+/// Mirrors the std140 block Object of shaders/hall/object.glsl.
+struct SurfaceObject {
+    glm::mat4 worldFromModel{1};
+    glm::mat4 worldFromModelNormals{1};
+    glm::vec4 baseColor{1};
+    glm::vec4 material{0, 0.7F, 1, 1};
+    glm::vec4 emissive{0, 0, 0, -1};
+    glm::vec4 tiling{1, 0, 0, 0.5F};
+};
+
+/// What turns a model's normals into the world's, up to a positive factor: the direction of the inverse
+/// transpose, its largest column of length 1. Made of cofactors, so that a model which is scaled to a plane keeps
+/// the normals of that plane; the identity for what is scaled to a line or a point.
+[[nodiscard]] glm::dmat3 normalMatrix(const glm::dmat3& worldFromModel);
+
+/// The block of a mesh that stands at `worldFromModel`; normals by `normalMatrix`, so that non-uniform scale and
+/// mirroring are right.
+[[nodiscard]] SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Material&, double textureTile = 1);
+
+/// A draw with every map of the surface shaders bound; where the material has none, a neutral pixel is.
+[[nodiscard]] render::Draw surfaceDraw(std::shared_ptr<const render::Mesh>, const glm::dmat4& worldFromModel, const render::Material&,
+                                       double textureTile = 1);
+
+/// Half a sphere of radius 1 on y = 0, dome up: a button.
+[[nodiscard]] std::shared_ptr<const render::Mesh> domeMesh();
+
+/// A box from -1 to 1, outward faces.
+[[nodiscard]] std::shared_ptr<const render::Mesh> boxMesh();
+
+}  // namespace vitrine

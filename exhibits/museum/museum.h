@@ -1,0 +1,92 @@
+#pragma once
+
+#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/frame_request.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace vitrine {
+
+/// A snapshot of everything that can be set: one set of values per exhibit (the hall first) and the
+/// camera. Undo, presets of everything and A/B comparisons are Looks.
+struct Look {
+    std::vector<ParameterValues> values;  ///< In the order of Museum::exhibits().
+    render::Camera camera;
+
+    bool operator==(const Look&) const = default;
+};
+
+/// What the visitor's look rests on.
+struct LookedAt {
+    std::size_t exhibit = 0;
+    std::string text;  ///< "E – melt it".
+};
+
+/// What the visitor points at, and where going there leads.
+struct Pointed {
+    std::size_t exhibit = 0;   ///< 0: the hall; then it is the visitor's own object.
+    std::string name;          ///< "Torus to Mug", "Your object", "E – melt it".
+    double distance = 0;       ///< Metres from the eye.
+    bool button = false;       ///< It is the button of `exhibit` ...
+    bool inReach = false;      ///< ... and can be pressed from here.
+    render::Camera view;       ///< Its best view, in the world.
+};
+
+class HallModel;
+
+/// The building and everything in it.
+class Museum {
+public:
+    /// With these exhibits; none for measurements and tests of the hall itself. Reads the hall and its markers; throws
+    /// Failure when an asset cannot be read.
+    explicit Museum(std::vector<std::unique_ptr<Exhibit>> guests);
+    ~Museum();
+
+    [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const { return exhibits_; }
+    [[nodiscard]] const Exhibit& hall() const { return *exhibits_.front(); }
+    [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
+    [[nodiscard]] Look initialLook() const;
+
+    /// Where exhibit `i` stands.
+    [[nodiscard]] glm::dmat4 worldFromExhibit(std::size_t i) const;
+    /// The exhibit's best view, in the world.
+    [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues&) const;
+
+    /// Plans and prunes one picture. Its outputs are the images "frame" (rgba16f, display-referred linear
+    /// light, alpha not premultiplied) and, as asked, "radiance", "depth", "normal", "evaluations". Files that the
+    /// look names and that cannot be read are left out, with a complaint; where the request needs them, throws Failure.
+    [[nodiscard]] render::FramePlan plan(const Look&, const FrameRequest&, const render::KeptKeys& = {}) const;
+
+    /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: walls and furniture stop
+    /// him, and he slides along them.
+    [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
+    /// The button within 2 m that the middle of the view rests on, when nothing stands before it.
+    [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const;
+    /// The exhibit, button or visitor's object seen at `ndc` (each -1 to 1, y up) of that picture; nothing where the
+    /// nearest thing there is a wall or furniture. Throws Failure when a file that is on show cannot be read.
+    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const;
+    /// Metres from the eye to whatever is seen there; infinity: the sky.
+    [[nodiscard]] double distanceTo(const Look&, const FrameRequest&, glm::dvec2 ndc) const;
+    /// Which of the places 1 to 9 still wait for an exhibit.
+    [[nodiscard]] std::vector<int> emptyPlaces() const;
+
+    /// Seconds until the picture next changes by itself; infinity: nothing to draw.
+    [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const;
+
+private:
+    struct Seen;
+    [[nodiscard]] Seen firstSeen(const Look&, const FrameRequest&, const render::Ray&) const;
+    [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&, bool alone) const;
+
+    std::vector<std::unique_ptr<Exhibit>> exhibits_;
+    std::shared_ptr<const HallModel> model_;
+};
+
+/// Vertical scale of a button, `seconds` after it was pressed: 1 to 0.1 in 0.1 s and back in 0.1 s.
+[[nodiscard]] double buttonScale(double seconds);
+
+}  // namespace vitrine

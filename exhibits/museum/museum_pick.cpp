@@ -1,0 +1,120 @@
+// The visitor's hand: what is under the pointer, and which button he looks at.
+#include "exhibits/museum/museum.h"
+
+#include "exhibits/hall/hall.h"
+#include "exhibits/hall/hall_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+constexpr double reachOfButton = 2.0;   ///< Metres at which a button can be pressed .
+constexpr double radiusOfAim = 0.09;    ///< Metres around a button that still count as looking at it.
+constexpr double radiusOfPress = 0.05;  ///< Metres around a button's middle that count as clicking it: it is 0.035 wide.
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// The visitor's own object from the front, all of it in the picture.
+render::Camera viewOf(const render::Box& worldBox)
+{
+    const double radius = std::max(glm::length(worldBox.halfSize()), 0.05);
+    const double fovY = 0.7;
+    const glm::dvec3 away = glm::normalize(glm::dvec3(0.35, 0.35, 1));
+    return {worldBox.center() + away * (1.15 * radius / std::sin(fovY / 2)), worldBox.center(), fovY};
+}
+
+}  // namespace
+
+/// The nearest thing along a ray.
+struct Museum::Seen {
+    enum class What : std::uint8_t { nothing, building, guest, button, visitorsObject };
+    What what = What::nothing;
+    std::size_t exhibit = 0;
+    double distance = never;    ///< As the ray counts.
+    render::Box visitorsBox;    ///< Of the visitor's object, world space; empty where there is none.
+
+    void take(What w, std::size_t i, double d)
+    {
+        if (!(d < distance)) return;
+        what = w;
+        exhibit = i;
+        distance = d;
+    }
+};
+
+Museum::Seen Museum::firstSeen(const Look& look, const FrameRequest& request, const render::Ray& ray) const
+{
+    using enum Seen::What;
+    Seen seen;
+    std::vector<double> turns;
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) turns.push_back(exhibits_[i]->turnOfHangings(look.values[i], request.time));
+    HallScene scene = static_cast<const Hall&>(hall()).scene(look.values.front(), false);
+    scene.turns = turns;
+    for (const render::Part& part : model_->walls()) seen.take(building, 0, render::firstHit(ray, part, render::Faces::front));
+    if (scene.visitorModel) {
+        seen.visitorsBox = scene.visitorModel->bounds.transformed(scene.worldFromVisitorModel);
+        const render::Ray local = ray.transformed(glm::inverse(scene.worldFromVisitorModel));
+        for (const render::Part& part : scene.visitorModel->parts) seen.take(visitorsObject, 0, render::firstHit(local, part, render::Faces::both));
+    }
+    for (const auto& [number, place] : model_->places()) {
+        const auto here = std::find_if(exhibits_.begin() + 1, exhibits_.end(), [&, n = number](const auto& e) { return e->place() == n; });
+        const bool empty = here == exhibits_.end();
+        const auto i = empty ? std::size_t{0} : static_cast<std::size_t>(here - exhibits_.begin());
+        for (const render::Part& part : partsAt(scene, place)) seen.take(empty ? building : guest, i, render::firstHit(ray, part, render::Faces::both));
+        if (empty) continue;
+        const render::Ray own = ray.transformed(glm::inverse(worldFromExhibit(i)));
+        const double since = i < request.sincePressed.size() ? request.sincePressed[i] : never;
+        seen.take(guest, i, (*here)->firstHit(look.values[i], request.time, since, own));
+        if (!place.worldFromButton || (*here)->buttonText().empty()) continue;
+        seen.take(button, i, render::firstHit(ray, glm::dvec3((*place.worldFromButton)[3]), radiusOfPress));
+    }
+    return seen;
+}
+
+std::optional<Pointed> Museum::pick(const Look& look, const FrameRequest& request, glm::dvec2 ndc) const
+{
+    using enum Seen::What;
+    const render::View view = render::makeView(request.camera, request.raster);
+    const render::Ray ray{view.eye, glm::normalize(view.direction(ndc))};
+    const Seen seen = firstSeen(look, request, ray);
+    if (seen.what == nothing || seen.what == building) return std::nullopt;
+    Pointed found{seen.exhibit, {}, seen.distance, seen.what == button, seen.what == button && seen.distance <= reachOfButton, {}};
+    if (seen.what == visitorsObject) {
+        found.name = "Your object";
+        found.view = viewOf(seen.visitorsBox);
+        return found;
+    }
+    const Exhibit& exhibit = *exhibits_[seen.exhibit];
+    found.name = found.inReach ? "E – " + std::string(exhibit.buttonText()) : std::string(exhibit.title());
+    found.view = bestView(seen.exhibit, look.values[seen.exhibit]);
+    return found;
+}
+
+double Museum::distanceTo(const Look& look, const FrameRequest& request, glm::dvec2 ndc) const
+{
+    const render::View view = render::makeView(request.camera, request.raster);
+    return firstSeen(look, request, {view.eye, glm::normalize(view.direction(ndc))}).distance;
+}
+
+std::optional<LookedAt> Museum::lookedAt(const Look& look) const
+{
+    const glm::dvec3 toTarget = look.camera.target - look.camera.eye;
+    if (!(glm::length(toTarget) > 1e-9)) return std::nullopt;
+    const glm::dvec3 forward = glm::normalize(toTarget);
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
+        const Place* place = exhibits_[i]->buttonText().empty() ? nullptr : model_->place(exhibits_[i]->place());
+        if (!place || !place->worldFromButton) continue;
+        const glm::dvec3 toButton = glm::dvec3((*place->worldFromButton)[3]) - look.camera.eye;
+        const double along = glm::dot(toButton, forward);
+        if (along <= 0 || along > reachOfButton || glm::length(toButton - forward * along) > radiusOfAim) continue;
+        // Straight to the button, which the look itself may miss by a little.
+        const Seen seen = firstSeen(look, {}, {look.camera.eye, toButton});
+        if (seen.what != Seen::What::button || seen.exhibit != i) continue;
+        return LookedAt{i, "E – " + std::string(exhibits_[i]->buttonText())};
+    }
+    return std::nullopt;
+}
+
+}  // namespace vitrine

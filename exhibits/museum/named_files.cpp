@@ -1,0 +1,45 @@
+#include "exhibits/museum/named_files.h"
+
+#include "render/files/asset_store.h"
+#include "render/hash.h"
+
+#include <functional>
+
+namespace vitrine {
+namespace {
+
+void forEachFile(const Look& look, const std::function<void(const std::string&)>& work)
+{
+    for (const ParameterValues& values : look.values)
+        for (std::size_t row = 0; row < values.rows().size(); ++row) {
+            if (values.rows()[row].kind != Kind::file) continue;
+            if (const std::string path = std::get<std::string>(values.row(row)); !path.empty()) work(path);
+        }
+}
+
+void addTo(render::Hash& hash, const render::FileState& state)
+{
+    hash.addValue(state.there).addValue(state.bytes).addValue(state.inode).addValue(state.modified).addValue(state.changed);
+}
+
+}  // namespace
+
+bool namesFiles(const Look& look)
+{
+    bool any = false;
+    forEachFile(look, [&](const std::string&) { any = true; });
+    return any;
+}
+
+std::uint64_t stateOfFiles(const Look& look)
+{
+    render::Hash hash;
+    forEachFile(look, [&](const std::string& path) {
+        hash.add(path);
+        addTo(hash, render::fileState(path));
+        addTo(hash, render::folderState(path));
+    });
+    return hash.value();
+}
+
+}  // namespace vitrine

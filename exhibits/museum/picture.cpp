@@ -1,0 +1,139 @@
+#include "exhibits/museum/picture.h"
+
+#include "render/failure.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+namespace vitrine {
+namespace {
+
+/// Throws Failure when a picture would not fit into half of the machine's memory: writing it takes as much again.
+void requireMemory(const glm::ivec2& size, std::size_t channels)
+{
+    const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    const double perPixel = static_cast<double>(channels * sizeof(float));
+    const double wanted = static_cast<double>(size.x) * size.y * perPixel;
+    if (wanted <= machine / 2) return;
+    // With the same shape.
+    const double shrink = std::sqrt(machine / 2 / wanted);
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << std::setprecision(2 * wanted < 1e11 ? 1 : 0);
+    text << "A picture of " << size.x << " × " << size.y << " pixels takes " << 2 * wanted / 1e9 << " GB of memory while it is made and written, and this machine has "
+         << machine / 1e9 << " GB; ask for no more than " << std::max(1, static_cast<int>(size.x * shrink)) << " × " << std::max(1, static_cast<int>(size.y * shrink)) << '.';
+    throw Failure(Blame::usage, text.str());
+}
+
+constexpr int apron = 8;  ///< Pixels: two cells of the coarsest image that is brought up to the picture's size.
+
+}  // namespace
+
+PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, Look look, PictureRequest request)
+    : museum_(museum), painter_(painter), look_(std::move(look)), request_(std::move(request))
+{
+    const glm::ivec2 size = request_.frame.raster.size;
+    if (size.x < 1 || size.y < 1) throw Failure(Blame::usage, "A picture needs at least 1 × 1 pixels; " + std::to_string(size.x) + " × " + std::to_string(size.y) + " were asked for.");
+    std::vector<std::string> names{"R", "G", "B", "A"};
+    if (request_.depth) names.emplace_back("depth.Z");
+    if (request_.frame.channels.normal) names.insert(names.end(), {"normal.X", "normal.Y", "normal.Z"});
+    if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
+    requireMemory(size, names.size());
+    request_.samples = std::max(request_.samples, 1);
+    int side = std::max(std::min(request_.largestTile, painter_.largestSide()), 1);
+    // A tile is drawn with the pixels around it, for effects that look at a pixel's neighbors.
+    const bool whole = side >= size.x && side >= size.y;
+    if (!whole) side = std::max(std::min(side, painter_.largestSide() - 2 * apron), 1);
+    // Textures are filtered by differences within blocks of 2 × 2 pixels: these must lie as in the whole picture.
+    if (side > 1) side -= side % 2;
+    for (int y = 0; y < size.y; y += side) {
+        for (int x = 0; x < size.x; x += side) {
+            const glm::ivec2 offset(x, y);
+            const glm::ivec2 tile = glm::min(glm::ivec2(side), size - offset);
+            const glm::ivec2 low = glm::max(offset - apron, glm::ivec2(0));
+            tiles_.push_back({offset, tile, low, glm::min(offset + tile + apron, size) - low});
+        }
+    }
+    picture_ = render::Image(size.x, size.y, static_cast<int>(names.size()));
+    picture_.channelNames = std::move(names);
+}
+
+double PictureMaker::progress() const
+{
+    return static_cast<double>(stepsDone_) / static_cast<double>(tiles_.size() * static_cast<std::size_t>(request_.samples));
+}
+
+bool PictureMaker::finished() const
+{
+    return stepsDone_ == tiles_.size() * static_cast<std::size_t>(request_.samples);
+}
+
+bool PictureMaker::step()
+{
+    if (finished()) return false;
+    const auto samples = static_cast<std::size_t>(request_.samples);
+    const Tile& tile = tiles_[stepsDone_ / samples];
+    FrameRequest frame = request_.frame;
+    frame.sample = static_cast<int>(stepsDone_ % samples);
+    frame.samples = request_.samples;
+    frame.raster.offset = tile.drawnOffset;
+    frame.raster.tile = tile.drawnSize;
+    if (frame.sample > 0) frame.channels = {};
+    render::FrameReport report = painter_.draw(museum_.plan(look_, frame, painter_.kept()));
+    if (stepsDone_ == 0) report_ = std::move(report);
+    if (frame.sample == 0) takeChannels(tile);
+    if (frame.sample == request_.samples - 1) takeColor(tile);
+    ++stepsDone_;
+    if (finished()) finish();
+    return true;
+}
+
+void PictureMaker::takeChannels(const Tile& tile)
+{
+    int next = 4;
+    if (request_.depth) {
+        render::Image depth = painter_.read(depthImage);
+        const double nearPlane = render::View{}.nearPlane;
+        for (float& d : depth.pixels) d = d > 0 ? static_cast<float>(nearPlane / d) : std::numeric_limits<float>::infinity();
+        copyChannels(depth, tile, 0, 1, next++);
+    }
+    if (request_.frame.channels.normal) {
+        copyChannels(painter_.read(normalImage), tile, 0, 3, next);
+        next += 3;
+    }
+    if (request_.frame.channels.evaluations) copyChannels(painter_.read(evaluationsImage), tile, 0, 1, next);
+}
+
+void PictureMaker::takeColor(const Tile& tile)
+{
+    copyChannels(painter_.read("frame"), tile, 0, 4, 0);
+}
+
+void PictureMaker::copyChannels(const render::Image& from, const Tile& tile, int first, int count, int to)
+{
+    const int top = picture_.height - tile.offset.y - tile.size.y;
+    const int left = tile.offset.x - tile.drawnOffset.x;
+    const int above = tile.drawnOffset.y + tile.drawnSize.y - tile.offset.y - tile.size.y;
+    for (int y = 0; y < tile.size.y; ++y)
+        for (int x = 0; x < tile.size.x; ++x)
+            for (int c = 0; c < count; ++c) picture_.at(tile.offset.x + x, top + y, to + c) = from.at(left + x, above + y, first + c);
+}
+
+void PictureMaker::finish()
+{
+    for (int y = 0; y < picture_.height; ++y) {
+        for (int x = 0; x < picture_.width; ++x) {
+            const float alpha = picture_.at(x, y, 3);
+            if (alpha > 0 && alpha < 1)
+                for (int c = 0; c < 3; ++c) picture_.at(x, y, c) /= alpha;
+        }
+    }
+}
+
+}  // namespace vitrine

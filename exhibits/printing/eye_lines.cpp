@@ -1,0 +1,135 @@
+#include "exhibits/printing/eye_lines.h"
+
+#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/optics.h"
+#include "render/image/srgb.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vitrine::lenticular {
+namespace {
+
+constexpr int previewParts = 32;
+constexpr int sights = 512;  ///< Directions between the print's two edges.
+
+struct Point {
+    double across = 0;
+    float share = 0;
+};
+
+/// What lenses show, for directions from one edge of the print to the other.
+class SightTable {
+public:
+    SightTable(const Sheet& sheet, double from, double to, double beta) : from_(from), perAngle_(to > from ? (sights - 1) / (to - from) : 0)
+    {
+        const int count = to > from ? sights : 1;
+        for (int i = 0; i < count; ++i) {
+            std::vector<Point> points;
+            const double theta = count == 1 ? from : from + (to - from) * i / (count - 1);
+            for (const Aperture::Part& part : aperture(sheet, theta, beta, previewParts).parts)
+                points.push_back({(part.from + part.to) / 2, static_cast<float>(part.share)});
+            table_.push_back(std::move(points));
+        }
+    }
+    [[nodiscard]] const std::vector<Point>& at(double theta) const
+    {
+        const double i = std::round((theta - from_) * perAngle_);
+        return table_[static_cast<std::size_t>(std::clamp(i, 0.0, static_cast<double>(table_.size() - 1)))];
+    }
+
+private:
+    double from_, perAngle_;
+    std::vector<std::vector<Point>> table_;
+};
+
+const std::array<float, 256>& linearOfCode()
+{
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> made{};
+        for (std::size_t i = 0; i < made.size(); ++i) made[i] = static_cast<float>(render::linearFromSrgb(static_cast<double>(i) / 255.0));
+        return made;
+    }();
+    return table;
+}
+
+}  // namespace
+
+EyeLines::EyeLines(const PrintLayout& layout, const Interlacer& interlacer, int lines)
+    : layout_(layout), upright_(std::abs(layout.settings().direction) <= 45),
+      lines_(static_cast<int>(std::clamp<std::int64_t>(lines, 1, upright_ ? layout.height() : layout.width())))
+{
+    const std::size_t line = static_cast<std::size_t>(acrossPixels()) * 3;
+    codes_.resize(line * static_cast<std::size_t>(lines_));
+    for (int i = 0; i < lines_; ++i) {
+        std::int64_t at = (2 * static_cast<std::int64_t>(i) + 1) * alongPixels() / (2 * static_cast<std::int64_t>(lines_));
+        // Lines are kept as they are seen from the front.
+        if (!upright_ && layout.settings().mirror) at = layout.width() - 1 - at;
+        const Region region = upright_ ? Region{0, at, layout.width(), at + 1} : Region{at, 0, at + 1, layout.height()};
+        interlacer.fill(region, codes_.data() + line * static_cast<std::size_t>(i));
+    }
+}
+
+CodedPicture EyeLines::seen(const Eye& eye, int side) const
+{
+    const PrintSettings& s = layout_.settings();
+    const double width = static_cast<double>(layout_.width()) / s.dpiX * mmPerInch;
+    const double height = static_cast<double>(layout_.height()) / s.dpiY * mmPerInch;
+    const double perPixel = std::max(width, height) / std::max(side, 1);
+    CodedPicture picture;
+    picture.width = std::max(1, static_cast<int>(std::lround(width / perPixel)));
+    picture.height = std::max(1, static_cast<int>(std::lround(height / perPixel)));
+    picture.rgb.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 3);
+
+    const double towardsX = std::tan(upright_ ? eye.angle : eye.angleAlong);
+    const double towardsY = upright_ ? -std::tan(eye.angleAlong) : std::tan(eye.angle);
+    const double cosine = layout_.cosine();
+    const double sine = layout_.sine();
+    const auto slope = [&](double x, double y) { return (towardsX - x / eye.distance) * cosine + (towardsY - y / eye.distance) * sine; };
+    double from = 2;
+    double to = -2;
+    for (const double x : {-width / 2, width / 2}) {
+        for (const double y : {-height / 2, height / 2}) {
+            from = std::min(from, std::atan(slope(x, y)));
+            to = std::max(to, std::atan(slope(x, y)));
+        }
+    }
+    const double along = towardsY * cosine - towardsX * sine;
+    const double middle = slope(0, 0);
+    const SightTable table(s.sheet, from, to, std::asin(along / std::sqrt(1 + middle * middle + along * along)));
+
+    const double pitch = s.sheet.pitch();
+    const double perMm = (upright_ ? s.dpiX : s.dpiY) / mmPerInch;
+    const double perAcross = perMm / (upright_ ? cosine : sine);  // Along a line, for a way across the lenses.
+    const double middlePixel = 0.5 * static_cast<double>(acrossPixels());
+    const bool flip = s.mirror && upright_;
+    const std::array<float, 256>& linear = linearOfCode();
+    std::uint8_t* out = picture.rgb.data();
+    for (int row = 0; row < picture.height; ++row) {
+        const double y = ((row + 0.5) / picture.height - 0.5) * height;
+        for (int column = 0; column < picture.width; ++column, out += 3) {
+            const double x = ((column + 0.5) / picture.width - 0.5) * width;
+            const double across = x * cosine + y * sine;
+            const double off = std::floor(across / pitch + 0.5) * pitch - across;
+            const double start = (upright_ ? x : y) * perMm + middlePixel;
+            const double alongPart = upright_ ? (row + 0.5) / picture.height : (column + 0.5) / picture.width;
+            const auto line = std::min(static_cast<std::size_t>(alongPart * lines_), static_cast<std::size_t>(lines_ - 1));
+            const std::uint8_t* codes = codes_.data() + line * static_cast<std::size_t>(acrossPixels()) * 3;
+            std::array<float, 3> sum{};
+            for (const Point& point : table.at(std::atan(slope(x, y)))) {
+                const double at = start + (off + point.across) * perAcross;
+                if (!(at >= 0 && at < static_cast<double>(acrossPixels()))) {
+                    for (float& channel : sum) channel += point.share;  // Paper beyond the print.
+                    continue;
+                }
+                const auto pixel = flip ? acrossPixels() - 1 - static_cast<std::int64_t>(at) : static_cast<std::int64_t>(at);
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += point.share * linear[codes[pixel * 3 + static_cast<std::int64_t>(c)]];
+            }
+            for (std::size_t c = 0; c < 3; ++c) out[c] = render::srgb8FromLinear(sum[c]);
+        }
+    }
+    return picture;
+}
+
+}  // namespace vitrine::lenticular

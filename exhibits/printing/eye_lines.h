@@ -1,0 +1,37 @@
+#pragma once
+
+#include "exhibits/printing/interlace.h"
+#include "exhibits/printing/print_desk.h"
+#include "exhibits/printing/proof.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vitrine::lenticular {
+
+/// A print made along a few lines only, to look at through its lenses while it is being set up.
+///
+/// Across the lenses the lines are the printed raster, pixel for pixel; along them, where neighbors hardly
+/// differ, only as many are kept as a preview shows. `lookThrough` is the full answer for a finished print;
+/// this is the same optics in a hundredth of the time. Left out: that a ray from above or below also moves
+/// along the lens, by less than the sheet's thickness.
+class EyeLines {
+public:
+    /// Makes at most `lines` lines. Layout must outlive it; the interlacer is only used here.
+    EyeLines(const PrintLayout&, const Interlacer&, int lines);
+
+    /// What the eye sees, about `side` pixels along the longer side; one lens fills several of them, or one
+    /// pixel shows the lens under its center.
+    [[nodiscard]] CodedPicture seen(const Eye&, int side) const;
+
+private:
+    [[nodiscard]] std::int64_t acrossPixels() const { return upright_ ? layout_.width() : layout_.height(); }
+    [[nodiscard]] std::int64_t alongPixels() const { return upright_ ? layout_.height() : layout_.width(); }
+
+    const PrintLayout& layout_;
+    bool upright_;
+    int lines_;
+    std::vector<std::uint8_t> codes_;  ///< Line by line, each across the lenses, three channels.
+};
+
+}  // namespace vitrine::lenticular

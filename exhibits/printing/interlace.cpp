@@ -1,0 +1,304 @@
+#include "exhibits/printing/interlace.h"
+
+#include "exhibits/printing/box_filter.h"
+#include "exhibits/printing/dither.h"
+#include "exhibits/printing/interlace_kernels.h"
+#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/strip_weights.h"
+#include "render/failure.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <thread>
+
+namespace vitrine::lenticular {
+namespace {
+
+constexpr double whole = 65536;  // Weight 1 of kernels::blendAndEncode.
+
+/// Which rows of the views a printed row shows.
+struct RowBlend {
+    int first = 0;
+    int count = 1;      ///< 1 or 2 rows when enlarging; more when the views have more rows than the print.
+    std::uint16_t part = 0;  ///< Of the second row, when there are two.
+    double from = 0, to = 0;
+};
+
+RowBlend rowBlend(std::int64_t y, std::int64_t height, int viewHeight, bool nearest)
+{
+    RowBlend rows;
+    const double scale = static_cast<double>(viewHeight) / static_cast<double>(height);
+    if (scale > 1) {
+        rows.from = static_cast<double>(y) * scale;
+        rows.to = std::min<double>(viewHeight, static_cast<double>(y + 1) * scale);
+        rows.first = static_cast<int>(rows.from);
+        rows.count = std::min(viewHeight, static_cast<int>(std::ceil(rows.to))) - rows.first;
+        return rows;
+    }
+    const double center = (static_cast<double>(y) + 0.5) * scale;
+    if (nearest) {
+        rows.first = std::min(static_cast<int>(center), viewHeight - 1);
+        return rows;
+    }
+    const double at = std::clamp(center - 0.5, 0.0, static_cast<double>(viewHeight - 1));
+    rows.first = std::min(static_cast<int>(at), viewHeight - 1);
+    rows.part = static_cast<std::uint16_t>(std::min(std::round((at - rows.first) * whole), whole - 1));
+    rows.count = rows.part > 0 ? 2 : 1;
+    return rows;
+}
+
+}  // namespace
+
+Interlacer::Interlacer(const PrintLayout& layout, const ViewSet& views)
+    : layout_(layout.withoutBorder()), borderX_(layout.borderX()), borderY_(layout.borderY()), views_(views)
+{
+    if (views.count() != layout.settings().views) {
+        throw Failure(Blame::usage, "The print is laid out for " + std::to_string(layout.settings().views) + " views, and there are " +
+                                        std::to_string(views.count()) + ".");
+    }
+    if (layout.settings().compensate) compensation_ = compensation(viewMixing(layout_));
+    if (layout_.vertical()) prepareVertical();
+}
+
+/// What one thread works with.
+struct Interlacer::Workplace {
+    std::vector<float> lenses{};       ///< Of a row: views one after the other, four floats a lens.
+    std::vector<float> compensated{};  ///< The same.
+};
+
+void Interlacer::prepareVertical()
+{
+    const std::int64_t width = layout_.width();
+    const auto printWidth = static_cast<double>(width);
+    // One lens more on each side than the raster touches: guards reach over the cusp.
+    const auto firstLens = static_cast<std::int64_t>(std::floor(layout_.lensAt(0, 0))) - 1;
+    const auto lastLens = static_cast<std::int64_t>(std::floor(layout_.lensAt(printWidth, 0))) + 1;
+    lensCount_ = static_cast<std::size_t>(lastLens - firstLens + 1);
+
+    BoxTaps box;
+    for (int k = 0; k < views_.count(); ++k) {
+        const int viewWidth = views_.view(k).width;
+        int alike = 0;
+        while (views_.view(alike).width != viewWidth) ++alike;
+        spanStart_.push_back(alike < k ? spanStart_[static_cast<std::size_t>(alike)] : spans_.size());
+        if (alike < k) continue;
+        const double scale = viewWidth / printWidth;
+        // All spans as long as the longest, with weights of 0, where the view is wide enough for that.
+        const double columns = scale / layout_.lensesPerPixelX();
+        const int longest = columns <= 1 ? 2 : 2 * ((static_cast<int>(std::ceil(columns)) + 2) / 2);
+        for (std::int64_t lens = firstLens; lens <= lastLens; ++lens) {
+            const double axis = (static_cast<double>(lens) - layout_.settings().phase) / layout_.lensesPerPixelX() + printWidth / 2;
+            boxTaps(axis * scale, scale / layout_.lensesPerPixelX(), viewWidth, box);
+            if (viewWidth >= longest && static_cast<int>(box.weights.size()) <= longest) {
+                const int back = std::max(0, box.first + longest - viewWidth);
+                box.first -= back;
+                box.weights.insert(box.weights.begin(), static_cast<std::size_t>(back), 0.0F);
+                box.weights.resize(std::max(box.weights.size(), static_cast<std::size_t>(longest)), 0.0F);
+            }
+            if (box.weights.size() % 2 != 0) box.weights.push_back(0);
+            spans_.push_back({box.first, static_cast<int>(box.weights.size() / 2), static_cast<std::uint32_t>(weights_.size())});
+            for (const float weight : box.weights) weights_.insert(weights_.end(), 4, weight);
+        }
+    }
+    std::vector<Tap> taps;
+    columnStart_.push_back(0);
+    for (std::int64_t x = 0; x < width; ++x) {
+        const std::int64_t front = layout_.settings().mirror ? width - 1 - x : x;
+        tapsAt(layout_, static_cast<double>(front) + 0.5, 0, taps);
+        for (const Tap& tap : taps) {
+            const std::int64_t lens = std::clamp(tap.lens, firstLens, lastLens) - firstLens;
+            taps_.push_back({static_cast<std::uint32_t>(static_cast<std::size_t>(tap.view) * lensCount_ + static_cast<std::size_t>(lens)),
+                             static_cast<float>(tap.weight)});
+        }
+        columnStart_.push_back(static_cast<std::uint32_t>(taps_.size()));
+    }
+}
+
+void Interlacer::interlaceViewRow(int row, const Region& region, Workplace& place, std::uint16_t* out) const
+{
+    for (int k = 0; k < views_.count(); ++k) {
+        const std::size_t slot = static_cast<std::size_t>(k) * lensCount_;
+        kernels::filterLenses(views_.row(k, row), spans_.data() + spanStart_[static_cast<std::size_t>(k)], lensCount_, weights_.data(), place.lenses.data() + slot * 4);
+    }
+    views_.rowIsRead(row);
+    const float* lenses = place.lenses.data();
+    if (!compensation_.weights.empty()) {
+        kernels::combineViews(lenses, compensation_.weights.data(), static_cast<std::size_t>(views_.count()), lensCount_, place.compensated.data());
+        lenses = place.compensated.data();
+    }
+    kernels::mixColumns(lenses, taps_.data(), columnStart_.data() + region.x0, static_cast<std::size_t>(region.x1 - region.x0), out);
+}
+
+template <typename Code> void Interlacer::fillVertical(const Region& region, Code* out) const
+{
+    const std::size_t samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
+    const std::size_t lensSamples = lensCount_ * static_cast<std::size_t>(views_.count()) * 4;
+    Workplace place{std::vector<float>(lensSamples), std::vector<float>(compensation_.weights.empty() ? 0 : lensSamples)};
+    // The two rows of the views that were interlaced last; printed rows come in order, so two are enough.
+    std::array<std::vector<std::uint16_t>, 2> kept{std::vector<std::uint16_t>(samples + 4), std::vector<std::uint16_t>(samples + 4)};
+    std::array<int, 2> keptRow{-1, -1};
+    const auto interlaced = [&](int row) -> const std::uint16_t* {
+        const auto slot = static_cast<std::size_t>(row % 2);
+        if (keptRow.at(slot) != row) {
+            interlaceViewRow(row, region, place, kept.at(slot).data());
+            keptRow.at(slot) = row;
+        }
+        return kept.at(slot).data();
+    };
+    std::vector<float> sum;
+    RowBlend before{-1, 0};
+    for (std::int64_t y = region.y0; y < region.y1; ++y, out += samples) {
+        const RowBlend rows = rowBlend(y, layout_.height(), views_.height(), layout_.settings().method == Method::nearest);
+        if (rows.count == 1 && before.count == 1 && rows.first == before.first) {
+            std::memcpy(out, out - samples, samples * sizeof(Code));
+        } else if (rows.count <= 2 && rows.to == 0) {
+            const std::uint16_t* a = interlaced(rows.first);
+            const std::uint16_t* b = rows.count == 2 ? interlaced(rows.first + 1) : a;
+            kernels::blendAndEncode(a, b, rows.part, samples, out);
+        } else {
+            sum.assign(samples, 0.5F);
+            for (int r = rows.first; r < rows.first + rows.count; ++r) {
+                const std::uint16_t* a = interlaced(r);
+                const auto weight = static_cast<float>((std::min<double>(rows.to, r + 1) - std::max<double>(rows.from, r)) / (rows.to - rows.from));
+                for (std::size_t i = 0; i < samples; ++i) sum[i] += weight * static_cast<float>(a[i]);
+            }
+            std::vector<std::uint16_t> mean(samples);
+            for (std::size_t i = 0; i < samples; ++i) mean[i] = static_cast<std::uint16_t>(std::min(sum[i], 65535.0F));
+            kernels::blendAndEncode(mean.data(), mean.data(), 0, samples, out);
+        }
+        before = rows.to == 0 ? rows : RowBlend{-1, 0};
+    }
+}
+
+template <typename Code> void Interlacer::fillSlanted(const Region& region, Code* out) const
+{
+    constexpr std::int64_t rowsBetween = 8;  // Of letting go of rows on disk.
+    constexpr double negligible = 1e-5;      // Of a view's weight in another.
+    const PrintSettings& settings = layout_.settings();
+    const auto width = static_cast<double>(layout_.width());
+    const auto height = static_cast<double>(layout_.height());
+    const double pixelsX = layout_.printPitch() * settings.dpiX / mmPerInch * layout_.cosine();  // From lens to lens, across.
+    const double pixelsY = layout_.printPitch() * settings.dpiY / mmPerInch * layout_.sine();
+    const bool acrossX = std::abs(layout_.lensesPerPixelX()) >= std::abs(layout_.lensesPerPixelY());
+    const double boxX = acrossX ? 1 / std::abs(layout_.lensesPerPixelX()) : 1;
+    const double boxY = acrossX ? 1 : 1 / std::abs(layout_.lensesPerPixelY());
+    const double scaleY = views_.height() / height;
+    const std::size_t samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
+    std::vector<std::uint16_t> linear(samples);
+    std::vector<Tap> taps;
+    BoxTaps columns;
+    BoxTaps rows;
+    // A view around a place of the raster, times `weight`.
+    const auto addView = [&](int k, double x, double y, float weight, std::array<float, 3>& sum) {
+        const double scaleX = views_.view(k).width / width;
+        boxTaps(x * scaleX, boxX * scaleX, views_.view(k).width, columns);
+        boxTaps(y * scaleY, boxY * scaleY, views_.height(), rows);
+        for (std::size_t r = 0; r < rows.weights.size(); ++r) {
+            const std::uint16_t* at = views_.row(k, rows.first + static_cast<int>(r)) + static_cast<std::size_t>(columns.first) * 4;
+            const float rowWeight = weight * rows.weights[r];
+            for (const float columnWeight : columns.weights) {
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += rowWeight * columnWeight * static_cast<float>(at[c]);
+                at += 4;
+            }
+        }
+    };
+    for (std::int64_t y = region.y0; y < region.y1; ++y, out += samples) {
+        std::uint16_t* pixel = linear.data();
+        for (std::int64_t x = region.x0; x < region.x1; ++x, pixel += 3) {
+            const double px = static_cast<double>(settings.mirror ? layout_.width() - 1 - x : x) + 0.5;
+            const double py = static_cast<double>(y) + 0.5;
+            tapsAt(layout_, px, py, taps);
+            const double u = layout_.lensAt(px, py);
+            std::array<float, 3> sum{0.5F, 0.5F, 0.5F};
+            for (const Tap& tap : taps) {
+                // The foot of the pixel on the lens's axis.
+                const double off = static_cast<double>(tap.lens) + 0.5 - u;
+                const double footX = px + off * pixelsX;
+                const double footY = py + off * pixelsY;
+                const auto weight = static_cast<float>(tap.weight);
+                if (compensation_.weights.empty()) {
+                    addView(tap.view, footX, footY, weight, sum);
+                    continue;
+                }
+                std::array<float, 3> combined{};
+                for (int k = 0; k < views_.count(); ++k) {
+                    const double share = compensation_.at(tap.view, k);
+                    if (std::abs(share) > negligible) addView(k, footX, footY, static_cast<float>(share), combined);
+                }
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * std::clamp(combined[c], 0.0F, 65535.0F);
+            }
+            for (std::size_t c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint16_t>(std::min(sum[c], 65535.0F));
+        }
+        kernels::blendAndEncode(linear.data(), linear.data(), 0, samples, out);
+        if ((y - region.y0) % rowsBetween == rowsBetween - 1) views_.allIsRead();
+    }
+}
+
+template <typename Code> void Interlacer::fillInner(const Region& region, Code* out) const
+{
+    if constexpr (sizeof(Code) == 1) {
+        if (layout_.settings().dither) {
+            constexpr std::int64_t band = 64;
+            const auto samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
+            std::vector<std::uint16_t> fine(samples * static_cast<std::size_t>(std::min(band, region.y1 - region.y0)));
+            for (std::int64_t y = region.y0; y < region.y1; y += band) {
+                const Region part{region.x0, y, region.x1, std::min(y + band, region.y1)};
+                fillInner(part, fine.data());
+                ditherRows(part, fine.data(), out + static_cast<std::size_t>(y - region.y0) * samples);
+            }
+            return;
+        }
+    }
+    if (layout_.vertical()) fillVertical(region, out);
+    else fillSlanted(region, out);
+}
+
+template <typename Code> void Interlacer::fillPart(const Region& region, Code* out) const
+{
+    if (borderX_ == 0 && borderY_ == 0) return fillInner(region, out);
+    const std::size_t stride = static_cast<std::size_t>(region.x1 - region.x0) * 3;
+    std::fill_n(out, stride * static_cast<std::size_t>(region.y1 - region.y0), std::numeric_limits<Code>::max());
+    const Region inner{std::max(region.x0 - borderX_, std::int64_t{0}), std::max(region.y0 - borderY_, std::int64_t{0}),
+                       std::min(region.x1 - borderX_, layout_.width()), std::min(region.y1 - borderY_, layout_.height())};
+    if (inner.x0 >= inner.x1 || inner.y0 >= inner.y1) return;
+    const std::size_t samples = static_cast<std::size_t>(inner.x1 - inner.x0) * 3;
+    std::vector<Code> filled(samples * static_cast<std::size_t>(inner.y1 - inner.y0));
+    fillInner(inner, filled.data());
+    for (std::int64_t y = inner.y0; y < inner.y1; ++y) {
+        Code* to = out + static_cast<std::size_t>(y + borderY_ - region.y0) * stride + static_cast<std::size_t>(inner.x0 + borderX_ - region.x0) * 3;
+        std::copy_n(filled.data() + static_cast<std::size_t>(y - inner.y0) * samples, samples, to);
+    }
+}
+
+template <typename Code> void Interlacer::fillThreaded(const Region& region, Code* out, int threads) const
+{
+    assert(region.x0 >= 0 && region.y0 >= 0 && region.x1 <= layout_.width() + 2 * borderX_ && region.y1 <= layout_.height() + 2 * borderY_);
+    const std::int64_t rows = region.y1 - region.y0;
+    const std::int64_t parts = std::clamp<std::int64_t>(threads, 1, std::max<std::int64_t>(rows, 1));
+    const auto work = [&](std::int64_t part) {
+        Region own = region;
+        own.y0 = region.y0 + rows * part / parts;
+        own.y1 = region.y0 + rows * (part + 1) / parts;
+        Code* at = out + static_cast<std::size_t>(own.y0 - region.y0) * static_cast<std::size_t>(region.x1 - region.x0) * 3;
+        fillPart(own, at);
+    };
+    std::vector<std::jthread> others;
+    for (std::int64_t part = 1; part < parts; ++part) others.emplace_back(work, part);
+    work(0);
+}
+
+void Interlacer::fill(const Region& region, std::uint8_t* out, int threads) const
+{
+    fillThreaded(region, out, threads);
+}
+
+void Interlacer::fill(const Region& region, std::uint16_t* out, int threads) const
+{
+    fillThreaded(region, out, threads);
+}
+
+}  // namespace vitrine::lenticular

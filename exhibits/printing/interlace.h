@@ -1,0 +1,73 @@
+#pragma once
+
+#include "exhibits/printing/crosstalk.h"
+#include "exhibits/printing/print_layout.h"
+#include "exhibits/printing/view_source.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vitrine::lenticular {
+
+/// A part of the raster, ends excluded.
+struct Region {
+    std::int64_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+/// Makes any part of a print's raster, always the same bits however the raster is cut up and however many
+/// threads work on it.
+///
+/// Each view is sampled at the axis of the lens that shows it, averaged over one lens: that is all the lens
+/// can resolve, and sampling at the pixel instead would slide the picture by up to one lens between the first
+/// view and the last. Everything is mixed in linear light and encoded as sRGB at the end.
+///
+/// Where the layout asks for it, the views are compensated for cross-talk first, in linear light and held to black
+/// and white, and 8-bit codes are dithered. The border is white.
+///
+/// Vertical lenses are the fast case: a row of the views is interlaced once and printed rows are interpolated
+/// between two such rows. With Method::nearest nothing is mixed in that direction either, unless the views
+/// have more rows than the print.
+class Interlacer {
+public:
+    /// Keeps a reference to the views. Throws Failure when layout and views disagree about the number of views.
+    Interlacer(const PrintLayout&, const ViewSet&);
+
+    /// Fills `out` with RGB, row by row without padding. The region must lie on the raster.
+    void fill(const Region&, std::uint8_t* out, int threads = 1) const;
+    void fill(const Region&, std::uint16_t* out, int threads = 1) const;
+
+    struct ColumnTap {
+        std::uint32_t slot;  ///< view * lenses + lens.
+        float weight;
+    };
+    /// The columns of a view that a lens shows, two by two. From `weights_[first]` on stand the weight of the
+    /// first column four times, of the second four times, and so on.
+    struct LensSpan {
+        int column;
+        int pairs;
+        std::uint32_t first;
+    };
+
+private:
+    template <typename Code> void fillThreaded(const Region&, Code* out, int threads) const;
+    template <typename Code> void fillPart(const Region&, Code* out) const;
+    template <typename Code> void fillInner(const Region&, Code* out) const;
+    template <typename Code> void fillVertical(const Region&, Code* out) const;
+    template <typename Code> void fillSlanted(const Region&, Code* out) const;
+    void prepareVertical();
+    struct Workplace;
+    void interlaceViewRow(int row, const Region&, Workplace&, std::uint16_t* out) const;
+
+    PrintLayout layout_;             ///< Without the border.
+    std::int64_t borderX_, borderY_;
+    const ViewSet& views_;
+    ViewMatrix compensation_;
+    std::size_t lensCount_ = 0;
+    std::vector<std::uint32_t> columnStart_;  ///< Into taps_, one more than there are columns.
+    std::vector<ColumnTap> taps_;
+    std::vector<LensSpan> spans_;             ///< Per lens, for every width that views have.
+    std::vector<std::size_t> spanStart_;      ///< Per view, into spans_.
+    std::vector<float> weights_;
+};
+
+}  // namespace vitrine::lenticular

@@ -1,0 +1,111 @@
+#include "exhibits/printing/print_file.h"
+
+#include "exhibits/printing/numbers.h"
+#include "render/failure.h"
+#include "render/files/atomic_write.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <memory>
+#include <thread>
+
+namespace vitrine::lenticular {
+namespace {
+
+/// Rows per strip: about 8 million samples, and whole strips of the file.
+std::int64_t stripRows(std::int64_t width)
+{
+    return std::clamp<std::int64_t>((8 << 20) / (width * 3) / 64 * 64, 16, 512);
+}
+
+template <typename Code>
+void writeColumns(const PrintLayout& layout, const std::function<void(const Region&, Code*)>& make, const PrintFile& file, std::int64_t x0,
+                  std::int64_t x1, render::PictureStream& out)
+{
+    const std::int64_t height = layout.height();
+    const std::int64_t rows = std::min(stripRows(x1 - x0), height);
+    const std::size_t strip = static_cast<std::size_t>(rows) * static_cast<std::size_t>(x1 - x0) * 3;
+    std::vector<Code> written(strip);
+    std::vector<Code> next(strip);
+    make({x0, 0, x1, rows}, written.data());
+    for (std::int64_t y = 0; y < height; y += rows) {
+        const std::int64_t end = std::min(y + rows, height);
+        std::future<void> making;
+        if (end < height) {
+            making = std::async(std::launch::async, [&, end] { make({x0, end, x1, std::min(end + rows, height)}, next.data()); });
+        }
+        out.write(written.data(), end - y);
+        if (making.valid()) making.get();
+        std::swap(written, next);
+        const double share = (static_cast<double>(x0) + static_cast<double>(x1 - x0) * static_cast<double>(end) / static_cast<double>(height)) /
+                             static_cast<double>(layout.width());
+        if (file.progress && !file.progress(share)) throw Failure(Blame::usage, "Writing " + file.path.string() + " was stopped; nothing was changed.");
+    }
+    out.finish();
+}
+
+std::filesystem::path tilePath(const std::filesystem::path& path, std::size_t tile)
+{
+    std::filesystem::path name = path;
+    name.replace_filename(path.stem().string() + "-" + std::to_string(tile + 1) + path.extension().string());
+    return name;
+}
+
+}  // namespace
+
+int interlacingThreads()
+{
+    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
+}
+
+std::vector<std::int64_t> tileCuts(const PrintLayout& layout, double tileWidth)
+{
+    if (tileWidth == 0) return {0, layout.width()};
+    if (!layout.vertical()) throw Failure(Blame::usage, "Only prints with vertical lenses can be cut into tiles.");
+    const double lenses = tileWidth / layout.printPitch();
+    if (!(lenses >= 1) || !std::isfinite(lenses)) {
+        throw Failure(Blame::usage, "Tiles of " + shortText(tileWidth) + " mm are narrower than a lens, " + shortText(layout.printPitch()) + " mm.");
+    }
+    std::vector<std::int64_t> cuts{0};
+    const double tile = tileWidth / mmPerInch * layout.settings().dpiX;
+    for (double at = tile; at < static_cast<double>(layout.width()); at += tile) {
+        const double cusp = std::round(layout.lensAt(at, 0));
+        const double x = (cusp - layout.lensAt(0, 0)) / layout.lensesPerPixelX();
+        const std::int64_t column = layout.settings().mirror ? layout.width() - std::llround(static_cast<double>(layout.width()) - x) : std::llround(x);
+        if (column > cuts.back() && column < layout.width()) cuts.push_back(column);
+    }
+    cuts.push_back(layout.width());
+    return cuts;
+}
+
+std::vector<std::filesystem::path> writeRaster(const PrintLayout& layout, const RasterSource& source, const PrintFile& file)
+{
+    const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
+    const PrintSettings& settings = layout.settings();
+    std::vector<std::filesystem::path> paths;
+    std::vector<std::unique_ptr<render::PictureStream>> streams;
+    for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile) {
+        paths.push_back(cuts.size() == 2 ? file.path : tilePath(file.path, tile));
+        const render::StreamSpec spec{cuts[tile + 1] - cuts[tile], layout.height(), file.bits, settings.dpiX, settings.dpiY, file.compression,
+                                      layout.vertical(), file.json, file.profile};
+        streams.push_back(std::make_unique<render::PictureStream>(paths.back(), spec));
+        if (file.bits == 16) writeColumns<std::uint16_t>(layout, source.sixteen, file, cuts[tile], cuts[tile + 1], *streams.back());
+        else writeColumns<std::uint8_t>(layout, source.eight, file, cuts[tile], cuts[tile + 1], *streams.back());
+    }
+    for (const auto& stream : streams) stream->publish();
+    if (!file.json.empty())
+        for (const std::filesystem::path& path : paths) render::atomicWrite(path.string() + ".json", file.json);
+    return paths;
+}
+
+std::vector<std::filesystem::path> writePrint(const PrintLayout& layout, const ViewSet& views, const PrintFile& file)
+{
+    const Interlacer maker(layout, views);
+    return writeRaster(layout,
+                       {[&](const Region& region, std::uint8_t* out) { maker.fill(region, out, file.threads); },
+                        [&](const Region& region, std::uint16_t* out) { maker.fill(region, out, file.threads); }},
+                       file);
+}
+
+}  // namespace vitrine::lenticular

@@ -1,0 +1,133 @@
+#include "exhibits/printing/print_json.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vitrine::lenticular {
+namespace {
+
+using render::Json;
+
+constexpr int version = 1;
+
+/// One key of an object, with the failure that names it.
+class Reader {
+public:
+    explicit Reader(const render::JsonDocument& document) : document_(document) {}
+
+    [[nodiscard]] const Json& at(const std::string& group, const std::string& key) const
+    {
+        const Json& root = document_.root();
+        const auto outer = root.is_object() ? root.find(group) : root.end();
+        if (!root.is_object() || outer == root.end() || !outer->is_object() || !outer->contains(key)) {
+            throw document_.failure(group, "\"" + key + "\" is missing: this does not describe a lenticular print; give a print, or the JSON beside it.");
+        }
+        return (*outer)[key];
+    }
+    /// Of a group that `at` has found.
+    [[nodiscard]] bool has(const std::string& group, const std::string& key) const { return document_.root()[group].contains(key); }
+    [[nodiscard]] double number(const std::string& group, const std::string& key) const
+    {
+        const Json& value = at(group, key);
+        if (!value.is_number()) throw document_.failure(group + "." + key, "this must be a number; correct it there.");
+        return value.get<double>();
+    }
+    [[nodiscard]] bool flag(const std::string& group, const std::string& key) const
+    {
+        const Json& value = at(group, key);
+        if (!value.is_boolean()) throw document_.failure(group + "." + key, "this must be true or false; correct it there.");
+        return value.get<bool>();
+    }
+
+private:
+    const render::JsonDocument& document_;
+};
+
+}  // namespace
+
+Json printJson(const PrintLayout& layout, double storedDpiX, const std::vector<std::string>& sources)
+{
+    const PrintSettings& s = layout.settings();
+    const PrintNumbers numbers = numbersOf(layout, storedDpiX);
+    Json json;
+    json["vitrinePrint"] = version;
+    json["sheet"] = {{"name", s.sheet.name},     {"nominalLpi", s.sheet.nominalLpi}, {"effectiveLpi", s.sheet.effectiveLpi}, {"radius", s.sheet.radius},
+                     {"thickness", s.sheet.thickness}, {"index", s.sheet.index},   {"conic", s.sheet.conic}};
+    json["print"] = {{"dpiX", s.dpiX},
+                     {"dpiY", s.dpiY},
+                     {"width", s.width},
+                     {"height", s.height},
+                     {"bleed", s.bleed},
+                     {"distance", std::isinf(s.distance) ? Json(nullptr) : Json(s.distance)},
+                     {"visualLpi", s.visualLpi},
+                     {"phase", s.phase},
+                     {"direction", s.direction},
+                     {"reverse", s.reverse},
+                     {"mirror", s.mirror},
+                     {"views", s.views},
+                     {"method", toString(s.method)},
+                     {"guard", s.guard},
+                     {"border", s.border},
+                     {"dither", s.dither},
+                     {"compensate", s.compensate},
+                     {"inkSpread", s.inkSpread}};
+    json["numbers"] = {{"pixelsX", layout.width()},
+                       {"pixelsY", layout.height()},
+                       {"printLpi", layout.printLpi()},
+                       {"storedLpi", numbers.effectiveLpi},
+                       {"pixelsPerLens", numbers.pixelsPerLens},
+                       {"effectiveViews", numbers.effectiveViews},
+                       {"zoneDegrees", numbers.zoneDegrees},
+                       {"depthBudget", numbers.depthBudget},
+                       {"ownShare", numbers.ownShare}};
+    json["warnings"] = warningsOf(layout);
+    json["sources"] = sources;
+    return json;
+}
+
+std::string withCrossTalk(const std::string& json, const CrossTalk& talk)
+{
+    Json changed = render::parseJson(json, "the print's description").root();
+    changed["crossTalk"] = {{"before", talk.before}, {"after", talk.after}, {"clipped", talk.clipped}};
+    return render::writeJson(changed);
+}
+
+PrintSettings settingsFromJson(const render::JsonDocument& document)
+{
+    const Reader read(document);
+    PrintSettings s;
+    const Json& name = read.at("sheet", "name");
+    s.sheet = {name.is_string() ? name.get<std::string>() : "",
+               read.number("sheet", "nominalLpi"),
+               read.number("sheet", "effectiveLpi"),
+               read.number("sheet", "radius"),
+               read.number("sheet", "thickness"),
+               read.number("sheet", "index"),
+               read.number("sheet", "conic")};
+    s.dpiX = read.number("print", "dpiX");
+    s.dpiY = read.number("print", "dpiY");
+    s.width = read.number("print", "width");
+    s.height = read.number("print", "height");
+    s.bleed = read.number("print", "bleed");
+    s.distance = read.at("print", "distance").is_null() ? std::numeric_limits<double>::infinity() : read.number("print", "distance");
+    s.visualLpi = read.number("print", "visualLpi");
+    s.phase = read.number("print", "phase");
+    s.direction = read.number("print", "direction");
+    s.reverse = read.flag("print", "reverse");
+    s.mirror = read.flag("print", "mirror");
+    const double views = read.number("print", "views");
+    if (!(views >= 1 && views <= mostViews)) throw document.failure("print.views", "this must be 1 to 256; correct it there.");
+    s.views = static_cast<int>(views);
+    const Json& method = read.at("print", "method");
+    for (const Method known : {Method::nearest, Method::area, Method::guard})
+        if (method == toString(known)) s.method = known;
+    s.guard = read.number("print", "guard");
+    // Prints of earlier versions do not say these.
+    if (read.has("print", "border")) s.border = read.number("print", "border");
+    if (read.has("print", "dither")) s.dither = read.flag("print", "dither");
+    if (read.has("print", "compensate")) s.compensate = read.flag("print", "compensate");
+    if (read.has("print", "inkSpread")) s.inkSpread = read.number("print", "inkSpread");
+    return s;
+}
+
+}  // namespace vitrine::lenticular

@@ -1,0 +1,149 @@
+#include "exhibits/printing/print_layout.h"
+
+#include "exhibits/printing/crosstalk.h"
+#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/optics.h"
+#include "render/failure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::lenticular {
+namespace {
+
+constexpr double mostPixels = 2147483647;  // Per side; PNG and TIFF end there.
+
+[[noreturn]] void refuse(const std::string& why)
+{
+    throw Failure(Blame::usage, "This print cannot be made: " + why + ".");
+}
+
+void requirePositive(double value, const char* what)
+{
+    if (!(value > 0) || !std::isfinite(value)) refuse(std::string(what) + " is " + shortText(value) + "; give a positive number");
+}
+
+std::int64_t pixels(double mm, double dpi, const char* what)
+{
+    const double count = std::round(mm / mmPerInch * dpi);
+    if (count < 1) refuse(std::string("the ") + what + " is less than a pixel");
+    if (count > mostPixels) refuse(std::string("the ") + what + " is " + shortText(count) + " pixels; picture files end at 2147483647");
+    return static_cast<std::int64_t>(count);
+}
+
+void checkSettings(const PrintSettings& s)
+{
+    if (s.views < 1) refuse("there are no views");
+    if (s.views > mostViews) refuse("there are " + std::to_string(s.views) + " views, and " + std::to_string(mostViews) + " is the most");
+    check(s.sheet);
+    requirePositive(s.dpiX, "dpi");
+    requirePositive(s.dpiY, "dpi-y");
+    requirePositive(s.width, "the width");
+    requirePositive(s.height, "the height");
+    if (!(s.bleed >= 0) || !std::isfinite(s.bleed)) refuse("the bleed is " + shortText(s.bleed) + "; give 0 or more");
+    if (!(s.border >= 0) || !std::isfinite(s.border)) refuse("the border is " + shortText(s.border) + "; give 0 or more");
+    if (!(s.inkSpread >= 0) || !std::isfinite(s.inkSpread)) refuse("the ink's spread is " + shortText(s.inkSpread) + "; give 0 or more");
+    if (std::isnan(s.distance) || s.distance <= s.sheet.thickness) {
+        refuse("the viewing distance is " + shortText(s.distance) + " mm; the eye must be farther away than the sheet is thick, " +
+               shortText(s.sheet.thickness) + " mm");
+    }
+    if (!(s.visualLpi >= 0) || !std::isfinite(s.visualLpi)) refuse("the visual LPI is " + shortText(s.visualLpi) + "; give lenses per inch, or 0 to let the viewing distance decide");
+    if (!std::isfinite(s.phase) || std::abs(s.phase) > 1e6) refuse("the phase is " + shortText(s.phase) + "; give a part of a lens, 0 to 1");
+    if (!(std::abs(s.direction) <= 90)) refuse("the direction is " + shortText(s.direction) + " degrees; give -90 to 90");
+    if (!(s.guard >= 0 && s.guard <= 1)) refuse("the guard is " + shortText(s.guard) + "; give a part of a strip, 0 to 1");
+}
+
+}  // namespace
+
+const char* toString(Method method)
+{
+    switch (method) {
+    case Method::nearest: return "nearest";
+    case Method::area: return "area";
+    case Method::guard: return "guard";
+    }
+    return "";
+}
+
+double printPitch(const Sheet& sheet, double distance)
+{
+    if (std::isinf(distance)) return sheet.pitch();
+    return sheet.pitch() * (distance + sheet.thickness) / (distance + sheet.radius);
+}
+
+PrintLayout::PrintLayout(const PrintSettings& settings) : settings_(settings)
+{
+    checkSettings(settings_);
+    width_ = pixels(settings_.width + 2 * settings_.bleed, settings_.dpiX, "width");
+    height_ = pixels(settings_.height + 2 * settings_.bleed, settings_.dpiY, "height");
+    // Whole pixels on both sides: the lenses' place in the picture does not depend on the border.
+    borderX_ = std::llround(std::min(settings_.border / mmPerInch * settings_.dpiX, mostPixels));
+    borderY_ = std::llround(std::min(settings_.border / mmPerInch * settings_.dpiY, mostPixels));
+    width_ += 2 * borderX_;
+    height_ += 2 * borderY_;
+    if (static_cast<double>(std::max(width_, height_)) > mostPixels) refuse("with its border it has more than 2147483647 pixels on a side");
+    pitch_ = settings_.visualLpi > 0 ? mmPerInch / settings_.visualLpi : vitrine::lenticular::printPitch(settings_.sheet, settings_.distance);
+    // The two directions that nearly all prints have are exact: no 6e-17 where 0 is meant.
+    const bool horizontal = std::abs(settings_.direction) == 90;
+    cos_ = horizontal ? 0 : std::cos(settings_.direction * radiansPerDegree);
+    sin_ = horizontal ? 1 : std::sin(settings_.direction * radiansPerDegree);
+    perX_ = cos_ * mmPerInch / (settings_.dpiX * pitch_);
+    perY_ = sin_ * mmPerInch / (settings_.dpiY * pitch_);
+    if (!(pixelsPerLens() > 1)) {
+        refuse(shortText(printLpi()) + " LPI at " + shortText(perX_ != 0 ? settings_.dpiX : settings_.dpiY) +
+               " dpi leaves no more than one pixel for a lens; choose a finer printer or a coarser sheet");
+    }
+}
+
+PrintLayout PrintLayout::withoutBorder() const
+{
+    PrintSettings inner = settings_;
+    inner.border = 0;
+    return PrintLayout(inner);
+}
+
+double PrintLayout::pixelsPerLens() const
+{
+    return 1 / std::max(std::abs(perX_), std::abs(perY_));
+}
+
+int PrintLayout::viewOfStrip(std::int64_t strip) const
+{
+    const std::int64_t views = settings_.views;
+    const auto within = static_cast<int>(((strip % views) + views) % views);
+    return settings_.reverse ? within : settings_.views - 1 - within;
+}
+
+PrintNumbers numbersOf(const PrintLayout& layout, double storedDpi)
+{
+    const PrintSettings& s = layout.settings();
+    PrintNumbers numbers;
+    numbers.pixelsPerLens = layout.pixelsPerLens();
+    numbers.effectiveLpi = layout.printLpi() * storedDpi / s.dpiX;
+    numbers.effectiveViews = std::min<double>(s.views, std::floor(numbers.pixelsPerLens));
+    numbers.zoneDegrees = zoneByAperture(s.sheet) / radiansPerDegree;
+    numbers.depthBudget = 2 * numbers.effectiveViews * s.sheet.thickness / s.sheet.index;
+    const ViewMatrix mixing = viewMixing(layout);
+    for (int k = 0; k < s.views; ++k) numbers.ownShare.push_back(std::min(mixing.at(k, k), 1.0));
+    return numbers;
+}
+
+std::vector<std::string> warningsOf(const PrintLayout& layout)
+{
+    std::vector<std::string> warnings;
+    const PrintSettings& s = layout.settings();
+    const double perLens = layout.pixelsPerLens();
+    if (perLens < 2) {
+        warnings.push_back("With " + shortText(perLens) + " pixels per lens the printer cannot separate views.");
+    } else if (s.views > perLens) {
+        warnings.push_back(std::to_string(s.views) + " views share " + shortText(perLens) + " pixels per lens: no more than " +
+                           shortText(std::floor(perLens)) + " of them can be told apart.");
+    }
+    if (s.views == 1) warnings.push_back("With one view the print shows the same picture from everywhere.");
+    if (s.visualLpi > 0 && std::abs(s.visualLpi / s.sheet.lpi() - 1) > 0.02) {
+        warnings.push_back("The visual LPI " + shortText(s.visualLpi) + " is far from the sheet's " + shortText(s.sheet.lpi()) + ".");
+    }
+    return warnings;
+}
+
+}  // namespace vitrine::lenticular

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "exhibits/printing/print_layout.h"
+#include "render/files/strict_json.h"
+#include "render/image/image.h"
+#include "render/image/picture_rows.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace vitrine::lenticular {
+
+/// The raster of a finished print, whatever its size, from one file or from the tiles it was cut into. Rows come
+/// into memory as they are asked for, and a window of them stays.
+class PrintRaster {
+public:
+    /// `tiles` from left to right; together they must have the layout's size. Throws Failure when they do not.
+    PrintRaster(const PrintLayout&, const std::vector<std::filesystem::path>& tiles);
+
+    [[nodiscard]] const PrintLayout& layout() const { return layout_; }
+    [[nodiscard]] std::size_t tileCount() const { return tiles_.size(); }
+
+    /// RGB codes of 16 bits; valid until the next call. Going back further than the window makes it larger.
+    /// Throws Failure when the file is broken.
+    [[nodiscard]] const std::uint16_t* row(std::int64_t y);
+
+    /// All of it, in linear light. Throws Failure when it has more than 2^26 pixels.
+    [[nodiscard]] render::Image image();
+
+private:
+    void load(std::int64_t y);
+
+    PrintLayout layout_;
+    std::vector<render::PictureRows> tiles_;
+    std::int64_t capacity_ = 0;
+    std::int64_t begin_ = 0, end_ = 0;   ///< Of the rows in memory; row y lies at y modulo capacity.
+    std::vector<std::uint16_t> rows_;
+    std::vector<std::uint16_t> part_;    ///< A tile's row.
+};
+
+/// The description beside a print or, without one, inside it. Throws Failure naming the file when there is none.
+[[nodiscard]] render::JsonDocument printDescription(const std::filesystem::path&);
+
+/// Opens a print that `writePrint` made: TIFF or PNG, its description beside it or inside. Of a print in tiles, any
+/// one of them or the name without number may be given. Throws Failure naming the file.
+[[nodiscard]] PrintRaster readPrint(const std::filesystem::path&);
+
+}  // namespace vitrine::lenticular

@@ -1,0 +1,160 @@
+#include "exhibits/framework/random_values.h"
+#include "exhibits/museum/picture.h"
+#include "exhibits/stability/poison.h"
+#include "exhibits/stability/stability_cases.h"
+#include "exhibits/stability/stability_scan.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+/// The largest difference of any channel; infinite when sizes differ or only one is a number somewhere.
+double difference(const render::Image& a, const render::Image& b)
+{
+    if (a.pixels.size() != b.pixels.size()) return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        if (a.pixels[i] == b.pixels[i] || (std::isnan(a.pixels[i]) && std::isnan(b.pixels[i]))) continue;
+        const double d = std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]));
+        largest = std::isfinite(d) ? std::max(largest, d) : std::numeric_limits<double>::infinity();
+    }
+    return largest;
+}
+
+/// Exhibit `i` as visitors see it first, alone, in a light that costs little to capture.
+struct Still {
+    Look look;
+    PictureRequest request;
+};
+
+Still still(const Museum& museum, std::size_t i)
+{
+    Still s{museum.initialLook(), {}};
+    s.look.values.front() = cheapestValues(museum.hall().parameters());
+    s.request.frame.alone = i;
+    s.request.frame.camera = museum.exhibits()[i]->bestView(s.look.values[i]);
+    s.request.frame.raster.size = {45, 27};
+    s.request.frame.averageIn = AverageIn::radiance;
+    return s;
+}
+
+render::Image picture(const Museum& museum, render::Painter& painter, const Still& s)
+{
+    PictureMaker maker(museum, painter, s.look, s.request);
+    while (maker.step()) {}
+    return maker.picture();
+}
+
+/// The frame, over memory that holds `poison`.
+render::Image over(const Poison& poison, const Museum& museum, render::Painter& painter, const Still& s)
+{
+    (void)painter.draw(poisoned(museum.plan(s.look, s.request.frame, painter.kept()), poison));
+    return painter.read("frame");
+}
+
+/// Asks every exhibit for a difference that may not be above `limit`, and keeps the largest.
+template <typename Difference>
+StabilityResult overExhibits(const Museum& museum, std::string number, std::string what, double limit, const Difference& differenceOf)
+{
+    StabilityResult result{std::move(number), std::move(what), true, 0, limit, {}};
+    for (std::size_t i = 1; i < museum.exhibits().size(); ++i) {
+        const double d = differenceOf(i);
+        if (d <= result.value) continue;
+        result.value = d;
+        result.passed = d <= limit;
+        result.detail = std::string(museum.exhibits()[i]->name());
+    }
+    return result;
+}
+
+StabilityResult meanOfThousands(render::Painter& painter)
+{
+    constexpr int samples = 4096;
+    render::FramePlan plan;
+    plan.view = render::makeView({}, {.size = {1, 1}});
+    plan.image({.name = "one", .format = render::Format::rgba16f});
+    plan.image({.name = "sum", .format = render::Format::r16f});
+    plan.image({.name = "mean", .format = render::Format::rgba32f});
+    const auto pass = [](std::string name, const char* target, render::Load load, float value) {
+        render::Pass p;
+        p.name = std::move(name);
+        p.shader = {"lib/fullscreen.vert", "lib/copy.frag", "", {}};
+        p.colors = {{target, load, glm::vec4(value), -1, 0}};
+        p.inputs = {{UNIT_SOURCE, std::string("one")}};
+        return p;
+    };
+    plan.add(pass("one", "one", render::Load::clear, 1));
+    plan.add(pass("no sum", "sum", render::Load::clear, 0));
+    plan.add(pass("no mean", "mean", render::Load::clear, 0));
+    for (int i = 0; i < samples; ++i) {
+        render::Pass add = pass("add " + std::to_string(i), "sum", render::Load::keep, 0);
+        add.draws = {render::Draw{}};
+        add.state.blend = render::Blend::add;
+        plan.add(std::move(add));
+        render::Pass average = pass("average " + std::to_string(i), "mean", render::Load::keep, 0);
+        average.draws = {render::Draw{}};
+        average.state.blend = render::Blend::mean;
+        average.state.meanWeight = 1.0F / static_cast<float>(i + 1);
+        plan.add(std::move(average));
+    }
+    (void)painter.draw(plan);
+    StabilityResult result{"H115", "Mean of 4096 samples of one", false, std::abs(1.0 - static_cast<double>(painter.read("mean").at(0, 0, 0))), 1e-6, {}};
+    result.passed = result.value <= result.limit;
+    result.detail = "a sum in half precision ends at " + std::to_string(static_cast<int>(painter.read("sum").at(0, 0, 0))) + " here";
+    return result;
+}
+
+}  // namespace
+
+std::vector<StabilityResult> pictureCases(const Museum& museum, render::Painter& painter)
+{
+    std::vector<StabilityResult> results;
+    results.push_back(overExhibits(museum, "", "The same picture twice", 0, [&](std::size_t i) {
+        const Still s = still(museum, i);
+        return difference(picture(museum, painter, s), picture(museum, painter, s));
+    }));
+    // Rays are the same to the bit; what is rasterized is interpolated over other corners, to less than half a level.
+    results.push_back(overExhibits(museum, "", "The same picture in tiles", 0.5 / 255, [&](std::size_t i) {
+        Still s = still(museum, i);
+        const render::Image whole = picture(museum, painter, s);
+        s.request.largestTile = 16;
+        return difference(whole, picture(museum, painter, s));
+    }));
+    results.push_back(overExhibits(museum, "", "The same picture with every pass run", 0, [&](std::size_t i) {
+        Still s = still(museum, i);
+        const render::Image called = picture(museum, painter, s);
+        s.request.frame.runEverything = true;
+        return difference(called, picture(museum, painter, s));
+    }));
+    results.push_back(overExhibits(museum, "H108", "The same picture whatever was in memory", 0, [&](std::size_t i) {
+        const Still s = still(museum, i);
+        const render::Image one = over(spreadingPoison(), museum, painter, s);
+        return difference(one, over({glm::vec4(3e4F, -3e4F, 7, 0.5F), 0.25F}, museum, painter, s));
+    }));
+    results.push_back(meanOfThousands(painter));
+    return results;
+}
+
+StabilityResult scanExhibit(const Museum& museum, render::Painter& painter, std::size_t exhibit, std::uint64_t first, int count, const std::function<void(int)>& progress)
+{
+    StabilityResult result{"", std::string(museum.exhibits()[exhibit]->name()) + ": NaN, infinity or unwritten texels in " + std::to_string(count) + " pictures", true, 0, 0, {}};
+    for (int i = 0; i < count && result.value < 3; ++i) {
+        const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+        const ScanCase c = scanCase(museum, exhibit, seed);
+        const std::string fault = faultOf(museum, painter, c);
+        if (progress) progress(i + 1);
+        if (fault.empty()) continue;
+        result.passed = false;
+        result.value += 1;
+        if (!result.detail.empty()) continue;
+        result.detail = "seed " + std::to_string(seed) + ": " + fault + ", because of";
+        for (const std::string& cause : causesOf(museum, painter, c)) result.detail += " [" + cause + ']';
+    }
+    return result;
+}
+
+}  // namespace vitrine

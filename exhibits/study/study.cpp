@@ -1,0 +1,372 @@
+#include "exhibits/study/study.h"
+
+#include "render/failure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vitrine {
+namespace {
+
+/// Those of the program's state, not of a picture's work.
+constexpr const char* stateCounters[] = {"images", "programs"};
+
+/// `count` of `all`, the first and the last among them.
+std::vector<std::size_t> spread(std::size_t all, std::size_t count)
+{
+    std::vector<std::size_t> chosen;
+    count = std::clamp<std::size_t>(count, 1, all);
+    for (std::size_t i = 0; i < count; ++i) chosen.push_back(count == 1 ? 0 : i * (all - 1) / (count - 1));
+    return chosen;
+}
+
+std::int64_t totalOf(const render::Image& picture, std::string_view channel)
+{
+    const auto found = std::find(picture.channelNames.begin(), picture.channelNames.end(), channel);
+    if (found == picture.channelNames.end()) return 0;
+    const int c = static_cast<int>(found - picture.channelNames.begin());
+    double sum = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y, c);
+    return std::llround(sum);
+}
+
+bool goesByColor(render::Metric metric)
+{
+    return metric != render::Metric::normal && metric != render::Metric::depth;
+}
+
+/// The first four channels of a picture as PictureMaker makes it.
+render::Image colorsOf(const render::Image& from)
+{
+    render::Image to(from.width, from.height, 4);
+    to.channelNames = {"R", "G", "B", "A"};
+    for (int y = 0; y < to.height; ++y)
+        for (int x = 0; x < to.width; ++x)
+            for (int c = 0; c < 4; ++c) to.at(x, y, c) = from.at(x, y, c);
+    return to;
+}
+
+/// Color only, at another size: what a screen does with a picture of fewer pixels.
+render::Image resampled(const render::Image& from, glm::ivec2 size)
+{
+    render::Image to(size.x, size.y, 4);
+    to.channelNames = {"R", "G", "B", "A"};
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            const glm::dvec2 at = (glm::dvec2(x, y) + 0.5) * glm::dvec2(from.width, from.height) / glm::dvec2(size) - 0.5;
+            const glm::ivec2 low = glm::ivec2(glm::floor(at));
+            const glm::dvec2 t = at - glm::dvec2(low);
+            for (int c = 0; c < 4; ++c) {
+                const auto texel = [&](int dx, int dy) { return static_cast<double>(from.at(std::clamp(low.x + dx, 0, from.width - 1), std::clamp(low.y + dy, 0, from.height - 1), c)); };
+                to.at(x, y, c) = static_cast<float>(glm::mix(glm::mix(texel(0, 0), texel(1, 0), t.x), glm::mix(texel(0, 1), texel(1, 1), t.x), t.y));
+            }
+        }
+    }
+    return to;
+}
+
+}  // namespace
+
+Study::Study(const Museum& museum, render::Painter& painter, StudyRequest request) : museum_(museum), painter_(painter), request_(std::move(request))
+{
+    if (request_.axes.empty()) throw Failure(Blame::usage, "A study needs a parameter that is marked as quality; `vitrine list --json` names them.");
+    if (request_.metric == render::Metric::psnr) throw Failure(Blame::usage, "A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.");
+    request_.runs = std::max(request_.runs, 1);
+    if (request_.subject == 0) request_.alone = false;
+    addViews();
+    for (const StudyAxis& axis : request_.axes) result_.exact.push_back(exactness(rowOf(museum_.exhibits(), axis)).exact);
+    findDependentPasses();
+    for (std::size_t view = 0; view < views_.size(); ++view) addReference(view, true);
+    if (request_.axes.size() > 2) {
+        searchOn();
+        return;
+    }
+    std::vector<Setting> grid(1);
+    for (const StudyAxis& axis : request_.axes) {
+        std::vector<Setting> longer;
+        for (const Setting& start : grid)
+            for (std::size_t i = 0; i < axis.values.size(); ++i) {
+                longer.push_back(start);
+                longer.back().push_back(i);
+            }
+        grid = std::move(longer);
+    }
+    for (const Setting& setting : grid) addSetting(setting);
+}
+
+Study::~Study() = default;
+
+void Study::addViews()
+{
+    const std::vector<StudyView> all = museum_.exhibits()[request_.subject]->studyViews(request_.look.values[request_.subject]);
+    for (const std::size_t i : spread(all.size(), static_cast<std::size_t>(std::max(request_.views, 1)))) views_.push_back({all[i], {}, {}, {}, false});
+    for (const View& view : views_) result_.views.push_back(view.view.name);
+    result_.references.resize(views_.size());
+    if (!request_.maxError && !request_.maxMilliseconds) return;
+    const std::vector<View> used = views_;
+    for (const StudyView& view : all)
+        if (std::none_of(used.begin(), used.end(), [&](const View& v) { return v.view.name == view.name; })) views_.push_back({view, {}, {}, {}, true});
+    if (views_.size() > used.size()) return;
+    for (View turned : used) {
+        // An exhibit that names no more views is looked at from aside, and a little later.
+        const double angle = 0.44;
+        const glm::dvec3 arm = turned.view.camera.eye - turned.view.camera.target;
+        turned.view.camera.eye = turned.view.camera.target + glm::dvec3(std::cos(angle) * arm.x + std::sin(angle) * arm.z, arm.y, std::cos(angle) * arm.z - std::sin(angle) * arm.x);
+        turned.view.time += 0.37;
+        turned.view.name += ", from aside";
+        turned.heldOut = true;
+        views_.push_back(std::move(turned));
+    }
+}
+
+Look Study::lookAt(const std::vector<double>& axisValues, std::size_t view) const
+{
+    Look look = request_.look;
+    look.values[request_.subject] = views_[view].view.values;
+    for (std::size_t i = 0; i < request_.axes.size(); ++i) look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, axisValues[i]);
+    look.camera = views_[view].view.camera;
+    if (!request_.alone && request_.subject != 0) {
+        const glm::dmat4 world = museum_.worldFromExhibit(request_.subject);
+        look.camera.eye = glm::dvec3(world * glm::dvec4(look.camera.eye, 1));
+        look.camera.target = glm::dvec3(world * glm::dvec4(look.camera.target, 1));
+    }
+    return look;
+}
+
+Look Study::lookOf(const StudyPoint& point) const
+{
+    Look look = request_.look;
+    const std::vector<double> values = valuesOf(point.setting);
+    for (std::size_t i = 0; i < request_.axes.size(); ++i) look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, values[i]);
+    return look;
+}
+
+std::vector<double> Study::valuesOf(const Setting& setting) const
+{
+    std::vector<double> values;
+    for (std::size_t i = 0; i < setting.size(); ++i) values.push_back(request_.axes[i].values[setting[i]]);
+    return values;
+}
+
+PictureRequest Study::pictureRequest(const Look& look, std::size_t view) const
+{
+    PictureRequest request;
+    const PictureQuality quality = pictureQuality(look.values.front());
+    const bool supersampled = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& a) { return a.exhibit == 0 && rowOf(museum_.exhibits(), a).name == supersamplesRow; });
+    request.samples = supersampled ? quality.supersamples : 1;
+    request.frame.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(request_.size) * quality.resolutionScale)), glm::ivec2(1));
+    request.frame.camera = look.camera;
+    request.frame.time = views_[view].view.time;
+    request.frame.needsFiles = request_.needsFiles;
+    if (request_.alone) request.frame.alone = request_.subject;
+    else if (request_.subject != 0) request.frame.subject = request_.subject;
+    request.frame.channels = {.normal = true, .evaluations = true};
+    request.depth = true;
+    request.largestTile = request_.largestTile;
+    return request;
+}
+
+void Study::findDependentPasses()
+{
+    using Keys = std::map<std::string, std::uint64_t>;
+    const auto keysAt = [&](const std::vector<double>& values) {
+        const Look look = lookAt(values, 0);
+        Keys keys;
+        const render::FramePlan plan = museum_.plan(look, pictureRequest(look, 0).frame);
+        for (const render::Pass& pass : plan.passes())
+            if (pass.key) keys[pass.name] = *pass.key;
+        return keys;
+    };
+    const Keys exact = keysAt(result_.exact);
+    for (std::size_t i = 0; i < request_.axes.size(); ++i) {
+        for (const double value : {request_.axes[i].values.front(), request_.axes[i].values.back()}) {
+            std::vector<double> values = result_.exact;
+            values[i] = value;
+            const Keys other = keysAt(values);
+            for (const auto& [name, key] : exact)
+                if (!other.contains(name) || other.at(name) != key) dependentPasses_.insert(name);
+            for (const auto& [name, key] : other)
+                if (!exact.contains(name)) dependentPasses_.insert(name);
+        }
+    }
+}
+
+void Study::addPicture(std::string name, Look look, std::size_t view, std::function<void(render::Image)> take)
+{
+    // Made when its turn comes: it holds the whole picture.
+    std::shared_ptr<PictureMaker> none;
+    jobs_.push_back({std::move(name), [this, look = std::move(look), view, maker = std::move(none), take = std::move(take)]() mutable {
+                         if (!maker) maker = std::make_shared<PictureMaker>(museum_, painter_, look, pictureRequest(look, view));
+                         maker->step();
+                         if (!maker->finished()) return false;
+                         const render::Image& picture = maker->picture();
+                         const bool scaled = picture.width != request_.size.x || picture.height != request_.size.y;
+                         take(scaled ? resampled(picture, request_.size) : picture);
+                         return true;
+                     }});
+}
+
+void Study::addReference(std::size_t view, bool withNeighbors)
+{
+    if (views_[view].heldOut && phase_ != Phase::choice) return;
+    addPicture("reference of " + views_[view].view.name, lookAt(result_.exact, view), view, [this, view](render::Image picture) {
+        if (!views_[view].heldOut) result_.references[view] = picture;
+        views_[view].reference = std::move(picture);
+    });
+    if (!withNeighbors) return;
+    for (const std::vector<double>& neighbor : neighborsOf(museum_.exhibits(), request_.axes, doublings_))
+        addPicture("check of the reference, " + views_[view].view.name, lookAt(neighbor, view), view, [this, view](render::Image picture) { views_[view].neighbors.push_back(std::move(picture)); });
+}
+
+void Study::addSetting(const Setting& setting)
+{
+    if (!known_.try_emplace(setting, result_.points.size()).second) return;
+    const std::size_t point = result_.points.size();
+    result_.points.push_back({});
+    result_.points.back().setting = setting;
+    result_.points.back().shots.resize(result_.views.size());
+    for (std::size_t view = 0; view < result_.views.size(); ++view) {
+        const Look look = lookAt(valuesOf(setting), view);
+        addPicture("setting " + std::to_string(point + 1) + ", " + views_[view].view.name, look, view, [this, point, view, look](render::Image picture) {
+            StudyShot& shot = result_.points[point].shots[view];
+            const int samples = pictureRequest(look, view).samples;
+            const render::FrameReport report = drawTimed(look, view);
+            shot.counters = report.counters;
+            for (const char* name : stateCounters) shot.counters.erase(name);
+            if (const std::int64_t evaluations = totalOf(picture, "evaluations"); evaluations > 0) shot.counters["evaluations"] = evaluations;
+            const glm::ivec2 drawn = pictureRequest(look, view).frame.raster.size;
+            shot.counters["pixels"] = static_cast<std::int64_t>(drawn.x) * drawn.y;
+            for (auto& [name, count] : shot.counters) count *= samples;
+            shot.firstMilliseconds = report.milliseconds * samples;
+            shot.errors = errorsOf(views_[view].reference, picture);
+            // A search keeps many pictures: of those, the colors are enough, unless it goes by something else.
+            shot.picture = request_.axes.size() > 2 && goesByColor(request_.metric) ? colorsOf(picture) : std::move(picture);
+            if (view + 1 == result_.views.size()) judge();
+        });
+    }
+}
+
+render::FrameReport Study::drawTimed(const Look& look, std::size_t view)
+{
+    // What the studied parameters change is drawn anew, however often it was drawn: it is what they cost.
+    render::KeptKeys kept = painter_.kept();
+    for (const std::string& pass : dependentPasses_) kept.erase(pass);
+    FrameRequest frame = pictureRequest(look, view).frame;
+    frame.channels = {};
+    render::FrameReport report = painter_.draw(museum_.plan(look, frame, kept));
+    result_.clock = report.clock;
+    result_.clockTrusted = report.clockTrusted;
+    result_.overheadMilliseconds = report.overheadMilliseconds;
+    return report;
+}
+
+void Study::addTimes()
+{
+    std::vector<std::size_t> timed(result_.points.size());
+    std::iota(timed.begin(), timed.end(), std::size_t{0});
+    // In a search, what is dearer and no better by a margin beyond the noise of one frame stays untimed, and so does
+    // what can neither be chosen nor is on the front.
+    if (request_.axes.size() > 2) {
+        std::erase_if(timed, [&](std::size_t i) {
+            if (result_.present == i) return false;
+            const bool onFront = std::find(result_.front.begin(), result_.front.end(), i) != result_.front.end();
+            if (request_.maxError && result_.points[i].worstError > *request_.maxError && !onFront) return true;
+            return std::any_of(result_.points.begin(), result_.points.end(), [&](const StudyPoint& other) { return other.error <= result_.points[i].error && other.cost * 1.3 < result_.points[i].cost; });
+        });
+    }
+    for (std::size_t run = 0; run < static_cast<std::size_t>(request_.runs); ++run) {
+        for (const std::size_t i : render::interleaved(timed.size(), run)) {
+            const std::size_t point = timed[i];
+            jobs_.push_back({"run " + std::to_string(run + 1) + " of " + std::to_string(request_.runs), [this, point, view = std::size_t{0}]() mutable {
+                                 const Look look = lookAt(valuesOf(result_.points[point].setting), view);
+                                 result_.points[point].shots[view].milliseconds.push_back(drawTimed(look, view).milliseconds * pictureRequest(look, view).samples);
+                                 return ++view == result_.views.size();
+                             }});
+        }
+    }
+}
+
+void Study::nextPhase()
+{
+    switch (phase_) {
+    case Phase::pictures:
+        if (request_.axes.size() > 2 ? searchOn() : refineReference()) return;
+        judge();
+        phase_ = Phase::exactReferences;
+        if (!request_.modelError) return;
+        for (std::size_t view = 0; view < result_.views.size(); ++view) {
+            Look look = lookAt(result_.exact, view);
+            look.values[request_.subject] = atReference(look.values[request_.subject]);
+            for (std::size_t i = 0; i < request_.axes.size(); ++i) look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, result_.exact[i]);
+            addPicture("everything exact, " + views_[view].view.name, look, view, [this, view](render::Image picture) {
+                views_[view].exact = std::move(picture);
+                for (StudyPoint& point : result_.points) point.shots[view].modelError = errorsOf(views_[view].exact, point.shots[view].picture)[request_.metric];
+            });
+        }
+        return;
+    case Phase::exactReferences:
+        phase_ = Phase::times;
+        addTimes();
+        return;
+    case Phase::times:
+        judge();
+        phase_ = Phase::done;
+        if (!request_.maxError && !request_.maxMilliseconds) return;
+        listCandidates();
+        if (candidates_.empty()) return;
+        phase_ = Phase::choice;
+        for (std::size_t view = result_.views.size(); view < views_.size(); ++view) addReference(view, false);
+        tryCandidate();
+        return;
+    case Phase::choice:
+        if (result_.choice->holds || candidates_.empty()) phase_ = Phase::done;
+        else tryCandidate();
+        return;
+    case Phase::done: return;
+    }
+}
+
+void Study::findJob()
+{
+    while (jobs_.empty() && phase_ != Phase::done) nextPhase();
+    result_.complete = phase_ == Phase::done;
+    if (result_.complete) keepColors();
+}
+
+/// A result is kept and looked at long after the study: what only its errors needed goes.
+void Study::keepColors()
+{
+    for (View& view : views_) view = {std::move(view.view), {}, {}, {}, view.heldOut};
+    if (!goesByColor(request_.metric)) return;
+    const auto keep = [](render::Image& picture) {
+        if (picture.channels > 4) picture = colorsOf(picture);
+    };
+    for (render::Image& reference : result_.references) keep(reference);
+    for (StudyPoint& point : result_.points)
+        for (StudyShot& shot : point.shots) keep(shot.picture);
+}
+
+bool Study::step()
+{
+    findJob();
+    if (finished()) return false;
+    doing_ = jobs_.front().name;
+    if (jobs_.front().step()) {
+        jobs_.pop_front();
+        ++jobsDone_;
+    }
+    findJob();
+    return true;
+}
+
+double Study::progress() const
+{
+    if (finished()) return 1;
+    std::size_t ahead = jobs_.size();
+    if (phase_ == Phase::pictures) ahead += result_.views.size() + result_.points.size() * static_cast<std::size_t>(request_.runs);
+    return static_cast<double>(jobsDone_) / static_cast<double>(std::max<std::size_t>(jobsDone_ + ahead, 1));
+}
+
+}  // namespace vitrine

@@ -1,0 +1,113 @@
+#include "exhibits/study/study_axis.h"
+
+#include "exhibits/framework/derive.h"
+#include "exhibits/framework/value_text.h"
+#include "render/files/number_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace vitrine {
+
+const ParameterInfo& rowOf(Exhibits exhibits, const StudyAxis& axis)
+{
+    return exhibits[axis.exhibit]->parameters().rows()[axis.row];
+}
+
+std::string axisName(Exhibits exhibits, std::size_t subject, const StudyAxis& axis)
+{
+    const std::string name(rowOf(exhibits, axis).name);
+    return axis.exhibit == subject ? name : std::string(exhibits[axis.exhibit]->name()) + '.' + name;
+}
+
+std::string axisValueText(Exhibits exhibits, const StudyAxis& axis, double value)
+{
+    const ParameterInfo& row = rowOf(exhibits, axis);
+    const std::string unit(info(row.unit).symbol);
+    std::string text = formatValue(row, value);
+    if (row.kind == Kind::real) {
+        // Four digits tell the values of a sweep apart; all seventeen tell nobody anything.
+        char digits[32];
+        const double shown = render::parseNumber(text).value_or(value);
+        text.assign(digits, std::to_chars(digits, digits + sizeof digits, shown, std::chars_format::general, 4).ptr);
+    }
+    return text + (unit.empty() ? "" : ' ' + unit);
+}
+
+std::optional<StudyAxis> studyAxis(Exhibits exhibits, std::size_t exhibit, std::size_t row, int points)
+{
+    StudyAxis axis{exhibit, row, {}};
+    const ParameterInfo& info = rowOf(exhibits, axis);
+    if (!info.qualityReference) return std::nullopt;
+    // One place is the initial value's, unless the sweep meets it anyway.
+    axis.values = derive::sweep(info, std::max(points - 1, 2));
+    if (info.isNumeric()) axis.values.push_back(*info.qualityReference);
+    std::sort(axis.values.begin(), axis.values.end());
+    axis.values.erase(std::unique(axis.values.begin(), axis.values.end()), axis.values.end());
+    return axis;
+}
+
+std::vector<StudyAxis> qualityAxes(Exhibits exhibits, std::size_t exhibit, int points)
+{
+    const auto& rows = exhibits[exhibit]->parameters().rows();
+    if (points == 0) points = usualPoints(static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); })));
+    std::vector<StudyAxis> axes;
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        if (auto axis = studyAxis(exhibits, exhibit, row, points)) axes.push_back(std::move(*axis));
+    return axes;
+}
+
+ParameterValues atReference(ParameterValues values)
+{
+    for (std::size_t row = 0; row < values.rows().size(); ++row)
+        if (const auto reference = values.rows()[row].qualityReference) values.setRow(row, *reference);
+    return values;
+}
+
+Exactness exactness(const ParameterInfo& row, int doublings)
+{
+    const double initial = row.isNumeric() ? std::get<double>(row.initial) : 0;
+    Exactness result{row.qualityReference.value_or(initial), {}, row.exactByMeaning, {}};
+    if (row.exactByMeaning || !row.isNumeric()) return result;
+    const bool byFactors = row.range.scale == Scale::logarithmic;
+    if (!byFactors && row.kind != Kind::count) return result;
+    const auto legal = [&](double x) { return x >= row.range.low && x <= row.range.high; };
+    const auto moved = [&](double x, bool up) {
+        const double to = byFactors ? x * (up ? 2 : 0.5) : x + (up ? 1 : -1);
+        return row.kind == Kind::count ? std::round(to) : to;
+    };
+    const auto check = [&](bool up) {
+        if (const double to = moved(result.exact, up); legal(to) && to != result.exact) result.neighbors.push_back(to);
+    };
+    if (result.exact == initial) {
+        // Which way is the less exact one, nobody knows.
+        check(false);
+        check(true);
+        return result;
+    }
+    const bool more = result.exact > initial;
+    if (byFactors) {
+        for (int i = 0; i < doublings && legal(moved(result.exact, more)); ++i) result.exact = moved(result.exact, more);
+        if (const double to = moved(result.exact, more); legal(to)) result.beyond = to;
+    }
+    check(!more);
+    return result;
+}
+
+std::vector<std::vector<double>> neighborsOf(Exhibits exhibits, const std::vector<StudyAxis>& axes, int doublings)
+{
+    std::vector<double> exact, first, last;
+    for (const StudyAxis& axis : axes) {
+        const Exactness e = exactness(rowOf(exhibits, axis), doublings);
+        exact.push_back(e.exact);
+        first.push_back(e.neighbors.empty() ? e.exact : e.neighbors.front());
+        last.push_back(e.neighbors.empty() ? e.exact : e.neighbors.back());
+    }
+    std::vector<std::vector<double>> settings;
+    if (first != exact) settings.push_back(first);
+    if (last != first) settings.push_back(last);
+    return settings;
+}
+
+}  // namespace vitrine

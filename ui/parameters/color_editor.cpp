@@ -1,0 +1,156 @@
+#include "ui/parameters/color_editor.h"
+
+#include "ui/parameters/number_field.h"
+#include "ui/parameters/shown_text.h"
+#include "ui/window/theme.h"
+
+#include <QColorDialog>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::ui {
+namespace {
+
+// IEC 61966-2-1.
+double encode(double x)
+{
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+}
+
+double decode(double x)
+{
+    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+class Swatch final : public QAbstractButton {
+public:
+    explicit Swatch(QWidget* parent) : QAbstractButton(parent)
+    {
+        setFocusPolicy(Qt::StrongFocus);
+        setCursor(Qt::PointingHandCursor);
+        setAttribute(Qt::WA_Hover);
+    }
+    void setColor(const QColor& color)
+    {
+        color_ = color;
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        QColor edge = theme().text;
+        edge.setAlphaF(underMouse() ? 0.5F : 0.2F);
+        painter.setPen(hasFocus() ? theme().accent : edge);
+        painter.setBrush(color_);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 2.5, -0.5, -2.5), 3, 3);
+    }
+
+private:
+    QColor color_;
+};
+
+}  // namespace
+
+QColor encoded(const glm::dvec3& color)
+{
+    const glm::dvec3 c = glm::clamp(color, 0.0, 1.0);
+    return QColor::fromRgbF(static_cast<float>(encode(c.x)), static_cast<float>(encode(c.y)), static_cast<float>(encode(c.z)));
+}
+
+glm::dvec3 linear(const QColor& color)
+{
+    const QColor rgb = color.toRgb();
+    return {decode(rgb.red() / 255.0), decode(rgb.green() / 255.0), decode(rgb.blue() / 255.0)};
+}
+
+ColorEditor::ColorEditor(const ParameterInfo& row, QWidget* parent)
+    : ValueEditor(row, parent), swatch_(new Swatch(this)), code_(new QLineEdit(this))
+{
+    const QString name = QString::fromStdString(label(row));
+    swatch_->setAccessibleName(tr("%1, choose a color").arg(name));
+    swatch_->setToolTip(tr("Choose a color. The dialog stays open beside the picture."));
+    swatch_->setMinimumSize(40, 22);
+    code_->setAccessibleName(name);
+    code_->setFixedSize(NumberField::usualWidth, 22);
+    code_->setAlignment(Qt::AlignRight);
+    code_->setMaxLength(40);
+    code_->setContextMenuPolicy(Qt::NoContextMenu);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(6, 0, 0, 0);
+    layout->setSpacing(6);
+    layout->addWidget(swatch_, 1);
+    layout->addWidget(code_);
+    connect(swatch_, &QAbstractButton::clicked, this, &ColorEditor::choose);
+    connect(code_, &QLineEdit::editingFinished, this, &ColorEditor::typed);
+    connect(code_, &QLineEdit::textEdited, this, [this] { showWrong(false); });
+}
+
+void ColorEditor::showValue(const Value& value)
+{
+    value_ = std::get<glm::dvec3>(value);
+    const QColor color = encoded(value_);
+    static_cast<Swatch*>(swatch_)->setColor(color);
+    code_->setText(color.name());
+    showWrong(false);
+}
+
+void ColorEditor::showWrong(bool wrong)
+{
+    if (wrong == wrong_) return;
+    wrong_ = wrong;
+    QPalette colors;  // The application's, whatever theme it has by then.
+    if (wrong) colors.setColor(QPalette::Text, theme().error);
+    code_->setPalette(wrong ? colors : QPalette());
+}
+
+void ColorEditor::typed()
+{
+    // Leaving the field as it was keeps the digits that the code does not show.
+    if (code_->text() == encoded(value_).name()) return showWrong(false);
+    QString problem;
+    const std::optional<Value> color = typedValue(row(), code_->text(), &problem);
+    if (!color) {
+        // Left without Enter, the field goes back to what is.
+        if (code_->hasFocus()) showWrong(true);
+        else showValue(value_);
+        QToolTip::showText(code_->mapToGlobal(QPoint(0, code_->height())), problem, code_);
+        return;
+    }
+    const bool changed = std::get<glm::dvec3>(*color) != value_;
+    showValue(*color);
+    if (changed) emit edited(value_, newGesture());
+}
+
+void ColorEditor::choose()
+{
+    auto* dialog = new QColorDialog(encoded(value_), window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setOption(QColorDialog::DontUseNativeDialog);
+    dialog->setWindowTitle(QString::fromStdString(label(row())));
+    // All that is tried in one visit to the dialog is one undo step; Cancel takes it back.
+    const Gesture gesture = newGesture();
+    const glm::dvec3 before = value_;
+    connect(dialog, &QColorDialog::currentColorChanged, this, [this, gesture](const QColor& color) {
+        if (color.rgb() == encoded(value_).rgb()) return;
+        showValue(linear(color));
+        emit edited(value_, gesture);
+    });
+    connect(dialog, &QDialog::rejected, this, [this, gesture, before] {
+        showValue(before);
+        emit edited(before, gesture);
+    });
+    connect(this, &QObject::destroyed, dialog, &QObject::deleteLater);
+    dialog->show();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_color_editor.cpp"

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ui/parameters/value_editor.h"
+
+#include <QAbstractButton>
+#include <QColor>
+
+class QColorDialog;
+class QLineEdit;
+
+namespace vitrine::ui {
+
+/// Linear Rec. 709 to and from the sRGB encoding that screens and people use. Components 0 to 1.
+[[nodiscard]] QColor encoded(const glm::dvec3& linear);
+[[nodiscard]] glm::dvec3 linear(const QColor&);
+
+/// A swatch that opens a dialog beside the window, and the color as #rrggbb; typed in any way that `typedValue` takes.
+class ColorEditor final : public ValueEditor {
+    Q_OBJECT
+
+public:
+    ColorEditor(const ParameterInfo&, QWidget* parent);
+    void showValue(const Value&) override;
+
+private:
+    void choose();
+    void typed();
+    void showWrong(bool);
+
+    QAbstractButton* swatch_;
+    QLineEdit* code_;
+    glm::dvec3 value_{0};
+    bool wrong_ = false;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ui/parameters/slider_scale.h"
+
+#include <Qt>
+
+namespace vitrine::ui {
+
+[[nodiscard]] Gain gainOf(Qt::KeyboardModifiers);
+
+/// A number being dragged by its field or its label.
+class NumberDrag {
+public:
+    static constexpr double pixelsPerRange = 200;  ///< The comfortable range from end to end.
+    static constexpr int threshold = 3;            ///< Pixels before a press becomes a drag.
+
+    explicit NumberDrag(const ParameterInfo& row) : scale_(row) {}
+
+    void press(double value, double x);
+    /// The pointer is at `x`. Returns whether this is a drag by now; then `value` is the number.
+    bool move(double x, Gain);
+    [[nodiscard]] bool pressed() const { return pressed_; }
+    [[nodiscard]] bool dragging() const { return dragging_; }
+    [[nodiscard]] double value() const { return value_; }
+    [[nodiscard]] double startValue() const { return startValue_; }
+    /// The button went up or Esc was pressed. Returns whether it was a drag.
+    bool release();
+
+private:
+    SliderScale scale_;
+    double startX_ = 0, lastX_ = 0, position_ = 0;
+    double startValue_ = 0, value_ = 0;
+    bool pressed_ = false, dragging_ = false;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,58 @@
+#include "ui/parameters/number_editor.h"
+
+#include "ui/parameters/number_field.h"
+#include "ui/parameters/value_slider.h"
+
+#include <QHBoxLayout>
+
+namespace vitrine::ui {
+
+NumberEditor::NumberEditor(const ParameterInfo& row, QWidget* parent)
+    : ValueEditor(row, parent), slider_(new ValueSlider(row, this)), field_(new NumberField(row, this))
+{
+    const QString name = QString::fromStdString(label(row));
+    slider_->setAccessibleName(tr("%1, slider").arg(name));
+    field_->setAccessibleName(name);
+    field_->setFixedWidth(NumberField::usualWidth);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(slider_, 1);
+    layout->addWidget(field_);
+
+    connect(slider_, &ValueSlider::edited, this, [this](double value, int gesture) {
+        field_->showValue(value);
+        emit edited(value, gesture);
+    });
+    connect(field_, &NumberField::edited, this, [this](double value, int gesture) {
+        slider_->showValue(value);
+        emit edited(value, gesture);
+    });
+}
+
+void NumberEditor::showValue(const Value& value)
+{
+    slider_->showValue(std::get<double>(value));
+    field_->showValue(std::get<double>(value));
+}
+
+void NumberEditor::labelPressed(double x)
+{
+    field_->setFocus(Qt::MouseFocusReason);  // So that Esc reaches the number.
+    field_->dragFrom(x);
+}
+
+void NumberEditor::labelMoved(double x, Qt::KeyboardModifiers modifiers)
+{
+    field_->dragTo(x, modifiers);
+}
+
+void NumberEditor::labelReleased()
+{
+    field_->dragEnd();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_number_editor.cpp"

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "ui/parameters/number_drag.h"
+#include "ui/window/undo.h"
+
+#include <QLineEdit>
+
+#include <functional>
+
+namespace vitrine::ui {
+
+/// A number with its unit. Drag changes it, a click or a key types it (arithmetic and units too), arrows
+/// step; Shift is finer, Ctrl coarser. Enter accepts; Esc brings back the value before the edit.
+class NumberField final : public QLineEdit {
+    Q_OBJECT
+
+public:
+    static constexpr int usualWidth = 70;
+
+    NumberField(const ParameterInfo& row, QWidget* parent);
+
+    void showValue(double value);
+    [[nodiscard]] double value() const { return value_; }
+    [[nodiscard]] bool editing() const { return editing_; }
+
+    /// The row's label drags the field's number.
+    void dragFrom(double x);
+    void dragTo(double x, Qt::KeyboardModifiers);
+    void dragEnd();
+
+signals:
+    void edited(double value, int gesture);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+    void wheelEvent(QWheelEvent*) override;
+    void focusInEvent(QFocusEvent*) override;
+    void focusOutEvent(QFocusEvent*) override;
+    void changeEvent(QEvent*) override;
+    [[nodiscard]] QSize sizeHint() const override { return {80, 22}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {56, 22}; }
+
+private:
+    void beginEdit();
+    /// Takes what was typed; returns false when it is no number, and says so.
+    bool commit();
+    void endEdit();
+    void refresh();
+    void edit(double value, Gesture);
+
+    const ParameterInfo& row_;
+    NumberDrag drag_;
+    SliderScale scale_;
+    double value_ = 0;
+    Gesture gesture_ = 0;
+    bool editing_ = false;
+    bool wrong_ = false;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,352 @@
+#include "ui/parameters/parameter_panel.h"
+
+#include "ui/parameters/parameter_row.h"
+#include "ui/parameters/parameter_section.h"
+#include "ui/parameters/shown_text.h"
+#include "ui/window/idle_undo.h"
+#include "ui/window/theme.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace vitrine::ui {
+namespace {
+
+QString rowLabel(const ParameterInfo& row)
+{
+    return QString::fromStdString(label(row));
+}
+
+QString changeText(const ParameterInfo& row)
+{
+    return ParameterPanel::tr("Change %1").arg(rowLabel(row).toLower());
+}
+
+}  // namespace
+
+ParameterPanel::ParameterPanel(QWidget* parent)
+    : QWidget(parent), filter_(new QLineEdit(this)), onlyChanged_(new QToolButton(this)), elsewhere_(new QToolButton(this)),
+      scroll_(new QScrollArea(this)),
+      nothing_(new QLabel(this))
+{
+    filter_->setPlaceholderText(tr("Find a parameter"));
+    filter_->setAccessibleName(tr("Find a parameter"));
+    filter_->setToolTip(tr("Shows only parameters whose name, group, help or choices contain these words (Ctrl+F). Enter goes to the "
+                           "first, Esc clears, Esc again leaves."));
+    filter_->setProperty(IdleUndo::searches, true);
+    filter_->setClearButtonEnabled(true);
+    filter_->setFixedHeight(26);
+    filter_->setTextMargins(4, 0, 4, 0);
+    filter_->installEventFilter(this);
+    onlyChanged_->setText(tr("Changed"));
+    onlyChanged_->setAccessibleName(tr("Only changed"));
+    onlyChanged_->setToolTip(tr("Shows only parameters whose value is not the initial one."));
+    onlyChanged_->setCheckable(true);
+    onlyChanged_->setFixedHeight(26);
+    onlyChanged_->setFocusPolicy(Qt::StrongFocus);
+    elsewhere_->setAccessibleName(tr("Matches in the other tab"));
+    elsewhere_->setToolTip(tr("Shows these in their tab."));
+    elsewhere_->setFocusPolicy(Qt::StrongFocus);
+    elsewhere_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    elsewhere_->setFixedHeight(26);
+    elsewhere_->hide();
+    connect(elsewhere_, &QToolButton::clicked, this, &ParameterPanel::elsewhereAsked);
+    nothing_->setTextFormat(Qt::PlainText);
+    nothing_->setWordWrap(true);
+    nothing_->setMargin(16);
+    nothing_->setEnabled(false);
+    nothing_->hide();
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setFocusPolicy(Qt::NoFocus);
+
+    auto* top = new QHBoxLayout;
+    top->setContentsMargins(8, 8, 8, 8);
+    top->setSpacing(8);
+    top->addWidget(filter_, 1);
+    top->addWidget(onlyChanged_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(top);
+    layout->addWidget(elsewhere_);
+    layout->addWidget(nothing_);
+    layout->addWidget(scroll_, 1);
+    setMinimumWidth(320);
+
+    connect(filter_, &QLineEdit::textChanged, this, [this] {
+        applyFilter();
+        emit filtered();
+    });
+    connect(onlyChanged_, &QToolButton::toggled, this, &ParameterPanel::applyFilter);
+}
+
+void ParameterPanel::showValues(const ParameterValues& values, const QString& exhibit)
+{
+    const bool sameTable = values_ && &values_->table() == &values.table() && exhibit_ == exhibit;
+    values_ = values;
+    exhibit_ = exhibit;
+    if (!sameTable) rebuild();
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->showValue(values_->row(i));
+    showWhatActs();
+    for (ParameterSection* section : sections_) section->refresh();
+    // While only changed rows are shown, a row that was just reset stays until the next look.
+    if (!sameTable) applyFilter();
+}
+
+void ParameterPanel::showWhatActs()
+{
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        rows_[i]->setIdle(acts(*values_, i) ? QString() : QString::fromStdString(actsWhen(*values_, i)));
+}
+
+void ParameterPanel::rebuild()
+{
+    rows_.clear();
+    sections_.clear();
+    foldedAtFirst_.clear();
+    content_ = new QWidget;
+    auto* layout = new QVBoxLayout(content_);
+    layout->setContentsMargins(0, 0, 4, 8);
+    layout->setSpacing(0);
+    std::string_view group;
+    for (std::size_t i = 0; i < values_->rows().size(); ++i) {
+        const ParameterInfo& info = values_->rows()[i];
+        if (sections_.empty() || info.group != group) {
+            group = info.group;
+            auto* section = new ParameterSection(QString::fromUtf8(group.data(), static_cast<qsizetype>(group.size())), content_);
+            const QString key = exhibit_ + QLatin1Char('/') + section->title();
+            foldedAtFirst_.push_back(info.groupFolded);
+            section->setFolded(folded_.contains(key) != info.groupFolded);
+            connect(section, &ParameterSection::foldedByVisitor, this, [this, key, atFirst = info.groupFolded](bool folded) {
+                if (folded != atFirst) folded_.insert(key);
+                else folded_.remove(key);
+            });
+            sections_.push_back(section);
+            layout->addWidget(section);
+        }
+        auto* row = new ParameterRow(info, sections_.back());
+        row->setGaugeShown(gauges_);
+        sections_.back()->add(row);
+        rows_.push_back(row);
+        connect(row, &ParameterRow::edited, this,
+                [this, i](const Value& value, int gesture) { edit(i, value, gesture, changeText(values_->rows()[i])); });
+        connect(row, &ParameterRow::resetAsked, this, [this, i] {
+            edit(i, values_->rows()[i].initial, newGesture(), tr("Reset %1").arg(rowLabel(values_->rows()[i]).toLower()));
+        });
+        connect(row, &ParameterRow::accuracyAsked, this, [this, i] { emit accuracyAsked(i); });
+        row->installEventFilter(this);
+        for (QWidget* child : row->findChildren<QWidget*>()) child->installEventFilter(this);
+    }
+    layout->addStretch(1);
+    scroll_->setWidget(content_);
+    orderTabs();
+}
+
+void ParameterPanel::orderTabs()
+{
+    // From the filter straight into the rows, in their order: Qt would put what is made later behind everything else.
+    QWidget* before = elsewhere_;
+    setTabOrder(filter_, onlyChanged_);
+    setTabOrder(onlyChanged_, elsewhere_);
+    for (QWidget* child : content_->findChildren<QWidget*>()) {
+        if (child->focusPolicy() == Qt::NoFocus || child->window() != window()) continue;  // Choices have windows of their own.
+        setTabOrder(before, child);
+        before = child;
+    }
+}
+
+void ParameterPanel::focusFirst()
+{
+    for (ParameterRow* row : rows_) {
+        if (!row->isVisible()) continue;
+        for (QWidget* child : row->findChildren<QWidget*>())
+            if ((child->focusPolicy() & Qt::TabFocus) && child->isEnabled() && child->isVisible()) {
+                child->setFocus(Qt::TabFocusReason);
+                return;
+            }
+    }
+}
+
+QString ParameterPanel::filterText() const
+{
+    return filter_->text();
+}
+
+void ParameterPanel::clearFilter()
+{
+    filter_->clear();
+}
+
+void ParameterPanel::offerElsewhere(const QString& what)
+{
+    elsewhere_->setText(fontMetrics().elidedText(what, Qt::ElideRight, std::max(width() - 32, 200)));
+    elsewhere_->setVisible(!what.isEmpty());
+}
+
+ParameterRow* ParameterPanel::row(std::string_view name) const
+{
+    const std::optional<std::size_t> i = values_ ? values_->table().find(name) : std::nullopt;
+    return i ? rows_[*i] : nullptr;
+}
+
+void ParameterPanel::setWanted(const std::function<bool(const ParameterInfo&)>& wanted)
+{
+    bool changed = false;
+    for (ParameterRow* row : rows_) {
+        const bool now = !wanted || wanted(row->info());
+        changed = changed || now != row->wanted();
+        row->setWanted(now);
+    }
+    if (changed) applyFilter();
+}
+
+void ParameterPanel::setGaugesShown(bool shown)
+{
+    gauges_ = shown;
+    for (ParameterRow* row : rows_) row->setGaugeShown(shown);
+}
+
+QStringList ParameterPanel::foldedGroups() const
+{
+    QStringList all(folded_.begin(), folded_.end());
+    all.sort();
+    return all;
+}
+
+void ParameterPanel::setFoldedGroups(const QStringList& groups)
+{
+    folded_ = QSet<QString>(groups.begin(), groups.end());
+    for (std::size_t i = 0; i < sections_.size(); ++i)
+        sections_[i]->setFolded(folded_.contains(exhibit_ + QLatin1Char('/') + sections_[i]->title()) != foldedAtFirst_[i]);
+}
+
+void ParameterPanel::focusFilter()
+{
+    filter_->setFocus(Qt::ShortcutFocusReason);
+    filter_->selectAll();
+}
+
+void ParameterPanel::applyFilter()
+{
+    int shown = 0;
+    for (ParameterSection* section : sections_) shown += section->filter(filter_->text(), onlyChanged_->isChecked());
+    nothing_->setVisible(shown == 0 && values_);
+    nothing_->setText(filter_->text().isEmpty() ? tr("All values are the initial ones.")
+                                                : tr("No parameter matches \"%1\".").arg(filter_->text()));
+}
+
+void ParameterPanel::edit(std::size_t row, const Value& value, Gesture gesture, const QString& text)
+{
+    ParameterValues next = *values_;
+    next.setRow(row, value);
+    if (next == *values_) return;
+    values_ = next;
+    rows_[row]->showValue(values_->row(row));
+    showWhatActs();
+    for (ParameterSection* section : sections_) section->refresh();
+    emit edited(*values_, gesture, text);
+}
+
+std::optional<std::size_t> ParameterPanel::rowAt(QObject* object) const
+{
+    for (; object && object != this; object = object->parent())
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            if (rows_[i] == object) return i;
+    return std::nullopt;
+}
+
+bool ParameterPanel::eventFilter(QObject* object, QEvent* event)
+{
+    auto* widget = qobject_cast<QWidget*>(object);
+    if (event->type() == QEvent::Wheel && object != filter_ && !widget->hasFocus()) {
+        event->ignore();  // Scrolling the panel never changes a value.
+        return true;
+    }
+    if (event->type() == QEvent::KeyPress && object == filter_) {
+        switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Escape:
+            if (filter_->text().isEmpty()) emit filterLeft();
+            else filter_->clear();
+            return true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+        case Qt::Key_Down: focusFirst(); return true;
+        default: break;
+        }
+    }
+    if (event->type() == QEvent::ContextMenu) {
+        if (const auto i = rowAt(object)) {
+            openMenu(*i, static_cast<QContextMenuEvent*>(event)->globalPos());
+            return true;
+        }
+    }
+    if (event->type() == QEvent::FocusIn && rowAt(object)) scroll_->ensureWidgetVisible(widget, 0, 24);
+    return QWidget::eventFilter(object, event);
+}
+
+void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
+{
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const ParameterInfo& info = values_->rows()[row];
+    QAction* reset = menu->addAction(tr("Reset to %1").arg(shownText(info, info.initial)), this,
+                                     [this, row] { emit rows_[row]->resetAsked(); });
+    reset->setEnabled(!values_->isInitial(row));
+    menu->addSeparator();
+    if (gauges_ && info.qualityReference) menu->addAction(tr("What does accuracy cost?"), this, [this, row] { emit accuracyAsked(row); });
+    menu->addAction(tr("Copy value"), this, [this, row] { copy(row); });
+    menu->addAction(tr("Paste"), this, [this, row] { paste(row); });
+    menu->addAction(tr("Copy all as JSON"), this, [this] { copyAll(); });
+    menu->addAction(tr("Paste all"), this, [this, row] { pasteAll(row); });
+    menu->popup(at);
+}
+
+void ParameterPanel::copy(std::size_t row) const
+{
+    QApplication::clipboard()->setText(exactText(values_->rows()[row], values_->row(row)));
+}
+
+void ParameterPanel::paste(std::size_t row)
+{
+    QString problem;
+    const std::optional<Value> value = typedValue(values_->rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
+    if (value) edit(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values_->rows()[row]).toLower()));
+    if (!problem.isEmpty()) tell(row, problem);
+}
+
+void ParameterPanel::pasteAll(std::size_t row)
+{
+    QString problem;
+    const std::optional<ParameterValues> pasted = allFromJson(values_->table(), exhibit_, QApplication::clipboard()->text(), &problem);
+    if (!problem.isEmpty()) tell(row, problem);
+    if (!pasted || *pasted == *values_) return;
+    showValues(*pasted, exhibit_);
+    emit edited(*values_, newGesture(), tr("Paste all values"));
+}
+
+void ParameterPanel::tell(std::size_t row, const QString& words)
+{
+    QToolTip::showText(rows_[row]->mapToGlobal(QPoint(16, ParameterRow::rowHeight)), words, rows_[row]);
+}
+
+void ParameterPanel::copyAll() const
+{
+    QApplication::clipboard()->setText(allAsJson(*values_, exhibit_));
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_parameter_panel.cpp"

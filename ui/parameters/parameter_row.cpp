@@ -1,0 +1,217 @@
+#include "ui/parameters/parameter_row.h"
+
+#include "ui/parameters/shown_text.h"
+#include "ui/window/theme.h"
+
+#include <QGraphicsOpacityEffect>
+#include <QHBoxLayout>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QResizeEvent>
+
+#include <algorithm>
+
+namespace vitrine::ui {
+namespace {
+
+QString text(std::string_view s)
+{
+    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
+}
+
+constexpr float idleInk = 0.45F;  // Of a row that does not act.
+
+}  // namespace
+
+RowLabel::RowLabel(const QString& name, ValueEditor* editor, QWidget* parent) : QLabel(name, parent), editor_(editor)
+{
+    setTextFormat(Qt::PlainText);
+    setMinimumWidth(24);
+    if (editor->dragsByLabel()) setCursor(Qt::SizeHorCursor);
+}
+
+void RowLabel::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    QColor ink = isEnabled() ? theme().text : theme().dim;
+    if (dim_) ink.setAlphaF(idleInk);
+    painter.setPen(ink);
+    // Names differ at their ends: "Handle radius", "Handle thickness".
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideMiddle, width()));
+}
+
+void RowLabel::setDim(bool dim)
+{
+    if (dim_ == dim) return;
+    dim_ = dim;
+    update();
+}
+
+void RowLabel::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton || !editor_->dragsByLabel()) {
+        QLabel::mousePressEvent(event);
+        return;
+    }
+    dragging_ = true;
+    editor_->labelPressed(event->position().x());
+}
+
+void RowLabel::mouseMoveEvent(QMouseEvent* event)
+{
+    if (dragging_) editor_->labelMoved(event->position().x(), event->modifiers());
+}
+
+void RowLabel::mouseReleaseEvent(QMouseEvent*)
+{
+    if (dragging_) editor_->labelReleased();
+    dragging_ = false;
+}
+
+ResetDot::ResetDot(QWidget* parent) : QAbstractButton(parent)
+{
+    setFixedSize(18, 22);
+    setAttribute(Qt::WA_Hover);
+    setDiffers(false);
+}
+
+void ResetDot::setDiffers(bool differs)
+{
+    setEnabled(differs);
+    setFocusPolicy(differs ? Qt::StrongFocus : Qt::NoFocus);
+    update();
+}
+
+void ResetDot::paintEvent(QPaintEvent*)
+{
+    if (!isEnabled()) return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPointF center = QRectF(rect()).center();
+    const QColor amber = theme().accent;
+    if (!underMouse() && !hasFocus()) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(amber);
+        painter.drawEllipse(center, 3, 3);
+        return;
+    }
+    // An arrow that turns back.
+    painter.setPen(QPen(amber, 1.5, Qt::SolidLine, Qt::RoundCap));
+    const QRectF circle(center.x() - 4.5, center.y() - 4.5, 9, 9);
+    painter.drawArc(circle, 135 * 16, -270 * 16);
+    QPainterPath head;
+    const QPointF tip(center.x() - 3.2, center.y() - 3.2);
+    head.moveTo(tip + QPointF(-2.6, 2.4));
+    head.lineTo(tip + QPointF(-1.6, -2.6));
+    head.lineTo(tip + QPointF(2.8, 1.2));
+    head.closeSubpath();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(amber);
+    painter.drawPath(head);
+}
+
+GaugeMark::GaugeMark(QWidget* parent) : QAbstractButton(parent)
+{
+    setFixedSize(16, 22);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::PointingHandCursor);
+    setAttribute(Qt::WA_Hover);
+}
+
+void GaugeMark::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPointF center(width() / 2.0, height() / 2.0 + 2);
+    painter.setPen(QPen(underMouse() || hasFocus() ? theme().accent : theme().dim, 1.3, Qt::SolidLine, Qt::RoundCap));
+    painter.drawArc(QRectF(center.x() - 5, center.y() - 5, 10, 10), -20 * 16, 220 * 16);
+    painter.drawLine(center, center + QPointF(2.6, -2.6));
+}
+
+ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
+    : QWidget(parent), editor_(makeEditor(info, this)), label_(new RowLabel(QString::fromStdString(labelInGroup(info)), editor_, this)), naming_(new QWidget(this)), dot_(new ResetDot(this))
+{
+    const QString name = QString::fromStdString(label(info));
+    setFixedHeight(rowHeight);
+    setToolTip(tooltipText(info));
+    setAttribute(Qt::WA_Hover);
+    setFocusPolicy(Qt::NoFocus);
+    dot_->setAccessibleName(tr("Reset %1").arg(name));
+    dot_->setToolTip(tr("Reset to %1").arg(shownText(info, info.initial)));
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(16, 2, 2, 2);
+    layout->setSpacing(4);
+    const bool quality = info.qualityReference.has_value();
+    if (quality) {
+        gauge_ = new GaugeMark(this);
+        gauge_->setAccessibleName(tr("%1: what does accuracy cost?").arg(name));
+        gauge_->setToolTip(tr("What does accuracy cost?"));
+        gauge_->hide();
+        connect(gauge_, &QAbstractButton::clicked, this, &ParameterRow::accuracyAsked);
+    }
+    // Label and gauge share one width, so that all editors begin at the same place.
+    auto* naming = new QHBoxLayout;
+    naming->setContentsMargins(0, 0, 0, 0);
+    naming->setSpacing(4);
+    naming->addWidget(label_, 1);
+    if (gauge_) naming->addWidget(gauge_);
+    naming_->setLayout(naming);
+    naming_->setFixedWidth(narrowestLabel);
+    layout->addWidget(naming_);
+    layout->addWidget(editor_, 1);
+    layout->addWidget(dot_);
+
+    connect(editor_, &ValueEditor::edited, this, &ParameterRow::edited);
+    connect(dot_, &QAbstractButton::clicked, this, &ParameterRow::resetAsked);
+}
+
+void ParameterRow::showValue(const Value& value)
+{
+    editor_->showValue(value);
+    differs_ = !(value == info().initial);
+    dot_->setDiffers(differs_);
+}
+
+void ParameterRow::setIdle(const QString& when)
+{
+    if (when == idleUntil_) return;
+    idleUntil_ = when;
+    label_->setDim(idle());
+    QGraphicsOpacityEffect* gray = nullptr;
+    if (idle()) {
+        gray = new QGraphicsOpacityEffect(editor_);
+        gray->setOpacity(idleInk);
+    }
+    editor_->setGraphicsEffect(gray);
+    const QString sentence = idle() ? tr("Does nothing now: acts when %1. It keeps its value.").arg(idleUntil_) : QString();
+    setToolTip(idle() ? sentence + QStringLiteral("\n\n") + tooltipText(info()) : tooltipText(info()));
+    setAccessibleDescription(sentence);
+}
+
+void ParameterRow::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    // Of a wider panel, labels take their share; all rows are as wide, so that all editors begin at the same place.
+    naming_->setFixedWidth(std::clamp(width() * 36 / 100, narrowestLabel, widestLabel));
+}
+
+bool ParameterRow::matches(const ParameterInfo& row, const QString& words)
+{
+    QString all = QString::fromStdString(label(row)) + QLatin1Char(' ') + text(row.name) + QLatin1Char(' ') + text(row.group) +
+                  QLatin1Char(' ') + text(row.help);
+    for (const std::string_view choice : row.choices) all += QLatin1Char(' ') + text(choice);
+    for (const QString& word : words.split(QLatin1Char(' '), Qt::SkipEmptyParts))
+        if (!all.contains(word, Qt::CaseInsensitive)) return false;
+    return true;
+}
+
+void ParameterRow::setGaugeShown(bool shown)
+{
+    if (gauge_) gauge_->setVisible(shown);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_parameter_row.cpp"

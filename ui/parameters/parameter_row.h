@@ -1,0 +1,99 @@
+#pragma once
+
+#include "ui/parameters/value_editor.h"
+
+#include <QAbstractButton>
+#include <QLabel>
+
+namespace vitrine::ui {
+
+/// The name of a row; dragging it edits a number.
+class RowLabel final : public QLabel {
+    Q_OBJECT
+
+public:
+    RowLabel(const QString& text, ValueEditor* editor, QWidget* parent);
+    void setDim(bool dim);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+
+private:
+    ValueEditor* editor_;
+    bool dragging_ = false;
+    bool dim_ = false;
+};
+
+/// An amber dot while the value differs from the initial one, an arrow under the pointer; a click resets.
+class ResetDot final : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit ResetDot(QWidget* parent);
+    void setDiffers(bool);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+};
+
+/// The mark of a quality parameter: what does its accuracy cost?
+class GaugeMark final : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit GaugeMark(QWidget* parent);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+};
+
+/// One row of the panel, 26 pixels: label, editor, reset dot.
+class ParameterRow final : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int rowHeight = 26;
+    static constexpr int narrowestLabel = 112, widestLabel = 240;
+
+    /// `info` must outlive the row.
+    ParameterRow(const ParameterInfo& info, QWidget* parent);
+
+    [[nodiscard]] const ParameterInfo& info() const { return editor_->row(); }
+    void showValue(const Value&);
+    [[nodiscard]] bool differs() const { return differs_; }
+    /// Whether label, name, group, help or a choice contains `words`, whatever the case.
+    [[nodiscard]] static bool matches(const ParameterInfo&, const QString& words);
+    [[nodiscard]] bool matches(const QString& words) const { return matches(info(), words); }
+    /// A row that means nothing at the moment is not shown, whatever is searched for.
+    void setWanted(bool wanted) { wanted_ = wanted; }
+    [[nodiscard]] bool wanted() const { return wanted_; }
+    /// Grays the row while it does not act and says in its tooltip when it does: `when` is empty while it acts. It can be
+    /// edited all the same, and acts with that value as soon as it does.
+    void setIdle(const QString& when);
+    [[nodiscard]] bool idle() const { return !idleUntil_.isEmpty(); }
+    /// Quality parameters show their gauge only once something answers it.
+    void setGaugeShown(bool);
+
+signals:
+    void edited(const vitrine::Value& value, int gesture);
+    void resetAsked();
+    void accuracyAsked();
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    ValueEditor* editor_;
+    RowLabel* label_;
+    QWidget* naming_;
+    ResetDot* dot_;
+    QString idleUntil_;
+    GaugeMark* gauge_ = nullptr;
+    bool differs_ = false;
+    bool wanted_ = true;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,133 @@
+#include "ui/parameters/pick_editors.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QToolButton>
+#include <QUrl>
+
+namespace vitrine::ui {
+namespace {
+
+QHBoxLayout* rowLayout(QWidget* parent)
+{
+    auto* layout = new QHBoxLayout(parent);
+    layout->setContentsMargins(6, 0, 0, 0);  // Where a slider's track begins.
+    layout->setSpacing(4);
+    return layout;
+}
+
+QString nameOf(const ParameterInfo& row)
+{
+    return QString::fromStdString(label(row));
+}
+
+/// What the row's own files end in, and everything.
+QStringList filtersOf(const ParameterInfo& row)
+{
+    QStringList patterns;
+    const QString endings = QString::fromUtf8(row.endings.data(), static_cast<qsizetype>(row.endings.size()));
+    for (const QString& ending : endings.split(QLatin1Char(' '), Qt::SkipEmptyParts)) patterns << QStringLiteral("*.") + ending;
+    const QString all = FileEditor::tr("All files (*)");
+    return patterns.isEmpty() ? QStringList{all} : QStringList{FileEditor::tr("%1 (%2)").arg(nameOf(row), patterns.join(QLatin1Char(' '))), all};
+}
+
+}  // namespace
+
+ToggleEditor::ToggleEditor(const ParameterInfo& row, QWidget* parent) : ValueEditor(row, parent), box_(new QCheckBox(this))
+{
+    box_->setAccessibleName(nameOf(row));
+    QHBoxLayout* layout = rowLayout(this);
+    layout->addWidget(box_);
+    layout->addStretch(1);
+    connect(box_, &QCheckBox::clicked, this, [this](bool on) { emit edited(on ? 1.0 : 0.0, newGesture()); });
+}
+
+void ToggleEditor::showValue(const Value& value)
+{
+    box_->setChecked(std::get<double>(value) != 0);
+}
+
+ChoiceEditor::ChoiceEditor(const ParameterInfo& row, QWidget* parent) : ValueEditor(row, parent), box_(new QComboBox(this))
+{
+    for (const std::string_view name : row.choices)
+        box_->addItem(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+    box_->setAccessibleName(nameOf(row));
+    box_->setFocusPolicy(Qt::StrongFocus);
+    box_->setFixedHeight(22);
+    box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    rowLayout(this)->addWidget(box_, 1);
+    connect(box_, &QComboBox::activated, this, [this](int index) { emit edited(static_cast<double>(index), newGesture()); });
+}
+
+void ChoiceEditor::showValue(const Value& value)
+{
+    box_->setCurrentIndex(static_cast<int>(std::get<double>(value)));
+}
+
+FileEditor::FileEditor(const ParameterInfo& row, QWidget* parent)
+    : ValueEditor(row, parent), path_(new QLineEdit(this)), browse_(new QToolButton(this))
+{
+    path_->setAccessibleName(nameOf(row));
+    path_->setPlaceholderText(tr("none"));
+    path_->setFixedHeight(22);
+    path_->setTextMargins(2, 0, 2, 0);
+    path_->setContextMenuPolicy(Qt::NoContextMenu);
+    browse_->setText(QStringLiteral("…"));
+    browse_->setAutoRaise(true);
+    browse_->setFixedSize(24, 22);
+    browse_->setAccessibleName(tr("%1, choose a file").arg(nameOf(row)));
+    browse_->setToolTip(tr("Choose a file. Dropping one here works too."));
+    browse_->setFocusPolicy(Qt::StrongFocus);
+    setAcceptDrops(true);
+    QHBoxLayout* layout = rowLayout(this);
+    layout->addWidget(path_, 1);
+    layout->addWidget(browse_);
+    connect(path_, &QLineEdit::editingFinished, this, [this] { take(path_->text()); });
+    connect(browse_, &QToolButton::clicked, this, &FileEditor::browse);
+}
+
+void FileEditor::showValue(const Value& value)
+{
+    shown_ = QString::fromStdString(std::get<std::string>(value));
+    path_->setText(shown_);
+    path_->setToolTip(shown_);
+}
+
+void FileEditor::browse()
+{
+    const QString folder = shown_.isEmpty() ? QString() : QFileInfo(shown_).absolutePath();
+    auto* dialog = new QFileDialog(this, tr("Choose a file for %1").arg(nameOf(row())), folder);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters(filtersOf(row()));
+    connect(dialog, &QFileDialog::fileSelected, this, &FileEditor::take);
+    dialog->open();
+}
+
+void FileEditor::take(const QString& path)
+{
+    if (path == shown_) return;
+    showValue(path.toStdString());
+    emit edited(path.toStdString(), newGesture());
+}
+
+void FileEditor::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void FileEditor::dropEvent(QDropEvent* event)
+{
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (!urls.isEmpty() && urls.first().isLocalFile()) take(urls.first().toLocalFile());
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_pick_editors.cpp"

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "ui/parameters/value_editor.h"
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QToolButton;
+
+namespace vitrine::ui {
+
+/// On or off.
+class ToggleEditor final : public ValueEditor {
+    Q_OBJECT
+
+public:
+    ToggleEditor(const ParameterInfo&, QWidget* parent);
+    void showValue(const Value&) override;
+
+private:
+    QCheckBox* box_;
+};
+
+/// One of several names.
+class ChoiceEditor final : public ValueEditor {
+    Q_OBJECT
+
+public:
+    ChoiceEditor(const ParameterInfo&, QWidget* parent);
+    void showValue(const Value&) override;
+
+private:
+    QComboBox* box_;
+};
+
+/// A path: typed, chosen, or dropped on the row.
+class FileEditor final : public ValueEditor {
+    Q_OBJECT
+
+public:
+    FileEditor(const ParameterInfo&, QWidget* parent);
+    void showValue(const Value&) override;
+
+protected:
+    void dragEnterEvent(QDragEnterEvent*) override;
+    void dropEvent(QDropEvent*) override;
+
+private:
+    void browse();
+    void take(const QString& path);
+
+    QLineEdit* path_;
+    QToolButton* browse_;
+    QString shown_;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,190 @@
+#include "ui/parameters/shown_text.h"
+
+#include "exhibits/framework/preset.h"
+#include "exhibits/framework/value_text.h"
+#include "render/failure.h"
+
+#include "ui/parameters/color_editor.h"
+
+#include <QColor>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace vitrine::ui {
+namespace {
+
+QString text(std::string_view s)
+{
+    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
+}
+
+/// At most `digits` significant digits, without trailing zeros; never a thousand-digit number.
+QString shortNumber(double x, int digits)
+{
+    if (x == 0) return QStringLiteral("0");
+    char buffer[64];
+    const double size = std::abs(x);
+    const bool plain = size >= 1e-4 && size < 1e7;
+    const int decimals = plain ? std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 8) : digits - 1;
+    const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, x, format, decimals);
+    QString shown = QString::fromLatin1(buffer, end.ptr - buffer);
+    if (plain && shown.contains(QLatin1Char('.'))) {
+        while (shown.endsWith(QLatin1Char('0'))) shown.chop(1);
+        if (shown.endsWith(QLatin1Char('.'))) shown.chop(1);
+    }
+    return shown;
+}
+
+QString number(double stored, Unit unit)
+{
+    return shortNumber(shown(stored, unit), 4);
+}
+
+QString withUnit(const QString& number, Unit unit)
+{
+    const QString symbol = text(info(unit).symbol);
+    if (symbol.isEmpty()) return number;
+    return unit == Unit::degree || unit == Unit::percent ? number + symbol : number + QChar(0x2009) + symbol;
+}
+
+/// "16:06", to the nearest minute.
+QString clockText(double hours)
+{
+    const long long minutes = std::llround(hours * 60);
+    return QStringLiteral("%1:%2").arg(minutes / 60).arg(minutes % 60, 2, 10, QLatin1Char('0'));
+}
+
+/// With a point for the decimal comma of the visitor's language: a number has no other comma.
+QString withPoint(const QString& typed)
+{
+    if (QLocale().decimalPoint() != QLatin1String(",") || typed.contains(QLatin1Char('.'))) return typed;
+    QString meant = typed;
+    return meant.replace(QLatin1Char(','), QLatin1Char('.'));
+}
+
+/// A value as it was typed: also as its language writes numbers, and colors by their names.
+std::optional<Value> meantBy(const ParameterInfo& row, const QString& typed)
+{
+    if (std::optional<Value> value = parseValue(row, (row.isNumeric() ? withPoint(typed) : typed).toStdString())) return value;
+    if (row.kind != Kind::color || typed.startsWith(QLatin1Char('#')) || !QColor::isValidColor(typed)) return std::nullopt;
+    return linear(QColor(typed));
+}
+
+/// What a row takes, for those who typed something else.
+QString whatItTakes(const ParameterInfo& row)
+{
+    switch (row.kind) {
+    case Kind::real:
+    case Kind::count: return QStringLiteral("A number is, from %1.").arg(legalRangeText(row));
+    case Kind::toggle: return QStringLiteral("On and off are.");
+    case Kind::choice: {
+        QStringList names;
+        for (const std::string_view name : row.choices) names << text(name);
+        return QStringLiteral("These are: %1.").arg(names.join(QStringLiteral(", ")));
+    }
+    case Kind::color: return QStringLiteral("#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.");
+    case Kind::direction: return QStringLiteral("Three numbers are: x, y, z.");
+    case Kind::file: return {};
+    }
+    return {};
+}
+
+QString three(const glm::dvec3& v)
+{
+    return QStringLiteral("%1, %2, %3").arg(shortNumber(v.x, 3), shortNumber(v.y, 3), shortNumber(v.z, 3));
+}
+
+}  // namespace
+
+QString shownText(const ParameterInfo& row, const Value& value)
+{
+    if (const auto* x = std::get_if<double>(&value); x && row.word && *x == row.word->value) return text(row.word->text);
+    switch (row.kind) {
+    case Kind::real:
+        if (row.unit == Unit::hour) return clockText(std::get<double>(value));
+        return withUnit(number(std::get<double>(value), row.unit), row.unit);
+    case Kind::count: return withUnit(QString::number(std::llround(std::get<double>(value))), row.unit);
+    case Kind::toggle: return std::get<double>(value) != 0 ? QStringLiteral("on") : QStringLiteral("off");
+    case Kind::choice: return text(row.choices[static_cast<std::size_t>(std::get<double>(value))]);
+    case Kind::color:
+    case Kind::direction: return three(std::get<glm::dvec3>(value));
+    case Kind::file: {
+        const std::string& path = std::get<std::string>(value);
+        return path.empty() ? QStringLiteral("none") : text(path);
+    }
+    }
+    return {};
+}
+
+QString legalRangeText(const ParameterInfo& row)
+{
+    if (!row.isNumeric()) return {};
+    return QStringLiteral("%1 to %2").arg(number(row.range.low, row.unit), withUnit(number(row.range.high, row.unit), row.unit));
+}
+
+QString tooltipText(const ParameterInfo& row)
+{
+    QStringList lines{QString::fromStdString(label(row)), QString(), text(row.help), QString()};
+    if (row.isNumeric()) {
+        lines << QStringLiteral("Allowed: %1").arg(legalRangeText(row));
+        if (row.range.softLow != row.range.low || row.range.softHigh != row.range.high)
+            lines.last() +=
+                QStringLiteral("; the slider spans %1 to %2")
+                    .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
+    }
+    if (row.word) lines << QStringLiteral("%1 reads “%2”, and may be typed so.").arg(exactText(row, row.word->value), text(row.word->text));
+    lines << QStringLiteral("Initial value: %1").arg(shownText(row, row.initial));
+    lines << QStringLiteral("In presets: %1").arg(text(row.name));
+    if (row.isNumeric())
+        lines << QString()
+              << QStringLiteral("Drag the label or the number; click to type, 2*pi or 30deg too.\nShift is ten times "
+                                "finer, Ctrl ten times coarser.");
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString exactText(const ParameterInfo& row, const Value& value)
+{
+    return QString::fromStdString(formatValue(row, value));
+}
+
+std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, QString* problem)
+{
+    const std::optional<Value> meant = meantBy(row, typed.trimmed());
+    const std::optional<Value> legal = meant ? nearestLegal(row, *meant) : std::nullopt;
+    if (!legal) {
+        if (problem)
+            *problem = QStringLiteral("\"%1\" is no value for “%2”. %3").arg(typed.left(80), QString::fromStdString(label(row)), whatItTakes(row)).trimmed();
+        return std::nullopt;
+    }
+    const bool brought = row.isNumeric() && std::get<double>(*legal) != std::get<double>(*meant);
+    if (problem && brought)
+        *problem = QStringLiteral("Allowed: %1; brought to %2.").arg(legalRangeText(row), shownText(row, *legal));
+    return legal;
+}
+
+QString allAsJson(const ParameterValues& values, const QString& exhibit)
+{
+    return QString::fromStdString(
+        presetText({exhibit.toStdString(), "Copied values", values, {}, presetVersion, render::Json::object(), {}}));
+}
+
+std::optional<ParameterValues> allFromJson(const Parameters& table, const QString& exhibit, const QString& json, QString* problem)
+{
+    try {
+        const Preset read = parsePreset(json.toStdString(), "the clipboard", exhibit.toStdString(), table);
+        QStringList notes;
+        for (const std::string& note : read.notes) notes << QString::fromStdString(note);
+        if (problem) *problem = notes.join(QLatin1Char('\n'));
+        return read.values;
+    } catch (const Failure& failure) {
+        if (problem) *problem = QString::fromUtf8(failure.what());
+        return std::nullopt;
+    }
+}
+
+}  // namespace vitrine::ui

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "ui/parameters/slider_scale.h"
+#include "ui/window/undo.h"
+
+#include <QSlider>
+
+namespace vitrine::ui {
+
+/// A thin horizontal slider over a row's comfortable range. A press jumps there; Shift drags finer; arrows step.
+class ValueSlider final : public QSlider {
+    Q_OBJECT
+
+public:
+    ValueSlider(const ParameterInfo& row, QWidget* parent);
+
+    void showValue(double value);
+
+signals:
+    void edited(double value, int gesture);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+    void wheelEvent(QWheelEvent*) override;
+    [[nodiscard]] QSize sizeHint() const override { return {96, 20}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {40, 20}; }
+
+private:
+    static constexpr int ticks = 10000;  ///< QSlider's own integer range.
+
+    [[nodiscard]] double positionAt(double x) const;
+    [[nodiscard]] double xAt(double position) const;
+    void edit(double value, Gesture);
+
+    const ParameterInfo& row_;
+    SliderScale scale_;
+    double value_ = 0;
+    double valueAtPress_ = 0;
+    double lastX_ = 0;
+    double position_ = 0;
+    Gesture gesture_ = 0;
+    bool dragging_ = false;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,136 @@
+#include "ui/presets/preset_list.h"
+
+#include "ui/window/exhibit_list.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr int idRole = Qt::UserRole;
+constexpr int ownLine = TileDelegate::mark + 1;  // The second line of a preset as it was loaded.
+
+}  // namespace
+
+PresetList::PresetList(QWidget* parent) : QWidget(parent), list_(new QListWidget(this)), buttons_(new QWidget(this))
+{
+    list_->setAccessibleName(tr("Presets"));
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setItemDelegate(new TileDelegate(list_));
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    list_->setMouseTracking(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(list_, 1);
+    layout->addWidget(buttons_);
+    auto* row = new QHBoxLayout(buttons_);
+    row->setContentsMargins(8, 8, 8, 8);
+    row->setSpacing(8);
+    connect(list_, &QListWidget::itemActivated, this,
+            [this](QListWidgetItem* item) { emit loadAsked(item->data(idRole).toString()); });
+    connect(list_, &QListWidget::itemClicked, this,
+            [this](QListWidgetItem* item) { emit loadAsked(item->data(idRole).toString()); });
+    connect(list_, &QListWidget::itemChanged, this,
+            [this](QListWidgetItem* item) { emit renamed(item->data(idRole).toString(), item->text()); });
+    connect(list_, &QListWidget::customContextMenuRequested, this, [this](const QPoint& at) {
+        if (QListWidgetItem* item = list_->itemAt(at)) {
+            list_->setCurrentItem(item);
+            QMenu::exec(menu_, list_->viewport()->mapToGlobal(at), nullptr, this);
+        }
+    });
+}
+
+void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*>& menu)
+{
+    menu_ = menu;
+    auto* row = static_cast<QHBoxLayout*>(buttons_->layout());
+    for (QAction* action : {save, saveAs}) {
+        auto* button = new QToolButton(buttons_);
+        button->setDefaultAction(action);
+        button->setAccessibleName(action->text().remove(QLatin1Char('&')));
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setFixedHeight(26);
+        row->addWidget(button, 1);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    }
+    auto* more = new QToolButton(buttons_);
+    more->setText(QStringLiteral("⋯"));
+    more->setAccessibleName(tr("More for presets"));
+    more->setToolTip(tr("Rename, duplicate, delete, import, export"));
+    more->setPopupMode(QToolButton::InstantPopup);
+    more->setFocusPolicy(Qt::StrongFocus);
+    more->setFixedSize(28, 26);
+    more->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    auto* drop = new QMenu(more);
+    drop->addActions(menu);
+    more->setMenu(drop);
+    row->addWidget(more);
+}
+
+void PresetList::fill(const std::vector<PresetLine>& entries)
+{
+    const QSignalBlocker quiet(list_);
+    const QString before = selected();
+    list_->clear();
+    // The visitor's own first.
+    std::vector<PresetLine> sorted = entries;
+    std::stable_partition(sorted.begin(), sorted.end(), [](const PresetLine& entry) { return !entry.shipped; });
+    for (const PresetLine& entry : sorted) {
+        auto* item = new QListWidgetItem(entry.name, list_);
+        item->setData(idRole, entry.id);
+        item->setData(ownLine, entry.shipped ? QString() : tr("Yours"));
+        item->setData(TileDelegate::secondLine, item->data(ownLine));
+        if (entry.shipped) item->setToolTip(tr("Comes with the exhibit: can be duplicated, not changed."));
+        if (!entry.thumbnail.isNull()) item->setIcon(QIcon(entry.thumbnail));
+        if (!entry.problem.isEmpty()) {
+            item->setData(ownLine, tr("Cannot be opened"));
+            item->setData(TileDelegate::secondLine, item->data(ownLine));
+            item->setToolTip(entry.problem);
+        }
+        if (!entry.shipped) item->setFlags(item->flags() | Qt::ItemIsEditable);
+    }
+    setCurrent(before);
+}
+
+QListWidgetItem* PresetList::itemOf(const QString& id) const
+{
+    for (int i = 0; i < list_->count(); ++i)
+        if (list_->item(i)->data(idRole).toString() == id) return list_->item(i);
+    return nullptr;
+}
+
+void PresetList::setCurrent(const QString& id, bool changed)
+{
+    const QSignalBlocker quiet(list_);
+    QListWidgetItem* current = itemOf(id);
+    for (int i = 0; i < list_->count(); ++i) {
+        QListWidgetItem* item = list_->item(i);
+        const QString line = item == current && changed ? tr("Changed since") : item->data(ownLine).toString();
+        if (item->data(TileDelegate::secondLine).toString() != line) item->setData(TileDelegate::secondLine, line);
+    }
+    list_->setCurrentItem(current);
+}
+
+QString PresetList::selected() const
+{
+    const QListWidgetItem* item = list_->currentItem();
+    return item ? item->data(idRole).toString() : QString();
+}
+
+void PresetList::startRename(const QString& id)
+{
+    if (QListWidgetItem* item = itemOf(id)) list_->editItem(item);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_preset_list.cpp"

@@ -1,0 +1,335 @@
+#include "ui/presets/preset_shelf.h"
+
+#include "render/files/read_file.h"
+#include "render/files/strict_json.h"
+#include "render/image/image_io.h"
+#include "ui/presets/look_text.h"
+#include "ui/presets/preset_list.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+
+#include <QInputDialog>
+#include <QUndoStack>
+
+#include <algorithm>
+
+namespace vitrine::ui {
+namespace {
+
+std::filesystem::path pathOf(const QString& id)
+{
+    return id.toStdString();
+}
+
+QString idOf(const std::filesystem::path& path)
+{
+    return QString::fromStdString(path.string());
+}
+
+QString words(const std::string& s)
+{
+    return QString::fromStdString(s);
+}
+
+}  // namespace
+
+PresetShelf::PresetShelf(MainWindow& window, PresetList& list, PresetStore store)
+    : QObject(&window), window_(window), list_(list), store_(std::move(store)), uses_(window.history().stack())
+{
+    connect(&list, &PresetList::loadAsked, this, &PresetShelf::load);
+    connect(&list, &PresetList::renamed, this, &PresetShelf::renameTo);
+    connect(&window.history().stack(), &QUndoStack::indexChanged, this, [this] {
+        uses_.prune();
+        mark();
+    });
+    connect(&window.history(), &History::changed, this, &PresetShelf::mark);
+}
+
+std::string PresetShelf::exhibitName() const
+{
+    return std::string(window_.gallery().exhibits()[window_.shown()]->name());
+}
+
+const Parameters& PresetShelf::table() const
+{
+    return window_.gallery().exhibits()[window_.shown()]->parameters();
+}
+
+void PresetShelf::trySafely(const std::function<void()>& work)
+{
+    try {
+        work();
+    } catch (const std::exception& failure) {
+        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+    }
+}
+
+void PresetShelf::tell(const QString& origin, const std::vector<std::string>& notes)
+{
+    if (notes.empty()) return;
+    QStringList lines{tr("%1 was loaded, with changes:").arg(origin)};
+    for (const std::string& note : notes) lines << words(note);
+    window_.say(MessageStrip::Mood::notice, lines.join(QStringLiteral("\n    ")));
+}
+
+void PresetShelf::refresh()
+{
+    trySafely([this] {
+        std::vector<PresetLine> lines;
+        for (const PresetEntry& entry : store_.list(exhibitName())) {
+            PresetLine line{idOf(entry.path), words(entry.name), entry.shipped, words(entry.problem), {}};
+            if (entry.thumbnail) line.thumbnail.load(idOf(*entry.thumbnail));
+            lines.push_back(std::move(line));
+        }
+        // The visitor's own first: these are looked for.
+        std::stable_partition(lines.begin(), lines.end(), [](const PresetLine& line) { return !line.shipped; });
+        list_.fill(lines);
+    });
+    mark();
+}
+
+const StoredPreset* PresetShelf::inUse() const
+{
+    return uses_.of(exhibitName());
+}
+
+void PresetShelf::use(StoredPreset stored)
+{
+    uses_.add(std::move(stored));
+    mark();
+}
+
+bool PresetShelf::changedSince(const StoredPreset& stored) const
+{
+    return !(stored.preset.values == window_.history().look().values[window_.shown()]);
+}
+
+void PresetShelf::mark()
+{
+    const StoredPreset* used = inUse();
+    list_.setCurrent(used ? idOf(used->path) : QString(), used && changedSince(*used));
+    emit marked();
+}
+
+QString PresetShelf::titleOfUse() const
+{
+    const StoredPreset* used = inUse();
+    if (!used) return {};
+    return words(used->preset.name) + (changedSince(*used) ? QStringLiteral(" *") : QString());
+}
+
+QString PresetShelf::freeName(const QString& wanted, const std::filesystem::path& exceptFor) const
+{
+    const std::vector<PresetEntry> all = store_.list(exhibitName());
+    const auto taken = [&](const QString& name) {
+        return std::any_of(all.begin(), all.end(), [&](const PresetEntry& entry) {
+            return entry.path != exceptFor && words(entry.name).compare(name, Qt::CaseInsensitive) == 0;
+        });
+    };
+    QString name = wanted;
+    for (int i = 2; taken(name); ++i) name = QStringLiteral("%1 %2").arg(wanted).arg(i);
+    return name;
+}
+
+void PresetShelf::show(const Preset& preset, std::size_t exhibit, const QString& step)
+{
+    Look next = window_.history().look();
+    next.values[exhibit] = preset.values;
+    const bool moves = preset.camera.has_value();
+    if (moves) next.camera = *preset.camera;
+    window_.history().change(step, std::move(next), 0, moves ? History::Camera::moves : History::Camera::stays);
+}
+
+void PresetShelf::load(const QString& id)
+{
+    trySafely([&] {
+        StoredPreset loaded = store_.load(pathOf(id), exhibitName(), table());
+        tell(words(loaded.preset.name), loaded.preset.notes);
+        show(loaded.preset, window_.shown(), tr("Load %1").arg(words(loaded.preset.name)));
+        use(std::move(loaded));
+    });
+    mark();  // Also where the click chose a preset that could not be loaded.
+}
+
+Preset PresetShelf::presetOnShow(const QString& name) const
+{
+    const Look& look = window_.history().look();
+    return {
+        exhibitName(), name.toStdString(), look.values[window_.shown()], look.camera, presetVersion, render::Json::object(), {}};
+}
+
+void PresetShelf::save()
+{
+    const StoredPreset* used = inUse();
+    if (!used || used->shipped) {
+        saveAs();
+        return;
+    }
+    trySafely([this, used] {
+        StoredPreset next = *used;
+        const Preset now = presetOnShow(words(next.preset.name));
+        next.preset.values = now.values;
+        next.preset.camera = now.camera;
+        if (store_.save(next) == SaveOutcome::changedOnDisk) {
+            window_.say(MessageStrip::Mood::problem, tr("%1 was changed by someone else since it was loaded, and was "
+                                                        "not overwritten. Save under another name, or load it again.")
+                                                         .arg(idOf(next.path)));
+            return;
+        }
+        keepThumbnail(next.path);
+        window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(idOf(next.path)));
+        use(std::move(next));
+    });
+    refresh();
+}
+
+void PresetShelf::saveAs()
+{
+    auto* ask = new QInputDialog(&window_);
+    ask->setAttribute(Qt::WA_DeleteOnClose);
+    const Exhibit& exhibit = *window_.gallery().exhibits()[window_.shown()];
+    const QString title = QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()));
+    const StoredPreset* used = inUse();
+    ask->setWindowTitle(tr("Save preset of %1").arg(title));
+    ask->setLabelText(tr("Name of this preset of %1").arg(title));
+    ask->setTextValue(freeName(used ? words(used->preset.name) : title));
+    // Whatever is on show by then, it is this exhibit that was named.
+    connect(ask, &QInputDialog::textValueSelected, this, [this, shown = window_.shown()](const QString& name) {
+        if (window_.shown() != shown) window_.choose(shown);
+        saveUnder(name);
+    });
+    ask->show();
+}
+
+void PresetShelf::saveUnder(const QString& name)
+{
+    if (name.trimmed().isEmpty()) return;
+    trySafely([&] {
+        const QString unique = freeName(name.trimmed());
+        StoredPreset saved = store_.saveAs(presetOnShow(unique));
+        keepThumbnail(saved.path);
+        use(std::move(saved));
+        if (unique != name.trimmed())
+            window_.say(MessageStrip::Mood::notice, tr("There is a preset \"%1\" already; this one is \"%2\".").arg(name.trimmed(), unique));
+    });
+    refresh();
+}
+
+void PresetShelf::keepThumbnail(const std::filesystem::path& preset)
+{
+    const QImage picture = window_.viewport().grabFramebuffer();
+    if (!picture.isNull()) MainWindow::thumbnailOf(picture).save(idOf(PresetStore::thumbnailPath(preset)), "PNG");
+}
+
+void PresetShelf::keepMissingThumbnail()
+{
+    if (!window_.viewport().schedule().still()) return;
+    const StoredPreset* used = inUse();
+    std::error_code ignored;
+    if (!used || used->shipped || changedSince(*used) || std::filesystem::exists(PresetStore::thumbnailPath(used->path), ignored)) return;
+    // Of an exhibit that nobody stands before, the picture shows something else.
+    const bool fromItsOwnView = used->preset.camera == window_.history().look().camera;
+    const bool before = window_.viewport().mode() == CameraControl::Mode::orbit && window_.chosen() == window_.shown();
+    if (window_.shown() != 0 && !fromItsOwnView && !before) return;
+    keepThumbnail(used->path);
+    refresh();
+}
+
+void PresetShelf::rename()
+{
+    list_.startRename(list_.selected());
+}
+
+void PresetShelf::renameTo(const QString& id, const QString& name)
+{
+    trySafely([&] {
+        if (name.trimmed().isEmpty()) return;
+        const QString unique = freeName(name.trimmed(), pathOf(id));
+        const std::filesystem::path path = store_.rename(pathOf(id), unique.toStdString());
+        uses_.renamed(pathOf(id), store_.load(path, exhibitName(), table()));
+    });
+    // The list is in the middle of an edit.
+    QMetaObject::invokeMethod(this, &PresetShelf::refresh, Qt::QueuedConnection);
+}
+
+void PresetShelf::duplicate()
+{
+    const QString id = list_.selected();
+    if (id.isEmpty()) return;
+    trySafely([&] {
+        const StoredPreset original = store_.load(pathOf(id), exhibitName(), table());
+        store_.duplicate(pathOf(id), freeName(tr("%1 copy").arg(words(original.preset.name))).toStdString());
+    });
+    refresh();
+}
+
+void PresetShelf::remove()
+{
+    const QString id = list_.selected();
+    if (id.isEmpty()) return;
+    trySafely([&] {
+        // Fails here, before there is a step to undo, when the file may not be deleted.
+        auto removed = std::make_shared<RemovedPreset>(store_.remove(pathOf(id)));
+        auto first = std::make_shared<bool>(true);
+        uses_.forget(pathOf(id));
+        window_.history().record(
+            tr("Delete %1").arg(idOf(removed->original.stem())),
+            [this, removed, first] {
+                if (!std::exchange(*first, false)) trySafely([&] { *removed = store_.remove(removed->original); });
+                refresh();
+            },
+            [this, removed] {
+                trySafely([&] { removed->original = store_.restore(*removed); });
+                refresh();
+            });
+    });
+}
+
+void PresetShelf::loadText(const std::string& text, const QString& origin)
+{
+    const PresetHeader header = presetHeader(render::parseJson(text, origin.toStdString(), presetLimits));
+    if (header.isExhibition) {
+        std::vector<std::string> notes;
+        std::size_t chosen = 0;
+        Look look = lookFrom(window_.gallery(), text, origin.toStdString(), notes, &chosen);
+        tell(origin, notes);
+        window_.history().change(tr("Load %1").arg(origin), std::move(look), 0, History::Camera::moves);
+        window_.choose(chosen);
+        return;
+    }
+    for (std::size_t i = 0; i < window_.gallery().exhibits().size(); ++i) {
+        const Exhibit& exhibit = *window_.gallery().exhibits()[i];
+        if (exhibit.name() != header.exhibit) continue;
+        const Preset preset = parsePreset(text, origin.toStdString(), exhibit.name(), exhibit.parameters());
+        tell(origin, preset.notes);
+        window_.choose(i);
+        show(preset, i, tr("Load %1").arg(words(preset.name)));
+        return;
+    }
+    throw Failure(Blame::file, origin.toStdString() + " is a preset of \"" + header.exhibit + "\", which is not in this museum.");
+}
+
+void PresetShelf::loadFile(const QString& path)
+{
+    trySafely([&] { loadText(render::readFile(path.toStdString(), presetLimits.bytes), path); });
+}
+
+bool PresetShelf::loadFromPicture(const QString& path)
+{
+    bool done = true;
+    trySafely([&] {
+        const std::optional<std::string> text = render::embeddedPreset(path.toStdString());
+        done = text.has_value();
+        if (text) loadText(*text, path);
+    });
+    return done;
+}
+
+std::string PresetShelf::lookText() const
+{
+    return textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Picture");
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_preset_shelf.cpp"

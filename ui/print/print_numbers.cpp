@@ -1,0 +1,195 @@
+#include "ui/print/print_numbers.h"
+
+#include "ui/window/theme.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vitrine::ui {
+namespace {
+
+QString millimeters(double metres)
+{
+    return QString::number(metres * 1000, 'f', metres < 0.01 ? 2 : 1) + QStringLiteral(" mm");
+}
+
+QString reach(double from, double to)
+{
+    const auto metres = [](double m) { return std::isinf(m) ? QString(QChar(0x221e)) : QString::number(m, 'f', m < 10 ? 1 : 0); };
+    return metres(from) + QChar(0x2013) + metres(to) + QStringLiteral(" m");
+}
+
+QString bytesText(double bytes)
+{
+    const char* const units[] = {"B", "kB", "MB", "GB", "TB"};
+    int unit = 0;
+    while (bytes >= 1000 && unit < 4) {
+        bytes /= 1000;
+        ++unit;
+    }
+    return QString::number(bytes, 'f', unit == 0 || bytes >= 100 ? 0 : 1) + QLatin1Char(' ') + QLatin1String(units[unit]);
+}
+
+}  // namespace
+
+CrosstalkBars::CrosstalkBars(QWidget* parent) : QWidget(parent)
+{
+    setMinimumSize(160, 48);
+    setAccessibleName(tr("Cross-talk of every view"));
+    setToolTip(tr("For every view, from left to right: how much of the light at its own angle comes from other views.\nOptics, printed dots, and ink that spreads as far as is set."));
+}
+
+void CrosstalkBars::showShares(std::vector<double> ownShare)
+{
+    own_ = std::move(ownShare);
+    update();
+}
+
+void CrosstalkBars::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    const Theme& colors = theme();
+    painter.fillRect(rect(), colors.base);
+    if (own_.empty()) return;
+    const auto count = static_cast<double>(own_.size());
+    const double step = (width() - 8.0) / count;
+    const double gap = step > 4 ? 1 : 0;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+        const double share = std::clamp(1 - own_[i], 0.0, 1.0);
+        const double high = std::max(1.0, share * (height() - 8.0));
+        painter.fillRect(QRectF(4 + static_cast<double>(i) * step, height() - 4 - high, std::max(step - gap, 0.5), high), share > 0.5 ? colors.error : colors.accent);
+    }
+    QColor line = colors.text;
+    line.setAlphaF(0.25F);
+    painter.fillRect(QRectF(4, height() / 2.0, width() - 8.0, 1), line);  // Half from others: no view of its own any more.
+}
+
+PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
+{
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(4);
+    perLens_ = addNumber(tr("Pixels per lens"), tr("Printed dots that one lens covers: no more views than these can be told apart."));
+    lpi_ = addNumber(tr("LPI in the file"), tr("Lenses per inch of the strips, with the resolution as the file stores it."));
+    views_ = addNumber(tr("Views that show"), tr("How many views can be told apart."));
+    zone_ = addNumber(tr("Viewing zone"), tr("Angle in which all views are seen once; beyond it they start again."));
+    depth_ = addNumber(tr("Depth budget"), tr("How far the scene may reach before and behind the print, together, without doubled contours."));
+    scene_ = addNumber(tr("Scene"), tr("From where to where it reaches, and in brackets what the print holds of it, from the camera."));
+    size_ = addNumber(tr("Size"), tr("Of the raster, bleed included."));
+    bytes_ = addNumber(tr("File"), tr("Uncompressed."));
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        const int row = static_cast<int>(i) / 2;
+        const int column = static_cast<int>(i) % 2 * 2;
+        grid->addWidget(numbers_[i].first, row, column);
+        grid->addWidget(numbers_[i].second, row, column + 1);
+    }
+    grid->setColumnMinimumWidth(1, 96);
+    grid->setColumnMinimumWidth(3, 120);
+
+    bars_ = new CrosstalkBars(this);
+    crosstalk_ = new QLabel(tr("Cross-talk"), this);
+    crosstalk_->setTextFormat(Qt::PlainText);
+    auto* chart = new QVBoxLayout;
+    chart->setSpacing(4);
+    chart->addWidget(crosstalk_);
+    chart->addWidget(bars_, 1);
+    auto* top = new QHBoxLayout;
+    top->setSpacing(24);
+    top->addLayout(grid);
+    top->addLayout(chart, 1);
+
+    messages_ = new QLabel(this);
+    messages_->setTextFormat(Qt::PlainText);
+    messages_->setWordWrap(true);
+    messages_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    messages_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    messages_->setMinimumHeight(2 * messages_->fontMetrics().height() + 4);
+    messages_->setAccessibleName(tr("Warnings"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addLayout(top);
+    fit_ = new QPushButton(tr("Fit depth"), this);
+    fit_->setAutoDefault(false);
+    fit_->setAccessibleName(fit_->text());
+    fit_->setToolTip(tr("Moves the cameras together until the print holds the whole scene."));
+    fit_->hide();
+    connect(fit_, &QPushButton::clicked, this, [this] { emit fitAsked(fitting_); });
+    auto* below = new QHBoxLayout;
+    below->setSpacing(8);
+    below->addWidget(messages_, 1);
+    below->addWidget(fit_, 0, Qt::AlignTop);
+    layout->addLayout(below);
+}
+
+QLabel* PrintNumbersView::addNumber(const QString& label, const QString& help)
+{
+    auto* name = new QLabel(label, this);
+    auto* value = new QLabel(this);
+    name->setTextFormat(Qt::PlainText);
+    value->setTextFormat(Qt::PlainText);
+    name->setEnabled(false);  // Dim: the number is what is read.
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setAccessibleName(label);
+    name->setToolTip(help);
+    value->setToolTip(help);
+    numbers_.emplace_back(name, value);
+    return value;
+}
+
+QString PrintNumbersView::shown(const QString& label) const
+{
+    for (const auto& [name, value] : numbers_)
+        if (name->text() == label) return value->text();
+    return {};
+}
+
+QString PrintNumbersView::messages() const
+{
+    return messages_->text();
+}
+
+void PrintNumbersView::showSummary(const PrintSummary& summary, const std::optional<SceneDepth>& scene)
+{
+    const bool possible = summary.refusal.empty();
+    const QString none = QStringLiteral("–");
+    perLens_->setText(possible ? QString::number(summary.pixelsPerLens, 'f', 4) : none);
+    lpi_->setText(possible ? QString::number(summary.storedLpi, 'f', 4) : none);
+    views_->setText(possible ? tr("%1 of %2").arg(std::lround(summary.effectiveViews)).arg(summary.ownShare.size()) : none);
+    zone_->setText(possible ? QString::number(summary.zone * 180 / std::numbers::pi, 'f', 1) + QChar(0xb0) : none);
+    depth_->setText(possible ? millimeters(summary.depthBudget) : none);
+    scene_->setText(possible && scene ? tr("%1 (%2)").arg(reach(scene->nearest, scene->farthest), reach(scene->nearestHeld, scene->farthestHeld)) : none);
+    size_->setText(possible ? tr("%1 × %2 px").arg(summary.width).arg(summary.height) : none);
+    bytes_->setText(possible ? bytesText(summary.bytes) : none);
+    bars_->showShares(summary.ownShare);
+    if (possible && !summary.ownShare.empty()) {
+        const auto [least, most] = std::minmax_element(summary.ownShare.begin(), summary.ownShare.end());
+        crosstalk_->setText(tr("Cross-talk %1 to %2 %").arg(std::lround(100 * (1 - *most))).arg(std::lround(100 * (1 - *least))));
+    } else {
+        crosstalk_->setText(tr("Cross-talk"));
+    }
+
+    QStringList lines;
+    if (!possible) lines << QString::fromStdString(summary.refusal);
+    for (const std::string& warning : summary.warnings) lines << QString::fromStdString(warning);
+    if (possible && scene)
+        for (const std::string& warning : scene->warnings) lines << QString::fromStdString(warning);
+    fitting_ = scene ? scene->scaleThatHolds : 1;
+    fit_->setVisible(possible && scene && (scene->nearest < scene->nearestHeld || scene->farthest > scene->farthestHeld));
+    messages_->setText(lines.join(QLatin1Char('\n')));
+    QPalette palette = this->palette();
+    palette.setColor(QPalette::WindowText, possible ? theme().accent : theme().error);
+    messages_->setPalette(palette);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_print_numbers.cpp"

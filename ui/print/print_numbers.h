@@ -1,0 +1,59 @@
+#pragma once
+
+#include "exhibits/printing/print_desk.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QLabel;
+class QPushButton;
+
+namespace vitrine::ui {
+
+/// A bar for every view: how much of what it shows at its own angle comes from other views.
+class CrosstalkBars final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CrosstalkBars(QWidget* parent);
+    void showShares(std::vector<double> ownShare);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+
+private:
+    std::vector<double> own_;
+};
+
+/// The numbers that a printer asks for, what will disappoint, and why a print cannot be made.
+class PrintNumbersView final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PrintNumbersView(QWidget* parent = nullptr);
+
+    /// The scene's depth is known for rendered views only.
+    void showSummary(const PrintSummary&, const std::optional<SceneDepth>&);
+    /// "Pixels per lens" and so on, as on the screen.
+    [[nodiscard]] QString shown(const QString& label) const;
+    [[nodiscard]] QString messages() const;
+
+signals:
+    /// The scene is too deep: which baseline scale holds it.
+    void fitAsked(double baselineScale);
+
+private:
+    QLabel* addNumber(const QString& label, const QString& help);
+
+    std::vector<std::pair<QLabel*, QLabel*>> numbers_;
+    QLabel *perLens_, *lpi_, *views_, *zone_, *depth_, *scene_, *size_, *bytes_;
+    CrosstalkBars* bars_;
+    QLabel* crosstalk_;
+    QLabel* messages_;
+    QPushButton* fit_;
+    double fitting_ = 1;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,120 @@
+#include "ui/print/shown_views.h"
+
+#include "render/failure.h"
+#include "render/measure/memory.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/application.h"
+#include "ui/window/main_window.h"
+
+namespace vitrine::ui {
+namespace {
+
+constexpr int depthWidth = 240;
+
+}  // namespace
+
+ShownViews::ShownViews(MainWindow& window) : QObject(&window), window_(window)
+{
+    timer_.setSingleShot(true);
+    connect(&timer_, &QTimer::timeout, this, &ShownViews::step);
+    connect(&window.viewport(), &Viewport::contextClosing, this, [this] {
+        const bool was = running();
+        job_ = {};
+        stop();
+        if (was) emit failed(tr("The views were not rendered: the graphics context was lost. Render them again."));
+    });
+}
+
+ShownViews::~ShownViews()
+{
+    stop();
+}
+
+void ShownViews::start(const PrintDesk& desk, const ParameterValues& values, bool draft)
+{
+    stop();
+    const Look look = window_.history().look();
+    FrameRequest frame;
+    frame.camera = look.camera;
+    frame.time = window_.viewport().time();
+    try {
+        pictures_ = desk.shots(values, look, frame, draft);
+    } catch (const std::exception& failure) {
+        fail(messageOf(failure));
+        return;
+    }
+    PrintShot quick{look, pictures_.front().request};
+    quick.request.frame.camera = look.camera;
+    const glm::ivec2 size = quick.request.frame.raster.size;
+    quick.request.frame.raster.size = {depthWidth, std::max(1, depthWidth * size.y / size.x)};
+    quick.request.samples = 1;
+    quick.request.depth = true;
+    pictures_.insert(pictures_.begin(), quick);
+    desk_ = &desk;
+    values_ = values;
+    views_ = desk.newViews();
+    views_->setLook(window_.shelf().lookText());
+    next_ = 0;
+    elapsed_.start();
+    timer_.start(0);
+}
+
+void ShownViews::stop()
+{
+    timer_.stop();
+    const bool had = job_.renderer != nullptr;
+    if (had) window_.viewport().withContext([this] { job_ = {}; });
+    views_.reset();
+    if (had) render::trimHeap();
+}
+
+void ShownViews::fail(const QString& why)
+{
+    stop();
+    emit failed(why);
+}
+
+void ShownViews::begin(std::size_t picture)
+{
+    const PrintShot& shot = pictures_[picture];
+    if (job_.renderer) window_.gallery().nextPicture(job_, shot.look, shot.request);
+    else job_ = window_.gallery().makePicture(shot.look, shot.request);
+    if (!job_.maker) throw Failure(Blame::openGl, "No views can be rendered before the first picture is on the screen; try again then.");
+}
+
+void ShownViews::take()
+{
+    if (next_ == 0) depth_ = desk_->sceneDepth(*values_, pictures_[0].look, job_.maker->picture());
+    else views_->add(job_.maker->picture());
+    ++next_;
+    job_.maker.reset();
+}
+
+void ShownViews::step()
+{
+    try {
+        window_.viewport().withContext([this] {
+            if (!job_.maker) begin(next_);
+            job_.maker->step();
+            if (job_.maker->finished()) take();
+        });
+    } catch (const std::exception& failure) {
+        fail(messageOf(failure));
+        return;
+    }
+    if (next_ == pictures_.size()) {
+        const std::shared_ptr<const PrintViews> views = std::move(views_);
+        stop();
+        emit finished(views, depth_);
+        return;
+    }
+    const double part = (static_cast<double>(next_) + (job_.maker ? job_.maker->progress() : 0)) / static_cast<double>(pictures_.size());
+    const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
+    emit progressed(part, part > 0.02 ? seconds / part * (1 - part) : -1);
+    timer_.start(0);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_shown_views.cpp"

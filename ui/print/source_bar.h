@@ -1,0 +1,42 @@
+#pragma once
+
+#include "exhibits/printing/print_desk.h"
+
+#include <QStringList>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace vitrine::ui {
+
+/// Where the views of a print come from, and what came of it.
+class SourceBar final : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `canShow`: there is a picture in the window to render views from.
+    SourceBar(bool canShow, QWidget* parent);
+
+    void showOrigin(ViewOrigin);
+    /// "16 views" or why there are none.
+    void say(const QString&);
+    [[nodiscard]] QString said() const;
+
+signals:
+    void originChosen(vitrine::ViewOrigin);
+    void filesChosen(const QStringList&);
+    void renderAsked();
+
+private:
+    void chooseFolder();
+    void chooseFiles();
+
+    QComboBox* origin_;
+    QPushButton *render_, *folder_, *files_;
+    QLabel* said_;
+    ViewOrigin shown_ = ViewOrigin::files;
+};
+
+}  // namespace vitrine::ui

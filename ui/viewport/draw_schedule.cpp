@@ -1,0 +1,88 @@
+#include "ui/viewport/draw_schedule.h"
+
+#include <cstdio>
+#include <limits>
+
+namespace vitrine::ui {
+namespace {
+
+// Coarser at once when a frame is this much late; finer only after several frames that would leave this
+// much room, so that the resolution does not swing.
+constexpr double late = 1.3;
+constexpr double room = 0.7;
+constexpr int framesBeforeFiner = 4;
+
+}  // namespace
+
+void DrawSchedule::changed(double now)
+{
+    dirty_ = true;
+    refined_ = 0;
+    lastChange_ = now;
+}
+
+void DrawSchedule::setMoving(bool on, double now)
+{
+    if (on || moving_) changed(now);
+    moving_ = on;
+}
+
+std::optional<DrawOrder> DrawSchedule::next(double now) const
+{
+    if (moving_) return DrawOrder{scales[level_], 0, 1};
+    const bool settled = now - lastChange_ >= settleTime;
+    if (dirty_ && level_ > 0 && !settled) return DrawOrder{scales[level_], 0, 1};
+    // At full resolution the quick picture and the first supersample are the same.
+    if (dirty_) return DrawOrder{1, 0, samples_};
+    if (refined_ < samples_ && settled) return DrawOrder{1, refined_, samples_};
+    return std::nullopt;
+}
+
+double DrawSchedule::wait(double now) const
+{
+    if (next(now)) return 0;
+    if (refined_ < samples_) return lastChange_ + settleTime - now;
+    return std::numeric_limits<double>::infinity();
+}
+
+void DrawSchedule::drawn(const DrawOrder& order, double seconds)
+{
+    dirty_ = false;
+    drawnScale_ = order.scale;
+    // A quick picture is no part of a refined one, though that, too, may be of one sample.
+    if (order.samples == samples_ && order.scale == 1) refined_ = order.sample + 1;
+    if (order.sample == 0) adapt(order, seconds);
+}
+
+void DrawSchedule::adapt(const DrawOrder& order, double seconds)
+{
+    const double perPixelShare = seconds / (order.scale * order.scale);
+    const auto predicted = [&](std::size_t level) { return perPixelShare * scales[level] * scales[level]; };
+    if (order.scale == scales[level_] && seconds > late * targetTime) {
+        while (level_ + 1 < scales.size() && predicted(level_) > targetTime) ++level_;
+        fastFrames_ = 0;
+    } else if (level_ > 0 && predicted(level_ - 1) < room * targetTime) {
+        if (++fastFrames_ < framesBeforeFiner) return;
+        --level_;
+        fastFrames_ = 0;
+    } else {
+        fastFrames_ = 0;
+    }
+}
+
+std::string DrawSchedule::reason() const
+{
+    char text[96];
+    if (moving_ || dirty_ || refined_ == 0) {
+        std::snprintf(text, sizeof text, "moving: %d%% of full resolution", static_cast<int>(drawnScale_ * 100 + 0.5));
+        return text;
+    }
+    if (refined_ < samples_) {
+        std::snprintf(text, sizeof text, "still: refining %d of %d", refined_, samples_);
+        return text;
+    }
+    std::snprintf(text, sizeof text, "still: refined %d of %d, nothing to draw, because nothing changes", refined_, samples_);
+    return text;
+}
+
+}  // namespace vitrine::ui

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "exhibits/museum/museum.h"
+#include "exhibits/museum/picture.h"
+#include "exhibits/study/study.h"
+#include "render/gl/renderer.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vitrine::ui {
+
+/// A picture being made on a renderer of its own, so that the viewport goes on drawing meanwhile.
+struct PictureJob {
+    std::unique_ptr<render::gl::Renderer> renderer;
+    std::unique_ptr<PictureMaker> maker;
+};
+
+/// A study on a renderer of its own.
+struct StudyJob {
+    std::unique_ptr<render::Painter> painter;
+    std::unique_ptr<Study> study;
+};
+
+/// Everything the window shows and draws with: the museum, and a renderer on the viewport's context.
+/// Tests put a smaller one in its place.
+class Gallery {
+public:
+    virtual ~Gallery() = default;
+
+    [[nodiscard]] virtual std::span<const std::unique_ptr<Exhibit>> exhibits() const = 0;  ///< The hall first.
+    [[nodiscard]] virtual Look initialLook() const = 0;
+    [[nodiscard]] virtual render::Camera bestView(std::size_t exhibit, const ParameterValues&) const = 0;
+    [[nodiscard]] virtual glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const = 0;
+    [[nodiscard]] virtual std::optional<LookedAt> lookedAt(const Look&) const = 0;
+    [[nodiscard]] virtual std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const = 0;
+    [[nodiscard]] virtual std::vector<int> emptyPlaces() const = 0;
+    [[nodiscard]] virtual double nextChange(const Look&, const FrameRequest&) const = 0;
+
+    /// Which files that the look names and needs for what it shows cannot be read, and why: one full sentence each,
+    /// that begins with the parameter's label.
+    [[nodiscard]] virtual std::vector<std::string> unreadableFiles(const Look&) const { return {}; }
+
+    // With the viewport's context current:
+
+    /// Called when the context is made, and again after it was lost.
+    virtual void open() = 0;
+    virtual void close() = 0;
+    virtual render::FrameReport draw(const Look&, const FrameRequest&) = 0;
+    /// Copies the last picture to the framebuffer that is bound, of this size in device pixels.
+    virtual void present(int width, int height) = 0;
+    /// The last picture as `PictureMaker::picture` gives it; empty where there is none.
+    [[nodiscard]] virtual render::Image shownPicture() { return {}; }
+    virtual void timeSteps(bool on) = 0;
+    /// Returns whether any picture may have changed.
+    virtual bool reloadChangedShaders() = 0;
+    [[nodiscard]] virtual std::vector<render::gl::ShaderProblem> problems() const = 0;
+    /// A finished picture to make step by step, with the context current at every step and at its end.
+    [[nodiscard]] virtual PictureJob makePicture(const Look&, const PictureRequest&) = 0;
+    /// Another one on the same renderer, which keeps its programs and textures.
+    virtual void nextPicture(PictureJob&, const Look&, const PictureRequest&) = 0;
+    /// A study to make step by step, with the context current at every step and at its end. Throws Failure when
+    /// there is nothing to measure.
+    [[nodiscard]] virtual StudyJob makeStudy(const StudyRequest&) = 0;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/viewport/gallery.h"
+
+namespace vitrine::ui {
+
+/// The museum as it is. The museum must outlive it.
+class MuseumGallery final : public Gallery {
+public:
+    explicit MuseumGallery(const Museum& museum) : museum_(museum) {}
+
+    [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const override;
+    [[nodiscard]] Look initialLook() const override;
+    [[nodiscard]] render::Camera bestView(std::size_t exhibit, const ParameterValues&) const override;
+    [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const override;
+    [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override;
+    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const override;
+    [[nodiscard]] std::vector<int> emptyPlaces() const override;
+    [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const override;
+
+    [[nodiscard]] std::vector<std::string> unreadableFiles(const Look&) const override;
+
+    void open() override;
+    void close() override;
+    render::FrameReport draw(const Look&, const FrameRequest&) override;
+    void present(int width, int height) override;
+    [[nodiscard]] render::Image shownPicture() override;
+    void timeSteps(bool on) override;
+    bool reloadChangedShaders() override;
+    [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override;
+    [[nodiscard]] PictureJob makePicture(const Look&, const PictureRequest&) override;
+    void nextPicture(PictureJob&, const Look&, const PictureRequest&) override;
+    [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override;
+
+    /// What the viewport's renderer keeps, by owner; nothing before it is open.
+    [[nodiscard]] std::vector<render::gl::Stored> stored() const;
+
+private:
+    const Museum& museum_;
+    std::unique_ptr<render::gl::Renderer> renderer_;
+    bool timeSteps_ = false;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,78 @@
+#include "ui/window/about_dialog.h"
+
+#include "render/files/assets.h"
+
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+
+namespace vitrine::ui {
+
+QIcon programIcon()
+{
+    QIcon icon;
+    for (const int side : {16, 24, 32, 48, 64, 128, 256}) {
+        QPixmap picture(side, side);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.scale(side / 64.0, side / 64.0);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(0x5c, 0x3d, 0x22));
+        painter.drawRoundedRect(QRectF(8, 50, 48, 10), 2, 2);
+        painter.setBrush(QColor(0xd7, 0xe4, 0xea));
+        painter.drawRoundedRect(QRectF(11, 4, 42, 46), 3, 3);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(0xc8, 0x5a, 0x24), 8));
+        painter.drawEllipse(QPointF(32, 31), 11, 11);
+        painter.setPen(QPen(QColor(0x8a, 0x6b, 0x3f), 3));
+        painter.drawRoundedRect(QRectF(11, 4, 42, 46), 3, 3);
+        painter.end();
+        icon.addPixmap(picture);
+    }
+    return icon;
+}
+
+QString manualPath()
+{
+    const QFileInfo readme(QString::fromStdString(render::asset("../README.md").string()));
+    return readme.exists() ? readme.canonicalFilePath() : QString();
+}
+
+AboutDialog::AboutDialog(QWidget* window) : QDialog(window)
+{
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("About Vitrine"));
+    auto* picture = new QLabel(this);
+    picture->setPixmap(programIcon().pixmap(64));
+    auto* words = new QLabel(this);
+    words->setTextFormat(Qt::PlainText);
+    words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    words->setAccessibleName(windowTitle());
+    words->setText(tr("Vitrine %1\n"
+                      "A workbench for real-time rendering techniques, in a museum.\n\n"
+                      "Made with Qt %2, QCustomPlot, OpenGL 4.5 through libepoxy, GLM, Bullet,\n"
+                      "OpenImageIO, tinygltf, nlohmann JSON, libpng and CLI11.\n"
+                      "\"vitrine doctor\" tells their versions and what this machine can do.\n\n"
+                      "Free software under the GNU General Public License, version 3 or later;\n"
+                      "it comes without any warranty. Where models, textures and fonts come from\n"
+                      "is written in assets/SOURCES.md.")
+                       .arg(QStringLiteral(VITRINE_VERSION), QString::fromLatin1(qVersion())));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    auto* top = new QHBoxLayout;
+    top->setSpacing(16);
+    top->addWidget(picture, 0, Qt::AlignTop);
+    top->addWidget(words, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(16);
+    layout->addLayout(top);
+    layout->addWidget(buttons);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_about_dialog.cpp"

@@ -1,0 +1,53 @@
+#include "ui/window/dock_title.h"
+
+#include "ui/window/theme.h"
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+
+namespace vitrine::ui {
+
+DockTitle::DockTitle(QDockWidget* dock) : QWidget(dock), dock_(dock)
+{
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 2, 4, 2);
+    layout->setSpacing(0);
+    layout->addStretch(1);
+    const auto button = [&](const QString& face, const QString& name) {
+        auto* made = new QToolButton(this);
+        made->setText(face);
+        made->setAutoRaise(true);
+        made->setFixedSize(22, 22);
+        made->setAccessibleName(name);
+        made->setToolTip(name);
+        made->setFocusPolicy(Qt::TabFocus);
+        QPalette quiet = made->palette();
+        quiet.setColor(QPalette::ButtonText, theme().dim);
+        made->setPalette(quiet);
+        layout->addWidget(made);
+        return made;
+    };
+    const QString name = dock->windowTitle();
+    connect(button(QStringLiteral("▫"), tr("Float or dock %1").arg(name)), &QToolButton::clicked, dock,
+            [dock] { dock->setFloating(!dock->isFloating()); });
+    connect(button(QStringLiteral("✕"), tr("Close %1").arg(name)), &QToolButton::clicked, dock, &QDockWidget::close);
+}
+
+void DockTitle::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    QFont font = painter.font();
+    font.setWeight(QFont::DemiBold);
+    painter.setFont(font);
+    painter.setPen(theme().text);
+    painter.drawText(rect().adjusted(12, 0, -56, 0), Qt::AlignLeft | Qt::AlignVCenter, dock_->windowTitle());
+    QColor line = theme().text;
+    line.setAlphaF(0.1F);
+    painter.fillRect(QRect(0, height() - 1, width(), 1), line);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_dock_title.cpp"

@@ -1,0 +1,100 @@
+#include "ui/window/ledger_view.h"
+
+#include "ui/window/theme.h"
+
+#include <QHeaderView>
+#include <QLocale>
+
+namespace vitrine::ui {
+namespace {
+
+enum Column { step, work, time, saved, reason };
+
+}  // namespace
+
+LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
+{
+    setAccessibleName(tr("Ledger"));
+    setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Saved"), tr("Why")});
+    headerItem()->setToolTip(saved, tr("What a skipped step took when it last ran, in milliseconds; running everything measures all."));
+    setRootIsDecorated(false);
+    setUniformRowHeights(true);
+    setFrameShape(QFrame::NoFrame);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    header()->setStretchLastSection(true);
+    header()->resizeSection(step, 220);
+    header()->resizeSection(work, 96);
+    header()->resizeSection(time, 72);
+    header()->resizeSection(saved, 72);
+    timer_.setSingleShot(true);
+    timer_.setInterval(500);
+    connect(&timer_, &QTimer::timeout, this, &LedgerView::renew);
+}
+
+void LedgerView::note(const render::FrameReport& report)
+{
+    report_ = report;
+    for (const render::StepReport& s : report.ran)
+        if (s.milliseconds >= 0) lastCost_[s.name] = s.milliseconds;
+    if (isVisible() && !timer_.isActive()) timer_.start();
+}
+
+void LedgerView::setTitles(const QHash<QString, QString>& titles)
+{
+    titles_ = titles;
+}
+
+QString LedgerView::stepText(const QString& name) const
+{
+    const qsizetype slash = name.indexOf(QLatin1Char('/'));
+    const auto title = titles_.constFind(name.left(slash));
+    return slash < 0 || title == titles_.constEnd() ? name : *title + QStringLiteral(": ") + name.mid(slash + 1);
+}
+
+double LedgerView::lastCost(const std::string& name) const
+{
+    const auto known = lastCost_.find(name);
+    return known == lastCost_.end() ? -1 : known->second;
+}
+
+void LedgerView::showEvent(QShowEvent* event)
+{
+    renew();
+    QTreeWidget::showEvent(event);
+}
+
+void LedgerView::renew()
+{
+    std::size_t steps = report_.ran.size() + report_.skipped.size();
+    for (const render::StepReport& s : report_.ran) steps += s.effects.size();
+    const int wanted = static_cast<int>(steps);
+    while (topLevelItemCount() > wanted) delete takeTopLevelItem(topLevelItemCount() - 1);
+    while (topLevelItemCount() < wanted) {
+        auto* item = new QTreeWidgetItem(this);
+        for (const int number : {time, saved}) item->setTextAlignment(number, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    int row = 0;
+    const auto milliseconds = [](double ms) { return ms < 0 ? QStringLiteral("–") : QLocale::c().toString(ms, 'f', 2); };
+    const auto fill = [&](const std::string& name, render::Work kind, const QString& ms, const QString& notSpent, const std::string& why, bool ran) {
+        QTreeWidgetItem* item = topLevelItem(row++);
+        item->setText(step, stepText(QString::fromStdString(name)));
+        item->setToolTip(step, QString::fromStdString(name));
+        item->setText(work, QString::fromLatin1(render::toString(kind)));
+        item->setText(time, ms);
+        item->setText(saved, notSpent);
+        item->setText(reason, QString::fromStdString(why));
+        item->setToolTip(reason, item->text(reason));
+        for (int column = 0; column < columnCount(); ++column) item->setForeground(column, ran ? theme().text : theme().dim);
+    };
+    for (const render::StepReport& s : report_.ran) {
+        fill(s.name, s.work, milliseconds(s.milliseconds), {}, s.reason + (s.bound.isKnown() ? "; changes " + toString(s.bound) : std::string()), true);
+        for (const render::Effect& e : s.effects)
+            fill(e.name, s.work, tr("in step above"), {}, e.bound.isKnown() ? "changes " + toString(e.bound) : std::string("how much it changes is not known"), true);
+    }
+    for (const render::Skipped& s : report_.skipped)
+        fill(s.name, s.work, tr("skipped"), milliseconds(lastCost(s.name)), s.reason + (s.boundIsZero ? ": its bound is 0" : ""), false);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_ledger_view.cpp"

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "render/image/image_io.h"
+#include "ui/viewport/gallery.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace vitrine::ui {
+
+class MainWindow;
+
+/// What to export.
+struct ExportWish {
+    std::filesystem::path path;
+    render::PictureFormat format = render::PictureFormat::png8;
+    glm::ivec2 size{1280, 720};
+    int samples = 16;
+    bool transparent = false;  ///< Only the chosen exhibit, cut out of the hall.
+};
+
+/// Makes one picture step by step between the window's other work, then writes it with the look inside.
+class PictureExport final : public QObject {
+    Q_OBJECT
+
+public:
+    PictureExport(MainWindow&, ExportWish);
+    ~PictureExport() override;
+
+    void start();
+    /// Leaves no file. Deletes itself.
+    void cancel();
+    /// Until it is finished, failed or cancelled.
+    [[nodiscard]] bool running() const { return running_; }
+    [[nodiscard]] const std::filesystem::path& path() const { return wish_.path; }
+
+signals:
+    /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
+    void progressed(double part, double secondsLeft);
+    /// The file is written and checked; or why it is not: then the old file, if any, is as it was.
+    void finished(const QString& path);
+    void failed(const QString& why);
+
+private:
+    void step();
+    void write();
+    void drop();
+    void fail(const QString& why);
+
+    MainWindow& window_;
+    ExportWish wish_;
+    std::string preset_;
+    PictureJob job_;
+    QTimer timer_;
+    QElapsedTimer elapsed_;
+    bool running_ = false;
+};
+
+/// "<Pictures>/<exhibit>-<date>-<time>.png", neither taken yet nor by a picture that the window is making.
+[[nodiscard]] std::filesystem::path freeScreenshotPath(const MainWindow&, const QString& exhibit);
+
+}  // namespace vitrine::ui

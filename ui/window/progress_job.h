@@ -1,0 +1,54 @@
+#pragma once
+
+#include "exhibits/printing/print_desk.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QThreadPool>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+namespace vitrine::ui {
+
+/// One long piece of work beside the window that says how far it is and can be stopped. Starting another
+/// stops the one before.
+class ProgressJob final : public QObject {
+    Q_OBJECT
+
+public:
+    using Outcome = std::function<void()>;
+    using Work = std::function<Outcome(const PrintProgress&)>;
+
+    explicit ProgressJob(QObject* parent);
+    /// Stops and waits.
+    ~ProgressJob() override;
+
+    /// `work` runs on another thread and must own what it uses; what it returns runs on this one.
+    void start(Work work);
+    void stop();
+    [[nodiscard]] bool running() const { return running_; }
+
+signals:
+    /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
+    void progressed(double part, double secondsLeft);
+    void failed(const QString& why);
+    void stopped();
+
+private:
+    void run(Work work);
+    void end(int turn, const Outcome&, const QString& why, bool stopped);
+
+    QThreadPool pool_;
+    QElapsedTimer elapsed_;
+    std::shared_ptr<std::atomic<bool>> stopping_;
+    Work next_;
+    bool running_ = false;
+    int turn_ = 0;
+};
+
+/// "About 12 s left", or "About 3 min left".
+[[nodiscard]] QString timeLeft(double seconds);
+
+}  // namespace vitrine::ui

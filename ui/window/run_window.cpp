@@ -1,0 +1,55 @@
+#include "ui/window/run_window.h"
+
+#include "exhibits/exhibits.h"
+#include "render/failure.h"
+#include "ui/viewport/first_picture.h"
+#include "ui/viewport/gl_probe.h"
+#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/application.h"
+#include "ui/window/main_window.h"
+#include "ui/window/theme_choice.h"
+
+#include <QSurfaceFormat>
+
+#include <clocale>
+#include <cstdio>
+
+namespace vitrine::ui {
+
+bool hasDisplay()
+{
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+           !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
+
+int runWindow(int& argc, char** argv)
+{
+    if (!hasDisplay()) {
+        std::fprintf(stderr, "vitrine: there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set); "
+                             "\"vitrine --help\" lists what works without one.\n");
+        return noDisplay;
+    }
+    // One family of contexts, so that undocking or reparenting the viewport keeps its objects.
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QSurfaceFormat::setDefaultFormat(viewportFormat());
+    Application app(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");  // QApplication took the user's; numbers in shaders and files have points.
+    QApplication::setApplicationName(QStringLiteral("vitrine"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Vitrine"));
+    QApplication::setDesktopFileName(QStringLiteral("vitrine"));
+    if (const QString why = whyNoOpenGl(); !why.isEmpty()) {
+        std::fprintf(stderr, "vitrine: %s\n", qPrintable(why));
+        return static_cast<int>(Blame::openGl);
+    }
+    chooseTheme(app, savedThemeChoice());
+    const Museum museum{allExhibits()};
+    MuseumGallery gallery(museum);
+    MainWindow window(gallery);
+    QObject::connect(&app, &Application::caught, &window, [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
+    reportFirstPicture(window);
+    window.show();
+    return QApplication::exec();
+}
+
+}  // namespace vitrine::ui

@@ -1,0 +1,243 @@
+#include "ui/window/screenshot_dialog.h"
+
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+#include "ui/window/replace_question.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <array>
+#include <cmath>
+
+namespace vitrine::ui {
+namespace {
+
+struct FormatLine {
+    const char* name;
+    const char* ending;
+    render::PictureFormat format;
+};
+constexpr std::array<FormatLine, 6> formats{{
+    {"PNG, 8 bit", "png", render::PictureFormat::png8},
+    {"PNG, 16 bit", "png", render::PictureFormat::png16},
+    {"OpenEXR, linear light, 32 bit", "exr", render::PictureFormat::exr},
+    {"OpenEXR, linear light, 16 bit", "exr", render::PictureFormat::exrHalf},
+    {"TIFF, 8 bit", "tif", render::PictureFormat::tiff8},
+    {"TIFF, 16 bit", "tif", render::PictureFormat::tiff16},
+}};
+constexpr std::array<QSize, 5> usualSizes{QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160), QSize(7680, 4320),
+                                          QSize(2048, 2048)};
+
+QString duration(double seconds)
+{
+    const int whole = static_cast<int>(std::ceil(seconds));
+    return whole < 90 ? ScreenshotDialog::tr("%1 s").arg(whole) : ScreenshotDialog::tr("%1 min").arg((whole + 30) / 60);
+}
+
+}  // namespace
+
+ScreenshotDialog::ScreenshotDialog(MainWindow& window)
+    : QDialog(&window), window_(window), sizes_(new QComboBox(this)), width_(new QSpinBox(this)), height_(new QSpinBox(this)),
+      samples_(new QSpinBox(this)), format_(new QComboBox(this)), transparent_(new QCheckBox(this)), path_(new QLineEdit(this)),
+      progress_(new QProgressBar(this)), left_(new QLabel(this)), go_(new QPushButton(tr("Export"), this)),
+      stop_(new QPushButton(tr("Close"), this))
+{
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Export picture"));
+    build();
+    connect(sizes_, &QComboBox::activated, this, [this] {
+        const QSize size = sizes_->currentData().toSize();
+        width_->setValue(size.width());
+        height_->setValue(size.height());
+    });
+    connect(format_, &QComboBox::currentIndexChanged, this, &ScreenshotDialog::takeFormat);
+    connect(go_, &QPushButton::clicked, this, &ScreenshotDialog::start);
+    connect(stop_, &QPushButton::clicked, this, [this] {
+        reject();
+    });
+    setBusy(false);
+    const auto name = window.gallery().exhibits()[window.chosen()]->name();
+    path_->setText(
+        QString::fromStdString(freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
+}
+
+void ScreenshotDialog::build()
+{
+    const double ratio = window_.viewport().devicePixelRatioF();
+    const QSize now = QSizeF(window_.viewport().size() * ratio).toSize();
+    sizes_->addItem(tr("As in the window"), now);
+    for (const QSize& size : usualSizes) sizes_->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
+    for (QSpinBox* side : {width_, height_}) {
+        side->setRange(1, 65536);
+        side->setSuffix(tr(" px"));
+    }
+    width_->setValue(now.width());
+    height_->setValue(now.height());
+    samples_->setRange(1, 64);
+    samples_->setValue(16);
+    for (const FormatLine& line : formats) format_->addItem(tr(line.name));
+    transparent_->setText(tr("Only the chosen exhibit"));
+    path_->setMinimumWidth(320);
+    left_->setTextFormat(Qt::PlainText);
+    left_->setWordWrap(true);
+    left_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    progress_->setRange(0, 1000);
+    progress_->setTextVisible(false);
+    progress_->setFixedHeight(4);
+    sizes_->setAccessibleName(tr("Usual sizes"));
+    width_->setAccessibleName(tr("Width"));
+    height_->setAccessibleName(tr("Height"));
+    path_->setAccessibleName(tr("File"));
+    progress_->setAccessibleName(tr("Progress"));
+    samples_->setToolTip(tr("Samples per pixel: 1 has stairs, 16 is smooth, 64 is for prints."));
+    transparent_->setToolTip(tr("The exhibit as it stands in the hall's light, cut out: alpha is 0 around it."));
+
+    auto* size = new QHBoxLayout;
+    size->setSpacing(8);
+    size->addWidget(width_);
+    size->addWidget(new QLabel(QStringLiteral("×"), this));
+    size->addWidget(height_);
+    size->addStretch(1);
+    auto* file = new QHBoxLayout;
+    file->setSpacing(4);
+    auto* browseButton = new QToolButton(this);
+    browseButton->setText(QStringLiteral("…"));
+    browseButton->setAccessibleName(tr("Choose a file"));
+    browseButton->setToolTip(tr("Choose a file"));
+    connect(browseButton, &QToolButton::clicked, this, &ScreenshotDialog::browse);
+    file->addWidget(path_, 1);
+    file->addWidget(browseButton);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addStretch(1);
+    buttons->addWidget(stop_);
+    buttons->addWidget(go_);
+    go_->setDefault(true);
+    stop_->setAutoDefault(false);  // It has the focus while the export runs: a second Enter must not cancel it.
+
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(16, 16, 16, 16);
+    form->setSpacing(8);
+    form->setLabelAlignment(Qt::AlignLeft);
+    form->addRow(tr("Size"), sizes_);
+    form->addRow(QString(), size);
+    form->addRow(tr("Samples per pixel"), samples_);
+    form->addRow(tr("Format"), format_);
+    form->addRow(tr("Transparent"), transparent_);
+    form->addRow(tr("File"), file);
+    form->addRow(progress_);
+    form->addRow(left_);
+    form->addRow(buttons);
+}
+
+void ScreenshotDialog::takeFormat()
+{
+    const QFileInfo file(path_->text());
+    const QString ending = QLatin1String(formats[static_cast<std::size_t>(format_->currentIndex())].ending);
+    path_->setText(file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1Char('.') + ending);
+}
+
+void ScreenshotDialog::browse()
+{
+    auto* dialog = new QFileDialog(this, tr("Export picture"), path_->text());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
+        path_->setText(chosen);
+        replaced_ = chosen;  // The dialog has asked.
+    });
+    dialog->open();
+}
+
+void ScreenshotDialog::setPath(const QString& path)
+{
+    path_->setText(path);
+}
+
+QString ScreenshotDialog::path() const
+{
+    return path_->text();
+}
+
+void ScreenshotDialog::reject()
+{
+    if (!running_ || !running_->running()) {
+        QDialog::reject();
+        return;
+    }
+    running_->cancel();
+    setBusy(false);
+    left_->setText(tr("Cancelled; no file was written."));
+}
+
+ExportWish ScreenshotDialog::wish() const
+{
+    return {path_->text().toStdString(),
+            formats[static_cast<std::size_t>(format_->currentIndex())].format,
+            {width_->value(), height_->value()},
+            samples_->value(),
+            transparent_->isChecked()};
+}
+
+void ScreenshotDialog::setBusy(bool busy)
+{
+    for (QWidget* input : std::initializer_list<QWidget*>{sizes_, width_, height_, samples_, format_, transparent_, path_})
+        input->setEnabled(!busy);
+    go_->setEnabled(!busy);
+    stop_->setText(busy ? tr("Cancel") : tr("Close"));
+    if (!busy) progress_->setValue(0);
+}
+
+void ScreenshotDialog::start()
+{
+    if (transparent_->isChecked() && !window_.gallery().exhibits()[window_.chosen()]->castsShadow()) {
+        left_->setText(tr("This is made of light alone: there is nothing to cut out."));
+        return;
+    }
+    if (transparent_->isChecked() && window_.chosen() == 0) {
+        left_->setText(tr("Visit an exhibit first: around the hall there is nothing to leave out."));
+        return;
+    }
+    if (path_->text() == replaced_) write(replaced_);
+    else askBeforeReplacing(this, path_->text(), [this](const QString& path) { write(path); });
+}
+
+void ScreenshotDialog::write(const QString& to)
+{
+    if (running_ && running_->running()) return;
+    path_->setText(to);
+    replaced_.clear();
+    running_ = new PictureExport(window_, wish());
+    connect(running_, &PictureExport::progressed, this, [this](double part, double secondsLeft) {
+        progress_->setValue(static_cast<int>(part * 1000));
+        left_->setText(secondsLeft < 0 ? tr("Drawing") : tr("About %1 left").arg(duration(secondsLeft)));
+    });
+    connect(running_, &PictureExport::finished, this, [this](const QString& path) {
+        setBusy(false);
+        left_->setText(tr("Saved %1.").arg(QFileInfo(path).fileName()));
+        left_->setToolTip(path);
+        path_->setText(nextFreePath(path));
+    });
+    connect(running_, &PictureExport::failed, this, [this](const QString& why) {
+        setBusy(false);
+        left_->setText(why);
+        window_.say(MessageStrip::Mood::problem, why);
+    });
+    setBusy(true);
+    left_->setText(tr("Drawing"));
+    running_->start();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_screenshot_dialog.cpp"

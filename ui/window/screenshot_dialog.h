@@ -1,0 +1,53 @@
+#pragma once
+
+#include "ui/window/picture_export.h"
+
+#include <QDialog>
+#include <QPointer>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace vitrine::ui {
+
+/// Asks for size, samples, format and place of a picture and shows how it is made. Blocks nothing.
+class ScreenshotDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit ScreenshotDialog(MainWindow&);
+    void setPath(const QString&);
+    [[nodiscard]] QString path() const;
+
+public slots:
+    /// Cancels what runs; closes the dialog where nothing does.
+    void reject() override;
+
+private:
+    void build();
+    void takeFormat();
+    void browse();
+    void start();
+    void write(const QString& path);
+    void setBusy(bool);
+    [[nodiscard]] ExportWish wish() const;
+
+    MainWindow& window_;
+    QComboBox* sizes_;
+    QSpinBox *width_, *height_, *samples_;
+    QComboBox* format_;
+    QCheckBox* transparent_;
+    QLineEdit* path_;
+    QString replaced_;  // The visitor agreed that this file may be replaced.
+    QProgressBar* progress_;
+    QLabel* left_;
+    QPushButton *go_, *stop_;
+    QPointer<PictureExport> running_;
+};
+
+}  // namespace vitrine::ui

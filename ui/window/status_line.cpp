@@ -1,0 +1,59 @@
+#include "ui/window/status_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+
+namespace vitrine::ui {
+
+StatusLine::StatusLine(QWidget* parent) : QWidget(parent)
+{
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 0, 8, 0);
+    layout->setSpacing(24);
+    const std::array<QString, 4> names{tr("What is drawn and why"), tr("Resolution"), tr("Time of the frame"), tr("Passes")};
+    for (std::size_t i = 0; i < labels_.size(); ++i) {
+        labels_[i] = new QLabel(this);
+        labels_[i]->setTextFormat(Qt::PlainText);
+        labels_[i]->setAccessibleName(names[i]);
+        labels_[i]->setToolTip(names[i]);
+        layout->addWidget(labels_[i], i == 0 ? 1 : 0);
+    }
+    labels_[0]->setMinimumWidth(80);
+    setFixedHeight(24);
+    timer_.setSingleShot(true);
+    timer_.setInterval(500);
+    connect(&timer_, &QTimer::timeout, this, &StatusLine::renew);
+}
+
+void StatusLine::note(const render::FrameReport& report, const QSize& pixels, const QString& reason)
+{
+    reason_ = reason;
+    pixels_ = pixels;
+    milliseconds_ = report.milliseconds;
+    clock_ = QString::fromStdString(report.clock);
+    if (!report.clockTrusted) clock_ += tr(", not trusted");
+    ran_ = report.ran.size();
+    skipped_ = report.skipped.size();
+    if (!timer_.isActive()) timer_.start();
+}
+
+void StatusLine::renew()
+{
+    labels_[0]->setText(reason_);
+    labels_[1]->setText(tr("%1 × %2").arg(pixels_.width()).arg(pixels_.height()));
+    labels_[2]->setText(tr("%1 ms").arg(QLocale::c().toString(milliseconds_, 'f', 1)));
+    labels_[2]->setToolTip(tr("Time of the frame, by %1").arg(clock_));
+    labels_[3]->setText(tr("%1 passes ran, %2 skipped").arg(ran_).arg(skipped_));
+}
+
+QString StatusLine::text() const
+{
+    QStringList all;
+    for (const QLabel* label : labels_) all << label->text();
+    return all.join(QStringLiteral(" | "));
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_status_line.cpp"

@@ -1,0 +1,192 @@
+#include "ui/window/window_actions.h"
+
+#include "ui/parameters/parameter_panel.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/about_dialog.h"
+#include "ui/window/main_window.h"
+#include "ui/window/theme_choice.h"
+
+#include <QAction>
+#include <QDesktopServices>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMenuBar>
+#include <QUrl>
+
+namespace vitrine::ui {
+namespace {
+
+using Keys = QList<QKeySequence>;
+
+class Maker {
+public:
+    Maker(MainWindow& window, QList<QAction*>& all) : window_(window), all_(all) {}
+
+    void menu(const QString& title) { menu_ = window_.menuBar()->addMenu(title); }
+    void separator() { menu_->addSeparator(); }
+    void submenu(QMenu* menu) { menu_->addMenu(menu); }
+    QAction* add(const QString& text, const Keys& keys, const QString& tip, std::function<void()> work)
+    {
+        auto* action = new QAction(text, &window_);
+        action->setShortcuts(keys);
+        action->setToolTip(tip);
+        action->setStatusTip(tip);
+        if (work) QObject::connect(action, &QAction::triggered, &window_, [work](bool) { work(); });
+        take(action);
+        return action;
+    }
+    QAction* toggle(const QString& text, const Keys& keys, const QString& tip, std::function<void(bool)> work)
+    {
+        QAction* action = add(text, keys, tip, {});
+        action->setCheckable(true);
+        QObject::connect(action, &QAction::toggled, &window_, work);
+        return action;
+    }
+    void take(QAction* action)
+    {
+        menu_->addAction(action);
+        window_.addAction(action);
+        all_ << action;
+    }
+    /// Only while the picture has the focus: plain letters and Tab.
+    void inViewport(QAction* action)
+    {
+        window_.removeAction(action);
+        action->setShortcutContext(Qt::WidgetShortcut);
+        window_.viewport().addAction(action);
+    }
+
+private:
+    MainWindow& window_;
+    QList<QAction*>& all_;
+    QMenu* menu_ = nullptr;
+};
+
+QString tr(const char* text)
+{
+    return MainWindow::tr(text);
+}
+
+}  // namespace
+
+WindowActions::WindowActions(MainWindow& window)
+{
+    Maker make(window, all);
+    PresetShelf& shelf = window.shelf();
+
+    make.menu(tr("&File"));
+    make.add(tr("&Open…"), {QKeySequence(Qt::CTRL | Qt::Key_O)},
+             tr("A preset, a picture with one inside, a model or a panorama."), [&window] {
+                 auto* dialog = new QFileDialog(&window, tr("Open"));
+                 dialog->setAttribute(Qt::WA_DeleteOnClose);
+                 dialog->setFileMode(QFileDialog::ExistingFile);
+                 dialog->setNameFilters({tr("All that can be opened (%1)").arg(MainWindow::openable().join(QLatin1Char(' '))), tr("All files (*)")});
+                 QObject::connect(dialog, &QFileDialog::fileSelected, &window, &MainWindow::openFile);
+                 dialog->open();
+             });
+    make.add(tr("Save e&xhibition…"), {}, tr("Saves everything in one file: all exhibits, the hall and where you stand."),
+             [&shelf] { shelf.saveExhibition(); });
+    make.separator();
+    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves the picture at once, as PNG in your pictures folder."),
+             [&window] { window.saveScreenshotNow(); });
+    make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
+             tr("Any size, supersampling, PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
+    make.add(tr("Export &lenticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
+             tr("Views of what is shown, or of your own, interlaced for a sheet of lenses; and charts to calibrate it with."),
+             [&window] { window.openPrintDialog(); });
+    make.separator();
+    make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}, tr("Closes the window; everything comes back next time."),
+             [&window] { window.close(); });
+
+    make.menu(tr("&Edit"));
+    QAction* undo = window.history().stack().createUndoAction(&window, tr("&Undo"));
+    undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
+    make.take(undo);
+    QAction* redo = window.history().stack().createRedoAction(&window, tr("&Redo"));
+    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    make.take(redo);
+    make.separator();
+    make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)}, tr("Goes to the filter of the panel."), [&window] {
+        window.findParameter();
+    });
+    make.add(tr("Reset &all parameters"), {}, tr("All values of the exhibit on show become the initial ones, as one step."),
+             [&window] { window.resetEverything(); });
+    make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)}, tr("Finds and runs any command by name."),
+             [&window] { window.openPalette(); });
+
+    make.menu(tr("&Preset"));
+    savePreset = make.add(tr("&Save preset"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
+                          tr("Saves the values that the panel shows to the preset in use."), [&shelf] { shelf.save(); });
+    savePresetAs = make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
+                            tr("Saves the values that the panel shows under a new name."), [&shelf] { shelf.saveAs(); });
+    make.separator();
+    presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)}, tr("Gives the selected preset another name."),
+                           [&shelf] { shelf.rename(); });
+    presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to one of your own."),
+                           [&shelf] { shelf.duplicate(); });
+    presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."),
+                           [&shelf] { shelf.remove(); });
+    make.separator();
+    presetMenu << make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own."), [&shelf] { shelf.importFile(); });
+    presetMenu << make.add(tr("&Export preset…"), {}, tr("Writes the selected preset to a file."),
+                           [&shelf] { shelf.exportFile(); });
+
+    make.menu(tr("&View"));
+    panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
+                         tr("Leaves nothing but the picture. Tab does the same while the picture has the focus."),
+                         [&window](bool hidden) { window.hidePanels(hidden); });
+    QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::Key_Tab)}, tr("Hides or shows everything but the picture."),
+                             [this] { panels->toggle(); });
+    make.inViewport(bare);
+    make.separator();
+    for (QDockWidget* dock : window.docks()) {
+        QAction* toggle = dock->toggleViewAction();
+        toggle->setToolTip(tr("Shows or hides this panel."));
+        toggle->setStatusTip(toggle->toolTip());
+        make.take(toggle);
+    }
+    make.separator();
+    fullScreen = make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."),
+                             [&window](bool on) { window.setFullScreen(on); });
+    make.submenu(themeMenu(&window));
+    make.separator();
+    pause = make.toggle(tr("Pause &clock"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Pause)},
+                        tr("Stops and starts the exhibits' clock."), [&window](bool on) { window.viewport().setPaused(on); });
+    make.inViewport(pause);
+#ifndef NDEBUG  // Other builds carry their shaders inside.
+    make.add(tr("&Reload shaders"), {QKeySequence(Qt::Key_F5), QKeySequence(Qt::CTRL | Qt::Key_R)},
+             tr("Builds changed shaders again; one that fails keeps its last good picture."),
+             [&window] { window.viewport().reloadShaders(); });
+#endif
+
+    make.menu(tr("E&xhibit"));
+    make.add(tr("&Entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)}, tr("Back to where the visit begins."), [&window] { window.visit(0); });
+    make.add(tr("&Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)}, tr("To where you stood before; Backspace does the same while the picture has the focus."),
+             [&window] { window.viewport().goBack(); });
+    make.add(tr("&Press its button"), {}, tr("The red button of the exhibit that you look at; E does the same while the picture has the focus."),
+             [&window] { window.viewport().press(); });
+    make.separator();
+    for (std::size_t i = 1; i < window.gallery().exhibits().size(); ++i) {
+        const Exhibit& exhibit = *window.gallery().exhibits()[i];
+        const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
+                              ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))}
+                              : Keys{};
+        make.add(tr("Visit %1").arg(QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()))),
+                 keys, QString::fromUtf8(exhibit.summary().data(), static_cast<qsizetype>(exhibit.summary().size())),
+                 [&window, i] { window.visit(i); });
+    }
+
+    make.menu(tr("&Help"));
+    make.add(tr("&Keyboard and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)},
+             tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
+    const QString manual = manualPath();
+    QAction* read = make.add(tr("&Manual"), {}, manual.isEmpty() ? tr("README.md did not come with this copy of the program.") : tr("Opens %1.").arg(manual),
+                             [manual] { QDesktopServices::openUrl(QUrl::fromLocalFile(manual)); });
+    read->setEnabled(!manual.isEmpty());
+    make.separator();
+    make.add(tr("&About Vitrine"), {}, tr("Version, libraries, licence."), [&window] { window.openAbout(); });
+}
+
+}  // namespace vitrine::ui
