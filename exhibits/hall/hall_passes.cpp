@@ -244,6 +244,13 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
 
 }  // namespace
 
+double buttonScale(double seconds)
+{
+    if (!(seconds >= 0) || seconds >= 0.2) return 1;
+    const double t = seconds < 0.1 ? seconds / 0.1 : (0.2 - seconds) / 0.1;
+    return 1 - 0.9 * t;
+}
+
 std::vector<Part> partsAt(const HallScene& scene, const Place& place)
 {
     if (!isOccupied(scene, place.number)) return place.cloth;

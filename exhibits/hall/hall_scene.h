@@ -78,4 +78,7 @@ void planProbe(const HallScene&, const Surroundings&, render::FramePlan&);
 /// What every picture ends with: tone mapping and the mean over supersamples, into the image "frame".
 void planDevelop(const Surroundings&, const FrameRequest&, render::FramePlan&);
 
+/// Vertical scale of a button, `seconds` after it was pressed: 1 to 0.1 in 0.1 s and back in 0.1 s.
+[[nodiscard]] double buttonScale(double seconds);
+
 }  // namespace vitrine

@@ -42,13 +42,6 @@ double sincePress(const FrameRequest& request, std::size_t i)
 
 }  // namespace
 
-double buttonScale(double seconds)
-{
-    if (!(seconds >= 0) || seconds >= 0.2) return 1;
-    const double t = seconds < 0.1 ? seconds / 0.1 : (0.2 - seconds) / 0.1;
-    return 1 - 0.9 * t;
-}
-
 Museum::Museum(std::vector<std::unique_ptr<Exhibit>> guests) : model_(std::make_shared<const HallModel>())
 {
     auto hall = std::make_unique<Hall>(model_);

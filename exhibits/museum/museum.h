@@ -86,7 +86,4 @@ private:
     std::shared_ptr<const HallModel> model_;
 };
 
-/// Vertical scale of a button, `seconds` after it was pressed: 1 to 0.1 in 0.1 s and back in 0.1 s.
-[[nodiscard]] double buttonScale(double seconds);
-
 }  // namespace vitrine

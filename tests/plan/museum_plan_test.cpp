@@ -1,5 +1,6 @@
 // What the museum draws, and what it leaves out and why: plans of the real hall, without a GPU.
 
+#include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/walk.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 #include "render/image/image.h"

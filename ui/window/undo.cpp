@@ -14,12 +14,13 @@ Gesture newGesture()
     return ++last;
 }
 
-namespace {
-
+/// What an undo step keeps of a row.
 struct RowChange {
     std::size_t exhibit = 0, row = 0;
     Value before, after;
 };
+
+namespace {
 
 std::vector<RowChange> changesBetween(const Look& before, const Look& after)
 {
