@@ -42,22 +42,24 @@ std::int64_t total(const render::Image& counts)
 void writeReport(const std::string& file, const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl, const PictureJob& job, const PictureMaker& maker)
 {
     const FrameRequest frame = frameOf(job, renderer);
+    const Prepared prepared = museum.prepare(job.look, frame);
     std::vector<double> milliseconds;
-    for (int run = 0; run < timedRuns; ++run) milliseconds.push_back(renderer.draw(museum.plan(job.look, frame, renderer.kept())).milliseconds);
+    for (int run = 0; run < timedRuns; ++run) milliseconds.push_back(renderer.draw(museum.plan(prepared, frame, renderer.kept())).milliseconds);
     std::sort(milliseconds.begin(), milliseconds.end());
 
     renderer.timeSteps(true);
     std::map<std::string, double> stepMilliseconds;
-    for (const render::StepReport& step : renderer.draw(museum.plan(job.look, frame, renderer.kept())).ran) stepMilliseconds[step.name] = step.milliseconds;
+    for (const render::StepReport& step : renderer.draw(museum.plan(prepared, frame, renderer.kept())).ran) stepMilliseconds[step.name] = step.milliseconds;
     renderer.timeSteps(false);
 
     // What was skipped, run all the same: once for the programs and what is kept, once for the time.
     FrameRequest everything = frame;
     everything.runEverything = true;
-    (void)renderer.draw(museum.plan(job.look, everything));
+    const Prepared preparedAll = museum.prepare(job.look, everything);
+    (void)renderer.draw(museum.plan(preparedAll, everything));
     renderer.timeSteps(true);
     std::map<std::string, double> wouldCost;
-    for (const render::StepReport& step : renderer.draw(museum.plan(job.look, everything)).ran) wouldCost[step.name] = step.milliseconds;
+    for (const render::StepReport& step : renderer.draw(museum.plan(preparedAll, everything)).ran) wouldCost[step.name] = step.milliseconds;
     renderer.timeSteps(false);
 
     const render::FrameReport& first = maker.report();
@@ -77,7 +79,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     for (const auto& [name, count] : first.counters) counters[name] = count;
     FrameRequest counting = frame;
     counting.channels.evaluations = true;
-    (void)renderer.draw(museum.plan(job.look, counting, renderer.kept()));
+    (void)renderer.draw(museum.plan(prepared, counting, renderer.kept()));
     counters["evaluations"] = total(renderer.read(evaluationsImage));
 
     Json memory{{"residentBytes", render::processMemory().resident}, {"ownBytes", render::processMemory().own}};

@@ -59,11 +59,11 @@ render::Box CrepuscularRays::bounds(const ParameterValues&) const
     return {{-1.3, -1.15, -3.6}, {1.3, 3.95, -3.0}};
 }
 
-double CrepuscularRays::firstHit(const ParameterValues& values, double, double, const render::Ray& ray) const
+double CrepuscularRays::firstHit(const ExhibitState& state, const render::Ray& ray) const
 {
     // Flat and inside the wall, so that the wall beside the window hides it.
     constexpr double wallsMiddle = -3.9;
-    render::Box panes = bounds(values);
+    render::Box panes = bounds(state.values);
     panes.low.z = panes.high.z = wallsMiddle;
     return render::firstHit(ray, panes);
 }

@@ -22,12 +22,11 @@ public:
     /// The window: what is clicked to get here. The beams reach as far as the sun does.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     /// The panes, from wall to wall.
-    [[nodiscard]] double firstHit(const ParameterValues&, double time, double sinceOwnPress, const render::Ray&) const override;
+    [[nodiscard]] double firstHit(const ExhibitState&, const render::Ray&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     bool press(ParameterValues&) const override;
-    void plan(const PlanContext&, render::FramePlan&) const override {}
     void planOverFrame(const PlanContext&, render::FramePlan&) const override;
     [[nodiscard]] bool castsShadow() const override { return false; }
     [[nodiscard]] double turnOfHangings(const ParameterValues&, double time) const override;

@@ -4,6 +4,7 @@
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -121,6 +122,20 @@ void addToKey(render::Hash& key, const ParameterValues& values, std::optional<st
         else if (const auto* v = std::get_if<glm::dvec3>(&value)) key.addValue(*v);
         else key.add(std::get<std::string>(value)).addValue('\n');
     }
+}
+
+std::string keyOf(const ParameterValues& values, std::initializer_list<std::size_t> rows)
+{
+    std::string key;
+    const auto add = [&key](double x) { key += '=' + std::to_string(std::bit_cast<std::uint64_t>(x)); };
+    for (const std::size_t row : rows) {
+        key += ';' + std::string(values.rows()[row].name);
+        const Value& value = values.row(row);
+        if (const auto* x = std::get_if<double>(&value)) add(*x);
+        else if (const auto* v = std::get_if<glm::dvec3>(&value)) for (int i = 0; i < 3; ++i) add((*v)[i]);
+        else key += '=' + std::get<std::string>(value);
+    }
+    return key;
 }
 
 }  // namespace vitrine::derive

@@ -4,6 +4,7 @@
 #include "render/hash.h"
 #include "render/plan/frame_plan.h"
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,5 +29,8 @@ namespace vitrine::derive {
 
 /// Adds every value but that of row `except` to the key of something that depends on them.
 void addToKey(render::Hash&, const ParameterValues&, std::optional<std::size_t> except = {});
+
+/// These rows spelled out, by name and to the last bit: the key of what is made of them and of nothing else.
+[[nodiscard]] std::string keyOf(const ParameterValues&, std::initializer_list<std::size_t> rows);
 
 }  // namespace vitrine::derive

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/prepare.h"
 #include "exhibits/framework/surroundings.h"
 #include "render/plan/frame_plan.h"
 #include "render/scene/camera.h"
@@ -44,9 +45,8 @@ struct PlanContext {
     bool alone = false;              ///< No hall: the environment is the only light.
     std::string hiddenBecause;       ///< Empty when its bounds may be visible from the camera.
     std::string noShadowBecause;     ///< Empty when its shadow may be seen and the sun may reach its bounds.
-    std::span<const double> sincePressed;  ///< For the hall: seconds since each guest's button was pressed.
-    std::span<const double> turns;         ///< For the hall: each guest's `turnOfHangings`.
-    double sinceOwnPress = std::numeric_limits<double>::infinity();  ///< For a guest: seconds since its own was; infinity: never.
+    double sinceOwnPress = std::numeric_limits<double>::infinity();  ///< Seconds since its button was pressed; infinity: never.
+    const PreparedPart* prepared = nullptr;  ///< What `prepare` made; null where neither it nor its shadow may be seen.
     /// What the hall and all exhibits plan for another view of the same frame, without shadows and what lies over the
     /// frame. Only while `planOverFrame` is called; unpruned.
     std::function<render::FramePlan(const render::View&)> seenFrom = {};
@@ -78,21 +78,24 @@ public:
     [[nodiscard]] virtual render::Box bounds(const ParameterValues&) const = 0;
     /// The same, `sinceOwnPress` seconds after its button was pressed (infinity: never).
     [[nodiscard]] virtual render::Box boundsAfterPress(const ParameterValues& values, double /*sinceOwnPress*/) const { return bounds(values); }
-    /// Where a ray (own space) first meets what is seen of it `sinceOwnPress` seconds after its button was pressed, as
-    /// `render::firstHit` counts; infinity: nowhere. What a visitor points at. By default its bounds.
-    [[nodiscard]] virtual double firstHit(const ParameterValues& values, double /*time*/, double sinceOwnPress, const render::Ray& ray) const
+    /// Resolves what takes time or can fail, through the asset store: files, meshes, simulations. Null where it needs
+    /// nothing. Any thread may call it, several at once; never throws for a file that cannot be read.
+    [[nodiscard]] virtual std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const { return nullptr; }
+
+    // What follows only reads: it opens no file, keeps nothing and answers the same whenever it is asked the same.
+
+    /// Where a ray (own space) first meets what is seen of it, as `render::firstHit` counts; infinity: nowhere. What a
+    /// visitor points at. By default its bounds.
+    [[nodiscard]] virtual double firstHit(const ExhibitState& state, const render::Ray& ray) const
     {
-        return render::firstHit(ray, boundsAfterPress(values, sinceOwnPress));
+        return render::firstHit(ray, boundsAfterPress(state.values, state.sinceOwnPress));
     }
     /// Its best view, in its own space.
     [[nodiscard]] virtual render::Camera bestView(const ParameterValues&) const = 0;
     /// Seconds until its picture next changes by itself: 0 while animated, infinity when still.
     [[nodiscard]] virtual double nextChange(const ParameterValues&, double time) const = 0;
-    /// The same, `sinceOwnPress` seconds after its button was pressed (infinity: never).
-    [[nodiscard]] virtual double nextChangeAfterPress(const ParameterValues& values, double time, double /*sinceOwnPress*/) const
-    {
-        return nextChange(values, time);
-    }
+    /// The same of what is prepared, its button included.
+    [[nodiscard]] virtual double nextChangeOf(const ExhibitState& state) const { return nextChange(state.values, state.time); }
     /// What pressing its button does to the values; returns whether anything changed.
     virtual bool press(ParameterValues&) const { return false; }
 
@@ -102,7 +105,7 @@ public:
         return {{"best view", bestView(values), 0, values}};
     }
 
-    virtual void plan(const PlanContext&, render::FramePlan&) const = 0;
+    virtual void plan(const PlanContext&, render::FramePlan&) const {}
     /// What it lays over the frame: called when every exhibit has planned its part, before the sky.
     virtual void planOverFrame(const PlanContext&, render::FramePlan&) const {}
     /// Whether it draws into the exhibits' shadow map; false for what is made of light alone.
@@ -110,12 +113,5 @@ public:
     /// How far the hanging parts of its place have turned about their own upright axis, radians.
     [[nodiscard]] virtual double turnOfHangings(const ParameterValues&, double time) const { (void)time; return 0; }
 };
-
-/// "Ring model of Fur with Physics: Cannot read bear.glb: there is no such file.": which parameter of which exhibit
-/// names a file that cannot be read, and why.
-[[nodiscard]] inline std::string unreadableFile(const ParameterInfo& row, std::string_view exhibitTitle, const std::string& why)
-{
-    return label(row) + " of " + std::string(exhibitTitle) + ": " + why + (why.ends_with('.') ? "" : ".");
-}
 
 }  // namespace vitrine

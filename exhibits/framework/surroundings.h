@@ -44,6 +44,8 @@ struct Surroundings {
     /// The sun's strength against the one that the hall's table begins with.
     double sunShare = 1;
 
+    /// The sun's view of walls and furniture, for their shadow map "shadow.hall". Meaningful while the sun throws shadows there.
+    render::View hallShadowView;
     /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while `castsShadows`.
     render::View exhibitShadowView;
     bool castsShadows = false;

@@ -3,6 +3,7 @@
 #include "render/scene/rigid_bodies.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -127,6 +128,17 @@ BounceSettings bounceSettings(const FurTable& table, const ParameterValues& v, s
     s.displacementLimit = v[table.displacementLimit];
     s.rotationLimit = v[table.rotationLimit];
     return s;
+}
+
+std::string keyOf(const BounceSettings& s)
+{
+    std::string key;
+    const auto add = [&key](double x) { key += std::to_string(std::bit_cast<std::uint64_t>(x)) + ' '; };
+    for (const double cushion : s.cushion) add(cushion);
+    for (const double x : {s.growth.amount, s.growth.rate, s.growth.start, s.spring.omega, s.spring.zeta, s.jump, s.inertia, s.gravity, s.airDrag, s.strength, s.displacementLimit, s.rotationLimit})
+        add(x);
+    for (const std::int64_t n : {std::int64_t{s.toss}, std::int64_t{s.growth.always}, std::int64_t{static_cast<int>(s.method)}, std::int64_t{s.springRate}}) key += std::to_string(n) + ' ';
+    return key;
 }
 
 Flight flightOf(const BounceSettings& s, int body)
@@ -376,6 +388,23 @@ double Bounce::restedAt(double since)
     if (!(since > 0)) return std::numeric_limits<double>::infinity();
     extend(std::min(since, longest));
     return end_ <= since ? end_ : std::numeric_limits<double>::infinity();
+}
+
+RecordedJump::Sample RecordedJump::at(double since) const
+{
+    const std::lock_guard lock(mutex_);
+    Sample sample;
+    sample.states = bounce_.at(since);
+    sample.rested = bounce_.restedAt(since);
+    const double moved = std::clamp(std::min(since, sample.rested), 0.0, Bounce::longest);
+    sample.steps = static_cast<std::int64_t>(std::ceil(moved * Bounce::stepsPerSecond));
+    return sample;
+}
+
+std::int64_t RecordedJump::stepsTaken() const
+{
+    const std::lock_guard lock(mutex_);
+    return bounce_.steps();
 }
 
 }  // namespace vitrine

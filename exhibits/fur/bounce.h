@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <mutex>
+#include <string>
 #include <vector>
 
 namespace vitrine {
@@ -40,6 +42,8 @@ struct BounceSettings {
 
     bool operator==(const BounceSettings&) const = default;
 };
+/// All of them but the model spelled out to the last bit.
+[[nodiscard]] std::string keyOf(const BounceSettings&);
 /// `time`: of the press, on the exhibit's clock.
 [[nodiscard]] BounceSettings bounceSettings(const FurTable&, const ParameterValues&, std::shared_ptr<const render::Mesh> model, double time);
 
@@ -100,6 +104,28 @@ private:
     std::unique_ptr<World> world_;
     std::int64_t steps_ = 0;
     double slid_ = 0;
+};
+
+/// A jump that several may ask about at once: a state of a simulation as the asset store keeps it. Simulated as far as
+/// anybody has asked, and the answer to each question is always the same.
+class RecordedJump {
+public:
+    explicit RecordedJump(const BounceSettings& settings) : bounce_(settings) {}
+
+    struct Sample {
+        FurStates states;
+        double rested = 0;      ///< As Bounce::restedAt.
+        std::int64_t steps = 0; ///< That lead from the press to here.
+    };
+    [[nodiscard]] Sample at(double since) const;
+    /// Steps that have been simulated so far, whoever asked for them.
+    [[nodiscard]] std::int64_t stepsTaken() const;
+    /// Of memory, when all of it is simulated.
+    static constexpr std::uint64_t mostBytes = 2U << 20U;
+
+private:
+    mutable std::mutex mutex_;
+    mutable Bounce bounce_;
 };
 
 }  // namespace vitrine

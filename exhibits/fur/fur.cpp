@@ -15,7 +15,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
-#include <optional>
 
 namespace vitrine {
 namespace {
@@ -51,9 +50,41 @@ bool clockIsRight(double time, double sinceOwnPress)
     return std::isfinite(time) && sinceOwnPress >= 0;
 }
 
+/// The ball grows and shrinks all the time.
+bool grows(const FurTable& table, const ParameterValues& values)
+{
+    return values[table.growing] && values[table.growth] > 0 && values[table.growthRate] > 0 && !values[table.byHand];
+}
+
+void lieByHand(const FurTable& table, const ParameterValues& values, FurStates& states)
+{
+    for (FurState& state : states) {
+        state.grown = 1;
+        state.pull = {values[table.handX], values[table.handY], values[table.handZ]};
+        state.lag = glm::angleAxis(values[table.handTurn], glm::dvec3(0, 0, 1));
+    }
+}
+
+/// Null where its edges are too many.
+std::shared_ptr<const render::Mesh> finsOn(const std::shared_ptr<const render::Mesh>& skin, render::AssetStore& assets)
+{
+    const int rows = finRows(*skin);
+    if (rows == 0) return nullptr;
+    return assets.made<render::Mesh>("fur.fins", {}, [&] {
+        auto fins = finsOf(*skin, rows);
+        const std::uint64_t bytes = heldBytes(*fins);
+        return render::AssetStore::Made<render::Mesh>{std::move(fins), bytes};
+    }, skin).value;
+}
+
+std::string whyUnfinned(const std::shared_ptr<const render::Mesh>& skin)
+{
+    return finRows(*skin) == 0 ? "the model has more than 200,000 triangles, too many for fins; a march fills its silhouette as well" : "there is not enough memory for fins";
+}
+
 }  // namespace
 
-struct Fur::Wardrobe {
+struct Fur::Prepared final : PreparedPart {
     /// What a visitor's model becomes.
     struct RingModel {
         std::shared_ptr<const render::Mesh> skin;
@@ -69,25 +100,15 @@ struct Fur::Wardrobe {
         return {std::move(model), bytes};
     }
 
-    std::shared_ptr<const render::Mesh> skins[furBodyCount] = {ballSkin(ballRadius, 8), rollSkin(rollRadius, rollHalfLength, 26), ringSkin(ringRadius, ringTube, 40)};
-    std::shared_ptr<const render::Mesh> fins[furBodyCount];
-    render::AssetStore assets;
-    render::Asset<RingModel> model;  ///< Of the values asked about last.
-    std::shared_ptr<const render::Mesh> modelFins;  ///< Of that model.
-    std::optional<Bounce> bounce;
-    std::int64_t stepsTold = 0;  ///< Steps of that jump that a plan has counted.
-};
-
-/// What the motion is at one moment, and why.
-struct Fur::Moment {
+    std::shared_ptr<const RingModel> model;  ///< Null where the ring is shown.
+    std::array<std::shared_ptr<const render::Mesh>, furBodyCount> skins, fins;
     FurStates states;
     bool moving = false;
-    std::string reason;         ///< Of the simulation step, or of its absence.
+    std::string reason;      ///< Of the simulation step, or of its absence.
+    std::int64_t steps = 0;  ///< Of the simulation, from the press to here.
 };
 
-Fur::Fur() : wardrobe_(std::make_unique<Wardrobe>()) {}
-
-Fur::~Fur() = default;
+Fur::Fur() : skins_{ballSkin(ballRadius, 8), rollSkin(rollRadius, rollHalfLength, 26), ringSkin(ringRadius, ringTube, 40)} {}
 
 render::Box Fur::bounds(const ParameterValues& values) const
 {
@@ -104,16 +125,33 @@ render::Box Fur::boundsAfterPress(const ParameterValues& values, double sinceOwn
     return space;
 }
 
-double Fur::firstHit(const ParameterValues& values, double time, double sinceOwnPress, const render::Ray& ray) const
+std::shared_ptr<const PreparedPart> Fur::prepare(const PrepareContext& context) const
 {
-    const Moment now = moment(values, time, sinceOwnPress);
-    const std::shared_ptr<const Wardrobe::RingModel> model = wardrobe_->model.value;
-    const Coats coats{table_, values, now.states, glm::dmat4(1), time, 1, model ? model->radius : 0};
+    const ParameterValues& values = context.values;
+    auto made = std::make_shared<Prepared>();
+    if (const std::string path = values[table_.ringModel]; !path.empty()) {
+        auto found = context.assets.get<Prepared::RingModel>("fur.ringModel", modelFile(path), Prepared::readRingModel);
+        made->model = std::move(found.value);
+        if (!found.failure.empty())
+            made->unreadable.push_back({"fur/model", unreadableFile(values.rows()[table_.ringModel.row], title(), found.failure), "The ring is shown in its place until it can be read."});
+    }
+    made->skins = skins_;
+    if (made->model) made->skins[furRing] = made->model->skin;
+    if (values[table_.silhouette] == FurSilhouette::fins)
+        for (std::size_t i = 0; i < furBodyCount; ++i) made->fins[i] = finsOn(made->skins[i], context.assets);
+    findMotion(context, *made);
+    return made;
+}
+
+double Fur::firstHit(const ExhibitState& state, const render::Ray& ray) const
+{
+    if (!state.prepared) return never;
+    const auto& now = static_cast<const Prepared&>(*state.prepared);
+    const Coats coats{table_, state.values, now.states, glm::dmat4(1), state.time, 1, now.model ? now.model->radius : 0};
     double nearest = never;
     for (int i = 0; i < furBodyCount; ++i) {
-        const auto& skin = i == furRing && model ? model->skin : wardrobe_->skins[i];
         // The ellipsoid that touches the sides of the space the coat may fill.
-        const render::Box space = coats.space(i, skin->bounds);
+        const render::Box space = coats.space(i, now.skins[static_cast<std::size_t>(i)]->bounds);
         const glm::dmat4 bodyFromBall = glm::scale(glm::translate(glm::dmat4(1), space.center()), glm::max(space.halfSize(), 1e-6));
         nearest = std::min(nearest, render::firstHit(ray.transformed(glm::inverse(coats.worldFromBody(i) * bodyFromBall)), glm::dvec3(0), 1));
     }
@@ -128,15 +166,16 @@ render::Camera Fur::bestView(const ParameterValues&) const
     return {{-0.05, 1.55, 3.15}, {0.0, 0.36, 0}, 0.62};
 }
 
-double Fur::nextChange(const ParameterValues& values, double time) const
+double Fur::nextChange(const ParameterValues& values, double) const
 {
-    return nextChangeAfterPress(values, time, never);
+    const bool gusts = values[table_.wind] > 0 && values[table_.gustiness] > 0;
+    return gusts || grows(table_, values) || (values[table_.bouncePeriod] > 0 && !(values[table_.frozenAt] > 0) && !values[table_.byHand]) ? 0 : never;
 }
 
-double Fur::nextChangeAfterPress(const ParameterValues& values, double time, double sinceOwnPress) const
+double Fur::nextChangeOf(const ExhibitState& state) const
 {
-    if (values[table_.wind] > 0 && values[table_.gustiness] > 0) return 0;
-    return moment(values, time, sinceOwnPress).moving ? 0 : never;
+    if (state.values[table_.wind] > 0 && state.values[table_.gustiness] > 0) return 0;
+    return state.prepared && static_cast<const Prepared&>(*state.prepared).moving ? 0 : never;
 }
 
 std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
@@ -160,52 +199,37 @@ std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
             {"stiff fur in long steps", bestView(values), 0, stiff}};
 }
 
-Fur::Moment Fur::moment(const ParameterValues& values, double time, double sinceOwnPress) const
+void Fur::findMotion(const PrepareContext& context, Prepared& m) const
 {
-    Wardrobe& w = *wardrobe_;
-    const std::string path = values[table_.ringModel];
-    render::Asset<Wardrobe::RingModel> model;
-    if (!path.empty()) model = w.assets.get<Wardrobe::RingModel>("fur.ringModel", modelFile(path), Wardrobe::readRingModel);
-    if (model.value != w.model.value) w.modelFins = nullptr;
-    w.model = std::move(model);
-    const std::shared_ptr<const render::Mesh> skin = w.model.value ? w.model.value->skin : nullptr;
-    const bool right = clockIsRight(time, sinceOwnPress);
-    const double now = right ? time : 0;
-    double since = right && sinceOwnPress < 1e6 ? sinceOwnPress : never;
+    const ParameterValues& values = context.values;
+    const bool right = clockIsRight(context.time, context.sinceOwnPress);
+    const double now = right ? context.time : 0;
+    double since = right && context.sinceOwnPress < 1e6 ? context.sinceOwnPress : never;
     const bool byItself = values[table_.bouncePeriod] > 0;
     const bool frozen = values[table_.frozenAt] > 0;
     if (byItself) since = now - std::floor(now / values[table_.bouncePeriod]) * values[table_.bouncePeriod];
     if (frozen) since = values[table_.frozenAt];
     if (values[table_.byHand]) since = never;
-    const bool growing = values[table_.growing] && values[table_.growth] > 0 && values[table_.growthRate] > 0 && !values[table_.byHand];
-
-    Moment m;
+    const bool growing = grows(table_, values);
+    const std::shared_ptr<const render::Mesh> skin = m.model ? m.model->skin : nullptr;
     const BounceSettings settings = bounceSettings(table_, values, skin, since == never || frozen ? now : now - since);
     if (since == never) {
         m.states = restStates(settings, 0);
         m.moving = growing;
-        m.reason = growing ? "the ball grows and shrinks" : "at rest";
-        if (values[table_.byHand]) {
-            m.reason = "set by hand";
-            for (FurState& state : m.states) {
-                state.grown = 1;
-                state.pull = {values[table_.handX], values[table_.handY], values[table_.handZ]};
-                state.lag = glm::angleAxis(values[table_.handTurn], glm::dvec3(0, 0, 1));
-            }
-        }
-        return m;
+        m.reason = values[table_.byHand] ? "set by hand" : growing ? "the ball grows and shrinks" : "at rest";
+        if (values[table_.byHand]) lieByHand(table_, values, m.states);
+        return;
     }
-    if (!w.bounce || !(w.bounce->settings() == settings)) {
-        w.bounce.emplace(settings);
-        w.stepsTold = 0;
-    }
-    m.states = w.bounce->at(since);
-    const double rested = w.bounce->restedAt(since);
-    m.moving = !frozen && (growing || byItself || rested > since);
+    const auto jump = context.assets.made<RecordedJump>("fur.jump", keyOf(settings), [&] {
+        return render::AssetStore::Made<RecordedJump>{std::make_shared<RecordedJump>(settings), RecordedJump::mostBytes};
+    }, skin);
+    const RecordedJump::Sample sample = jump.value ? jump.value->at(since) : RecordedJump::Sample{restStates(settings, since), 0, 0};
+    m.states = sample.states;
+    m.steps = sample.steps;
+    m.moving = !frozen && (growing || byItself || sample.rested > since);
     if (frozen) m.reason = "frozen " + seconds(since) + " after the jump";
-    else if (rested <= since) m.reason = growing ? "the ball grows and shrinks" : "at rest since " + seconds(since - rested);
+    else if (sample.rested <= since) m.reason = growing ? "the ball grows and shrinks" : "at rest since " + seconds(since - sample.rested);
     else m.reason = (byItself ? "jumped by themselves " : "woken by the button ") + seconds(since) + " ago";
-    return m;
 }
 
 void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
@@ -222,38 +246,26 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
         plan.skip("fur/shadow", context.noShadowBecause);
         return;
     }
-    const Moment now = moment(values, context.time, context.sinceOwnPress);
-    Wardrobe& w = *wardrobe_;
-    const std::int64_t steps = w.bounce ? w.bounce->steps() - w.stepsTold : 0;
-    if (now.moving || steps > 0) {
-        // Where things are decides what is drawn, so planning has already taken these steps.
-        w.stepsTold += steps;
+    const auto& now = static_cast<const Prepared&>(*context.prepared);
+    if (now.moving) {
         render::Pass pass;
         pass.name = motion;
         pass.reason = now.reason;
         pass.stage = render::Stage::simulate;
         pass.work = render::Work::simulation;
         pass.writes = {"fur.bodies"};
-        pass.counts["simulationSteps"] = steps;
+        pass.counts["simulationSteps"] = now.steps;
         plan.add(std::move(pass));
     } else {
         plan.skip(motion, now.reason, render::Work::simulation);
     }
-    const std::shared_ptr<const Wardrobe::RingModel> model = w.model.value;
-    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, right ? context.time : 0, plan.seed, model ? model->radius : 0}, {}, {}};
-    for (int i = 0; i < furBodyCount; ++i) {
-        const bool worn = i == furRing && model;
-        scene.skins[i] = worn ? model->skin : w.skins[i];
-        if (values[table_.silhouette] != FurSilhouette::fins) continue;
-        std::shared_ptr<const render::Mesh>& fins = worn ? w.modelFins : w.fins[i];
-        const int rows = finRows(*scene.skins[i]);
-        if (!fins && rows > 0) fins = finsOf(*scene.skins[i], rows);
-        if (!fins) plan.complain("fur/model fins", "the model has more than 200,000 triangles, too many for fins; a march fills its silhouette as well");
-        scene.fins[i] = fins;
+    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, right ? context.time : 0, plan.seed, now.model ? now.model->radius : 0}, {}, {}};
+    for (std::size_t i = 0; i < furBodyCount; ++i) {
+        scene.skins[i] = now.skins[i];
+        scene.fins[i] = now.fins[i];
+        if (values[table_.silhouette] == FurSilhouette::fins && !now.fins[i]) plan.complain("fur/model fins", whyUnfinned(now.skins[i]));
     }
-    if (model && !model->notes.empty()) plan.complain("fur/model", joined(model->notes));
-    if (!w.model.failure.empty())
-        plan.complainOfFile("fur/model", unreadableFile(values.rows()[table_.ringModel.row], title(), w.model.failure), "The ring is shown in its place until it can be read.");
+    if (now.model && !now.model->notes.empty()) plan.complain("fur/model", joined(now.model->notes));
     planCoats(scene, plan);
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "exhibits/framework/exhibit.h"
+#include "exhibits/fur/coat.h"
 #include "exhibits/fur/fur_table.h"
 
+#include <array>
 #include <memory>
 
 namespace vitrine {
@@ -14,7 +16,6 @@ public:
     using Table = FurTable;
 
     Fur();
-    ~Fur() override;
 
     [[nodiscard]] std::string_view name() const override { return "fur"; }
     [[nodiscard]] std::string_view title() const override { return "Fur with Physics"; }
@@ -25,20 +26,21 @@ public:
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] render::Box boundsAfterPress(const ParameterValues&, double sinceOwnPress) const override;
-    [[nodiscard]] double firstHit(const ParameterValues&, double time, double sinceOwnPress, const render::Ray&) const override;
+    /// The visitor's model, the skins with their fins, and where the bodies are.
+    [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
+    [[nodiscard]] double firstHit(const ExhibitState&, const render::Ray&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
-    [[nodiscard]] double nextChangeAfterPress(const ParameterValues&, double time, double sinceOwnPress) const override;
+    [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 
 private:
-    struct Wardrobe;
-    struct Moment;
-    [[nodiscard]] Moment moment(const ParameterValues&, double time, double sinceOwnPress) const;
+    struct Prepared;
+    void findMotion(const PrepareContext&, Prepared&) const;
 
     Table table_;
-    std::unique_ptr<Wardrobe> wardrobe_;  ///< Skins and fins, made once; the visitor's model; the last jump as far as it was simulated.
+    std::array<std::shared_ptr<const render::Mesh>, furBodyCount> skins_;
 };
 
 }  // namespace vitrine

@@ -47,10 +47,6 @@ render::AssetStore::Made<render::Model> readModel(const std::string& path)
 
 }  // namespace
 
-Hall::Hall(std::shared_ptr<const HallModel> model) : model_(std::move(model)), assets_(std::make_unique<render::AssetStore>()) {}
-
-Hall::~Hall() = default;
-
 void Hall::setGuests(std::vector<Guest> guests)
 {
     guests_ = std::move(guests);
@@ -81,21 +77,37 @@ double Hall::nextChange(const ParameterValues&, double) const
     return std::numeric_limits<double>::infinity();
 }
 
-HallScene Hall::scene(const ParameterValues& values, bool alone) const
+std::shared_ptr<const PreparedPart> Hall::prepare(const PrepareContext& context) const
 {
-    HallScene scene{*model_, table_, values, alone, nullptr, 0, nullptr, glm::dmat4(1), text_, guests_, {}, {}, {}};
+    const ParameterValues& values = context.values;
+    auto made = std::make_shared<PreparedHall>();
+    const auto complain = [&](const char* step, File row, const std::string& failure) {
+        if (!failure.empty()) made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), failure), "It is left out until it can be read."});
+    };
     if (const std::string path = values[table_.environment]; !path.empty()) {
-        const render::Asset<Panorama> found = assets_->get<Panorama>("hall.environment", path, readPanorama);
-        scene.environmentFailure = found.failure;
+        const render::Asset<Panorama> found = context.assets.get<Panorama>("hall.environment", path, readPanorama);
+        complain("hall/environment", table_.environment, found.failure);
         if (found.value) {
-            scene.environment = found.value->picture;
-            scene.environmentBrightest = found.value->brightest;
+            made->environment = found.value->picture;
+            made->environmentBrightest = found.value->brightest;
         }
     }
     if (const std::string path = values[table_.model]; !path.empty()) {
-        const render::Asset<render::Model> found = assets_->get<render::Model>("hall.model", path, readModel);
-        scene.visitorModelFailure = found.failure;
-        if (!alone) scene.visitorModel = found.value;
+        render::Asset<render::Model> found = context.assets.get<render::Model>("hall.model", path, readModel);
+        complain("hall/model", table_.model, found.failure);
+        made->visitorModel = std::move(found.value);
+    }
+    return made;
+}
+
+HallScene Hall::scene(const ParameterValues& values, bool alone, const PreparedPart* prepared) const
+{
+    HallScene scene{*model_, table_, values, alone, nullptr, 0, nullptr, glm::dmat4(1), text_, guests_, {}};
+    if (prepared) {
+        const auto& found = static_cast<const PreparedHall&>(*prepared);
+        scene.environment = found.environment;
+        scene.environmentBrightest = found.environmentBrightest;
+        if (!alone) scene.visitorModel = found.visitorModel;
     }
     if (!scene.visitorModel) return scene;
 
@@ -109,23 +121,6 @@ HallScene Hall::scene(const ParameterValues& values, bool alone) const
     // It stands on its lowest point, above the middle of the plinth.
     scene.worldFromVisitorModel = glm::translate(m, -glm::dvec3(box.center().x, box.low.y, box.center().z));
     return scene;
-}
-
-void Hall::plan(const PlanContext& context, render::FramePlan& plan) const
-{
-    HallScene hall = scene(context.values, context.alone);
-    hall.turns = context.turns;
-    if (!hall.environmentFailure.empty())
-        plan.complainOfFile("hall/environment", unreadableFile(context.values.rows()[table_.environment.row], title(), hall.environmentFailure),
-                            "It is left out until it can be read.");
-    if (!hall.visitorModelFailure.empty())
-        plan.complainOfFile("hall/model", unreadableFile(context.values.rows()[table_.model.row], title(), hall.visitorModelFailure),
-                            "It is left out until it can be read.");
-    planHallShadow(hall, context.surroundings, plan);
-    planProbe(hall, context.surroundings, plan);
-    if (context.alone) plan.skip("hall/walls", "the exhibit is shown alone");
-    else if (!context.hiddenBecause.empty()) plan.skip("hall/walls", context.hiddenBecause);
-    else planWalls(hall, context.surroundings, context.channels, context.sincePressed, plan);
 }
 
 }  // namespace vitrine

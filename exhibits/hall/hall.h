@@ -3,10 +3,8 @@
 #include "exhibits/framework/exhibit.h"
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/hall_table.h"
-#include "render/files/asset_store.h"
 
 #include <memory>
-#include <mutex>
 
 namespace vitrine {
 
@@ -15,8 +13,7 @@ class Hall final : public Exhibit {
 public:
     using Table = HallTable;
 
-    explicit Hall(std::shared_ptr<const HallModel>);
-    ~Hall() override;
+    explicit Hall(std::shared_ptr<const HallModel> model) : model_(std::move(model)) {}
 
     [[nodiscard]] std::string_view name() const override { return "hall"; }
     [[nodiscard]] std::string_view title() const override { return hallTitle; }
@@ -28,13 +25,11 @@ public:
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
 
-    /// The walls and what stands before them, their shadows, the probe and the sky: all but what the
-    /// exhibits add and `develop` ends.
-    void plan(const PlanContext&, render::FramePlan&) const override;
+    /// The user's panorama and object.
+    [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
 
-    /// The hall under these values, with the user's panorama and object read from disk when first named, and again
-    /// when they changed there. One that cannot be read is left out, and the scene says why.
-    [[nodiscard]] HallScene scene(const ParameterValues&, bool alone) const;
+    /// The hall under these values, which must outlive it, with what was prepared (null: nothing).
+    [[nodiscard]] HallScene scene(const ParameterValues&, bool alone, const PreparedPart* prepared) const;
 
     /// Who stands where: read once, when the museum opens.
     void setGuests(std::vector<Guest> guests);
@@ -43,7 +38,6 @@ private:
     Table table_;
     std::shared_ptr<const HallModel> model_;
     std::shared_ptr<const PlaqueText> text_;
-    std::unique_ptr<render::AssetStore> assets_;  ///< Planning is const; this is only a cache.
     std::vector<Guest> guests_;
 };
 

@@ -132,9 +132,9 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
     light.probeHigh.w = static_cast<float>(baseExposure * std::exp2(values[table.exposure])) * (scene.alone ? 0.16F : 1.0F);
 
     if (shadows) {
-        const render::View view = lightView(scene.model.bounds(), sun, glm::ivec2(mapSize), 0.5);
-        light.hallShadowFromWorld = shadowFromWorld(view);
-        light.sunDirection.w = static_cast<float>(2 / view.clipFromView[0][0] / mapSize);
+        result.hallShadowView = lightView(scene.model.bounds(), sun, glm::ivec2(mapSize), 0.5);
+        light.hallShadowFromWorld = shadowFromWorld(result.hallShadowView);
+        light.sunDirection.w = static_cast<float>(2 / result.hallShadowView.clipFromView[0][0] / mapSize);
         result.inputs.push_back({UNIT_SHADOW_HALL, std::string("shadow.hall")});
     }
     if (!scene.alone) {

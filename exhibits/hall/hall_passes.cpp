@@ -277,7 +277,7 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
     pass.reason = "the sun or the walls have changed";
     pass.stage = render::Stage::shadow;
     pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
-    pass.view = lightView(scene.model.bounds(), towardsSun(scene), glm::ivec2(size), 0.5);
+    pass.view = light.hallShadowView;
     pass.depth = Attachment{turning.empty() ? "shadow.hall" : "shadow.hall.still", Load::clear, glm::vec4(0), -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none, .depthBias = {1.5F, 2}, .depthClamp = true};
     pass.key = lightKey(scene);

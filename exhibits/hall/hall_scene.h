@@ -1,9 +1,10 @@
 #pragma once
 
+#include "exhibits/framework/frame_request.h"
+#include "exhibits/framework/prepare.h"
 #include "exhibits/framework/surroundings.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/hall_table.h"
-#include "exhibits/framework/frame_request.h"
 #include "render/plan/frame_plan.h"
 
 #include <memory>
@@ -20,6 +21,13 @@ struct Guest {
     std::string title, summary, tryThis, buttonText;
 };
 
+/// The user's panorama and object, as far as they can be read.
+struct PreparedHall final : PreparedPart {
+    std::shared_ptr<const render::Texture> environment;
+    double environmentBrightest = 0;  ///< The panorama's largest value.
+    std::shared_ptr<const render::Model> visitorModel;
+};
+
 /// Everything that the hall's passes are planned from.
 struct HallScene {
     const HallModel& model;
@@ -32,8 +40,7 @@ struct HallScene {
     glm::dmat4 worldFromVisitorModel{1};
     std::shared_ptr<const PlaqueText> text;
     std::span<const Guest> guests;
-    std::string environmentFailure, visitorModelFailure;  ///< Why what the user named is not there; empty otherwise.
-    std::span<const double> turns;  ///< How far the hangings of each guest's place have turned, radians; may be shorter.
+    std::vector<double> turns;  ///< How far the hangings of each guest's place have turned, radians; may be shorter.
 };
 
 /// What is drawn at a place beside its exhibit: a cloth over an empty one, else its stand and what hangs there, as far

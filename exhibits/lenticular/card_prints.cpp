@@ -11,6 +11,8 @@
 #include "render/scene/held_bytes.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 
@@ -148,20 +150,39 @@ void readRaster(CardSource& source, const fs::path& file)
     source.raster = stacked(raster, source.rasterSize, source.lying, source.print.mirror);
 }
 
-render::AssetStore::Made<CardSource> readSource(const std::string& name, int count)
+/// What a path leads to: the files of its views, or none where it is a printed raster.
+struct CardFiles {
+    std::vector<fs::path> views;
+};
+
+render::AssetStore::Made<CardFiles> listFiles(const std::string& name)
+{
+    auto found = std::make_shared<CardFiles>();
+    std::error_code error;
+    if (fs::is_directory(name, error) || isPlainPicture(name)) found->views = viewFiles({name});
+    const std::uint64_t bytes = found->views.size() * 128;
+    return {std::move(found), bytes};
+}
+
+render::AssetStore::Made<CardSource> readSource(const std::string& name, const std::vector<fs::path>& views, int count)
 {
     auto source = std::make_shared<CardSource>();
-    std::error_code error;
-    if (fs::is_directory(name, error) || isPlainPicture(name)) {
-        const std::vector<fs::path> files = viewFiles({name});
-        source->available = static_cast<int>(files.size());
-        readInto(*source, files, count);
-    } else {
-        readRaster(*source, name);
-    }
+    source->available = static_cast<int>(views.size());
+    if (views.empty()) readRaster(*source, name);
+    else readInto(*source, views, count);
     std::uint64_t bytes = source->raster ? heldBytes(*source->raster) : 0;
     for (const CardViews::View& view : source->views.views) bytes += view.codes.size();
     return {std::move(source), bytes};
+}
+
+/// Where the files hold fewer views than are asked for, or a raster, all counts give the same source.
+render::Asset<CardSource> sourceOf(render::AssetStore& assets, const std::string& use, const std::string& name, int count)
+{
+    const render::Asset<CardFiles> files = assets.get<CardFiles>(use + ", files", name, listFiles);
+    if (!files.value) return {nullptr, files.failure};
+    const std::vector<fs::path>& views = files.value->views;
+    const int taken = views.empty() ? 0 : std::clamp(count, 1, static_cast<int>(views.size()));
+    return assets.get<CardSource>(use, name, [&](const std::string& file) { return readSource(file, views, taken); }, static_cast<std::uint64_t>(taken));
 }
 
 /// Where column `column` of `columns` lies in a picture of `texels` across, `lenses` of which span it.
@@ -174,44 +195,16 @@ std::pair<double, double> spanOf(int column, int columns, double lenses, int tex
     return {low, std::clamp(to, low + 1e-3, static_cast<double>(texels))};
 }
 
-}  // namespace
-
-const char* shippedViews(CardFace face)
+int widest(const CardViews& views)
 {
-    return face == CardFace::front ? "turning_mug" : "melting_torus";
-}
-
-const CardSource& CardPrints::source(CardFace face, const std::string& path, int count)
-{
-    Slot& slot = slots_[static_cast<std::size_t>(face)];
-    const std::string use = face == CardFace::front ? "lenticular.frontPrint" : "lenticular.backPrint";
-    const std::string shipped = render::asset("frames").append(shippedViews(face)).string();
-    // Where the files hold fewer views than are asked for, or a raster, other counts give the same source.
-    const bool sameCount = slot.source && slot.path == path && (slot.source->available == 0 || std::clamp(count, 1, slot.source->available) == slot.source->views.count());
-    if (!sameCount) slot.count = count;
-    slot.path = path;
-    const auto get = [&](const std::string& purpose, const std::string& name) {
-        return assets_.get<CardSource>(purpose, name, [&](const std::string& file) { return readSource(file, slot.count); }, static_cast<std::uint64_t>(slot.count));
-    };
-    render::Asset<CardSource> found = path.empty() ? get(use + ", shipped", shipped) : get(use, path);
-    slot.failure = path.empty() ? std::string() : found.failure;
-    if (!found.value && !path.empty()) found = get(use + ", shipped", shipped);
-    if (!found.value) throw Failure(Blame::file, found.failure);
-    if (found.value != slot.source) slot.texture = nullptr;
-    slot.source = std::move(found.value);
-    return *slot.source;
-}
-
-std::shared_ptr<const render::Texture> CardPrints::viewTexture(CardFace face, int columns, double lenses, bool lying)
-{
-    Slot& slot = slots_[static_cast<std::size_t>(face)];
-    const CardViews& views = slot.source->views;
     int width = 1;
-    for (int k = 0; k < views.count(); ++k) width = std::max(width, views.views[static_cast<std::size_t>(k)].width);
-    const int texels = lying ? views.height : width;
-    if (columns >= texels) columns = 0;
-    if (columns == 0) lenses = 0;
-    if (slot.texture && slot.columns == columns && slot.lenses == lenses && slot.lying == lying) return slot.texture;
+    for (const CardViews::View& view : views.views) width = std::max(width, view.width);
+    return width;
+}
+
+std::shared_ptr<const render::Texture> viewsAsTexture(const CardViews& views, int columns, double lenses, bool lying)
+{
+    const int width = widest(views);
     std::array<double, 256> linear{};
     for (std::size_t code = 0; code < linear.size(); ++code) linear[code] = render::linearFromSrgb(static_cast<double>(code) / 255);
     auto texture = std::make_shared<render::Texture>();
@@ -246,11 +239,42 @@ std::shared_ptr<const render::Texture> CardPrints::viewTexture(CardFace face, in
             }
         }
     }
-    slot.texture = texture;
-    slot.columns = columns;
-    slot.lenses = lenses;
-    slot.lying = lying;
     return texture;
+}
+
+}  // namespace
+
+const char* shippedViews(CardFace face)
+{
+    return face == CardFace::front ? "turning_mug" : "melting_torus";
+}
+
+CardPrint cardPrint(render::AssetStore& assets, CardFace face, const std::string& path, int count)
+{
+    const std::string use = face == CardFace::front ? "lenticular.frontPrint" : "lenticular.backPrint";
+    CardPrint print;
+    if (!path.empty()) {
+        render::Asset<CardSource> found = sourceOf(assets, use, path, count);
+        print = {std::move(found.value), std::move(found.failure)};
+        if (print.source) return print;
+    }
+    render::Asset<CardSource> shipped = sourceOf(assets, use + ", shipped", render::asset("frames").append(shippedViews(face)).string(), count);
+    print.source = std::move(shipped.value);
+    if (!print.source) print.failure = std::move(shipped.failure);
+    return print;
+}
+
+std::shared_ptr<const render::Texture> viewTexture(render::AssetStore& assets, const std::shared_ptr<const CardSource>& source, int columns, double lenses, bool lying)
+{
+    const int texels = lying ? source->views.height : widest(source->views);
+    if (columns >= texels) columns = 0;
+    if (columns == 0) lenses = 0;
+    const std::string key = std::to_string(columns) + ' ' + std::to_string(std::bit_cast<std::uint64_t>(lenses)) + (lying ? " lying" : "");
+    return assets.made<render::Texture>("lenticular.views", key, [&] {
+        auto texture = viewsAsTexture(source->views, columns, lenses, lying);
+        const std::uint64_t bytes = heldBytes(*texture);
+        return render::AssetStore::Made<render::Texture>{std::move(texture), bytes};
+    }, source).value;
 }
 
 }  // namespace vitrine::lenticular

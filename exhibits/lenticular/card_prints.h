@@ -5,7 +5,6 @@
 #include "render/files/asset_store.h"
 #include "render/scene/mesh.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -38,34 +37,21 @@ struct CardSource {
     bool lying = false;          ///< The raster's lenses are horizontal.
 };
 
-/// The card's two prints as read from files, each kept until another one is asked for or the files change.
-class CardPrints {
-public:
-    /// Reads `path`: a folder of views, a printed file with its JSON beside it or inside, or a single picture;
-    /// empty for the shipped set of that face. Of the views `count` are taken, evenly. What cannot be read or
-    /// shown is replaced by the shipped set, and `failure` says why; throws Failure when that one cannot be read.
-    const CardSource& source(CardFace, const std::string& path, int count);
-    /// Why the last source of that face is not what was asked for, one full sentence; empty when it is.
-    [[nodiscard]] const std::string& failure(CardFace face) const { return slots_[static_cast<std::size_t>(face)].failure; }
-
-    /// The views of the last source as an array of sRGB pictures. With `columns` > 0 and fewer than the views
-    /// have texels across the lenses, each texel across is the mean over one of `columns` lenses, the middle
-    /// one in the middle of the picture, `lenses` of which span it: no more can be seen, and less would alias.
-    std::shared_ptr<const render::Texture> viewTexture(CardFace, int columns, double lenses, bool lying);
-
-private:
-    struct Slot {
-        std::string path{}, failure{};
-        int count = 0;  ///< Views that were asked for when the source was read.
-        std::shared_ptr<const CardSource> source{};
-        std::shared_ptr<const render::Texture> texture{};
-        int columns = 0;
-        double lenses = 0;
-        bool lying = false;
-    };
-    std::array<Slot, 2> slots_{};
-    render::AssetStore assets_{64U << 20U};
+/// One of the card's two prints, as read from files.
+struct CardPrint {
+    std::shared_ptr<const CardSource> source;  ///< Null where not even the shipped set can be read.
+    std::string failure;                       ///< Why it is not what was asked for, one full sentence; empty when it is.
 };
+
+/// Reads `path`: a folder of views, a printed file with its JSON beside it or inside, or a single picture; empty for the
+/// shipped set of that face. Of the views `count` are taken, evenly. What cannot be read or shown is replaced by the
+/// shipped set.
+[[nodiscard]] CardPrint cardPrint(render::AssetStore&, CardFace, const std::string& path, int count);
+
+/// The views as an array of sRGB pictures. With `columns` > 0 and fewer than the views have texels across the lenses,
+/// each texel across is the mean over one of `columns` lenses, the middle one in the middle of the picture, `lenses` of
+/// which span it: no more can be seen, and less would alias. Null where memory does not hold them.
+[[nodiscard]] std::shared_ptr<const render::Texture> viewTexture(render::AssetStore&, const std::shared_ptr<const CardSource>&, int columns, double lenses, bool lying);
 
 /// The name of the folder, under the assets, of the shipped views of a face.
 [[nodiscard]] const char* shippedViews(CardFace);

@@ -33,10 +33,10 @@ double across(const glm::dvec2& size, bool horizontalLenses)
     return horizontalLenses ? size.y : size.x;
 }
 
-CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& sheet, CardPrints& prints, CardFace face,
-                         const CardSource& source)
+CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& sheet, const std::shared_ptr<const CardSource>& found, render::AssetStore& assets)
 {
     CardPicture result;
+    const CardSource& source = *found;
     const bool lying = horizontal(table, values, source);
     const glm::dvec2 half = pictureHalfSize(table, values, source.aspect);
     const double pitch = sheet.pitch() * 1e-3;
@@ -46,7 +46,8 @@ CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& va
     const bool flat = values[table.strips] == CardStrips::flat;
     // An odd number of whole lenses: one lies in the middle.
     const int columns = 2 * static_cast<int>(std::ceil(std::max(lenses - 1, 0.0) / 2)) + 1;
-    result.texture = prints.viewTexture(face, flat ? columns : 0, lenses, lying);
+    result.texture = viewTexture(assets, found, flat ? columns : 0, lenses, lying);
+    if (!result.texture) return result;
     const int texels = lying ? result.texture->height : result.texture->width;
     const bool byLens = flat && texels == columns;
     result.block.area = glm::vec4(half, source.views.count(), pitch);
@@ -120,10 +121,10 @@ bool horizontal(const LenticularTable& table, const ParameterValues& values, con
     return source.raster ? source.lying : values[table.axis] == CardAxis::horizontal;
 }
 
-CardPicture cardPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& chosen, CardPrints& prints, CardFace face)
+CardPicture cardPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& chosen, const std::shared_ptr<const CardSource>& found, render::AssetStore& assets)
 {
-    const CardSource& source = prints.source(face, values[face == CardFace::front ? table.frontPrint : table.backPrint], values[table.views]);
-    CardPicture picture = source.raster ? rasterPicture(table, values, source) : viewsPicture(table, values, chosen, prints, face, source);
+    const CardSource& source = *found;
+    CardPicture picture = source.raster ? rasterPicture(table, values, source) : viewsPicture(table, values, chosen, found, assets);
     const Sheet& sheet = source.raster ? source.print.sheet : chosen;
     const double pitch = sheet.pitch();
     // A Gauss curve is replaced by the box of its variance.

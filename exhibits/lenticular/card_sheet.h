@@ -30,13 +30,13 @@ struct CardSheetFound {
 /// Half the size, in meters, of a picture of this aspect ratio (width / height) inside the card's margin.
 [[nodiscard]] glm::dvec2 pictureHalfSize(const LenticularTable&, const ParameterValues&, double aspect);
 
-/// What the shader knows of a print in slot `slot` of `prints`, and the texture that it samples.
+/// What the shader knows of a print, and the texture that it samples.
 struct CardPicture {
     CardPrintBlock block;
-    std::shared_ptr<const render::Texture> texture;
+    std::shared_ptr<const render::Texture> texture;  ///< Null where memory does not hold it.
     bool raster = false;
 };
-[[nodiscard]] CardPicture cardPicture(const LenticularTable&, const ParameterValues&, const Sheet&, CardPrints&, CardFace);
+[[nodiscard]] CardPicture cardPicture(const LenticularTable&, const ParameterValues&, const Sheet&, const std::shared_ptr<const CardSource>&, render::AssetStore&);
 
 /// The lenses of the print lie horizontally: as the table says, or the printed file.
 [[nodiscard]] bool horizontal(const LenticularTable&, const ParameterValues&, const CardSource&);

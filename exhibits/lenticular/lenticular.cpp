@@ -11,6 +11,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -48,6 +49,18 @@ Moment momentAt(const LenticularTable& table, const ParameterValues& values, dou
     const double whole = std::floor(y);
     return {std::fmod(whole, 2.0) == 0 ? start : otherFace(start), y - whole};
 }
+
+/// The prints that lie in the card.
+struct PreparedCard final : PreparedPart {
+    struct Face {
+        CardPicture picture;
+        bool lying = false;  ///< Its lenses are horizontal.
+    };
+    std::array<Face, 2> faces{};  ///< By CardFace; without a texture: it does not lie there, or cannot be shown.
+    std::string sheetNote;        ///< How the sheet differs from what was asked for, where that cannot be.
+
+    [[nodiscard]] const Face& face(CardFace f) const { return faces[static_cast<std::size_t>(f)]; }
+};
 
 /// Everything that the passes of one frame share.
 struct Scene {
@@ -123,7 +136,7 @@ render::Bound dispersionBound(const Scene& s)
     return render::boundOf(0, 1, {{paper, "no light falls on the card"}});
 }
 
-Pass cardPass(const Scene& s, std::string_view title, const Moment& moment, const lenticular::Sheet& sheet, lenticular::CardPrints& prints, render::FramePlan& plan)
+Pass cardPass(const Scene& s, const Moment& moment, const PreparedCard& prepared, render::FramePlan& plan)
 {
     const ParameterValues& values = s.context.values;
     Pass pass;
@@ -132,19 +145,11 @@ Pass cardPass(const Scene& s, std::string_view title, const Moment& moment, cons
     pass.shader = {"lenticular/card.vert", "lenticular/card.frag", "", {}, derive::uniformBlock(s.table)};
     pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
     CardObject object = cardObject(s, plan.view, moment.roll);
-    addPicture(pass, object, 0, lenticular::cardPicture(s.table, values, sheet, prints, moment.first));
-    const auto& first = prints.source(moment.first, values[moment.first == CardFace::front ? s.table.frontPrint : s.table.backPrint], values[s.table.views]);
-    const bool lying = lenticular::horizontal(s.table, values, first);
+    addPicture(pass, object, 0, prepared.face(moment.first).picture);
+    const bool lying = prepared.face(moment.first).lying;
     if (moment.roll > 0) {
         pass.shader.defines.emplace_back("SCROLLING");
-        addPicture(pass, object, 1, lenticular::cardPicture(s.table, values, sheet, prints, otherFace(moment.first)));
-    }
-    for (const CardFace face : {moment.first, otherFace(moment.first)}) {
-        if (prints.failure(face).empty() || (face != moment.first && moment.roll == 0)) continue;
-        const bool front = face == CardFace::front;
-        plan.complainOfFile(front ? "lenticular/front print" : "lenticular/back print",
-                            unreadableFile(values.rows()[front ? s.table.frontPrint.row : s.table.backPrint.row], title, prints.failure(face)),
-                            "Our own is shown in its place until it can be read.");
+        addPicture(pass, object, 1, prepared.face(otherFace(moment.first)).picture);
     }
     object.axes = lying ? glm::vec4(0, -1, 1, 0) : glm::vec4(1, 0, 0, 1);
     if (!values[s.table.dispersion]) plan.skip("lenticular/dispersion", "dispersion is switched off");
@@ -160,13 +165,28 @@ Pass cardPass(const Scene& s, std::string_view title, const Moment& moment, cons
 
 }  // namespace
 
-struct Lenticular::Cache {
-    lenticular::CardPrints prints;
-};
-
-Lenticular::Lenticular() : cache_(std::make_unique<Cache>()) {}
-
-Lenticular::~Lenticular() = default;
+std::shared_ptr<const PreparedPart> Lenticular::prepare(const PrepareContext& context) const
+{
+    if (!context.seen) return nullptr;
+    const ParameterValues& values = context.values;
+    auto made = std::make_shared<PreparedCard>();
+    const lenticular::CardSheetFound found = lenticular::cardSheet(table_, values);
+    made->sheetNote = found.note;
+    const Moment moment = momentAt(table_, values, context.time, context.sinceOwnPress);
+    for (const CardFace face : {moment.first, otherFace(moment.first)}) {
+        if (face != moment.first && moment.roll == 0) continue;
+        const bool front = face == CardFace::front;
+        const File row = front ? table_.frontPrint : table_.backPrint;
+        const lenticular::CardPrint print = lenticular::cardPrint(context.assets, face, values[row], values[table_.views]);
+        if (!print.failure.empty())
+            made->unreadable.push_back({front ? "lenticular/front print" : "lenticular/back print", unreadableFile(values.rows()[row.row], title(), print.failure),
+                                        print.source ? "Our own is shown in its place until it can be read." : "The card is left out until it can be read."});
+        if (!print.source) continue;
+        made->faces[static_cast<std::size_t>(face)] = {lenticular::cardPicture(table_, values, found.sheet, print.source, context.assets),
+                                                       lenticular::horizontal(table_, values, *print.source)};
+    }
+    return made;
+}
 
 double scrollAt(double time, double period, double hold)
 {
@@ -205,9 +225,9 @@ double Lenticular::nextChange(const ParameterValues& values, double time) const
     return values[table_.scroll] ? scrollRest(time, values[table_.period], values[table_.hold]) : std::numeric_limits<double>::infinity();
 }
 
-double Lenticular::nextChangeAfterPress(const ParameterValues& values, double time, double sinceOwnPress) const
+double Lenticular::nextChangeOf(const ExhibitState& state) const
 {
-    return sinceOwnPress < rollTime ? 0 : nextChange(values, time);
+    return state.sinceOwnPress < rollTime ? 0 : nextChange(state.values, state.time);
 }
 
 bool Lenticular::press(ParameterValues& values) const
@@ -235,11 +255,15 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
         for (const char* pass : {"lenticular/card", "lenticular/count"}) plan.skip(pass, context.hiddenBecause);
         return;
     }
-    const lenticular::CardSheetFound found = lenticular::cardSheet(table_, context.values);
+    const auto& prepared = static_cast<const PreparedCard&>(*context.prepared);
     const Moment moment = momentAt(table_, context.values, context.time, context.sinceOwnPress);
+    if (!prepared.face(moment.first).picture.texture || (moment.roll > 0 && !prepared.face(otherFace(moment.first)).picture.texture)) {
+        for (const char* pass : {"lenticular/card", "lenticular/count"}) plan.skip(pass, "its prints cannot be shown");
+        return;
+    }
     if (moment.roll > 0) scene.reason += ", and one print rolls in after the other";
-    if (!found.note.empty()) scene.reason += "; the sheet cannot be: " + found.note;
-    Pass card = cardPass(scene, title(), moment, found.sheet, cache_->prints, plan);
+    if (!prepared.sheetNote.empty()) scene.reason += "; the sheet cannot be: " + prepared.sheetNote;
+    Pass card = cardPass(scene, moment, prepared, plan);
     Pass count = card;
     card.colors = {{radianceImage, Load::keep, {}, -1, 0}};
     card.depth = Attachment{depthImage, Load::keep, {}, -1, 0};

@@ -14,9 +14,6 @@ class Lenticular final : public Exhibit {
 public:
     using Table = LenticularTable;
 
-    Lenticular();
-    ~Lenticular() override;
-
     [[nodiscard]] std::string_view name() const override { return "lenticular"; }
     [[nodiscard]] std::string_view title() const override { return "Lenticular Card"; }
     [[nodiscard]] std::string_view summary() const override { return "Sixteen pictures in one print: the lenses choose, by where you stand."; }
@@ -25,17 +22,17 @@ public:
     [[nodiscard]] int place() const override { return 2; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    /// The prints that lie in the card, as read and as the shader samples them.
+    [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     bool press(ParameterValues&) const override;
-    [[nodiscard]] double nextChangeAfterPress(const ParameterValues&, double time, double sinceOwnPress) const override;
+    [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 
 private:
     Table table_;
-    struct Cache;
-    std::unique_ptr<Cache> cache_;  ///< Prints as read and as uploaded: costly, and the same for the same values.
 };
 
 /// How many prints have rolled by at `time`: whole while one rests, for the share `hold` of each period, then

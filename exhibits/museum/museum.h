@@ -2,6 +2,8 @@
 
 #include "exhibits/framework/exhibit.h"
 #include "exhibits/framework/frame_request.h"
+#include "exhibits/museum/look.h"
+#include "exhibits/museum/prepared.h"
 
 #include <filesystem>
 #include <memory>
@@ -10,15 +12,6 @@
 #include <vector>
 
 namespace vitrine {
-
-/// A snapshot of everything that can be set: one set of values per exhibit (the hall first) and the
-/// camera. Undo, presets of everything and A/B comparisons are Looks.
-struct Look {
-    std::vector<ParameterValues> values;  ///< In the order of Museum::exhibits().
-    render::Camera camera;
-
-    bool operator==(const Look&) const = default;
-};
 
 /// What the visitor's look rests on.
 struct LookedAt {
@@ -36,7 +29,9 @@ struct Pointed {
     render::Camera view;       ///< Its best view, in the world.
 };
 
+class Hall;
 class HallModel;
+struct HallScene;
 
 /// The building and everything in it.
 class Museum {
@@ -48,6 +43,8 @@ public:
 
     [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const { return exhibits_; }
     [[nodiscard]] const Exhibit& hall() const { return *exhibits_.front(); }
+    /// What prepared pictures are made of, and how often it was made.
+    [[nodiscard]] const render::AssetStore& assets() const { return *assets_; }
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     [[nodiscard]] Look initialLook() const;
 
@@ -56,34 +53,48 @@ public:
     /// The exhibit's best view, in the world.
     [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues&) const;
 
-    /// Plans and prunes one picture. Its outputs are the images "frame" (rgba16f, display-referred linear
-    /// light, alpha not premultiplied) and, as asked, "radiance", "depth", "normal", "evaluations". Files that the
-    /// look names and that cannot be read are left out, with a complaint; where the request needs them, throws Failure.
-    [[nodiscard]] render::FramePlan plan(const Look&, const FrameRequest&, const render::KeptKeys& = {}) const;
+    /// Resolves what pictures of this look at the request's moment, from its camera, take to plan: the only place where
+    /// files are read and simulations run. What is out of view is left alone. Any thread may call it, several at once;
+    /// what one has made serves all. A file that cannot be read is left out, and the pictures complain of it; where the
+    /// request needs files, throws Failure.
+    [[nodiscard]] Prepared prepare(const Look&, const FrameRequest&) const;
+
+    // What follows only reads, opens no file and keeps nothing: any thread may call it, and the same is answered the same.
+
+    /// Plans and prunes one picture of what was prepared, at its moment, for the same camera and exhibits; raster, samples
+    /// and channels may be others. Its outputs are the images "frame" (rgba16f, display-referred linear light, alpha not
+    /// premultiplied) and, as asked, "radiance", "depth", "normal", "evaluations".
+    [[nodiscard]] render::FramePlan plan(const Prepared&, const FrameRequest&, const render::KeptKeys& = {}) const;
 
     /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: walls and furniture stop
     /// him, and he slides along them.
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
     /// The button within 2 m that the middle of the view rests on, when nothing stands before it.
-    [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const;
+    [[nodiscard]] std::optional<LookedAt> lookedAt(const Prepared&) const;
     /// The exhibit, button or visitor's object seen at `ndc` (each -1 to 1, y up) of that picture; nothing where the
-    /// nearest thing there is a wall or furniture. Throws Failure when a file that is on show cannot be read.
-    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const;
+    /// nearest thing there is a wall or furniture.
+    [[nodiscard]] std::optional<Pointed> pick(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
     /// Metres from the eye to whatever is seen there; infinity: the sky.
-    [[nodiscard]] double distanceTo(const Look&, const FrameRequest&, glm::dvec2 ndc) const;
+    [[nodiscard]] double distanceTo(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
     /// Which of the places 1 to 9 still wait for an exhibit.
     [[nodiscard]] std::vector<int> emptyPlaces() const;
 
     /// Seconds until the picture next changes by itself; infinity: nothing to draw.
-    [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const;
+    [[nodiscard]] double nextChange(const Prepared&, const FrameRequest&) const;
 
 private:
     struct Seen;
-    [[nodiscard]] Seen firstSeen(const Look&, const FrameRequest&, const render::Ray&) const;
+    struct Present;
+    struct Frame;
+    [[nodiscard]] Seen firstSeen(const Prepared&, const render::Ray&) const;
     [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&, bool alone) const;
+    [[nodiscard]] std::vector<Present> presentIn(const Prepared&, const FrameRequest&, const HallScene&, const render::View&) const;
+    [[nodiscard]] HallScene sceneOf(const Prepared&, bool alone) const;
 
     std::vector<std::unique_ptr<Exhibit>> exhibits_;
+    const Hall* hall_;  ///< The first of them.
     std::shared_ptr<const HallModel> model_;
+    std::unique_ptr<render::AssetStore> assets_;
 };
 
 }  // namespace vitrine

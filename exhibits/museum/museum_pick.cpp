@@ -44,14 +44,11 @@ struct Museum::Seen {
     }
 };
 
-Museum::Seen Museum::firstSeen(const Look& look, const FrameRequest& request, const render::Ray& ray) const
+Museum::Seen Museum::firstSeen(const Prepared& prepared, const render::Ray& ray) const
 {
     using enum Seen::What;
     Seen seen;
-    std::vector<double> turns;
-    for (std::size_t i = 1; i < exhibits_.size(); ++i) turns.push_back(exhibits_[i]->turnOfHangings(look.values[i], request.time));
-    HallScene scene = static_cast<const Hall&>(hall()).scene(look.values.front(), false);
-    scene.turns = turns;
+    const HallScene scene = sceneOf(prepared, false);
     for (const render::Part& part : model_->walls()) seen.take(building, 0, render::firstHit(ray, part, render::Faces::front));
     if (scene.visitorModel) {
         seen.visitorsBox = scene.visitorModel->bounds.transformed(scene.worldFromVisitorModel);
@@ -65,20 +62,19 @@ Museum::Seen Museum::firstSeen(const Look& look, const FrameRequest& request, co
         for (const render::Part& part : partsAt(scene, place)) seen.take(empty ? building : guest, i, render::firstHit(ray, part, render::Faces::both));
         if (empty) continue;
         const render::Ray own = ray.transformed(glm::inverse(worldFromExhibit(i)));
-        const double since = i < request.sincePressed.size() ? request.sincePressed[i] : never;
-        seen.take(guest, i, (*here)->firstHit(look.values[i], request.time, since, own));
+        seen.take(guest, i, (*here)->firstHit(prepared.state(i), own));
         if (!place.worldFromButton || (*here)->buttonText().empty()) continue;
         seen.take(button, i, render::firstHit(ray, glm::dvec3((*place.worldFromButton)[3]), radiusOfPress));
     }
     return seen;
 }
 
-std::optional<Pointed> Museum::pick(const Look& look, const FrameRequest& request, glm::dvec2 ndc) const
+std::optional<Pointed> Museum::pick(const Prepared& prepared, const FrameRequest& request, glm::dvec2 ndc) const
 {
     using enum Seen::What;
     const render::View view = render::makeView(request.camera, request.raster);
     const render::Ray ray{view.eye, glm::normalize(view.direction(ndc))};
-    const Seen seen = firstSeen(look, request, ray);
+    const Seen seen = firstSeen(prepared, ray);
     if (seen.what == nothing || seen.what == building) return std::nullopt;
     Pointed found{seen.exhibit, {}, seen.distance, seen.what == button, seen.what == button && seen.distance <= reachOfButton, {}};
     if (seen.what == visitorsObject) {
@@ -88,18 +84,19 @@ std::optional<Pointed> Museum::pick(const Look& look, const FrameRequest& reques
     }
     const Exhibit& exhibit = *exhibits_[seen.exhibit];
     found.name = found.inReach ? "E – " + std::string(exhibit.buttonText()) : std::string(exhibit.title());
-    found.view = bestView(seen.exhibit, look.values[seen.exhibit]);
+    found.view = bestView(seen.exhibit, prepared.look.values[seen.exhibit]);
     return found;
 }
 
-double Museum::distanceTo(const Look& look, const FrameRequest& request, glm::dvec2 ndc) const
+double Museum::distanceTo(const Prepared& prepared, const FrameRequest& request, glm::dvec2 ndc) const
 {
     const render::View view = render::makeView(request.camera, request.raster);
-    return firstSeen(look, request, {view.eye, glm::normalize(view.direction(ndc))}).distance;
+    return firstSeen(prepared, {view.eye, glm::normalize(view.direction(ndc))}).distance;
 }
 
-std::optional<LookedAt> Museum::lookedAt(const Look& look) const
+std::optional<LookedAt> Museum::lookedAt(const Prepared& prepared) const
 {
+    const Look& look = prepared.look;
     const glm::dvec3 toTarget = look.camera.target - look.camera.eye;
     if (!(glm::length(toTarget) > 1e-9)) return std::nullopt;
     const glm::dvec3 forward = glm::normalize(toTarget);
@@ -110,7 +107,7 @@ std::optional<LookedAt> Museum::lookedAt(const Look& look) const
         const double along = glm::dot(toButton, forward);
         if (along <= 0 || along > reachOfButton || glm::length(toButton - forward * along) > radiusOfAim) continue;
         // Straight to the button, which the look itself may miss by a little.
-        const Seen seen = firstSeen(look, {}, {look.camera.eye, toButton});
+        const Seen seen = firstSeen(prepared, {look.camera.eye, toButton});
         if (seen.what != Seen::What::button || seen.exhibit != i) continue;
         return LookedAt{i, "E – " + std::string(exhibits_[i]->buttonText())};
     }

@@ -85,7 +85,8 @@ bool PictureMaker::step()
     frame.raster.offset = tile.drawnOffset;
     frame.raster.tile = tile.drawnSize;
     if (frame.sample > 0) frame.channels = {};
-    render::FrameReport report = painter_.draw(museum_.plan(look_, frame, painter_.kept()));
+    if (!prepared_) prepared_ = museum_.prepare(look_, request_.frame);
+    render::FrameReport report = painter_.draw(museum_.plan(*prepared_, frame, painter_.kept()));
     if (stepsDone_ == 0) report_ = std::move(report);
     if (frame.sample == 0) takeChannels(tile);
     if (frame.sample == request_.samples - 1) takeColor(tile);

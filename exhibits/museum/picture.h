@@ -24,7 +24,7 @@ public:
     /// pixels, or whose pixels do not fit into half of the machine's memory.
     PictureMaker(const Museum&, render::Painter&, Look, PictureRequest);
 
-    /// Draws one sample of one tile. Returns false when the picture was already finished.
+    /// Draws one sample of one tile; the first one prepares the picture. Returns false when it was already finished.
     bool step();
     [[nodiscard]] double progress() const;  ///< 0 to 1.
     [[nodiscard]] bool finished() const;
@@ -50,6 +50,7 @@ private:
     render::Painter& painter_;
     Look look_;
     PictureRequest request_;
+    std::optional<Prepared> prepared_;  ///< Since the first step.
     render::Image picture_;
     render::FrameReport report_;
     std::vector<Tile> tiles_;

@@ -3,13 +3,13 @@
 #include "exhibits/framework/derive.h"
 #include "exhibits/kit/surface_draw.h"
 #include "exhibits/sdf_morph/sdf_shape.h"
+#include "render/scene/held_bytes.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace vitrine {
 namespace {
@@ -20,6 +20,10 @@ using render::Pass;
 
 constexpr int blockOfCone = 8;  ///< Pixels along a side of the block that one cone covers; shaders/sdf_morph/cone.frag agrees.
 
+struct PreparedMesh final : PreparedPart {
+    render::Asset<render::Mesh> mesh;
+};
+
 /// Everything that the passes of one frame share.
 struct Scene {
     const SdfMorphTable& table;
@@ -29,10 +33,6 @@ struct Scene {
     render::Box box;         ///< The rays are marched in it.
     SdfObject object;
 
-    [[nodiscard]] glm::dmat4 worldFromBox() const
-    {
-        return context.worldFromExhibit * glm::scale(glm::translate(glm::dmat4(1), box.center()), box.halfSize());
-    }
     [[nodiscard]] render::Draw proxy() const
     {
         render::Draw draw;
@@ -228,15 +228,6 @@ void planOverlay(const Scene& s, render::FramePlan& plan)
 
 }  // namespace
 
-struct SdfMorph::MeshCache {
-    std::optional<ParameterValues> values;
-    std::shared_ptr<const render::Mesh> mesh;
-};
-
-SdfMorph::SdfMorph() : mesh_(std::make_unique<MeshCache>()) {}
-
-SdfMorph::~SdfMorph() = default;
-
 double morphAt(double morph, double speed, double time)
 {
     if (time == 0 || !std::isfinite(time)) return morph;
@@ -252,10 +243,33 @@ render::Box SdfMorph::bounds(const ParameterValues& values) const
     return resized(values[table_.animate] ? boxOverMorph(moment) : momentaryBox(moment), values[table_.boxSize]);
 }
 
-double SdfMorph::firstHit(const ParameterValues& values, double time, double, const render::Ray& ray) const
+ParameterValues SdfMorph::melted(const ParameterValues& values, double time) const
 {
-    const double morph = values[table_.animate] ? morphAt(values[table_.morph], values[table_.speed], time) : values[table_.morph];
-    return firstHitOf({table_, values, morph}, ray);
+    ParameterValues now = values;
+    if (values[table_.animate]) now.set(table_.morph, morphAt(values[table_.morph], values[table_.speed], time));
+    return now;
+}
+
+std::shared_ptr<const PreparedPart> SdfMorph::prepare(const PrepareContext& context) const
+{
+    if (!context.seen || !context.values[table_.compareMesh]) return nullptr;
+    const ParameterValues values = melted(context.values, context.time);
+    const auto& t = table_;
+    const std::string key = derive::keyOf(values, {t.morph.row, t.majorRadius.row, t.minorRadius.row, t.mugRadius.row, t.mugHeight.row, t.wallThickness.row,
+                                                   t.handleRadius.row, t.handleThickness.row, t.blend.row, t.tessellation.row});
+    auto part = std::make_shared<PreparedMesh>();
+    part->mesh = context.assets.made<render::Mesh>("sdf_morph.mesh", key, [&] {
+        auto mesh = meshOf({table_, values, values[t.morph]}, values[t.tessellation]);
+        const std::uint64_t bytes = heldBytes(*mesh);
+        return render::AssetStore::Made<render::Mesh>{std::move(mesh), bytes};
+    });
+    return part;
+}
+
+double SdfMorph::firstHit(const ExhibitState& state, const render::Ray& ray) const
+{
+    const ParameterValues values = melted(state.values, state.time);
+    return firstHitOf({table_, values, values[table_.morph]}, ray);
 }
 
 render::Camera SdfMorph::bestView(const ParameterValues& values) const
@@ -296,8 +310,7 @@ std::vector<StudyView> SdfMorph::studyViews(const ParameterValues& values) const
 
 void SdfMorph::plan(const PlanContext& context, render::FramePlan& plan) const
 {
-    ParameterValues values = context.values;
-    if (values[table_.animate]) values.set(table_.morph, morphAt(values[table_.morph], values[table_.speed], context.time));
+    const ParameterValues values = melted(context.values, context.time);
     const SdfMoment moment{table_, values, values[table_.morph]};
     const render::Box box = resized(momentaryBox(moment), values[table_.boxSize]);
     Scene scene{table_, context, values, {table_, values, values[table_.morph]}, box, sdfObject(moment, box, context.worldFromExhibit)};
@@ -311,15 +324,9 @@ void SdfMorph::plan(const PlanContext& context, render::FramePlan& plan) const
     const auto wipe = static_cast<float>(values[table_.wipe] * plan.view.raster.size.x);
     if (compare) {
         scene.object.wipe.x = wipe;
-        ParameterValues shape = values;
-        // Only what the mesh depends on decides whether it is made again.
-        for (std::size_t i = table_.material.row; i < shape.rows().size(); ++i)
-            if (i != table_.tessellation.row) shape.resetRow(i);
-        if (!mesh_->values || !(*mesh_->values == shape)) {
-            mesh_->mesh = meshOf(moment, values[table_.tessellation]);
-            mesh_->values = shape;
-        }
-        planMesh(scene, mesh_->mesh, wipe, plan);
+        const render::Asset<render::Mesh>& found = static_cast<const PreparedMesh&>(*context.prepared).mesh;
+        if (found.value) planMesh(scene, found.value, wipe, plan);
+        else plan.complain("sdf_morph/mesh", found.failure);
     } else {
         plan.skip("sdf_morph/mesh", "the comparison is switched off");
     }

@@ -14,9 +14,6 @@ class SdfMorph final : public Exhibit {
 public:
     using Table = SdfMorphTable;
 
-    SdfMorph();
-    ~SdfMorph() override;
-
     [[nodiscard]] std::string_view name() const override { return "sdf_morph"; }
     [[nodiscard]] std::string_view title() const override { return "Torus to Mug"; }
     [[nodiscard]] std::string_view summary() const override { return "One body with one hole: a distance field, found anew by every ray."; }
@@ -25,7 +22,9 @@ public:
     [[nodiscard]] int place() const override { return 1; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
-    [[nodiscard]] double firstHit(const ParameterValues&, double time, double sinceOwnPress, const render::Ray&) const override;
+    /// The mesh that the object is compared with: the same for the same shape, whoever asks.
+    [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
+    [[nodiscard]] double firstHit(const ExhibitState&, const render::Ray&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     bool press(ParameterValues&) const override;
@@ -33,9 +32,10 @@ public:
     void plan(const PlanContext&, render::FramePlan&) const override;
 
 private:
+    /// The values with the morph as it is at `time`.
+    [[nodiscard]] ParameterValues melted(const ParameterValues&, double time) const;
+
     Table table_;
-    struct MeshCache;
-    std::unique_ptr<MeshCache> mesh_;  ///< The last mesh made for comparison: costly, and the same for the same values.
 };
 
 /// The morph at `time` of an object that starts at `morph` and melts `speed` times a second to the mug and

@@ -52,7 +52,7 @@ render::Image picture(const Museum& museum, render::Painter& painter, const Stil
 /// The frame, over memory that holds `poison`.
 render::Image over(const Poison& poison, const Museum& museum, render::Painter& painter, const Still& s)
 {
-    (void)painter.draw(poisoned(museum.plan(s.look, s.request.frame, painter.kept()), poison));
+    (void)painter.draw(poisoned(museum.plan(museum.prepare(s.look, s.request.frame), s.request.frame, painter.kept()), poison));
     return painter.read("frame");
 }
 

@@ -150,7 +150,7 @@ ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
 std::string faultOf(const Museum& museum, render::Painter& painter, const ScanCase& c)
 {
     try {
-        const render::FramePlan plan = museum.plan(c.look, c.frame, painter.kept());
+        const render::FramePlan plan = museum.plan(museum.prepare(c.look, c.frame), c.frame, painter.kept());
         (void)painter.draw(poisoned(plan, spreadingPoison()));
         return faultOfImages(plan, painter, c.frame.channels);
     } catch (const std::exception& error) {

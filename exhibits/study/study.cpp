@@ -174,7 +174,8 @@ void Study::findDependentPasses()
     const auto keysAt = [&](const std::vector<double>& values) {
         const Look look = lookAt(values, 0);
         Keys keys;
-        const render::FramePlan plan = museum_.plan(look, pictureRequest(look, 0).frame);
+        const FrameRequest frame = pictureRequest(look, 0).frame;
+        const render::FramePlan plan = museum_.plan(museum_.prepare(look, frame), frame);
         for (const render::Pass& pass : plan.passes())
             if (pass.key) keys[pass.name] = *pass.key;
         return keys;
@@ -255,7 +256,7 @@ render::FrameReport Study::drawTimed(const Look& look, std::size_t view)
     for (const std::string& pass : dependentPasses_) kept.erase(pass);
     FrameRequest frame = pictureRequest(look, view).frame;
     frame.channels = {};
-    render::FrameReport report = painter_.draw(museum_.plan(look, frame, kept));
+    render::FrameReport report = painter_.draw(museum_.plan(museum_.prepare(look, frame), frame, kept));
     result_.clock = report.clock;
     result_.clockTrusted = report.clockTrusted;
     result_.overheadMilliseconds = report.overheadMilliseconds;

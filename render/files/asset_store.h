@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <typeindex>
@@ -26,18 +28,19 @@ struct FileState {
 /// Of the folder that the path lies in.
 [[nodiscard]] FileState folderState(const std::filesystem::path&) noexcept;
 
-/// What was made of a file, or why nothing could be.
+/// What was made of a file or of parameters, or why nothing could be.
 template <typename T> struct Asset {
     std::shared_ptr<const T> value{};
-    std::string failure{};  ///< One full sentence naming the file; empty when there is a value.
+    std::string failure{};  ///< One full sentence; of a file, it names the file. Empty when there is a value.
 };
 
-/// What users' files became, read once while the files stay as they are. A failure is an entry like any other: the
-/// file is not read again before it changes. One that failed counts as changed with its folder, too: what it lacks
-/// may be a file beside it.
+/// What users' files and parameters became, made once for all who ask: a file is read again only when it changed, what
+/// is made of parameters is made once for each key. A failure is an entry like any other: the file is not read again
+/// before it changes. One that failed counts as changed with its folder, too: what it lacks may be a file beside it.
 ///
 /// Older entries are kept for whoever asks for them in turn (a study beside the window), as far as `mostBytes` and
-/// 32 entries allow; the last one of each use always stays. For one thread at a time.
+/// 32 entries allow; the last one of each use always stays, and so does whatever somebody still holds. Any thread may
+/// ask at any time: several make different things at once, and who asks for what another is making waits for it.
 class AssetStore {
 public:
     explicit AssetStore(std::uint64_t mostBytes = 256ULL << 20U) : mostBytes_(mostBytes) {}
@@ -52,38 +55,51 @@ public:
     template <typename T>
     [[nodiscard]] Asset<T> get(std::string_view use, const std::string& path, const std::function<Made<T>(const std::string&)>& make, std::uint64_t variant = 0)
     {
-        const Entry& entry = find({std::string(use), path, variant, typeid(T)}, [&](Entry& fresh) {
-            Made<T> made = make(path);
-            fresh.value = std::move(made.value);
-            fresh.bytes = made.bytes;
-        });
-        return {std::static_pointer_cast<const T>(entry.value), entry.failure};
+        return as<T>(find({std::string(use), path, variant, typeid(T), true, {}}, [&] { return Anything(make(path)); }));
+    }
+
+    /// What `make` makes of parameters, which `key` spells out, and of `source`, an asset that it is made from (null:
+    /// of parameters alone). Never throws.
+    template <typename T>
+    [[nodiscard]] Asset<T> made(std::string_view use, std::string key, const std::function<Made<T>()>& make, std::shared_ptr<const void> source = {})
+    {
+        return as<T>(find({std::string(use), std::move(key), 0, typeid(T), false, std::move(source)}, [&] { return Anything(make()); }));
     }
 
     /// Of all entries together.
     [[nodiscard]] std::uint64_t bytes() const;
-    [[nodiscard]] std::size_t entries() const { return entries_.size(); }
+    [[nodiscard]] std::size_t entries() const;
+    /// How often something was made, or tried, for uses that begin so.
+    [[nodiscard]] std::int64_t builds(std::string_view use = {}) const;
 
 private:
-    struct Key {
-        std::string use, path;
+    struct Request {
+        std::string use, key;
         std::uint64_t variant;
         std::type_index type;
-
-        bool operator==(const Key&) const = default;
+        bool ofFile;  ///< Then `key` is its path.
+        std::shared_ptr<const void> source;
     };
-    struct Entry {
-        Key key;
-        FileState file{}, folder{};
-        std::shared_ptr<const void> value{};
+    struct Anything {
+        std::shared_ptr<const void> value;
         std::uint64_t bytes = 0;
-        std::string failure{};
+
+        template <typename T> explicit Anything(Made<T> made) : value(std::move(made.value)), bytes(made.bytes) {}
     };
-    const Entry& find(Key, const std::function<void(Entry&)>& make);
+    struct Entry;
+    template <typename T> static Asset<T> as(Asset<void> found)
+    {
+        return {std::static_pointer_cast<const T>(std::move(found.value)), std::move(found.failure)};
+    }
+    [[nodiscard]] Asset<void> find(Request, const std::function<Anything()>& make);
+    [[nodiscard]] std::shared_ptr<Entry> entryOf(const Request&);
+    [[nodiscard]] Asset<void> build(Entry&, const std::function<Anything()>& make);
     void trim();
 
     std::uint64_t mostBytes_;
-    std::vector<Entry> entries_;  ///< The one used last is the last.
+    mutable std::mutex mutex_;  ///< Of what follows, but for the making of an entry.
+    std::vector<std::shared_ptr<Entry>> entries_;  ///< The one used last is the last.
+    std::map<std::string, std::int64_t, std::less<>> builds_;
 };
 
 }  // namespace vitrine::render

@@ -118,10 +118,7 @@ struct Renderer::State {
 
     void run(const Pass& pass, const PassRanges& ranges)
     {
-        if (pass.work == Work::simulation) {
-            if (pass.simulate) pass.simulate();
-            return;
-        }
+        if (pass.work == Work::simulation) return;
         glUseProgram(programs.use(pass.shader));
         arena.bind(BLOCK_FRAME, ranges.frame);
         for (const auto& [binding, range] : ranges.blocks) arena.bind(binding, range);

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -100,6 +99,7 @@ struct Draw {
     std::vector<Input> inputs;
 };
 
+/// A simulation is ledger only: whoever prepared the frame has taken its steps.
 enum class Work : std::uint8_t { simulation, raster, compute };
 [[nodiscard]] const char* toString(Work);
 
@@ -129,7 +129,6 @@ struct Pass {
     std::vector<Draw> draws;
     glm::ivec3 groups{1};                 ///< Compute.
     std::vector<std::string> mipmaps;     ///< Images whose lower levels are made from level 0 afterwards.
-    std::function<void()> simulate;
     /// Work that the plan knows this pass does, by counter name ("fetches", "marchSteps"): added to the
     /// report's counters when it runs.
     std::map<std::string, std::int64_t> counts;

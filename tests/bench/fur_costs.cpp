@@ -10,6 +10,7 @@
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/measure/clock.h"
+#include "tests/support/planned.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,7 +159,7 @@ public:
         std::printf("\n### Draw calls, 64 shells\n\n| what | draws | coat, ms |\n|---|---|---|\n");
         look_.values[fur_].set(table().shellCount, 64);
         look_.values[fur_].set(table().levelOfDetail, false);
-        const render::FramePlan instanced = museum_.plan(look_, request_, renderer_.kept());
+        const render::FramePlan instanced = test::planned(museum_, look_, request_, renderer_.kept());
         const render::FramePlan single = changed(instanced, [](render::Pass& pass) {
             if (pass.name != "fur/coat") return;
             const std::vector<render::Draw> whole = std::move(pass.draws);
@@ -192,7 +193,7 @@ public:
     void bodies()
     {
         std::printf("\n### Cost of each body, as it stands\n\n| body | shells | coat, ms | light, ms |\n|---|---|---|---|\n");
-        const render::FramePlan all = museum_.plan(look_, request_, renderer_.kept());
+        const render::FramePlan all = test::planned(museum_, look_, request_, renderer_.kept());
         const char* const names[] = {"ball", "roll", "ring", "all three"};
         std::vector<double> coat[4], light[4];
         int shells[4] = {};
@@ -231,7 +232,7 @@ private:
         FrameRequest request = request_;
         request.sample = sample;
         request.samples = samples;
-        return renderer_.draw(museum_.plan(look_, request, renderer_.kept()));
+        return renderer_.draw(test::planned(museum_, look_, request, renderer_.kept()));
     }
     render::Image average(const ParameterValues& values)
     {

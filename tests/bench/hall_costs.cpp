@@ -8,6 +8,7 @@
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/measure/clock.h"
+#include "tests/support/planned.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -80,7 +81,7 @@ int main(int argc, char** argv)
     FrameRequest entrance;
     entrance.camera = look.camera;
     entrance.raster.size = size;
-    const render::FrameReport first = renderer.draw(museum.plan(look, entrance, renderer.kept()));
+    const render::FrameReport first = renderer.draw(test::planned(museum, look, entrance, renderer.kept()));
     const double firstReady = render::wallSeconds();
 
     std::printf("Clock: %s\nSize: %d x %d, %d rounds in turn after 3 warm-up frames, medians\n", first.clock.c_str(), size.x, size.y, rounds);
@@ -101,8 +102,8 @@ int main(int argc, char** argv)
     FrameRequest alone = entrance;
     alone.alone = sdf;
     alone.camera = museum.exhibits()[sdf]->bestView(look.values[sdf]);
-    const auto draw = [&](const FrameRequest& request) { return [&museum, &renderer, &look, request] { return renderer.draw(museum.plan(look, request, renderer.kept())); }; };
-    const auto drawEmpty = [&](const FrameRequest& request) { return [&empty, &emptyRenderer, &emptyLook, request] { return emptyRenderer.draw(empty.plan(emptyLook, request, emptyRenderer.kept())); }; };
+    const auto draw = [&](const FrameRequest& request) { return [&museum, &renderer, &look, request] { return renderer.draw(test::planned(museum, look, request, renderer.kept())); }; };
+    const auto drawEmpty = [&](const FrameRequest& request) { return [&empty, &emptyRenderer, &emptyLook, request] { return emptyRenderer.draw(test::planned(empty, emptyLook, request, emptyRenderer.kept())); }; };
     std::vector<Row> rows;
     rows.push_back({"empty hall, towards the door", drawEmpty(away), {}, {}, {}});
     rows.push_back({"hall with all exhibits out of view, towards the door", draw(away), {}, {}, {}});
@@ -124,20 +125,20 @@ int main(int argc, char** argv)
     sliders.push_back({"exhibit's slider (morph)", [&] {
                            Look changed = look;
                            changed.values[sdf].set(table.morph, morph = morph < 0.9 ? morph + 0.05 : 0.0);
-                           return morphRenderer.draw(museum.plan(changed, near, morphRenderer.kept()));
+                           return morphRenderer.draw(test::planned(museum, changed, near, morphRenderer.kept()));
                        }, {}, {}, {}});
     double exposure = 0;
     sliders.push_back({"hall's slider that develops only (exposure)", [&] {
                            Look changed = look;
                            changed.values[0].setRow(*changed.values[0].table().find("exposure"), exposure = exposure < 1 ? exposure + 0.1 : -1.0);
-                           return renderer.draw(museum.plan(changed, near, renderer.kept()));
+                           return renderer.draw(test::planned(museum, changed, near, renderer.kept()));
                        }, {}, {}, {}});
     double elevation = 0.3;
     render::gl::Renderer sunRenderer;  // Of its own: a moving sun leaves nothing to keep.
     sliders.push_back({"hall's slider that lights anew (sun elevation)", [&] {
                            Look changed = look;
                            changed.values[0].setRow(*changed.values[0].table().find("sunElevation"), elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
-                           return sunRenderer.draw(museum.plan(changed, near, sunRenderer.kept()));
+                           return sunRenderer.draw(test::planned(museum, changed, near, sunRenderer.kept()));
                        }, {}, {}, {}});
     measure(sliders, rounds);
     print("From a slider's change to the finished frame", sliders);
@@ -150,10 +151,10 @@ int main(int argc, char** argv)
     Look turning = look;
     turning.values[rays].setRow(*turning.values[rays].table().find("animate"), 1.0);
     FrameRequest later = entrance;
-    mobile.push_back({"mobile at rest", [&] { return stillRenderer.draw(museum.plan(look, entrance, stillRenderer.kept())); }, {}, {}, {}});
+    mobile.push_back({"mobile at rest", [&] { return stillRenderer.draw(test::planned(museum, look, entrance, stillRenderer.kept())); }, {}, {}, {}});
     mobile.push_back({"mobile turning: its part of the sun's map anew in each frame", [&] {
                           later.time += 1.0 / 30;
-                          return turningRenderer.draw(museum.plan(turning, later, turningRenderer.kept()));
+                          return turningRenderer.draw(test::planned(museum, turning, later, turningRenderer.kept()));
                       }, {}, {}, {}});
     measure(mobile, rounds);
     print("The turning mobile", mobile);
@@ -163,7 +164,7 @@ int main(int argc, char** argv)
     const auto variant = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
         Look changed = look;
         change(changed.values[sdf]);
-        variants.push_back({name, [&museum, &aloneRenderer, alone, changed] { return aloneRenderer.draw(museum.plan(changed, alone, aloneRenderer.kept())); }, {}, {}, {}});
+        variants.push_back({name, [&museum, &aloneRenderer, alone, changed] { return aloneRenderer.draw(test::planned(museum, changed, alone, aloneRenderer.kept())); }, {}, {}, {}});
     };
     variant("as it stands", [](ParameterValues&) {});
     variant("without cone pre-pass", [&](ParameterValues& v) { v.set(table.conePrepass, false); });

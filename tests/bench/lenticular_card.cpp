@@ -8,6 +8,7 @@
 #include "exhibits/museum/picture.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
+#include "tests/support/planned.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -107,13 +108,13 @@ int main(int argc, char** argv)
         add("exact, rolling", [&](ParameterValues& v) { v.set(t.hold, 0.0); v.set(t.period, 10.0); });
         rows.back().request.time = 5;
         for (Row& row : rows) {
-            for (int warm = 0; warm < 2; ++warm) report = renderer.draw(museum.plan(row.look, row.request, renderer.kept()));
+            for (int warm = 0; warm < 2; ++warm) report = renderer.draw(test::planned(museum, row.look, row.request, renderer.kept()));
             row.traces = tracesOf(museum, renderer, row);
         }
         for (int round = 0; round < rounds; ++round)
             for (Row& row : rows) {
                 // The second in a row: what the first had to make is kept.
-                for (int i = 0; i < 2; ++i) report = renderer.draw(museum.plan(row.look, row.request, renderer.kept()));
+                for (int i = 0; i < 2; ++i) report = renderer.draw(test::planned(museum, row.look, row.request, renderer.kept()));
                 row.cpu.push_back(report.milliseconds);
             }
         std::printf("\n### The card %s\n\n| model | traces per pixel | ms (%s) | lowest to highest | against the first row |\n|---|---|---|---|---|\n", view.name, report.clock.c_str());

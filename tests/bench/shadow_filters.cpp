@@ -9,6 +9,7 @@
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/measure/statistics.h"
+#include "tests/support/planned.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ struct Bench {
     double time()
     {
         std::vector<double> times;
-        for (int run = 0; run < 7; ++run) times.push_back(renderer.draw(museum.plan(look, frame, renderer.kept())).milliseconds);
+        for (int run = 0; run < 7; ++run) times.push_back(renderer.draw(test::planned(museum, look, frame, renderer.kept())).milliseconds);
         std::sort(times.begin(), times.end());
         return times[3];
     }

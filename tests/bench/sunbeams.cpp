@@ -8,6 +8,7 @@
 #include "exhibits/museum/picture.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
+#include "tests/support/planned.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,7 @@ struct Bench {
         std::vector<double> times;
         for (int run = 0; run < 5; ++run) {
             double sum = 0;
-            for (const render::StepReport& step : renderer.draw(museum.plan(look, frame, renderer.kept())).ran)
+            for (const render::StepReport& step : renderer.draw(test::planned(museum, look, frame, renderer.kept())).ran)
                 if (step.name.rfind("crepuscular_rays/", 0) == 0) sum += step.milliseconds;
             times.push_back(sum);
         }
@@ -204,7 +205,7 @@ void entrance(Bench& bench)
     std::map<std::string, std::vector<double>> times;
     for (int run = 0; run < 7; ++run) {
         std::map<std::string, double> once;
-        for (const render::StepReport& step : bench.renderer.draw(bench.museum.plan(bench.look, frame, bench.renderer.kept())).ran)
+        for (const render::StepReport& step : bench.renderer.draw(test::planned(bench.museum, bench.look, frame, bench.renderer.kept())).ran)
             once[step.name.rfind("crepuscular_rays/", 0) == 0 ? step.name : "everything else"] += step.milliseconds;
         if (run < 2) continue;  // Shadow maps, probe and programs are made once.
         for (const auto& [name, milliseconds] : once) times[name].push_back(milliseconds);

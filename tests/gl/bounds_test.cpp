@@ -3,6 +3,7 @@
 #include "exhibits/framework/random_values.h"
 #include "exhibits/lenticular/lenticular_table.h"
 #include "tests/gl/gallery.h"
+#include "tests/support/planned.h"
 
 #include <cstdio>
 #include <functional>
@@ -88,7 +89,7 @@ Held held(const Case& c, int first, int last, double lowered = 1)
         c.with(shot, false);
         const Picture without = shot.take();
         c.with(shot, true);
-        const auto bound = boundIn(gallery().museum.plan(shot.look, shot.request.frame), c.passOrEffect);
+        const auto bound = boundIn(test::planned(gallery().museum, shot.look, shot.request.frame), c.passOrEffect);
         const Picture with = shot.take();
         if (!bound) {
             EXPECT_EQ(largestDifference(with.image, without.image), 0) << c.passOrEffect << " is skipped, seed " << seed;
@@ -218,7 +219,7 @@ TEST_F(BoundsOfEffects, ToneMappingShowsLightBetweenZeroAndOne)
         const render::Image light = shot.take().image;
         shot.request.frame.averageIn = AverageIn::display;
         const render::Image shown = shot.take().image;
-        const auto bound = boundIn(gallery().museum.plan(shot.look, shot.request.frame), "tone");
+        const auto bound = boundIn(test::planned(gallery().museum, shot.look, shot.request.frame), "tone");
         ASSERT_TRUE(bound && bound->isKnown());
         for (int y = 0; y < light.height; ++y)
             for (int x = 0; x < light.width; ++x)

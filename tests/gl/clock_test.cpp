@@ -2,6 +2,7 @@
 
 #include "render/gl/frame_clock.h"
 #include "tests/gl/gallery.h"
+#include "tests/support/planned.h"
 
 namespace vitrine {
 namespace {
@@ -42,7 +43,7 @@ TEST_F(Clock, TimesOfStepsAddUpToNoMoreThanTheFrame)
     shot.inHall();
     render::gl::Renderer& renderer = gallery().renderer;
     renderer.timeSteps(true);
-    const render::FrameReport report = renderer.draw(gallery().museum.plan(shot.look, shot.request.frame, renderer.kept()));
+    const render::FrameReport report = renderer.draw(test::planned(gallery().museum, shot.look, shot.request.frame, renderer.kept()));
     renderer.timeSteps(false);
     double sum = 0;
     for (const render::StepReport& step : report.ran) {

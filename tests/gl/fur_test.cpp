@@ -4,6 +4,7 @@
 #include "render/plan/complaints.h"
 #include "tests/gl/fur_shot.h"
 #include "tests/render/scene/gltf_builder.h"
+#include "tests/support/planned.h"
 #include "tests/support/temporary_folder.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -167,7 +168,7 @@ TEST_F(FurTest, AVisitorsModelWearsTheRingsCoatAndJumps)
             EXPECT_GT(colorDifference(p, ring), 0.001) << at;
         }
         render::Complaints log;
-        const auto lines = [&] { return log.begun(gallery().museum.plan(shot.look, shot.request.frame).skipped()); };
+        const auto lines = [&] { return log.begun(test::planned(gallery().museum, shot.look, shot.request.frame).skipped()); };
         const std::vector<render::Skipped> first = lines();
         ASSERT_EQ(first.size(), awkward ? 1U : 0U);
         if (awkward) {

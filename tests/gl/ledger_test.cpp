@@ -2,6 +2,7 @@
 
 #include "exhibits/fur/fur_table.h"
 #include "tests/gl/gallery.h"
+#include "tests/support/planned.h"
 
 #include <algorithm>
 
@@ -54,7 +55,7 @@ TEST_F(Ledger, RunningEverythingChangesNoBitOfAnyExhibit)
 std::map<std::string, std::int64_t> heldFor(const Shot& shot)
 {
     render::gl::Renderer renderer;
-    return renderer.draw(gallery().museum.plan(shot.look, shot.request.frame, renderer.kept())).counters;
+    return renderer.draw(test::planned(gallery().museum, shot.look, shot.request.frame, renderer.kept())).counters;
 }
 
 /// An effect that a row of a table switches, and what of it must be gone when it is off.
@@ -98,8 +99,8 @@ TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
         Shot off = on;
         on.look.values[exhibit].setRow(row, s.on);
         off.look.values[exhibit].setRow(row, s.off);
-        const render::FramePlan with = gallery().museum.plan(on.look, on.request.frame);
-        const render::FramePlan without = gallery().museum.plan(off.look, off.request.frame);
+        const render::FramePlan with = test::planned(gallery().museum, on.look, on.request.frame);
+        const render::FramePlan without = test::planned(gallery().museum, off.look, off.request.frame);
         const auto passesOf = [&](const render::FramePlan& plan) { return std::count_if(plan.passes().begin(), plan.passes().end(), [&](const render::Pass& p) { return begins(p.name, s.pass); }); };
         EXPECT_EQ(passesOf(with), s.passes) << toString(with);
         EXPECT_EQ(passesOf(without), 0);
@@ -122,7 +123,7 @@ TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)
         shot.object().set(sdfTable().conePrepass, prepass);
         std::int64_t held = 0;
         // What is kept is drawn in the first frame only: the second one holds what it takes to show a picture again.
-        for (int frame = 0; frame < 2; ++frame) held = renderer.draw(gallery().museum.plan(shot.look, shot.request.frame, renderer.kept())).counters.at("images");
+        for (int frame = 0; frame < 2; ++frame) held = renderer.draw(test::planned(gallery().museum, shot.look, shot.request.frame, renderer.kept())).counters.at("images");
         return held;
     };
     const std::int64_t with = images(true);
@@ -134,7 +135,7 @@ TEST_F(Ledger, ASunOfNoStrengthCastsNoShadowPass)
 {
     Shot shot = shotOf(0, false);
     shot.hall().set(hallTable().sunStrength, 0.0);
-    const render::FramePlan plan = gallery().museum.plan(shot.look, shot.request.frame);
+    const render::FramePlan plan = test::planned(gallery().museum, shot.look, shot.request.frame);
     EXPECT_EQ(plan.find("hall/shadow"), nullptr);
     ASSERT_NE(plan.findSkipped("hall/shadow"), nullptr);
     EXPECT_TRUE(plan.findSkipped("hall/shadow")->boundIsZero);

@@ -4,6 +4,7 @@
 #include "render/gl/program_cache.h"
 #include "render/image/oiio_codec.h"
 #include "tests/gl/gallery.h"
+#include "tests/support/planned.h"
 
 namespace vitrine {
 namespace {
@@ -22,7 +23,7 @@ Stored of(const std::vector<Stored>& all, const char* what)
 
 render::FramePlan planOf(const Shot& shot)
 {
-    return gallery().museum.plan(shot.look, shot.request.frame);
+    return test::planned(gallery().museum, shot.look, shot.request.frame);
 }
 
 TEST_F(Memory, KeepsNoMoreThanTheLastPrograms)
@@ -75,7 +76,7 @@ TEST_F(Memory, IsNotSpentOnTheReaderOfForeignPicturesForWhatIsShipped)
         frame.raster.size = {16, 9};
         Look look = museum.initialLook();
         look.camera = museum.bestView(i, look.values[i]);
-        (void)museum.plan(look, frame);
+        (void)test::planned(museum, look, frame);
     }
     EXPECT_FALSE(render::oiioCodecIsOpen());
 }

@@ -1,6 +1,7 @@
 // The picture as a whole: a function of its inputs, however it is cut, sampled, or what was drawn before.
 
 #include "tests/gl/gallery.h"
+#include "tests/support/planned.h"
 
 #include <algorithm>
 #include <cmath>
@@ -274,8 +275,8 @@ TEST_F(PictureTest, OutOfViewTheExhibitsCostWhatAHallWithoutExhibitsCosts)
         FrameRequest frame;
         frame.raster.size = {64, 36};
         frame.camera = {{0.5, 1.65, 9}, target, 0.959931};
-        (void)renderer.draw(museum.plan(look, frame, renderer.kept()));  // Shadow map and probe are made.
-        auto all = renderer.draw(museum.plan(look, frame, renderer.kept())).counters;
+        (void)renderer.draw(test::planned(museum, look, frame, renderer.kept()));  // Shadow map and probe are made.
+        auto all = renderer.draw(test::planned(museum, look, frame, renderer.kept())).counters;
         all.erase("programs");  // Of everything built so far.
         return all;
     };

@@ -3,6 +3,7 @@
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 #include "render/glsl/cpu.h"
 #include "tests/gl/ray_shot.h"
+#include "tests/support/planned.h"
 
 #include <gtest/gtest.h>
 
@@ -161,7 +162,7 @@ TEST_F(Rays, ChangeLittleByLittleWhileTheCameraTurnsAway)
     }
     // The light alone would be shown, black as it is.
     shot.rays().set(raysTable().view, RayView::picture);
-    EXPECT_EQ(gallery().museum.plan(shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
+    EXPECT_EQ(test::planned(gallery().museum, shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
 }
 
 TEST_F(Rays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
@@ -181,7 +182,7 @@ TEST_F(Rays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
             const double yaw = -3 * degree + 0.1 * degree * step;
             shot.see({0, 0, 0}, {std::sin(yaw), 0, -std::cos(yaw)});
             const Picture p = shot.take();
-            const bool runs = gallery().museum.plan(shot.look, shot.request.frame).find("crepuscular_rays/mask") != nullptr;
+            const bool runs = test::planned(gallery().museum, shot.look, shot.request.frame).find("crepuscular_rays/mask") != nullptr;
             const double now = p.mean();
             ASSERT_TRUE(std::isfinite(now)) << step;
             if (step == 0) straight = last = now;

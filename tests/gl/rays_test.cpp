@@ -4,6 +4,7 @@
 #include "render/glsl/cpu.h"
 #include "tests/gl/ray_shot.h"
 #include "tests/stability/fields.h"
+#include "tests/support/planned.h"
 
 #include <gtest/gtest.h>
 
@@ -80,7 +81,7 @@ TEST_F(Rays, H54_OfTheSunBehindChangeNothing)
     EXPECT_LT(glm::length(dvec2(clip) / clip.w), 0.1);
     shot.rays().set(raysTable().technique, RayTechnique::screen);
     EXPECT_EQ(test::largestDifference(off.image, shot.take().image), 0);
-    EXPECT_EQ(gallery().museum.plan(shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
+    EXPECT_EQ(test::planned(gallery().museum, shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
 }
 
 TEST_F(Rays, InScreenSpaceAreInProportionToTheSunsStrengthDownToNone)

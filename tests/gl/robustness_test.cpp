@@ -3,6 +3,7 @@
 #include "render/image/image_io.h"
 #include "tests/gl/gallery.h"
 #include "tests/stability/fields.h"
+#include "tests/support/planned.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cmath>
@@ -71,7 +72,7 @@ TEST_F(Robustness, H113_APictureOfNothingIsRefused)
     // A window of no height is no fault: nothing is drawn.
     FrameRequest frame = shot.request.frame;
     frame.raster.size = {0, 0};
-    EXPECT_TRUE(gallery().renderer.draw(gallery().museum.plan(shot.look, frame)).ran.empty());
+    EXPECT_TRUE(gallery().renderer.draw(test::planned(gallery().museum, shot.look, frame)).ran.empty());
 }
 
 /// Random legal values of every row: half of them from the comfortable range, half from all that is legal.

@@ -7,6 +7,7 @@
 #include "exhibits/stability/stability_scan.h"
 #include "tests/gl/gallery.h"
 #include "tests/support/environment_number.h"
+#include "tests/support/planned.h"
 
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/string_cast.hpp>
@@ -27,7 +28,7 @@ Drawn drawn(ScanCase c, bool runEverything)
 {
     c.frame.runEverything = runEverything;
     c.frame.channels.evaluations = false;  // They count what is run.
-    const render::FramePlan plan = gallery().museum.plan(c.look, c.frame, gallery().renderer.kept());
+    const render::FramePlan plan = test::planned(gallery().museum, c.look, c.frame, gallery().renderer.kept());
     (void)gallery().renderer.draw(plan);
     Drawn result{{gallery().renderer.read("frame"), gallery().renderer.read(depthImage)}, toString(plan), {}};
     for (const render::Skipped& skipped : plan.skipped()) result.leftOut += "\n    " + skipped.name + ": " + skipped.reason;

@@ -2,6 +2,7 @@
 
 #include "tests/gl/gallery.h"
 #include "tests/gl/truth.h"
+#include "tests/support/planned.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -145,7 +146,7 @@ TEST_F(Scene, S10_TwoIntersectingFieldsGiveTheirUnion)
         (void)gallery().renderer.draw(plan);
         return gallery().renderer.read(depthImage);
     };
-    const auto planOf = [](const Shot& shot) { return gallery().museum.plan(shot.look, shot.request.frame, gallery().renderer.kept()); };
+    const auto planOf = [](const Shot& shot) { return test::planned(gallery().museum, shot.look, shot.request.frame, gallery().renderer.kept()); };
     const render::Image a = draw(planOf(first));
     const render::Image b = draw(planOf(second));
     const render::Image ab = draw(withTheObjectOf(planOf(first), planOf(second)));
@@ -167,7 +168,7 @@ TEST_F(Scene, S11_TheShadowMapHoldsWhereTheSunsRaysHit)
         shineOnTheExhibit(shot);
         shot.object().set(sdfTable().morph, morph);
         shot.hall().set(hallTable().shadowMapSize, 512);
-        const render::FramePlan plan = gallery().museum.plan(shot.look, shot.request.frame, gallery().renderer.kept());
+        const render::FramePlan plan = test::planned(gallery().museum, shot.look, shot.request.frame, gallery().renderer.kept());
         const render::Pass* pass = plan.find("sdf_morph/shadow");
         ASSERT_TRUE(pass);
         const render::View light = *pass->view;

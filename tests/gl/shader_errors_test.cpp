@@ -3,6 +3,7 @@
 #include "render/failure.h"
 #include "render/gl/program.h"
 #include "tests/gl/gallery.h"
+#include "tests/support/planned.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vitrine {
@@ -117,7 +118,7 @@ TEST_F(ShaderErrors, H112_APlanWithABrokenShaderFailsWithFileAndLineAndKeepsTheP
 {
     test::Shot shot;
     const render::Image before = shot.take().image;
-    render::FramePlan plan = test::gallery().museum.plan(shot.look, shot.request.frame, test::gallery().renderer.kept());
+    render::FramePlan plan = test::planned(test::gallery().museum, shot.look, shot.request.frame, test::gallery().renderer.kept());
     render::Pass broken;
     broken.name = "broken";
     broken.stage = render::Stage::present;

@@ -6,6 +6,7 @@
 #include "render/failure.h"
 #include "shaders/lib/bindings.glsl"
 #include "tests/plan/museum_on_paper.h"
+#include "tests/support/planned.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -68,10 +69,10 @@ TEST(CardPlan, TheButtonRollsTheOtherPrintIn)
     scene.request.sincePressed.assign(scene.card + 1, 1e9);
     scene.request.sincePressed[scene.card] = 0.5;
     EXPECT_TRUE(defines(*scene.plan().find("lenticular/card"), "SCROLLING"));
-    EXPECT_EQ(museum().nextChange(scene.look, scene.request), 0);
+    EXPECT_EQ(test::nextChange(museum(), scene.look, scene.request), 0);
     scene.request.sincePressed[scene.card] = 1.3;
     EXPECT_FALSE(defines(*scene.plan().find("lenticular/card"), "SCROLLING"));
-    EXPECT_EQ(museum().nextChange(scene.look, scene.request), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(test::nextChange(museum(), scene.look, scene.request), std::numeric_limits<double>::infinity());
     // Another exhibit's button does not move this card.
     scene.request.sincePressed[scene.card] = 1e9;
     scene.request.sincePressed[scene.sdf] = 0.5;

@@ -7,6 +7,7 @@
 #include "render/files/assets.h"
 #include "render/plan/complaints.h"
 #include "tests/plan/museum_on_paper.h"
+#include "tests/support/planned.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ struct FileScene : test::Scene {
             if (!complaint.unreadable.empty()) sentences.push_back(lineOf(complaint));
         return sentences;
     }
-    [[nodiscard]] double next() const { return museum().nextChange(look, request); }
+    [[nodiscard]] double next() const { return test::nextChange(museum(), look, request); }
 };
 
 std::vector<FileScene> scenes()

@@ -3,6 +3,7 @@
 #include "exhibits/exhibits.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/museum/museum.h"
+#include "tests/support/planned.h"
 #include "tests/support/tables.h"
 
 #include <string>
@@ -37,7 +38,7 @@ struct Scene {
     [[nodiscard]] ParameterValues& hall() { return look.values[0]; }
     [[nodiscard]] ParameterValues& object() { return look.values[sdf]; }
     [[nodiscard]] ParameterValues& rays() { return look.values[*museum().find("crepuscular_rays")]; }
-    [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {}) const { return museum().plan(look, request, kept); }
+    [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {}) const { return test::planned(museum(), look, request, kept); }
 };
 
 inline std::string reasonFor(const render::FramePlan& plan, std::string_view name)

@@ -6,6 +6,7 @@
 #include "render/image/image.h"
 #include "tests/plan/museum_on_paper.h"
 #include "tests/stability/fields.h"
+#include "tests/support/planned.h"
 
 #include <gtest/gtest.h>
 
@@ -105,7 +106,7 @@ TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
     Scene scene;
     scene.see({0.5, 1.65, 9}, {0.5, 1.2, 12});
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
-    const auto emptyPlan = [&](const render::KeptKeys& kept) { return empty.plan(empty.initialLook(), scene.request, kept); };
+    const auto emptyPlan = [&](const render::KeptKeys& kept) { return test::planned(empty, empty.initialLook(), scene.request, kept); };
     const FramePlan first = scene.plan();
     for (const auto& exhibit : test::museum().exhibits().subspan(1)) EXPECT_FALSE(runs(first, std::string(exhibit->name()) + '/')) << exhibit->name();
     EXPECT_FALSE(runs(first, "exhibits/"));
@@ -362,11 +363,11 @@ TEST(MuseumPlan, SamplesOfOnePictureDifferInPositionOnly)
 TEST(NextChange, StillLifeNeedsNoNewPicture)
 {
     Scene scene;
-    EXPECT_EQ(test::museum().nextChange(scene.look, scene.request), never);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
     scene.object().set(test::sdfTable().animate, true);
-    EXPECT_EQ(test::museum().nextChange(scene.look, scene.request), 0);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
     scene.object().set(test::sdfTable().speed, 0.0);
-    EXPECT_EQ(test::museum().nextChange(scene.look, scene.request), never);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
 }
 
 TEST(NextChange, WhatMovesUnseenNeedsNoNewPicture)
@@ -375,9 +376,9 @@ TEST(NextChange, WhatMovesUnseenNeedsNoNewPicture)
     scene.object().set(test::sdfTable().animate, true);
     hideTheSun(scene);
     turnAway(scene);
-    EXPECT_EQ(test::museum().nextChange(scene.look, scene.request), never);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
     stepBehindTheWall(scene);
-    EXPECT_EQ(test::museum().nextChange(scene.look, scene.request), never);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
 }
 
 TEST(NextChange, AMovingShadowOfWhatIsOutOfViewIsAChange)
@@ -387,16 +388,16 @@ TEST(NextChange, AMovingShadowOfWhatIsOutOfViewIsAChange)
     shineOnTheExhibit(scene);
     seeItsShadowOnly(scene);
     ASSERT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "it ran");
-    EXPECT_EQ(test::museum().nextChange(scene.look, scene.request), 0);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
 }
 
 TEST(NextChange, APressedButtonMovesForATenthOfASecondDownAndBack)
 {
     Scene scene;
     scene.request.sincePressed = {never, 0.19};
-    EXPECT_EQ(test::museum().nextChange(scene.look, scene.request), 0);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
     scene.request.sincePressed = {never, 0.2};
-    EXPECT_EQ(test::museum().nextChange(scene.look, scene.request), never);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
 }
 
 TEST(Morph, StartsWhereTheSliderStands)

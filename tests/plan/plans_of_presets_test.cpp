@@ -3,6 +3,7 @@
 #include "exhibits/framework/preset.h"
 #include "render/files/read_file.h"
 #include "tests/plan/museum_on_paper.h"
+#include "tests/support/planned.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +38,7 @@ std::map<std::string, render::FramePlan> plansOfPresets()
             FrameRequest request;
             request.raster.size = {64, 36};
             request.camera = look.camera = preset.camera.value_or(i == 0 ? exhibit.bestView(preset.values) : museum().bestView(i, preset.values));
-            plans.emplace(std::string(exhibit.name()) + '/' + entry.path().stem().string(), museum().plan(look, request));
+            plans.emplace(std::string(exhibit.name()) + '/' + entry.path().stem().string(), test::planned(museum(), look, request));
         }
     }
     return plans;

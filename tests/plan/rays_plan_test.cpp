@@ -5,6 +5,7 @@
 #include "exhibits/hall/sun.h"
 #include "render/glsl/cpu.h"
 #include "tests/plan/museum_on_paper.h"
+#include "tests/support/planned.h"
 
 #include <gtest/gtest.h>
 
@@ -215,9 +216,9 @@ TEST(RaysPlan, ShadowsAndProbeAreNotMadeAgainForTheBeams)
 TEST(RaysPlan, AStandingMobileAsksForNoNewPicture)
 {
     Scene scene = atTheWindow();
-    EXPECT_EQ(test::museum().nextChange(scene.look, scene.request), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), std::numeric_limits<double>::infinity());
     scene.rays().set(raysTable().animate, true);
-    EXPECT_EQ(test::museum().nextChange(scene.look, scene.request), 0);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
 }
 
 TEST(RaysPlan, ATileTakesItsMaskFromTheWholePicture)

@@ -154,7 +154,9 @@ std::optional<LookedAt> lookFrom(const dvec3& eye, const dvec3& target)
     Look look = test::museum().initialLook();
     look.camera.eye = eye;
     look.camera.target = target;
-    return test::museum().lookedAt(look);
+    FrameRequest request;
+    request.camera = look.camera;
+    return test::museum().lookedAt(test::museum().prepare(look, request));
 }
 
 TEST(LookedAt, W2_TheButtonAnswersWithinTwoMetresOnly)
@@ -201,7 +203,7 @@ TEST(LookedAt, NoButtonAnswersThroughItsPlinth)
 
 std::optional<Pointed> pointed(const Scene& scene, glm::dvec2 ndc = {0, 0})
 {
-    return test::museum().pick(scene.look, scene.request, ndc);
+    return test::museum().pick(test::museum().prepare(scene.look, scene.request), scene.request, ndc);
 }
 
 TEST(Pick, FindsTheExhibitUnderThePointer)

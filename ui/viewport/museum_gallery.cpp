@@ -26,12 +26,14 @@ glm::dvec3 MuseumGallery::walk(const glm::dvec3& from, const glm::dvec3& to) con
 
 std::optional<LookedAt> MuseumGallery::lookedAt(const Look& look) const
 {
-    return museum_.lookedAt(look);
+    FrameRequest request;
+    request.camera = look.camera;
+    return museum_.lookedAt(museum_.prepare(look, request));
 }
 
 std::optional<Pointed> MuseumGallery::pick(const Look& look, const FrameRequest& request, glm::dvec2 ndc) const
 {
-    return museum_.pick(look, request, ndc);
+    return museum_.pick(museum_.prepare(look, request), request, ndc);
 }
 
 std::vector<int> MuseumGallery::emptyPlaces() const
@@ -41,18 +43,14 @@ std::vector<int> MuseumGallery::emptyPlaces() const
 
 double MuseumGallery::nextChange(const Look& look, const FrameRequest& request) const
 {
-    return museum_.nextChange(look, request);
+    return museum_.nextChange(museum_.prepare(look, request), request);
 }
 
 std::vector<std::string> MuseumGallery::unreadableFiles(const Look& look) const
 {
     FrameRequest request;
     request.camera = look.camera;
-    std::vector<std::string> sentences;
-    const render::FramePlan plan = museum_.plan(look, request);
-    for (const render::Skipped& skipped : plan.skipped())
-        if (!skipped.unreadable.empty()) sentences.push_back(skipped.unreadable);
-    return sentences;
+    return museum_.prepare(look, request).unreadableFiles();
 }
 
 void MuseumGallery::open()
@@ -69,7 +67,7 @@ void MuseumGallery::close()
 render::FrameReport MuseumGallery::draw(const Look& look, const FrameRequest& request)
 {
     assert(renderer_);
-    return renderer_->draw(museum_.plan(look, request, renderer_->kept()));
+    return renderer_->draw(museum_.plan(museum_.prepare(look, request), request, renderer_->kept()));
 }
 
 void MuseumGallery::present(int width, int height)

@@ -6,7 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <thread>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -54,6 +57,28 @@ TEST(Bounce, IsTheSameInWhateverOrderOneAsks)
     // And another number is another throw.
     Bounce other(settings(3));
     EXPECT_GT(apart(other.at(0.5), forwards.at(0.5)), 0.01);
+}
+
+TEST(RecordedJump, TakesEachStepOnceAndAnswersManyThreadsAlike)
+{
+    const RecordedJump jump(settings());
+    Bounce alone(settings());
+    std::vector<FurStates> truth;
+    for (int i = 0; i < 60; ++i) truth.push_back(alone.at(0.02 * i));
+    std::atomic<int> wrong = 0;
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t)
+        threads.emplace_back([&, t] {
+            for (int i = 0; i < 60; ++i) {
+                const int k = (i * (2 * t + 1)) % 60;
+                wrong += !same(jump.at(0.02 * k).states, truth[static_cast<std::size_t>(k)]);
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(jump.stepsTaken(), alone.steps());
+    EXPECT_EQ(jump.at(0.5).steps, 120);
+    EXPECT_EQ(jump.stepsTaken(), alone.steps()) << "what was simulated is not simulated again";
 }
 
 TEST(Bounce, H90_BeginsAndEndsWhereTheBodiesLie)

@@ -1,0 +1,337 @@
+// How a frame is made: who is here, what was prepared for whom, and the passes of all.
+#include "exhibits/museum/museum.h"
+
+#include "exhibits/framework/derive.h"
+#include "exhibits/hall/hall.h"
+#include "exhibits/hall/hall_model.h"
+#include "exhibits/hall/walk.h"
+#include "render/failure.h"
+#include "render/hash.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+constexpr double buttonTime = 0.2;  ///< Seconds for which a pressed button moves; as `buttonScale`.
+constexpr double shadowReach = 30;  ///< Metres behind an exhibit at which its shadow still falls on something.
+
+/// The box together with the shadow it throws on the floor (or 15 m of it, where the sun is low).
+render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun)
+{
+    render::Box swept = box;
+    const double fall = towardsSun.y > 1e-3 ? std::min(std::max(box.high.y, 0.0) / towardsSun.y, 15.0) : 15.0;
+    swept.include(box.low - towardsSun * fall);
+    swept.include(box.high - towardsSun * fall);
+    return swept;
+}
+
+/// Empty when the sun may reach the box and the shadow that it then throws may be seen.
+std::string whyNoShadow(const HallScene& scene, const render::Box& box, const render::View& view)
+{
+    if (std::string why = whyUnlit(scene, box); !why.empty()) return why;
+    return view.mayContain(withShadow(box, towardsSun(scene))) ? std::string() : "neither it nor its shadow is in view";
+}
+
+/// What every sample and tile of the picture shows, and a little around it.
+render::View widened(const render::View& view)
+{
+    constexpr double pixels = 4;
+    const glm::dvec2 share = 1.0 / (1.0 + pixels / glm::dvec2(glm::max(view.raster.size, glm::ivec2(1))));
+    render::View wide = view;
+    wide.clipFromView = glm::scale(glm::dmat4(1), glm::dvec3(share, 1)) * view.clipFromView;
+    wide.clipFromWorld = wide.clipFromView * wide.viewFromWorld;
+    return wide;
+}
+
+render::View wholeView(const FrameRequest& request)
+{
+    render::Raster whole = request.raster;
+    whole.offset = whole.tile = glm::ivec2(0);
+    return render::makeView(request.camera, whole);
+}
+
+}  // namespace
+
+/// An exhibit that stands in the picture's world, seen or not.
+struct Museum::Present {
+    std::size_t index = 0;
+    glm::dmat4 worldFromExhibit{1};
+    render::Box box;       ///< Its bounds, world space.
+    std::string hidden;    ///< Why it cannot be seen; empty: it may be.
+    std::string unlit;     ///< Why it throws no shadow at all.
+    std::string noShadow;  ///< Why none is drawn: it throws none, or none that may be seen.
+};
+
+/// One frame while it is planned.
+struct Museum::Frame {
+    const Museum& museum;
+    const Prepared& prepared;
+    const FrameRequest& request;
+    const bool alone;
+    const HallScene scene;
+    Surroundings light;
+    std::vector<Present> present;
+    std::vector<PlanContext> contexts;  ///< Of those present.
+    render::FramePlan plan;
+
+    void begin();
+    void findPresent();
+    void castShadows();
+    void planBuilding();
+    void planExhibits();
+    void finish(const render::KeptKeys&);
+
+    void clearPicture();
+    [[nodiscard]] render::FramePlan seenFrom(const render::View&) const;
+    void planBuildingInto(render::FramePlan&) const;
+};
+
+std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
+{
+    if (!view.mayContain(box)) return "out of view";
+    if (alone || isInWalls(*model_, view.eye)) return {};  // No walls stand here, or one looks through them.
+    for (const Occluder& occluder : model_->occluders())
+        if (isBehind(occluder, box, view.eye)) return "behind a wall";
+    return {};
+}
+
+HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
+{
+    HallScene scene = hall_->scene(prepared.look.values.front(), alone, prepared.exhibits.front().part.get());
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) scene.turns.push_back(exhibits_[i]->turnOfHangings(prepared.look.values[i], prepared.time));
+    return scene;
+}
+
+std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const FrameRequest& request, const HallScene& scene, const render::View& view) const
+{
+    std::vector<Present> present;
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
+        if ((request.alone && i != *request.alone) || (request.cutOut && i != *request.cutOut)) continue;
+        Present p{i, scene.alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}, {}, {}};
+        if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
+        p.box = exhibits_[i]->boundsAfterPress(prepared.look.values[i], prepared.sincePress(i)).transformed(p.worldFromExhibit);
+        p.unlit = exhibits_[i]->castsShadow() ? whyUnlit(scene, p.box) : "it is made of light";
+        p.hidden = request.runEverything ? std::string() : whyHidden(p.box, view, scene.alone);
+        p.noShadow = !p.unlit.empty() || request.runEverything ? p.unlit : whyNoShadow(scene, p.box, view);
+        present.push_back(std::move(p));
+    }
+    return present;
+}
+
+Prepared Museum::prepare(const Look& look, const FrameRequest& request) const
+{
+    Prepared made{look, request.time, request.sincePressed, std::vector<PreparedExhibit>(exhibits_.size())};
+    const auto prepareOne = [&](std::size_t i) {
+        PreparedExhibit& exhibit = made.exhibits[i];
+        if (!exhibit.seen && !exhibit.shadowSeen) return;
+        exhibit.part = exhibits_[i]->prepare({made.look.values[i], made.time, made.sincePress(i), exhibit.seen, exhibit.shadowSeen, *assets_});
+        if (request.needsFiles && exhibit.part && !exhibit.part->unreadable.empty()) throw Failure(Blame::file, exhibit.part->unreadable.front().why);
+    };
+    made.exhibits.front().seen = true;
+    prepareOne(0);
+    const HallScene scene = sceneOf(made, request.alone.has_value());
+    const render::View view = wholeView(request);
+    for (const render::View& each : {view, widened(view)}) {
+        for (const Present& p : presentIn(made, request, scene, each)) {
+            made.exhibits[p.index].seen |= p.hidden.empty();
+            made.exhibits[p.index].shadowSeen |= p.noShadow.empty();
+        }
+    }
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) prepareOne(i);
+    return made;
+}
+
+render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& request, const render::KeptKeys& kept) const
+{
+    const bool alone = request.alone.has_value();
+    Frame frame{*this, prepared, request, alone, sceneOf(prepared, alone), {}, {}, {}, {}};
+    frame.begin();
+    frame.findPresent();
+    frame.castShadows();
+    frame.planBuilding();
+    frame.planExhibits();
+    frame.finish(kept);
+    return std::move(frame.plan);
+}
+
+/// The view, the images that all draw into, and the light.
+void Museum::Frame::begin()
+{
+    render::Raster raster = request.raster;
+    raster.jitter = render::samplePosition(request.sample, request.samples);
+    plan.view = render::makeView(request.camera, raster);
+    plan.time = prepared.time;
+    plan.seed = request.seed;
+    plan.sample = request.sample;
+    plan.runEverything = request.runEverything;
+    const bool exact = request.averageIn == AverageIn::radiance;
+    plan.image({.name = radianceImage, .format = exact ? render::Format::rgba32f : render::Format::rgba16f});
+    plan.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
+    plan.image({.name = normalImage, .format = render::Format::rgba32f});
+    plan.image({.name = evaluationsImage, .format = render::Format::r32f});
+    light = surroundings(scene, request.runEverything);
+    light.light.disk.z = static_cast<float>(request.sample);
+}
+
+/// Who is here, and which files what is shown of them lacks.
+void Museum::Frame::findPresent()
+{
+    present = museum.presentIn(prepared, request, scene, plan.view);
+    constexpr const char* notPrepared = "it was not prepared for this view";
+    for (Present& p : present) {
+        const PreparedExhibit& exhibit = prepared.exhibits[p.index];
+        if (p.hidden.empty() && !exhibit.seen) p.hidden = notPrepared;
+        if (p.noShadow.empty() && !exhibit.shadowSeen) p.noShadow = notPrepared;
+    }
+    const auto complain = [&](std::size_t i) {
+        if (!prepared.exhibits[i].part) return;
+        for (const UnreadableFile& file : prepared.exhibits[i].part->unreadable) plan.complainOfFile(file.step, file.why, file.instead);
+    };
+    complain(0);
+    for (const Present& p : present)
+        if (p.hidden.empty() || p.noShadow.empty()) complain(p.index);
+}
+
+/// The sun's depth map of the exhibits: each draws into it, all of them or none.
+void Museum::Frame::castShadows()
+{
+    render::Box casters;
+    render::Hash key;
+    bool shadowSeen = false;
+    for (const Present& p : present) {
+        if (p.unlit.empty()) {
+            // Seen or not: the map must not change its grid while one walks.
+            casters.include(p.box.low);
+            casters.include(p.box.high);
+        }
+        if (!p.noShadow.empty()) continue;
+        shadowSeen = true;
+        const ExhibitState state = prepared.state(p.index);
+        derive::addToKey(key, state.values);
+        key.addValue(p.index).addValue(p.worldFromExhibit);
+        const double next = museum.exhibits_[p.index]->nextChangeOf(state);
+        if (next < std::numeric_limits<double>::infinity()) key.addValue(state.time).addValue(state.sinceOwnPress);
+    }
+    if (!shadowSeen) {
+        plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);
+        return;
+    }
+    const int size = std::max(scene.values[scene.table.shadowMapSize] / 4, 64);
+    light.castsShadows = true;
+    light.exhibitShadowView = steadyLightView(casters, towardsSun(scene), glm::ivec2(size), shadowReach);
+    light.light.exhibitShadowFromWorld = shadowFromWorld(light.exhibitShadowView);
+    light.light.sunLightmap.w = 1;
+    light.light.filtering.y = static_cast<float>(2 / light.exhibitShadowView.clipFromView[0][0] / size);
+    light.exhibitShadowKey = key.addValue(light.exhibitShadowView.clipFromWorld).value();
+    light.inputs.push_back({UNIT_SHADOW_EXHIBITS, std::string(exhibitShadowImage)});
+    plan.image({.name = exhibitShadowImage, .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true, .comparison = true});
+    render::Pass clear;
+    clear.name = "exhibits/shadow";
+    clear.reason = "an exhibit stands in the sun";
+    clear.stage = render::Stage::shadow;
+    clear.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    clear.view = light.exhibitShadowView;
+    clear.depth = render::Attachment{exhibitShadowImage, render::Load::clear, glm::vec4(0), -1, 0};
+    clear.key = light.exhibitShadowKey;
+    clear.bound = light.sunShadow;
+    plan.add(std::move(clear));
+}
+
+void Museum::Frame::planBuildingInto(render::FramePlan& into) const
+{
+    const std::span<const double> presses = std::span(prepared.sincePressed).subspan(std::min<std::size_t>(prepared.sincePressed.size(), 1));
+    planHallShadow(scene, light, into);
+    planProbe(scene, light, into);
+    if (alone) into.skip("hall/walls", "the exhibit is shown alone");
+    else if (request.cutOut) into.skip("hall/walls", "one exhibit is asked for without what is around it");
+    else planWalls(scene, light, request.channels, presses, into);
+}
+
+/// Walls, shadows of walls, and the probe; or an empty picture where there are none.
+void Museum::Frame::planBuilding()
+{
+    planBuildingInto(plan);
+    if (alone || request.cutOut) clearPicture();
+}
+
+void Museum::Frame::clearPicture()
+{
+    render::Pass clear;
+    clear.name = "clear";
+    clear.reason = "an empty picture to start from";
+    clear.stage = render::Stage::prepare;
+    clear.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    clear.colors = {{radianceImage, render::Load::clear, {}, -1, 0}};
+    if (request.channels.normal) clear.colors.push_back({normalImage, render::Load::clear, {}, -1, 0});
+    if (request.channels.evaluations) clear.colors.push_back({evaluationsImage, render::Load::clear, {}, -1, 0});
+    clear.depth = render::Attachment{depthImage, render::Load::clear, {}, -1, 0};
+    plan.add(std::move(clear));
+}
+
+/// What the exhibits draw, then what they lay over the frame.
+void Museum::Frame::planExhibits()
+{
+    for (const Present& p : present) {
+        const ExhibitState state = prepared.state(p.index);
+        contexts.push_back({.values = state.values, .surroundings = light, .worldFromExhibit = p.worldFromExhibit, .time = state.time, .channels = request.channels, .alone = alone,
+                            .hiddenBecause = p.hidden, .noShadowBecause = p.noShadow, .sinceOwnPress = state.sinceOwnPress, .prepared = state.prepared});
+    }
+    for (std::size_t i = 0; i < present.size(); ++i) museum.exhibits_[present[i].index]->plan(contexts[i], plan);
+    for (std::size_t i = 0; i < present.size(); ++i) {
+        PlanContext context = contexts[i];
+        context.seenFrom = [this](const render::View& view) { return seenFrom(view); };
+        museum.exhibits_[present[i].index]->planOverFrame(context, plan);
+    }
+}
+
+/// The hall and all exhibits for another view of the same frame, without shadows and what lies over the frame.
+render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
+{
+    render::FramePlan other;
+    other.view = view;
+    other.time = plan.time;
+    other.seed = plan.seed;
+    other.sample = plan.sample;
+    planBuildingInto(other);
+    for (std::size_t i = 0; i < present.size(); ++i) {
+        PlanContext context = contexts[i];
+        context.channels = {};
+        context.hiddenBecause = museum.whyHidden(present[i].box, view, alone);
+        if (context.hiddenBecause.empty() && !prepared.exhibits[present[i].index].seen) context.hiddenBecause = present[i].hidden;
+        context.noShadowBecause = "the frame draws the shadows";
+        museum.exhibits_[present[i].index]->plan(context, other);
+    }
+    return other;
+}
+
+/// What is behind everything, the way the picture is developed, and what of all this is needed.
+void Museum::Frame::finish(const render::KeptKeys& kept)
+{
+    if (request.transparent || request.cutOut) plan.skip("sky", "a transparent background is asked for");
+    else planSky(scene, light, plan);
+    planDevelop(light, request, plan);
+    std::vector<std::string> outputs{"frame", depthImage};
+    if (request.channels.normal) outputs.emplace_back(normalImage);
+    if (request.channels.evaluations) outputs.emplace_back(evaluationsImage);
+    plan.prune(outputs, kept);
+}
+
+double Museum::nextChange(const Prepared& prepared, const FrameRequest& request) const
+{
+    double next = std::numeric_limits<double>::infinity();
+    for (const double since : prepared.sincePressed)
+        if (since < buttonTime) next = 0;
+    const bool alone = request.alone.has_value();
+    const HallScene scene = sceneOf(prepared, alone);
+    // What is hidden may move unseen, and so may its shadow.
+    for (const Present& p : presentIn(prepared, request, scene, wholeView(request)))
+        if (p.hidden.empty() || (!alone && p.noShadow.empty())) next = std::min(next, exhibits_[p.index]->nextChangeOf(prepared.state(p.index)));
+    return next;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "exhibits/framework/prepare.h"
+#include "exhibits/museum/look.h"
+
+#include <memory>
+#include <vector>
+
+namespace vitrine {
+
+/// One exhibit's share of a prepared picture.
+struct PreparedExhibit {
+    bool seen = false, shadowSeen = false;  ///< What `part` was prepared for.
+    std::shared_ptr<const PreparedPart> part;
+};
+
+/// A look at one moment with everything resolved that it takes to plan pictures of it: whoever draws owns what it
+/// prepared. Holds what it names: nothing in it changes or goes while it lives. Made by Museum::prepare.
+struct Prepared {
+    Look look;
+    double time = 0;                        ///< Seconds.
+    std::vector<double> sincePressed;       ///< As in FrameRequest.
+    std::vector<PreparedExhibit> exhibits;  ///< In the order of Museum::exhibits().
+
+    /// Which files it needs and cannot read, and why: full sentences.
+    [[nodiscard]] std::vector<std::string> unreadableFiles() const;
+    /// Seconds since the button of exhibit `i` was pressed; infinity: never.
+    [[nodiscard]] double sincePress(std::size_t i) const;
+    [[nodiscard]] ExhibitState state(std::size_t i) const;
+};
+
+}  // namespace vitrine
