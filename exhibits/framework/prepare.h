@@ -3,6 +3,7 @@
 #include "exhibits/framework/parameters.h"
 #include "render/files/asset_store.h"
 
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct PreparedPart {
     virtual ~PreparedPart() = default;
 
     std::vector<UnreadableFile> unreadable;
+    std::uint64_t filesId = 0;  ///< Another number when a file that it was made of changed: part of the keys of what is kept.
 };
 
 /// What an exhibit is prepared for.

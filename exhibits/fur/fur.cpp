@@ -132,6 +132,7 @@ std::shared_ptr<const PreparedPart> Fur::prepare(const PrepareContext& context) 
     if (const std::string path = values[table_.ringModel]; !path.empty()) {
         auto found = context.assets.get<Prepared::RingModel>("fur.ringModel", modelFile(path), Prepared::readRingModel);
         made->model = std::move(found.value);
+        made->filesId = found.id;
         if (!found.failure.empty())
             made->unreadable.push_back({"fur/model", unreadableFile(values.rows()[table_.ringModel.row], title(), found.failure), "The ring is shown in its place until it can be read."});
     }

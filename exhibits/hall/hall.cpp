@@ -1,6 +1,7 @@
 #include "exhibits/hall/hall.h"
 
 #include "exhibits/hall/plaque_text.h"
+#include "render/hash.h"
 #include "render/image/image_io.h"
 #include "render/scene/gltf.h"
 #include "render/scene/held_bytes.h"
@@ -81,12 +82,14 @@ std::shared_ptr<const PreparedPart> Hall::prepare(const PrepareContext& context)
 {
     const ParameterValues& values = context.values;
     auto made = std::make_shared<PreparedHall>();
+    render::Hash files;
     const auto complain = [&](const char* step, File row, const std::string& failure) {
         if (!failure.empty()) made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), failure), "It is left out until it can be read."});
     };
     if (const std::string path = values[table_.environment]; !path.empty()) {
         const render::Asset<Panorama> found = context.assets.get<Panorama>("hall.environment", path, readPanorama);
         complain("hall/environment", table_.environment, found.failure);
+        files.addValue(found.id);
         if (found.value) {
             made->environment = found.value->picture;
             made->environmentBrightest = found.value->brightest;
@@ -95,18 +98,21 @@ std::shared_ptr<const PreparedPart> Hall::prepare(const PrepareContext& context)
     if (const std::string path = values[table_.model]; !path.empty()) {
         render::Asset<render::Model> found = context.assets.get<render::Model>("hall.model", path, readModel);
         complain("hall/model", table_.model, found.failure);
+        files.addValue(found.id);
         made->visitorModel = std::move(found.value);
     }
+    made->filesId = files.value();
     return made;
 }
 
 HallScene Hall::scene(const ParameterValues& values, bool alone, const PreparedPart* prepared) const
 {
-    HallScene scene{*model_, table_, values, alone, nullptr, 0, nullptr, glm::dmat4(1), text_, guests_, {}};
+    HallScene scene{*model_, table_, values, alone, nullptr, 0, nullptr, glm::dmat4(1), text_, guests_, 0, {}};
     if (prepared) {
         const auto& found = static_cast<const PreparedHall&>(*prepared);
         scene.environment = found.environment;
         scene.environmentBrightest = found.environmentBrightest;
+        scene.filesId = found.filesId;
         if (!alone) scene.visitorModel = found.visitorModel;
     }
     if (!scene.visitorModel) return scene;

@@ -181,7 +181,7 @@ std::uint64_t lightKey(const HallScene& scene)
     ParameterValues lighting = scene.values;
     for (const std::size_t row : {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.supersamples.row}, std::size_t{scene.table.resolutionScale.row}}) lighting.resetRow(row);
     derive::addToKey(hash, lighting);
-    hash.addValue(scene.alone).addValue(scene.environment.get()).addValue(scene.visitorModel.get());
+    hash.addValue(scene.alone).addValue(scene.filesId);
     for (const Guest& guest : scene.guests) hash.addValue(guest.place);
     return hash.value();
 }

@@ -40,6 +40,7 @@ struct HallScene {
     glm::dmat4 worldFromVisitorModel{1};
     std::shared_ptr<const PlaqueText> text;
     std::span<const Guest> guests;
+    std::uint64_t filesId = 0;  ///< As PreparedPart's.
     std::vector<double> turns;  ///< How far the hangings of each guest's place have turned, radians; may be shorter.
 };
 

@@ -213,7 +213,7 @@ void Museum::Frame::castShadows()
         shadowSeen = true;
         const ExhibitState state = prepared.state(p.index);
         derive::addToKey(key, state.values);
-        key.addValue(p.index).addValue(p.worldFromExhibit);
+        key.addValue(p.index).addValue(p.worldFromExhibit).addValue(state.prepared ? state.prepared->filesId : 0);
         const double next = museum.exhibits_[p.index]->nextChangeOf(state);
         if (next < std::numeric_limits<double>::infinity()) key.addValue(state.time).addValue(state.sinceOwnPress);
     }

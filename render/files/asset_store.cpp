@@ -1,5 +1,7 @@
 #include "render/files/asset_store.h"
 
+#include "render/hash.h"
+
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -63,6 +65,12 @@ struct AssetStore::Entry {
         const bool sameSource = hasSource ? source.lock() == r.source : r.source == nullptr;
         return use == r.use && key == r.key && variant == r.variant && type == r.type && ofFile == r.ofFile && sameSource;
     }
+    [[nodiscard]] std::uint64_t id() const
+    {
+        Hash hash;
+        hash.add(use).addValue('\n').add(key).addValue(variant).addValue(file.bytes).addValue(file.inode).addValue(file.modified).addValue(file.changed);
+        return hash.value();
+    }
     /// Nobody can ask for it again, or it would have to be made anew.
     [[nodiscard]] bool lost() const { return (hasSource && source.expired()) || (made && failure.empty() && !value && held.expired()); }
 };
@@ -75,7 +83,8 @@ Asset<void> AssetStore::find(Request request, const std::function<Anything()>& m
         {
             const std::lock_guard lock(mutex_);
             std::shared_ptr<const void> value = entry->value ? entry->value : entry->held.lock();
-            if (value || !entry->failure.empty()) return {std::move(value), entry->failure};
+            if (value) return {std::move(value), {}, entry->id()};
+            if (!entry->failure.empty()) return {nullptr, entry->failure, 0};
             if (entry->made) continue;  // Another thread needed its memory meanwhile.
         }
         return build(*entry, make);
@@ -122,7 +131,8 @@ Asset<void> AssetStore::build(Entry& entry, const std::function<Anything()>& mak
     entry.made = true;
     ++builds_[entry.use];
     trim();
-    return {std::move(made.value), std::move(failure)};
+    const std::uint64_t id = made.value ? entry.id() : 0;
+    return {std::move(made.value), std::move(failure), id};
 }
 
 std::uint64_t AssetStore::bytes() const

@@ -32,6 +32,7 @@ struct FileState {
 template <typename T> struct Asset {
     std::shared_ptr<const T> value{};
     std::string failure{};  ///< One full sentence; of a file, it names the file. Empty when there is a value.
+    std::uint64_t id = 0;   ///< Of what it was made of: another one when the file is another or changed, on any run. 0: no value.
 };
 
 /// What users' files and parameters became, made once for all who ask: a file is read again only when it changed, what
@@ -89,7 +90,7 @@ private:
     struct Entry;
     template <typename T> static Asset<T> as(Asset<void> found)
     {
-        return {std::static_pointer_cast<const T>(std::move(found.value)), std::move(found.failure)};
+        return {std::static_pointer_cast<const T>(std::move(found.value)), std::move(found.failure), found.id};
     }
     [[nodiscard]] Asset<void> find(Request, const std::function<Anything()>& make);
     [[nodiscard]] std::shared_ptr<Entry> entryOf(const Request&);

@@ -121,5 +121,19 @@ TEST(MissingFiles, AreDrawnWhenTheyComeBackAndLeftOutWhenTheyGo)
     }
 }
 
+TEST(ChangedFiles, HaveWhatIsKeptOfThemDrawnAnew)
+{
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder / "picture.png";
+    FileScene scene("hall", "environment", "");
+    std::filesystem::copy_file(render::asset("frames/turning_mug/view_00.png"), path);
+    scene.name(path);
+    const render::KeptKeys kept = test::keptAfter(scene.plan());
+    EXPECT_FALSE(test::runs(scene.plan(kept), "probe/"));
+    std::filesystem::remove(path);
+    std::filesystem::copy_file(render::asset("frames/turning_mug/view_08.png"), path);
+    EXPECT_TRUE(test::runs(scene.plan(kept), "probe/")) << "the probe shows the old picture";
+}
+
 }  // namespace
 }  // namespace vitrine

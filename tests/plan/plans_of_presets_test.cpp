@@ -1,9 +1,6 @@
 // What every shipped preset draws: by its properties, and word for word.
 
-#include "exhibits/framework/preset.h"
-#include "render/files/read_file.h"
-#include "tests/plan/museum_on_paper.h"
-#include "tests/support/planned.h"
+#include "tests/plan/scenes_of_presets.h"
 
 #include <gtest/gtest.h>
 
@@ -19,28 +16,13 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-const fs::path presetsFolder = fs::path(VITRINE_SOURCE_DIR) / "assets" / "presets";
 const fs::path snapshotFile = fs::path(VITRINE_SOURCE_DIR) / "tests" / "plan" / "plans_of_presets.txt";
 
-/// "sdf_morph/glass" -> its plan, seen from the preset's own place or the exhibit's best view.
+/// "sdf_morph/glass" -> its plan.
 std::map<std::string, render::FramePlan> plansOfPresets()
 {
     std::map<std::string, render::FramePlan> plans;
-    for (std::size_t i = 0; i < museum().exhibits().size(); ++i) {
-        const Exhibit& exhibit = *museum().exhibits()[i];
-        const fs::path folder = presetsFolder / exhibit.name();
-        if (!fs::is_directory(folder)) continue;
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-            if (entry.path().extension() != ".json") continue;
-            const Preset preset = parsePreset(render::readFile(entry.path(), presetLimits.bytes), entry.path().string(), exhibit.name(), exhibit.parameters());
-            Look look = museum().initialLook();
-            look.values[i] = preset.values;
-            FrameRequest request;
-            request.raster.size = {64, 36};
-            request.camera = look.camera = preset.camera.value_or(i == 0 ? exhibit.bestView(preset.values) : museum().bestView(i, preset.values));
-            plans.emplace(std::string(exhibit.name()) + '/' + entry.path().stem().string(), test::planned(museum(), look, request));
-        }
-    }
+    for (const auto& [name, scene] : scenesOfPresets()) plans.emplace(name, scene.plan());
     return plans;
 }
 

@@ -5,9 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
+#include <future>
+#include <memory>
 #include <new>
 #include <thread>
+#include <vector>
 
 namespace {
 
@@ -130,6 +134,85 @@ TEST(AssetStore, HoldsNoMoreThanItsLimitButTheLastOfEachUse)
     EXPECT_EQ(reader.reads, before) << "what is in use stays, however large";
     for (int i = 0; i < 100; ++i) (void)reader.get(folder / ("absent" + std::to_string(i)));
     EXPECT_LE(reader.store.entries(), 33U) << "failures are counted, too";
+}
+
+AssetStore::Made<std::string> text(std::string value)
+{
+    const std::uint64_t bytes = value.size();
+    return {std::make_shared<std::string>(std::move(value)), bytes};
+}
+
+TEST(AssetStore, MakesOfParametersOnceForEachKeyAndOfEachSource)
+{
+    AssetStore store;
+    auto source = std::make_shared<int>(1);
+    const auto get = [&](const char* key, std::shared_ptr<const void> from = {}) {
+        return store.made<std::string>("test.made", key, [&] { return text(key); }, std::move(from)).value;
+    };
+    const auto first = get("a=1");
+    EXPECT_EQ(get("a=1"), first);
+    EXPECT_NE(get("a=2"), first);
+    EXPECT_NE(get("a=1", source), first) << "made of something else";
+    EXPECT_EQ(store.builds("test.made"), 3);
+    EXPECT_EQ(get("a=1", source), get("a=1", source));
+    EXPECT_EQ(store.builds("test."), 3);
+    source = std::make_shared<int>(1);
+    (void)get("a=1", source);
+    EXPECT_EQ(store.builds("test.made"), 4) << "another source";
+    EXPECT_EQ(store.builds("test.other"), 0);
+}
+
+TEST(AssetStore, WhatSomebodyHoldsIsNotMadeAgainHoweverFullItIs)
+{
+    AssetStore store(100);
+    const auto get = [&](int i) { return store.made<std::string>("test.made", std::to_string(i), [&] { return text(std::string(80, 'x')); }).value; };
+    const auto held = get(0);
+    for (int i = 1; i < 50; ++i) (void)get(i);
+    EXPECT_LE(store.bytes(), 180U);
+    const std::int64_t builds = store.builds();
+    EXPECT_EQ(get(0), held);
+    EXPECT_EQ(store.builds(), builds);
+    (void)get(1);
+    EXPECT_EQ(store.builds(), builds + 1) << "what nobody holds was let go";
+}
+
+TEST(AssetStore, ManyThreadsThatAskForTheSameWaitForTheOneWhoMakesIt)
+{
+    AssetStore store;
+    std::atomic<int> makes = 0;
+    std::vector<std::shared_ptr<const std::string>> found(8);
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < found.size(); ++t)
+        threads.emplace_back([&, t] {
+            found[t] = store.made<std::string>("test.made", "same", [&] {
+                ++makes;
+                std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                return text("made");
+            }).value;
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(makes, 1);
+    for (const auto& value : found) EXPECT_EQ(value, found[0]);
+    EXPECT_TRUE(found[0]);
+}
+
+TEST(AssetStore, SlowThingsDoNotHoldUpOthers)
+{
+    AssetStore store;
+    std::promise<void> begun, other;
+    std::thread slow([&] {
+        (void)store.made<std::string>("test.slow", "one", [&] {
+            begun.set_value();
+            // Ends when another thing was made meanwhile.
+            const bool made = other.get_future().wait_for(std::chrono::seconds(60)) == std::future_status::ready;
+            return text(made ? "yes" : "no");
+        });
+    });
+    begun.get_future().wait();
+    EXPECT_EQ(*store.made<std::string>("test.quick", "two", [&] { return text("quick"); }).value, "quick");
+    other.set_value();
+    slow.join();
+    EXPECT_EQ(*store.made<std::string>("test.slow", "one", [&] { return text("again"); }).value, "yes");
 }
 
 }  // namespace
