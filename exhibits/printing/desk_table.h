@@ -32,7 +32,7 @@ struct DeskTable final : Parameters {
     Real measuredPerInch = real("measuredPerInch", 0, none, Range{0, 1000}.soft(0, 200), "LPI as a pitch chart showed it with this printer; 0: not measured, the one above counts.", reads(0, "auto"));
     Choice<LensShape> lens = choice("lens", LensShape::derived, {"from the zone", "as given"},
         "Whether radius and thickness follow from LPI, zone and index, focused on the back, or are as given below.");
-    Real zone = real("zone", 0.5235987755982988, degree, Range{0.01, 2}.soft(0.2, 1.1), "Angle in which all views are seen once: about 30° for depth, 50° for flips.");
+    Real zone = real("zone", degrees(30), degree, Range{degrees(0.5), degrees(115)}.soft(degrees(11), degrees(63)), "Angle in which all views are seen once: about 30° for depth, 50° for flips.");
     Real radius = real("radius", 0.000442, micrometre, Range{1e-6, 0.1, logarithmic}.soft(5e-5, 0.005), "Of curvature, at the lens top.");
     Real thickness = real("thickness", 0.00123, micrometre, Range{1e-6, 0.1, logarithmic}.soft(1e-4, 0.01), "From lens top to print.");
     Real refractiveIndex = real("refractiveIndex", 1.56, none, Range{1, 3}.soft(1.45, 1.65), "Of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.");
@@ -49,7 +49,7 @@ struct DeskTable final : Parameters {
     Real distance = real("distance", 0.4, centimetre, Range{0.0001, 1000, logarithmic}.soft(0.1, 10), "From which it is looked at; the strips' pitch follows from it.");
     Real visualPerInch = real("visualPerInch", 0, none, Range{0, 1000}.soft(0, 200), "LPI read from a pitch chart at that distance, in place of the one that follows from it; 0: not measured.", reads(0, "auto"));
     Real phase = real("phase", 0, none, Range{-1e6, 1e6}.soft(-0.5, 0.5), "Moves the strips under the lenses, in lenses; a phase chart tells.");
-    Real direction = real("direction", 0, degree, {-1.5707963267948966, 1.5707963267948966}, "Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.");
+    Real direction = real("direction", 0.0, degree, {degrees(-90), degrees(90)}, "Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.");
     Toggle reverse = toggle("reverse", false, "The first view on the left under each lens: turns depth inside out, or a reversed sequence right.");
     Toggle mirror = toggle("mirror", false, "For printing on the sheet's back.");
     Choice<Method> method = choice("method", Method::area, {"nearest", "area", "guard"},
