@@ -20,7 +20,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
 
 std::unique_ptr<PrintDesk> makePrintDesk()
 {
-    return std::make_unique<lenticular::LenticularDesk>();
+    return std::make_unique<printing::LenticularDesk>();
 }
 
 }  // namespace vitrine

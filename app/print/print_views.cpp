@@ -1,7 +1,7 @@
 #include "app/print/print_views.h"
 
 #include "app/progress.h"
-#include "exhibits/printing/view_sequence.h"
+#include "exhibits/printing/view_files.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "render/image/picture_stream.h"
@@ -14,15 +14,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-lenticular::SequenceSettings sequenceOf(const ViewOptions& options)
+printing::SequenceSettings sequenceOf(const ViewOptions& options)
 {
     return {options.every, options.pingPong, options.count};
 }
 
 PrintViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
 {
-    const std::vector<fs::path> files = lenticular::viewFiles(options.files);
-    const std::vector<std::size_t> chosen = lenticular::chosenViews(files.size(), sequenceOf(options));
+    const std::vector<fs::path> files = printing::viewFiles(options.files);
+    const std::vector<std::size_t> chosen = printing::chosenViews(files.size(), sequenceOf(options));
     (void)layoutOf(static_cast<int>(chosen.size()));
     PrintViews result;
     ProgressLine line("reading views");
@@ -43,14 +43,14 @@ PrintViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
 {
     const glm::ivec2 grid = parseSize("--quilt", options.quilt[0]);
     if (grid.x > 1000 || grid.y > 1000) throw Failure(Blame::usage, "--quilt " + options.quilt[0] + ": give columns x rows, such as --quilt 8x6 quilt.png.");
-    const std::vector<std::size_t> chosen = lenticular::chosenViews(static_cast<std::size_t>(grid.x * grid.y), sequenceOf(options));
+    const std::vector<std::size_t> chosen = printing::chosenViews(static_cast<std::size_t>(grid.x * grid.y), sequenceOf(options));
     (void)layoutOf(static_cast<int>(chosen.size()));
     const fs::path file = options.quilt[1];
     const render::Image quilt = render::readImage(file, {.cancelled = StopSignal::stopped});
-    const auto order = options.quiltOrder == "top-left" ? lenticular::QuiltOrder::topLeft : lenticular::QuiltOrder::bottomLeft;
+    const auto order = options.quiltOrder == "top-left" ? printing::QuiltOrder::topLeft : printing::QuiltOrder::bottomLeft;
     PrintViews result;
     for (const std::size_t k : chosen) {
-        result.views.add(lenticular::viewOfQuilt(quilt, grid.x, grid.y, static_cast<int>(k), order));
+        result.views.add(printing::viewOfQuilt(quilt, grid.x, grid.y, static_cast<int>(k), order));
         result.sources.push_back(file.filename().string() + ", view " + std::to_string(k));
     }
     result.profile = render::embeddedProfile(file);

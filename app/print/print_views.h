@@ -4,7 +4,7 @@
 #include "app/print/view_options.h"
 
 #include "exhibits/printing/print_layout.h"
-#include "exhibits/printing/view_source.h"
+#include "exhibits/printing/view_set.h"
 #include "render/files/strict_json.h"
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace vitrine::app {
 
 /// The views of a print and where they came from.
 struct PrintViews {
-    lenticular::ViewSet views;
+    printing::ViewSet views;
     std::vector<std::string> sources;            ///< One for each view, for the print's description.
     std::string profile;                         ///< ICC profile of the pictures; empty when they have none.
     render::Json scene;                          ///< What brings rendered views back; null for pictures.
@@ -26,7 +26,7 @@ struct PrintViews {
 };
 
 /// The layout of a print of so many views. Throws Failure when it cannot be made.
-using LayoutOf = std::function<lenticular::PrintLayout(int views)>;
+using LayoutOf = std::function<printing::PrintLayout(int views)>;
 
 /// Reads or renders the views that the options ask for; everything that can be refused without reading or
 /// rendering is refused first. Throws Failure naming the option or file; also when stopped (StopSignal).

@@ -3,7 +3,7 @@
 #include "app/progress.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
-#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/sheet.h"
 #include "exhibits/printing/view_maker.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
@@ -19,10 +19,10 @@
 namespace vitrine::app {
 namespace {
 
-using lenticular::DepthRange;
-using lenticular::PrintLayout;
-using lenticular::ViewRig;
-using lenticular::ViewShot;
+using printing::DepthRange;
+using printing::PrintLayout;
+using printing::ViewRig;
+using printing::ViewShot;
 
 constexpr int longestSide = 1200;     ///< Where no size is asked for.
 constexpr int mostSide = 8192;        ///< A print of a meter at 40 LPI has 1600 lenses.
@@ -44,7 +44,7 @@ int countFor(const ViewOptions& options, const LayoutOf& layoutOf)
 /// Of the print's shape, no finer than the print.
 std::string sizeFor(const PrintLayout& layout)
 {
-    const lenticular::PrintSettings& s = layout.settings();
+    const printing::PrintSettings& s = layout.settings();
     const glm::dvec2 print(s.width + 2 * s.bleed, s.height + 2 * s.bleed);
     const double pixels = std::min<double>(longestSide, static_cast<double>(std::max(layout.width(), layout.height())));
     const glm::dvec2 size = glm::max(glm::round(print * (pixels / std::max(print.x, print.y))), glm::dvec2(1));
@@ -88,7 +88,7 @@ void applySweeps(const Museum& museum, const ViewOptions& options, const Picture
         Look to = job.look;
         applySet(museum, from, job.subject, ends[0], notes);
         applySet(museum, to, job.subject, ends[1], notes);
-        lenticular::sweep(shots, from, to);
+        printing::sweep(shots, from, to);
     }
 }
 
@@ -126,12 +126,12 @@ PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
     std::vector<ViewShot> shots = shotsOf(rig, base);
     PrintViews result;
     result.notes = job.notes;
-    if (options.turnDegrees != 0) lenticular::turn(shots, options.turnDegrees * lenticular::radiansPerDegree);
+    if (options.turnDegrees != 0) printing::turn(shots, options.turnDegrees * printing::radiansPerDegree);
     applySweeps(museum, options, job, shots, result.notes);
     if (!options.saveViews.empty()) result.folder = std::make_unique<ViewFolder>(options.saveViews, options.viewFormat, count);
 
     render::gl::Renderer renderer;
-    const DepthRange depth = lenticular::measuredDepth(museum, renderer, base);
+    const DepthRange depth = printing::measuredDepth(museum, renderer, base);
     if (!strength) {
         rig = rigOf(std::min(1.0, rig.strengthThatHolds(depth)));
         const std::vector<ViewShot> fitted = shotsOf(rig, base);
@@ -145,7 +145,7 @@ PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
         result.numbers.push_back(text("the scene reaches from %s to %s, and the print holds %s to %s without doubled contours", depthText(depth.nearest).c_str(),
                                       depthText(depth.farthest).c_str(), depthText(budget.nearest).c_str(), depthText(budget.farthest).c_str()));
     }
-    for (const std::string& warning : lenticular::warningsOf(rig, depth)) result.notes.push_back(warning);
+    for (const std::string& warning : printing::warningsOf(rig, depth)) result.notes.push_back(warning);
     if (layout.settings().reverse && rig.baseline() > 0) result.notes.emplace_back("With --order reverse the depth of rendered views is inside out.");
 
     for (int k = 0; k < count; ++k) result.sources.push_back(scene.subject + ", view " + std::to_string(k));
@@ -160,7 +160,7 @@ PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
                     {"seed", job.request.frame.seed},
                     {"viewSize", {size.x, size.y}}};
     ProgressLine line("rendering views");
-    lenticular::ViewMaker maker(museum, renderer, shots, [&](int k, const render::Image& image) {
+    printing::ViewMaker maker(museum, renderer, shots, [&](int k, const render::Image& image) {
         result.views.add(image);
         if (result.folder) result.folder->add(k, image, presetOf(museum, job, shots[static_cast<std::size_t>(k)]));
     });

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 constexpr int eyeLines = 360;  // As many as a preview is high, on a large screen.
@@ -70,4 +70,4 @@ CodedPicture ChartPreview::raster(std::int64_t x0, std::int64_t y0, std::int64_t
     return picture;
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -6,7 +6,7 @@
 
 #include <mutex>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// A print of views, made where it is looked at.
 class ViewsPreview final : public PrintPreview {
@@ -46,4 +46,4 @@ private:
 /// Where the lenses lie on the raster of this print as it is written, mirrored or not.
 [[nodiscard]] LensGrid lensGrid(const PrintLayout&);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

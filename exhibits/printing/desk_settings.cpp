@@ -1,12 +1,12 @@
 #include "exhibits/printing/desk_settings.h"
 
 #include "exhibits/framework/preset_values.h"
-#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/sheet.h"
 
 #include <cmath>
 #include <limits>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 /// Without the last digits that conversion adds, so that 70 mm stay 70.
@@ -140,4 +140,4 @@ ParameterValues valuesFromDesk(const DeskTable& table, const render::JsonDocumen
     return values;
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

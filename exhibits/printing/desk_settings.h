@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// The sheet that the values describe. Throws Failure (Blame::usage) with the limit when there is none.
 [[nodiscard]] Sheet sheetOf(const DeskTable&, const ParameterValues&);
@@ -25,4 +25,4 @@ namespace vitrine::lenticular {
 [[nodiscard]] ParameterValues valuesFromDesk(const DeskTable&, const render::JsonDocument&, std::vector<std::string>& sources,
                                              std::vector<std::string>& notes);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

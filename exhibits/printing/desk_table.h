@@ -5,7 +5,7 @@
 #include "exhibits/printing/print_layout.h"
 #include "render/image/picture_stream.h"
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 enum class LensShape : int { derived, given };
 
@@ -66,4 +66,4 @@ struct DeskTable final : Parameters {
     Real tileWidth = real("tileWidth", 0, millimetre, Range{0, 100}.soft(0, 1), "Cuts the print into files of about this width, between lenses; 0: one file.", reads(0, "auto"));
 };
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

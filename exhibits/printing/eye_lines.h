@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// A print made along a few lines only, to look at through its lenses while it is being set up.
 ///
@@ -34,4 +34,4 @@ private:
     std::vector<std::uint8_t> codes_;  ///< Line by line, each across the lenses, three channels.
 };
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

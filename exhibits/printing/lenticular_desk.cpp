@@ -4,11 +4,11 @@
 #include "exhibits/printing/chart.h"
 #include "exhibits/printing/desk_preview.h"
 #include "exhibits/printing/desk_settings.h"
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/print_file.h"
 #include "exhibits/printing/print_json.h"
+#include "exhibits/printing/sheet.h"
+#include "exhibits/printing/view_files.h"
 #include "exhibits/printing/view_maker.h"
-#include "exhibits/printing/view_sequence.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
 #include "render/files/read_file.h"
@@ -19,7 +19,7 @@
 #include <numbers>
 #include <tuple>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -164,7 +164,7 @@ ParameterValues LenticularDesk::withSheet(const ParameterValues& values, const s
 {
     std::string problem;
     for (const Sheet& sheet : allSheets(problem))
-        if (sheet.name == name) return lenticular::withSheet(table_, values, sheet);
+        if (sheet.name == name) return printing::withSheet(table_, values, sheet);
     throw Failure(Blame::usage, "There is no sheet \"" + name + "\"; choose one of the list.");
 }
 
@@ -406,4 +406,4 @@ std::string LenticularDesk::settingsIn(const fs::path& path) const
     return printDescription(path).text();
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

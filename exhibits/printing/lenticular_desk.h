@@ -3,9 +3,9 @@
 #include "exhibits/printing/desk_table.h"
 #include "exhibits/printing/own_sheets.h"
 #include "exhibits/printing/view_rig.h"
-#include "exhibits/printing/view_source.h"
+#include "exhibits/printing/view_set.h"
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// The views of a desk: in full for the print, and small ones for looking at it.
 class DeskViews final : public PrintViews {
@@ -77,4 +77,4 @@ private:
     OwnSheets own_;
 };
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

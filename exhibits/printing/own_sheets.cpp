@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using render::Json;
@@ -81,4 +81,4 @@ void OwnSheets::write(const std::vector<Sheet>& sheets) const
     savePresetBytes(path_, render::writeJson(json));
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

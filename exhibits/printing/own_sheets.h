@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// The sheets of the user's own: a small file of JSON that can also be edited by hand, lengths in millimeters:
 ///
@@ -28,4 +28,4 @@ private:
     std::filesystem::path path_;
 };
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// Where and how a raster is written.
 struct PrintFile {
@@ -44,4 +44,4 @@ std::vector<std::filesystem::path> writePrint(const PrintLayout&, const ViewSet&
 /// Failure (Blame::usage) for lenses that are not vertical, or tiles narrower than a lens.
 [[nodiscard]] std::vector<std::int64_t> tileCuts(const PrintLayout&, double tileWidth);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

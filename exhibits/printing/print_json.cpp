@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using render::Json;
@@ -130,4 +130,4 @@ PrintSettings settingsFromJson(const render::JsonDocument& document)
     return s;
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

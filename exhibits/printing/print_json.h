@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// Every parameter of a print and the numbers that follow, as the file carries them: enough to look at it
 /// through its sheet and to make it again. Lengths in millimeters; an infinite distance is null.
@@ -19,4 +19,4 @@ namespace vitrine::lenticular {
 /// The settings in such a text, which comes from a file. Throws Failure naming line and key.
 [[nodiscard]] PrintSettings settingsFromJson(const render::JsonDocument&);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

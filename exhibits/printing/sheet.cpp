@@ -1,12 +1,11 @@
 #include "exhibits/printing/sheet.h"
 
-#include "exhibits/printing/numbers.h"
 #include "render/failure.h"
 
 #include <array>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 [[noreturn]] void refuse(const Sheet& sheet, const std::string& why)
@@ -87,4 +86,4 @@ const Sheet& knownSheet(const std::string& name)
     throw Failure(Blame::usage, "There is no sheet \"" + name + "\"; known are " + names + ".");
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

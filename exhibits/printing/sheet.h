@@ -1,9 +1,23 @@
 #pragma once
 
+#include <array>
+#include <cstdio>
+#include <numbers>
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
+
+constexpr double mmPerInch = 25.4;
+constexpr double radiansPerDegree = std::numbers::pi / 180;
+
+/// "0.3175": six significant digits, for messages and labels.
+[[nodiscard]] inline std::string shortText(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.6g", value);
+    return text.data();
+}
 
 /// A sheet of cylindrical lenses. Lengths in millimeters; the print lies `thickness` below the lens tops.
 ///
@@ -36,4 +50,4 @@ void check(const Sheet&);
 /// The known sheet of that name. Throws Failure (Blame::usage) listing the names.
 [[nodiscard]] const Sheet& knownSheet(const std::string& name);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 /// What lies at `part` (0 to 1) of the way; nothing where there is no way.
@@ -104,4 +104,4 @@ DepthRange measuredDepth(const Museum& museum, render::Painter& painter, const V
     return depthRange(maker.picture());
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// One view of a print, to be rendered.
 struct ViewShot {
@@ -55,4 +55,4 @@ private:
 /// How far the shot's scene reaches, by a quick look with one sample per pixel, `width` pixels wide.
 [[nodiscard]] DepthRange measuredDepth(const Museum&, render::Painter&, const ViewShot&, int width = 240);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -19,7 +19,7 @@
 #include <fstream>
 #include <random>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -483,4 +483,4 @@ TEST_F(Desk, TheBaselineScaleThatFitsHoldsTheSceneAndALargerOneDoesNot)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

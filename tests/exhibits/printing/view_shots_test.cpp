@@ -10,7 +10,7 @@
 #include <cmath>
 #include <set>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using vitrine::test::hallTable;
@@ -139,4 +139,4 @@ TEST(Sweep, RefusesWhatHasNothingBetween)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -1,9 +1,9 @@
-#include "exhibits/printing/strip_weights.h"
+#include "exhibits/printing/taps.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 /// Below this a share is rounding.
@@ -59,4 +59,4 @@ void tapsAt(const PrintLayout& layout, double x, double y, std::vector<Tap>& tap
     }
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

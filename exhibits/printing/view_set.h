@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// The views of a print, as the interlacer reads them: linear Rec. 709 in 16 bits, four samples a pixel (the
 /// fourth is unused), so that one pixel is one load. Row 0 at the top. All have the same height; widths differ.
@@ -59,19 +59,4 @@ private:
     std::shared_ptr<render::ScratchFile> scratch_;
 };
 
-/// The pictures in a folder, hidden ones left out; numbers in their names count by value (view2 before view10).
-/// Throws Failure (Blame::file) when it cannot be read.
-[[nodiscard]] std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folder);
-
-/// The picture files that `names` mean, in viewing order from the left: files as given, folders by the names
-/// in them. Throws Failure when there is none.
-[[nodiscard]] std::vector<std::filesystem::path> viewFiles(const std::vector<std::string>& names);
-
-/// Where a quilt's first view is: rows upwards as Looking Glass has them, or downwards as one reads.
-enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };
-
-/// View `k` (0 to columns * rows - 1) of a grid of views of one size. Throws Failure (Blame::usage) when the
-/// picture does not divide into the grid.
-[[nodiscard]] render::Image viewOfQuilt(const render::Image&, int columns, int rows, int k, QuiltOrder = QuiltOrder::bottomLeft);
-
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -1,6 +1,6 @@
-#include "exhibits/printing/view_source.h"
+#include "exhibits/printing/view_files.h"
+#include "exhibits/printing/view_set.h"
 
-#include "exhibits/printing/view_sequence.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using vitrine::test::TemporaryFolder;
@@ -130,4 +130,4 @@ TEST(ShippedViews, AreTwoSetsOf16PicturesOfOneSizeThatDiffer)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing
