@@ -108,4 +108,12 @@ std::vector<std::filesystem::path> writePrint(const PrintLayout& layout, const V
                        file);
 }
 
+std::vector<std::filesystem::path> writeChart(const PrintLayout& layout, const Chart& chart, const PrintFile& file)
+{
+    return writeRaster(layout,
+                       {[&](const Region& region, std::uint8_t* out) { chart.fill(region, out); },
+                        [&](const Region& region, std::uint16_t* out) { chart.fill(region, out); }},
+                       file);
+}
+
 }  // namespace vitrine::printing

@@ -2,7 +2,7 @@
 
 #include "render/failure.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace vitrine::printing {
@@ -53,6 +53,13 @@ void check(const Sheet& sheet)
     if (sheet.thickness <= sag) {
         refuse(sheet, "its lenses are " + shortText(sag) + " mm deep, and the thickness is only " + shortText(sheet.thickness) + " mm");
     }
+}
+
+bool sameLens(const Sheet& a, const Sheet& b)
+{
+    const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-6 * std::max(std::abs(x), std::abs(y)); };
+    return near(a.nominalLpi, b.nominalLpi) && near(a.effectiveLpi, b.effectiveLpi) && near(a.radius, b.radius) && near(a.thickness, b.thickness) &&
+           near(a.index, b.index) && near(a.conic, b.conic);
 }
 
 Sheet derivedSheet(const std::string& name, double lpi, double zoneDegrees, double index)

@@ -39,6 +39,9 @@ struct Sheet {
 /// LPI positive and finite, index above 1, the curve reaching the cusp, the print below the cusp.
 void check(const Sheet&);
 
+/// Whether two sheets have the same numbers, but for rounding; names do not count.
+[[nodiscard]] bool sameLens(const Sheet&, const Sheet&);
+
 /// A sheet focused on its back that shows its views over `zoneDegrees`: t = n p / (2 tan(V/2)) and
 /// r = t (n-1)/n, the paraxial focus. Throws Failure when that zone needs a lens wider than a circle.
 [[nodiscard]] Sheet derivedSheet(const std::string& name, double lpi, double zoneDegrees, double index = 1.56);

@@ -97,4 +97,15 @@ void ViewSet::allIsRead() const
     }
 }
 
+std::string stretchWarning(const PrintLayout& layout, const ViewSet& views)
+{
+    const PrintSettings& s = layout.settings();
+    const double wanted = (s.width + 2 * s.bleed) / (s.height + 2 * s.bleed);
+    for (int k = 0; k < views.count(); ++k) {
+        const double shape = static_cast<double>(views.view(k).width) / views.height();
+        if (shape / wanted > 1.02 || shape / wanted < 0.98) return "The views are not shaped as the print is and are stretched to it.";
+    }
+    return {};
+}
+
 }  // namespace vitrine::printing

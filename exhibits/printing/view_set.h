@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/printing/print_layout.h"
 #include "render/files/scratch_file.h"
 #include "render/image/image.h"
 
@@ -58,5 +59,8 @@ private:
     std::size_t firstOnDisk_ = std::numeric_limits<std::size_t>::max();
     std::shared_ptr<render::ScratchFile> scratch_;
 };
+
+/// "The views are not shaped as the print is and are stretched to it." where one is by more than two percent, else empty.
+[[nodiscard]] std::string stretchWarning(const PrintLayout&, const ViewSet&);
 
 }  // namespace vitrine::printing

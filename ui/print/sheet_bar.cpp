@@ -41,16 +41,16 @@ SheetBar::SheetBar(QWidget* parent) : QWidget(parent), list_(new QComboBox(this)
     connect(remove_, &QToolButton::clicked, this, [this] { emit removeAsked(list_->currentText()); });
 }
 
-void SheetBar::showSheets(const std::vector<SheetEntry>& sheets, const std::string& current)
+void SheetBar::showSheets(const std::vector<printing::Sheet>& sheets, const std::string& current)
 {
     sheets_ = sheets;
     const QSignalBlocker quiet(list_);
     list_->clear();
-    for (const SheetEntry& sheet : sheets_) list_->addItem(QString::fromStdString(sheet.name));
-    const auto at = std::find_if(sheets_.begin(), sheets_.end(), [&](const SheetEntry& sheet) { return sheet.name == current; });
+    for (const printing::Sheet& sheet : sheets_) list_->addItem(QString::fromStdString(sheet.name));
+    const auto at = std::find_if(sheets_.begin(), sheets_.end(), [&](const printing::Sheet& sheet) { return sheet.name == current; });
     if (at == sheets_.end()) list_->addItem(tr("not in the list"));
     list_->setCurrentIndex(static_cast<int>(at - sheets_.begin()));
-    remove_->setEnabled(at != sheets_.end() && at->own);
+    remove_->setEnabled(at != sheets_.end() && at - sheets_.begin() >= static_cast<std::ptrdiff_t>(printing::knownSheets().size()));
 }
 
 QString SheetBar::current() const

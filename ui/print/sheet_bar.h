@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/printing/print_desk.h"
+#include "exhibits/printing/sheet.h"
 
 #include <QWidget>
 
@@ -16,8 +16,8 @@ class SheetBar final : public QWidget {
 public:
     explicit SheetBar(QWidget* parent);
 
-    /// `current` is the sheet that the numbers are; empty: none of the list.
-    void showSheets(const std::vector<SheetEntry>&, const std::string& current);
+    /// Shipped sheets first. `current` is the name of the sheet that the numbers are; empty: none of the list.
+    void showSheets(const std::vector<printing::Sheet>&, const std::string& current);
     [[nodiscard]] QString current() const;
 
 signals:
@@ -30,7 +30,7 @@ private:
 
     QComboBox* list_;
     QToolButton *save_, *remove_;
-    std::vector<SheetEntry> sheets_;
+    std::vector<printing::Sheet> sheets_;
 };
 
 }  // namespace vitrine::ui

@@ -1,4 +1,5 @@
 #include "exhibits/printing/proof.h"
+#include "exhibits/printing/view_files.h"
 
 #include "exhibits/printing/crosstalk.h"
 #include "exhibits/printing/optics.h"

@@ -1,6 +1,7 @@
-#include "exhibits/printing/own_sheets.h"
+#include "exhibits/printing/sheet_list.h"
 
 #include "exhibits/framework/save_bytes.h"
+#include "exhibits/framework/state_folder.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
 
@@ -33,7 +34,40 @@ Sheet sheetFrom(const render::JsonDocument& document, std::size_t i)
 
 }  // namespace
 
-std::vector<Sheet> OwnSheets::read() const
+SheetList::SheetList() : SheetList(configFolder() / "sheets.json") {}
+
+std::vector<Sheet> SheetList::all(std::string& problem) const
+{
+    std::vector<Sheet> sheets = knownSheets();
+    try {
+        for (Sheet& sheet : own()) sheets.push_back(std::move(sheet));
+    } catch (const Failure& failure) {
+        problem = failure.what();
+    }
+    return sheets;
+}
+
+Sheet SheetList::named(const std::string& name) const
+{
+    std::string problem;
+    for (const Sheet& sheet : all(problem))
+        if (sheet.name == name) return sheet;
+    throw Failure(Blame::usage, "There is no sheet \"" + name + "\"; choose one of the list.");
+}
+
+std::string SheetList::nameOf(const Sheet& wanted, const std::string& preferred) const
+{
+    std::string problem;
+    std::string first;
+    for (const Sheet& sheet : all(problem)) {
+        if (!sameLens(wanted, sheet)) continue;
+        if (sheet.name == preferred) return preferred;
+        if (first.empty()) first = sheet.name;
+    }
+    return first;
+}
+
+std::vector<Sheet> SheetList::own() const
 {
     std::error_code error;
     if (!std::filesystem::exists(path_, error)) return {};
@@ -48,7 +82,7 @@ std::vector<Sheet> OwnSheets::read() const
     return sheets;
 }
 
-void OwnSheets::save(const Sheet& sheet) const
+void SheetList::save(const Sheet& sheet) const
 {
     check(sheet);
     if (sheet.name.empty()) throw Failure(Blame::usage, "A sheet needs a name to be saved under.");
@@ -56,21 +90,21 @@ void OwnSheets::save(const Sheet& sheet) const
     if (std::any_of(knownSheets().begin(), knownSheets().end(), named)) {
         throw Failure(Blame::usage, "\"" + sheet.name + "\" is one of the sheets that come with the program; choose another name.");
     }
-    std::vector<Sheet> sheets = read();
+    std::vector<Sheet> sheets = own();
     const auto old = std::find_if(sheets.begin(), sheets.end(), named);
     if (old == sheets.end()) sheets.push_back(sheet);
     else *old = sheet;
     write(sheets);
 }
 
-void OwnSheets::remove(const std::string& name) const
+void SheetList::remove(const std::string& name) const
 {
-    std::vector<Sheet> sheets = read();
+    std::vector<Sheet> sheets = own();
     std::erase_if(sheets, [&](const Sheet& sheet) { return sheet.name == name; });
     write(sheets);
 }
 
-void OwnSheets::write(const std::vector<Sheet>& sheets) const
+void SheetList::write(const std::vector<Sheet>& sheets) const
 {
     Json list = Json::array();
     for (const Sheet& s : sheets) {

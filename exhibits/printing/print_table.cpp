@@ -1,7 +1,4 @@
-#include "exhibits/printing/desk_settings.h"
-
-#include "exhibits/framework/preset_values.h"
-#include "exhibits/printing/sheet.h"
+#include "exhibits/printing/print_table.h"
 
 #include <cmath>
 #include <limits>
@@ -27,8 +24,59 @@ bool same(double a, double b)
 
 }  // namespace
 
-Sheet sheetOf(const DeskTable& table, const ParameterValues& values)
+const PrintTable& printTable()
 {
+    static const PrintTable table;
+    return table;
+}
+
+bool rowActs(const ParameterInfo& row, const ParameterValues& values, bool chart)
+{
+    const PrintTable& table = printTable();
+    const auto is = [&](auto parameter) { return row.name == table.rows()[parameter.row].name; };
+    const ViewOrigin from = values[table.origin];
+    if (row.group == "Views") {
+        if (chart) return is(table.views) && values[table.chart] != ChartKind::pitch && values[table.chart] != ChartKind::phase;
+        if (is(table.viewWidth) || is(table.samples) || is(table.baselineScale) || is(table.convergence)) return from == ViewOrigin::shown;
+        if (is(table.quiltColumns) || is(table.quiltRows)) return from == ViewOrigin::quilt;
+        if (is(table.views)) return from != ViewOrigin::quilt;
+        return !is(table.origin);  // It has a place of its own, beside the files.
+    }
+    if (is(table.chart)) return chart;
+    if (is(table.chartSpan)) return chart && values[table.chart] == ChartKind::pitch;
+    if (is(table.zone)) return values[table.lens] == LensShape::derived;
+    if (is(table.radius) || is(table.thickness)) return values[table.lens] == LensShape::given;
+    if (is(table.distance)) return !values[table.infiniteDistance];
+    if (is(table.border) || is(table.compensate)) return !chart;
+    if (is(table.dither)) return values[table.bits] == 0;
+    if (is(table.guard)) return values[table.method] == Method::guard;
+    if (is(table.tileWidth)) return values[table.direction] == 0;
+    return true;
+}
+
+bool sameViews(const ParameterValues& a, const ParameterValues& b)
+{
+    const PrintTable& table = printTable();
+    const bool rendered = b[table.origin] == ViewOrigin::shown;
+    const auto decides = [&](const ParameterInfo& row) {
+        if (row.group == "Views") return row.name == table.rows()[table.origin.row].name || rowActs(row, b, false);
+        // The cameras stand as the lenses show, and frame what the print's shape takes.
+        return rendered && (row.group == "Sheet" || row.name == "width" || row.name == "height" || row.name == "bleed" || row.name == "direction" ||
+                            row.name == "distance" || row.name == "infiniteDistance" || row.name == "visualPerInch");
+    };
+    for (std::size_t i = 0; i < a.rows().size(); ++i)
+        if (a.row(i) != b.row(i) && decides(a.rows()[i])) return false;
+    return true;
+}
+
+double viewingDistance(const ParameterValues& values)
+{
+    return values[printTable().infiniteDistance] ? std::numeric_limits<double>::infinity() : values[printTable().distance] * 1000;
+}
+
+Sheet sheetOf(const ParameterValues& values)
+{
+    const PrintTable& table = printTable();
     Sheet sheet;
     if (values[table.lens] == LensShape::derived) {
         sheet = derivedSheet("", values[table.lensesPerInch], degrees(values[table.zone]), values[table.refractiveIndex]);
@@ -41,8 +89,9 @@ Sheet sheetOf(const DeskTable& table, const ParameterValues& values)
     return sheet;
 }
 
-ParameterValues withSheet(const DeskTable& table, ParameterValues values, const Sheet& sheet)
+ParameterValues withSheet(ParameterValues values, const Sheet& sheet)
 {
+    const PrintTable& table = printTable();
     values.set(table.lensesPerInch, sheet.nominalLpi);
     values.set(table.measuredPerInch, sheet.effectiveLpi);
     values.set(table.radius, sheet.radius / 1000);
@@ -56,10 +105,11 @@ ParameterValues withSheet(const DeskTable& table, ParameterValues values, const 
     return values;
 }
 
-PrintSettings printSettings(const DeskTable& table, const ParameterValues& values, int views)
+PrintSettings printSettings(const ParameterValues& values, int views)
 {
+    const PrintTable& table = printTable();
     PrintSettings s;
-    s.sheet = sheetOf(table, values);
+    s.sheet = sheetOf(values);
     s.dpiX = values[table.dotsPerInch];
     s.dpiY = values[table.dotsDown] > 0 ? values[table.dotsDown] : s.dpiX;
     s.width = mm(values[table.width]);
@@ -81,9 +131,10 @@ PrintSettings printSettings(const DeskTable& table, const ParameterValues& value
     return s;
 }
 
-ParameterValues withSettings(const DeskTable& table, ParameterValues values, const PrintSettings& s)
+ParameterValues withSettings(ParameterValues values, const PrintSettings& s)
 {
-    values = withSheet(table, std::move(values), s.sheet);
+    const PrintTable& table = printTable();
+    values = withSheet(std::move(values), s.sheet);
     values.set(table.dotsPerInch, s.dpiX);
     values.set(table.dotsDown, s.dpiY == s.dpiX ? 0.0 : s.dpiY);
     values.set(table.width, s.width / 1000);
@@ -103,40 +154,6 @@ ParameterValues withSettings(const DeskTable& table, ParameterValues values, con
     values.set(table.inkSpread, s.inkSpread / 1000);
     values.set(table.compensate, s.compensate);
     values.set(table.dither, s.dither);
-    return values;
-}
-
-render::Json deskJson(const ParameterValues& values, const std::vector<std::string>& sources)
-{
-    render::Json changed = render::Json::object();
-    for (std::size_t i = 0; i < values.rows().size(); ++i)
-        if (!values.isInitial(i)) changed[std::string(values.rows()[i].name)] = jsonFromValue(values.rows()[i], values.row(i));
-    return {{"values", changed}, {"files", sources}};
-}
-
-ParameterValues valuesFromDesk(const DeskTable& table, const render::JsonDocument& document, std::vector<std::string>& sources,
-                               std::vector<std::string>& notes)
-{
-    ParameterValues values = table.initial();
-    const render::Json& root = document.root();
-    if (!root.is_object() || !root.contains("desk")) return values;
-    const render::Json& desk = root["desk"];
-    if (!desk.is_object() || !desk.contains("values") || !desk["values"].is_object()) throw document.failure("desk", "this must be an object with \"values\"; correct it there.");
-    for (const auto& [key, json] : desk["values"].items()) {
-        const auto row = table.find(key);
-        if (!row) {
-            notes.push_back("\"" + key + "\" is not known and was left out.");
-            continue;
-        }
-        const JsonPlace place{document, "desk.values." + key, {}};
-        values.setRow(*row, valueFromJson(table.rows()[*row], json, place, key, notes));
-    }
-    if (!desk.contains("files")) return values;
-    if (!desk["files"].is_array()) throw document.failure("desk.files", "this must be a list of file names; correct it there.");
-    for (const render::Json& file : desk["files"]) {
-        if (!file.is_string()) throw document.failure("desk.files", "this must be a list of file names; correct it there.");
-        sources.push_back(file.get<std::string>());
-    }
     return values;
 }
 

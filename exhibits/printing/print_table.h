@@ -1,16 +1,25 @@
 #pragma once
 
+#include "exhibits/framework/parameters.h"
 #include "exhibits/printing/chart.h"
-#include "exhibits/printing/print_desk.h"
 #include "exhibits/printing/print_layout.h"
 #include "render/image/picture_stream.h"
 
+#include <cstdint>
+
 namespace vitrine::printing {
+
+/// Where the views of a print come from.
+enum class ViewOrigin : std::uint8_t {
+    shown,  ///< Rendered from what is on show.
+    files,  ///< A folder, or pictures in viewing order from the left.
+    quilt,  ///< One picture with a grid of views, the first at the bottom left, rows upwards.
+};
 
 enum class LensShape : int { derived, given };
 
-/// Everything that can be set about a print made at the desk. Lengths in metres.
-struct DeskTable final : Parameters {
+/// Everything that can be set about a print made in the window. Lengths in metres.
+struct PrintTable final : Parameters {
     Group viewGroup = group("Views");
     Choice<ViewOrigin> origin = choice("origin", ViewOrigin::shown, {"what is shown", "files", "quilt"},
         "Where the views come from: rendered from the picture in the window, read from pictures, or cut from a grid of views.");
@@ -65,5 +74,25 @@ struct DeskTable final : Parameters {
         "Of TIFF: none is what every print shop reads. PNG is always compressed.");
     Real tileWidth = real("tileWidth", 0, millimetre, Range{0, 100}.soft(0, 1), "Cuts the print into files of about this width, between lenses; 0: one file.", reads(0, "auto"));
 };
+
+/// The one that all values below belong to.
+[[nodiscard]] const PrintTable& printTable();
+
+/// Whether a row means something for these values, as a print of views or as a chart.
+[[nodiscard]] bool rowActs(const ParameterInfo&, const ParameterValues&, bool chart);
+/// Whether views that were read or rendered for one serve the other.
+[[nodiscard]] bool sameViews(const ParameterValues&, const ParameterValues&);
+/// From which the print is to be looked at, in millimeters; infinity is one.
+[[nodiscard]] double viewingDistance(const ParameterValues&);
+
+/// The sheet that the values describe. Throws Failure (Blame::usage) with the limit when there is none.
+[[nodiscard]] Sheet sheetOf(const ParameterValues&);
+/// The values with this sheet; derived where it is one that follows from LPI, zone and index.
+[[nodiscard]] ParameterValues withSheet(ParameterValues, const Sheet&);
+
+/// The settings of a print of `views` views. Throws as `sheetOf`; what else cannot be, PrintLayout says.
+[[nodiscard]] PrintSettings printSettings(const ParameterValues&, int views);
+/// The values with these settings; values that are no part of them stay.
+[[nodiscard]] ParameterValues withSettings(ParameterValues, const PrintSettings&);
 
 }  // namespace vitrine::printing
