@@ -1,5 +1,6 @@
-#include "app/print/print_views.h"
+#include "app/print/gathered_views.h"
 
+#include "app/print/rendered_views.h"
 #include "app/progress.h"
 #include "exhibits/printing/view_files.h"
 #include "render/failure.h"
@@ -19,12 +20,12 @@ printing::SequenceSettings sequenceOf(const ViewOptions& options)
     return {options.every, options.pingPong, options.count};
 }
 
-PrintViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
+GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
 {
     const std::vector<fs::path> files = printing::viewFiles(options.files);
     const std::vector<std::size_t> chosen = printing::chosenViews(files.size(), sequenceOf(options));
     (void)layoutOf(static_cast<int>(chosen.size()));
-    PrintViews result;
+    GatheredViews result;
     ProgressLine line("reading views");
     std::set<std::pair<int, int>> sizes;
     for (const std::size_t i : chosen) {
@@ -39,7 +40,7 @@ PrintViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
     return result;
 }
 
-PrintViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
+GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
 {
     const glm::ivec2 grid = parseSize("--quilt", options.quilt[0]);
     if (grid.x > 1000 || grid.y > 1000) throw Failure(Blame::usage, "--quilt " + options.quilt[0] + ": give columns x rows, such as --quilt 8x6 quilt.png.");
@@ -48,7 +49,7 @@ PrintViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
     const fs::path file = options.quilt[1];
     const render::Image quilt = render::readImage(file, {.cancelled = StopSignal::stopped});
     const auto order = options.quiltOrder == "top-left" ? printing::QuiltOrder::topLeft : printing::QuiltOrder::bottomLeft;
-    PrintViews result;
+    GatheredViews result;
     for (const std::size_t k : chosen) {
         result.views.add(printing::viewOfQuilt(quilt, grid.x, grid.y, static_cast<int>(k), order));
         result.sources.push_back(file.filename().string() + ", view " + std::to_string(k));
@@ -59,7 +60,7 @@ PrintViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
 
 }  // namespace
 
-PrintViews printViews(const ViewOptions& options, const LayoutOf& layoutOf)
+GatheredViews gatherViews(const ViewOptions& options, const LayoutOf& layoutOf)
 {
     const int ways = static_cast<int>(!options.files.empty()) + static_cast<int>(!options.quilt.empty()) + static_cast<int>(!options.scene.subject.empty());
     if (ways == 0) throw Failure(Blame::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");

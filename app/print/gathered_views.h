@@ -15,7 +15,7 @@
 namespace vitrine::app {
 
 /// The views of a print and where they came from.
-struct PrintViews {
+struct GatheredViews {
     printing::ViewSet views;
     std::vector<std::string> sources;            ///< One for each view, for the print's description.
     std::string profile;                         ///< ICC profile of the pictures; empty when they have none.
@@ -30,9 +30,6 @@ using LayoutOf = std::function<printing::PrintLayout(int views)>;
 
 /// Reads or renders the views that the options ask for; everything that can be refused without reading or
 /// rendering is refused first. Throws Failure naming the option or file; also when stopped (StopSignal).
-[[nodiscard]] PrintViews printViews(const ViewOptions&, const LayoutOf&);
-
-/// The part of it for --exhibit.
-[[nodiscard]] PrintViews renderedViews(const ViewOptions&, const LayoutOf&);
+[[nodiscard]] GatheredViews gatherViews(const ViewOptions&, const LayoutOf&);
 
 }  // namespace vitrine::app

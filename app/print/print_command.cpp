@@ -1,6 +1,6 @@
 #include "app/command.h"
+#include "app/print/gathered_views.h"
 #include "app/print/print_options.h"
-#include "app/print/print_views.h"
 #include "app/progress.h"
 
 #include "exhibits/printing/chart.h"
@@ -26,19 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using printing::PrintLayout;
-
-void warnOfShapes(const PrintLayout& layout, const printing::ViewSet& views)
-{
-    const printing::PrintSettings& s = layout.settings();
-    const double wanted = (s.width + 2 * s.bleed) / (s.height + 2 * s.bleed);
-    for (int k = 0; k < views.count(); ++k) {
-        const double shape = static_cast<double>(views.view(k).width) / views.height();
-        if (shape / wanted > 1.02 || shape / wanted < 0.98) {
-            std::fprintf(stderr, "vitrine: The views are not shaped as the print is and are stretched to it.\n");
-            return;
-        }
-    }
-}
 
 printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout, const std::vector<std::string>& sources, const render::Json& scene)
 {
@@ -86,11 +73,7 @@ int makeChart(const PrintOptions& options)
     const PrintLayout layout(printSettings(options, options.views.count == 0 ? 12 : options.views.count));
     const printing::Chart chart(layout, kind, options.chartSpan / 100);
     const printing::PrintFile file = printFile(options, layout, {options.chart + " chart"}, nullptr);
-    const std::vector<fs::path> written = printing::writeRaster(
-        layout,
-        {[&](const printing::Region& region, std::uint8_t* out) { chart.fill(region, out); },
-         [&](const printing::Region& region, std::uint16_t* out) { chart.fill(region, out); }},
-        file);
+    const std::vector<fs::path> written = printing::writeChart(layout, chart, file);
     if (!options.report.empty()) render::atomicWrite(options.report, file.json);
     for (const fs::path& path : written) std::printf("%s\n", path.c_str());
     return 0;
@@ -102,10 +85,10 @@ int makePrint(const PrintOptions& options)
     if (!options.chart.empty()) return makeChart(options);
     if (!options.out.empty()) checkTarget(options.out);
     const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
-    PrintViews made = printViews(options.views, layoutOf);
+    GatheredViews made = gatherViews(options.views, layoutOf);
     for (const std::string& note : made.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
     const PrintLayout layout = layoutOf(made.views.count());
-    warnOfShapes(layout, made.views);
+    if (const std::string stretched = printing::stretchWarning(layout, made.views); !stretched.empty()) std::fprintf(stderr, "vitrine: %s\n", stretched.c_str());
     std::vector<fs::path> written;
     printing::PrintFile file = printFile(options, layout, made.sources, made.scene);
     if (!options.out.empty()) {
