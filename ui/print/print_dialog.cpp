@@ -57,7 +57,6 @@ PrintDialog::PrintDialog(ShownViews* shown, QWidget* parent)
     build(shown != nullptr);
     buildUndo();
     connectSetup();
-    connectSheets();
     connectViews();
     connectExport();
     recall();
@@ -79,7 +78,7 @@ QWidget* PrintDialog::buildLeft(bool canShow)
     tabs_->setTabToolTip(1, tr("A sheet to print and lay the lenses on: pitch, phase, number of views, rotation."));
     tabs_->setAccessibleName(tr("What to print"));
     source_ = new SourceBar(canShow, this);
-    sheets_ = new SheetBar(this);
+    sheets_ = new SheetBar(setup_, this);
     panel_ = new ParameterPanel(this);
 
     auto* bars = new QVBoxLayout;
@@ -152,36 +151,13 @@ void PrintDialog::connectSetup()
         setup_.change(tr("Change where the views come from"), state);
     });
     connect(source_, &SourceBar::filesChosen, this, &PrintDialog::open);
+    connect(sheets_, &SheetBar::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     connect(panel_, &ParameterPanel::edited, this,
             [this](const ParameterValues& values, int gesture, const QString& text) { setup_.change(text, values, gesture); });
     connect(numbers_, &PrintNumbersView::fitAsked, this, [this](double strength) {
         ParameterValues values = this->values();
         values.set(printing::printTable().baselineScale, strength);
         setup_.change(tr("Fit depth"), values);
-    });
-}
-
-void PrintDialog::connectSheets()
-{
-    connect(sheets_, &SheetBar::chosen, this, [this](const QString& name) {
-        trySaying([&] {
-            const printing::Sheet sheet = sheetList_.named(name.toStdString());
-            setup_.change(tr("Choose sheet %1").arg(name), {printing::withSheet(values(), sheet), files(), sheet.name});
-        });
-        showSheets();
-    });
-    connect(sheets_, &SheetBar::saveAsked, this, [this](const QString& name) {
-        trySaying([&] {
-            printing::Sheet sheet = printing::sheetOf(values());
-            sheet.name = name.toStdString();
-            sheetList_.save(sheet);
-            setup_.change(tr("Save sheet %1").arg(name), {values(), files(), sheet.name});
-        });
-        showSheets();
-    });
-    connect(sheets_, &SheetBar::removeAsked, this, [this](const QString& name) {
-        trySaying([&] { sheetList_.remove(name.toStdString()); });
-        showSheets();
     });
 }
 
@@ -226,7 +202,6 @@ void PrintDialog::recall()
     trySaying([this] {
         for (const QString& note : setup_.recall()) say(MessageStrip::Mood::notice, note);
     });
-    showState(true);
 }
 
 void PrintDialog::remember()
@@ -272,7 +247,6 @@ void PrintDialog::showState(bool views)
 {
     panel_->showValues(values(), QStringLiteral("print"));
     showRows();
-    showSheets();
     source_->showOrigin(values()[printing::printTable().origin]);
     if (views) loader_.load(setup_.state());
     refresh();
@@ -281,19 +255,6 @@ void PrintDialog::showState(bool views)
 void PrintDialog::showRows()
 {
     panel_->setWanted([this](const ParameterInfo& row) { return printing::rowActs(row, values(), chart_); });
-}
-
-void PrintDialog::showSheets()
-{
-    std::string problem;
-    const std::vector<printing::Sheet> all = sheetList_.all(problem);
-    std::string current;
-    try {
-        current = sheetList_.nameOf(printing::sheetOf(values()), setup_.state().sheet);
-    } catch (const Failure&) {  // A sheet that cannot be has no name; the plan says why.
-    }
-    sheets_->showSheets(all, current);
-    if (!problem.empty()) say(MessageStrip::Mood::problem, QString::fromStdString(problem));
 }
 
 void PrintDialog::setChart(bool chart)

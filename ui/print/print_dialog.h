@@ -1,7 +1,6 @@
 #pragma once
 
 #include "exhibits/printing/print_plan.h"
-#include "exhibits/printing/sheet_list.h"
 #include "ui/print/newest_job.h"
 #include "ui/print/print_setup.h"
 #include "ui/print/view_loader.h"
@@ -70,7 +69,6 @@ private:
     [[nodiscard]] QLayout* buildRight();
     void buildUndo();
     void connectSetup();
-    void connectSheets();
     void connectViews();
     void connectExport();
     void remember();
@@ -81,7 +79,6 @@ private:
     void say(MessageStrip::Mood, const QString&);
     void showState(bool views);
     void showRows();
-    void showSheets();
     void refresh();
     void lookAgain();
     void countAgain();
@@ -93,7 +90,6 @@ private:
     void endExport(const QString& words);
 
     PrintSetup setup_;
-    printing::SheetList sheetList_;
     ViewLoader loader_;
     printing::PrintPlan plan_;
     bool chart_ = false;

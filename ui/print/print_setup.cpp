@@ -102,6 +102,7 @@ QStringList PrintSetup::load(const std::string& text, const std::string& fileNam
 QStringList PrintSetup::recall()
 {
     state_.sheet = rememberedNames().value(sheetKey).toString().toStdString();
+    emit changed(true);
     QStringList notes;
     std::error_code ignored;
     if (std::filesystem::exists(rememberedSettings(), ignored))

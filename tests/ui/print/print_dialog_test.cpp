@@ -440,17 +440,17 @@ private slots:
         auto* bar = dialog_->findChild<SheetBar*>();
         set("measuredPerInch", 60.12);
         QCOMPARE(bar->current(), QString());
-        emit bar->saveAsked("Mine");
+        bar->save("Mine");
         QCOMPARE(bar->current(), QString("Mine"));
-        emit bar->chosen("40-3d");
+        bar->choose("40-3d");
         settle();
         QCOMPARE(bar->current(), QString("40-3d"));
-        emit bar->chosen("Mine");
+        bar->choose("Mine");
         settle();
         QVERIFY(number("LPI in the file") > 60);
-        emit bar->saveAsked("40-3d");  // A shipped one: refused.
+        bar->save("40-3d");  // A shipped one: refused.
         QVERIFY2(said().contains("40-3d"), qPrintable(said()));
-        emit bar->removeAsked("Mine");
+        bar->remove("Mine");
         QCOMPARE(bar->current(), QString());
     }
 
@@ -459,7 +459,7 @@ private slots:
         auto* bar = dialog_->findChild<SheetBar*>();
         const QString shipped = bar->current();
         QVERIFY(!shipped.isEmpty());
-        emit bar->saveAsked("Mine");
+        bar->save("Mine");
         QCOMPARE(bar->current(), QString("Mine"));
         set("phase", 0.2);
         QCOMPARE(bar->current(), QString("Mine"));
@@ -467,10 +467,10 @@ private slots:
         openDialog();
         bar = dialog_->findChild<SheetBar*>();
         QCOMPARE(bar->current(), QString("Mine"));
-        emit bar->chosen(shipped);
+        bar->choose(shipped);
         QCOMPARE(bar->current(), shipped);
-        emit bar->chosen("Mine");
-        emit bar->removeAsked("Mine");
+        bar->choose("Mine");
+        bar->remove("Mine");
         QCOMPARE(bar->current(), shipped);
     }
 
@@ -489,7 +489,7 @@ private slots:
         settle();
         type("lensesPerInch", "40");
         const ParameterValues typed = dialog_->values();
-        emit dialog_->findChild<SheetBar*>()->chosen("20-flip");
+        dialog_->findChild<SheetBar*>()->choose("20-flip");
         settle();
         const ParameterValues chosen = dialog_->values();
         QVERIFY(typed != before && chosen != typed);
