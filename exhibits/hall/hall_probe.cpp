@@ -124,8 +124,8 @@ void planProbe(const HallScene& scene, const Surroundings& light, render::FrameP
     const int levels = levelCount(size);
     const std::uint64_t key = lightKey(scene);
     const int allLevels = static_cast<int>(std::bit_width(static_cast<unsigned>(size)));
-    plan.image({.name = "probe.captured", .format = render::Format::rgba16f, .shape = render::Shape::cube, .size = glm::ivec2(size), .levels = allLevels, .kept = true});
-    plan.image({.name = "probe", .format = render::Format::rgba16f, .shape = render::Shape::cube, .size = glm::ivec2(size), .levels = levels, .kept = true});
+    plan.image({.name = "probe.captured", .format = render::Format::rgba16f, .type = render::TextureType::cube, .size = glm::ivec2(size), .levels = allLevels, .kept = true});
+    plan.image({.name = "probe", .format = render::Format::rgba16f, .type = render::TextureType::cube, .size = glm::ivec2(size), .levels = levels, .kept = true});
     plan.image({.name = "probe.irradiance", .format = render::Format::rgba32f, .size = {9, 1}, .kept = true, .nearest = true});
     if (!scene.alone) plan.image({.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true});
     for (int face = 0; face < 6; ++face) planFace(scene, light, face, size, key, plan);

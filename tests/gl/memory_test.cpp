@@ -34,7 +34,7 @@ TEST_F(Memory, KeepsNoMoreThanTheLastPrograms)
     GLuint always = 0;
     for (int frame = 0; frame < 20; ++frame) {
         cache.beginFrame();
-        const GLuint name = cache.use(permutation(-1));
+        const GLuint name = cache.use(permutation(-1)).program;
         EXPECT_TRUE(frame == 0 || name == always) << "what every frame uses is built once";
         always = name;
         for (int i = 0; i < perFrame; ++i) (void)cache.use(permutation(frame * perFrame + i));
