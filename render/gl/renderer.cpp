@@ -37,6 +37,11 @@ void countDraws(const Pass& pass, std::map<std::string, std::int64_t>& counters)
     for (const auto& [name, count] : pass.counts) counters[name] += count;
 }
 
+HistoryRecord recordOf(const History& history, const FramePlan& plan)
+{
+    return {history.image, history.view.value_or(plan.view), plan.time, history.dependencies};
+}
+
 /// Names what is drawn while it lives, for debuggers; closed also when a program does not build.
 class DebugGroup {
 public:
@@ -225,7 +230,7 @@ struct Renderer::State {
         if (pass.past.firstPart > 0 && std::any_of(written.begin(), written.end(), [&](const std::string& image) { return lost.contains(image); })) return;
         for (const std::string& image : written)
             if (const auto state = plan.histories().find(image); state != plan.histories().end())
-                kept.histories[image] = {state->second.history.image, plan.view, plan.time, state->second.history.dependencies};
+                kept.histories[image] = recordOf(state->second.history, plan);
         if (!pass.key) return;
         for (const std::string& image : written) writersOfKept[image].insert(pass.name);
         const bool complete = pass.past.endPart == pass.parts;

@@ -251,7 +251,7 @@ void FramePlan::lookBack(const KeptKeys& kept)
     std::map<std::string, const HistoryState*> byPrevious;
     for (auto& [name, state] : histories_) {
         const auto last = kept.histories.find(name);
-        state = historyState(state.history, view, time, cut, last == kept.histories.end() ? nullptr : &last->second);
+        state = historyState(state.history, state.history.view.value_or(view), time, cut, last == kept.histories.end() ? nullptr : &last->second);
         byPrevious[previous(name)] = &state;
     }
     std::set<std::string> unfinishedImages;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct History {
     double cutMeters = 1;
     double cutRadians = 0.5;
     double cutSeconds = 1;
+    std::optional<View> view = {};  ///< Of the passes that draw it, where it is not the plan's.
 };
 
 /// The name under which a pass reads the last frame's content of a history image.

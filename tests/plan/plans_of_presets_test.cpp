@@ -22,7 +22,7 @@ const fs::path presetsFolder = fs::path(VITRINE_SOURCE_DIR) / "assets" / "preset
 const fs::path snapshotFile = fs::path(VITRINE_SOURCE_DIR) / "tests" / "plan" / "plans_of_presets.txt";
 
 /// "sdf_morph/glass" -> its plan, seen from the preset's own place or the exhibit's best view.
-std::map<std::string, render::FramePlan> plansOfPresets()
+std::map<std::string, render::FramePlan> plansOfPresets(bool everything = false)
 {
     std::map<std::string, render::FramePlan> plans;
     for (std::size_t i = 0; i < museum().exhibits().size(); ++i) {
@@ -36,6 +36,8 @@ std::map<std::string, render::FramePlan> plansOfPresets()
             look.values[i] = preset.values;
             FrameRequest request;
             request.raster.size = {64, 36};
+            request.runEverything = everything;
+            request.channels = {.normal = everything, .evaluations = everything};
             request.camera = look.camera = preset.camera.value_or(i == 0 ? exhibit.bestView(preset.values) : museum().bestView(i, preset.values));
             plans.emplace(std::string(exhibit.name()) + '/' + entry.path().stem().string(), museum().plan(look, request));
         }
@@ -71,6 +73,12 @@ TEST(PlansOfPresets, RunEachStepOnceInTheOrderOfTheStagesAndForAReason)
             EXPECT_GE(step.reason.size(), 5U) << name << ": " << step.name;
         }
     }
+}
+
+TEST(PlansOfPresets, NameOnlyWhatTheyDeclare)
+{
+    for (const bool everything : {false, true})
+        for (const auto& [name, plan] : plansOfPresets(everything)) EXPECT_EQ(plan.errors(), std::vector<std::string>()) << name;
 }
 
 TEST(PlansOfPresets, LeaveOutWhatTheyDoNotShow)
