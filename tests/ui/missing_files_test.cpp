@@ -1,3 +1,4 @@
+#include "exhibits/exhibits.h"
 #include "ui_main.h"
 
 #include "render/files/assets.h"

@@ -1,3 +1,4 @@
+#include "exhibits/exhibits.h"
 #include "exhibits/museum/museum.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
