@@ -63,7 +63,8 @@ EGLContext makeContext(EGLDisplay display, bool debug, EGLContext sharedWith = E
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_CONTEXT_OPENGL_DEBUG, debug ? EGL_TRUE : EGL_FALSE, EGL_NONE};
     const EGLContext context = eglCreateContext(display, config, sharedWith, attributes);
-    if (context == EGL_NO_CONTEXT || sharedWith != EGL_NO_CONTEXT) return context;
+    if (context == EGL_NO_CONTEXT || sharedWith != EGL_NO_CONTEXT)
+        return context;
     if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return context;
     eglDestroyContext(display, context);
     return EGL_NO_CONTEXT;
@@ -168,7 +169,8 @@ private:
 std::shared_ptr<SharedContext> HeadlessContext::shared() const
 {
     const EGLContext context = makeContext(state_->display, false, state_->context);
-    if (context == EGL_NO_CONTEXT) throw Failure(Blame::openGl, "The graphics driver makes no second context that shares with the first.");
+    if (context == EGL_NO_CONTEXT)
+        throw Failure(Blame::openGl, "The graphics driver makes no second context that shares with the first.");
     return std::make_shared<SharedEglContext>(state_->display, context);
 }
 

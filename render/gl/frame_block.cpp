@@ -30,7 +30,8 @@ TemporalBlock temporalBlock(const Pass& pass, int part, bool valid)
 {
     Raster raster = pass.past.lastView.raster;
     raster.jitter = glm::dvec2(0);
-    return {glm::mat4(withRaster(pass.past.lastView, raster).clipFromWorld), glm::vec4(valid ? 1 : 0, part, pass.parts, 0)};
+    return {glm::mat4(withRaster(pass.past.lastView, raster).clipFromWorld),
+            glm::vec4(valid ? 1 : 0, part, pass.parts, 0)};
 }
 
 }  // namespace vitrine::render::gl

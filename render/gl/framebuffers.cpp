@@ -8,8 +8,10 @@ namespace {
 
 void attach(GLuint framebuffer, GLenum point, const TargetImage& image)
 {
-    if (image.layer < 0) glNamedFramebufferTexture(framebuffer, point, image.texture->name(), image.level);
-    else glNamedFramebufferTextureLayer(framebuffer, point, image.texture->name(), image.level, image.layer);
+    if (image.layer < 0)
+        glNamedFramebufferTexture(framebuffer, point, image.texture->name(), image.level);
+    else
+        glNamedFramebufferTextureLayer(framebuffer, point, image.texture->name(), image.level, image.layer);
 }
 
 FramebufferName makeFramebuffer(const std::vector<TargetImage>& colors, const TargetImage& depth)
@@ -23,9 +25,12 @@ FramebufferName makeFramebuffer(const std::vector<TargetImage>& colors, const Ta
         attach(name, point, color);
         buffers.push_back(point);
     }
-    if (depth.texture) attach(name, GL_DEPTH_ATTACHMENT, depth);
-    if (buffers.empty()) glNamedFramebufferDrawBuffer(name, GL_NONE);
-    else glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(buffers.size()), buffers.data());
+    if (depth.texture)
+        attach(name, GL_DEPTH_ATTACHMENT, depth);
+    if (buffers.empty())
+        glNamedFramebufferDrawBuffer(name, GL_NONE);
+    else
+        glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(buffers.size()), buffers.data());
     assert(glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
     return framebuffer;
 }
@@ -35,7 +40,8 @@ FramebufferName makeFramebuffer(const std::vector<TargetImage>& colors, const Ta
 GLuint Framebuffers::use(const std::vector<TargetImage>& colors, const TargetImage& depth)
 {
     std::vector<Point> key;
-    for (const TargetImage& color : colors) key.emplace_back(color.texture->name(), color.layer, color.level);
+    for (const TargetImage& color : colors)
+        key.emplace_back(color.texture->name(), color.layer, color.level);
     key.emplace_back(depth.texture ? depth.texture->name() : 0, depth.layer, depth.level);  // Always the last one.
     auto found = framebuffers_.find(key);
     if (found == framebuffers_.end()) {
@@ -48,13 +54,15 @@ GLuint Framebuffers::use(const std::vector<TargetImage>& colors, const TargetIma
 void Framebuffers::forget(const Texture& texture)
 {
     std::erase_if(framebuffers_, [&](const auto& entry) {
-        return std::any_of(entry.first.begin(), entry.first.end(), [&](const Point& point) { return std::get<0>(point) == texture.name(); });
+        return std::any_of(entry.first.begin(), entry.first.end(),
+                           [&](const Point& point) { return std::get<0>(point) == texture.name(); });
     });
 }
 
 void Framebuffers::abandon()
 {
-    for (auto& [key, framebuffer] : framebuffers_) framebuffer.abandon();
+    for (auto& [key, framebuffer] : framebuffers_)
+        framebuffer.abandon();
 }
 
 }  // namespace vitrine::render::gl

@@ -44,14 +44,17 @@ void bindTarget(const Pass& pass, Resources& resources, bool clears)
 {
     const GLuint name = resources.framebuffer(pass);
     glm::ivec2 size(1);
-    for (const Attachment& color : pass.colors) size = resources.target(color.image).size(color.level);
-    if (pass.depth) size = resources.target(pass.depth->image).size(pass.depth->level);
+    for (const Attachment& color : pass.colors)
+        size = resources.target(color.image).size(color.level);
+    if (pass.depth)
+        size = resources.target(pass.depth->image).size(pass.depth->level);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, name);
     glViewport(0, 0, size.x, size.y);
 
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
-    if (!clears) return;
+    if (!clears)
+        return;
     for (std::size_t i = 0; i < pass.colors.size(); ++i)
         if (pass.colors[i].load == Load::clear) glClearNamedFramebufferfv(name, GL_COLOR, static_cast<GLint>(i), glm::value_ptr(pass.colors[i].clear));
     if (pass.depth && pass.depth->load == Load::clear) glClearNamedFramebufferfv(name, GL_DEPTH, 0, &pass.depth->clear.x);

@@ -97,11 +97,14 @@ void dropOldBinaries(const fs::path& folder, std::size_t most)
     std::vector<std::pair<fs::file_time_type, fs::path>> stored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
         const fs::file_time_type time = entry.last_write_time(error);
-        if (!error && entry.path().extension() == ".bin") stored.emplace_back(time, entry.path());
+        if (!error && entry.path().extension() == ".bin")
+            stored.emplace_back(time, entry.path());
     }
-    if (stored.size() <= most) return;
+    if (stored.size() <= most)
+        return;
     std::sort(stored.begin(), stored.end());
-    for (std::size_t i = 0; i < stored.size() - most; ++i) fs::remove(stored[i].second, error);
+    for (std::size_t i = 0; i < stored.size() - most; ++i)
+        fs::remove(stored[i].second, error);
 }
 
 }  // namespace vitrine::render::gl

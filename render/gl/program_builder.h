@@ -40,10 +40,10 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_;
     std::deque<Job> waiting_;
-    std::string building_;        ///< Id; empty when idle or when nobody wants it any more.
+    std::string building_;  ///< Id; empty when idle or when nobody wants it any more.
     std::map<std::string, BuiltProgram> finished_;
     bool stop_ = false;
-    std::thread thread_;          ///< Last: it uses the others.
+    std::thread thread_;  ///< Last: it uses the others.
 };
 
 }  // namespace vitrine::render::gl

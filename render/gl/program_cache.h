@@ -55,8 +55,8 @@ private:
         BuiltProgram build;
         std::filesystem::file_time_type newest{};
         std::uint64_t lastUse = 0;
-        bool building = false;                 ///< In the background.
-        std::optional<PendingProgram> pending; ///< Of a driver that builds by itself.
+        bool building = false;                  ///< In the background.
+        std::optional<PendingProgram> pending;  ///< Of a driver that builds by itself.
     };
     using Programs = std::map<std::string, Entry>;
 

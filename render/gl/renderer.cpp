@@ -106,14 +106,18 @@ struct Renderer::State {
     {
         const ImageInfo* own = nullptr;
         for (const std::string& name : outputsOf(pass))
-            if (const auto image = plan.images().find(name); image != plan.images().end() && image->second.hasOwnPixels()) own = &image->second;
-        if (!pass.view && !own) return planFrame;
+            if (const auto image = plan.images().find(name);
+                image != plan.images().end() && image->second.hasOwnPixels())
+                own = &image->second;
+        if (!pass.view && !own)
+            return planFrame;
         const View view = pass.view ? *pass.view : viewOfOwnPixels(plan.view, *own);
         const FrameBlock block = frameBlock(view, plan.time, own ? 0 : plan.sample, plan.seed);
         return arena.add(&block, sizeof block);
     }
 
-    PassRanges gather(const Pass& pass, const FramePlan& plan, BlockArena::Range planFrame, const std::set<std::string>& lost)
+    PassRanges gather(const Pass& pass, const FramePlan& plan, BlockArena::Range planFrame,
+                      const std::set<std::string>& lost)
     {
         PassRanges ranges;
         ranges.frame = frameRange(pass, plan, planFrame);
@@ -123,7 +127,8 @@ struct Renderer::State {
             // A plan made for what another renderer holds, or this one did.
             const bool missing = std::any_of(lost.begin(), lost.end(), [&](const std::string& image) {
                 return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& name) {
-                    return name == previous(image) || (name == image && plan.imagesInParts().contains(image) && pass.parts == 1 && !madeByNow(plan, image));
+                    return name == previous(image) || (name == image && plan.imagesInParts().contains(image) &&
+                                                       pass.parts == 1 && !madeByNow(plan, image));
                 });
             });
             for (int part = pass.past.firstPart; part < pass.past.endPart; ++part) {
@@ -137,12 +142,32 @@ struct Renderer::State {
         return ranges;
     }
 
+    /// Gathers the blocks of all passes and hands them to the driver at once.
+    std::vector<PassRanges> uploadBlocks(const FramePlan& plan, const std::set<std::string>& lost)
+    {
+        arena.clear();
+        const FrameBlock frame = frameBlock(plan.view, plan.time, plan.sample, plan.seed);
+        const BlockArena::Range planFrame = arena.add(&frame, sizeof frame);
+        std::vector<PassRanges> ranges;
+        for (const Pass& pass : plan.passes())
+            ranges.push_back(gather(pass, plan, planFrame, lost));
+        arena.upload();
+        return ranges;
+    }
+
+    void countHeld(std::map<std::string, std::int64_t>& counters) const
+    {
+        counters["images"] = static_cast<std::int64_t>(resources.imageCount());
+        counters["programs"] = static_cast<std::int64_t>(programs.size());
+    }
+
     /// Whether this very frame finishes an image that is made by parts.
     static bool madeByNow(const FramePlan& plan, const std::string& image)
     {
         return std::any_of(plan.passes().begin(), plan.passes().end(), [&](const Pass& pass) {
             const std::vector<std::string> written = outputsOf(pass);
-            return pass.parts > 1 && pass.past.endPart == pass.parts && std::find(written.begin(), written.end(), image) != written.end();
+            return pass.parts > 1 && pass.past.endPart == pass.parts &&
+                   std::find(written.begin(), written.end(), image) != written.end();
         });
     }
 
@@ -150,7 +175,9 @@ struct Renderer::State {
     {
         for (const BufferUse& use : buffers) {
             const auto* name = std::get_if<std::string>(&use.source);
-            const GLuint buffer = name ? resources.buffer(*name) : uploads.bytes(std::get<std::shared_ptr<const Bytes>>(use.source)).buffer.name();
+            const GLuint buffer = name
+                                      ? resources.buffer(*name)
+                                      : uploads.bytes(std::get<std::shared_ptr<const Bytes>>(use.source)).buffer.name();
             glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(use.binding), buffer);
         }
     }
@@ -177,15 +204,22 @@ struct Renderer::State {
         bindInputs(pass.inputs);
         bindBuffers(pass.buffers);
         for (int part = pass.past.firstPart; part < pass.past.endPart; ++part) {
-            if (pass.past.used) arena.bind(BLOCK_TEMPORAL, ranges.temporal[static_cast<std::size_t>(part - pass.past.firstPart)]);
-            if (pass.work == Work::compute) dispatch(pass, resources);
-            else raster(pass, ranges, part == pass.past.firstPart);
+            if (pass.past.used)
+                arena.bind(BLOCK_TEMPORAL, ranges.temporal[static_cast<std::size_t>(part - pass.past.firstPart)]);
+            if (pass.work == Work::compute)
+                dispatch(pass, resources);
+            else
+                raster(pass, ranges, part == pass.past.firstPart);
         }
-        if (std::any_of(pass.buffers.begin(), pass.buffers.end(), [](const BufferUse& use) { return use.access != Access::read; }))
+        if (std::any_of(pass.buffers.begin(), pass.buffers.end(),
+                        [](const BufferUse& use) { return use.access != Access::read; }))
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-        for (const std::string& name : pass.mipmaps) resources.target(name).makeMipmaps();
-        if (pass.past.endPart == pass.parts)
-            for (const std::string& name : outputsOf(pass)) resources.finished(name);
+        for (const std::string& name : pass.mipmaps)
+            resources.target(name).makeMipmaps();
+        // A part that another program drew is drawn again by the right one.
+        if (pass.parts == 1 || (pass.past.endPart == pass.parts && used.standIn.empty()))
+            for (const std::string& name : outputsOf(pass))
+                resources.finished(name);
         return used;
     }
 
@@ -193,7 +227,8 @@ struct Renderer::State {
     {
         bindTarget(pass, resources, clears);
         applyState(pass.state);
-        if (ranges.clips) glEnable(GL_CLIP_DISTANCE0);
+        if (ranges.clips)
+            glEnable(GL_CLIP_DISTANCE0);
         for (std::size_t i = 0; i < pass.draws.size(); ++i) {
             const Draw& draw = pass.draws[i];
             bindInputs(draw.inputs);
@@ -207,7 +242,8 @@ struct Renderer::State {
                 glDrawArraysInstanced(GL_TRIANGLES, 0, 3, draw.instances);
             }
         }
-        if (ranges.clips) glDisable(GL_CLIP_DISTANCE0);
+        if (ranges.clips)
+            glDisable(GL_CLIP_DISTANCE0);
     }
 
     /// What was written into these images is not there any more.
@@ -227,19 +263,24 @@ struct Renderer::State {
     {
         const std::vector<std::string> written = outputsOf(pass);
         // Of work whose first parts went with an image, the parts after them are of no use.
-        if (pass.past.firstPart > 0 && std::any_of(written.begin(), written.end(), [&](const std::string& image) { return lost.contains(image); })) return;
+        if (pass.past.firstPart > 0 &&
+            std::any_of(written.begin(), written.end(), [&](const std::string& image) { return lost.contains(image); }))
+            return;
         for (const std::string& image : written)
             if (const auto state = plan.histories().find(image); state != plan.histories().end())
                 kept.histories[image] = recordOf(state->second.history, plan);
         if (!pass.key) return;
-        for (const std::string& image : written) writersOfKept[image].insert(pass.name);
+        for (const std::string& image : written)
+            writersOfKept[image].insert(pass.name);
         const bool complete = pass.past.endPart == pass.parts;
         if (pass.parts > 1) {
             PartProgress& progress = kept.parts[pass.name];
             progress = {*pass.key, pass.past.endPart, progress.completedOnce || complete};
         }
-        if (pass.past.provisional) kept.passes.erase(pass.name);
-        else if (complete) kept.passes[pass.name] = *pass.key;
+        if (pass.past.provisional)
+            kept.passes.erase(pass.name);
+        else if (complete)
+            kept.passes[pass.name] = *pass.key;
     }
 };
 
@@ -292,13 +333,7 @@ FrameReport Renderer::draw(const FramePlan& plan)
     s.forget(lost);
     const std::int64_t framebuffersBefore = s.resources.framebuffersMade();
 
-    s.arena.clear();
-    const FrameBlock frame = frameBlock(plan.view, plan.time, plan.sample, plan.seed);
-    const BlockArena::Range planFrame = s.arena.add(&frame, sizeof frame);
-    std::vector<PassRanges> ranges;
-    for (const Pass& pass : plan.passes()) ranges.push_back(s.gather(pass, plan, planFrame, lost));
-    s.arena.upload();
-
+    const std::vector<PassRanges> ranges = s.uploadBlocks(plan, lost);
     std::vector<SamplesQuery> samplesQueries;
     if (s.timeSteps) clock.mark();
     for (std::size_t i = 0; i < plan.passes().size(); ++i) {
@@ -307,9 +342,11 @@ FrameReport Renderer::draw(const FramePlan& plan)
         if (pass.countSamples) samplesQueries.emplace_back();
         const ProgramInUse used = s.run(pass, ranges[i]);
         if (pass.countSamples) SamplesQuery::end();
-        if (used.standIn.empty()) s.remember(pass, plan, lost);
+        if (used.standIn.empty())
+            s.remember(pass, plan, lost);
         report.unfinished = report.unfinished || used.building;
-        report.ran.push_back({pass.name, used.standIn.empty() ? pass.reason : pass.reason + ", " + used.standIn, pass.work, -1, pass.bound, pass.effects});
+        report.ran.push_back({pass.name, used.standIn.empty() ? pass.reason : pass.reason + ", " + used.standIn,
+                              pass.work, -1, pass.bound, pass.effects});
         if (s.timeSteps) clock.mark();
         countDraws(pass, report.counters);
     }
@@ -321,8 +358,7 @@ FrameReport Renderer::draw(const FramePlan& plan)
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(callersFramebuffer));
     report.counters["passes"] = static_cast<std::int64_t>(plan.passes().size());
     report.counters["framebuffers made"] = s.resources.framebuffersMade() - framebuffersBefore;
-    report.counters["images"] = static_cast<std::int64_t>(s.resources.imageCount());
-    report.counters["programs"] = static_cast<std::int64_t>(s.programs.size());
+    s.countHeld(report.counters);
     const std::vector<double> intervals = clock.seconds();
     for (const double seconds : intervals) report.milliseconds += 1e3 * seconds;
     if (s.timeSteps)  // The first interval prepares: images, blocks.
@@ -335,7 +371,8 @@ Image Renderer::read(const std::string& name)
 {
     const Texture& texture = state_->resources.image(name);
     const bool depth = texture.format() == Format::depth32f;
-    const bool single = depth || texture.format() == Format::r8 || texture.format() == Format::r16f || texture.format() == Format::r32f;
+    const bool single =
+        depth || texture.format() == Format::r8 || texture.format() == Format::r16f || texture.format() == Format::r32f;
     const glm::ivec2 size = texture.size();
     const int channels = single ? 1 : 4;
     Image raw(size.x, size.y * texture.layers(), channels);

@@ -44,8 +44,8 @@ public:
     /// while the ledger is open.
     void timeSteps(bool on);
 
-    /// Programs of slots are built on a thread with this context, while the last good ones draw; null: no more. Counts for
-    /// siblings, too.
+    /// Programs of slots are built on a thread with this context, while the last good ones draw; null: no more. Counts
+    /// for siblings, too.
     void buildInBackground(std::shared_ptr<SharedContext>);
 
     /// Debug builds: rebuilds programs whose files changed on disk; a program that fails keeps its last

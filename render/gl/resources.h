@@ -14,8 +14,8 @@
 namespace vitrine::render::gl {
 
 /// The images and buffers that plans name, and the framebuffers made of the images. What the last frame did not declare
-/// or use is freed. Of a history image there are two textures, which change places when it was written; of an image that
-/// is made by parts, too: one is drawn into while the other, the last whole result, is read.
+/// or use is freed. Of a history image there are two textures, which change places when it was written; of an image
+/// that is made by parts, too: one is drawn into while the other, the last whole result, is read.
 class Resources {
 public:
     /// Makes what the plan's passes use and frees the rest. Returns the names of kept images and buffers that are new,

@@ -12,10 +12,14 @@ namespace {
 GLenum targetOf(TextureType type)
 {
     switch (type) {
-    case TextureType::flat: return GL_TEXTURE_2D;
-    case TextureType::array: return GL_TEXTURE_2D_ARRAY;
-    case TextureType::cube: return GL_TEXTURE_CUBE_MAP;
-    case TextureType::volume: return GL_TEXTURE_3D;
+    case TextureType::flat:
+        return GL_TEXTURE_2D;
+    case TextureType::array:
+        return GL_TEXTURE_2D_ARRAY;
+    case TextureType::cube:
+        return GL_TEXTURE_CUBE_MAP;
+    case TextureType::volume:
+        return GL_TEXTURE_3D;
     }
     return GL_TEXTURE_2D;
 }
@@ -57,7 +61,8 @@ int bytesOfTexel(Format format)
     case Format::rgba16f: return 8;
     case Format::rgba32f: return 16;
     case Format::rg16f: return 4;
-    case Format::r8: return 1;
+    case Format::r8:
+        return 1;
     case Format::r16f: return 2;
     case Format::r32f: return 4;
     case Format::depth32f: return 4;
@@ -79,7 +84,8 @@ GLenum internalFormat(Format format)
     case Format::rgba16f: return GL_RGBA16F;
     case Format::rgba32f: return GL_RGBA32F;
     case Format::rg16f: return GL_RG16F;
-    case Format::r8: return GL_R8;
+    case Format::r8:
+        return GL_R8;
     case Format::r16f: return GL_R16F;
     case Format::r32f: return GL_R32F;
     case Format::depth32f: return GL_DEPTH_COMPONENT32F;
@@ -88,12 +94,14 @@ GLenum internalFormat(Format format)
 }
 
 Texture::Texture(const ImageInfo& info, glm::ivec2 size)
-    : name_(create(targetOf(info.type))), size_(size), layers_(info.type == TextureType::cube ? 6 : info.layers), levels_(info.levels),
-      texelBytes_(bytesOfTexel(info.format)), volume_(info.type == TextureType::volume), format_(info.format)
+    : name_(create(targetOf(info.type))), size_(size), layers_(info.type == TextureType::cube ? 6 : info.layers),
+      levels_(info.levels), texelBytes_(bytesOfTexel(info.format)), volume_(info.type == TextureType::volume),
+      format_(info.format)
 {
     const GLuint name = name_.name();
     while (glGetError() != GL_NO_ERROR) {}
-    if (info.type == TextureType::array || volume_) glTextureStorage3D(name, info.levels, internalFormat(info.format), size.x, size.y, info.layers);
+    if (info.type == TextureType::array || volume_)
+        glTextureStorage3D(name, info.levels, internalFormat(info.format), size.x, size.y, info.layers);
     else glTextureStorage2D(name, info.levels, internalFormat(info.format), size.x, size.y);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
         throw Failure(Blame::openGl, "The graphics driver cannot store the image \"" + info.name + "\" of " + std::to_string(size.x) + " × " +

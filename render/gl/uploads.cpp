@@ -8,8 +8,10 @@ UploadedBytes::UploadedBytes(const Bytes& source) : bytes(static_cast<std::int64
     glCreateBuffers(1, &name);
     buffer = BufferName(name);
     // A buffer of no bytes cannot be bound.
-    if (source.empty()) glNamedBufferStorage(name, 16, nullptr, 0);
-    else glNamedBufferStorage(name, static_cast<GLsizeiptr>(source.size()), source.data(), 0);
+    if (source.empty())
+        glNamedBufferStorage(name, 16, nullptr, 0);
+    else
+        glNamedBufferStorage(name, static_cast<GLsizeiptr>(source.size()), source.data(), 0);
 }
 
 const Texture& Uploads::texture(const std::shared_ptr<const render::Texture>& picture)
@@ -32,7 +34,8 @@ const UploadedBytes& Uploads::bytes(const std::shared_ptr<const Bytes>& source)
 {
     auto found = bytes_.find(source.get());
     if (found == bytes_.end() || found->second.source.expired())
-        found = bytes_.insert_or_assign(source.get(), Uploaded<Bytes, UploadedBytes>{source, UploadedBytes(*source)}).first;
+        found =
+            bytes_.insert_or_assign(source.get(), Uploaded<Bytes, UploadedBytes>{source, UploadedBytes(*source)}).first;
     return found->second.buffers;
 }
 
@@ -50,7 +53,8 @@ std::vector<Stored> Uploads::stored() const
     for (const auto& [key, uploaded] : textures_) pictures.add(uploaded.buffers.bytes());
     for (const auto& [key, uploaded] : meshes_) meshes.add(uploaded.buffers.bytes());
     Stored constants{"constant buffers"};
-    for (const auto& [key, uploaded] : bytes_) constants.add(uploaded.buffers.bytes);
+    for (const auto& [key, uploaded] : bytes_)
+        constants.add(uploaded.buffers.bytes);
     return {pictures, meshes, constants};
 }
 
@@ -58,7 +62,8 @@ void Uploads::abandon()
 {
     for (auto& [key, uploaded] : textures_) uploaded.buffers.abandon();
     for (auto& [key, uploaded] : meshes_) uploaded.buffers.abandon();
-    for (auto& [key, uploaded] : bytes_) uploaded.buffers.buffer.abandon();
+    for (auto& [key, uploaded] : bytes_)
+        uploaded.buffers.buffer.abandon();
 }
 
 int liveGlNames()

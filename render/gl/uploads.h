@@ -19,7 +19,8 @@ struct UploadedBytes {
     std::int64_t bytes = 0;
 };
 
-/// The GL copies of meshes, pictures and constant buffers, by address: made when first used, freed when nobody holds the original.
+/// The GL copies of meshes, pictures and constant buffers, by address: made when first used, freed when nobody holds
+/// the original.
 class Uploads {
 public:
     [[nodiscard]] const Texture& texture(const std::shared_ptr<const render::Texture>&);

@@ -53,7 +53,8 @@ private:
     [[nodiscard]] std::optional<std::string> read(const std::string& file) const
     {
         if (generated_)
-            if (const auto found = generated_->textByPath().find(file); found != generated_->textByPath().end()) return found->second;
+            if (const auto found = generated_->textByPath().find(file); found != generated_->textByPath().end())
+                return found->second;
         return source_.read(file);
     }
 
@@ -102,7 +103,8 @@ std::optional<std::string> ShaderSource::read(std::string_view file) const
     return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-ShaderText ShaderSource::load(std::string_view file, const std::vector<std::string>& defines, std::string_view prelude, const ShaderSources* generated) const
+ShaderText ShaderSource::load(std::string_view file, const std::vector<std::string>& defines, std::string_view prelude,
+                              const ShaderSources* generated) const
 {
     Resolver resolver(*this, generated);
     resolver.text() = "#version 450 core\n";

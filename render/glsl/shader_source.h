@@ -31,7 +31,8 @@ public:
     /// `#include "path"` (relative to shaders/) replaced by its text, once per file. What `generated` has under a
     /// path comes before the file of that path. Throws Failure (Blame::shader) for a missing file or an include nested
     /// deeper than 16.
-    [[nodiscard]] ShaderText load(std::string_view file, const std::vector<std::string>& defines, std::string_view prelude = {}, const ShaderSources* generated = nullptr) const;
+    [[nodiscard]] ShaderText load(std::string_view file, const std::vector<std::string>& defines,
+                                  std::string_view prelude = {}, const ShaderSources* generated = nullptr) const;
 
     /// Whether files can change under a running program.
     [[nodiscard]] bool onDisk() const { return folder_.has_value(); }

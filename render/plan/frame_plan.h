@@ -56,11 +56,18 @@ struct Attachment {
     /// All of it, over what is there.
     [[nodiscard]] static Attachment whole(std::string image) { return {.image = std::move(image)}; }
     /// All of it, filled with `color` before; a depth image is as far as can be where nothing is drawn.
-    [[nodiscard]] static Attachment cleared(std::string image, const glm::vec4& color = glm::vec4(0)) { return {std::move(image), Load::clear, color, -1, 0}; }
+    [[nodiscard]] static Attachment cleared(std::string image, const glm::vec4& color = glm::vec4(0))
+    {
+        return {std::move(image), Load::clear, color, -1, 0};
+    }
     /// One layer, slice or face of one level, over what is there.
-    [[nodiscard]] static Attachment slice(std::string image, int layer, int level = 0) { return {std::move(image), Load::keep, glm::vec4(0), layer, level}; }
+    [[nodiscard]] static Attachment slice(std::string image, int layer, int level = 0)
+    {
+        return {std::move(image), Load::keep, glm::vec4(0), layer, level};
+    }
     /// The same, filled with `color` before.
-    [[nodiscard]] static Attachment clearedSlice(std::string image, int layer, int level = 0, const glm::vec4& color = glm::vec4(0))
+    [[nodiscard]] static Attachment clearedSlice(std::string image, int layer, int level = 0,
+                                                 const glm::vec4& color = glm::vec4(0))
     {
         return {std::move(image), Load::clear, color, layer, level};
     }
@@ -141,18 +148,18 @@ struct Pass {
     /// as unchanged. It must cover everything that the output depends on.
     std::optional<std::uint64_t> key;
 
-    /// Above 1: work for several frames. Part 1, 2, ... of them runs in each frame until all have, and starts again when
-    /// `key`, which it must have, is another. Its outputs are kept; whoever reads them meanwhile gets the last whole result.
-    /// The shader sees which part it is in lib/temporal.glsl; attachments are cleared before part 1 only.
+    /// Above 1: work for several frames. Part 1, 2, ... of them runs in each frame until all have, and starts again
+    /// when `key`, which it must have, is another. Its outputs are kept; whoever reads them meanwhile gets the last
+    /// whole result. The shader sees which part it is in lib/temporal.glsl; attachments are cleared before part 1 only.
     int parts = 1;
 
     /// What `FramePlan::prune` finds out about the frames before.
     struct Past {
         int firstPart = 0;  ///< Runs parts `firstPart` + 1 to `endPart`.
         int endPart = 1;
-        bool used = false;  ///< It reads histories or the results of parts, or is such a part itself: the shader is told of it.
-        bool valid = true;  ///< All that it reads of these holds something that it can use.
-        View lastView;      ///< Of the frame that drew the histories.
+        bool used = false;  ///< It reads histories or results of parts, or is such a part: lib/temporal.glsl is filled.
+        bool valid = true;         ///< All that it reads of these holds something that it can use.
+        View lastView;             ///< Of the frame that drew the histories.
         bool provisional = false;  ///< It read what is not finished, so that it must run again, `key` or not.
     } past = {};
 };
@@ -210,15 +217,16 @@ public:
     [[nodiscard]] const std::set<std::string>& imagesInParts() const { return imagesInParts_; }
     /// Whether another frame is called for to finish what was begun; known after `prune`.
     [[nodiscard]] bool unfinished() const;
-    /// What is wrong with the plan itself, a sentence each: passes that read or write what no one declared. None is left
-    /// in a plan that is to be drawn; tests plan everything and look.
+    /// What is wrong with the plan itself, a sentence each: passes that read or write what no one declared. None is
+    /// left in a plan that is to be drawn; tests plan everything and look.
     [[nodiscard]] std::vector<std::string> errors() const;
     [[nodiscard]] const Pass* find(std::string_view passName) const;
     [[nodiscard]] const Skipped* findSkipped(std::string_view passName) const;
 
 private:
     [[nodiscard]] bool isUnchanged(const Pass&, const KeptKeys&) const;
-    [[nodiscard]] std::vector<bool> calledFor(const std::vector<std::string>& outputs, const std::vector<bool>& unchanged) const;
+    [[nodiscard]] std::vector<bool> calledFor(const std::vector<std::string>& outputs,
+                                              const std::vector<bool>& unchanged) const;
     void drop(const std::vector<std::string>& outputs, const KeptKeys&);
     void takePart(Pass&, const KeptKeys&) const;
     void lookBack(const KeptKeys&);

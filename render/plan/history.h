@@ -20,8 +20,8 @@ struct HistoryDependency {
 struct History {
     ImageInfo image;
     std::vector<HistoryDependency> dependencies = {};
-    /// A camera that moved farther, turned farther or whose clock ran farther than this since the last frame is somewhere
-    /// else. Less than that is for the pass to reproject. Infinite: it does not matter.
+    /// A camera that moved farther, turned farther or whose clock ran farther than this since the last frame is
+    /// somewhere else. Less than that is for the pass to reproject. Infinite: it does not matter.
     double cutMeters = 1;
     double cutRadians = 0.5;
     double cutSeconds = 1;
@@ -47,8 +47,10 @@ struct HistoryState {
     View lastView;      ///< Of the frame before; this one's when not valid.
 };
 
-/// `last` is null when there was none. `cut`: whoever moves the camera says that this frame has nothing to do with the last.
-[[nodiscard]] HistoryState historyState(const History&, const View& now, double time, bool cut, const HistoryRecord* last);
+/// `last` is null when there was none. `cut`: whoever moves the camera says that this frame has nothing to do with the
+/// last.
+[[nodiscard]] HistoryState historyState(const History&, const View& now, double time, bool cut,
+                                        const HistoryRecord* last);
 
 /// How far a pass that takes several frames has come.
 struct PartProgress {

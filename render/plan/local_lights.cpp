@@ -17,7 +17,8 @@ double strengthAt(const LocalLight& light, const glm::dvec3& center)
 bool reaches(const LocalLight& light, const glm::dvec3& center, double radius)
 {
     const double distance = glm::distance(light.position, center);
-    return std::isfinite(distance) && strengthAt(light, center) > 0 && (light.range <= 0 || distance - radius < light.range);
+    return std::isfinite(distance) && strengthAt(light, center) > 0 &&
+           (light.range <= 0 || distance - radius < light.range);
 }
 
 }  // namespace
@@ -26,15 +27,21 @@ LocalLighting localLighting(std::span<const LocalLight> lights, const glm::dvec3
 {
     LocalLighting result;
     for (std::size_t i = 0; i < lights.size(); ++i)
-        if (reaches(lights[i], center, radius)) result.chosen.push_back(i);
-    std::stable_sort(result.chosen.begin(), result.chosen.end(), [&](std::size_t a, std::size_t b) { return strengthAt(lights[a], center) > strengthAt(lights[b], center); });
-    if (result.chosen.size() > mostLocalLights) result.chosen.resize(mostLocalLights);
+        if (reaches(lights[i], center, radius))
+            result.chosen.push_back(i);
+    std::stable_sort(result.chosen.begin(), result.chosen.end(), [&](std::size_t a, std::size_t b) {
+        return strengthAt(lights[a], center) > strengthAt(lights[b], center);
+    });
+    if (result.chosen.size() > mostLocalLights)
+        result.chosen.resize(mostLocalLights);
     result.block.count.x = static_cast<float>(result.chosen.size());
     for (std::size_t i = 0; i < result.chosen.size(); ++i) {
         const LocalLight& light = lights[result.chosen[i]];
         LocalLightBlock::Light& entry = result.block.lights[i];
-        entry = {glm::vec3(light.position), static_cast<float>(std::max(light.radius, 0.0)), glm::vec3(light.intensity), static_cast<float>(light.range)};
-        if (!light.castsShadow || result.shadowed.size() >= mostLocalShadows) continue;
+        entry = {glm::vec3(light.position), static_cast<float>(std::max(light.radius, 0.0)), glm::vec3(light.intensity),
+                 static_cast<float>(light.range)};
+        if (!light.castsShadow || result.shadowed.size() >= mostLocalShadows)
+            continue;
         entry.shadow = static_cast<float>(6 * result.shadowed.size());
         entry.nearPlane = static_cast<float>(localShadowNear);
         result.shadowed.push_back(result.chosen[i]);

@@ -57,8 +57,8 @@ struct View {
 /// range or NaN: they are brought into it.
 [[nodiscard]] View makeView(const Camera&, const Raster&);
 
-/// The same camera for other pixels: another tile, jitter or size. The angles stay, so that pixels of another aspect are
-/// not square.
+/// The same camera for other pixels: another tile, jitter or size. The angles stay, so that pixels of another aspect
+/// are not square.
 [[nodiscard]] View withRaster(const View&, const Raster&);
 
 /// Reversed infinite perspective: near plane at depth 1, infinity at 0. `tanHalfFov` > 0, `nearPlane` > 0;

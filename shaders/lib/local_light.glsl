@@ -1,5 +1,5 @@
-// One light that stands somewhere: a point, or a sphere of even radiance. What it sends to a surface, and where its shadow
-// map is looked up. GLSL 4.50 and C++ (render/glsl/cpu.h).
+// One light that stands somewhere: a point, or a sphere of even radiance. What it sends to a surface, and where its
+// shadow map is looked up. GLSL 4.50 and C++ (render/glsl/cpu.h).
 #ifndef __cplusplus
 #include "lib/numerics.glsl"
 #endif
@@ -24,9 +24,10 @@ float localWindow(float distance, float range)
     return inside * inside;
 }
 
-// Form factor of a sphere seen from a surface: irradiance over pi times its radiance, 0 to 1. `cosine` between the normal
-// and the direction of its middle, `distance` to the middle. Part of it may lie below the surface's horizon. Snyder 1996,
-// "Area Light Sources for Real-Time Graphics", in the form of Quilez, "Sphere - Occlusion"; 1 from inside the sphere.
+// Form factor of a sphere seen from a surface: irradiance over pi times its radiance, 0 to 1. `cosine` between the
+// normal and the direction of its middle, `distance` to the middle. Part of it may lie below the surface's horizon.
+// Snyder 1996, "Area Light Sources for Real-Time Graphics", in the form of Quilez, "Sphere - Occlusion"; 1 from inside
+// the sphere.
 float sphereFormFactor(float cosine, float distance, float radius)
 {
     if (distance <= radius) return 1.0;
@@ -51,7 +52,8 @@ vec3 localIrradiance(LocalLight light, vec3 place, vec3 normal)
     float cosine = dot(towards, normal) / distance;
     // A sphere as small as this is a point to float32.
     bool isPoint = light.radius < 1.0e-3 * distance;
-    float geometry = isPoint ? max(cosine, 0.0) / squared : sphereFormFactor(cosine, distance, light.radius) / (light.radius * light.radius);
+    float geometry = max(cosine, 0.0) / squared;
+    if (!isPoint) geometry = sphereFormFactor(cosine, distance, light.radius) / (light.radius * light.radius);
     return light.intensity * (geometry * window);
 }
 

@@ -1,5 +1,5 @@
-// The local lights of a frame: lamps, candles. Mirrored by LocalLightBlock in render/plan/local_lights.h. Who includes this
-// binds the block, and shadow maps at UNIT_LOCAL_SHADOWS (any depth array when no light throws a shadow).
+// The local lights of a frame: lamps, candles. Mirrored by LocalLightBlock in render/plan/local_lights.h. Who includes
+// this binds the block and, with LOCAL_SHADOWS defined, the shadow maps at UNIT_LOCAL_SHADOWS.
 #include "lib/bindings.glsl"
 #include "lib/local_light.glsl"
 
@@ -21,7 +21,8 @@ float localVisibility(LocalLight light, vec3 place, vec3 normal)
     float texel = 2.0 * length(fromLight) / float(textureSize(localShadows, 0).x);
     fromLight += normal * (1.5 * texel);
     vec3 position = localShadowPosition(fromLight, light.nearPlane);
-    return texture(localShadows, vec4(position.x, position.y, light.shadow + float(localShadowFace(fromLight)), position.z));
+    float layer = light.shadow + float(localShadowFace(fromLight));
+    return texture(localShadows, vec4(position.x, position.y, layer, position.z));
 }
 #else
 float localVisibility(LocalLight light, vec3 place, vec3 normal)
@@ -35,8 +36,9 @@ vec3 localLightIrradiance(vec3 place, vec3 normal)
 {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < min(int(localLights.count.x), MOST_LOCAL_LIGHTS); ++i) {
-        vec3 irradiance = localIrradiance(localLights.lights[i], place, normal);
-        if (irradiance.x + irradiance.y + irradiance.z > 0.0) sum += irradiance * localVisibility(localLights.lights[i], place, normal);
+        LocalLight light = localLights.lights[i];
+        vec3 irradiance = localIrradiance(light, place, normal);
+        if (irradiance.x + irradiance.y + irradiance.z > 0.0) sum += irradiance * localVisibility(light, place, normal);
     }
     return sum;
 }

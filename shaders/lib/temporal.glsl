@@ -4,7 +4,7 @@
 
 layout(std140, binding = BLOCK_TEMPORAL) uniform Temporal {
     mat4 previousClipFromWorld;  // of the frame that drew the histories, without its jitter
-    vec4 state;                  // x: 1 when all that it reads of the frames before is usable, else 0; y: part, from 0; z: parts
+    vec4 state;  // x: 1 when all that it reads of the frames before is usable, else 0; y: part, from 0; z: parts
 } temporal;
 
 // Whether history images, and results of work over several frames, hold something that can be used.

@@ -78,7 +78,8 @@ TEST(PlansOfPresets, RunEachStepOnceInTheOrderOfTheStagesAndForAReason)
 TEST(PlansOfPresets, NameOnlyWhatTheyDeclare)
 {
     for (const bool everything : {false, true})
-        for (const auto& [name, plan] : plansOfPresets(everything)) EXPECT_EQ(plan.errors(), std::vector<std::string>()) << name;
+        for (const auto& [name, plan] : plansOfPresets(everything))
+            EXPECT_EQ(plan.errors(), std::vector<std::string>()) << name;
 }
 
 TEST(PlansOfPresets, LeaveOutWhatTheyDoNotShow)

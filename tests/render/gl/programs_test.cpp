@@ -48,11 +48,16 @@ protected:
     {
         ShaderKey made{"lib/fullscreen.vert", "filled.frag", "", {}};
         made.sources = std::make_shared<const ShaderSources>(std::map<std::string, std::string>{
-            {"filled.frag", "#include \"generated/scene.glsl\"\nlayout(location = 0) out vec4 color;\nvoid main()\n{\n    color = vec4(value());\n}\n"}, {"generated/scene.glsl", scene}});
+            {"filled.frag", "#include \"generated/scene.glsl\"\nlayout(location = 0) out vec4 color;\nvoid main()\n{\n "
+                            "   color = vec4(value());\n}\n"},
+            {"generated/scene.glsl", scene}});
         made.slot = slot;
         return made;
     }
-    [[nodiscard]] static std::string returns(int value) { return "float value()\n{\n    return " + std::to_string(value) + ".0;\n}\n"; }
+    [[nodiscard]] static std::string returns(int value)
+    {
+        return "float value()\n{\n    return " + std::to_string(value) + ".0;\n}\n";
+    }
 
     float drawn(const ShaderKey& shader)
     {
@@ -71,7 +76,8 @@ protected:
             EXPECT_TRUE(value == old || value == fresh) << value;
             EXPECT_EQ(report_.unfinished, value == old) << report_.ran.front().reason;
             if (report_.unfinished) {
-                EXPECT_NE(report_.ran.front().reason.find("while the new program is being built"), std::string::npos) << report_.ran.front().reason;
+                EXPECT_NE(report_.ran.front().reason.find("while the new program is being built"), std::string::npos)
+                    << report_.ran.front().reason;
             }
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         } while (report_.unfinished);
@@ -84,7 +90,8 @@ protected:
 TEST_F(GeneratedShaders, AreFoundByIncludeBeforeFilesOfTheirPath)
 {
     EXPECT_EQ(drawn(key(returns(3))), 3);
-    ShaderKey over = key("#include \"lib/bindings.glsl\"\nfloat value()\n{\n    return float(UNIT_SOURCE) + float(OURS);\n}\n");
+    ShaderKey over =
+        key("#include \"lib/bindings.glsl\"\nfloat value()\n{\n    return float(UNIT_SOURCE) + float(OURS);\n}\n");
     EXPECT_THROW((void)drawn(over), Failure) << "the file of the library does not define it";
     std::map<std::string, std::string> texts = over.sources->textByPath();
     texts["lib/bindings.glsl"] = "#define OURS 5\n#define UNIT_SOURCE 2\n";
@@ -99,7 +106,9 @@ TEST_F(GeneratedShaders, AreNamedInErrorsWithTheirOwnLine)
         FAIL() << "nothing was thrown";
     } catch (const Failure& failure) {
         EXPECT_EQ(failure.blame(), Blame::shader);
-        EXPECT_NE(std::string(failure.what()).find("The generated shader generated/scene.glsl, line 5"), std::string::npos) << failure.what();
+        EXPECT_NE(std::string(failure.what()).find("The generated shader generated/scene.glsl, line 5"),
+                  std::string::npos)
+            << failure.what();
         EXPECT_NE(std::string(failure.what()).find("undeclaredThing"), std::string::npos) << failure.what();
     }
 }
@@ -108,9 +117,13 @@ TEST_F(GeneratedShaders, ThatDoNotBuildLeaveTheLastGoodProgramOfTheirSlotDrawing
 {
     EXPECT_EQ(drawn(key(returns(3), "scene")), 3);
     const ShaderKey broken = key("float value()\n{\n    return oops;\n}\n", "scene");
-    for (int frame = 0; frame < 100 && (frame == 0 || report_.unfinished); ++frame) EXPECT_EQ(drawn(broken), 3);
+    for (int frame = 0; frame < 100 && (frame == 0 || report_.unfinished); ++frame)
+        EXPECT_EQ(drawn(broken), 3);
     EXPECT_EQ(drawn(broken), 3);
-    EXPECT_NE(report_.ran.front().reason.find("drawn with the last good program because the new program does not build: The generated shader generated/scene.glsl, line 3"), std::string::npos) << report_.ran.front().reason;
+    EXPECT_NE(report_.ran.front().reason.find("drawn with the last good program because the new program does not "
+                                              "build: The generated shader generated/scene.glsl, line 3"),
+              std::string::npos)
+        << report_.ran.front().reason;
     ASSERT_EQ(renderer().problems().size(), 1U);
     EXPECT_EQ(renderer().problems()[0].file, "generated/scene.glsl");
     EXPECT_EQ(renderer().problems()[0].line, 3);
@@ -129,7 +142,10 @@ TEST_F(GeneratedShaders, AreBuiltOnAThreadWhileTheLastGoodProgramDraws)
     for (int frame = 0; frame < 3; ++frame) {
         EXPECT_EQ(drawn(second), 1) << "no frame waits";
         EXPECT_TRUE(report_.unfinished);
-        EXPECT_NE(report_.ran.front().reason.find("drawn with the last good program while the new program is being built"), std::string::npos) << report_.ran.front().reason;
+        EXPECT_NE(
+            report_.ran.front().reason.find("drawn with the last good program while the new program is being built"),
+            std::string::npos)
+            << report_.ran.front().reason;
     }
     gate->open();
     drawUntilFinished(second, 1, 2);
@@ -144,7 +160,8 @@ TEST_F(GeneratedShaders, AreDrawnByWhatTheyNameMeanwhile)
     ShaderKey special = key(returns(2), "scene");
     special.meanwhile = std::make_shared<const ShaderKey>(key(returns(9)));
     EXPECT_EQ(drawn(special), 9);
-    EXPECT_NE(report_.ran.front().reason.find("drawn with filled.frag while"), std::string::npos) << report_.ran.front().reason;
+    EXPECT_NE(report_.ran.front().reason.find("drawn with filled.frag while"), std::string::npos)
+        << report_.ran.front().reason;
     gate->open();
     drawUntilFinished(special, 9, 2);
 }
@@ -154,7 +171,8 @@ TEST_F(GeneratedShaders, OfWhichTheNewestIsWanted)
     const auto gate = std::make_shared<GatedContext>(context().shared());
     renderer().buildInBackground(gate);
     EXPECT_EQ(drawn(key(returns(1), "scene")), 1);
-    for (int i = 2; i < 20; ++i) EXPECT_EQ(drawn(key(returns(i), "scene")), 1);
+    for (int i = 2; i < 20; ++i)
+        EXPECT_EQ(drawn(key(returns(i), "scene")), 1);
     EXPECT_EQ(report_.counters.at("programs"), 2) << "those that were given up are gone";
     const ShaderKey last = key(returns(20), "scene");
     (void)drawn(last);

@@ -54,12 +54,14 @@ render::FrameReport RendererTest::draw(render::FramePlan& plan)
     return renderer_->draw(plan);
 }
 
-render::Pass RendererTest::fill(const std::string& name, const std::string& image, const std::string& body, const std::string& before)
+render::Pass RendererTest::fill(const std::string& name, const std::string& image, const std::string& body,
+                                const std::string& before)
 {
     render::Pass pass;
     pass.name = name;
     pass.shader = {"lib/fullscreen.vert", name + ".frag", "", {}};
-    pass.shader.sources = source(name + ".frag", before + "\nlayout(location = 0) out vec4 color;\nvoid main()\n{\n" + body + "\n}\n");
+    pass.shader.sources =
+        source(name + ".frag", before + "\nlayout(location = 0) out vec4 color;\nvoid main()\n{\n" + body + "\n}\n");
     pass.colors = {render::Attachment::cleared(image)};
     pass.draws = {render::Draw{}};
     return pass;
@@ -71,7 +73,8 @@ render::Pass RendererTest::compute(const std::string& name, const std::string& b
     pass.name = name;
     pass.work = render::Work::compute;
     pass.shader.compute = name + ".comp";
-    pass.shader.sources = source(name + ".comp", before + "\nlayout(local_size_x = 1) in;\nvoid main()\n{\n" + body + "\n}\n");
+    pass.shader.sources =
+        source(name + ".comp", before + "\nlayout(local_size_x = 1) in;\nvoid main()\n{\n" + body + "\n}\n");
     return pass;
 }
 

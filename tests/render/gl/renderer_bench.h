@@ -23,10 +23,12 @@ protected:
     [[nodiscard]] static render::FramePlan planOf(glm::ivec2 size);
     /// Prunes for the output "frame" and draws.
     render::FrameReport draw(render::FramePlan&);
-    /// One triangle over all of `image`, by a fragment shader of which this is the body of main(); `before` comes before
-    /// main(). It writes `color`.
-    [[nodiscard]] static render::Pass fill(const std::string& name, const std::string& image, const std::string& body, const std::string& before = {});
-    [[nodiscard]] static render::Pass compute(const std::string& name, const std::string& body, const std::string& before = {});
+    /// One triangle over all of `image`, by a fragment shader of which this is the body of main(); `before` comes
+    /// before main(). It writes `color`.
+    [[nodiscard]] static render::Pass fill(const std::string& name, const std::string& image, const std::string& body,
+                                           const std::string& before = {});
+    [[nodiscard]] static render::Pass compute(const std::string& name, const std::string& body,
+                                              const std::string& before = {});
     bool expectsErrors_ = false;  ///< Of the driver: a broken shader is part of the test.
 
 private:

@@ -61,7 +61,10 @@ TEST(Elsewhere, CopiesWhatDependsOnTheViewIntoImagesOfItsOwn)
     Elsewhere mirror{.name = "lake", .reason = "the lake mirrors it", .view = visitor, .mirrored = true};
     mirror.view.raster = {.size = {33, 20}};
     const std::map<std::string, std::string> names = addElsewhere(plan, scene(), mirror);
-    EXPECT_EQ(names, (std::map<std::string, std::string>{{"blocks", "lake.blocks"}, {"cones", "lake.cones"}, {"depth", "lake.depth"}, {"radiance", "lake.radiance"}}));
+    EXPECT_EQ(names, (std::map<std::string, std::string>{{"blocks", "lake.blocks"},
+                                                         {"cones", "lake.cones"},
+                                                         {"depth", "lake.depth"},
+                                                         {"radiance", "lake.radiance"}}));
     EXPECT_TRUE(plan.errors().empty());
 
     Pass water;
@@ -71,7 +74,8 @@ TEST(Elsewhere, CopiesWhatDependsOnTheViewIntoImagesOfItsOwn)
     water.colors = {Attachment::whole("radiance")};
     plan.add(std::move(water));
     plan.prune({"radiance"});
-    EXPECT_EQ(toString(plan), "move > shadow > cones > blocks > lake/cones > lake/blocks > lake/surface > surface > water");
+    EXPECT_EQ(toString(plan),
+              "move > shadow > cones > blocks > lake/cones > lake/blocks > lake/surface > surface > water");
 
     const Pass& copy = *plan.find("lake/surface");
     EXPECT_EQ(copy.reason, "the lake mirrors it");
@@ -97,7 +101,8 @@ TEST(Elsewhere, TakesAndChangesWhatItIsToldTo)
         return pass.depth.has_value();
     };
     EXPECT_EQ(addElsewhere(plan, scene(), light), (std::map<std::string, std::string>{{"depth", "lamp.depth"}}));
-    EXPECT_EQ(std::get<std::string>(plan.find("lamp/surface")->inputs[1].source), "cones") << "what is not drawn there is the frame's";
+    EXPECT_EQ(std::get<std::string>(plan.find("lamp/surface")->inputs[1].source), "cones")
+        << "what is not drawn there is the frame's";
 }
 
 TEST(Elsewhere, IsLeftOutWhenNothingReadsIt)
@@ -128,22 +133,27 @@ TEST(Mirror, ShowsAThingWhereThePathOverItIsShortest)
         const glm::dvec3 thing = glm::dvec3(number(random), 0, number(random)) + normal * 2.0;
         const double eyeHeight = glm::dot(plane, glm::dvec4(visitor.eye, 1));
         const double thingHeight = glm::dot(plane, glm::dvec4(thing, 1));
-        if (eyeHeight <= 0 || thingHeight <= 0) continue;
+        if (eyeHeight <= 0 || thingHeight <= 0)
+            continue;
         const glm::dvec3 eyeFoot = visitor.eye - normal * eyeHeight;
         const glm::dvec3 thingFoot = thing - normal * thingHeight;
         const glm::dvec3 spot = eyeFoot + (thingFoot - eyeFoot) * (eyeHeight / (eyeHeight + thingHeight));
         EXPECT_LT(glm::distance(placeIn(mirror, thing), placeIn(visitor, spot)), 1e-9);
         EXPECT_GT(glm::dot(*mirror.clipPlane, glm::dvec4(thing, 1)), 0);
-        EXPECT_LT(glm::dot(*mirror.clipPlane, glm::dvec4(thing - normal * (2 * thingHeight), 1)), 0) << "what is behind it";
+        EXPECT_LT(glm::dot(*mirror.clipPlane, glm::dvec4(thing - normal * (2 * thingHeight), 1)), 0)
+            << "what is behind it";
         // Its eye is the reflected eye, whose rays go the same way.
         EXPECT_NEAR(glm::dot(plane, glm::dvec4(mirror.eye, 1)), -eyeHeight, 1e-12);
-        EXPECT_LT(glm::distance(placeIn(mirror, mirror.eye + 3.0 * mirror.direction({0.3, -0.4})), glm::dvec2(0.3, -0.4)), 1e-9);
+        EXPECT_LT(
+            glm::distance(placeIn(mirror, mirror.eye + 3.0 * mirror.direction({0.3, -0.4})), glm::dvec2(0.3, -0.4)),
+            1e-9);
     }
 }
 
 TEST(Portal, ShowsTheExitWhereTheEntryIs)
 {
-    const glm::dmat4 exitFromEntry = glm::translate(glm::dmat4(1), {10, 1, -4}) * glm::rotate(glm::dmat4(1), 1.2, {0, 1, 0});
+    const glm::dmat4 exitFromEntry =
+        glm::translate(glm::dmat4(1), {10, 1, -4}) * glm::rotate(glm::dmat4(1), 1.2, {0, 1, 0});
     const View through = portalView(visitor, exitFromEntry, {0, 0, -1, -4});
     for (const glm::dvec3 point : {glm::dvec3(0), glm::dvec3(0.5, 1, 0.2), glm::dvec3(-1, 0.3, -2)}) {
         const glm::dvec3 there(exitFromEntry * glm::dvec4(point, 1));

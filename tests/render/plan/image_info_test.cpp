@@ -29,7 +29,8 @@ TEST(ImageInfo, HasAFractionOfTheTileAFixedSizeOrADivisionOfTheWholePicture)
 
 TEST(ImageInfo, WithItsOwnPixelsSeesTheSameWhateverTileAndJitterIsDrawn)
 {
-    for (const ImageInfo& info : {ImageInfo{.name = "a", .divisor = 3}, ImageInfo{.name = "a", .size = {40, 20}, .ownPixels = true}}) {
+    for (const ImageInfo& info :
+         {ImageInfo{.name = "a", .divisor = 3}, ImageInfo{.name = "a", .size = {40, 20}, .ownPixels = true}}) {
         const View whole = viewOfOwnPixels(makeView(camera, {.size = {101, 60}}), info);
         const View tile = viewOfOwnPixels(makeView(camera, tileOf({101, 60})), info);
         EXPECT_EQ(whole.clipFromWorld, tile.clipFromWorld);
@@ -39,7 +40,8 @@ TEST(ImageInfo, WithItsOwnPixelsSeesTheSameWhateverTileAndJitterIsDrawn)
     }
 }
 
-// The middle of pixel (i, j) of the small image is the middle of a block of the picture, also in the last row and column.
+// The middle of pixel (i, j) of the small image is the middle of a block of the picture, also in the last row and
+// column.
 TEST(ImageInfo, OfADivisionCoversBlocksOfThePicture)
 {
     const glm::ivec2 size(101, 60);
@@ -49,7 +51,8 @@ TEST(ImageInfo, OfADivisionCoversBlocksOfThePicture)
         for (const glm::ivec2 pixel : {glm::ivec2(0), small.raster.size / 2, small.raster.size - 1}) {
             const glm::dvec2 place = (glm::dvec2(pixel) + 0.5) * static_cast<double>(divisor);
             const glm::dvec3 expected = picture.direction(place / glm::dvec2(size) * 2.0 - 1.0);
-            const glm::dvec3 seen = small.direction((glm::dvec2(pixel) + 0.5) / glm::dvec2(small.raster.size) * 2.0 - 1.0);
+            const glm::dvec3 seen =
+                small.direction((glm::dvec2(pixel) + 0.5) / glm::dvec2(small.raster.size) * 2.0 - 1.0);
             EXPECT_LT(glm::distance(expected, seen), 1e-13) << divisor;
             // And by the matrix that meshes are drawn with.
             const glm::dvec4 clip = small.clipFromWorld * glm::dvec4(picture.eye + 3.0 * expected, 1);

@@ -52,7 +52,8 @@ double formFactorByQuadrature(double cosine, double distance, double radius)
         const double t = half * (i + 0.5) / across;
         for (int j = 0; j < around; ++j) {
             const double phi = 2 * pi * (j + 0.5) / around;
-            sum += std::max(std::cos(t) * std::cos(tilt) + std::sin(t) * std::cos(phi) * std::sin(tilt), 0.0) * std::sin(t);
+            sum += std::max(std::cos(t) * std::cos(tilt) + std::sin(t) * std::cos(phi) * std::sin(tilt), 0.0) *
+                   std::sin(t);
         }
     }
     return sum * (half / across) * (2 * pi / around) / pi;
@@ -62,7 +63,9 @@ TEST(LocalLight, AsASphereSendsWhatQuadratureSays)
 {
     for (const double distance : {1.05, 1.5, 4.0})
         for (const double cosine : {1.0, 0.8, 0.4, 0.1, 0.0, -0.1, -0.4, -0.8, -1.0})
-            EXPECT_NEAR(glsl::sphereFormFactor(cosine, 0.3 * distance, 0.3), formFactorByQuadrature(cosine, distance, 1), 3e-5) << distance << ' ' << cosine;
+            EXPECT_NEAR(glsl::sphereFormFactor(cosine, 0.3 * distance, 0.3),
+                        formFactorByQuadrature(cosine, distance, 1), 3e-5)
+                << distance << ' ' << cosine;
     EXPECT_EQ(glsl::sphereFormFactor(-1, 0.2, 0.3), 1) << "inside it is light all around";
 }
 
@@ -72,7 +75,8 @@ TEST(LocalLight, ThatIsASmallSphereIsAPoint)
     const glm::dvec3 point = glsl::localIrradiance(lightAt({0.5, 2, 1}), {0, 0, 0}, normal);
     const double distance = glm::length(glm::dvec3(0.5, 2, 1));
     // The sphere's part above the horizon is all of it, so that both are I cos / d².
-    EXPECT_LT(glm::distance(glsl::localIrradiance(lightAt({0.5, 2, 1}, 2e-3 * distance), {0, 0, 0}, normal), point), 1e-12);
+    EXPECT_LT(glm::distance(glsl::localIrradiance(lightAt({0.5, 2, 1}, 2e-3 * distance), {0, 0, 0}, normal), point),
+              1e-12);
     EXPECT_LT(glm::distance(glsl::localIrradiance(lightAt({0.5, 2, 1}, 0.5), {0, 0, 0}, normal), point), 1e-12);
 }
 
@@ -107,12 +111,14 @@ TEST(LocalLight, FindsItsShadowWhereTheMapsAreDrawn)
 TEST(LocalLights, AreTheStrongestWhereOneLooks)
 {
     std::vector<render::LocalLight> lights;
-    for (int i = 0; i < 100; ++i) lights.push_back({.position = {1.0 + 0.1 * i, 0, 0}, .castsShadow = i % 2 == 0});
+    for (int i = 0; i < 100; ++i)
+        lights.push_back({.position = {1.0 + 0.1 * i, 0, 0}, .castsShadow = i % 2 == 0});
     lights.push_back({.position = {0.5, 0, 0}, .intensity = {0, 0, 0}});
     lights.push_back({.position = {0, 50, 0}, .intensity = glm::dvec3(1e6), .range = 30, .castsShadow = true});
     const render::LocalLighting near = localLighting(lights, {0, 0, 0}, 2);
     ASSERT_EQ(near.chosen.size(), render::mostLocalLights);
-    for (std::size_t i = 0; i < near.chosen.size(); ++i) EXPECT_EQ(near.chosen[i], i) << "nearest first";
+    for (std::size_t i = 0; i < near.chosen.size(); ++i)
+        EXPECT_EQ(near.chosen[i], i) << "nearest first";
     EXPECT_EQ(near.shadowed, (std::vector<std::size_t>{0, 2, 4, 6}));
     EXPECT_EQ(near.block.lights[2].shadow, 6);
     EXPECT_EQ(near.block.lights[1].shadow, -1);

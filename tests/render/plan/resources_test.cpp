@@ -15,7 +15,8 @@ Pass drawn(std::string name, std::vector<std::string> reads, std::string writes,
 {
     Pass pass;
     pass.name = std::move(name);
-    for (std::string& image : reads) pass.inputs.push_back({0, std::move(image)});
+    for (std::string& image : reads)
+        pass.inputs.push_back({0, std::move(image)});
     pass.colors = {{std::move(writes), load, {}, -1, 0}};
     return pass;
 }
@@ -52,7 +53,10 @@ struct Accumulated {
         const HistoryState& state = last.histories().at("mist");
         return {.histories = {{"mist", {state.history.image, last.view, last.time, state.history.dependencies}}}};
     }
-    [[nodiscard]] std::string resetAfter(const Accumulated& last) const { return plan(last.kept()).histories().at("mist").reset; }
+    [[nodiscard]] std::string resetAfter(const Accumulated& last) const
+    {
+        return plan(last.kept()).histories().at("mist").reset;
+    }
 };
 
 TEST(History, StartsWithNothingAndIsValidInTheNextFrame)
@@ -61,7 +65,8 @@ TEST(History, StartsWithNothingAndIsValidInTheNextFrame)
     const FramePlan first = scene.plan();
     EXPECT_FALSE(first.histories().at("mist").valid);
     EXPECT_FALSE(first.find("march")->past.valid);
-    EXPECT_NE(first.find("march")->reason.find("its history starts again: nothing was drawn before"), std::string::npos);
+    EXPECT_NE(first.find("march")->reason.find("its history starts again: nothing was drawn before"),
+              std::string::npos);
 
     const FramePlan second = scene.plan(scene.kept());
     EXPECT_TRUE(second.find("march")->past.used);
@@ -248,7 +253,8 @@ TEST(Errors, NameWhatNobodyDeclared)
     FramePlan plan;
     const ResourceId frame = plan.image({.name = "frame"});
     plan.add(drawn("typo", {"radianse"}, frame));
-    EXPECT_EQ(plan.errors(), std::vector<std::string>{"typo uses the image \"radianse\", which the plan does not declare"});
+    EXPECT_EQ(plan.errors(),
+              std::vector<std::string>{"typo uses the image \"radianse\", which the plan does not declare"});
 
     FramePlan noHistory;
     noHistory.image({.name = "frame"});
@@ -257,7 +263,8 @@ TEST(Errors, NameWhatNobodyDeclared)
 
     FramePlan noBuffer;
     noBuffer.add(writesBuffer("place", "placez", Access::write));
-    EXPECT_EQ(noBuffer.errors(), std::vector<std::string>{"place uses the buffer \"placez\", which the plan does not declare"});
+    EXPECT_EQ(noBuffer.errors(),
+              std::vector<std::string>{"place uses the buffer \"placez\", which the plan does not declare"});
 }
 
 }  // namespace
