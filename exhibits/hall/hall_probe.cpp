@@ -1,9 +1,8 @@
 #include "exhibits/hall/hall_scene.h"
 
 #include "exhibits/kit/surface_draw.h"
+#include "render/scene/cube_views.h"
 #include "shaders/lib/bindings.glsl"
-
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -17,21 +16,6 @@ using render::Pass;
 
 constexpr int smallestFace = 4;  ///< Texels along a face of the roughest level.
 
-/// A 90° view through one face of a cube, in GL's orientation.
-render::View faceView(const glm::dvec3& eye, int face, int size)
-{
-    static const glm::dvec3 forward[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    static const glm::dvec3 up[] = {{0, -1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0, -1, 0}, {0, -1, 0}};
-    render::View view;
-    view.eye = eye;
-    view.viewFromWorld = glm::lookAt(eye, eye + forward[face], up[face]);
-    view.tanHalfFov = glm::dvec2(1);
-    view.clipFromView = render::reversedPerspective(view.tanHalfFov, view.nearPlane);
-    view.clipFromWorld = view.clipFromView * view.viewFromWorld;
-    view.raster.size = glm::ivec2(size);
-    return view;
-}
-
 int levelCount(int size)
 {
     const auto width = [](int n) { return static_cast<int>(std::bit_width(static_cast<unsigned>(n))); };
@@ -44,7 +28,7 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
     pass.name = std::string("probe/") + what + "/" + std::to_string(face);
     pass.reason = "what the probe sees has changed";
     pass.stage = render::Stage::probe;
-    pass.view = faceView(eye, face, size);
+    pass.view = render::cubeFaceView(eye, face, size);
     pass.key = key;
     return pass;
 }
@@ -124,8 +108,8 @@ void planProbe(const HallScene& scene, const Surroundings& light, render::FrameP
     const int levels = levelCount(size);
     const std::uint64_t key = lightKey(scene);
     const int allLevels = static_cast<int>(std::bit_width(static_cast<unsigned>(size)));
-    plan.image({.name = "probe.captured", .format = render::Format::rgba16f, .shape = render::Shape::cube, .size = glm::ivec2(size), .levels = allLevels, .kept = true});
-    plan.image({.name = "probe", .format = render::Format::rgba16f, .shape = render::Shape::cube, .size = glm::ivec2(size), .levels = levels, .kept = true});
+    plan.image({.name = "probe.captured", .format = render::Format::rgba16f, .type = render::TextureType::cube, .size = glm::ivec2(size), .levels = allLevels, .kept = true});
+    plan.image({.name = "probe", .format = render::Format::rgba16f, .type = render::TextureType::cube, .size = glm::ivec2(size), .levels = levels, .kept = true});
     plan.image({.name = "probe.irradiance", .format = render::Format::rgba32f, .size = {9, 1}, .kept = true, .nearest = true});
     if (!scene.alone) plan.image({.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true});
     for (int face = 0; face < 6; ++face) planFace(scene, light, face, size, key, plan);

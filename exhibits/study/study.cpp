@@ -14,7 +14,7 @@ constexpr int mostDoublings = 3;
 constexpr int heldOutRuns = 3;
 
 /// Those of the program's state, not of a picture's work.
-constexpr const char* stateCounters[] = {"images", "programs"};
+constexpr const char* stateCounters[] = {"framebuffers made", "images", "programs"};
 
 /// `count` of `all`, the first and the last among them.
 std::vector<std::size_t> spread(std::size_t all, std::size_t count)
@@ -259,7 +259,7 @@ render::FrameReport Study::drawTimed(const Look& look, std::size_t view)
 {
     // What the studied parameters change is drawn anew, however often it was drawn: it is what they cost.
     render::KeptKeys kept = painter_.kept();
-    for (const std::string& pass : dependentPasses_) kept.erase(pass);
+    for (const std::string& pass : dependentPasses_) kept.passes.erase(pass);
     FrameRequest frame = pictureRequest(look, view).frame;
     frame.channels = {};
     render::FrameReport report = painter_.draw(museum_.plan(museum_.prepare(look, frame), frame, kept));

@@ -53,7 +53,7 @@ std::vector<EGLDisplay> candidateDisplays()
     return displays;
 }
 
-EGLContext makeContext(EGLDisplay display, bool debug)
+EGLContext makeContext(EGLDisplay display, bool debug, EGLContext sharedWith = EGL_NO_CONTEXT)
 {
     if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
     const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -62,8 +62,9 @@ EGLContext makeContext(EGLDisplay display, bool debug)
     if (!eglChooseConfig(display, wanted, &config, 1, &count) || count < 1) config = EGL_NO_CONFIG_KHR;
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_CONTEXT_OPENGL_DEBUG, debug ? EGL_TRUE : EGL_FALSE, EGL_NONE};
-    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
-    if (context == EGL_NO_CONTEXT) return context;
+    const EGLContext context = eglCreateContext(display, config, sharedWith, attributes);
+    if (context == EGL_NO_CONTEXT || sharedWith != EGL_NO_CONTEXT)
+        return context;
     if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return context;
     eglDestroyContext(display, context);
     return EGL_NO_CONTEXT;
@@ -140,6 +141,37 @@ HeadlessContext::HeadlessContext(bool debug) : state_(std::make_unique<State>())
         eglDestroyContext(display, context);
     }
     throw Failure(Blame::openGl, found.empty() ? whyUnusable({}) : found);
+}
+
+namespace {
+
+class SharedEglContext final : public SharedContext {
+public:
+    SharedEglContext(EGLDisplay display, EGLContext context) : display_(display), context_(context) {}
+    ~SharedEglContext() override { eglDestroyContext(display_, context_); }
+    SharedEglContext(const SharedEglContext&) = delete;
+    SharedEglContext& operator=(const SharedEglContext&) = delete;
+
+    void makeCurrent() override
+    {
+        eglBindAPI(EGL_OPENGL_API);  // Each thread starts with OpenGL ES.
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+    }
+    void release() override { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+
+private:
+    EGLDisplay display_;
+    EGLContext context_;
+};
+
+}  // namespace
+
+std::shared_ptr<SharedContext> HeadlessContext::shared() const
+{
+    const EGLContext context = makeContext(state_->display, false, state_->context);
+    if (context == EGL_NO_CONTEXT)
+        throw Failure(Blame::openGl, "The graphics driver makes no second context that shares with the first.");
+    return std::make_shared<SharedEglContext>(state_->display, context);
 }
 
 HeadlessContext::~HeadlessContext()

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/gl/shared_context.h"
+
 #include <memory>
 #include <string>
 
@@ -33,6 +35,8 @@ public:
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
     [[nodiscard]] const ContextInfo& info() const { return info_; }
+    /// Another context with the same objects, current nowhere. Throws Failure (Blame::openGl).
+    [[nodiscard]] std::shared_ptr<SharedContext> shared() const;
 
 private:
     struct State;

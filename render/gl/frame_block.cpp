@@ -22,7 +22,16 @@ FrameBlock frameBlock(const View& view, double time, int sample, std::uint32_t s
     block.sampling = glm::vec4(glm::dvec2(raster.offset) + raster.jitter, view.tanHalfFov);
     block.shift = glm::vec4(view.tanShift, 0, 0);
     block.timing = glm::vec4(wrapped, sample, seed, 2 * view.tanHalfFov.y / size.y);
+    block.clipPlane = glm::vec4(view.clipPlane.value_or(glm::dvec4(0, 0, 0, 1)));
     return block;
+}
+
+TemporalBlock temporalBlock(const Pass& pass, int part, bool valid)
+{
+    Raster raster = pass.past.lastView.raster;
+    raster.jitter = glm::dvec2(0);
+    return {glm::mat4(withRaster(pass.past.lastView, raster).clipFromWorld),
+            glm::vec4(valid ? 1 : 0, part, pass.parts, 0)};
 }
 
 }  // namespace vitrine::render::gl

@@ -2,16 +2,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include <cassert>
-
 namespace vitrine::render::gl {
 namespace {
-
-void attach(GLuint framebuffer, GLenum point, const Attachment& attachment, const Texture& texture)
-{
-    if (attachment.layer < 0) glNamedFramebufferTexture(framebuffer, point, texture.name(), attachment.level);
-    else glNamedFramebufferTextureLayer(framebuffer, point, texture.name(), attachment.level, attachment.layer);
-}
 
 GLenum depthFunction(DepthTest test)
 {
@@ -48,31 +40,21 @@ void applyBlend(const RasterState& state)
 
 }  // namespace
 
-Target::Target(const Pass& pass, const Resources& resources)
+void bindTarget(const Pass& pass, Resources& resources, bool clears)
 {
-    GLuint name = 0;
-    glCreateFramebuffers(1, &name);
-    framebuffer_ = FramebufferName(name);
-    std::vector<GLenum> buffers;
+    const GLuint name = resources.framebuffer(pass);
     glm::ivec2 size(1);
-    for (const Attachment& color : pass.colors) {
-        const GLenum point = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
-        attach(name, point, color, resources.image(color.image));
-        buffers.push_back(point);
-        size = resources.image(color.image).size(color.level);
-    }
-    if (pass.depth) {
-        attach(name, GL_DEPTH_ATTACHMENT, *pass.depth, resources.image(pass.depth->image));
-        size = resources.image(pass.depth->image).size(pass.depth->level);
-    }
-    if (buffers.empty()) glNamedFramebufferDrawBuffer(name, GL_NONE);
-    else glNamedFramebufferDrawBuffers(name, static_cast<GLsizei>(buffers.size()), buffers.data());
-    assert(glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    for (const Attachment& color : pass.colors)
+        size = resources.target(color.image).size(color.level);
+    if (pass.depth)
+        size = resources.target(pass.depth->image).size(pass.depth->level);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, name);
     glViewport(0, 0, size.x, size.y);
 
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
+    if (!clears)
+        return;
     for (std::size_t i = 0; i < pass.colors.size(); ++i)
         if (pass.colors[i].load == Load::clear) glClearNamedFramebufferfv(name, GL_COLOR, static_cast<GLint>(i), glm::value_ptr(pass.colors[i].clear));
     if (pass.depth && pass.depth->load == Load::clear) glClearNamedFramebufferfv(name, GL_DEPTH, 0, &pass.depth->clear.x);
@@ -99,12 +81,12 @@ void dispatch(const Pass& pass, const Resources& resources)
 {
     for (std::size_t i = 0; i < pass.storage.size(); ++i) {
         const Attachment& target = pass.storage[i];
-        const Texture& texture = resources.image(target.image);
+        const Texture& texture = resources.target(target.image);
         glBindImageTexture(static_cast<GLuint>(i), texture.name(), target.level, static_cast<GLboolean>(target.layer < 0),
                            target.layer < 0 ? 0 : target.layer, GL_READ_WRITE, internalFormat(texture.format()));
     }
     glDispatchCompute(static_cast<GLuint>(pass.groups.x), static_cast<GLuint>(pass.groups.y), static_cast<GLuint>(pass.groups.z));
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
 }  // namespace vitrine::render::gl

@@ -5,14 +5,9 @@
 
 namespace vitrine::render::gl {
 
-/// The framebuffer of one raster pass, bound, cleared as asked and with its viewport, until destroyed.
-class Target {
-public:
-    Target(const Pass&, const Resources&);
-
-private:
-    FramebufferName framebuffer_;
-};
+/// Binds the framebuffer of one raster pass, with its viewport, and if it `clears` (of work in
+/// several parts, only the first one does) clears what the pass wants cleared.
+void bindTarget(const Pass&, Resources&, bool clears);
 
 void applyState(const RasterState&);
 

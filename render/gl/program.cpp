@@ -9,11 +9,6 @@
 namespace vitrine::render::gl {
 namespace {
 
-struct Stage {
-    GLenum type;
-    ShaderText source;
-};
-
 std::string infoLog(GLuint name, bool program)
 {
     GLint length = 0;
@@ -23,19 +18,6 @@ std::string infoLog(GLuint name, bool program)
     program ? glGetProgramInfoLog(name, length, &written, log.data()) : glGetShaderInfoLog(name, length, &written, log.data());
     log.resize(static_cast<std::size_t>(written));
     return log;
-}
-
-ShaderName compile(const Stage& stage, ShaderMessage& problem)
-{
-    ShaderName shader(glCreateShader(stage.type));
-    const char* text = stage.source.text.c_str();
-    glShaderSource(shader.name(), 1, &text, nullptr);
-    glCompileShader(shader.name());
-    GLint good = GL_FALSE;
-    glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &good);
-    if (good == GL_TRUE) return shader;
-    problem = firstError(infoLog(shader.name(), false), stage.source.files);
-    return {};
 }
 
 }  // namespace
@@ -49,53 +31,96 @@ std::string describe(const ShaderKey& key)
     return text + ']';
 }
 
-BuiltProgram buildProgram(const ShaderSource& source, const ShaderKey& key)
+bool buildsInParallel()
 {
-    BuiltProgram built;
-    std::vector<Stage> stages;
+    return epoxy_has_gl_extension("GL_KHR_parallel_shader_compile");
+}
+
+PendingProgram::PendingProgram(const ShaderSource& source, const ShaderKey& key)
+{
+    std::vector<std::pair<GLenum, ShaderText>> texts;
     try {
         const auto add = [&](GLenum type, const std::string& file) {
-            if (!file.empty()) stages.push_back({type, source.load(file, key.defines, key.prelude)});
+            if (!file.empty())
+                texts.emplace_back(type, source.load(file, key.defines, key.prelude, key.sources.get()));
         };
         add(GL_VERTEX_SHADER, key.vertex);
         add(GL_FRAGMENT_SHADER, key.fragment);
         add(GL_COMPUTE_SHADER, key.compute);
     } catch (const Failure& failure) {
-        built.problem = {describe(key), 0, failure.what()};
-        return built;
+        built_.problem = {describe(key), 0, failure.what()};
+        return;
     }
-    std::string everything;
-    for (const Stage& stage : stages) {
-        everything += stage.source.text;
-        std::copy(stage.source.files.begin(), stage.source.files.end(), std::back_inserter(built.files));
+    for (const auto& [type, text] : texts) {
+        everything_ += text.text;
+        std::copy(text.files.begin(), text.files.end(), std::back_inserter(built_.files));
     }
-
     ProgramName program(glCreateProgram());
     glObjectLabel(GL_PROGRAM, program.name(), -1, describe(key).substr(0, 200).c_str());
-    if (loadProgramBinary(program.name(), everything)) {
-        built.program = std::move(program);
-        built.fromCache = true;
-        return built;
+    if (loadProgramBinary(program.name(), everything_)) {
+        built_.program = std::move(program);
+        built_.fromCache = true;
+        return;
     }
-    std::vector<ShaderName> shaders;
-    for (const Stage& stage : stages) {
-        ShaderName shader = compile(stage, built.problem);
-        if (!shader) return built;
-        glAttachShader(program.name(), shader.name());
-        shaders.push_back(std::move(shader));
+    for (auto& [type, text] : texts) {
+        Stage stage{ShaderName(glCreateShader(type)), std::move(text)};
+        const char* characters = stage.source.text.c_str();
+        glShaderSource(stage.shader.name(), 1, &characters, nullptr);
+        glCompileShader(stage.shader.name());
+        glAttachShader(program.name(), stage.shader.name());
+        stages_.push_back(std::move(stage));
     }
     glProgramParameteri(program.name(), GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     glLinkProgram(program.name());
-    GLint good = GL_FALSE;
-    glGetProgramiv(program.name(), GL_LINK_STATUS, &good);
-    if (good != GL_TRUE) {
-        built.problem = firstError(infoLog(program.name(), true), stages.back().source.files);
-        return built;
+    program_ = std::move(program);
+}
+
+bool PendingProgram::done() const
+{
+    if (!program_)
+        return true;
+    GLint complete = GL_TRUE;
+    if (buildsInParallel())
+        glGetProgramiv(program_.name(), GL_COMPLETION_STATUS_KHR, &complete);
+    return complete == GL_TRUE;
+}
+
+BuiltProgram PendingProgram::take()
+{
+    if (!program_)
+        return std::move(built_);
+    for (const Stage& stage : stages_) {
+        GLint good = GL_FALSE;
+        glGetShaderiv(stage.shader.name(), GL_COMPILE_STATUS, &good);
+        if (good == GL_TRUE)
+            continue;
+        built_.problem = firstError(infoLog(stage.shader.name(), false), stage.source.files);
+        return std::move(built_);
     }
-    for (const ShaderName& shader : shaders) glDetachShader(program.name(), shader.name());
-    saveProgramBinary(program.name(), everything);
-    built.program = std::move(program);
-    return built;
+    GLint good = GL_FALSE;
+    glGetProgramiv(program_.name(), GL_LINK_STATUS, &good);
+    if (good != GL_TRUE) {
+        built_.problem = firstError(infoLog(program_.name(), true), stages_.back().source.files);
+        return std::move(built_);
+    }
+    for (const Stage& stage : stages_)
+        glDetachShader(program_.name(), stage.shader.name());
+    saveProgramBinary(program_.name(), everything_);
+    built_.program = std::move(program_);
+    return std::move(built_);
+}
+
+void PendingProgram::abandon()
+{
+    program_.abandon();
+    built_.program.abandon();
+    for (Stage& stage : stages_)
+        stage.shader.abandon();
+}
+
+BuiltProgram buildProgram(const ShaderSource& source, const ShaderKey& key)
+{
+    return PendingProgram(source, key).take();
 }
 
 }  // namespace vitrine::render::gl

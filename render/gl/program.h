@@ -21,6 +21,30 @@ struct BuiltProgram {
 /// are the same as last time. Never throws for a broken shader; see `problem`.
 [[nodiscard]] BuiltProgram buildProgram(const ShaderSource&, const ShaderKey&);
 
+/// The same in two steps, for drivers that build while the program goes on (GL_KHR_parallel_shader_compile).
+class PendingProgram {
+public:
+    /// Hands the sources to the driver.
+    PendingProgram(const ShaderSource&, const ShaderKey&);
+    /// Whether `take` would not wait.
+    [[nodiscard]] bool done() const;
+    [[nodiscard]] BuiltProgram take();
+    void abandon();
+
+private:
+    struct Stage {
+        ShaderName shader;
+        ShaderText source;
+    };
+    BuiltProgram built_;
+    std::string everything_;  ///< The sources: what the binary is kept by.
+    ProgramName program_;     ///< While it is being built.
+    std::vector<Stage> stages_;
+};
+
+/// Whether the driver of the current context builds several programs at once while others draw.
+[[nodiscard]] bool buildsInParallel();
+
 /// "sdf_morph/march.frag [GLASS 1]".
 [[nodiscard]] std::string describe(const ShaderKey&);
 

@@ -4,7 +4,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -45,8 +47,11 @@ bool loadProgramBinary(GLuint program, std::string_view source)
 {
     const std::optional<fs::path> folder = cacheFolder();
     if (!folder) return false;
-    std::ifstream stream(*folder / fileName(source), std::ios::binary);
+    const fs::path file = *folder / fileName(source);
+    std::ifstream stream(file, std::ios::binary);
     if (!stream) return false;
+    std::error_code ignored;
+    fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);  // Used: what is old is deleted first.
     const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
     GLenum format = 0;
     if (bytes.size() <= sizeof format) return false;
@@ -83,6 +88,23 @@ void saveProgramBinary(GLuint program, std::string_view source)
         }
     }
     fs::rename(part, file, error);
+    dropOldBinaries(*folder, mostStored);
+}
+
+void dropOldBinaries(const fs::path& folder, std::size_t most)
+{
+    std::error_code error;
+    std::vector<std::pair<fs::file_time_type, fs::path>> stored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+        const fs::file_time_type time = entry.last_write_time(error);
+        if (!error && entry.path().extension() == ".bin")
+            stored.emplace_back(time, entry.path());
+    }
+    if (stored.size() <= most)
+        return;
+    std::sort(stored.begin(), stored.end());
+    for (std::size_t i = 0; i < stored.size() - most; ++i)
+        fs::remove(stored[i].second, error);
 }
 
 }  // namespace vitrine::render::gl

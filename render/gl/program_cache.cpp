@@ -9,51 +9,152 @@ namespace {
 
 std::string identify(const ShaderKey& key)
 {
-    return key.vertex + '|' + describe(key) + '|' + key.prelude;
+    return key.vertex + '|' + describe(key) + '|' + key.prelude +
+           (key.sources ? '|' + std::to_string(key.sources->hash()) : std::string());
+}
+
+std::string placeOf(const ShaderKey& key, const ShaderMessage& problem)
+{
+    const bool generated = key.sources && key.sources->textByPath().contains(problem.file);
+    return (generated ? "The generated shader " : "shaders/") + problem.file + ", line " +
+           std::to_string(problem.line) + ": " + problem.text;
 }
 
 }  // namespace
 
-GLuint ProgramCache::use(const ShaderKey& key)
+void ProgramCache::buildWith(std::shared_ptr<SharedContext> context)
+{
+    std::erase_if(programs_, [](const auto& entry) { return entry.second.building && !entry.second.pending; });
+    builder_ = context ? std::make_unique<ProgramBuilder>(source_, std::move(context)) : nullptr;
+}
+
+ProgramInUse ProgramCache::use(const ShaderKey& key)
 {
     const std::string id = identify(key);
     auto found = programs_.find(id);
     if (found == programs_.end()) {
         found = programs_.emplace(id, Entry{key, {}, {}}).first;
-        rebuild(found->second);
+        if (canWait(key))
+            beginInBackground(id, found->second);
+        else
+            rebuild(found->second);
     }
-    const BuiltProgram& build = found->second.build;
-    if (!build.program) {
-        const ShaderMessage problem = build.problem;
-        programs_.erase(found);
-        throw Failure(Blame::shader, "shaders/" + problem.file + ", line " + std::to_string(problem.line) + ": " + problem.text +
-                                         " (while building " + describe(key) + "); correct the shader or reinstall the program.");
+    Entry& entry = found->second;
+    entry.lastUse = frame_;
+    takeWhatIsFinished(id, entry);
+    if (entry.build.program) {
+        if (!key.slot.empty()) {
+            lastGood_[key.slot] = id;
+            giveUpOthers(key.slot, id);
+        }
+        return {entry.build.program.name()};
     }
-    found->second.lastUse = frame_;
-    return build.program.name();
+    if (std::optional<ProgramInUse> other = standIn(entry))
+        return *other;
+    const std::string problem = placeOf(key, entry.build.problem);
+    programs_.erase(found);
+    throw Failure(Blame::shader,
+                  problem + " (while building " + describe(key) + "); correct the shader or reinstall the program.");
+}
+
+bool ProgramCache::canWait(const ShaderKey& key) const
+{
+    if (key.slot.empty() || (!builder_ && !buildsInParallel()))
+        return false;
+    return key.meanwhile || (lastGood_.contains(key.slot) && programs_.contains(lastGood_.at(key.slot)));
+}
+
+void ProgramCache::beginInBackground(const std::string& id, Entry& entry)
+{
+    giveUpOthers(entry.key.slot, id);
+    entry.building = true;
+    if (builder_)
+        builder_->begin(id, entry.key);
+    else
+        entry.pending.emplace(source_, entry.key);
+}
+
+/// Of a slot the newest request wins: what is still being built of it is of no use any more.
+void ProgramCache::giveUpOthers(const std::string& slot, const std::string& id)
+{
+    std::erase_if(programs_, [&](const auto& entry) {
+        if (entry.first == id || !entry.second.building || entry.second.key.slot != slot)
+            return false;
+        if (builder_)
+            builder_->cancel(entry.first);
+        return true;
+    });
+}
+
+void ProgramCache::takeWhatIsFinished(const std::string& id, Entry& entry)
+{
+    if (!entry.building)
+        return;
+    std::optional<BuiltProgram> finished;
+    if (entry.pending) {
+        if (entry.pending->done())
+            finished = entry.pending->take();
+    } else {
+        finished = builder_->take(id);
+    }
+    if (!finished)
+        return;
+    entry.building = false;
+    entry.pending.reset();
+    take(entry, std::move(*finished));
+}
+
+std::optional<ProgramInUse> ProgramCache::standIn(const Entry& entry)
+{
+    const ShaderKey& key = entry.key;
+    if (key.slot.empty())
+        return std::nullopt;
+    const std::string why = entry.building
+                                ? "while the new program is being built"
+                                : "because the new program does not build: " + placeOf(key, entry.build.problem);
+    const bool building = entry.building;
+    if (key.meanwhile)
+        return ProgramInUse{use(*key.meanwhile).program, "drawn with " + describe(*key.meanwhile) + ' ' + why,
+                            building};
+    const auto last = lastGood_.find(key.slot);
+    const auto good = last == lastGood_.end() ? programs_.end() : programs_.find(last->second);
+    if (good == programs_.end() || !good->second.build.program)
+        return std::nullopt;
+    good->second.lastUse = frame_;
+    return ProgramInUse{good->second.build.program.name(), "drawn with the last good program " + why, building};
 }
 
 void ProgramCache::dropIdle()
 {
     std::vector<std::pair<std::uint64_t, std::string>> idle;
     for (const auto& [id, entry] : programs_)
-        if (entry.lastUse != frame_) idle.emplace_back(entry.lastUse, id);
+        if (entry.lastUse != frame_ && !entry.building)
+            idle.emplace_back(entry.lastUse, id);
     if (idle.size() <= mostIdle) return;
     std::sort(idle.begin(), idle.end());
     for (std::size_t i = 0; i < idle.size() - mostIdle; ++i) programs_.erase(idle[i].second);
+    std::erase_if(lastGood_, [&](const auto& entry) { return !programs_.contains(entry.second); });
 }
 
 void ProgramCache::rebuild(Entry& entry)
 {
-    BuiltProgram fresh = buildProgram(source_, entry.key);
+    take(entry, buildProgram(source_, entry.key));
+}
+
+void ProgramCache::take(Entry& entry, BuiltProgram fresh)
+{
     entry.newest = newestFile(fresh.files.empty() ? entry.build.files : fresh.files);
     built_ += fresh.fromCache ? 0 : 1;
-    if (fresh.program || !entry.build.program) {
+    const std::string& slot = entry.key.slot;
+    if (!slot.empty())
+        std::erase_if(problems_, [&](const ShaderProblem& problem) { return problem.slot == slot; });
+    const bool kept = !fresh.program && (entry.build.program || !slot.empty());
+    if (kept)
+        problems_.push_back({fresh.problem.file, fresh.problem.line, fresh.problem.text, slot});
+    if (fresh.program || !entry.build.program)
         entry.build = std::move(fresh);
-    } else {
+    else
         entry.build.problem = fresh.problem;
-        problems_.push_back({fresh.problem.file, fresh.problem.line, fresh.problem.text});
-    }
 }
 
 bool ProgramCache::reloadChanged()
@@ -64,7 +165,8 @@ bool ProgramCache::reloadChanged()
     if (!tried) return false;
     problems_.clear();
     for (auto& [id, entry] : programs_)
-        if (newestFile(entry.build.files) > entry.newest || !entry.build.problem.text.empty()) rebuild(entry);
+        if (!entry.building && (newestFile(entry.build.files) > entry.newest || !entry.build.problem.text.empty()))
+            rebuild(entry);
     return true;
 }
 
@@ -82,7 +184,12 @@ std::filesystem::file_time_type ProgramCache::newestFile(const std::vector<std::
 
 void ProgramCache::abandon()
 {
-    for (auto& [id, entry] : programs_) entry.build.program.abandon();
+    builder_.reset();
+    for (auto& [id, entry] : programs_) {
+        entry.build.program.abandon();
+        if (entry.pending)
+            entry.pending->abandon();
+    }
 }
 
 }  // namespace vitrine::render::gl

@@ -21,6 +21,8 @@ namespace {
 /// Where a pass's blocks lie in the arena.
 struct PassRanges {
     BlockArena::Range frame;
+    bool clips = false;                       ///< What it sees has a clip plane.
+    std::vector<BlockArena::Range> temporal;  ///< By part that runs in this frame.
     std::vector<std::pair<int, BlockArena::Range>> blocks;
     std::vector<BlockArena::Range> objects;
 };
@@ -33,6 +35,11 @@ void countDraws(const Pass& pass, std::map<std::string, std::int64_t>& counters)
         counters["triangles"] += triangles * draw.instances;
     }
     for (const auto& [name, count] : pass.counts) counters[name] += count;
+}
+
+HistoryRecord recordOf(const History& history, const FramePlan& plan)
+{
+    return {history.image, history.view.value_or(plan.view), plan.time, history.dependencies};
 }
 
 /// Names what is drawn while it lives, for debuggers; closed also when a program does not build.
@@ -94,18 +101,85 @@ struct Renderer::State {
         noVertices = VertexArrayName(name);
     }
 
-    PassRanges gather(const Pass& pass, const FramePlan& plan, BlockArena::Range planFrame)
+    /// What the pass sees: its own view, the whole picture where its pixels are its own, else the plan's.
+    BlockArena::Range frameRange(const Pass& pass, const FramePlan& plan, BlockArena::Range planFrame)
+    {
+        const ImageInfo* own = nullptr;
+        for (const std::string& name : outputsOf(pass))
+            if (const auto image = plan.images().find(name);
+                image != plan.images().end() && image->second.hasOwnPixels())
+                own = &image->second;
+        if (!pass.view && !own)
+            return planFrame;
+        const View view = pass.view ? *pass.view : viewOfOwnPixels(plan.view, *own);
+        const FrameBlock block = frameBlock(view, plan.time, own ? 0 : plan.sample, plan.seed);
+        return arena.add(&block, sizeof block);
+    }
+
+    PassRanges gather(const Pass& pass, const FramePlan& plan, BlockArena::Range planFrame,
+                      const std::set<std::string>& lost)
     {
         PassRanges ranges;
-        ranges.frame = planFrame;
-        if (pass.view) {
-            const FrameBlock block = frameBlock(*pass.view, plan.time, plan.sample, plan.seed);
-            ranges.frame = arena.add(&block, sizeof block);
+        ranges.frame = frameRange(pass, plan, planFrame);
+        ranges.clips = (pass.view ? *pass.view : plan.view).clipPlane.has_value();
+        if (pass.past.used) {
+            const std::vector<std::string> inputs = inputsOf(pass);
+            // A plan made for what another renderer holds, or this one did.
+            const bool missing = std::any_of(lost.begin(), lost.end(), [&](const std::string& image) {
+                return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& name) {
+                    return name == previous(image) || (name == image && plan.imagesInParts().contains(image) &&
+                                                       pass.parts == 1 && !madeByNow(plan, image));
+                });
+            });
+            for (int part = pass.past.firstPart; part < pass.past.endPart; ++part) {
+                const TemporalBlock block = temporalBlock(pass, part, pass.past.valid && !missing);
+                ranges.temporal.push_back(arena.add(&block, sizeof block));
+            }
         }
         for (const auto& [binding, bytes] : pass.blocks)
             if (!bytes.empty()) ranges.blocks.emplace_back(binding, arena.add(bytes.data(), bytes.size()));
         for (const Draw& draw : pass.draws) ranges.objects.push_back(draw.object.empty() ? BlockArena::Range{} : arena.add(draw.object.data(), draw.object.size()));
         return ranges;
+    }
+
+    /// Gathers the blocks of all passes and hands them to the driver at once.
+    std::vector<PassRanges> uploadBlocks(const FramePlan& plan, const std::set<std::string>& lost)
+    {
+        arena.clear();
+        const FrameBlock frame = frameBlock(plan.view, plan.time, plan.sample, plan.seed);
+        const BlockArena::Range planFrame = arena.add(&frame, sizeof frame);
+        std::vector<PassRanges> ranges;
+        for (const Pass& pass : plan.passes())
+            ranges.push_back(gather(pass, plan, planFrame, lost));
+        arena.upload();
+        return ranges;
+    }
+
+    void countHeld(std::map<std::string, std::int64_t>& counters) const
+    {
+        counters["images"] = static_cast<std::int64_t>(resources.imageCount());
+        counters["programs"] = static_cast<std::int64_t>(programs.size());
+    }
+
+    /// Whether this very frame finishes an image that is made by parts.
+    static bool madeByNow(const FramePlan& plan, const std::string& image)
+    {
+        return std::any_of(plan.passes().begin(), plan.passes().end(), [&](const Pass& pass) {
+            const std::vector<std::string> written = outputsOf(pass);
+            return pass.parts > 1 && pass.past.endPart == pass.parts &&
+                   std::find(written.begin(), written.end(), image) != written.end();
+        });
+    }
+
+    void bindBuffers(const std::vector<BufferUse>& buffers)
+    {
+        for (const BufferUse& use : buffers) {
+            const auto* name = std::get_if<std::string>(&use.source);
+            const GLuint buffer = name
+                                      ? resources.buffer(*name)
+                                      : uploads.bytes(std::get<std::shared_ptr<const Bytes>>(use.source)).buffer.name();
+            glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(use.binding), buffer);
+        }
     }
 
     void bindInputs(const std::vector<Input>& inputs)
@@ -116,25 +190,46 @@ struct Renderer::State {
         }
     }
 
-    void run(const Pass& pass, const PassRanges& ranges)
+    /// Returns what it was drawn with.
+    ProgramInUse run(const Pass& pass, const PassRanges& ranges)
     {
-        if (pass.work == Work::simulation) return;
-        glUseProgram(programs.use(pass.shader));
+        if (pass.work == Work::simulation) return {};
+        const ProgramInUse used = programs.use(pass.shader);
+        glUseProgram(used.program);
         arena.bind(BLOCK_FRAME, ranges.frame);
         for (const auto& [binding, range] : ranges.blocks) arena.bind(binding, range);
         bindInputs(pass.inputs);
-        if (pass.work == Work::compute) dispatch(pass, resources);
-        else raster(pass, ranges);
-        for (const std::string& name : pass.mipmaps) resources.image(name).makeMipmaps();
+        bindBuffers(pass.buffers);
+        for (int part = pass.past.firstPart; part < pass.past.endPart; ++part) {
+            if (pass.past.used)
+                arena.bind(BLOCK_TEMPORAL, ranges.temporal[static_cast<std::size_t>(part - pass.past.firstPart)]);
+            if (pass.work == Work::compute)
+                dispatch(pass, resources);
+            else
+                raster(pass, ranges, part == pass.past.firstPart);
+        }
+        if (std::any_of(pass.buffers.begin(), pass.buffers.end(),
+                        [](const BufferUse& use) { return use.access != Access::read; }))
+            glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+        for (const std::string& name : pass.mipmaps)
+            resources.target(name).makeMipmaps();
+        // A part that another program drew is drawn again by the right one.
+        if (pass.parts == 1 || (pass.past.endPart == pass.parts && used.standIn.empty()))
+            for (const std::string& name : outputsOf(pass))
+                resources.finished(name);
+        return used;
     }
 
-    void raster(const Pass& pass, const PassRanges& ranges)
+    void raster(const Pass& pass, const PassRanges& ranges, bool clears)
     {
-        const Target target(pass, resources);
+        bindTarget(pass, resources, clears);
         applyState(pass.state);
+        if (ranges.clips)
+            glEnable(GL_CLIP_DISTANCE0);
         for (std::size_t i = 0; i < pass.draws.size(); ++i) {
             const Draw& draw = pass.draws[i];
             bindInputs(draw.inputs);
+            bindBuffers(draw.buffers);
             arena.bind(BLOCK_OBJECT, ranges.objects[i]);
             glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
             if (draw.mesh) {
@@ -144,22 +239,45 @@ struct Renderer::State {
                 glDrawArraysInstanced(GL_TRIANGLES, 0, 3, draw.instances);
             }
         }
+        if (ranges.clips)
+            glDisable(GL_CLIP_DISTANCE0);
     }
 
     /// What was written into these images is not there any more.
-    void forget(const std::vector<std::string>& images)
+    void forget(const std::set<std::string>& images)
     {
         for (const std::string& image : images) {
-            for (const std::string& pass : writersOfKept[image]) kept.erase(pass);
+            for (const std::string& pass : writersOfKept[image]) {
+                kept.passes.erase(pass);
+                kept.parts.erase(pass);
+            }
             writersOfKept.erase(image);
+            kept.histories.erase(image);
         }
     }
 
-    void remember(const Pass& pass)
+    void remember(const Pass& pass, const FramePlan& plan, const std::set<std::string>& lost)
     {
+        const std::vector<std::string> written = outputsOf(pass);
+        // Of work whose first parts went with an image, the parts after them are of no use.
+        if (pass.past.firstPart > 0 &&
+            std::any_of(written.begin(), written.end(), [&](const std::string& image) { return lost.contains(image); }))
+            return;
+        for (const std::string& image : written)
+            if (const auto state = plan.histories().find(image); state != plan.histories().end())
+                kept.histories[image] = recordOf(state->second.history, plan);
         if (!pass.key) return;
-        kept[pass.name] = *pass.key;
-        for (const std::string& image : outputsOf(pass)) writersOfKept[image].insert(pass.name);
+        for (const std::string& image : written)
+            writersOfKept[image].insert(pass.name);
+        const bool complete = pass.past.endPart == pass.parts;
+        if (pass.parts > 1) {
+            PartProgress& progress = kept.parts[pass.name];
+            progress = {*pass.key, pass.past.endPart, progress.completedOnce || complete};
+        }
+        if (pass.past.provisional)
+            kept.passes.erase(pass.name);
+        else if (complete)
+            kept.passes[pass.name] = *pass.key;
     }
 };
 
@@ -180,7 +298,8 @@ std::unique_ptr<Renderer> Renderer::sibling() const
 std::vector<Stored> Renderer::stored() const
 {
     std::vector<Stored> all = state_->uploads.stored();
-    all.insert(all.begin(), state_->resources.stored());
+    const std::vector<Stored> own = state_->resources.stored();
+    all.insert(all.begin(), own.begin(), own.end());
     all.push_back({"programs", static_cast<std::int64_t>(state_->programs.size()), 0});
     return all;
 }
@@ -189,6 +308,7 @@ FrameReport Renderer::draw(const FramePlan& plan)
 {
     State& s = *state_;
     FrameReport report;
+    report.unfinished = plan.unfinished();
     report.skipped = plan.skipped();
     const ClockChoice& choice = trustedClock(s.info.software);
     report.clock = choice.name;
@@ -205,25 +325,25 @@ FrameReport Renderer::draw(const FramePlan& plan)
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     s.uploads.sweep();
     s.programs.beginFrame();
-    s.forget(s.resources.prepare(plan, size));
+    const std::vector<std::string> notHeld = s.resources.prepare(plan);
+    const std::set<std::string> lost(notHeld.begin(), notHeld.end());
+    s.forget(lost);
+    const std::int64_t framebuffersBefore = s.resources.framebuffersMade();
 
-    s.arena.clear();
-    const FrameBlock frame = frameBlock(plan.view, plan.time, plan.sample, plan.seed);
-    const BlockArena::Range planFrame = s.arena.add(&frame, sizeof frame);
-    std::vector<PassRanges> ranges;
-    for (const Pass& pass : plan.passes()) ranges.push_back(s.gather(pass, plan, planFrame));
-    s.arena.upload();
-
+    const std::vector<PassRanges> ranges = s.uploadBlocks(plan, lost);
     std::vector<SamplesQuery> samplesQueries;
     if (s.timeSteps) clock.mark();
     for (std::size_t i = 0; i < plan.passes().size(); ++i) {
         const Pass& pass = plan.passes()[i];
         const DebugGroup group(pass.name.c_str());
         if (pass.countSamples) samplesQueries.emplace_back();
-        s.run(pass, ranges[i]);
+        const ProgramInUse used = s.run(pass, ranges[i]);
         if (pass.countSamples) SamplesQuery::end();
-        s.remember(pass);
-        report.ran.push_back({pass.name, pass.reason, pass.work, -1, pass.bound, pass.effects});
+        if (used.standIn.empty())
+            s.remember(pass, plan, lost);
+        report.unfinished = report.unfinished || used.building;
+        report.ran.push_back({pass.name, used.standIn.empty() ? pass.reason : pass.reason + ", " + used.standIn,
+                              pass.work, -1, pass.bound, pass.effects});
         if (s.timeSteps) clock.mark();
         countDraws(pass, report.counters);
     }
@@ -234,8 +354,8 @@ FrameReport Renderer::draw(const FramePlan& plan)
     for (const SamplesQuery& query : samplesQueries) report.counters["samples"] += query.result();
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(callersFramebuffer));
     report.counters["passes"] = static_cast<std::int64_t>(plan.passes().size());
-    report.counters["images"] = static_cast<std::int64_t>(s.resources.imageCount());
-    report.counters["programs"] = static_cast<std::int64_t>(s.programs.size());
+    report.counters["framebuffers made"] = s.resources.framebuffersMade() - framebuffersBefore;
+    s.countHeld(report.counters);
     const std::vector<double> intervals = clock.seconds();
     for (const double seconds : intervals) report.milliseconds += 1e3 * seconds;
     if (s.timeSteps)  // The first interval prepares: images, blocks.
@@ -248,7 +368,8 @@ Image Renderer::read(const std::string& name)
 {
     const Texture& texture = state_->resources.image(name);
     const bool depth = texture.format() == Format::depth32f;
-    const bool single = depth || texture.format() == Format::r16f || texture.format() == Format::r32f;
+    const bool single =
+        depth || texture.format() == Format::r8 || texture.format() == Format::r16f || texture.format() == Format::r32f;
     const glm::ivec2 size = texture.size();
     const int channels = single ? 1 : 4;
     Image raw(size.x, size.y * texture.layers(), channels);
@@ -261,6 +382,13 @@ Image Renderer::read(const std::string& name)
     for (std::ptrdiff_t y = 0; y < raw.height; ++y)
         std::copy_n(raw.pixels.begin() + (raw.height - 1 - y) * row, row, flipped.pixels.begin() + y * row);
     return flipped;
+}
+
+Bytes Renderer::readBuffer(const std::string& name)
+{
+    Bytes bytes(static_cast<std::size_t>(state_->resources.bufferBytes(name)));
+    glGetNamedBufferSubData(state_->resources.buffer(name), 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+    return bytes;
 }
 
 const KeptKeys& Renderer::kept() const
@@ -279,11 +407,16 @@ void Renderer::present(const std::string& image, int width, int height)
     State& s = *state_;
     glViewport(0, 0, width, height);
     applyState(RasterState{});
-    glUseProgram(s.programs.use({"lib/fullscreen.vert", "lib/present.frag", "", {}}));
+    glUseProgram(s.programs.use({"lib/fullscreen.vert", "lib/present.frag", "", {}}).program);
     s.resources.image(image).bind(UNIT_SOURCE);
     glBindVertexArray(s.noVertices.name());
     glFrontFace(GL_CCW);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Renderer::buildInBackground(std::shared_ptr<SharedContext> context)
+{
+    state_->programs.buildWith(std::move(context));
 }
 
 void Renderer::timeSteps(bool on)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/gl/shared_context.h"
 #include "render/gl/stored.h"
 #include "render/plan/painter.h"
 
@@ -14,6 +15,7 @@ struct ShaderProblem {
     std::string file;
     int line = 0;
     std::string message;
+    std::string slot = {};  ///< Of a program that takes its place in a slot (ShaderKey::slot).
 };
 
 /// Executes frame plans on the OpenGL 4.5 core context that is current, at construction and at every call. Images are
@@ -28,6 +30,8 @@ public:
 
     FrameReport draw(const FramePlan&) override;
     [[nodiscard]] Image read(const std::string& image) override;
+    /// A buffer of the last frame; throws std::out_of_range for a name that was not used.
+    [[nodiscard]] Bytes readBuffer(const std::string& name);
     [[nodiscard]] const KeptKeys& kept() const override;
     [[nodiscard]] int largestSide() const override;
 
@@ -39,6 +43,10 @@ public:
     /// Times each step, too, with a glFinish after each where no timer query can be trusted: slower, so only
     /// while the ledger is open.
     void timeSteps(bool on);
+
+    /// Programs of slots are built on a thread with this context, while the last good ones draw; null: no more. Counts
+    /// for siblings, too.
+    void buildInBackground(std::shared_ptr<SharedContext>);
 
     /// Debug builds: rebuilds programs whose files changed on disk; a program that fails keeps its last
     /// good build and is listed by `problems`. Returns whether any picture may have changed.

@@ -7,7 +7,7 @@ namespace vitrine::render::gl {
 
 /// How much of one kind of thing is kept on the graphics processor.
 struct Stored {
-    std::string what;        ///< "images", "pictures", "meshes", "programs".
+    std::string what;  ///< "images", "buffers", "pictures", "meshes", "constant buffers", "programs".
     std::int64_t count = 0;
     std::int64_t bytes = 0;  ///< Of the data; 0 for programs, of which only the driver knows.
 

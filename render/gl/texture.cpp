@@ -9,12 +9,17 @@
 namespace vitrine::render::gl {
 namespace {
 
-GLenum targetOf(Shape shape)
+GLenum targetOf(TextureType type)
 {
-    switch (shape) {
-    case Shape::flat: return GL_TEXTURE_2D;
-    case Shape::array: return GL_TEXTURE_2D_ARRAY;
-    case Shape::cube: return GL_TEXTURE_CUBE_MAP;
+    switch (type) {
+    case TextureType::flat:
+        return GL_TEXTURE_2D;
+    case TextureType::array:
+        return GL_TEXTURE_2D_ARRAY;
+    case TextureType::cube:
+        return GL_TEXTURE_CUBE_MAP;
+    case TextureType::volume:
+        return GL_TEXTURE_3D;
     }
     return GL_TEXTURE_2D;
 }
@@ -56,6 +61,8 @@ int bytesOfTexel(Format format)
     case Format::rgba16f: return 8;
     case Format::rgba32f: return 16;
     case Format::rg16f: return 4;
+    case Format::r8:
+        return 1;
     case Format::r16f: return 2;
     case Format::r32f: return 4;
     case Format::depth32f: return 4;
@@ -77,6 +84,8 @@ GLenum internalFormat(Format format)
     case Format::rgba16f: return GL_RGBA16F;
     case Format::rgba32f: return GL_RGBA32F;
     case Format::rg16f: return GL_RG16F;
+    case Format::r8:
+        return GL_R8;
     case Format::r16f: return GL_R16F;
     case Format::r32f: return GL_R32F;
     case Format::depth32f: return GL_DEPTH_COMPONENT32F;
@@ -85,22 +94,27 @@ GLenum internalFormat(Format format)
 }
 
 Texture::Texture(const ImageInfo& info, glm::ivec2 size)
-    : name_(create(targetOf(info.shape))), size_(size), layers_(info.shape == Shape::cube ? 6 : info.layers), levels_(info.levels), texelBytes_(bytesOfTexel(info.format)), format_(info.format)
+    : name_(create(targetOf(info.type))), size_(size), layers_(info.type == TextureType::cube ? 6 : info.layers),
+      levels_(info.levels), texelBytes_(bytesOfTexel(info.format)), volume_(info.type == TextureType::volume),
+      format_(info.format)
 {
     const GLuint name = name_.name();
     while (glGetError() != GL_NO_ERROR) {}
-    if (info.shape == Shape::array) glTextureStorage3D(name, info.levels, internalFormat(info.format), size.x, size.y, info.layers);
+    if (info.type == TextureType::array || volume_)
+        glTextureStorage3D(name, info.levels, internalFormat(info.format), size.x, size.y, info.layers);
     else glTextureStorage2D(name, info.levels, internalFormat(info.format), size.x, size.y);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
         throw Failure(Blame::openGl, "The graphics driver cannot store the image \"" + info.name + "\" of " + std::to_string(size.x) + " × " +
                                          std::to_string(size.y) + " pixels; choose a smaller size.");
     }
     const bool mipped = info.levels > 1;
-    setParameter(name, GL_TEXTURE_MAG_FILTER, info.nearest ? GL_NEAREST : GL_LINEAR);
-    setParameter(name, GL_TEXTURE_MIN_FILTER, info.nearest ? GL_NEAREST : (mipped ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR));
+    const bool nearest = info.nearest || info.hasOwnPixels();
+    setParameter(name, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+    setParameter(name, GL_TEXTURE_MIN_FILTER, nearest ? GL_NEAREST : (mipped ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR));
     const GLenum wrap = info.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     setParameter(name, GL_TEXTURE_WRAP_S, wrap);
     setParameter(name, GL_TEXTURE_WRAP_T, wrap);
+    setParameter(name, GL_TEXTURE_WRAP_R, wrap);
     if (info.comparison) {
         // Reversed depth: a point is lit when it is at least as near to the light as what is stored.
         setParameter(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -138,8 +152,16 @@ Texture::Texture(const render::Texture& picture)
 std::int64_t Texture::bytes() const
 {
     std::int64_t texels = 0;
-    for (int level = 0; level < levels_; ++level) texels += static_cast<std::int64_t>(size(level).x) * size(level).y;
-    return texels * layers_ * texelBytes_;
+    for (int level = 0; level < levels_; ++level) {
+        const int layers = volume_ ? std::max(layers_ >> level, 1) : layers_;
+        texels += static_cast<std::int64_t>(size(level).x) * size(level).y * layers;
+    }
+    return texels * texelBytes_;
+}
+
+void Texture::clear() const
+{
+    glClearTexImage(name_.name(), 0, format_ == Format::depth32f ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT, nullptr);
 }
 
 glm::ivec2 Texture::size(int level) const

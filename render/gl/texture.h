@@ -23,6 +23,8 @@ public:
     /// Of all levels and layers, as stored by a driver that pads three channels to four.
     [[nodiscard]] std::int64_t bytes() const;
     void bind(int unit) const { glBindTextureUnit(static_cast<GLuint>(unit), name_.name()); }
+    /// Fills all of level 0 with zeros: black, as far as can be.
+    void clear() const;
     void makeMipmaps() const { glGenerateTextureMipmap(name_.name()); }
     void abandon() { name_.abandon(); }
 
@@ -32,6 +34,7 @@ private:
     int layers_ = 1;
     int levels_ = 1;
     int texelBytes_ = 4;
+    bool volume_ = false;  ///< Its layers halve from level to level, too.
     Format format_ = Format::rgba8;
 };
 

@@ -2,6 +2,18 @@
 
 namespace vitrine::render::gl {
 
+UploadedBytes::UploadedBytes(const Bytes& source) : bytes(static_cast<std::int64_t>(source.size()))
+{
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    buffer = BufferName(name);
+    // A buffer of no bytes cannot be bound.
+    if (source.empty())
+        glNamedBufferStorage(name, 16, nullptr, 0);
+    else
+        glNamedBufferStorage(name, static_cast<GLsizeiptr>(source.size()), source.data(), 0);
+}
+
 const Texture& Uploads::texture(const std::shared_ptr<const render::Texture>& picture)
 {
     auto found = textures_.find(picture.get());
@@ -18,8 +30,18 @@ const MeshBuffers& Uploads::mesh(const std::shared_ptr<const Mesh>& mesh)
     return found->second.buffers;
 }
 
+const UploadedBytes& Uploads::bytes(const std::shared_ptr<const Bytes>& source)
+{
+    auto found = bytes_.find(source.get());
+    if (found == bytes_.end() || found->second.source.expired())
+        found =
+            bytes_.insert_or_assign(source.get(), Uploaded<Bytes, UploadedBytes>{source, UploadedBytes(*source)}).first;
+    return found->second.buffers;
+}
+
 void Uploads::sweep()
 {
+    std::erase_if(bytes_, [](const auto& entry) { return entry.second.source.expired(); });
     std::erase_if(textures_, [](const auto& entry) { return entry.second.source.expired(); });
     std::erase_if(meshes_, [](const auto& entry) { return entry.second.source.expired(); });
 }
@@ -30,13 +52,18 @@ std::vector<Stored> Uploads::stored() const
     Stored meshes{"meshes"};
     for (const auto& [key, uploaded] : textures_) pictures.add(uploaded.buffers.bytes());
     for (const auto& [key, uploaded] : meshes_) meshes.add(uploaded.buffers.bytes());
-    return {pictures, meshes};
+    Stored constants{"constant buffers"};
+    for (const auto& [key, uploaded] : bytes_)
+        constants.add(uploaded.buffers.bytes);
+    return {pictures, meshes, constants};
 }
 
 void Uploads::abandon()
 {
     for (auto& [key, uploaded] : textures_) uploaded.buffers.abandon();
     for (auto& [key, uploaded] : meshes_) uploaded.buffers.abandon();
+    for (auto& [key, uploaded] : bytes_)
+        uploaded.buffers.buffer.abandon();
 }
 
 int liveGlNames()

@@ -3,6 +3,7 @@
 #include "render/gl/mesh_buffers.h"
 #include "render/gl/stored.h"
 #include "render/gl/texture.h"
+#include "render/plan/frame_plan.h"
 
 #include <map>
 #include <memory>
@@ -10,11 +11,21 @@
 
 namespace vitrine::render::gl {
 
-/// The GL copies of meshes and pictures, by address: made when first used, freed when nobody holds the original.
+/// Bytes on the graphics processor that never change.
+struct UploadedBytes {
+    explicit UploadedBytes(const Bytes&);
+
+    BufferName buffer;
+    std::int64_t bytes = 0;
+};
+
+/// The GL copies of meshes, pictures and constant buffers, by address: made when first used, freed when nobody holds
+/// the original.
 class Uploads {
 public:
     [[nodiscard]] const Texture& texture(const std::shared_ptr<const render::Texture>&);
     [[nodiscard]] const MeshBuffers& mesh(const std::shared_ptr<const Mesh>&);
+    [[nodiscard]] const UploadedBytes& bytes(const std::shared_ptr<const Bytes>&);
     /// Frees the copies whose originals nobody else holds any more.
     void sweep();
     [[nodiscard]] std::vector<Stored> stored() const;
@@ -27,6 +38,7 @@ private:
     };
     std::map<const render::Texture*, Uploaded<render::Texture, Texture>> textures_;
     std::map<const Mesh*, Uploaded<Mesh, MeshBuffers>> meshes_;
+    std::map<const Bytes*, Uploaded<Bytes, UploadedBytes>> bytes_;
 };
 
 }  // namespace vitrine::render::gl

@@ -32,6 +32,8 @@ using mat4 = glm::dmat4;
 
 #include "shaders/lib/hash.glsl"
 
+#include "shaders/lib/local_light.glsl"
+
 #include "shaders/lib/light_shafts.glsl"
 
 #include "shaders/lib/air.glsl"

@@ -22,13 +22,13 @@ constexpr int linesPerFile = 100000;
 /// Replaces includes depth-first, each file once, keeping `#line` so that messages name real places.
 class Resolver {
 public:
-    explicit Resolver(const ShaderSource& source) : source_(source) {}
+    Resolver(const ShaderSource& source, const ShaderSources* generated) : source_(source), generated_(generated) {}
 
     void append(const std::string& file, const std::string& from, int depth)
     {
         if (!seen_.insert(file).second) return;
         if (depth > 16) throw Failure(Blame::shader, "shaders/" + file + ": #include is nested deeper than 16 files; break the circle.");
-        const std::optional<std::string> text = source_.read(file);
+        const std::optional<std::string> text = read(file);
         if (!text) throw Failure(Blame::shader, "shaders/" + file + " is missing" + (from.empty() ? "" : ", included from shaders/" + from) + "; restore it or correct the path.");
         const std::size_t index = result_.files.size();
         result_.files.push_back(file);
@@ -50,6 +50,14 @@ public:
     std::string& text() { return result_.text; }
 
 private:
+    [[nodiscard]] std::optional<std::string> read(const std::string& file) const
+    {
+        if (generated_)
+            if (const auto found = generated_->textByPath().find(file); found != generated_->textByPath().end())
+                return found->second;
+        return source_.read(file);
+    }
+
     static std::optional<std::string> includedFile(const std::string& line)
     {
         const std::size_t hash = line.find_first_not_of(" \t");
@@ -66,6 +74,7 @@ private:
     }
 
     const ShaderSource& source_;
+    const ShaderSources* generated_;
     ShaderText result_;
     std::set<std::string> seen_;
 };
@@ -94,9 +103,10 @@ std::optional<std::string> ShaderSource::read(std::string_view file) const
     return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-ShaderText ShaderSource::load(std::string_view file, const std::vector<std::string>& defines, std::string_view prelude) const
+ShaderText ShaderSource::load(std::string_view file, const std::vector<std::string>& defines, std::string_view prelude,
+                              const ShaderSources* generated) const
 {
-    Resolver resolver(*this);
+    Resolver resolver(*this, generated);
     resolver.text() = "#version 450 core\n";
     for (const std::string& define : defines) resolver.text() += "#define " + define + '\n';
     resolver.text() += prelude;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/plan/shader_key.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -26,9 +28,11 @@ public:
     [[nodiscard]] std::optional<std::string> read(std::string_view file) const;
 
     /// `#version 450 core`, one `#define` per entry of `defines`, the prelude, then the file with every
-    /// `#include "path"` (relative to shaders/) replaced by its text, once per file. Throws Failure
-    /// (Blame::shader) for a missing file or an include nested deeper than 16.
-    [[nodiscard]] ShaderText load(std::string_view file, const std::vector<std::string>& defines, std::string_view prelude = {}) const;
+    /// `#include "path"` (relative to shaders/) replaced by its text, once per file. What `generated` has under a
+    /// path comes before the file of that path. Throws Failure (Blame::shader) for a missing file or an include nested
+    /// deeper than 16.
+    [[nodiscard]] ShaderText load(std::string_view file, const std::vector<std::string>& defines,
+                                  std::string_view prelude = {}, const ShaderSources* generated = nullptr) const;
 
     /// Whether files can change under a running program.
     [[nodiscard]] bool onDisk() const { return folder_.has_value(); }

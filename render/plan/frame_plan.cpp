@@ -21,6 +21,49 @@ void collectInputs(const std::vector<Input>& inputs, std::vector<std::string>& n
         if (const auto* image = std::get_if<std::string>(&input.source)) names.push_back(*image);
 }
 
+void collectBuffers(const std::vector<BufferUse>& buffers, Access other, std::vector<std::string>& names)
+{
+    for (const BufferUse& use : buffers)
+        if (const auto* buffer = std::get_if<std::string>(&use.source);
+            buffer && (use.access == other || use.access == Access::readWrite))
+            names.push_back(*buffer);
+}
+
+/// The texture and attachment names of a pass, without states.
+std::vector<std::string> imagesOf(const Pass& pass)
+{
+    std::vector<std::string> names = pass.mipmaps;
+    collectInputs(pass.inputs, names);
+    for (const Draw& draw : pass.draws)
+        collectInputs(draw.inputs, names);
+    forEachAttachment(pass, [&](const Attachment& a) { names.push_back(a.image); });
+    return names;
+}
+
+std::vector<std::string> buffersOf(const Pass& pass)
+{
+    std::vector<std::string> names;
+    const auto collect = [&](const std::vector<BufferUse>& uses) {
+        for (const BufferUse& use : uses)
+            if (const auto* buffer = std::get_if<std::string>(&use.source))
+                names.push_back(*buffer);
+    };
+    collect(pass.buffers);
+    for (const Draw& draw : pass.draws)
+        collect(draw.buffers);
+    return names;
+}
+
+/// ", part 3 of 8"; ", parts 3 to 8 of 8".
+std::string partsText(const Pass& pass)
+{
+    const std::string first = std::to_string(pass.past.firstPart + 1);
+    const std::string of = " of " + std::to_string(pass.parts);
+    if (pass.past.endPart == pass.past.firstPart + 1)
+        return ", part " + first + of;
+    return ", parts " + first + " to " + std::to_string(pass.past.endPart) + of;
+}
+
 }  // namespace
 
 const char* toString(Work work)
@@ -37,6 +80,7 @@ std::vector<std::string> outputsOf(const Pass& pass)
 {
     std::vector<std::string> names = pass.writes;
     forEachAttachment(pass, [&](const Attachment& a) { names.push_back(a.image); });
+    collectBuffers(pass.buffers, Access::write, names);
     return names;
 }
 
@@ -44,17 +88,38 @@ std::vector<std::string> inputsOf(const Pass& pass)
 {
     std::vector<std::string> names = pass.reads;
     collectInputs(pass.inputs, names);
-    for (const Draw& draw : pass.draws) collectInputs(draw.inputs, names);
+    collectBuffers(pass.buffers, Access::read, names);
+    for (const Draw& draw : pass.draws) {
+        collectInputs(draw.inputs, names);
+        collectBuffers(draw.buffers, Access::read, names);
+    }
     forEachAttachment(pass, [&](const Attachment& a) {
         if (a.load == Load::keep) names.push_back(a.image);
     });
     return names;
 }
 
-void FramePlan::image(ImageInfo info)
+ResourceId FramePlan::image(ImageInfo info)
 {
     const std::string name = info.name;
     images_.insert_or_assign(name, std::move(info));
+    return ResourceId(name);
+}
+
+ResourceId FramePlan::buffer(BufferInfo info)
+{
+    const std::string name = info.name;
+    buffers_.insert_or_assign(name, std::move(info));
+    return ResourceId(name);
+}
+
+ResourceId FramePlan::history(History history)
+{
+    history.image.kept = true;
+    const std::string name = history.image.name;
+    images_.insert_or_assign(name, history.image);
+    histories_.insert_or_assign(name, HistoryState{std::move(history), false, {}, view});
+    return ResourceId(name);
 }
 
 void FramePlan::add(Pass pass)
@@ -63,6 +128,11 @@ void FramePlan::add(Pass pass)
     if (pass.bound.isZero() && !runEverything) {
         skipped_.push_back({.name = std::move(pass.name), .reason = std::move(pass.bound.whyNone), .work = pass.work, .boundIsZero = true});
         return;
+    }
+    if (pass.parts > 1) {
+        assert(pass.key && "work for several frames needs a key");
+        for (std::string& name : outputsOf(pass))
+            imagesInParts_.insert(std::move(name));
     }
     passes_.push_back(std::move(pass));
 }
@@ -103,43 +173,175 @@ void FramePlan::complainOfFile(std::string name, std::string unreadable, const s
 void FramePlan::prune(const std::vector<std::string>& outputs, const KeptKeys& kept)
 {
     std::stable_sort(passes_.begin(), passes_.end(), [](const Pass& a, const Pass& b) { return a.stage < b.stage; });
-    if (runEverything) return;
+    for (auto& [name, info] : images_)
+        info.kept = info.kept || imagesInParts_.contains(name);
+    for (auto& [name, info] : buffers_)
+        info.kept = info.kept || imagesInParts_.contains(name);
+    if (!runEverything)
+        drop(outputs, kept);
+    for (Pass& pass : passes_)
+        takePart(pass, kept);
+    lookBack(kept);
+}
 
-    const auto unchanged = [&](const Pass& pass) {
-        if (!pass.key) return false;
-        const auto last = kept.find(pass.name);
-        if (last == kept.end() || last->second != *pass.key) return false;
-        const std::vector<std::string> written = outputsOf(pass);
-        return std::all_of(written.begin(), written.end(), [&](const std::string& name) {
-            const auto info = images_.find(name);
-            return info == images_.end() || info->second.kept;
-        });
-    };
+bool FramePlan::isUnchanged(const Pass& pass, const KeptKeys& kept) const
+{
+    if (!pass.key)
+        return false;
+    const auto last = kept.passes.find(pass.name);
+    if (last == kept.passes.end() || last->second != *pass.key)
+        return false;
+    const std::vector<std::string> written = outputsOf(pass);
+    return std::all_of(written.begin(), written.end(), [&](const std::string& name) {
+        if (const auto buffer = buffers_.find(name); buffer != buffers_.end())
+            return buffer->second.kept;
+        const auto info = images_.find(name);
+        return info == images_.end() || info->second.kept;
+    });
+}
 
+std::vector<bool> FramePlan::calledFor(const std::vector<std::string>& outputs,
+                                       const std::vector<bool>& unchanged) const
+{
     // Walk backwards: a pass is kept if something kept reads what it writes. A pass that clears an
-    // image ends the interest in earlier writers of its whole content.
-    std::set<std::string> wanted(outputs.begin(), outputs.end());
+    // image ends the interest in earlier writers of its whole content. Who reads what the last frame left of a history
+    // will read in the next what this one leaves: its writers are called for, too, so the walk is done again.
+    std::set<std::string> always(outputs.begin(), outputs.end());
+    for (;;) {
+        std::set<std::string> wanted = always;
+        std::vector<bool> called(passes_.size(), false);
+        for (std::size_t i = passes_.size(); i-- > 0;) {
+            const Pass& pass = passes_[i];
+            const std::vector<std::string> written = outputsOf(pass);
+            if (unchanged[i] ||
+                std::none_of(written.begin(), written.end(), [&](const std::string& n) { return wanted.contains(n); }))
+                continue;
+            called[i] = true;
+            forEachAttachment(pass, [&](const Attachment& a) {
+                if (a.load == Load::clear && a.layer < 0 && a.level == 0)
+                    wanted.erase(a.image);
+            });
+            for (const BufferUse& use : pass.buffers)
+                if (const auto* buffer = std::get_if<std::string>(&use.source); buffer && use.access == Access::write)
+                    wanted.erase(*buffer);
+            for (const std::string& name : inputsOf(pass))
+                wanted.insert(name);
+        }
+        const std::size_t before = always.size();
+        for (const auto& [name, state] : histories_)
+            if (wanted.contains(previous(name)))
+                always.insert(name);
+        if (always.size() == before)
+            return called;
+    }
+}
+
+void FramePlan::drop(const std::vector<std::string>& outputs, const KeptKeys& kept)
+{
+    std::vector<bool> unchanged;
+    for (const Pass& pass : passes_)
+        unchanged.push_back(isUnchanged(pass, kept));
+    const std::vector<bool> called = calledFor(outputs, unchanged);
     std::vector<Pass> surviving;
-    for (auto pass = passes_.rbegin(); pass != passes_.rend(); ++pass) {
-        const std::vector<std::string> written = outputsOf(*pass);
-        const bool called = std::any_of(written.begin(), written.end(), [&](const std::string& n) { return wanted.contains(n); });
+    for (std::size_t i = passes_.size(); i-- > 0;) {
+        Pass& pass = passes_[i];
         // What fed only an unchanged pass is read by nothing, but that it is unchanged says more.
-        if (unchanged(*pass)) {
-            skip(pass->name, "unchanged since it last ran", pass->work);
-            continue;
-        }
-        if (!called) {
-            skip(pass->name, "nothing reads what it writes", pass->work);
-            continue;
-        }
-        forEachAttachment(*pass, [&](const Attachment& a) {
-            if (a.load == Load::clear && a.layer < 0 && a.level == 0) wanted.erase(a.image);
-        });
-        for (const std::string& name : inputsOf(*pass)) wanted.insert(name);
-        surviving.push_back(std::move(*pass));
+        if (unchanged[i])
+            skip(pass.name, "unchanged since it last ran", pass.work);
+        else if (!called[i])
+            skip(pass.name, "nothing reads what it writes", pass.work);
+        else
+            surviving.push_back(std::move(pass));
     }
     std::reverse(surviving.begin(), surviving.end());
     passes_ = std::move(surviving);
+}
+
+void FramePlan::takePart(Pass& pass, const KeptKeys& kept) const
+{
+    pass.past = {.lastView = view};
+    if (pass.parts <= 1)
+        return;
+    const auto progress = kept.parts.find(pass.name);
+    const bool begun = progress != kept.parts.end() && progress->second.hash == pass.key.value_or(0) &&
+                       progress->second.done < pass.parts;
+    pass.past.used = true;
+    pass.past.firstPart = begun ? progress->second.done : 0;
+    pass.past.endPart = allParts || runEverything ? pass.parts : pass.past.firstPart + 1;
+    pass.reason += partsText(pass);
+    if (pass.past.firstPart == 0)
+        return;
+    for (Attachment& a : pass.colors)
+        a.load = Load::keep;
+    if (pass.depth)
+        pass.depth->load = Load::keep;
+}
+
+void FramePlan::lookBack(const KeptKeys& kept)
+{
+    std::map<std::string, const HistoryState*> byPrevious;
+    for (auto& [name, state] : histories_) {
+        const auto last = kept.histories.find(name);
+        state = historyState(state.history, state.history.view.value_or(view), time, cut,
+                             last == kept.histories.end() ? nullptr : &last->second);
+        byPrevious[previous(name)] = &state;
+    }
+    std::set<std::string> unfinishedImages;
+    std::set<std::string> emptyImages;  // Of parts of which no whole result was ever made.
+    for (Pass& pass : passes_) {
+        const std::vector<std::string> written = outputsOf(pass);
+        const auto writes = [&](const std::string& name) {
+            return std::find(written.begin(), written.end(), name) != written.end();
+        };
+        for (const std::string& name : inputsOf(pass)) {
+            if (const auto state = byPrevious.find(name); state != byPrevious.end()) {
+                pass.past.used = true;
+                pass.past.lastView = state->second->lastView;
+                if (pass.past.valid && !state->second->valid)
+                    pass.reason += ", its history starts again: " + state->second->reset;
+                pass.past.valid = pass.past.valid && state->second->valid;
+            }
+            if (!imagesInParts_.contains(name) || (pass.parts > 1 && writes(name)))
+                continue;
+            pass.past.used = true;
+            pass.past.provisional = pass.past.provisional || unfinishedImages.contains(name);
+            pass.past.valid = pass.past.valid && !emptyImages.contains(name);
+        }
+        if (pass.past.provisional || pass.past.endPart < pass.parts)
+            unfinishedImages.insert(written.begin(), written.end());
+        if (pass.past.endPart >= pass.parts)
+            continue;
+        const auto progress = kept.parts.find(pass.name);
+        if (progress == kept.parts.end() || !progress->second.completedOnce)
+            emptyImages.insert(written.begin(), written.end());
+    }
+}
+
+bool FramePlan::unfinished() const
+{
+    return std::any_of(passes_.begin(), passes_.end(), [](const Pass& pass) { return pass.past.endPart < pass.parts; });
+}
+
+std::vector<std::string> FramePlan::errors() const
+{
+    std::vector<std::string> found;
+    const auto isImage = [&](const std::string& name) {
+        return images_.contains(name) || std::any_of(histories_.begin(), histories_.end(), [&](const auto& history) {
+                   return previous(history.first) == name;
+               });
+    };
+    for (const Pass& pass : passes_) {
+        for (const std::string& name : imagesOf(pass))
+            if (!isImage(name))
+                found.push_back(pass.name + " uses the image \"" + name + "\", which the plan does not declare");
+        for (const std::string& name : buffersOf(pass))
+            if (!buffers_.contains(name))
+                found.push_back(pass.name + " uses the buffer \"" + name + "\", which the plan does not declare");
+    }
+    for (const auto& [name, info] : buffers_)
+        if (images_.contains(name))
+            found.push_back("\"" + name + "\" is the name of an image and of a buffer");
+    return found;
 }
 
 const Pass* FramePlan::find(std::string_view name) const

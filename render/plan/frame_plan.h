@@ -1,6 +1,9 @@
 #pragma once
 
 #include "render/plan/bound.h"
+#include "render/plan/history.h"
+#include "render/plan/image_info.h"
+#include "render/plan/shader_key.h"
 #include "render/scene/camera.h"
 #include "render/scene/mesh.h"
 
@@ -11,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -20,39 +24,23 @@ namespace vitrine::render {
 /// The order of a frame. Passes of one stage keep the order in which they were added.
 enum class Stage : std::uint8_t { simulate, shadow, probe, prepare, opaque, transparent, volume, resolve, present };
 
-enum class Format : std::uint8_t { rgba8, rgba16f, rgba32f, rg16f, r16f, r32f, depth32f };
-enum class Shape : std::uint8_t { flat, array, cube };
-
-/// An image of the frame, by name.
-struct ImageInfo {
-    std::string name;
-    Format format = Format::rgba16f;
-    Shape shape = Shape::flat;
-    glm::ivec2 size{0};      ///< In pixels; (0, 0): `scale` times the drawn tile.
-    double scale = 1;
-    int layers = 1;          ///< 6 for a cube.
-    int levels = 1;
-    bool kept = false;       ///< Survives the frame: a shadow map, a probe, an average.
-    bool comparison = false; ///< Depth images: sampled through sampler2DShadow, nearer or equal passes.
-    bool repeat = false;     ///< Otherwise clamp to edge.
-    bool nearest = false;    ///< Otherwise linear filtering, between levels too.
-};
-
-/// Shader files under shaders/ and the permutation to build: {"SHADOW_METHOD 2", "GLASS"}.
-struct ShaderKey {
-    std::string vertex;
-    std::string fragment;
-    std::string compute;
-    std::vector<std::string> defines;
-    std::string prelude = {};  ///< GLSL before the files: the parameter block derived from a table.
-
-    bool operator==(const ShaderKey&) const = default;
-};
-
 /// What a shader reads at a texture unit: an image of the frame, or a picture from a file.
 struct Input {
     int unit = 0;  ///< One of the UNIT_ numbers of shaders/lib/bindings.glsl.
     std::variant<std::string, std::shared_ptr<const Texture>> source;
+};
+
+/// Bytes of a std140 block, or of a std430 buffer.
+using Bytes = std::vector<std::byte>;
+
+enum class Access : std::uint8_t { read, write, readWrite };
+
+/// What shaders read or write as a std430 buffer: one of the frame, or bytes that never change (std430, uploaded once,
+/// by address).
+struct BufferUse {
+    int binding = 0;  ///< One of the STORAGE_ numbers of shaders/lib/bindings.glsl.
+    std::variant<std::string, std::shared_ptr<const Bytes>> source;
+    Access access = Access::read;  ///< `write`: all of it, so that what was in it does not matter.
 };
 
 enum class Load : std::uint8_t { keep, clear };
@@ -63,6 +51,25 @@ struct Attachment {
     glm::vec4 clear{0};
     int layer = -1;  ///< -1: the whole image (layered when it has layers).
     int level = 0;
+
+    /// All of it, over what is there.
+    [[nodiscard]] static Attachment whole(std::string image) { return {.image = std::move(image)}; }
+    /// All of it, filled with `color` before; a depth image is as far as can be where nothing is drawn.
+    [[nodiscard]] static Attachment cleared(std::string image, const glm::vec4& color = glm::vec4(0))
+    {
+        return {std::move(image), Load::clear, color, -1, 0};
+    }
+    /// One layer, slice or face of one level, over what is there.
+    [[nodiscard]] static Attachment slice(std::string image, int layer, int level = 0)
+    {
+        return {std::move(image), Load::keep, glm::vec4(0), layer, level};
+    }
+    /// The same, filled with `color` before.
+    [[nodiscard]] static Attachment clearedSlice(std::string image, int layer, int level = 0,
+                                                 const glm::vec4& color = glm::vec4(0))
+    {
+        return {std::move(image), Load::clear, color, layer, level};
+    }
 };
 
 enum class DepthTest : std::uint8_t { none, nearer, nearerOrEqual, equal, farther };
@@ -79,9 +86,6 @@ struct RasterState {
     bool depthClamp = false;
 };
 
-/// Bytes of a std140 block.
-using Bytes = std::vector<std::byte>;
-
 /// The bytes of a trivially copyable struct that mirrors a std140 block.
 template <typename T> [[nodiscard]] Bytes bytesOf(const T& block)
 {
@@ -97,6 +101,7 @@ struct Draw {
     bool mirrored = false;  ///< Front faces are clockwise.
     Bytes object;           ///< The OBJECT block; may be empty.
     std::vector<Input> inputs;
+    std::vector<BufferUse> buffers = {};  ///< Read only: the instances' data at STORAGE_INSTANCES, by gl_InstanceID.
 };
 
 /// A simulation is ledger only: whoever prepared the frame has taken its steps.
@@ -122,6 +127,7 @@ struct Pass {
     std::optional<Attachment> depth;
     std::vector<Attachment> storage;      ///< Compute: writable images by binding.
     std::vector<Input> inputs;
+    std::vector<BufferUse> buffers;
     std::vector<std::string> reads;       ///< Simulation states read, besides the images of `inputs`.
     std::vector<std::string> writes;      ///< Simulation states written, besides the attachments.
     std::map<int, Bytes> blocks;          ///< std140 blocks by BLOCK_ binding; FRAME is the renderer's.
@@ -140,6 +146,21 @@ struct Pass {
     /// When set and all outputs are kept images last written under the same key, the pass is skipped
     /// as unchanged. It must cover everything that the output depends on.
     std::optional<std::uint64_t> key;
+
+    /// Above 1: work for several frames. Part 1, 2, ... of them runs in each frame until all have, and starts again
+    /// when `key`, which it must have, is another. Its outputs are kept; whoever reads them meanwhile gets the last
+    /// whole result. The shader sees which part it is in lib/temporal.glsl; attachments are cleared before part 1 only.
+    int parts = 1;
+
+    /// What `FramePlan::prune` finds out about the frames before.
+    struct Past {
+        int firstPart = 0;  ///< Runs parts `firstPart` + 1 to `endPart`.
+        int endPart = 1;
+        bool used = false;  ///< It reads histories or results of parts, or is such a part: lib/temporal.glsl is filled.
+        bool valid = true;         ///< All that it reads of these holds something that it can use.
+        View lastView;             ///< Of the frame that drew the histories.
+        bool provisional = false;  ///< It read what is not finished, so that it must run again, `key` or not.
+    } past = {};
 };
 
 struct Skipped {
@@ -151,9 +172,6 @@ struct Skipped {
     std::string unreadable = {};  ///< Of a complaint about a file that the look names: which parameter, which file, and why.
 };
 
-/// Keys under which kept images were last written: image name and pass name -> key.
-using KeptKeys = std::map<std::string, std::uint64_t>;
-
 /// What a frame will do, and what it will not do and why. Plain data: built, pruned and tested
 /// without a GL context.
 class FramePlan {
@@ -163,8 +181,13 @@ public:
     std::uint32_t seed = 1;
     int sample = 0;       ///< Index of the supersample being drawn.
     bool runEverything = false;  ///< The ledger's switch: nothing is pruned or skipped as unchanged.
+    bool cut = false;            ///< This frame has nothing to do with the last one: histories start again.
+    bool allParts = false;       ///< Work for several frames is done in this one: for pictures that are not redrawn.
 
-    void image(ImageInfo);
+    ResourceId image(ImageInfo);
+    ResourceId buffer(BufferInfo);
+    /// Returns the image that this frame writes; `previous` of it is what the last frame left.
+    ResourceId history(History);
     /// A pass with a bound of 0 is skipped, but for `runEverything`.
     void add(Pass);
     void skip(std::string name, std::string reason, Work = Work::raster);
@@ -186,21 +209,41 @@ public:
     [[nodiscard]] const std::vector<Pass>& passes() const { return passes_; }
     [[nodiscard]] const std::vector<Skipped>& skipped() const { return skipped_; }
     [[nodiscard]] const std::map<std::string, ImageInfo>& images() const { return images_; }
+    [[nodiscard]] const std::map<std::string, BufferInfo>& buffers() const { return buffers_; }
+    /// By image; known after `prune`.
+    [[nodiscard]] const std::map<std::string, HistoryState>& histories() const { return histories_; }
+    /// Images that are written by parts: what is read of them is the last whole result.
+    [[nodiscard]] const std::set<std::string>& imagesInParts() const { return imagesInParts_; }
+    /// Whether another frame is called for to finish what was begun; known after `prune`.
+    [[nodiscard]] bool unfinished() const;
+    /// What is wrong with the plan itself, a sentence each: passes that read or write what no one declared. None is
+    /// left in a plan that is to be drawn; tests plan everything and look.
+    [[nodiscard]] std::vector<std::string> errors() const;
     [[nodiscard]] const Pass* find(std::string_view passName) const;
     [[nodiscard]] const Skipped* findSkipped(std::string_view passName) const;
 
 private:
+    [[nodiscard]] bool isUnchanged(const Pass&, const KeptKeys&) const;
+    [[nodiscard]] std::vector<bool> calledFor(const std::vector<std::string>& outputs,
+                                              const std::vector<bool>& unchanged) const;
+    void drop(const std::vector<std::string>& outputs, const KeptKeys&);
+    void takePart(Pass&, const KeptKeys&) const;
+    void lookBack(const KeptKeys&);
+
     std::vector<Pass> passes_;
     std::vector<Skipped> skipped_;
     std::map<std::string, ImageInfo> images_;
+    std::map<std::string, BufferInfo> buffers_;
+    std::map<std::string, HistoryState> histories_;
+    std::set<std::string> imagesInParts_;
 };
 
 /// "hall/opaque > sdf_morph/march > present": the form tests compare.
 [[nodiscard]] std::string toString(const FramePlan&);
 
-/// Every image that a pass writes, by name.
+/// Every image, buffer or state that a pass writes, by name.
 [[nodiscard]] std::vector<std::string> outputsOf(const Pass&);
-/// Every image or state that a pass reads, by name; what it writes without clearing included.
+/// Every image, buffer or state that a pass reads, by name; what it writes without clearing included.
 [[nodiscard]] std::vector<std::string> inputsOf(const Pass&);
 
 }  // namespace vitrine::render

@@ -27,6 +27,7 @@ struct FrameReport {
     std::map<std::string, std::int64_t> counters;  ///< Exact integers: "passes", "draws", "triangles", "programs", ...
     double milliseconds = 0;                       ///< The whole frame, by the clock named by `clock`.
     double wallMilliseconds = 0;                   ///< The same by the wall clock: what a visitor waits.
+    bool unfinished = false;  ///< Another frame is called for: parts are left, or a program is being built.
     std::string clock;                             ///< "process CPU time around glFinish", ...
     bool clockTrusted = false;
     double overheadMilliseconds = 0;               ///< What taking the times cost; part of `milliseconds`.

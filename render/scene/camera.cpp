@@ -76,7 +76,15 @@ View makeView(const Camera& camera, const Raster& raster)
 
     view.tanShift = {std::isfinite(camera.lensShift.x) ? camera.lensShift.x : 0, std::isfinite(camera.lensShift.y) ? camera.lensShift.y : 0};
 
+    return withRaster(view, raster);
+}
+
+View withRaster(const View& camera, const Raster& raster)
+{
+    View view = camera;
+    view.raster = raster;
     // Maps the tile's pixels to [-1, 1]; the jitter moves the sample, so it moves the picture back.
+    const glm::dvec2 size = glm::max(raster.size, glm::ivec2(1));
     const glm::dvec2 drawn = glm::max(raster.drawn(), glm::ivec2(1));
     const glm::dvec2 scale = size / drawn;
     const glm::dvec2 shift = (size - 2.0 * (glm::dvec2(raster.offset) + raster.jitter)) / drawn - 1.0;

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <optional>
 
 namespace vitrine::render {
 
@@ -43,6 +44,8 @@ struct View {
     glm::dvec2 tanShift{0};      ///< Of the middle of the whole picture, off the view axis.
     double nearPlane = 0.02;     ///< Metres.
     Raster raster;
+    /// World space: only points p with dot(plane, (p, 1)) >= 0 are drawn, in what lies behind a mirror or a portal.
+    std::optional<glm::dvec4> clipPlane;
 
     /// World-space direction through a place in the whole picture (each -1 to 1, y up), with length 1 along the axis.
     [[nodiscard]] glm::dvec3 direction(glm::dvec2 ndc) const;
@@ -53,6 +56,10 @@ struct View {
 /// Handles a target equal to the eye, a vertical look direction, a field of view out of range, and positions out of
 /// range or NaN: they are brought into it.
 [[nodiscard]] View makeView(const Camera&, const Raster&);
+
+/// The same camera for other pixels: another tile, jitter or size. The angles stay, so that pixels of another aspect
+/// are not square.
+[[nodiscard]] View withRaster(const View&, const Raster&);
 
 /// Reversed infinite perspective: near plane at depth 1, infinity at 0. `tanHalfFov` > 0, `nearPlane` > 0;
 /// `tanShift` is where its middle looks, off the axis.

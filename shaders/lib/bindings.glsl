@@ -5,6 +5,14 @@
 #define BLOCK_PARAMETERS 1
 #define BLOCK_OBJECT 2
 #define BLOCK_LIGHT 3
+#define BLOCK_TEMPORAL 4
+#define BLOCK_LOCAL_LIGHTS 5
+
+// std430 buffers.
+#define STORAGE_INSTANCES 0
+#define STORAGE_EXHIBIT_A 1
+#define STORAGE_EXHIBIT_B 2
+#define STORAGE_EXHIBIT_C 3
 
 // Texture units.
 #define UNIT_BASE_COLOR 0
@@ -23,3 +31,4 @@
 #define UNIT_EXHIBIT_A 13
 #define UNIT_EXHIBIT_B 14
 #define UNIT_EXHIBIT_C 15
+#define UNIT_LOCAL_SHADOWS 16

@@ -11,7 +11,15 @@ layout(std140, binding = BLOCK_FRAME) uniform Frame {
     vec4 sampling;       // xy: lower left corner of the tile plus jitter, pixels; zw: tan of half the field of view
     vec4 shift;          // xy: tan of where the middle of the picture looks, off the axis
     vec4 timing;         // x: seconds, wrapped; y: index of the supersample; z: seed; w: angle of one pixel, radians
+    vec4 clipPlane;      // world space: only points p with dot(clipPlane, (p, 1)) >= 0 are drawn
 } frame;
+
+// For gl_ClipDistance[0] of every vertex shader that can draw what is seen in a mirror or through a portal; marched
+// surfaces start their rays where it becomes positive. 1 everywhere when nothing is clipped.
+float frameClipDistance(vec3 worldPosition)
+{
+    return dot(frame.clipPlane, vec4(worldPosition, 1.0));
+}
 
 // Position in the whole picture, in pixels, of the sample that this fragment stands for.
 vec2 framePixel(vec2 fragCoord)

@@ -35,7 +35,7 @@ TEST_F(Memory, KeepsNoMoreThanTheLastPrograms)
     GLuint always = 0;
     for (int frame = 0; frame < 20; ++frame) {
         cache.beginFrame();
-        const GLuint name = cache.use(permutation(-1));
+        const GLuint name = cache.use(permutation(-1)).program;
         EXPECT_TRUE(frame == 0 || name == always) << "what every frame uses is built once";
         always = name;
         for (int i = 0; i < perFrame; ++i) (void)cache.use(permutation(frame * perFrame + i));
@@ -65,6 +65,28 @@ TEST_F(Memory, HoldsProgramsMeshesAndPicturesOnceForSiblings)
         EXPECT_EQ(largestDifference(first.read("frame"), sibling->read("frame")), 0);
     }
     EXPECT_EQ(render::gl::liveGlNames(), names) << "its images went with it";
+}
+
+TEST_F(Memory, OfFramebuffersIsMadeOnceAndNotByTheNextSameFrame)
+{
+    const Museum& museum = gallery().museum;
+    render::gl::Renderer renderer;
+    for (std::size_t i = 0; i < museum.exhibits().size(); ++i) {
+        Shot shot;
+        shot.inHall().size(32, 18);
+        shot.request.frame.camera = museum.bestView(i, shot.look.values[i]);
+        const auto made = [&] {
+            return renderer.draw(test::planned(museum, shot.look, shot.request.frame, renderer.kept()))
+                .counters.at("framebuffers made");
+        };
+        const std::int64_t first = made();
+        if (i == 0) {
+            EXPECT_GT(first, 0);
+        }
+        const int live = render::gl::FramebufferName::live();
+        EXPECT_EQ(made(), 0) << museum.exhibits()[i]->name();
+        EXPECT_EQ(render::gl::FramebufferName::live(), live) << museum.exhibits()[i]->name();
+    }
 }
 
 // A reader of 261 libraries and 131 MB is for what visitors bring along.

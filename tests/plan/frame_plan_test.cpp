@@ -115,12 +115,12 @@ FramePlan withKeptMap(std::uint64_t key, bool kept = true)
 TEST(FramePlan, SkipsWhatIsKeptAndUnchanged)
 {
     FramePlan same = withKeptMap(7);
-    same.prune({"frame"}, {{"map", 7}});
+    same.prune({"frame"}, {.passes = {{"map", 7}}});
     EXPECT_EQ(toString(same), "last");
     EXPECT_EQ(reasonFor(same, "map"), "unchanged since it last ran");
 
     FramePlan changed = withKeptMap(8);
-    changed.prune({"frame"}, {{"map", 7}});
+    changed.prune({"frame"}, {.passes = {{"map", 7}}});
     EXPECT_EQ(toString(changed), "map > last");
 
     FramePlan never = withKeptMap(7);
@@ -131,7 +131,7 @@ TEST(FramePlan, SkipsWhatIsKeptAndUnchanged)
 TEST(FramePlan, RunsAgainWhenTheImageItWroteWasNotKept)
 {
     FramePlan plan = withKeptMap(7, false);
-    plan.prune({"frame"}, {{"map", 7}});
+    plan.prune({"frame"}, {.passes = {{"map", 7}}});
     EXPECT_EQ(toString(plan), "map > last");
 }
 
@@ -144,7 +144,7 @@ TEST(FramePlan, DropsWhatFedOnlyAnUnchangedPass)
     map.key = 7;
     plan.add(std::move(map));
     plan.add(pass("last", {"map"}, "frame"));
-    plan.prune({"frame"}, {{"map", 7}});
+    plan.prune({"frame"}, {.passes = {{"map", 7}}});
     EXPECT_EQ(toString(plan), "last");
     EXPECT_EQ(reasonFor(plan, "feeds"), "nothing reads what it writes");
 }
@@ -154,7 +154,7 @@ TEST(FramePlan, RunsEverythingWhenAskedTo)
     FramePlan plan = withKeptMap(7);
     plan.add(pass("dead", {}, "unread"));
     plan.runEverything = true;
-    plan.prune({"frame"}, {{"map", 7}});
+    plan.prune({"frame"}, {.passes = {{"map", 7}}});
     EXPECT_EQ(toString(plan), "map > last > dead");
     EXPECT_TRUE(plan.skipped().empty());
 }

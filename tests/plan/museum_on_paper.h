@@ -60,7 +60,7 @@ inline render::KeptKeys keptAfter(const render::FramePlan& plan)
 {
     render::KeptKeys kept;
     for (const render::Pass& pass : plan.passes())
-        if (pass.key) kept[pass.name] = *pass.key;
+        if (pass.key) kept.passes[pass.name] = *pass.key;
     return kept;
 }
 

@@ -182,12 +182,12 @@ TEST(MuseumPlan, ProbeAndHallShadowAreKeptWhileTheLightIsTheSame)
     Scene scene;
     const FramePlan first = scene.plan();
     const render::KeptKeys kept = keptAfter(first);
-    EXPECT_GT(kept.size(), 8U);
+    EXPECT_GT(kept.passes.size(), 8U);
     scene.object().set(test::sdfTable().morph, 0.25);
     scene.hall().set(test::hallTable().exposure, 1.0);  // Develops the picture, does not light the room.
     turnAway(scene);
     const FramePlan second = scene.plan(kept);
-    for (const auto& [pass, key] : kept) {
+    for (const auto& [pass, key] : kept.passes) {
         // Only the shadow of what has changed is another.
         const bool ofExhibits = pass.rfind("probe/", 0) != 0 && pass.rfind("hall/", 0) != 0;
         EXPECT_EQ(reasonFor(second, pass), ofExhibits ? "it ran" : "unchanged since it last ran") << pass;
@@ -195,7 +195,7 @@ TEST(MuseumPlan, ProbeAndHallShadowAreKeptWhileTheLightIsTheSame)
 
     scene.hall().set(test::hallTable().sunElevation, 0.4);
     const FramePlan third = scene.plan(kept);
-    for (const auto& [pass, key] : kept) EXPECT_EQ(reasonFor(third, pass), "it ran") << pass;
+    for (const auto& [pass, key] : kept.passes) EXPECT_EQ(reasonFor(third, pass), "it ran") << pass;
 }
 
 TEST(MuseumPlan, TheExhibitsShadowIsKeptWhileNothingInItMoves)

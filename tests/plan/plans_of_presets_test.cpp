@@ -18,11 +18,16 @@ namespace fs = std::filesystem;
 
 const fs::path snapshotFile = fs::path(VITRINE_SOURCE_DIR) / "tests" / "plan" / "plans_of_presets.txt";
 
-/// "sdf_morph/glass" -> its plan.
-std::map<std::string, render::FramePlan> plansOfPresets()
+/// "sdf_morph/glass" -> its plan, seen from the preset's own place or the exhibit's best view.
+std::map<std::string, render::FramePlan> plansOfPresets(bool everything = false)
 {
     std::map<std::string, render::FramePlan> plans;
-    for (const auto& [name, scene] : scenesOfPresets()) plans.emplace(name, scene.plan());
+    auto scenes = scenesOfPresets();
+    for (auto& [name, scene] : scenes) {
+        scene.request.runEverything = everything;
+        scene.request.channels = {.normal = everything, .evaluations = everything};
+        plans.emplace(name, scene.plan());
+    }
     return plans;
 }
 
@@ -54,6 +59,13 @@ TEST(PlansOfPresets, RunEachStepOnceInTheOrderOfTheStagesAndForAReason)
             EXPECT_GE(step.reason.size(), 5U) << name << ": " << step.name;
         }
     }
+}
+
+TEST(PlansOfPresets, NameOnlyWhatTheyDeclare)
+{
+    for (const bool everything : {false, true})
+        for (const auto& [name, plan] : plansOfPresets(everything))
+            EXPECT_EQ(plan.errors(), std::vector<std::string>()) << name;
 }
 
 TEST(PlansOfPresets, LeaveOutWhatTheyDoNotShow)

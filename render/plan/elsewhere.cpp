@@ -1,0 +1,148 @@
+#include "render/plan/elsewhere.h"
+
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace vitrine::render {
+namespace {
+
+/// Whether a view of its own sees another content in what the pass writes.
+bool dependsOnView(const Pass& pass)
+{
+    if (pass.stage == Stage::simulate || pass.stage == Stage::shadow || pass.stage == Stage::probe)
+        return false;
+    return !pass.key && !(pass.colors.empty() && !pass.depth && pass.storage.empty());
+}
+
+/// The images of what is seen from elsewhere, by their names there.
+class Renamed {
+public:
+    Renamed(const FramePlan& seen, const Elsewhere& elsewhere) : seen_(seen), elsewhere_(elsewhere) {}
+
+    void add(const std::string& image) { names_.emplace(image, elsewhere_.name + '.' + image); }
+    void rename(std::string& image) const
+    {
+        if (const auto found = names_.find(image); found != names_.end())
+            image = found->second;
+        for (const auto& [name, state] : seen_.histories())
+            if (image == previous(name) && names_.contains(name))
+                image = previous(names_.at(name));
+    }
+    void rename(std::vector<Input>& inputs) const
+    {
+        for (Input& input : inputs)
+            if (auto* image = std::get_if<std::string>(&input.source))
+                rename(*image);
+    }
+    void declareIn(FramePlan& plan) const
+    {
+        for (const auto& [old, name] : names_) {
+            const auto declared = seen_.images().find(old);
+            if (declared == seen_.images().end())
+                continue;
+            ImageInfo info = declared->second;
+            info.ownPixels = info.hasOwnPixels();
+            info.size = sizeOf(info, elsewhere_.view.raster);
+            info.divisor = 0;
+            info.name = name;
+            const auto history = seen_.histories().find(old);
+            if (history == seen_.histories().end()) {
+                plan.image(std::move(info));
+                continue;
+            }
+            History copy = history->second.history;
+            copy.image = std::move(info);
+            copy.view = elsewhere_.view;
+            plan.history(std::move(copy));
+        }
+    }
+    [[nodiscard]] const std::map<std::string, std::string>& names() const { return names_; }
+
+private:
+    const FramePlan& seen_;
+    const Elsewhere& elsewhere_;
+    std::map<std::string, std::string> names_;
+};
+
+View viewOf(const Pass& pass, const FramePlan& seen, const Elsewhere& elsewhere)
+{
+    if (pass.view)
+        return *pass.view;
+    for (const std::string& image : outputsOf(pass))
+        if (const auto info = seen.images().find(image); info != seen.images().end() && info->second.hasOwnPixels())
+            return viewOfOwnPixels(elsewhere.view, info->second);
+    return elsewhere.view;
+}
+
+View moved(const View& view, const glm::dmat4& worldFromBefore, const glm::dmat4& beforeFromWorld,
+           const glm::dvec4& clipPlane)
+{
+    View other = view;
+    other.viewFromWorld = view.viewFromWorld * beforeFromWorld;
+    other.clipFromWorld = other.clipFromView * other.viewFromWorld;
+    other.eye = glm::dvec3(worldFromBefore * glm::dvec4(view.eye, 1));
+    other.clipPlane = clipPlane;
+    return other;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan& seen, const Elsewhere& elsewhere)
+{
+    std::vector<Pass> passes;
+    for (const Pass& pass : seen.passes()) {
+        Pass copy = pass;
+        if (dependsOnView(pass) && (!elsewhere.take || elsewhere.take(copy)))
+            passes.push_back(std::move(copy));
+    }
+    std::stable_sort(passes.begin(), passes.end(), [](const Pass& a, const Pass& b) { return a.stage < b.stage; });
+    Renamed renamed(seen, elsewhere);
+    for (const Pass& pass : passes)
+        for (const std::string& image : outputsOf(pass))
+            if (!seen.buffers().contains(image))
+                renamed.add(image);
+    for (Pass& pass : passes) {
+        pass.view = viewOf(pass, seen, elsewhere);
+        pass.name = elsewhere.name + '/' + pass.name;
+        pass.reason = elsewhere.reason;
+        pass.stage = elsewhere.stage;
+        for (Attachment& color : pass.colors)
+            renamed.rename(color.image);
+        if (pass.depth)
+            renamed.rename(pass.depth->image);
+        for (Attachment& storage : pass.storage)
+            renamed.rename(storage.image);
+        for (std::string& image : pass.mipmaps)
+            renamed.rename(image);
+        renamed.rename(pass.inputs);
+        for (Draw& draw : pass.draws) {
+            renamed.rename(draw.inputs);
+            draw.mirrored = draw.mirrored != elsewhere.mirrored;
+        }
+    }
+    renamed.declareIn(plan);
+    for (Pass& pass : passes)
+        plan.add(std::move(pass));
+    return renamed.names();
+}
+
+View mirroredView(const View& view, const glm::dvec4& plane)
+{
+    const glm::dvec3 normal(plane);
+    glm::dmat4 reflection(1);
+    for (int column = 0; column < 3; ++column)
+        reflection[column] -= glm::dvec4(2 * normal[column] * normal, 0);
+    reflection[3] = glm::dvec4(-2 * plane.w * normal, 1);
+    const bool eyeInFront = glm::dot(plane, glm::dvec4(view.eye, 1)) >= 0;
+    return moved(view, reflection, reflection, eyeInFront ? plane : -plane);  // A reflection is its own inverse.
+}
+
+View portalView(const View& view, const glm::dmat4& exitFromEntry, const glm::dvec4& exitPlane)
+{
+    return moved(view, exitFromEntry, glm::affineInverse(exitFromEntry), exitPlane);
+}
+
+}  // namespace vitrine::render

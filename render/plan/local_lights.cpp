@@ -1,0 +1,52 @@
+#include "render/plan/local_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vitrine::render {
+namespace {
+
+/// Luminance of the irradiance at `center`, as if nothing ended before.
+double strengthAt(const LocalLight& light, const glm::dvec3& center)
+{
+    const double distance = std::max({glm::distance(light.position, center), light.radius, 1e-3});
+    return glm::dot(light.intensity, glm::dvec3(0.2126, 0.7152, 0.0722)) / (distance * distance);
+}
+
+bool reaches(const LocalLight& light, const glm::dvec3& center, double radius)
+{
+    const double distance = glm::distance(light.position, center);
+    return std::isfinite(distance) && strengthAt(light, center) > 0 &&
+           (light.range <= 0 || distance - radius < light.range);
+}
+
+}  // namespace
+
+LocalLighting localLighting(std::span<const LocalLight> lights, const glm::dvec3& center, double radius)
+{
+    LocalLighting result;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (reaches(lights[i], center, radius))
+            result.chosen.push_back(i);
+    std::stable_sort(result.chosen.begin(), result.chosen.end(), [&](std::size_t a, std::size_t b) {
+        return strengthAt(lights[a], center) > strengthAt(lights[b], center);
+    });
+    if (result.chosen.size() > mostLocalLights)
+        result.chosen.resize(mostLocalLights);
+    result.block.count.x = static_cast<float>(result.chosen.size());
+    for (std::size_t i = 0; i < result.chosen.size(); ++i) {
+        const LocalLight& light = lights[result.chosen[i]];
+        LocalLightBlock::Light& entry = result.block.lights[i];
+        entry = {glm::vec3(light.position), static_cast<float>(std::max(light.radius, 0.0)), glm::vec3(light.intensity),
+                 static_cast<float>(light.range)};
+        if (!light.castsShadow || result.shadowed.size() >= mostLocalShadows)
+            continue;
+        entry.shadow = static_cast<float>(6 * result.shadowed.size());
+        entry.nearPlane = static_cast<float>(localShadowNear);
+        result.shadowed.push_back(result.chosen[i]);
+    }
+    return result;
+}
+
+}  // namespace vitrine::render

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "render/scene/camera.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace vitrine::render {
+
+/// A lamp or a candle: a point, or a sphere of even radiance.
+struct LocalLight {
+    glm::dvec3 position{0};    ///< World space, metres.
+    double radius = 0;         ///< Metres; 0: a point.
+    glm::dvec3 intensity{1};   ///< Radiant intensity, W/sr.
+    double range = 0;          ///< Metres: beyond, it is not seen; 0: no end.
+    bool castsShadow = false;  ///< If it is among the strongest.
+};
+
+inline constexpr std::size_t mostLocalLights = 32;  ///< As MOST_LOCAL_LIGHTS of shaders/lib/local_lights.glsl.
+inline constexpr std::size_t mostLocalShadows = 4;  ///< Each takes six layers of the shadow maps.
+inline constexpr double localShadowNear = 0.01;     ///< Metres: what is nearer to a light throws no shadow.
+
+/// Mirrors the std140 block LocalLights of shaders/lib/local_lights.glsl.
+struct LocalLightBlock {
+    struct Light {
+        glm::vec3 position{0};
+        float radius = 0;
+        glm::vec3 intensity{0};
+        float range = 0;
+        float shadow = -1;
+        float nearPlane = 0;
+        glm::vec2 pad{0};
+    };
+    glm::vec4 count{0};
+    std::array<Light, mostLocalLights> lights;
+};
+
+/// The lights that a frame reckons with.
+struct LocalLighting {
+    LocalLightBlock block;
+    std::vector<std::size_t> chosen;  ///< Which of the given lights stand in the block, strongest first.
+    std::vector<std::size_t>
+        shadowed;  ///< Which of them have shadow maps: layers 6 i to 6 i + 5 belong to `shadowed[i]`.
+};
+
+/// The one policy of all exhibits: strength is what a light sends to a surface that faces it at `center` (where one
+/// looks), the strongest `mostLocalLights` count, and the strongest `mostLocalShadows` of those that cast shadows have
+/// maps. Lights without intensity, and those whose range ends before the sphere of `radius` metres about `center`, are
+/// left out.
+[[nodiscard]] LocalLighting localLighting(std::span<const LocalLight>, const glm::dvec3& center, double radius);
+
+}  // namespace vitrine::render

@@ -1,0 +1,83 @@
+// One light that stands somewhere: a point, or a sphere of even radiance. What it sends to a surface, and where its
+// shadow map is looked up. GLSL 4.50 and C++ (render/glsl/cpu.h).
+#ifndef __cplusplus
+#include "lib/numerics.glsl"
+#endif
+
+struct LocalLight {
+    vec3 position;   // world space, metres
+    float radius;    // of the sphere, metres; 0: a point
+    vec3 intensity;  // radiant intensity, W/sr: of a sphere pi radius^2 times its radiance
+    float range;     // metres: beyond, it is not seen; 0: no end
+    float shadow;    // first of its six layers in the shadow maps; below 0: it throws no shadow
+    float nearPlane; // of these maps, metres
+    float pad0;
+    float pad1;
+};
+
+// Fades to 0 at `range`, smoothly, and is near 1 before half of it. Karis 2013, "Real Shading in Unreal Engine 4".
+float localWindow(float distance, float range)
+{
+    if (range <= 0.0) return 1.0;
+    float ratio = distance / range;
+    float inside = max(1.0 - ratio * ratio * ratio * ratio, 0.0);
+    return inside * inside;
+}
+
+// Form factor of a sphere seen from a surface: irradiance over pi times its radiance, 0 to 1. `cosine` between the
+// normal and the direction of its middle, `distance` to the middle. Part of it may lie below the surface's horizon.
+// Snyder 1996, "Area Light Sources for Real-Time Graphics", in the form of Quilez, "Sphere - Occlusion"; 1 from inside
+// the sphere.
+float sphereFormFactor(float cosine, float distance, float radius)
+{
+    if (distance <= radius) return 1.0;
+    float h2 = distance / radius * (distance / radius);
+    float c = clamp(cosine, -1.0, 1.0);
+    float below = 1.0 - h2 * c * c;   // Above 0: the horizon cuts the sphere.
+    if (below <= 0.0) return c > 0.0 ? c / h2 : 0.0;
+    float sine = safeSqrt(1.0 - c * c);
+    float root = safeSqrt(h2 - 1.0);
+    float horizon = clamp(-c * root / sine, -1.0, 1.0);
+    return ((c * safeAcos(horizon) - safeSqrt(below) * root) / h2 + atan(safeSqrt(below), root)) / PI;
+}
+
+// Irradiance on a surface at `place` with unit `normal`, without shadow.
+vec3 localIrradiance(LocalLight light, vec3 place, vec3 normal)
+{
+    vec3 towards = light.position - place;
+    float squared = dot(towards, towards);
+    float distance = safeSqrt(squared);
+    float window = localWindow(distance, light.range);
+    if (window <= 0.0 || squared <= 0.0) return vec3(0.0);
+    float cosine = dot(towards, normal) / distance;
+    // A sphere as small as this is a point to float32.
+    bool isPoint = light.radius < 1.0e-3 * distance;
+    float geometry = max(cosine, 0.0) / squared;
+    if (!isPoint) geometry = sphereFormFactor(cosine, distance, light.radius) / (light.radius * light.radius);
+    return light.intensity * (geometry * window);
+}
+
+// Which of the six shadow maps of a light, in OpenGL's order of cube faces, sees a place in this direction from it.
+int localShadowFace(vec3 fromLight)
+{
+    vec3 size = abs(fromLight);
+    if (size.x >= size.y && size.x >= size.z) return fromLight.x > 0.0 ? 0 : 1;
+    if (size.y >= size.z) return fromLight.y > 0.0 ? 2 : 3;
+    return fromLight.z > 0.0 ? 4 : 5;
+}
+
+// Where it is in that map: xy texture coordinates, z reversed depth. The maps are drawn by render/scene/cube_views.h.
+vec3 localShadowPosition(vec3 fromLight, float nearPlane)
+{
+    int face = localShadowFace(fromLight);
+    vec3 d = fromLight;
+    vec2 p = vec2(-d.z, -d.y);
+    float ahead = d.x;
+    if (face == 1) { p = vec2(d.z, -d.y); ahead = -d.x; }
+    if (face == 2) { p = vec2(d.x, d.z); ahead = d.y; }
+    if (face == 3) { p = vec2(d.x, -d.z); ahead = -d.y; }
+    if (face == 4) { p = vec2(d.x, -d.y); ahead = d.z; }
+    if (face == 5) { p = vec2(-d.x, -d.y); ahead = -d.z; }
+    ahead = max(ahead, 1.0e-6);
+    return vec3(p / ahead * 0.5 + 0.5, nearPlane / ahead);
+}

@@ -1,0 +1,238 @@
+// Programs of sources made at run time: found, named in errors, built in the background, kept within bounds.
+
+#include "render/failure.h"
+#include "render/gl/program_binaries.h"
+#include "render/gl/program_cache.h"
+#include "tests/render/gl/renderer_bench.h"
+#include "tests/support/image_bytes.h"
+#include "tests/support/temporary_folder.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <future>
+#include <thread>
+
+namespace vitrine {
+namespace {
+
+using namespace render;
+using gl::ProgramCache;
+
+/// A context that its thread gets only when the test lets it, so that the frames before are certain to come first.
+class GatedContext final : public gl::SharedContext {
+public:
+    explicit GatedContext(std::shared_ptr<gl::SharedContext> inner) : inner_(std::move(inner)) {}
+    void open() { gate_.set_value(); }
+    void makeCurrent() override
+    {
+        gate_.get_future().wait();
+        inner_->makeCurrent();
+    }
+    void release() override { inner_->release(); }
+
+private:
+    std::shared_ptr<gl::SharedContext> inner_;
+    std::promise<void> gate_;
+};
+
+class GeneratedShaders : public test::RendererTest {
+protected:
+    void SetUp() override
+    {
+        RendererTest::SetUp();
+        expectsErrors_ = true;
+    }
+
+    /// A program that fills with `value()` as `scene.glsl` defines it.
+    [[nodiscard]] static ShaderKey key(const std::string& scene, const std::string& slot = {})
+    {
+        ShaderKey made{"lib/fullscreen.vert", "filled.frag", "", {}};
+        made.sources = std::make_shared<const ShaderSources>(std::map<std::string, std::string>{
+            {"filled.frag", "#include \"generated/scene.glsl\"\nlayout(location = 0) out vec4 color;\nvoid main()\n{\n "
+                            "   color = vec4(value());\n}\n"},
+            {"generated/scene.glsl", scene}});
+        made.slot = slot;
+        return made;
+    }
+    [[nodiscard]] static std::string returns(int value)
+    {
+        return "float value()\n{\n    return " + std::to_string(value) + ".0;\n}\n";
+    }
+
+    float drawn(const ShaderKey& shader)
+    {
+        FramePlan plan = planOf({2, 2});
+        Pass pass = fill("filled", "frame", "");
+        pass.shader = shader;
+        plan.add(std::move(pass));
+        report_ = draw(plan);
+        return renderer().read("frame").at(0, 0, 0);
+    }
+    /// Frames until none is called for any more; every one shows one of the two values.
+    void drawUntilFinished(const ShaderKey& shader, float old, float fresh)
+    {
+        do {
+            const float value = drawn(shader);
+            EXPECT_TRUE(value == old || value == fresh) << value;
+            EXPECT_EQ(report_.unfinished, value == old) << report_.ran.front().reason;
+            if (report_.unfinished) {
+                EXPECT_NE(report_.ran.front().reason.find("while the new program is being built"), std::string::npos)
+                    << report_.ran.front().reason;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        } while (report_.unfinished);
+        EXPECT_EQ(drawn(shader), fresh);
+    }
+
+    FrameReport report_;
+};
+
+TEST_F(GeneratedShaders, AreFoundByIncludeBeforeFilesOfTheirPath)
+{
+    EXPECT_EQ(drawn(key(returns(3))), 3);
+    ShaderKey over =
+        key("#include \"lib/bindings.glsl\"\nfloat value()\n{\n    return float(UNIT_SOURCE) + float(OURS);\n}\n");
+    EXPECT_THROW((void)drawn(over), Failure) << "the file of the library does not define it";
+    std::map<std::string, std::string> texts = over.sources->textByPath();
+    texts["lib/bindings.glsl"] = "#define OURS 5\n#define UNIT_SOURCE 2\n";
+    over.sources = std::make_shared<const ShaderSources>(std::move(texts));
+    EXPECT_EQ(drawn(over), 7);
+}
+
+TEST_F(GeneratedShaders, AreNamedInErrorsWithTheirOwnLine)
+{
+    try {
+        (void)drawn(key("// A scene.\n\nfloat value()\n{\n    return undeclaredThing;\n}\n"));
+        FAIL() << "nothing was thrown";
+    } catch (const Failure& failure) {
+        EXPECT_EQ(failure.blame(), Blame::shader);
+        EXPECT_NE(std::string(failure.what()).find("The generated shader generated/scene.glsl, line 5"),
+                  std::string::npos)
+            << failure.what();
+        EXPECT_NE(std::string(failure.what()).find("undeclaredThing"), std::string::npos) << failure.what();
+    }
+}
+
+TEST_F(GeneratedShaders, ThatDoNotBuildLeaveTheLastGoodProgramOfTheirSlotDrawing)
+{
+    EXPECT_EQ(drawn(key(returns(3), "scene")), 3);
+    const ShaderKey broken = key("float value()\n{\n    return oops;\n}\n", "scene");
+    for (int frame = 0; frame < 100 && (frame == 0 || report_.unfinished); ++frame)
+        EXPECT_EQ(drawn(broken), 3);
+    EXPECT_EQ(drawn(broken), 3);
+    EXPECT_NE(report_.ran.front().reason.find("drawn with the last good program because the new program does not "
+                                              "build: The generated shader generated/scene.glsl, line 3"),
+              std::string::npos)
+        << report_.ran.front().reason;
+    ASSERT_EQ(renderer().problems().size(), 1U);
+    EXPECT_EQ(renderer().problems()[0].file, "generated/scene.glsl");
+    EXPECT_EQ(renderer().problems()[0].line, 3);
+    EXPECT_EQ(drawn(key(returns(4), "scene")), 4);
+    EXPECT_TRUE(renderer().problems().empty()) << "it is mended";
+    EXPECT_THROW((void)drawn(key("broken", "other")), Failure) << "a slot without a good program";
+}
+
+TEST_F(GeneratedShaders, AreBuiltOnAThreadWhileTheLastGoodProgramDraws)
+{
+    const auto gate = std::make_shared<GatedContext>(context().shared());
+    renderer().buildInBackground(gate);
+    EXPECT_EQ(drawn(key(returns(1), "scene")), 1) << "the first one is waited for";
+    EXPECT_FALSE(report_.unfinished);
+    const ShaderKey second = key(returns(2), "scene");
+    for (int frame = 0; frame < 3; ++frame) {
+        EXPECT_EQ(drawn(second), 1) << "no frame waits";
+        EXPECT_TRUE(report_.unfinished);
+        EXPECT_NE(
+            report_.ran.front().reason.find("drawn with the last good program while the new program is being built"),
+            std::string::npos)
+            << report_.ran.front().reason;
+    }
+    gate->open();
+    drawUntilFinished(second, 1, 2);
+    EXPECT_EQ(drawn(key(returns(1), "scene")), 1) << "which is still there";
+    EXPECT_FALSE(report_.unfinished);
+}
+
+TEST_F(GeneratedShaders, AreDrawnByWhatTheyNameMeanwhile)
+{
+    const auto gate = std::make_shared<GatedContext>(context().shared());
+    renderer().buildInBackground(gate);
+    ShaderKey special = key(returns(2), "scene");
+    special.meanwhile = std::make_shared<const ShaderKey>(key(returns(9)));
+    EXPECT_EQ(drawn(special), 9);
+    EXPECT_NE(report_.ran.front().reason.find("drawn with filled.frag while"), std::string::npos)
+        << report_.ran.front().reason;
+    gate->open();
+    drawUntilFinished(special, 9, 2);
+}
+
+TEST_F(GeneratedShaders, OfWhichTheNewestIsWanted)
+{
+    const auto gate = std::make_shared<GatedContext>(context().shared());
+    renderer().buildInBackground(gate);
+    EXPECT_EQ(drawn(key(returns(1), "scene")), 1);
+    for (int i = 2; i < 20; ++i)
+        EXPECT_EQ(drawn(key(returns(i), "scene")), 1);
+    EXPECT_EQ(report_.counters.at("programs"), 2) << "those that were given up are gone";
+    const ShaderKey last = key(returns(20), "scene");
+    (void)drawn(last);
+    gate->open();
+    drawUntilFinished(last, 1, 20);
+    EXPECT_EQ(report_.counters.at("programs"), 2);
+}
+
+TEST_F(GeneratedShaders, AreLetGoWhenNotUsedForLong)
+{
+    ProgramCache cache;
+    const int before = gl::ProgramName::live();
+    for (int i = 0; i < 60; ++i) {
+        cache.beginFrame();
+        (void)cache.use(key(returns(100 + i), "scene"));
+        cache.dropIdle();
+    }
+    EXPECT_LE(cache.size(), 1 + ProgramCache::mostIdle);
+    EXPECT_EQ(static_cast<std::size_t>(gl::ProgramName::live() - before), cache.size());
+}
+
+TEST_F(GeneratedShaders, ComeBackFromTheCacheOnDisk)
+{
+    const test::TemporaryFolder folder;
+    const char* outer = std::getenv("XDG_CACHE_HOME");
+    const std::string restored = outer ? outer : "";
+    setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+    {
+        ProgramCache first;
+        (void)first.use(key(returns(1)));
+        EXPECT_EQ(first.built(), 1);
+    }
+    ProgramCache second;
+    (void)second.use(key(returns(1)));
+    EXPECT_EQ(second.built(), 0) << "the same text";
+    (void)second.use(key(returns(2)));
+    EXPECT_EQ(second.built(), 1) << "another one under the same path";
+    outer ? setenv("XDG_CACHE_HOME", restored.c_str(), 1) : unsetenv("XDG_CACHE_HOME");
+}
+
+TEST(ProgramBinaries, OnDiskAreThoseThatWereUsedLast)
+{
+    const test::TemporaryFolder folder;
+    const auto now = std::filesystem::file_time_type::clock::now();
+    for (int i = 0; i < 10; ++i) {
+        const auto file = folder / (std::to_string(i) + ".bin");
+        test::writeBytes(file, "x");
+        std::filesystem::last_write_time(file, now - std::chrono::hours((i * 7) % 10));
+    }
+    test::writeBytes(folder / "other.txt", "x");
+    gl::dropOldBinaries(folder.path(), 3);
+    int left = 0;
+    for (int i = 0; i < 10; ++i) {
+        const bool there = std::filesystem::exists(folder / (std::to_string(i) + ".bin"));
+        EXPECT_EQ(there, (i * 7) % 10 < 3) << i;
+        left += there;
+    }
+    EXPECT_EQ(left, 3);
+    EXPECT_TRUE(std::filesystem::exists(folder / "other.txt"));
+}
+
+}  // namespace
+}  // namespace vitrine
