@@ -34,6 +34,22 @@ std::string whyNoShadow(const HallScene& scene, const render::Box& box, const re
     return view.mayContain(withShadow(box, towardsSun(scene))) ? std::string() : "neither it nor its shadow is in view";
 }
 
+/// The part of the picture that holds everything within the box; nothing when some of it may lie behind the eye.
+std::optional<std::pair<glm::dvec2, glm::dvec2>> screenBox(const render::Box& box, const render::View& view)
+{
+    glm::dvec2 low(1e30);
+    glm::dvec2 high(-1e30);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 world((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y, (corner & 4) != 0 ? box.high.z : box.low.z);
+        const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(world, 1);
+        if (!(clip.w > view.nearPlane)) return std::nullopt;
+        const glm::dvec2 pixel = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(view.raster.size);
+        low = glm::min(low, pixel);
+        high = glm::max(high, pixel);
+    }
+    return std::pair(low, high);
+}
+
 /// Seconds since the button of exhibit `i` was pressed.
 double sincePress(const FrameRequest& request, std::size_t i)
 {
@@ -86,6 +102,7 @@ glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
 
 render::Camera Museum::bestView(std::size_t i, const ParameterValues& values) const
 {
+    const std::scoped_lock lock(planning_);
     const glm::dmat4 world = worldFromExhibit(i);
     render::Camera camera = exhibits_[i]->bestView(values);
     camera.eye = glm::dvec3(world * glm::dvec4(camera.eye, 1));
@@ -104,6 +121,7 @@ std::string Museum::whyHidden(const render::Box& box, const render::View& view, 
 
 render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, const render::KeptKeys& kept) const
 {
+    const std::scoped_lock lock(planning_);
     const auto& theHall = static_cast<const Hall&>(hall());
     const bool alone = request.alone.has_value();
     const HallScene scene = theHall.scene(look.values.front(), alone);
@@ -237,8 +255,52 @@ render::FramePlan Museum::plan(const Look& look, const FrameRequest& request, co
     return plan;
 }
 
+std::optional<PictureRegion> Museum::movingRegion(const Look& look, const FrameRequest& request) const
+{
+    constexpr double never = std::numeric_limits<double>::infinity();
+    constexpr double shadowEdge = 0.15;  // Metres that a shadow is soft around its edge, and filtered over.
+    constexpr double edge = 2;           // Pixels over which jitter and filters spread what moves.
+    const std::scoped_lock lock(planning_);
+    for (const double since : request.sincePressed)
+        if (since < 0.2) return std::nullopt;  // The button itself.
+    const render::View view = render::makeView(request.camera, request.raster);
+    const HallScene scene = static_cast<const Hall&>(hall()).scene(look.values.front(), request.alone.has_value());
+    glm::dvec2 low(1e30);
+    glm::dvec2 high(-1e30);
+    bool shadowMoves = false;
+    bool lightInTheAir = false;
+    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
+        if (request.alone && *request.alone != i) continue;
+        const Exhibit& exhibit = *exhibits_[i];
+        const render::Box box = exhibit.boundsAfterPress(look.values[i], sincePress(request, i)).transformed(request.alone ? glm::dmat4(1) : worldFromExhibit(i));
+        const bool seen = whyHidden(box, view, request.alone.has_value()).empty();
+        const bool shadowSeen = !request.alone && exhibit.castsShadow() && whyNoShadow(scene, box, view).empty();
+        if (!exhibit.castsShadow() && seen) lightInTheAir = true;
+        if (!(exhibit.nextChangeAfterPress(look.values[i], request.time, sincePress(request, i)) < never) || (!seen && !shadowSeen)) continue;
+        if (!exhibit.castsShadow() || exhibit.turnOfHangings(look.values[i], 0) != exhibit.turnOfHangings(look.values[i], 1)) return std::nullopt;
+        render::Box reach = box;
+        if (shadowSeen) {
+            shadowMoves = true;
+            reach = withShadow(box, towardsSun(scene));
+            reach.low -= shadowEdge;
+            reach.high += shadowEdge;
+        }
+        const auto shown = screenBox(reach, view);
+        if (!shown) return std::nullopt;
+        low = glm::min(low, shown->first);
+        high = glm::max(high, shown->second);
+    }
+    if (shadowMoves && lightInTheAir) return std::nullopt;
+    const glm::dvec2 size(request.raster.size);
+    const glm::ivec2 first = glm::ivec2(glm::floor(glm::clamp(low - edge, glm::dvec2(0), size) / 2.0)) * 2;
+    const glm::ivec2 end = glm::min(glm::ivec2(glm::ceil(glm::clamp(high + edge, glm::dvec2(0), size) / 2.0)) * 2, request.raster.size);
+    if (end.x <= first.x || end.y <= first.y) return PictureRegion{};
+    return PictureRegion{first, end - first};
+}
+
 double Museum::nextChange(const Look& look, const FrameRequest& request) const
 {
+    const std::scoped_lock lock(planning_);
     double next = std::numeric_limits<double>::infinity();
     for (const double since : request.sincePressed)
         if (since < 0.2) next = 0;

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,14 @@ struct Pointed {
     bool button = false;       ///< It is the button of `exhibit` ...
     bool inReach = false;      ///< ... and can be pressed from here.
     render::Camera view;       ///< Its best view, in the world.
+};
+
+/// A rectangle of a picture, pixels from its lower left corner.
+struct PictureRegion {
+    glm::ivec2 offset{0};
+    glm::ivec2 size{0};
+
+    bool operator==(const PictureRegion&) const = default;
 };
 
 class HallModel;
@@ -76,6 +85,10 @@ public:
 
     /// Seconds until the picture next changes by itself; infinity: nothing to draw.
     [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const;
+    /// Outside of this part of the picture nothing changes by itself, now or later. It begins at even numbers and
+    /// ends there or with the picture, so that a tile of it is filtered like the whole. Nothing when no such part is known: light in the air or
+    /// parts of the hall move, or what moves stands around the eye. Empty (0 x 0) when nothing moves at all.
+    [[nodiscard]] std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const;
 
 private:
     struct Seen;
@@ -84,6 +97,7 @@ private:
 
     std::vector<std::unique_ptr<Exhibit>> exhibits_;
     std::shared_ptr<const HallModel> model_;
+    mutable std::recursive_mutex planning_;  ///< Exhibits keep what they made of files; the window asks beside the render thread.
 };
 
 }  // namespace vitrine

@@ -47,6 +47,7 @@ struct Museum::Seen {
 Museum::Seen Museum::firstSeen(const Look& look, const FrameRequest& request, const render::Ray& ray) const
 {
     using enum Seen::What;
+    const std::scoped_lock lock(planning_);
     Seen seen;
     std::vector<double> turns;
     for (std::size_t i = 1; i < exhibits_.size(); ++i) turns.push_back(exhibits_[i]->turnOfHangings(look.values[i], request.time));

@@ -24,6 +24,7 @@
 #include <QTest>
 
 #include <clocale>
+#include <future>
 #include <memory>
 
 using namespace vitrine;
@@ -49,9 +50,8 @@ class MemoryTest : public QObject {
     /// The next picture: every step is one that a visitor would see.
     void draw()
     {
-        const long long drawn = window_->viewport().picturesDrawn();
         window_->viewport().lookChanged();
-        QTRY_VERIFY(window_->viewport().picturesDrawn() > drawn);
+        QTRY_VERIFY(window_->viewport().schedule().current());
         ++step_;
     }
     void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
@@ -145,7 +145,12 @@ class MemoryTest : public QObject {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QTest::qWait(100);
         render::trimHeap();
-        return {render::gl::liveGlNames(), gallery_->stored(), render::processMemory().own, window_->findChildren<QObject*>().size()};
+        std::promise<std::vector<render::gl::Stored>> stored;
+        window_->viewport().renderThread().post([&] {
+            stored.set_value(gallery_->stored());
+            return std::function<void()>();
+        });
+        return {render::gl::liveGlNames(), stored.get_future().get(), render::processMemory().own, window_->findChildren<QObject*>().size()};
     }
 
 private slots:

@@ -63,7 +63,7 @@ void MainWindow::buildDocks()
     rightLayout->addWidget(panel_, 1);
     dock(tr("Parameters"), "parameters", right, Qt::RightDockWidgetArea);
 
-    study_ = new StudyDock(gallery_, history_, [this](const std::function<void()>& work) { return viewport_->withContext(work); });
+    study_ = new StudyDock(gallery_, history_, viewport_->renderThread());
     auto* studyRoom = new QScrollArea;  // So that a small window need not grow for the chart.
     studyRoom->setWidget(study_);
     studyRoom->setWidgetResizable(true);
