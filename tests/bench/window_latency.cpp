@@ -21,6 +21,7 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -112,9 +113,9 @@ public:
     {
         child_ = ::fork();
         if (child_ == 0) {
-            for (const auto& [name, value] : {std::pair("QT_QPA_PLATFORM", std::string("xcb")), std::pair("QT_FONT_DPI", std::string("96")), std::pair("XDG_CACHE_HOME", cache), std::pair("HOME", home_ / "home"),
-                                              std::pair("XDG_STATE_HOME", home_ / "state"), std::pair("XDG_CONFIG_HOME", home_ / "config"), std::pair("XDG_DATA_HOME", home_ / "data")})
-                ::setenv(name, value.c_str(), 1);
+            const std::map<std::string, std::string> changes{{"QT_QPA_PLATFORM", "xcb"}, {"QT_FONT_DPI", "96"}, {"XDG_CACHE_HOME", cache}, {"HOME", home_ / "home"},
+                                                             {"XDG_STATE_HOME", home_ / "state"}, {"XDG_CONFIG_HOME", home_ / "config"}, {"XDG_DATA_HOME", home_ / "data"}};
+            for (const auto& [name, value] : changes) ::setenv(name.c_str(), value.c_str(), 1);
             ::execl(path.c_str(), path.c_str(), nullptr);
             ::_exit(127);
         }

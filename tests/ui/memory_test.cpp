@@ -1,4 +1,5 @@
 // A thousand steps of ordinary use on the real window: what is kept at step 1000 is what was kept at step 200.
+#include "exhibits/exhibits.h"
 #include "exhibits/museum/museum.h"
 #include "render/measure/memory.h"
 #include "ui/parameters/parameter_panel.h"
@@ -211,5 +212,4 @@ private slots:
 
 QTEST_MAIN(MemoryTest)
 
-#include "exhibits/exhibits.h"
 #include "memory_test.moc"

@@ -1,5 +1,6 @@
 #include "ui_main.h"
 
+#include "exhibits/exhibits.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
 #include "render/plan/frame_plan.h"
@@ -371,5 +372,4 @@ private slots:
 
 VITRINE_TEST_MAIN(MissingFilesTest)
 
-#include "exhibits/exhibits.h"
 #include "missing_files_test.moc"

@@ -1,3 +1,4 @@
+#include "exhibits/exhibits.h"
 #include "exhibits/museum/museum.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
@@ -284,5 +285,4 @@ private slots:
 
 QTEST_MAIN(MuseumWindowTest)
 
-#include "exhibits/exhibits.h"
 #include "museum_window_test.moc"

@@ -19,6 +19,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include <chrono>
 #include <thread>
 
 using namespace vitrine;
@@ -35,6 +36,22 @@ std::vector<std::unique_ptr<Exhibit>> knownExhibit()
     all.push_back(std::make_unique<test::KnownExhibit>(std::move(law)));
     return all;
 }
+
+/// Takes its time, so that there is something to see while it measures.
+class SlowPainter final : public render::Painter {
+public:
+    render::FrameReport draw(const render::FramePlan& plan) override
+    {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return known_.draw(plan);
+    }
+    [[nodiscard]] render::Image read(const std::string& image) override { return known_.read(image); }
+    [[nodiscard]] const render::KeptKeys& kept() const override { return known_.kept(); }
+    [[nodiscard]] int largestSide() const override { return known_.largestSide(); }
+
+private:
+    test::KnownPainter known_;
+};
 
 /// A museum that is measured by a painter without GL. Nothing else of it is asked for.
 class KnownGallery final : public Gallery {
@@ -64,7 +81,7 @@ public:
     {
         measuredOn = std::this_thread::get_id();
         StudyJob job;
-        job.painter = std::make_unique<test::KnownPainter>();
+        job.painter = std::make_unique<SlowPainter>();
         job.study = std::make_unique<Study>(museum, *job.painter, request);
         return job;
     }

@@ -22,7 +22,7 @@ constexpr int hoverDelay = 30;          // Milliseconds after which a resting po
 constexpr std::size_t mostFormer = 100;
 constexpr int hiddenWait = 250;         // Milliseconds after which a hidden viewport looks whether it is seen again.
 constexpr double largestRegion = 0.25;  // Of the picture, that is drawn by itself where something moves.
-constexpr double restOfRegions = 3;     // Times as long as drawing one took, the machine rests before the next one ...
+constexpr double restOfRegions = 5;     // Times as long as drawing one took, the machine rests before the next one ...
 constexpr double shortestRest = 0.03;   // ... and for so many seconds at least.
 constexpr double longestRegionTick = 5; // After a longer pause (a machine that slept) what moves goes on where it was.
 
@@ -367,15 +367,17 @@ void Viewport::pressButton(std::size_t exhibit)
     emit pressed(exhibit);
 }
 
+QString Viewport::reason() const
+{
+    if (region_ && schedule_.still())
+        return tr("still: refined %1 of %1; what moves is drawn by itself, %2 × %3 pixels").arg(schedule_.samples()).arg(region_->size.x).arg(region_->size.y);
+    return QString::fromStdString(schedule_.reason());
+}
+
 bool Viewport::pictureFinished() const
 {
     const bool whole = pictureQuality(history_.look().values.front()).resolutionScale == 1;
     return whole && !shown_.isNull() && regionImage_.isNull() && schedule_.still() && lastFailure_.isEmpty();
-}
-
-void Viewport::readPicture(std::function<std::function<void()>(render::Image)> use)
-{
-    thread_->post([this, use = std::move(use)] { return use(gallery_.shownPicture()); });
 }
 
 void Viewport::setPaused(bool paused)

@@ -50,12 +50,11 @@ public:
     void showHint(const QString&);
 
     [[nodiscard]] const DrawSchedule& schedule() const { return schedule_; }
+    /// For the status line: what was drawn last, and why.
+    [[nodiscard]] QString reason() const;
     [[nodiscard]] double time() const { return time_; }
     /// What is on the screen is finished, and a screenshot of it is a picture of its own.
     [[nodiscard]] bool pictureFinished() const;
-    /// The finished picture, later, in device pixels as `PictureMaker::picture` gives it; an empty one when it is none any
-    /// more. `use` is called on the render thread and what it returns in the window's.
-    void readPicture(std::function<std::function<void()>(render::Image)> use);
     /// What is on the screen, in device pixels; null before the first picture.
     [[nodiscard]] const QImage& shown() const { return shown_; }
     /// Number of pictures shown since the start: tests count that an idle window draws none.

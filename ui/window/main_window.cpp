@@ -123,7 +123,7 @@ void MainWindow::connectParts()
     });
     connect(viewport_, &Viewport::failed, this, [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
     connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report, const QSize& pixels) {
-        status_->note(report, pixels, QString::fromStdString(viewport_->schedule().reason()));
+        status_->note(report, pixels, viewport_->reason());
         ledger_->note(report);
         for (const render::Skipped& complaint : complaints_.begun(report.skipped)) {
             const QString line = text(lineOf(complaint));

@@ -9,6 +9,7 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QPointer>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -62,8 +63,30 @@ PictureRequest PictureExport::request() const
     return request;
 }
 
+void PictureExport::writeShown()
+{
+    window_.viewport().renderThread().post([self = QPointer(this), &gallery = window_.gallery(), wish = wish_, preset = preset_]() -> std::function<void()> {
+        QString failure;
+        try {
+            render::PictureMetadata inside;
+            inside.preset = preset;
+            render::writePicture(wish.path, gallery.shownPicture(), wish.format, inside);
+        } catch (const std::exception& thrown) {
+            failure = messageOf(thrown);
+        }
+        return [self, failure] { if (self) self->end(failure); };
+    });
+}
+
 void PictureExport::start()
 {
+    elapsed_.start();
+    running_ = true;
+    if (wish_.asShown) {
+        *stage_ = Stage::writing;
+        writeShown();
+        return;
+    }
     struct Work {
         PictureJob job;
         QElapsedTimer told;
@@ -88,8 +111,6 @@ void PictureExport::start()
         render::trimHeap();
         return false;
     };
-    elapsed_.start();
-    running_ = true;
     task_ = window_.viewport().renderThread().start(std::move(step), [this](const QString& failure) { end(failure); });
 }
 

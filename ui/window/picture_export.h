@@ -22,6 +22,7 @@ struct ExportWish {
     glm::ivec2 size{1280, 720};
     int samples = 16;
     bool transparent = false;  ///< Only the chosen exhibit, cut out of the hall.
+    bool asShown = false;      ///< The viewport's finished picture as it is; size, samples and the rest do not count.
 };
 
 /// Makes one picture step by step on the render thread, then writes it with the look inside.
@@ -51,6 +52,8 @@ private:
     enum class Stage : std::uint8_t { drawing, writing, cancelled };
 
     [[nodiscard]] PictureRequest request() const;
+    /// Reads the viewport's picture before anything else is drawn, and writes it.
+    void writeShown();
     void note(double part);
     void end(const QString& failure);
 

@@ -69,7 +69,7 @@ void MainWindow::buildDocks()
     studyRoom->setWidgetResizable(true);
     studyRoom->setFrameShape(QFrame::NoFrame);
     QDockWidget* study = dock(tr("Study"), "study", studyRoom, Qt::BottomDockWidgetArea);
-    ledger_ = new LedgerDock([this] { return QString::fromStdString(viewport_->schedule().reason()); });
+    ledger_ = new LedgerDock([this] { return viewport_->reason(); });
     QHash<QString, QString> titles;
     for (const auto& exhibit : gallery_.exhibits())
         titles.insert(QString::fromUtf8(exhibit->name().data(), static_cast<qsizetype>(exhibit->name().size())), QString::fromUtf8(exhibit->title().data(), static_cast<qsizetype>(exhibit->title().size())));

@@ -129,15 +129,7 @@ void MainWindow::saveScreenshotNow()
     const std::string_view name = gallery_.exhibits()[chosen_]->name();
     ExportWish wish;
     wish.path = freeScreenshotPath(*this, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
-    if (viewport_->pictureFinished()) {
-        viewport_->readPicture([this, wish, preset = shelf_->lookText()](const render::Image& shown) -> std::function<void()> {
-            render::PictureMetadata inside;
-            inside.preset = preset;
-            render::writePicture(wish.path, shown, wish.format, inside);
-            return [this, path = QString::fromStdString(wish.path.string())] { say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(path)); };
-        });
-        return;
-    }
+    wish.asShown = viewport_->pictureFinished();
     const double ratio = viewport_->devicePixelRatioF();
     wish.size = {std::max(1, static_cast<int>(std::lround(viewport_->width() * ratio))),
                  std::max(1, static_cast<int>(std::lround(viewport_->height() * ratio)))};
@@ -148,7 +140,7 @@ void MainWindow::saveScreenshotNow()
                 say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(path), tr("%1 screenshots saved, the last one to %2."), path);
             });
     connect(work, &PictureExport::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
-    viewport_->showHint(tr("Drawing the screenshot …"));
+    if (!wish.asShown) viewport_->showHint(tr("Drawing the screenshot …"));
     connect(work, &QObject::destroyed, viewport_, [this] { viewport_->showHint({}); });
     work->start();
 }
