@@ -131,7 +131,9 @@ TEST(Layers, RoomsOfTheExhibitsIncludeOnlyThoseBelowThem)
 {
     for (const std::string& file : test::sourceFiles("exhibits", test::cppExtensions))
         for (const Include& include : test::includesOf(file))
-            if (startsWith(include.target, "exhibits/")) EXPECT_EQ(roomComplaint(include), "") << file << ':' << include.line << " includes " << include.target;
+            if (startsWith(include.target, "exhibits/")) {
+                EXPECT_EQ(roomComplaint(include), "") << file << ':' << include.line << " includes " << include.target;
+            }
 }
 
 TEST(LayersControl, ForbiddenRoomsAreSeen)

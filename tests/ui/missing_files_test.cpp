@@ -1,3 +1,4 @@
+#include "exhibits/exhibits.h"
 #include "ui_main.h"
 
 #include "exhibits/exhibits.h"
