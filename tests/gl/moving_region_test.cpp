@@ -25,9 +25,18 @@ protected:
         request.time = time;
         return request;
     }
+    /// Moments at which something moves by itself, the first ones of different turns.
+    std::vector<double> movingMoments()
+    {
+        std::vector<double> moments;
+        for (double time = 0; time < 60 && moments.size() < 3; time += 0.25)
+            if (museum_.nextChange(look_, at(time)) <= 0 && (moments.empty() || time > moments.back() + 0.6)) moments.push_back(time);
+        return moments;
+    }
+    int samples_ = 2;
     render::gl::ScreenPixels whole(render::gl::Renderer& renderer, FrameRequest request)
     {
-        request.samples = 2;
+        request.samples = samples_;
         for (request.sample = 0; request.sample < request.samples; ++request.sample) (void)renderer.draw(museum_.plan(look_, request, renderer.kept()));
         return renderer.screenPixels("frame", size, glm::ivec2(0), size);
     }
@@ -52,7 +61,9 @@ TEST_F(MovingRegion, AtTheEntranceItHoldsAllThatMovesAndIsSmall)
     EXPECT_EQ(region->offset % 2, glm::ivec2(0));
     int moved = 0;
     int elsewhere = 0;
-    for (const double time : {0.7, 2.1, 3.9, 6.4}) {
+    const std::vector<double> moments = movingMoments();
+    ASSERT_EQ(moments.size(), 3U);
+    for (const double time : moments) {
         EXPECT_EQ(museum_.movingRegion(look_, at(time)), region);
         const render::gl::ScreenPixels after = whole(*renderer, at(time));
         for (int y = 0; y < size.y; ++y)
@@ -62,7 +73,7 @@ TEST_F(MovingRegion, AtTheEntranceItHoldsAllThatMovesAndIsSmall)
                 ++(inside(*region, x, y) ? moved : elsewhere);
             }
     }
-    EXPECT_GT(moved, 50);
+    EXPECT_GT(moved, 20);
     EXPECT_EQ(elsewhere, 0);
 }
 
@@ -71,9 +82,11 @@ TEST_F(MovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
     const auto renderer = test::gallery().renderer.sibling();
     const auto region = museum_.movingRegion(look_, at(0));
     ASSERT_TRUE(region);
-    const render::gl::ScreenPixels all = whole(*renderer, at(2.1));
+    const std::vector<double> moments = movingMoments();
+    ASSERT_FALSE(moments.empty());
+    const render::gl::ScreenPixels all = whole(*renderer, at(moments.front()));
     constexpr int apron = 8;
-    FrameRequest request = at(2.1);
+    FrameRequest request = at(moments.front());
     const glm::ivec2 low = glm::max(region->offset - apron, glm::ivec2(0));
     request.raster.offset = low;
     request.raster.tile = glm::min(region->offset + region->size + apron, size) - low;
@@ -96,6 +109,7 @@ TEST_F(MovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
 
 TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
 {
+    samples_ = 1;
     Look other = look_;
     const auto fur = museum_.find("fur").value();
     other.values[fur].setRow(*other.values[fur].table().find("ballLength"), 0.1);

@@ -1,4 +1,3 @@
-#include "exhibits/exhibits.h"
 #include "ui_main.h"
 
 #include "exhibits/exhibits.h"
