@@ -12,7 +12,6 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int depthWidth = 240;
 constexpr int viewTile = 512;     // So that a step takes part of a second, and the viewport goes on in between.
 constexpr qint64 viewsToldEvery = 50;  // Milliseconds.
 
@@ -25,7 +24,7 @@ ShownViews::~ShownViews()
     stop();
 }
 
-void ShownViews::start(const PrintDesk& desk, const ParameterValues& values, bool draft)
+void ShownViews::start(const ParameterValues& values, bool draft)
 {
     stop();
     const Look look = window_.history().look();
@@ -34,23 +33,19 @@ void ShownViews::start(const PrintDesk& desk, const ParameterValues& values, boo
     frame.time = window_.viewport().time();
     auto work = std::make_shared<Work>();
     try {
-        work->pictures = desk.shots(values, look, frame, draft);
+        work->pictures = printing::printShots(values, look, frame, draft);
     } catch (const std::exception& failure) {
         emit failed(messageOf(failure));
         return;
     }
-    PrintShot quick{look, work->pictures.front().request};
+    printing::ViewShot quick{look, work->pictures.front().request};
     quick.request.frame.camera = look.camera;
-    const glm::ivec2 size = quick.request.frame.raster.size;
-    quick.request.frame.raster.size = {depthWidth, std::max(1, depthWidth * size.y / size.x)};
-    quick.request.samples = 1;
-    quick.request.depth = true;
+    quick = printing::depthShot(quick);
     work->pictures.insert(work->pictures.begin(), quick);
-    for (PrintShot& shot : work->pictures) shot.request.largestTile = std::min(shot.request.largestTile, viewTile);
-    desk_ = &desk;
+    for (printing::ViewShot& shot : work->pictures) shot.request.largestTile = std::min(shot.request.largestTile, viewTile);
     values_ = values;
     look_ = look;
-    views_ = desk.newViews();
+    views_ = std::make_shared<printing::PrintViews>();
     views_->setLook(window_.shelf().lookText());
     work->views = views_;
     elapsed_.start();
@@ -66,13 +61,13 @@ void ShownViews::stop()
 
 bool ShownViews::step(Gallery& gallery, Work& work, const RenderThread::Tell& tell, ShownViews& told)
 {
-    const PrintShot& shot = work.pictures[work.next];
+    const printing::ViewShot& shot = work.pictures[work.next];
     if (!work.job.renderer) work.job = gallery.makePicture(shot.look, shot.request);
     else if (!work.job.maker) gallery.nextPicture(work.job, shot.look, shot.request);
     if (!work.job.maker) throw Failure(Blame::openGl, "No views can be rendered: there is no graphics context.");
     work.job.maker->step();
     if (work.job.maker->finished()) {
-        if (work.next == 0) tell([&told, picture = work.job.maker->picture()] { told.depth_ = told.desk_->sceneDepth(*told.values_, told.look_, picture); });
+        if (work.next == 0) tell([&told, picture = work.job.maker->picture()] { told.depth_ = printing::sceneDepth(*told.values_, told.look_, picture); });
         else work.views->add(work.job.maker->picture());
         ++work.next;
         work.job.maker.reset();
@@ -96,7 +91,7 @@ void ShownViews::note(double part)
 
 void ShownViews::end(const QString& failure)
 {
-    const std::shared_ptr<const PrintViews> views = std::move(views_);
+    const std::shared_ptr<const printing::PrintViews> views = std::move(views_);
     stop();
     if (failure.isEmpty()) emit finished(views, depth_);
     else emit failed(failure);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/printing/print_desk.h"
+#include "exhibits/printing/print_views.h"
 #include "ui/viewport/render_thread.h"
 
 #include <QElapsedTimer>
@@ -23,22 +23,22 @@ public:
     ~ShownViews() override;
 
     /// From where the visitor stands now; stops what was being rendered.
-    void start(const PrintDesk&, const ParameterValues&, bool draft);
+    void start(const ParameterValues&, bool draft);
     void stop();
     [[nodiscard]] bool running() const { return views_ != nullptr; }
 
 signals:
     /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
     void progressed(double part, double secondsLeft);
-    void finished(std::shared_ptr<const vitrine::PrintViews> views, const vitrine::SceneDepth& depth);
+    void finished(std::shared_ptr<const vitrine::printing::PrintViews> views, const vitrine::printing::SceneDepth& depth);
     void failed(const QString& why);
 
 private:
     /// What the render thread works on.
     struct Work {
-        std::vector<PrintShot> pictures;  ///< The quick one for depth, then the views.
+        std::vector<printing::ViewShot> pictures;  ///< The quick one for depth, then the views.
         std::size_t next = 0;
-        std::shared_ptr<PrintViews> views;
+        std::shared_ptr<printing::PrintViews> views;
         PictureJob job;
         QElapsedTimer told;
     };
@@ -49,11 +49,10 @@ private:
     void end(const QString& failure);
 
     MainWindow& window_;
-    const PrintDesk* desk_ = nullptr;
     std::optional<ParameterValues> values_;
     Look look_;  ///< Of the quick picture.
-    std::shared_ptr<PrintViews> views_;
-    SceneDepth depth_;
+    std::shared_ptr<printing::PrintViews> views_;
+    printing::SceneDepth depth_;
     RenderThread::Task task_;
     QElapsedTimer elapsed_;
 };

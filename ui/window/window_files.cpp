@@ -1,7 +1,7 @@
 // Files that come to the window and pictures that leave it.
 #include "ui/window/main_window.h"
 
-#include "exhibits/exhibits.h"
+#include "exhibits/printing/print_json.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "ui/presets/preset_shelf.h"
@@ -42,8 +42,7 @@ namespace {
 bool isPrint(const QString& path)
 {
     try {
-        const std::unique_ptr<PrintDesk> desk = makePrintDesk();
-        static_cast<void>(desk->settingsFrom(desk->settingsIn(path.toStdString()), path.toStdString()));
+        static_cast<void>(printing::savedSettings(printing::settingsIn(path.toStdString()), path.toStdString()));
         return true;
     } catch (const Failure&) {
         return false;
@@ -153,7 +152,7 @@ void MainWindow::openScreenshotDialog()
 void MainWindow::openPrintDialog(const QString& print)
 {
     auto* dialog = findChild<PrintDialog*>();
-    if (!dialog) dialog = new PrintDialog(makePrintDesk(), new ShownViews(*this), this);
+    if (!dialog) dialog = new PrintDialog(new ShownViews(*this), this);
     dialog->show();
     dialog->raise();
     dialog->activateWindow();
