@@ -29,6 +29,14 @@ struct Pointed {
     render::Camera view;       ///< Its best view, in the world.
 };
 
+/// A rectangle of a picture, pixels from its lower left corner.
+struct PictureRegion {
+    glm::ivec2 offset{0};
+    glm::ivec2 size{0};
+
+    bool operator==(const PictureRegion&) const = default;
+};
+
 class Hall;
 class HallModel;
 struct HallScene;
@@ -81,6 +89,10 @@ public:
 
     /// Seconds until the picture next changes by itself; infinity: nothing to draw.
     [[nodiscard]] double nextChange(const Prepared&, const FrameRequest&) const;
+    /// Outside of this part of the picture nothing changes by itself, now or later. It begins at even numbers and ends there
+    /// or with the picture, so that a tile of it is filtered like the whole. Nothing when no such part is known: light in
+    /// the air or parts of the hall move, or what moves stands around the eye. Empty (0 x 0) when nothing moves at all.
+    [[nodiscard]] std::optional<PictureRegion> movingRegion(const Prepared&, const FrameRequest&) const;
 
 private:
     struct Seen;

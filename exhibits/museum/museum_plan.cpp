@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace vitrine {
 namespace {
@@ -46,6 +48,23 @@ render::View widened(const render::View& view)
     wide.clipFromView = glm::scale(glm::dmat4(1), glm::dvec3(share, 1)) * view.clipFromView;
     wide.clipFromWorld = wide.clipFromView * wide.viewFromWorld;
     return wide;
+}
+
+/// The part of the picture that holds everything within the box; nothing when some of it may lie behind the eye.
+std::optional<std::pair<glm::dvec2, glm::dvec2>> screenBox(const render::Box& box, const render::View& view)
+{
+    glm::dvec2 low(1e30);
+    glm::dvec2 high(-1e30);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 world((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+                               (corner & 4) != 0 ? box.high.z : box.low.z);
+        const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(world, 1);
+        if (!(clip.w > view.nearPlane)) return std::nullopt;
+        const glm::dvec2 pixel = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(view.raster.size);
+        low = glm::min(low, pixel);
+        high = glm::max(high, pixel);
+    }
+    return std::pair(low, high);
 }
 
 render::View wholeView(const FrameRequest& request)
@@ -332,6 +351,48 @@ double Museum::nextChange(const Prepared& prepared, const FrameRequest& request)
     for (const Present& p : presentIn(prepared, request, scene, wholeView(request)))
         if (p.hidden.empty() || (!alone && p.noShadow.empty())) next = std::min(next, exhibits_[p.index]->nextChangeOf(prepared.state(p.index)));
     return next;
+}
+
+std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, const FrameRequest& request) const
+{
+    constexpr double never = std::numeric_limits<double>::infinity();
+    constexpr double shadowEdge = 0.15;  // Metres that a shadow is soft around its edge, and filtered over.
+    constexpr double edge = 2;           // Pixels over which jitter and filters spread what moves.
+    for (const double since : prepared.sincePressed)
+        if (since < buttonTime) return std::nullopt;  // The button itself.
+    const bool alone = request.alone.has_value();
+    const render::View view = wholeView(request);
+    const HallScene scene = sceneOf(prepared, alone);
+    glm::dvec2 low(1e30);
+    glm::dvec2 high(-1e30);
+    bool shadowMoves = false;
+    bool lightInTheAir = false;
+    for (const Present& p : presentIn(prepared, request, scene, view)) {
+        const Exhibit& exhibit = *exhibits_[p.index];
+        const ParameterValues& values = prepared.look.values[p.index];
+        const bool seen = p.hidden.empty();
+        const bool shadowSeen = !alone && p.noShadow.empty();
+        if (!exhibit.castsShadow() && seen) lightInTheAir = true;
+        if (!(exhibit.nextChangeOf(prepared.state(p.index)) < never) || (!seen && !shadowSeen)) continue;
+        if (!exhibit.castsShadow() || exhibit.turnOfHangings(values, 0) != exhibit.turnOfHangings(values, 1)) return std::nullopt;
+        render::Box reach = p.box;
+        if (shadowSeen) {
+            shadowMoves = true;
+            reach = withShadow(p.box, towardsSun(scene));
+            reach.low -= shadowEdge;
+            reach.high += shadowEdge;
+        }
+        const auto shown = screenBox(reach, view);
+        if (!shown) return std::nullopt;
+        low = glm::min(low, shown->first);
+        high = glm::max(high, shown->second);
+    }
+    if (shadowMoves && lightInTheAir) return std::nullopt;
+    const glm::dvec2 size(request.raster.size);
+    const glm::ivec2 first = glm::ivec2(glm::floor(glm::clamp(low - edge, glm::dvec2(0), size) / 2.0)) * 2;
+    const glm::ivec2 end = glm::min(glm::ivec2(glm::ceil(glm::clamp(high + edge, glm::dvec2(0), size) / 2.0)) * 2, request.raster.size);
+    if (end.x <= first.x || end.y <= first.y) return PictureRegion{};
+    return PictureRegion{first, end - first};
 }
 
 }  // namespace vitrine

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
+#include <thread>
 
 namespace vitrine::render::gl {
 namespace {
@@ -93,6 +95,11 @@ struct Renderer::State {
     KeptKeys kept;
     std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes whose key vouches for it.
     bool timeSteps = false;
+    std::thread::id thread = std::this_thread::get_id();
+    std::function<bool()> unwanted;
+    TextureName screen;  ///< What `screenPixels` draws into.
+    FramebufferName screenBuffer;
+    glm::ivec2 screenSize{0};
 
     explicit State(std::shared_ptr<Shared> common) : shared(std::move(common)), programs(shared->programs), uploads(shared->uploads)
     {
@@ -256,6 +263,24 @@ struct Renderer::State {
         }
     }
 
+    /// Passes from `first` on were not run: what they have in common with others that were is made again as a whole.
+    void forgetFrom(const FramePlan& plan, std::size_t first)
+    {
+        for (std::size_t i = first; i < plan.passes().size(); ++i)
+            if (plan.passes()[i].key) {
+                const std::vector<std::string> outputs = outputsOf(plan.passes()[i]);
+                forget({outputs.begin(), outputs.end()});
+            }
+    }
+
+    [[nodiscard]] bool abandoned() const
+    {
+        if (!unwanted) return false;
+        // A software renderer draws when it is waited for: without that, all of the frame would lie ahead at the last question.
+        if (info.software) glFinish();
+        return unwanted();
+    }
+
     void remember(const Pass& pass, const FramePlan& plan, const std::set<std::string>& lost)
     {
         const std::vector<std::string> written = outputsOf(pass);
@@ -307,6 +332,7 @@ std::vector<Stored> Renderer::stored() const
 FrameReport Renderer::draw(const FramePlan& plan)
 {
     State& s = *state_;
+    if (std::this_thread::get_id() != s.thread) throw std::logic_error("a renderer draws on the thread that made it, and on no other");
     FrameReport report;
     report.unfinished = plan.unfinished();
     report.skipped = plan.skipped();
@@ -333,19 +359,25 @@ FrameReport Renderer::draw(const FramePlan& plan)
     const std::vector<PassRanges> ranges = s.uploadBlocks(plan, lost);
     std::vector<SamplesQuery> samplesQueries;
     if (s.timeSteps) clock.mark();
-    for (std::size_t i = 0; i < plan.passes().size(); ++i) {
-        const Pass& pass = plan.passes()[i];
-        const DebugGroup group(pass.name.c_str());
-        if (pass.countSamples) samplesQueries.emplace_back();
-        const ProgramInUse used = s.run(pass, ranges[i]);
-        if (pass.countSamples) SamplesQuery::end();
-        if (used.standIn.empty())
-            s.remember(pass, plan, lost);
-        report.unfinished = report.unfinished || used.building;
-        report.ran.push_back({pass.name, used.standIn.empty() ? pass.reason : pass.reason + ", " + used.standIn,
-                              pass.work, -1, pass.bound, pass.effects});
-        if (s.timeSteps) clock.mark();
-        countDraws(pass, report.counters);
+    std::size_t next = 0;
+    try {
+        for (; next < plan.passes().size(); ++next) {
+            const Pass& pass = plan.passes()[next];
+            if (s.abandoned()) throw Abandoned();
+            const DebugGroup group(pass.name.c_str());
+            if (pass.countSamples) samplesQueries.emplace_back();
+            const ProgramInUse used = s.run(pass, ranges[next]);
+            if (pass.countSamples) SamplesQuery::end();
+            if (used.standIn.empty()) s.remember(pass, plan, lost);
+            report.unfinished = report.unfinished || used.building;
+            report.ran.push_back({pass.name, used.standIn.empty() ? pass.reason : pass.reason + ", " + used.standIn,
+                                  pass.work, -1, pass.bound, pass.effects});
+            if (s.timeSteps) clock.mark();
+            countDraws(pass, report.counters);
+        }
+    } catch (...) {
+        s.forgetFrom(plan, next);
+        throw;
     }
     s.programs.dropIdle();
     clock.mark();
@@ -401,17 +433,40 @@ int Renderer::largestSide() const
     return std::min(state_->info.maxTextureSize, 16384);
 }
 
-void Renderer::present(const std::string& image, int width, int height)
+void Renderer::abandonWhen(std::function<bool()> unwanted)
 {
-    if (width <= 0 || height <= 0 || !state_->resources.has(image)) return;
+    state_->unwanted = std::move(unwanted);
+}
+
+ScreenPixels Renderer::screenPixels(const std::string& image, glm::ivec2 screen, glm::ivec2 offset, glm::ivec2 part)
+{
     State& s = *state_;
-    glViewport(0, 0, width, height);
+    if (part.x <= 0 || part.y <= 0 || !s.resources.has(image)) return {};
+    if (s.screenSize != screen) {
+        GLuint name = 0;
+        glCreateTextures(GL_TEXTURE_2D, 1, &name);
+        s.screen = TextureName(name);
+        glTextureStorage2D(name, 1, GL_RGBA8, screen.x, screen.y);
+        glCreateFramebuffers(1, &name);
+        s.screenBuffer = FramebufferName(name);
+        glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, s.screen.name(), 0);
+        s.screenSize = screen;
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, s.screenBuffer.name());
+    glViewport(offset.x, offset.y, part.x, part.y);
     applyState(RasterState{});
     glUseProgram(s.programs.use({"lib/fullscreen.vert", "lib/present.frag", "", {}}).program);
     s.resources.image(image).bind(UNIT_SOURCE);
     glBindVertexArray(s.noVertices.name());
     glFrontFace(GL_CCW);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    ScreenPixels pixels{part.x, part.y, std::vector<std::uint8_t>(static_cast<std::size_t>(part.x) * static_cast<std::size_t>(part.y) * 4)};
+    std::vector<std::uint8_t> fromBelow(pixels.rgba.size());
+    glReadPixels(offset.x, offset.y, part.x, part.y, GL_RGBA, GL_UNSIGNED_BYTE, fromBelow.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    const auto row = static_cast<std::ptrdiff_t>(part.x) * 4;
+    for (std::ptrdiff_t y = 0; y < part.y; ++y) std::copy_n(fromBelow.begin() + (part.y - 1 - y) * row, row, pixels.rgba.begin() + y * row);
+    return pixels;
 }
 
 void Renderer::buildInBackground(std::shared_ptr<SharedContext> context)
@@ -441,6 +496,8 @@ void Renderer::abandon()
     state_->programs.abandon();
     state_->arena.abandon();
     state_->noVertices.abandon();
+    state_->screen.abandon();
+    state_->screenBuffer.abandon();
 }
 
 }  // namespace vitrine::render::gl

@@ -4,11 +4,27 @@
 #include "render/gl/stored.h"
 #include "render/plan/painter.h"
 
+#include <cstdint>
+#include <exception>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace vitrine::render::gl {
+
+/// Thrown by Renderer::draw when nobody wants the picture any more.
+class Abandoned final : public std::exception {
+public:
+    [[nodiscard]] const char* what() const noexcept override { return "the picture was abandoned"; }
+};
+
+/// A picture as a screen shows it: sRGB, 8 bits each of red, green, blue and 255, row 0 at the top, without gaps.
+struct ScreenPixels {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;
+};
 
 /// A shader that did not build: what to show over the last good picture.
 struct ShaderProblem {
@@ -18,8 +34,8 @@ struct ShaderProblem {
     std::string slot = {};  ///< Of a program that takes its place in a slot (ShaderKey::slot).
 };
 
-/// Executes frame plans on the OpenGL 4.5 core context that is current, at construction and at every call. Images are
-/// kept while frames declare or use them, meshes and pictures while their originals live, programs while they are among
+/// Executes frame plans on the OpenGL 4.5 core context that is current, at construction and at every call, on one thread:
+/// drawing on another one is a std::logic_error. Images are kept while frames declare or use them, meshes and pictures while their originals live, programs while they are among
 /// the last ones used (ProgramCache::mostIdle).
 class Renderer final : public Painter {
 public:
@@ -29,16 +45,19 @@ public:
     ~Renderer() override;  ///< The context must be current, or gone for good (see `abandon`).
 
     FrameReport draw(const FramePlan&) override;
+    /// Asked between passes from now on: as soon as it says yes, `draw` throws Abandoned, and what the frame had not
+    /// reached yet counts as never drawn. Empty: every frame is finished.
+    void abandonWhen(std::function<bool()> unwanted);
     [[nodiscard]] Image read(const std::string& image) override;
     /// A buffer of the last frame; throws std::out_of_range for a name that was not used.
     [[nodiscard]] Bytes readBuffer(const std::string& name);
     [[nodiscard]] const KeptKeys& kept() const override;
     [[nodiscard]] int largestSide() const override;
 
-    /// Copies an image of the last frame, encoded as sRGB and scaled with a smooth filter, to the whole of
-    /// the framebuffer that is bound when called (a QOpenGLWidget's, inside paintGL). `width` and `height`
-    /// are that framebuffer's size in device pixels.
-    void present(const std::string& image, int width, int height);
+    /// An image of the last frame as a screen of `screen` pixels shows it, scaled with a smooth filter where the sizes
+    /// differ. The image covers the part of the screen that begins at `offset` from the lower left corner and is `part`
+    /// pixels large; only that part is returned.
+    [[nodiscard]] ScreenPixels screenPixels(const std::string& image, glm::ivec2 screen, glm::ivec2 offset, glm::ivec2 part);
 
     /// Times each step, too, with a glFinish after each where no timer query can be trusted: slower, so only
     /// while the ledger is open.

@@ -22,6 +22,7 @@ sdf_evaluations cpu $tests/bench_sdf_evaluations
 interlacing cpu $tests/bench_interlacing
 large_print cpu $tests/bench_large_print
 window_start gl xvfb-run -a $tests/bench_window_start
+window_latency gl xvfb-run -a -s -screen\ 0\ 1600x1000x24 $tests/bench_window_latency
 fur_costs gl $tests/bench_fur_costs
 lenticular_card gl $tests/bench_lenticular_card
 shadow_filters gl $tests/bench_shadow_filters

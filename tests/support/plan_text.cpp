@@ -129,8 +129,8 @@ std::string wholeText(const FramePlan& plan)
     }
     for (const auto& [name, image] : plan.images()) {
         Line line;
-        line << "image" << name << image.format << image.shape << image.size.x << image.size.y << image.scale << image.layers << image.levels << image.kept << image.comparison
-             << image.repeat << image.nearest;
+        line << "image" << name << image.format << image.type << image.size.x << image.size.y << image.scale << image.layers << image.levels << image.kept << image.comparison
+             << image.repeat << image.nearest << image.divisor << image.ownPixels;
         text += line.text.str() + '\n';
     }
     return text;

@@ -44,6 +44,42 @@ private slots:
                  QStringLiteral("still: refined 16 of 16, nothing to draw, because nothing changes"));
     }
 
+    void whatChangesWhileAPictureIsDrawnIsDrawnAfterIt()
+    {
+        DrawSchedule schedule;
+        double now = 0;
+        drawAll(schedule, now, 0.01);
+        schedule.changed(now);
+        const auto order = schedule.next(now);
+        schedule.begun(*order);
+        schedule.changed(now + 0.005);
+        schedule.drawn(*order, 0.01);
+        QVERIFY(!schedule.current());
+        QCOMPARE(schedule.next(now + 0.01)->sample, 0);
+    }
+
+    void refinementThatIsOutOfDateIsGivenUpAndAQuickPictureNever()
+    {
+        DrawSchedule schedule;
+        schedule.changed(0);
+        DrawOrder order = schedule.next(0).value();
+        schedule.begun(order);
+        schedule.changed(0.001);
+        QVERIFY(!schedule.betterGivenUp());  // As quick as can be: who moves on and on sees it.
+        schedule.drawn(order, 0.01);
+        order = schedule.next(0.02).value();
+        schedule.begun(order);
+        schedule.drawn(order, 0.01);
+        order = schedule.next(1).value();
+        QCOMPARE(order.sample, 1);
+        schedule.begun(order);
+        QVERIFY(!schedule.betterGivenUp());
+        schedule.changed(1.001);
+        QVERIFY(schedule.betterGivenUp());
+        schedule.givenUp();
+        QCOMPARE(schedule.next(2)->sample, 0);
+    }
+
     void everyChangeStartsOver()
     {
         DrawSchedule schedule;

@@ -25,6 +25,7 @@
 #include <QTest>
 
 #include <clocale>
+#include <future>
 #include <memory>
 
 using namespace vitrine;
@@ -50,9 +51,8 @@ class MemoryTest : public QObject {
     /// The next picture: every step is one that a visitor would see.
     void draw()
     {
-        const long long drawn = window_->viewport().picturesDrawn();
         window_->viewport().lookChanged();
-        QTRY_VERIFY(window_->viewport().picturesDrawn() > drawn);
+        QTRY_VERIFY(window_->viewport().schedule().current());
         ++step_;
     }
     void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
@@ -146,7 +146,12 @@ class MemoryTest : public QObject {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QTest::qWait(100);
         render::trimHeap();
-        return {render::gl::liveGlNames(), gallery_->stored(), render::processMemory().own, window_->findChildren<QObject*>().size()};
+        std::promise<std::vector<render::gl::Stored>> stored;
+        window_->viewport().renderThread().post([&] {
+            stored.set_value(gallery_->stored());
+            return std::function<void()>();
+        });
+        return {render::gl::liveGlNames(), stored.get_future().get(), render::processMemory().own, window_->findChildren<QObject*>().size()};
     }
 
 private slots:
@@ -207,5 +212,4 @@ private slots:
 
 QTEST_MAIN(MemoryTest)
 
-#include "exhibits/exhibits.h"
 #include "memory_test.moc"

@@ -285,5 +285,4 @@ private slots:
 
 QTEST_MAIN(MuseumWindowTest)
 
-#include "exhibits/exhibits.h"
 #include "museum_window_test.moc"

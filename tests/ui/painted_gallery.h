@@ -4,11 +4,11 @@
 
 #include "ui/viewport/gallery.h"
 
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
-
+#include <atomic>
 #include <cmath>
 #include <exception>
+#include <mutex>
+#include <thread>
 
 namespace vitrine::test {
 
@@ -74,13 +74,22 @@ public:
         return request.sincePressed.size() > 1 && request.sincePressed[1] < movesFor ? 0 : INFINITY;
     }
 
-    void open() override { ++opened; }
-    void close() override { ++closed; }
-    render::FrameReport draw(const Look& look, const FrameRequest& request) override
+    void open() override
     {
+        ++opened;
+        thread = std::this_thread::get_id();
+    }
+    void close() override { ++closed; }
+    render::FrameReport draw(const Look& look, const FrameRequest& request, const Unwanted& unwanted) override
+    {
+        strangers += std::this_thread::get_id() == thread ? 0 : 1;
+        if (beforeDrawing) beforeDrawing(request, unwanted);
         if (thrown) std::rethrow_exception(thrown);
         red_ = static_cast<float>(look.values[1][table(1).roughness]);
-        requests.push_back(request);
+        {
+            const std::scoped_lock lock(mutex_);
+            requests_.push_back(request);
+        }
         render::FrameReport report;
         report.ran = {{"hall/opaque", "in view", render::Work::raster, 12.25},
                       {"sdf_morph/march", "in view, 1.2 m away", render::Work::raster, 31.5}};
@@ -91,16 +100,24 @@ public:
         report.clockTrusted = true;
         return report;
     }
-    void present(int, int) override
+    [[nodiscard]] QImage screenImage(const QSize& screen) override
     {
-        QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
-        gl->glClearColor(red_, 0.45F, 0.4F, 1);
-        gl->glClear(GL_COLOR_BUFFER_BIT);
+        QImage image(screen, QImage::Format_RGBX8888);
+        image.fill(QColor::fromRgbF(red_, 0.45F, 0.4F));
+        return image;
+    }
+    [[nodiscard]] std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const override { return moving; }
+    [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion& region, int, const Unwanted&) override
+    {
+        strangers += std::this_thread::get_id() == thread ? 0 : 1;
+        QImage image(region.size.x, region.size.y, QImage::Format_RGBX8888);
+        image.fill(Qt::blue);
+        return image;
     }
     [[nodiscard]] render::Image shownPicture() override
     {
         ++pictureReads;
-        const FrameRequest& last = requests.back();
+        const FrameRequest last = requests().back();
         render::Image picture(last.raster.size.x, last.raster.size.y, 4);
         picture.channelNames = {"R", "G", "B", "A"};
         for (float& value : picture.pixels) value = red_;
@@ -113,12 +130,27 @@ public:
     void nextPicture(ui::PictureJob&, const Look&, const PictureRequest&) override {}
     [[nodiscard]] ui::StudyJob makeStudy(const StudyRequest&) override { return {}; }
 
-    int opened = 0, closed = 0;
+    /// Of the pictures drawn so far.
+    [[nodiscard]] std::vector<FrameRequest> requests() const
+    {
+        const std::scoped_lock lock(mutex_);
+        return requests_;
+    }
+    void forgetRequests()
+    {
+        const std::scoped_lock lock(mutex_);
+        requests_.clear();
+    }
+
+    std::atomic<int> opened = 0, closed = 0;
+    std::thread::id thread;          ///< That opened it.
+    std::atomic<int> strangers = 0;  ///< Pictures drawn on another one.
+    std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set while nothing is drawn.
+    std::optional<PictureRegion> moving;
     std::optional<LookedAt> looked;
     bool buttonInReach = true;
     double movesFor = 0;
-    int pictureReads = 0;
-    std::vector<FrameRequest> requests;
+    std::atomic<int> pictureReads = 0;
     std::vector<render::gl::ShaderProblem> shaderProblems;
     std::exception_ptr thrown;  ///< By every frame that is drawn from now on; null: nothing.
     std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.
@@ -126,6 +158,8 @@ public:
 private:
     std::vector<std::unique_ptr<Exhibit>> exhibits_;
     float red_ = 0;
+    mutable std::mutex mutex_;
+    std::vector<FrameRequest> requests_;
 };
 
 }  // namespace vitrine::test

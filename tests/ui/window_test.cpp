@@ -27,8 +27,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+#include <atomic>
 #include <clocale>
+#include <future>
 #include <memory>
+#include <thread>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -67,12 +71,12 @@ private slots:
 
     void aStillPictureIsRefinedOverSixteenSamples()
     {
-        gallery_->requests.clear();
+        gallery_->forgetRequests();
         window_->viewport().lookChanged();
-        QTRY_VERIFY(gallery_->requests.size() >= 16);
+        QTRY_VERIFY(gallery_->requests().size() >= 16);
         settle();
-        QCOMPARE(gallery_->requests.back().sample, 15);
-        QCOMPARE(gallery_->requests.back().samples, 16);
+        QCOMPARE(gallery_->requests().back().sample, 15);
+        QCOMPARE(gallery_->requests().back().samples, 16);
     }
 
     void theVisitorWalksAndWallsStopHim()
@@ -289,10 +293,11 @@ private slots:
     {
         gallery_->shaderProblems = {{"sdf_morph/march.frag", 42, "'hitDistance' : undeclared identifier"}};
         window_->viewport().reloadShaders();
-        bool shown = false;
-        for (QLabel* label : window_->viewport().findChildren<QLabel*>())
-            shown = shown || (label->isVisible() && label->text().contains("sdf_morph/march.frag:42"));
-        QVERIFY(shown);
+        const auto shown = [&] {
+            const auto labels = window_->viewport().findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->isVisible() && label->text().contains("sdf_morph/march.frag:42"); });
+        };
+        QTRY_VERIFY(shown());
     }
 
     void messagesStayUntilDismissedAndAreListedOnce()
@@ -374,10 +379,10 @@ private slots:
         bool up = true;
         const auto drawFrames = [&](std::vector<render::Skipped> complaints) {
             gallery_->complaints = std::move(complaints);
-            const auto before = gallery_->requests.size();
+            const auto before = gallery_->requests().size();
             dragRoughness(up ? 60 : 20);
             up = !up;
-            QTRY_VERIFY(gallery_->requests.size() > before + 2);
+            QTRY_VERIFY(gallery_->requests().size() > before + 2);
             settle();
         };
         const render::Skipped wrong{.name = "fur/clock", .reason = "the time is no number", .work = render::Work::simulation, .complaint = true};
@@ -391,10 +396,10 @@ private slots:
         QCOMPARE(lines(), 2);
     }
 
-    void aLostContextIsBuiltAgain()
+    void aNewWindowAroundThePictureShowsItAndLeavesWhatDrawsItAlone()
     {
-        // Without shared contexts a new top-level window means a new context.
-        QCOMPARE(gallery_->opened, 1);
+        // Without shared contexts a new top-level window means a new context for the widget.
+        const QColor before = window_->viewport().grabFramebuffer().pixelColor(20, 20);
         auto* other = new QWidget;
         QWidget* home = window_->viewport().parentWidget();
         window_->viewport().setParent(other);
@@ -403,10 +408,121 @@ private slots:
         window_->viewport().show();
         other->show();
         QVERIFY(QTest::qWaitForWindowExposed(other, vitrine::test::patience));
+        QTRY_COMPARE(window_->viewport().shown().size(), QSize(320, 240));
         settle();
-        QCOMPARE(gallery_->opened, gallery_->closed + 1);
+        QCOMPARE(window_->viewport().grabFramebuffer().pixelColor(20, 20), before);
+        QCOMPARE(gallery_->opened, 1);
+        QCOMPARE(gallery_->closed, 0);
         window_->viewport().setParent(home);
         delete other;
+    }
+
+    void theWindowsThreadDrawsNothing()
+    {
+        dragRoughness(60);
+        window_->visit(1);
+        settle();
+        QVERIFY(!gallery_->requests().empty());
+        QVERIFY(gallery_->thread != std::this_thread::get_id());
+        QCOMPARE(gallery_->strangers, 0);
+    }
+
+    void aPictureThatTakesLongHoldsNothingUpAndTheNewestComesNext()
+    {
+        window_->choose(1);
+        settle();
+        std::promise<void> begun, enough;
+        std::shared_future<void> released = enough.get_future().share();
+        std::atomic<int> pictures = 0;
+        gallery_->beforeDrawing = [&](const FrameRequest&, const Gallery::Unwanted&) {
+            if (++pictures != 1) return;
+            begun.set_value();
+            released.wait();
+        };
+        dragRoughness(10);
+        QTRY_VERIFY(pictures == 1);
+        begun.get_future().wait();
+        // The window goes on: every one of these is another picture to draw, and none can be drawn.
+        double last = roughness();
+        for (const int pixels : {30, 50, 40, 60}) {
+            dragRoughness(pixels);
+            QVERIFY(roughness() != last);
+            last = roughness();
+        }
+        action("About Vitrine")->trigger();
+        QCOMPARE(pictures, 1);
+        gallery_->forgetRequests();
+        enough.set_value();
+        QTRY_VERIFY(gallery_->requests().size() >= 2);
+        // The held one ends, and the next one is of the newest value: the four between are never drawn.
+        QTRY_VERIFY(window_->viewport().schedule().current());
+        settle();
+        QCOMPARE(window_->viewport().shown().pixelColor(20, 20).red(), QColor::fromRgbF(static_cast<float>(last), 0, 0).red());
+        QVERIFY2(pictures <= 2 + 16, qPrintable(QString::number(pictures)));
+        gallery_->beforeDrawing = {};
+    }
+
+    void anOutdatedSupersampleIsGivenUp()
+    {
+        window_->choose(1);
+        settle();
+        std::atomic<int> abandoned = 0;
+        std::atomic<bool> reached = false;
+        gallery_->beforeDrawing = [&](const FrameRequest& request, const Gallery::Unwanted& unwanted) {
+            if (request.sample != 3 || abandoned > 0) return;
+            reached = true;
+            while (!unwanted()) std::this_thread::yield();
+            ++abandoned;
+            throw render::gl::Abandoned();
+        };
+        window_->viewport().lookChanged();
+        QTRY_VERIFY(reached);
+        dragRoughness(60);
+        QTRY_COMPARE(int(abandoned), 1);
+        settle();
+        QCOMPARE(window_->viewport().shown().pixelColor(20, 20).red(), QColor::fromRgbF(static_cast<float>(roughness()), 0, 0).red());
+        QVERIFY(window_->findChild<MessageStrip*>()->texts().isEmpty());
+        gallery_->beforeDrawing = {};
+    }
+
+    void whatMovesFarAwayNeitherCoarsensNorRestartsThePicture()
+    {
+        window_->choose(1);
+        settle();
+        const QImage before = window_->viewport().shown();
+        const int height = before.height();
+        gallery_->moving = PictureRegion{{40, 60}, {20, 10}};
+        gallery_->movesFor = 1;
+        gallery_->looked = LookedAt{1, "E – melt it"};
+        window_->viewport().jumpTo(window_->history().look().camera);
+        window_->viewport().press();  // The button itself moves the whole picture for a moment.
+        QTRY_VERIFY(window_->viewport().regionsDrawn() >= 2);
+        const long long whole = window_->viewport().picturesDrawn();
+        const auto requests = gallery_->requests();
+        QVERIFY(std::none_of(requests.end() - 1, requests.end(), [](const FrameRequest& r) { return r.raster.size.x < 100; }));
+        const QImage now = window_->viewport().shown();
+        QCOMPARE(now.size(), before.size());
+        int moved = 0, elsewhere = 0;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < now.width(); ++x) {
+                if (now.pixel(x, y) == before.pixel(x, y)) continue;
+                const bool within = x >= 40 && x < 60 && height - 1 - y >= 60 && height - 1 - y < 70;
+                ++(within ? moved : elsewhere);
+            }
+        QCOMPARE(moved, 200);
+        QCOMPARE(elsewhere, 0);
+        const long long regions = window_->viewport().regionsDrawn();
+        QTest::qWait(1500);  // It has come to rest: drawn once more, and then never again.
+        QVERIFY(window_->viewport().regionsDrawn() > regions);
+        const long long rested = window_->viewport().regionsDrawn();
+        const long long refined = window_->viewport().picturesDrawn();
+        QVERIFY(refined - whole <= 16);
+        QVERIFY(window_->viewport().schedule().still());
+        QTest::qWait(500);
+        QCOMPARE(window_->viewport().regionsDrawn(), rested);
+        QCOMPARE(window_->viewport().picturesDrawn(), refined);
+        // A screenshot of it is drawn apart: the picture behind is of another moment.
+        QVERIFY(!window_->viewport().pictureFinished());
     }
 };
 

@@ -217,7 +217,7 @@ void PresetShelf::saveUnder(const QString& name)
 
 void PresetShelf::keepThumbnail(const std::filesystem::path& preset)
 {
-    const QImage picture = window_.viewport().grabFramebuffer();
+    const QImage& picture = window_.viewport().shown();
     if (!picture.isNull()) MainWindow::thumbnailOf(picture).save(idOf(PresetStore::thumbnailPath(preset)), "PNG");
 }
 

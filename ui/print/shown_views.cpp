@@ -7,19 +7,17 @@
 #include "ui/window/application.h"
 #include "ui/window/main_window.h"
 
-namespace vitrine::ui {
+#include <algorithm>
 
-ShownViews::ShownViews(MainWindow& window) : QObject(&window), window_(window)
-{
-    timer_.setSingleShot(true);
-    connect(&timer_, &QTimer::timeout, this, &ShownViews::step);
-    connect(&window.viewport(), &Viewport::contextClosing, this, [this] {
-        const bool was = running();
-        job_ = {};
-        stop();
-        if (was) emit failed(tr("The views were not rendered: the graphics context was lost. Render them again."));
-    });
-}
+namespace vitrine::ui {
+namespace {
+
+constexpr int viewTile = 512;     // So that a step takes part of a second, and the viewport goes on in between.
+constexpr qint64 viewsToldEvery = 50;  // Milliseconds.
+
+}  // namespace
+
+ShownViews::ShownViews(MainWindow& window) : QObject(&window), window_(window) {}
 
 ShownViews::~ShownViews()
 {
@@ -33,77 +31,70 @@ void ShownViews::start(const ParameterValues& values, bool draft)
     FrameRequest frame;
     frame.camera = look.camera;
     frame.time = window_.viewport().time();
+    auto work = std::make_shared<Work>();
     try {
-        pictures_ = printing::printShots(values, look, frame, draft);
+        work->pictures = printing::printShots(values, look, frame, draft);
     } catch (const std::exception& failure) {
-        fail(messageOf(failure));
+        emit failed(messageOf(failure));
         return;
     }
-    printing::ViewShot quick{look, pictures_.front().request};
+    printing::ViewShot quick{look, work->pictures.front().request};
     quick.request.frame.camera = look.camera;
     quick = printing::depthShot(quick);
-    pictures_.insert(pictures_.begin(), quick);
+    work->pictures.insert(work->pictures.begin(), quick);
+    for (printing::ViewShot& shot : work->pictures) shot.request.largestTile = std::min(shot.request.largestTile, viewTile);
     values_ = values;
+    look_ = look;
     views_ = std::make_shared<printing::PrintViews>();
     views_->setLook(window_.shelf().lookText());
-    next_ = 0;
+    work->views = views_;
     elapsed_.start();
-    timer_.start(0);
+    task_ = window_.viewport().renderThread().start([this, work, &gallery = window_.gallery()](const RenderThread::Tell& tell) { return step(gallery, *work, tell, *this); },
+                                                    [this](const QString& failure) { end(failure); });
 }
 
 void ShownViews::stop()
 {
-    timer_.stop();
-    const bool had = job_.renderer != nullptr;
-    if (had) window_.viewport().withContext([this] { job_ = {}; });
+    task_.cancel();
     views_.reset();
-    if (had) render::trimHeap();
 }
 
-void ShownViews::fail(const QString& why)
+bool ShownViews::step(Gallery& gallery, Work& work, const RenderThread::Tell& tell, ShownViews& told)
 {
-    stop();
-    emit failed(why);
-}
-
-void ShownViews::begin(std::size_t picture)
-{
-    const printing::ViewShot& shot = pictures_[picture];
-    if (job_.renderer) window_.gallery().nextPicture(job_, shot.look, shot.request);
-    else job_ = window_.gallery().makePicture(shot.look, shot.request);
-    if (!job_.maker) throw Failure(Blame::openGl, "No views can be rendered before the first picture is on the screen; try again then.");
-}
-
-void ShownViews::take()
-{
-    if (next_ == 0) depth_ = printing::sceneDepth(*values_, pictures_[0].look, job_.maker->picture());
-    else views_->add(job_.maker->picture());
-    ++next_;
-    job_.maker.reset();
-}
-
-void ShownViews::step()
-{
-    try {
-        window_.viewport().withContext([this] {
-            if (!job_.maker) begin(next_);
-            job_.maker->step();
-            if (job_.maker->finished()) take();
-        });
-    } catch (const std::exception& failure) {
-        fail(messageOf(failure));
-        return;
+    const printing::ViewShot& shot = work.pictures[work.next];
+    if (!work.job.renderer) work.job = gallery.makePicture(shot.look, shot.request);
+    else if (!work.job.maker) gallery.nextPicture(work.job, shot.look, shot.request);
+    if (!work.job.maker) throw Failure(Blame::openGl, "No views can be rendered: there is no graphics context.");
+    work.job.maker->step();
+    if (work.job.maker->finished()) {
+        if (work.next == 0) tell([&told, picture = work.job.maker->picture()] { told.depth_ = printing::sceneDepth(*told.values_, told.look_, picture); });
+        else work.views->add(work.job.maker->picture());
+        ++work.next;
+        work.job.maker.reset();
     }
-    if (next_ == pictures_.size()) {
-        const std::shared_ptr<const printing::PrintViews> views = std::move(views_);
-        stop();
-        emit finished(views, depth_);
-        return;
+    if (!work.told.isValid() || work.told.elapsed() >= viewsToldEvery) {
+        work.told.start();
+        const double part = (static_cast<double>(work.next) + (work.job.maker ? work.job.maker->progress() : 0)) / static_cast<double>(work.pictures.size());
+        tell([&told, part] { told.note(part); });
     }
-    const double part = (static_cast<double>(next_) + (job_.maker ? job_.maker->progress() : 0)) / static_cast<double>(pictures_.size());
+    if (work.next < work.pictures.size()) return true;
+    work.job = {};
+    render::trimHeap();
+    return false;
+}
+
+void ShownViews::note(double part)
+{
     const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
     emit progressed(part, part > 0.02 ? seconds / part * (1 - part) : -1);
-    timer_.start(0);
+}
+
+void ShownViews::end(const QString& failure)
+{
+    const std::shared_ptr<const printing::PrintViews> views = std::move(views_);
+    stop();
+    if (failure.isEmpty()) emit finished(views, depth_);
+    else emit failed(failure);
 }
 
 }  // namespace vitrine::ui

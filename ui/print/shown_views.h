@@ -1,11 +1,10 @@
 #pragma once
 
 #include "exhibits/printing/print_views.h"
-#include "ui/viewport/gallery.h"
+#include "ui/viewport/render_thread.h"
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QTimer>
 
 #include <memory>
 #include <optional>
@@ -15,7 +14,7 @@ namespace vitrine::ui {
 
 class MainWindow;
 
-/// Renders the views of a print from what the window shows, step by step between the window's other work.
+/// Renders the views of a print from what the window shows, step by step on the render thread.
 class ShownViews final : public QObject {
     Q_OBJECT
 
@@ -26,7 +25,7 @@ public:
     /// From where the visitor stands now; stops what was being rendered.
     void start(const ParameterValues&, bool draft);
     void stop();
-    [[nodiscard]] bool running() const { return timer_.isActive(); }
+    [[nodiscard]] bool running() const { return views_ != nullptr; }
 
 signals:
     /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
@@ -35,19 +34,26 @@ signals:
     void failed(const QString& why);
 
 private:
-    void step();
-    void begin(std::size_t picture);
-    void take();
-    void fail(const QString& why);
+    /// What the render thread works on.
+    struct Work {
+        std::vector<printing::ViewShot> pictures;  ///< The quick one for depth, then the views.
+        std::size_t next = 0;
+        std::shared_ptr<printing::PrintViews> views;
+        PictureJob job;
+        QElapsedTimer told;
+    };
+    /// One sample of a tile of a picture; returns whether there is more to do. On the render thread: only what is told
+    /// touches the window.
+    static bool step(Gallery&, Work&, const RenderThread::Tell&, ShownViews& told);
+    void note(double part);
+    void end(const QString& failure);
 
     MainWindow& window_;
     std::optional<ParameterValues> values_;
-    std::vector<printing::ViewShot> pictures_;  ///< The quick one for depth, then the views.
-    std::size_t next_ = 0;
+    Look look_;  ///< Of the quick picture.
     std::shared_ptr<printing::PrintViews> views_;
     printing::SceneDepth depth_;
-    PictureJob job_;
-    QTimer timer_;
+    RenderThread::Task task_;
     QElapsedTimer elapsed_;
 };
 

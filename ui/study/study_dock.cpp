@@ -29,7 +29,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int shortTile = 96;      ///< So that no step holds up the window for long.
+constexpr int shortTile = 96;        ///< So that no step holds up the next picture for long.
 constexpr qint64 refreshTime = 200;  ///< Milliseconds between two looks of the chart while measuring.
 
 QString shortNumber(double x)
@@ -48,8 +48,8 @@ QLineEdit* numberField(const QString& name, const QString& start, QWidget* paren
 
 }  // namespace
 
-StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext, QWidget* parent)
-    : QWidget(parent), gallery_(gallery), history_(history), withContext_(std::move(withContext)), parameter_(new QComboBox(this)), view_(new QComboBox(this)), go_(new QPushButton(this)), copy_(new QToolButton(this)), save_(new QToolButton(this)),
+StudyDock::StudyDock(Gallery& gallery, History& history, RenderThread& thread, QWidget* parent)
+    : QWidget(parent), gallery_(gallery), history_(history), thread_(thread), parameter_(new QComboBox(this)), view_(new QComboBox(this)), go_(new QPushButton(this)), copy_(new QToolButton(this)), save_(new QToolButton(this)),
       progress_(new QProgressBar(this)), doing_(new QLabel(this)), words_(new QLabel(this)), caption_(new QLabel(this)), error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
       milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this)), chart_(new StudyChart(this)), pictures_(new StudyPictures(this))
 {
@@ -141,8 +141,6 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     connect(&history_, &History::changed, this, [this] {
         if (isVisible()) refresh();
     });
-    timer_.setSingleShot(true);
-    connect(&timer_, &QTimer::timeout, this, &StudyDock::step);
     showIdle();
 }
 
@@ -218,83 +216,90 @@ void StudyDock::find(bool byError)
     start(std::move(request));
 }
 
+struct StudyDock::Work {
+    Gallery& gallery;
+    StudyRequest request;
+    StudyJob job;
+    QElapsedTimer shown;
+};
+
+bool StudyDock::step(Work& work, const RenderThread::Tell& tell, const std::function<void(std::shared_ptr<News>)>& take)
+{
+    if (!work.job.study) {
+        work.job = work.gallery.makeStudy(work.request);
+        work.shown.start();
+        if (!work.job.study) throw Failure(Blame::openGl, "Nothing can be measured: there is no graphics context.");
+    }
+    Study& study = *work.job.study;
+    study.step();
+    const bool done = study.finished();
+    if (done || work.shown.elapsed() >= refreshTime) {
+        auto news = std::make_shared<News>(News{done ? study.takeResult() : study.result(), done ? 1.0 : study.progress(), study.doing()});
+        tell([take, news = std::move(news)] { take(news); });
+        work.shown.start();
+    }
+    if (done) {
+        work.job = {};
+        render::trimHeap();
+    }
+    return !done;
+}
+
 void StudyDock::start(StudyRequest request)
 {
     stop();
     running_ = request;
-    try {
-        const bool drawn = withContext_([&] { job_ = gallery_.makeStudy(request); });
-        if (!drawn || !job_.study) throw Failure(Blame::openGl, "Nothing can be measured before the first picture is on the screen; try again then.");
-    } catch (const std::exception& failure) {
-        stop();
-        words_->setText(QString::fromUtf8(failure.what()));
-        return;
-    }
+    isRunning_ = true;
+    auto work = std::make_shared<Work>(Work{gallery_, std::move(request), {}, {}});
     go_->setText(tr("Cancel"));
+    go_->setEnabled(true);
+    progress_->setValue(0);
     progress_->show();
     elapsed_.start();
-    sinceRefresh_.start();
     doing_->setText(tr("Starting"));
-    timer_.start(0);
+    const auto take = [this](const std::shared_ptr<News>& news) { this->take(std::move(*news)); };
+    task_ = thread_.start([work, take](const RenderThread::Tell& tell) { return step(*work, tell, take); }, [this](const QString& failure) { end(failure); });
 }
 
-void StudyDock::showRunningOnceItHasAPoint()
+void StudyDock::take(News news)
 {
-    if (showsRunning_ || !job_.study) return;
-    const StudyResult& now = job_.study->result();
     const auto measured = [](const StudyPoint& p) { return p.cost > 0 && std::all_of(p.shots.begin(), p.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); }); };
-    if (!job_.study->finished() && std::none_of(now.points.begin(), now.points.end(), measured)) return;
-    showsRunning_ = true;
-    request_ = running_;
-    shownPoint_ = -1;
-    const QSignalBlocker quiet(view_);
-    view_->clear();
-    for (const std::string& view : now.views) view_->addItem(QString::fromStdString(view));
+    const bool done = news.progress >= 1;
+    // The former result stays until this one has a point.
+    if (!showsRunning_ && (done || std::any_of(news.result.points.begin(), news.result.points.end(), measured))) {
+        showsRunning_ = true;
+        request_ = running_;
+        shownPoint_ = -1;
+        const QSignalBlocker quiet(view_);
+        view_->clear();
+        for (const std::string& view : news.result.views) view_->addItem(QString::fromStdString(view));
+    }
+    progress_->setValue(static_cast<int>(100 * news.progress));
+    const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
+    doing_->setText(QString::fromStdString(news.doing) + (news.progress > 0.05 && !done ? QStringLiteral(", ") + timeLeft(seconds / news.progress * (1 - news.progress)) : QString()));
+    if (!showsRunning_) return;
+    result_ = std::move(news.result);
+    refresh();
 }
 
-void StudyDock::step()
+void StudyDock::end(const QString& failure)
 {
-    if (!job_.study) return;
-    try {
-        withContext_([this] { job_.study->step(); });
-    } catch (const std::exception& failure) {
-        const QString why = QString::fromUtf8(failure.what());
-        stop();
-        emit failed(why);
-        return;
-    }
-    const bool done = job_.study->finished();
-    showRunningOnceItHasAPoint();
-    const double part = job_.study->progress();
-    progress_->setValue(static_cast<int>(100 * part));
-    const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
-    doing_->setText(QString::fromStdString(job_.study->doing()) + (part > 0.05 && !done ? QStringLiteral(", ") + timeLeft(seconds / part * (1 - part)) : QString()));
-    if (done || sinceRefresh_.elapsed() > refreshTime) {
-        refresh();
-        sinceRefresh_.restart();
-    }
-    if (!done) {
-        timer_.start(0);
+    stop();
+    if (!failure.isEmpty()) {
+        words_->setText(failure);
+        emit failed(failure);
         return;
     }
     const std::optional<StudyChoice> choice = result().choice;
-    stop();
     if (choice && choice->holds) apply(choice->point);
     emit finished();
 }
 
 void StudyDock::stop()
 {
-    timer_.stop();
-    if (showsRunning_) {
-        result_ = job_.study->takeResult();
-        showsRunning_ = false;
-    }
-    if (job_.painter || job_.study) {
-        // The painter goes with its context current, or with the context.
-        if (!withContext_([this] { job_ = {}; })) job_ = {};
-        render::trimHeap();
-    }
+    task_.cancel();
+    isRunning_ = false;
+    showsRunning_ = false;
     showIdle();
 }
 

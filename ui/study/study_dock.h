@@ -1,14 +1,15 @@
 #pragma once
 
-#include "ui/viewport/gallery.h"
+#include "ui/viewport/render_thread.h"
 #include "ui/window/undo.h"
 
 #include <QElapsedTimer>
-#include <QTimer>
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
 
 class QComboBox;
 class QLabel;
@@ -22,17 +23,13 @@ namespace vitrine::ui {
 class StudyChart;
 class StudyPictures;
 
-/// What accuracy costs: measures a parameter of the chosen exhibit, or all of them together, between the window's
-/// other work, shows every point as it is measured, and applies the one that is clicked or searched for.
+/// What accuracy costs: measures a parameter of the chosen exhibit, or all of them together, on the render thread, shows every point as it is measured, and applies the one that is clicked or searched for.
 class StudyDock final : public QWidget {
     Q_OBJECT
 
 public:
-    /// Calls its argument with the viewport's context current; returns whether there is one.
-    using WithContext = std::function<bool(const std::function<void()>&)>;
-
-    /// Gallery and history must outlive it.
-    StudyDock(Gallery&, History&, WithContext, QWidget* parent = nullptr);
+    /// Gallery and history must outlive it; the thread must, or `stop` is called before it ends.
+    StudyDock(Gallery&, History&, RenderThread&, QWidget* parent = nullptr);
     ~StudyDock() override;
 
     /// Whose parameters are offered; what is shown stays until the next study.
@@ -41,9 +38,9 @@ public:
     void ask(std::size_t exhibit, std::size_t row);
     /// Ends the study that runs; what it measured stays to be seen.
     void stop();
-    [[nodiscard]] bool running() const { return job_.study != nullptr; }
+    [[nodiscard]] bool running() const { return isRunning_; }
     /// What is shown: of the study that runs as soon as it has a point, until then of the one before.
-    [[nodiscard]] const StudyResult& result() const { return showsRunning_ ? job_.study->result() : result_; }
+    [[nodiscard]] const StudyResult& result() const { return result_; }
     /// Everything shown that was measured, as a file: .csv, .json (with `machine` beside it), or the chart as .png or .svg.
     [[nodiscard]] QByteArray exported(const QString& suffix) const;
     [[nodiscard]] StudyChart& chart() const { return *chart_; }
@@ -62,12 +59,21 @@ private:
     void measure();
     void find(bool byError);
     void start(StudyRequest);
-    void step();
+    /// What the study that runs has so far.
+    struct News {
+        StudyResult result;
+        double progress = 0;
+        std::string doing;
+    };
+    /// On the render thread: one step, and now and then what has come of it.
+    struct Work;
+    static bool step(Work&, const RenderThread::Tell&, const std::function<void(std::shared_ptr<News>)>& take);
+    void take(News);
+    void end(const QString& failure);
     void refresh();
     void showPoint(int point);
     void apply(std::size_t point);
     void showIdle();
-    void showRunningOnceItHasAPoint();
     void save();
     void suggestTime();
     [[nodiscard]] StudyRequest requestFor(std::vector<StudyAxis>) const;
@@ -75,17 +81,17 @@ private:
 
     Gallery& gallery_;
     History& history_;
-    WithContext withContext_;
-    StudyJob job_;
+    RenderThread& thread_;
+    RenderThread::Task task_;
+    bool isRunning_ = false;
     StudyRequest request_;   ///< Of what is shown.
     StudyRequest running_;   ///< Of the study that runs.
     bool showsRunning_ = false;
-    StudyResult result_;     ///< Of the study that ended last.
+    StudyResult result_;     ///< Of what is shown.
     std::size_t subject_ = 0;
     glm::ivec2 size_{320, 180};
     int runs_ = 5;
-    QTimer timer_;
-    QElapsedTimer sinceRefresh_, elapsed_;
+    QElapsedTimer elapsed_;
     int shownPoint_ = -1;
 
     QComboBox* parameter_;

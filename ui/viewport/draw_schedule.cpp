@@ -19,6 +19,7 @@ void DrawSchedule::changed(double now)
     dirty_ = true;
     refined_ = 0;
     lastChange_ = now;
+    outdated_ = underway_.has_value();
 }
 
 void DrawSchedule::setMoving(bool on, double now)
@@ -45,12 +46,35 @@ double DrawSchedule::wait(double now) const
     return std::numeric_limits<double>::infinity();
 }
 
+void DrawSchedule::begun(const DrawOrder& order)
+{
+    underway_ = order;
+    outdated_ = false;
+}
+
+bool DrawSchedule::betterGivenUp() const
+{
+    // Never a picture that is as quick as can be: else a visitor who does not stop would see none.
+    return underway_ && outdated_ && underway_->scale == 1 && (level_ > 0 || underway_->sample > 0);
+}
+
+void DrawSchedule::givenUp()
+{
+    underway_.reset();
+    dirty_ = true;
+    refined_ = 0;
+}
+
 void DrawSchedule::drawn(const DrawOrder& order, double seconds)
 {
-    dirty_ = false;
+    underway_.reset();
     drawnScale_ = order.scale;
-    // A quick picture is no part of a refined one, though that, too, may be of one sample.
-    if (order.samples == samples_ && order.scale == 1) refined_ = order.sample + 1;
+    if (!outdated_) {
+        dirty_ = false;
+        // A quick picture is no part of a refined one, though that, too, may be of one sample.
+        if (order.samples == samples_ && order.scale == 1) refined_ = order.sample + 1;
+    }
+    outdated_ = false;
     if (order.sample == 0) adapt(order, seconds);
 }
 

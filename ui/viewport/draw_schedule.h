@@ -36,10 +36,18 @@ public:
     [[nodiscard]] std::optional<DrawOrder> next(double now) const;
     /// Seconds after which `next` may have an order: 0, a wait, or infinity when nothing is to be drawn.
     [[nodiscard]] double wait(double now) const;
-    /// The order was carried out and took so many seconds of real time.
+    /// The order is being carried out: what changes from now on is not in its picture.
+    void begun(const DrawOrder&);
+    /// It was carried out and took so many seconds of real time.
     void drawn(const DrawOrder&, double seconds);
+    /// It was given up, because something changed.
+    void givenUp();
+    /// An order is being carried out whose picture is out of date already, and a coarse one can be had sooner.
+    [[nodiscard]] bool betterGivenUp() const;
 
     [[nodiscard]] double scaleWhileMoving() const { return scales[level_]; }
+    /// The last picture shows things as they are, however finely.
+    [[nodiscard]] bool current() const { return !moving_ && !dirty_; }
     [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples_; }
     /// For the status line: what the last picture was drawn as, and why.
     [[nodiscard]] std::string reason() const;
@@ -48,6 +56,8 @@ private:
     void adapt(const DrawOrder&, double seconds);
 
     bool dirty_ = true;
+    std::optional<DrawOrder> underway_;
+    bool outdated_ = false;  // Something changed since it was begun.
     bool moving_ = false;
     int samples_ = 16;
     int refined_ = 0;  // Supersamples of the full picture that are drawn.

@@ -5,6 +5,9 @@
 #include "exhibits/study/study.h"
 #include "render/gl/renderer.h"
 
+#include <QImage>
+
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,7 +15,7 @@
 
 namespace vitrine::ui {
 
-/// A picture being made on a renderer of its own, so that the viewport goes on drawing meanwhile.
+/// A picture being made on a renderer of its own, so that the viewport's stays as it is.
 struct PictureJob {
     std::unique_ptr<render::gl::Renderer> renderer;
     std::unique_ptr<PictureMaker> maker;
@@ -24,8 +27,8 @@ struct StudyJob {
     std::unique_ptr<Study> study;
 };
 
-/// Everything the window shows and draws with: the museum, and a renderer on the viewport's context.
-/// Tests put a smaller one in its place.
+/// Everything the window shows and draws with: the museum, and the renderers of the render thread. Tests put a smaller one
+/// in its place.
 class Gallery {
 public:
     virtual ~Gallery() = default;
@@ -38,31 +41,38 @@ public:
     [[nodiscard]] virtual std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const = 0;
     [[nodiscard]] virtual std::vector<int> emptyPlaces() const = 0;
     [[nodiscard]] virtual double nextChange(const Look&, const FrameRequest&) const = 0;
+    /// As Museum::movingRegion.
+    [[nodiscard]] virtual std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const { return std::nullopt; }
 
     /// Which files that the look names and needs for what it shows cannot be read, and why: one full sentence each,
     /// that begins with the parameter's label.
     [[nodiscard]] virtual std::vector<std::string> unreadableFiles(const Look&) const { return {}; }
 
-    // With the viewport's context current:
+    // On the render thread, from `open` to `close`:
 
-    /// Called when the context is made, and again after it was lost.
+    /// Makes a context of its own for this thread, and a renderer on it.
     virtual void open() = 0;
     virtual void close() = 0;
-    virtual render::FrameReport draw(const Look&, const FrameRequest&) = 0;
-    /// Copies the last picture to the framebuffer that is bound, of this size in device pixels.
-    virtual void present(int width, int height) = 0;
-    /// The last picture as `PictureMaker::picture` gives it; empty where there is none.
+    /// Asked between passes: whether the picture that is being drawn is not wanted any more.
+    using Unwanted = std::function<bool()>;
+    /// Throws render::gl::Abandoned when it was not wanted any more.
+    virtual render::FrameReport draw(const Look&, const FrameRequest&, const Unwanted&) = 0;
+    /// The last picture as a screen of this many device pixels shows it.
+    [[nodiscard]] virtual QImage screenImage(const QSize& screen) = 0;
+    /// All `samples` supersamples of a part of a picture whose other pixels stay as they are. The picture that `draw` made
+    /// last is left alone.
+    [[nodiscard]] virtual QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int /*samples*/, const Unwanted&) { return {}; }
+    /// The last picture of `draw` as `PictureMaker::picture` gives it; empty where there is none.
     [[nodiscard]] virtual render::Image shownPicture() { return {}; }
     virtual void timeSteps(bool on) = 0;
     /// Returns whether any picture may have changed.
     virtual bool reloadChangedShaders() = 0;
     [[nodiscard]] virtual std::vector<render::gl::ShaderProblem> problems() const = 0;
-    /// A finished picture to make step by step, with the context current at every step and at its end.
+    /// A finished picture to make step by step.
     [[nodiscard]] virtual PictureJob makePicture(const Look&, const PictureRequest&) = 0;
     /// Another one on the same renderer, which keeps its programs and textures.
     virtual void nextPicture(PictureJob&, const Look&, const PictureRequest&) = 0;
-    /// A study to make step by step, with the context current at every step and at its end. Throws Failure when
-    /// there is nothing to measure.
+    /// A study to make step by step. Throws Failure when there is nothing to measure.
     [[nodiscard]] virtual StudyJob makeStudy(const StudyRequest&) = 0;
 };
 

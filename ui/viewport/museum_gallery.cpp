@@ -3,6 +3,16 @@
 #include <cassert>
 
 namespace vitrine::ui {
+namespace {
+
+constexpr int regionApron = 8;  ///< Pixels drawn around a region, for effects that look at a pixel's neighbors.
+
+QImage imageOf(const render::gl::ScreenPixels& pixels)
+{
+    return QImage(pixels.rgba.data(), pixels.width, pixels.height, pixels.width * 4, QImage::Format_RGBX8888).copy();
+}
+
+}  // namespace
 
 std::span<const std::unique_ptr<Exhibit>> MuseumGallery::exhibits() const
 {
@@ -46,6 +56,11 @@ double MuseumGallery::nextChange(const Look& look, const FrameRequest& request) 
     return museum_.nextChange(museum_.prepare(look, request), request);
 }
 
+std::optional<PictureRegion> MuseumGallery::movingRegion(const Look& look, const FrameRequest& request) const
+{
+    return museum_.movingRegion(museum_.prepare(look, request), request);
+}
+
 std::vector<std::string> MuseumGallery::unreadableFiles(const Look& look) const
 {
     FrameRequest request;
@@ -55,24 +70,53 @@ std::vector<std::string> MuseumGallery::unreadableFiles(const Look& look) const
 
 void MuseumGallery::open()
 {
+#ifdef NDEBUG
+    context_ = std::make_unique<render::gl::HeadlessContext>();
+#else
+    context_ = std::make_unique<render::gl::HeadlessContext>(true);
+    debugLog_ = std::make_unique<render::gl::DebugLog>();
+#endif
     renderer_ = std::make_unique<render::gl::Renderer>();
     renderer_->timeSteps(timeSteps_);
 }
 
 void MuseumGallery::close()
 {
+    regions_.reset();
     renderer_.reset();
+    if (debugLog_ && !debugLog_->errors().empty()) qWarning("OpenGL: %s", debugLog_->errors().c_str());
+    debugLog_.reset();
+    context_.reset();
 }
 
-render::FrameReport MuseumGallery::draw(const Look& look, const FrameRequest& request)
+render::FrameReport MuseumGallery::draw(const Look& look, const FrameRequest& request, const Unwanted& unwanted)
 {
     assert(renderer_);
+    renderer_->abandonWhen(unwanted);
     return renderer_->draw(museum_.plan(museum_.prepare(look, request), request, renderer_->kept()));
 }
 
-void MuseumGallery::present(int width, int height)
+QImage MuseumGallery::screenImage(const QSize& screen)
 {
-    renderer_->present("frame", width, height);
+    const glm::ivec2 size(screen.width(), screen.height());
+    return imageOf(renderer_->screenPixels("frame", size, glm::ivec2(0), size));
+}
+
+QImage MuseumGallery::drawRegion(const Look& look, const FrameRequest& request, const PictureRegion& region, int samples, const Unwanted& unwanted)
+{
+    if (!regions_) regions_ = renderer_->sibling();
+    regions_->abandonWhen(unwanted);
+    FrameRequest frame = request;
+    const glm::ivec2 low = glm::max(region.offset - regionApron, glm::ivec2(0));
+    frame.raster.offset = low;
+    frame.raster.tile = glm::min(region.offset + region.size + regionApron, request.raster.size) - low;
+    frame.samples = samples;
+    const Prepared prepared = museum_.prepare(look, frame);
+    for (frame.sample = 0; frame.sample < samples; ++frame.sample)
+        (void)regions_->draw(museum_.plan(prepared, frame, regions_->kept()));
+    const glm::ivec2 within = region.offset - low;
+    const QImage drawn = imageOf(regions_->screenPixels("frame", request.raster.size, low, frame.raster.tile));
+    return drawn.copy(within.x, frame.raster.tile.y - within.y - region.size.y, region.size.x, region.size.y);
 }
 
 render::Image MuseumGallery::shownPicture()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/gl/context.h"
 #include "ui/viewport/gallery.h"
 
 namespace vitrine::ui {
@@ -17,13 +18,15 @@ public:
     [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const override;
     [[nodiscard]] std::vector<int> emptyPlaces() const override;
     [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const override;
+    [[nodiscard]] std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const override;
 
     [[nodiscard]] std::vector<std::string> unreadableFiles(const Look&) const override;
 
     void open() override;
     void close() override;
-    render::FrameReport draw(const Look&, const FrameRequest&) override;
-    void present(int width, int height) override;
+    render::FrameReport draw(const Look&, const FrameRequest&, const Unwanted&) override;
+    [[nodiscard]] QImage screenImage(const QSize& screen) override;
+    [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int samples, const Unwanted&) override;
     [[nodiscard]] render::Image shownPicture() override;
     void timeSteps(bool on) override;
     bool reloadChangedShaders() override;
@@ -32,12 +35,15 @@ public:
     void nextPicture(PictureJob&, const Look&, const PictureRequest&) override;
     [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override;
 
-    /// What the viewport's renderer keeps, by owner; nothing before it is open.
+    /// What the viewport's renderer keeps, by owner; nothing before it is open. On the render thread.
     [[nodiscard]] std::vector<render::gl::Stored> stored() const;
 
 private:
     const Museum& museum_;
+    std::unique_ptr<render::gl::HeadlessContext> context_;
+    std::unique_ptr<render::gl::DebugLog> debugLog_;  ///< In debug builds.
     std::unique_ptr<render::gl::Renderer> renderer_;
+    std::unique_ptr<render::gl::Renderer> regions_;   ///< Draws what moves in a picture that stands still.
     bool timeSteps_ = false;
 };
 

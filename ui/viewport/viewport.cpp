@@ -5,8 +5,8 @@
 #include "ui/viewport/overlay.h"
 #include "ui/window/application.h"
 
-#include <QOpenGLContext>
-#include <QOpenGLDebugLogger>
+#include <QPainter>
+#include <QWindow>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +20,11 @@ constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
 constexpr double firstTick = 1.0 / 60;  // After a rest no time has passed for those who walk.
 constexpr int hoverDelay = 30;          // Milliseconds after which a resting pointer is told what is under it.
 constexpr std::size_t mostFormer = 100;
+constexpr int hiddenWait = 250;         // Milliseconds after which a hidden viewport looks whether it is seen again.
+constexpr double largestRegion = 0.25;  // Of the picture, that is drawn by itself where something moves.
+constexpr double restOfRegions = 5;     // Times as long as drawing one took, the machine rests before the next one ...
+constexpr double shortestRest = 0.03;   // ... and for so many seconds at least.
+constexpr double longestRegionTick = 5; // After a longer pause (a machine that slept) what moves goes on where it was.
 
 }  // namespace
 
@@ -64,114 +69,138 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     });
     connect(&history, &History::changed, this, &Viewport::valuesChanged);
     connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.look().camera); });
+    thread_ = std::make_unique<RenderThread>(gallery_);
+    connect(thread_.get(), &RenderThread::drawn, this, &Viewport::take);
+    connect(thread_.get(), &RenderThread::failed, this, &Viewport::failed);
 #ifndef NDEBUG
     connect(&shaderPoll_, &QTimer::timeout, this, &Viewport::reloadShaders);
     shaderPoll_.start(500);
 #endif
 }
 
-Viewport::~Viewport()
-{
-    closeGl();
-}
+Viewport::~Viewport() = default;
 
-void Viewport::initializeGL()
-{
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::closeGl, Qt::UniqueConnection);
-#ifndef NDEBUG
-    auto* logger = new QOpenGLDebugLogger(context());
-    if (logger->initialize()) {
-        connect(logger, &QOpenGLDebugLogger::messageLogged, this, [](const QOpenGLDebugMessage& message) {
-            if (message.severity() == QOpenGLDebugMessage::HighSeverity) qWarning("OpenGL: %s", qPrintable(message.message()));
-        });
-        logger->startLogging(QOpenGLDebugLogger::SynchronousLogging);
-    }
-#endif
-    try {
-        gallery_.open();
-        opened_ = true;
-    } catch (const std::exception& thrown) {
-        emit failed(messageOf(thrown));
-    }
-    drewOnce_ = false;
-    schedule_.changed(now());
-}
-
-void Viewport::closeGl()
-{
-    if (!opened_) return;
-    opened_ = false;
-    makeCurrent();
-    emit contextClosing();
-    gallery_.close();
-    doneCurrent();
-}
-
-bool Viewport::withContext(const std::function<void()>& work)
-{
-    if (!opened_) return false;
-    makeCurrent();
-    work();
-    doneCurrent();
-    return true;
-}
-
-FrameRequest Viewport::request() const
+FrameRequest Viewport::request(double time) const
 {
     FrameRequest wanted;
     wanted.camera = widened(control_.camera(), static_cast<double>(width()) / std::max(height(), 1));
-    wanted.raster.size = {std::max(1, static_cast<int>(std::lround(width() * devicePixelRatioF()))),
-                          std::max(1, static_cast<int>(std::lround(height() * devicePixelRatioF())))};
-    wanted.time = time_;
+    const QSize pixels = devicePixels();
+    wanted.raster.size = {pixels.width(), pixels.height()};
+    wanted.time = time;
     wanted.runEverything = runEverything_;
-    for (const double pressedAt : pressedAt_) wanted.sincePressed.push_back(time_ - pressedAt);
+    for (const double pressedAt : pressedAt_) wanted.sincePressed.push_back(time - pressedAt);
     return wanted;
+}
+
+QSize Viewport::devicePixels() const
+{
+    const double ratio = devicePixelRatioF();
+    return {std::max(1, static_cast<int>(std::lround(width() * ratio))), std::max(1, static_cast<int>(std::lround(height() * ratio)))};
 }
 
 void Viewport::paintGL()
 {
-    if (!opened_ || width() <= 0 || height() <= 0) return;
-    // Qt is in the middle of painting the window: nothing may be thrown through it.
-    try {
-        if (const std::optional<DrawOrder> order = schedule_.next(now())) draw(*order);
-        if (drewOnce_) {
-            const double ratio = devicePixelRatioF();
-            gallery_.present(static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio)));
-        }
-        scheduleNext();
-    } catch (const std::exception& thrown) {
-        fail(thrown);
-    }
+    QPainter painter(this);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);
+    // While the viewport has a new size and the picture not yet, it is stretched.
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_.size() != devicePixels());
+    if (shown_.isNull()) painter.fillRect(rect(), Qt::black);
+    else painter.drawImage(rect(), shown_);
+    if (!drawing_ && !timer_.isActive()) timer_.start(0);  // Who was hidden may have something to draw.
 }
 
-void Viewport::draw(const DrawOrder& order)
+bool Viewport::canBeSeen() const
 {
-    FrameRequest wanted = request();
-    const double scale = order.scale * pictureQuality(history_.look().values.front()).resolutionScale;
-    wanted.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.raster.size) * scale)), glm::ivec2(1));
-    wanted.sample = order.sample;
-    wanted.samples = order.samples;
-    const double start = now();
-    try {
-        const render::FrameReport report = gallery_.draw(history_.look(), wanted);
-        drewOnce_ = true;
-        ++picturesDrawn_;
-        lastFailure_.clear();
-        schedule_.drawn(order, now() - start);
-        emit drawn(report, QSize(wanted.raster.size.x, wanted.raster.size.y));
-    } catch (const std::exception& thrown) {
+    const QWindow* handle = window()->windowHandle();
+    return width() > 0 && height() > 0 && isVisible() && handle && handle->isExposed();
+}
+
+void Viewport::orderPicture()
+{
+    if (!canBeSeen()) return;
+    if (drawing_) {
+        if (schedule_.betterGivenUp() || (drawingRegion_ && drawnLook_ != lookNumber_)) thread_->abandon();
+        return;
+    }
+    const std::optional<DrawOrder> order = schedule_.next(now());
+    if (order && order->sample == 0) orderWhole(*order);
+    else if (regionDue_ && now() >= regionRest_ && region_ && schedule_.current() && shown_.size() == devicePixels()) orderRegion();
+    else if (order) orderWhole(*order);
+}
+
+void Viewport::orderWhole(const DrawOrder& order)
+{
+    if (order.sample == 0) pictureTime_ = time_;
+    PictureOrder wanted{history_.look(), request(pictureTime_), order, devicePixels(), std::nullopt};
+    const double scale = order.scale * pictureQuality(wanted.look.values.front()).resolutionScale;
+    wanted.request.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.request.raster.size) * scale)), glm::ivec2(1));
+    wanted.request.sample = order.sample;
+    wanted.request.samples = order.samples;
+    schedule_.begun(order);
+    drawing_ = true;
+    drawnLook_ = lookNumber_;
+    thread_->draw(std::move(wanted));
+}
+
+void Viewport::orderRegion()
+{
+    regionDue_ = false;
+    drawing_ = drawingRegion_ = true;
+    drawnLook_ = lookNumber_;
+    thread_->draw({history_.look(), request(time_), {1, 0, schedule_.samples()}, devicePixels(), region_});
+}
+
+void Viewport::take(const DrawnPicture& picture)
+{
+    drawing_ = drawingRegion_ = false;
+    if (picture.order.region) {
+        takeRegion(picture);
+    } else if (picture.abandoned) {
+        schedule_.givenUp();
+    } else if (!picture.failure.isEmpty()) {
         // The last good picture stays; nothing is tried again until something changes.
         schedule_.drawn({1, schedule_.samples() - 1, schedule_.samples()}, 0);
-        fail(thrown);
+        fail(picture.failure);
+    } else {
+        shown_ = picture.image;
+        if (picture.order.order.sample == 0) regionImage_ = {};
+        else layRegionOver();
+        ++picturesDrawn_;
+        lastFailure_.clear();
+        schedule_.drawn(picture.order.order, picture.seconds);
+        const glm::ivec2 size = picture.order.request.raster.size;
+        emit drawn(picture.report, QSize(size.x, size.y));
+        update();
     }
-    showProblems();
+    showProblems(picture.problems);
+    tick();
 }
 
-void Viewport::fail(const std::exception& thrown)
+void Viewport::takeRegion(const DrawnPicture& picture)
 {
-    const QString message = messageOf(thrown);
-    if (message != lastFailure_) emit failed(message);
-    lastFailure_ = message;
+    regionRest_ = now() + std::max(restOfRegions * picture.seconds, shortestRest);
+    if (!picture.failure.isEmpty()) fail(picture.failure);
+    // Of a look that is not on the screen any more, or of another size.
+    if (picture.image.isNull() || drawnLook_ != lookNumber_ || picture.order.screen != shown_.size()) return;
+    regionImage_ = picture.image;
+    regionShown_ = *picture.order.region;
+    layRegionOver();
+    ++regionsDrawn_;
+    update();
+}
+
+void Viewport::layRegionOver()
+{
+    if (regionImage_.isNull()) return;
+    QPainter painter(&shown_);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);
+    painter.drawImage(QPoint(regionShown_.offset.x, shown_.height() - regionShown_.offset.y - regionShown_.size.y), regionImage_);
+}
+
+void Viewport::fail(const QString& why)
+{
+    if (why != lastFailure_) emit failed(why);
+    lastFailure_ = why;
 }
 
 void Viewport::watchFiles()
@@ -184,26 +213,38 @@ void Viewport::watchFiles()
 
 void Viewport::resizeGL(int, int)
 {
+    ++lookNumber_;
     schedule_.changed(now());
     for (Overlay* overlay : {hint_, label_, problems_}) overlay->place();
 }
 
 void Viewport::scheduleNext()
 {
+    if (drawing_) return;  // Its arrival goes on.
     const double wait = schedule_.wait(now());
     const bool walking = keys_.any() && hasFocus();
     if (wait <= 0 || walking || control_.moving()) {
-        timer_.start(0);
+        timer_.start(canBeSeen() ? 0 : hiddenWait);
         return;
     }
-    const double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request());
+    double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request(time_));
+    if (region_ && (regionDue_ || change <= 0)) change = std::max(regionRest_ - now(), shortestRest);
     const double soonest = std::min(wait, change);
     if (std::isfinite(soonest)) timer_.start(static_cast<int>(std::ceil(std::clamp(soonest, 0.0, 3600.0) * 1000)));
 }
 
-void Viewport::tick()
+std::optional<PictureRegion> Viewport::smallRegion() const
 {
-    const double at = now();
+    if (keys_.any() || control_.moving() || runEverything_ || pictureQuality(history_.look().values.front()).resolutionScale != 1) return std::nullopt;
+    const FrameRequest wanted = request(time_);
+    const std::optional<PictureRegion> region = gallery_.movingRegion(history_.look(), wanted);
+    const auto area = [](const glm::ivec2& size) { return static_cast<double>(size.x) * size.y; };
+    if (!region || area(region->size) == 0 || area(region->size) > largestRegion * area(wanted.raster.size)) return std::nullopt;
+    return region;
+}
+
+void Viewport::advanceClock(double at)
+{
     const double since = clockRuns_ ? at - lastTick_ : firstTick;
     const double seconds = since > longestTick ? firstTick : since;
     lastTick_ = at;
@@ -213,9 +254,20 @@ void Viewport::tick()
     if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) emit walkedOn();
 
     const bool buttons = !paused_ && std::any_of(pressedAt_.begin(), pressedAt_.end(), [&](double t) { return time_ - t < buttonTime; });
-    const double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request());
+    const double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request(time_));
     const bool animated = change <= 0 || buttons;
     clockRuns_ = std::isfinite(change) || buttons || keys_.any() || control_.moving();
+    region_ = std::isfinite(change) && !buttons ? smallRegion() : std::nullopt;
+    if (region_) {
+        // The picture around it stands still and is refined; what moves is drawn by itself.
+        time_ += since > longestRegionTick ? firstTick : since;
+        // Once more when it has come to rest: that is how it stays.
+        regionDue_ = regionDue_ || animated || regionMoved_ || change <= since;
+        regionMoved_ = animated;
+        schedule_.setMoving(false, at);
+        return;
+    }
+    regionDue_ = regionMoved_ = false;
     if (animated) {
         time_ += seconds;
     } else if (std::isfinite(change)) {
@@ -223,8 +275,13 @@ void Viewport::tick()
         if (change <= since) schedule_.changed(at);
     }
     schedule_.setMoving(animated || keys_.any() || control_.moving(), at);
-    if (schedule_.next(at)) update();
-    else scheduleNext();
+}
+
+void Viewport::tick()
+{
+    advanceClock(now());
+    orderPicture();
+    scheduleNext();
 }
 
 void Viewport::valuesChanged()
@@ -239,6 +296,7 @@ void Viewport::valuesChanged()
 
 void Viewport::lookChanged()
 {
+    ++lookNumber_;
     schedule_.setSamples(pictureQuality(history_.look().values.front()).supersamples);
     schedule_.changed(now());
     watchFiles();
@@ -309,14 +367,17 @@ void Viewport::pressButton(std::size_t exhibit)
     emit pressed(exhibit);
 }
 
-std::optional<render::Image> Viewport::finishedPicture()
+QString Viewport::reason() const
+{
+    if (region_ && schedule_.still())
+        return tr("still: refined %1 of %1; what moves is drawn by itself, %2 × %3 pixels").arg(schedule_.samples()).arg(region_->size.x).arg(region_->size.y);
+    return QString::fromStdString(schedule_.reason());
+}
+
+bool Viewport::pictureFinished() const
 {
     const bool whole = pictureQuality(history_.look().values.front()).resolutionScale == 1;
-    if (!opened_ || !drewOnce_ || !whole || !schedule_.still() || !lastFailure_.isEmpty()) return std::nullopt;
-    render::Image picture;
-    withContext([&] { picture = gallery_.shownPicture(); });
-    if (picture.width == 0) return std::nullopt;
-    return picture;
+    return whole && !shown_.isNull() && regionImage_.isNull() && schedule_.still() && lastFailure_.isEmpty();
 }
 
 void Viewport::setPaused(bool paused)
@@ -333,21 +394,27 @@ void Viewport::setRunEverything(bool on)
 
 void Viewport::setStepsTimed(bool on)
 {
-    gallery_.timeSteps(on);
+    thread_->post([this, on] {
+        gallery_.timeSteps(on);
+        return std::function<void()>();
+    });
 }
 
 void Viewport::reloadShaders()
 {
-    withContext([this] {
-        if (gallery_.reloadChangedShaders()) lookChanged();
+    thread_->post([this] {
+        const bool changed = gallery_.reloadChangedShaders();
+        return [this, changed, problems = gallery_.problems()] {
+            if (changed) lookChanged();
+            showProblems(problems);
+        };
     });
-    showProblems();
 }
 
-void Viewport::showProblems()
+void Viewport::showProblems(const std::vector<render::gl::ShaderProblem>& problems)
 {
     QStringList lines;
-    for (const render::gl::ShaderProblem& problem : gallery_.problems())
+    for (const render::gl::ShaderProblem& problem : problems)
         lines << QStringLiteral("%1:%2  %3")
                      .arg(QString::fromStdString(problem.file))
                      .arg(problem.line)

@@ -3,6 +3,7 @@
 #include "ui/viewport/camera_control.h"
 #include "ui/viewport/draw_schedule.h"
 #include "ui/viewport/gallery.h"
+#include "ui/viewport/render_thread.h"
 #include "ui/window/undo.h"
 
 #include <QElapsedTimer>
@@ -15,7 +16,8 @@ namespace vitrine::ui {
 
 class Overlay;
 
-/// The picture, and the visitor in it. Draws on demand only.
+/// The picture, and the visitor in it. It shows the last picture that the render thread finished and draws none itself;
+/// pictures are asked for on demand only, one at a time.
 class Viewport final : public QOpenGLWidget {
     Q_OBJECT
 
@@ -48,13 +50,18 @@ public:
     void showHint(const QString&);
 
     [[nodiscard]] const DrawSchedule& schedule() const { return schedule_; }
+    /// For the status line: what was drawn last, and why.
+    [[nodiscard]] QString reason() const;
     [[nodiscard]] double time() const { return time_; }
-    /// The finished picture on the screen, in device pixels; nothing while it is still being made.
-    [[nodiscard]] std::optional<render::Image> finishedPicture();
-    /// Number of pictures drawn since the start: tests count that an idle window draws none.
+    /// What is on the screen is finished, and a screenshot of it is a picture of its own.
+    [[nodiscard]] bool pictureFinished() const;
+    /// What is on the screen, in device pixels; null before the first picture.
+    [[nodiscard]] const QImage& shown() const { return shown_; }
+    /// Number of pictures shown since the start: tests count that an idle window draws none.
     [[nodiscard]] long long picturesDrawn() const { return picturesDrawn_; }
-    /// Calls `work` with the context current; does nothing before there is one.
-    bool withContext(const std::function<void()>& work);
+    /// The same for parts of the picture in which something moves while the rest stands still.
+    [[nodiscard]] long long regionsDrawn() const { return regionsDrawn_; }
+    [[nodiscard]] RenderThread& renderThread() { return *thread_; }
 
 public slots:
     /// Something visible changed.
@@ -68,13 +75,10 @@ signals:
     /// The visitor pressed this exhibit's button.
     void pressed(std::size_t exhibit);
     void drawn(const vitrine::render::FrameReport& report, const QSize& pixels);
-    /// The context goes, and is current now: what was made on it has to be let go.
-    void contextClosing();
     /// Drawing failed; the last good picture stays.
     void failed(const QString& message);
 
 protected:
-    void initializeGL() override;
     void paintGL() override;
     void resizeGL(int, int) override;
     bool event(QEvent*) override;
@@ -90,16 +94,27 @@ protected:
 
 private:
     [[nodiscard]] double now() const { return static_cast<double>(steady_.nsecsElapsed()) * 1e-9; }
-    [[nodiscard]] FrameRequest request() const;
+    /// Of the whole viewport at full resolution, at a moment of the exhibits' clock.
+    [[nodiscard]] FrameRequest request(double time) const;
+    [[nodiscard]] QSize devicePixels() const;
     void tick();
+    void advanceClock(double now);
     void valuesChanged();
     void scheduleNext();
-    void draw(const DrawOrder&);
-    void closeGl();
+    [[nodiscard]] bool canBeSeen() const;
+    /// Hands the render thread the next picture, unless one is being drawn.
+    void orderPicture();
+    void orderWhole(const DrawOrder&);
+    void orderRegion();
+    void take(const DrawnPicture&);
+    void takeRegion(const DrawnPicture&);
+    void layRegionOver();
+    /// What moves by itself moves in this part of a picture that can stand still around it.
+    [[nodiscard]] std::optional<PictureRegion> smallRegion() const;
     void cameraChanged();
-    void showProblems();
+    void showProblems(const std::vector<render::gl::ShaderProblem>&);
     void watchFiles();
-    void fail(const std::exception&);
+    void fail(const QString& why);
     [[nodiscard]] bool setKey(int key, bool down);
     void click(const QPointF&);
     void pressButton(std::size_t exhibit);
@@ -125,9 +140,23 @@ private:
     bool clockRuns_ = false;  // Time passed since the last tick, for someone.
     bool paused_ = false;
     bool runEverything_ = false;
-    bool opened_ = false;
-    bool drewOnce_ = false;
+    QImage shown_;                 // The last picture, with what moved in it since.
+    double pictureTime_ = 0;       // The moment that the whole picture shows, on the exhibits' clock.
+    bool drawingRegion_ = false;
+    bool drawing_ = false;         // A picture is asked for and not here yet.
+    long long lookNumber_ = 0;     // Grows with every change of what is to be seen.
+    long long drawnLook_ = 0;      // Of the picture that is being drawn.
     long long picturesDrawn_ = 0;
+
+    // What moves while the rest of the picture stands still.
+    std::optional<PictureRegion> region_;
+    QImage regionImage_;           // Newer than the picture; null: nothing moved since.
+    PictureRegion regionShown_;    // Where it lies.
+    bool regionDue_ = false;
+    bool regionMoved_ = false;     // At the last tick.
+    double regionRest_ = 0;        // Not to be drawn again before, seconds of the steady clock.
+    long long regionsDrawn_ = 0;
+
     QString lastFailure_;
     std::vector<ParameterValues> acting_;  // Of the look that was drawn last: what of it acts.
     std::vector<double> pressedAt_;  // Per exhibit, on the exhibits' clock; very negative: never.
@@ -150,6 +179,7 @@ private:
     Overlay* label_;
     Overlay* problems_;
     Overlay* name_;
+    std::unique_ptr<RenderThread> thread_;  // Ends first.
 };
 
 /// The format every context of the window asks for: OpenGL 4.5 core, with a debug context in debug builds.

@@ -158,7 +158,7 @@ std::optional<Pointed> Viewport::pointedAt(const QPointF& at) const
 {
     if (width() <= 0 || height() <= 0) return std::nullopt;
     try {
-        return gallery_.pick(history_.look(), request(), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
+        return gallery_.pick(history_.look(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
     } catch (const std::exception&) {
         return std::nullopt;  // What cannot be read is told of where it is drawn.
     }

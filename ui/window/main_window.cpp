@@ -89,7 +89,7 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
 
 MainWindow::~MainWindow()
 {
-    // Pictures in the making let go of the context while the viewport and the message strip are still there.
+    // Pictures in the making end while the viewport, its render thread and the message strip are still there.
     qDeleteAll(findChildren<PrintDialog*>());
     qDeleteAll(findChildren<PictureExport*>());
     study_->stop();
@@ -123,7 +123,7 @@ void MainWindow::connectParts()
     });
     connect(viewport_, &Viewport::failed, this, [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
     connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report, const QSize& pixels) {
-        status_->note(report, pixels, QString::fromStdString(viewport_->schedule().reason()));
+        status_->note(report, pixels, viewport_->reason());
         ledger_->note(report);
         for (const render::Skipped& complaint : complaints_.begun(report.skipped)) {
             const QString line = text(lineOf(complaint));
@@ -132,7 +132,6 @@ void MainWindow::connectParts()
         }
         keepThumbnail();
     });
-    connect(viewport_, &Viewport::contextClosing, study_, &StudyDock::stop);
     connect(study_, &StudyDock::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     connect(messages_, &MessageStrip::said, log_, &LogView::add);
 }
@@ -228,11 +227,10 @@ void MainWindow::keepThumbnail()
     if (exhibits_->hasThumbnail(chosen_)) return;
     const auto posed = chosen_ == 0 ? CameraControl::Mode::walk : CameraControl::Mode::orbit;
     if (viewport_->mode() != posed) return;
-    // After this picture is on the screen; grabbing draws again.
     QMetaObject::invokeMethod(
         this,
         [this] {
-            const QImage picture = viewport_->grabFramebuffer();
+            const QImage& picture = viewport_->shown();
             if (picture.isNull()) return;
             const QPixmap small = thumbnailOf(picture);
             exhibits_->setThumbnail(chosen_, small);

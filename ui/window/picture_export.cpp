@@ -1,5 +1,6 @@
 #include "ui/window/picture_export.h"
 
+#include "render/failure.h"
 #include "render/measure/memory.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/viewport/viewport.h"
@@ -8,12 +9,16 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QPointer>
 #include <QStandardPaths>
 
 #include <algorithm>
 
 namespace vitrine::ui {
 namespace {
+
+constexpr int exportTile = 512;     // So that a step takes part of a second, and the viewport goes on in between.
+constexpr qint64 exportToldEvery = 50;    // Milliseconds.
 
 bool isLinear(render::PictureFormat format)
 {
@@ -37,35 +42,14 @@ std::filesystem::path freeScreenshotPath(const MainWindow& window, const QString
 PictureExport::PictureExport(MainWindow& window, ExportWish wish)
     : QObject(&window), window_(window), wish_(std::move(wish)), preset_(window.shelf().lookText())
 {
-    timer_.setSingleShot(true);
-    connect(&timer_, &QTimer::timeout, this, &PictureExport::step);
-    connect(&window.viewport(), &Viewport::contextClosing, this, [this] {
-        job_ = {};
-        fail(tr("%1 was not written: the graphics context was lost. Export again.").arg(QString::fromStdString(wish_.path.string())));
-    });
 }
 
 PictureExport::~PictureExport()
 {
-    drop();
+    cancel();
 }
 
-void PictureExport::drop()
-{
-    if (!job_.renderer) return;
-    window_.viewport().withContext([this] { job_ = {}; });
-    render::trimHeap();
-}
-
-void PictureExport::fail(const QString& why)
-{
-    timer_.stop();
-    running_ = false;
-    emit failed(why);
-    deleteLater();
-}
-
-void PictureExport::start()
+PictureRequest PictureExport::request() const
 {
     PictureRequest request;
     request.frame.camera = widened(window_.history().look().camera, static_cast<double>(wish_.size.x) / std::max(wish_.size.y, 1));
@@ -75,56 +59,86 @@ void PictureExport::start()
     if (wish_.transparent) request.frame.cutOut = window_.chosen();
     request.frame.averageIn = isLinear(wish_.format) ? AverageIn::radiance : AverageIn::display;
     request.samples = wish_.samples;
-    const Look& look = window_.history().look();
-    try {
-        window_.viewport().withContext([&] { job_ = window_.gallery().makePicture(look, request); });
-    } catch (const std::exception& failure) {
-        fail(messageOf(failure));
-        return;
-    }
+    request.largestTile = exportTile;
+    return request;
+}
+
+void PictureExport::writeShown()
+{
+    window_.viewport().renderThread().post([self = QPointer(this), &gallery = window_.gallery(), wish = wish_, preset = preset_]() -> std::function<void()> {
+        QString failure;
+        try {
+            render::PictureMetadata inside;
+            inside.preset = preset;
+            render::writePicture(wish.path, gallery.shownPicture(), wish.format, inside);
+        } catch (const std::exception& thrown) {
+            failure = messageOf(thrown);
+        }
+        return [self, failure] { if (self) self->end(failure); };
+    });
+}
+
+void PictureExport::start()
+{
     elapsed_.start();
     running_ = true;
-    timer_.start(0);
-}
-
-void PictureExport::cancel()
-{
-    running_ = false;
-    timer_.stop();
-    drop();
-    deleteLater();
-}
-
-void PictureExport::step()
-{
-    if (!job_.maker) {
-        fail(tr("No picture can be made before the first one is on the screen; try again then."));
+    if (wish_.asShown) {
+        *stage_ = Stage::writing;
+        writeShown();
         return;
     }
-    try {
-        window_.viewport().withContext([this] { job_.maker->step(); });
-        if (job_.maker->finished()) {
-            write();
-            return;
+    struct Work {
+        PictureJob job;
+        QElapsedTimer told;
+    };
+    auto work = std::make_shared<Work>();
+    auto step = [this, work, &gallery = window_.gallery(), stage = stage_, look = window_.history().look(), request = request(), wish = wish_, preset = preset_](const RenderThread::Tell& tell) {
+        if (!work->job.maker) work->job = gallery.makePicture(look, request);
+        if (!work->job.maker) throw Failure(Blame::openGl, "No picture can be made: there is no graphics context.");
+        PictureMaker& maker = *work->job.maker;
+        maker.step();
+        if (!work->told.isValid() || work->told.elapsed() >= exportToldEvery) {
+            work->told.start();
+            tell([this, part = maker.progress()] { note(part); });
         }
-    } catch (const std::exception& failure) {
-        fail(messageOf(failure));
-        return;
-    }
-    const double part = job_.maker->progress();
+        if (!maker.finished()) return true;
+        Stage drawing = Stage::drawing;
+        if (!stage->compare_exchange_strong(drawing, Stage::writing)) return false;
+        render::PictureMetadata inside;
+        inside.preset = preset;
+        render::writePicture(wish.path, maker.picture(), wish.format, inside);
+        work->job = {};
+        render::trimHeap();
+        return false;
+    };
+    task_ = window_.viewport().renderThread().start(std::move(step), [this](const QString& failure) { end(failure); });
+}
+
+bool PictureExport::cancel()
+{
+    Stage drawing = Stage::drawing;
+    if (!stage_->compare_exchange_strong(drawing, Stage::cancelled)) return drawing == Stage::cancelled;
+    task_.cancel();
+    running_ = false;
+    deleteLater();
+    return true;
+}
+
+void PictureExport::note(double part)
+{
     const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
     emit progressed(part, part > 0.02 ? seconds / part * (1 - part) : -1);
-    timer_.start(0);
 }
 
-void PictureExport::write()
+void PictureExport::end(const QString& failure)
 {
-    render::PictureMetadata inside;
-    inside.preset = preset_;
-    render::writePicture(wish_.path, job_.maker->picture(), wish_.format, inside);
     running_ = false;
-    emit progressed(1, 0);
-    emit finished(QString::fromStdString(wish_.path.string()));
+    if (failure.isEmpty()) {
+        emit progressed(1, 0);
+        emit finished(QString::fromStdString(wish_.path.string()));
+    } else {
+        emit failed(failure);
+    }
     deleteLater();
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "render/image/image_io.h"
-#include "ui/viewport/gallery.h"
+#include "ui/viewport/render_thread.h"
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QTimer>
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -22,9 +22,10 @@ struct ExportWish {
     glm::ivec2 size{1280, 720};
     int samples = 16;
     bool transparent = false;  ///< Only the chosen exhibit, cut out of the hall.
+    bool asShown = false;      ///< The viewport's finished picture as it is; size, samples and the rest do not count.
 };
 
-/// Makes one picture step by step between the window's other work, then writes it with the look inside.
+/// Makes one picture step by step on the render thread, then writes it with the look inside.
 class PictureExport final : public QObject {
     Q_OBJECT
 
@@ -33,8 +34,8 @@ public:
     ~PictureExport() override;
 
     void start();
-    /// Leaves no file. Deletes itself.
-    void cancel();
+    /// Leaves no file, and deletes itself. Returns false when the file is being written already: `finished` follows.
+    bool cancel();
     /// Until it is finished, failed or cancelled.
     [[nodiscard]] bool running() const { return running_; }
     [[nodiscard]] const std::filesystem::path& path() const { return wish_.path; }
@@ -47,16 +48,20 @@ signals:
     void failed(const QString& why);
 
 private:
-    void step();
-    void write();
-    void drop();
-    void fail(const QString& why);
+    /// Whoever takes the first step from `drawing` decides.
+    enum class Stage : std::uint8_t { drawing, writing, cancelled };
+
+    [[nodiscard]] PictureRequest request() const;
+    /// Reads the viewport's picture before anything else is drawn, and writes it.
+    void writeShown();
+    void note(double part);
+    void end(const QString& failure);
 
     MainWindow& window_;
     ExportWish wish_;
     std::string preset_;
-    PictureJob job_;
-    QTimer timer_;
+    std::shared_ptr<std::atomic<Stage>> stage_ = std::make_shared<std::atomic<Stage>>(Stage::drawing);
+    RenderThread::Task task_;
     QElapsedTimer elapsed_;
     bool running_ = false;
 };

@@ -175,7 +175,7 @@ void ScreenshotDialog::reject()
         QDialog::reject();
         return;
     }
-    running_->cancel();
+    if (!running_->cancel()) return;  // The file is being written.
     setBusy(false);
     left_->setText(tr("Cancelled; no file was written."));
 }

@@ -63,13 +63,13 @@ void MainWindow::buildDocks()
     rightLayout->addWidget(panel_, 1);
     dock(tr("Parameters"), "parameters", right, Qt::RightDockWidgetArea);
 
-    study_ = new StudyDock(gallery_, history_, [this](const std::function<void()>& work) { return viewport_->withContext(work); });
+    study_ = new StudyDock(gallery_, history_, viewport_->renderThread());
     auto* studyRoom = new QScrollArea;  // So that a small window need not grow for the chart.
     studyRoom->setWidget(study_);
     studyRoom->setWidgetResizable(true);
     studyRoom->setFrameShape(QFrame::NoFrame);
     QDockWidget* study = dock(tr("Study"), "study", studyRoom, Qt::BottomDockWidgetArea);
-    ledger_ = new LedgerDock([this] { return QString::fromStdString(viewport_->schedule().reason()); });
+    ledger_ = new LedgerDock([this] { return viewport_->reason(); });
     QHash<QString, QString> titles;
     for (const auto& exhibit : gallery_.exhibits())
         titles.insert(QString::fromUtf8(exhibit->name().data(), static_cast<qsizetype>(exhibit->name().size())), QString::fromUtf8(exhibit->title().data(), static_cast<qsizetype>(exhibit->title().size())));

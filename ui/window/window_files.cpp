@@ -61,12 +61,17 @@ void MainWindow::setHallFile(const char* parameter, const QString& path)
         return;
     }
     next.values[0].setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
-    for (const std::string& why : gallery_.unreadableFiles(next)) {
-        if (!why.starts_with(label(next.values[0].rows()[*row]) + " of ")) continue;
-        say(MessageStrip::Mood::problem, tr("%1 Nothing was changed.").arg(QString::fromStdString(why)));
-        return;
-    }
-    history_.change(tr("Put %1 into the hall").arg(QFileInfo(path).fileName()), std::move(next));
+    // Reading a large file takes seconds.
+    viewport_->renderThread().post([this, &gallery = gallery_, next, row = *row, path]() -> std::function<void()> {
+        for (const std::string& why : gallery.unreadableFiles(next))
+            if (why.starts_with(label(next.values[0].rows()[row]) + " of "))
+                return [this, why] { say(MessageStrip::Mood::problem, tr("%1 Nothing was changed.").arg(QString::fromStdString(why))); };
+        return [this, row, path, file = next.values[0].row(row)] {
+            Look changed = history_.look();
+            changed.values[0].setRow(row, file);
+            history_.change(tr("Put %1 into the hall").arg(QFileInfo(path).fileName()), std::move(changed));
+        };
+    });
 }
 
 namespace {
@@ -107,20 +112,15 @@ void MainWindow::openPicture(const QString& path)
         return;
     }
     if (shelf_->loadFromPicture(path)) return;
-    const QString name = QFileInfo(path).fileName();
-    try {
+    viewport_->renderThread().post([this, path]() -> std::function<void()> {
         const std::shared_ptr<const render::Texture> picture = render::loadTexture(path.toStdString(), true, true);
-        if (std::abs(picture->width - 2 * picture->height) > std::max(1, picture->height / 50)) {
+        if (std::abs(picture->width - 2 * picture->height) <= std::max(1, picture->height / 50)) return [this, path] { setHallFile("environment", path); };
+        return [this, name = QFileInfo(path).fileName(), width = picture->width, height = picture->height] {
             say(MessageStrip::Mood::problem,
                 tr("%1 was not put into the sky: it has %2 × %3 pixels, and a panorama of the whole sky is twice as wide as high. "
-                   "To stretch it over the sky all the same, choose it for Environment of The hall.").arg(name).arg(picture->width).arg(picture->height));
-            return;
-        }
-    } catch (const std::exception& failure) {
-        say(MessageStrip::Mood::problem, messageOf(failure));
-        return;
-    }
-    setHallFile("environment", path);
+                   "To stretch it over the sky all the same, choose it for Environment of The hall.").arg(name).arg(width).arg(height));
+        };
+    });
 }
 
 void MainWindow::saveScreenshotNow()
@@ -128,17 +128,7 @@ void MainWindow::saveScreenshotNow()
     const std::string_view name = gallery_.exhibits()[chosen_]->name();
     ExportWish wish;
     wish.path = freeScreenshotPath(*this, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
-    if (const std::optional<render::Image> shown = viewport_->finishedPicture()) {
-        try {
-            render::PictureMetadata inside;
-            inside.preset = shelf_->lookText();
-            render::writePicture(wish.path, *shown, wish.format, inside);
-            say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(QString::fromStdString(wish.path.string())));
-        } catch (const std::exception& failure) {
-            say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
-        }
-        return;
-    }
+    wish.asShown = viewport_->pictureFinished();
     const double ratio = viewport_->devicePixelRatioF();
     wish.size = {std::max(1, static_cast<int>(std::lround(viewport_->width() * ratio))),
                  std::max(1, static_cast<int>(std::lround(viewport_->height() * ratio)))};
@@ -149,7 +139,7 @@ void MainWindow::saveScreenshotNow()
                 say(MessageStrip::Mood::notice, tr("Screenshot saved to %1.").arg(path), tr("%1 screenshots saved, the last one to %2."), path);
             });
     connect(work, &PictureExport::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
-    viewport_->showHint(tr("Drawing the screenshot …"));
+    if (!wish.asShown) viewport_->showHint(tr("Drawing the screenshot …"));
     connect(work, &QObject::destroyed, viewport_, [this] { viewport_->showHint({}); });
     work->start();
 }

@@ -1,0 +1,384 @@
+// How long the window takes to answer a hand, and what it costs while nobody touches it. The program itself is started on
+// the display, real events are sent (XTEST), and the screen is read until it shows the answer. Prints tables; passes or
+// fails nothing. Another build of the program can be measured beside this one:
+//   xvfb-run -a -s "-screen 0 1600x1000x24" bench_window_latency [--runs 8] [--idle-only] [--program NAME=PATH]...
+
+#include "render/measure/clock.h"
+#include "tests/support/temporary_folder.h"
+
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+#include <X11/keysym.h>
+
+#include <dlfcn.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace vitrine;
+
+constexpr double longestAnswer = 20;  ///< Seconds; what takes longer counts as this.
+
+void wait(double seconds)
+{
+    ::usleep(static_cast<useconds_t>(seconds * 1e6));
+}
+
+struct Rect {
+    int x, y, width, height;
+};
+
+// Where things are in a window of 1600 x 1000 pixels with its first layout, at 96 dots per inch.
+constexpr Rect menuTitle{8, 4, 24, 16};
+constexpr Rect menuArea{10, 34, 60, 40};
+
+/// The display, and the hands of a visitor. XTEST comes with xdotool as a library without headers.
+class Hands {
+public:
+    Hands() : display_(XOpenDisplay(nullptr))
+    {
+        void* library = ::dlopen("libXtst.so.6", RTLD_NOW);
+        if (!display_ || !library) return;
+        motion_ = reinterpret_cast<Motion>(::dlsym(library, "XTestFakeMotionEvent"));
+        button_ = reinterpret_cast<Button>(::dlsym(library, "XTestFakeButtonEvent"));
+        key_ = reinterpret_cast<Key>(::dlsym(library, "XTestFakeKeyEvent"));
+    }
+    [[nodiscard]] bool ready() const { return motion_ && button_ && key_; }
+    [[nodiscard]] Display* display() const { return display_; }
+    void move(int x, int y) const { motion_(display_, -1, x, y, 0); XFlush(display_); }
+    void button(bool down) const { button_(display_, 1, down ? True : False, 0); XFlush(display_); }
+    void click(int x, int y) const { move(x, y); button(true); button(false); }
+    void key(KeySym symbol, std::vector<KeySym> held = {}) const
+    {
+        for (const KeySym each : held) key_(display_, XKeysymToKeycode(display_, each), True, 0);
+        key_(display_, XKeysymToKeycode(display_, symbol), True, 0);
+        key_(display_, XKeysymToKeycode(display_, symbol), False, 0);
+        for (const KeySym each : held) key_(display_, XKeysymToKeycode(display_, each), False, 0);
+        XFlush(display_);
+    }
+    void type(const char* letters) const
+    {
+        for (const char* c = letters; *c; ++c) key(static_cast<KeySym>(*c));
+    }
+    /// The bytes of this part of the screen.
+    [[nodiscard]] std::string look(const Rect& at) const
+    {
+        XImage* image = XGetImage(display_, DefaultRootWindow(display_), at.x, at.y, static_cast<unsigned>(at.width), static_cast<unsigned>(at.height), AllPlanes, ZPixmap);
+        if (!image) return {};
+        std::string bytes(image->data, static_cast<std::size_t>(image->bytes_per_line) * static_cast<std::size_t>(image->height));
+        XDestroyImage(image);
+        return bytes;
+    }
+    /// Milliseconds from `act` until this part of the screen looks otherwise.
+    [[nodiscard]] double answer(const Rect& at, const std::function<void()>& act) const
+    {
+        const std::string before = look(at);
+        const double start = render::wallSeconds();
+        act();
+        while (render::wallSeconds() - start < longestAnswer) {
+            if (look(at) != before) return 1e3 * (render::wallSeconds() - start);
+            wait(0.0005);
+        }
+        return 1e3 * longestAnswer;
+    }
+
+private:
+    using Motion = int (*)(Display*, int, int, int, unsigned long);
+    using Button = int (*)(Display*, unsigned, int, unsigned long);
+    using Key = int (*)(Display*, unsigned, int, unsigned long);
+    Display* display_;
+    Motion motion_ = nullptr;
+    Button button_ = nullptr;
+    Key key_ = nullptr;
+};
+
+/// The program with its window filling the screen, in folders of its own.
+class Program {
+public:
+    Program(const Hands& hands, const std::string& path, const std::string& cache) : hands_(hands)
+    {
+        child_ = ::fork();
+        if (child_ == 0) {
+            const std::map<std::string, std::string> changes{{"QT_QPA_PLATFORM", "xcb"}, {"QT_FONT_DPI", "96"}, {"XDG_CACHE_HOME", cache}, {"HOME", home_ / "home"},
+                                                             {"XDG_STATE_HOME", home_ / "state"}, {"XDG_CONFIG_HOME", home_ / "config"}, {"XDG_DATA_HOME", home_ / "data"}};
+            for (const auto& [name, value] : changes) ::setenv(name.c_str(), value.c_str(), 1);
+            ::execl(path.c_str(), path.c_str(), nullptr);
+            ::_exit(127);
+        }
+    }
+    ~Program()
+    {
+        ::kill(child_, SIGTERM);
+        ::waitpid(child_, nullptr, 0);
+    }
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    /// Finds the window, gives it the screen and the keyboard. False when none came within a minute.
+    [[nodiscard]] bool open() const
+    {
+        for (int i = 0; i < 600; ++i, wait(0.1)) {
+            const std::optional<Window> window = largest();
+            if (!window) continue;
+            XMoveResizeWindow(hands_.display(), *window, 0, 0, 1600, 1000);
+            focus();
+            return true;
+        }
+        return false;
+    }
+    /// The keyboard goes to the main window, whatever dialog is open.
+    void focus() const
+    {
+        if (const std::optional<Window> window = largest()) XSetInputFocus(hands_.display(), *window, RevertToParent, CurrentTime);
+        XSync(hands_.display(), False);
+    }
+    /// Of all its threads.
+    [[nodiscard]] double cpuSeconds() const
+    {
+        std::ifstream stat("/proc/" + std::to_string(child_) + "/stat");
+        std::string text((std::istreambuf_iterator<char>(stat)), {});
+        std::istringstream rest(text.substr(text.rfind(')') + 2));
+        std::string word;
+        double ticks = 0;
+        for (int field = 3; rest >> word && field <= 15; ++field)
+            if (field >= 14) ticks += std::stod(word);
+        return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+    }
+    /// Until it uses less than a twentieth of a processor, or for this long.
+    void rest(double longest) const
+    {
+        for (const double start = render::wallSeconds(); render::wallSeconds() - start < longest;) {
+            const double before = cpuSeconds();
+            wait(1);
+            if (cpuSeconds() - before < 0.05) return;
+        }
+    }
+
+private:
+    [[nodiscard]] std::optional<Window> largest() const
+    {
+        Window root = 0;
+        Window parent = 0;
+        Window* children = nullptr;
+        unsigned count = 0;
+        std::optional<Window> found;
+        int area = 400 * 300;
+        XQueryTree(hands_.display(), DefaultRootWindow(hands_.display()), &root, &parent, &children, &count);
+        for (unsigned i = 0; i < count; ++i) {
+            XWindowAttributes about;
+            if (!XGetWindowAttributes(hands_.display(), children[i], &about) || about.map_state != IsViewable || about.width * about.height <= area) continue;
+            area = about.width * about.height;
+            found = children[i];
+        }
+        if (children) XFree(children);
+        return found;
+    }
+
+    const Hands& hands_;
+    test::TemporaryFolder home_;
+    pid_t child_;
+};
+
+std::string spread(std::vector<double> times)
+{
+    if (times.empty()) return "–";
+    std::sort(times.begin(), times.end());
+    char text[64];
+    std::snprintf(text, sizeof text, "%.0f (to %.0f)", times[times.size() / 2], times.back());
+    return text;
+}
+
+}  // namespace
+
+namespace {
+
+constexpr Rect otherTab{1350, 52, 54, 16};
+constexpr Rect typed{1314, 84, 7, 18};      // Right of the filter's text "exposure" and its caret.
+constexpr Rect slider{1395, 150, 96, 12};
+constexpr Rect number{1508, 148, 50, 16};
+constexpr Rect measure{450, 646, 66, 16};
+
+struct Answers {
+    std::vector<double> menu, key, number;
+};
+
+void clickOn(const Hands& hands, const Rect& at)
+{
+    hands.click(at.x + at.width / 2, at.y + at.height / 2);
+}
+
+/// The parameter "Exposure" of the hall alone in the panel, and the caret behind its name in the filter.
+void showExposure(const Hands& hands)
+{
+    clickOn(hands, otherTab);
+    wait(1);
+    hands.key(XK_f, {XK_Control_L});
+    wait(1);
+    hands.key(XK_a, {XK_Control_L});
+    hands.type("exposure");
+    wait(2);
+}
+
+/// Moves the slider's handle to and fro, and lets go: the picture starts over.
+double drag(const Hands& hands, int step)
+{
+    const int y = slider.y + slider.height / 2;
+    const int middle = slider.x + slider.width / 2;
+    hands.move(middle, y);
+    hands.button(true);
+    wait(0.3);
+    const double answer = hands.answer(number, [&] { hands.move(middle + step, y); });
+    hands.move(middle, y);
+    wait(0.3);
+    hands.button(false);
+    return answer;
+}
+
+/// `again` brings the state back where it may have ended.
+Answers probe(const Hands& hands, const Program& program, int runs, const std::function<void()>& again)
+{
+    Answers answers;
+    for (int run = 0; run < runs; ++run) {
+        program.focus();
+        again();
+        wait(0.3 + 0.037 * run);
+        answers.menu.push_back(hands.answer(menuArea, [&] { clickOn(hands, menuTitle); }));
+        wait(0.3);
+        (void)hands.answer(menuArea, [&] { hands.key(XK_Escape); });
+        again();
+        hands.key(XK_f, {XK_Control_L});
+        wait(0.5 + 0.041 * run);
+        hands.key(XK_End);
+        wait(0.3);
+        answers.key.push_back(hands.answer(typed, [&] { hands.key(XK_w); }));
+        wait(0.3);
+        hands.key(XK_BackSpace);
+        wait(0.7);
+        answers.number.push_back(drag(hands, run % 2 == 0 ? 9 : -9));
+        wait(0.3);
+    }
+    return answers;
+}
+
+void command(const Hands& hands, const char* name)
+{
+    hands.key(XK_p, {XK_Control_L, XK_Shift_L});
+    wait(1.5);
+    hands.type(name);
+    wait(1);
+    hands.key(XK_Return);
+    wait(2);
+}
+
+void printRow(const std::string& program, const char* state, const Answers& answers)
+{
+    std::printf("| %s | %s | %s | %s | %s |\n", program.c_str(), state, spread(answers.menu).c_str(), spread(answers.key).c_str(), spread(answers.number).c_str());
+    std::fflush(stdout);
+}
+
+/// Opens the program before the mug, at rest, with a slider of the hall in the panel.
+bool openAtTheMug(const Hands& hands, const Program& program)
+{
+    if (!program.open()) return false;
+    wait(3);
+    hands.key(XK_1, {XK_Alt_L});
+    wait(3);
+    showExposure(hands);
+    return true;
+}
+
+bool measureAnswers(const Hands& hands, const std::string& name, const std::string& path, const std::string& cache, int runs)
+{
+    const auto nothing = [] {};
+    const auto afresh = [&] { (void)drag(hands, 9); wait(0.6); };  // Refinement begins when all was still for a moment.
+    struct State {
+        const char* name;
+        std::function<void(const Program&)> enter;
+        std::function<void()> again;
+    };
+    const std::vector<State> states{
+        {"still", [](const Program& p) { p.rest(90); }, nothing},
+        {"moving", [&](const Program&) { hands.key(XK_2, {XK_Alt_L}); wait(2); showExposure(hands); }, nothing},
+        {"refining", [](const Program&) {}, afresh},
+        {"studying", [&](const Program& p) { command(hands, "Study"); p.focus(); clickOn(hands, measure); wait(2); }, nothing},
+        {"exporting a picture", [&](const Program&) { hands.key(XK_e, {XK_Control_L, XK_Shift_L}); wait(2); hands.key(XK_Return); wait(1); }, nothing},
+        {"rendering a print's views", [&](const Program&) { hands.key(XK_p, {XK_Control_L}); wait(4); }, nothing},
+    };
+    for (const State& state : states) {
+        const Program program(hands, path, cache);
+        if (!openAtTheMug(hands, program)) return false;
+        state.enter(program);
+        printRow(name, state.name, probe(hands, program, runs, state.again));
+    }
+    return true;
+}
+
+bool measureIdle(const Hands& hands, const std::string& name, const std::string& path, const std::string& cache, double settle)
+{
+    std::printf("| %s |", name.c_str());
+    for (const KeySym key : {KeySym{0}, KeySym{XK_1}, KeySym{XK_2}, KeySym{XK_3}, KeySym{XK_4}}) {
+        const Program program(hands, path, cache);
+        if (!program.open()) return false;
+        wait(3);
+        if (key != 0) hands.key(key, {XK_Alt_L});
+        program.rest(settle);
+        const double before = program.cpuSeconds();
+        wait(10);
+        std::printf(" %.1f |", program.cpuSeconds() - before);
+        std::fflush(stdout);
+    }
+    std::printf("\n");
+    return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    int runs = 6;
+    bool answers = true;
+    double settle = 60;
+    std::vector<std::pair<std::string, std::string>> programs{{"this commit", VITRINE_PROGRAM}};
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "--idle-only") answers = false;
+        else if (word == "--runs" && i + 1 < argc) runs = std::max(std::atoi(argv[++i]), 1);
+        else if (word == "--settle" && i + 1 < argc) settle = std::atof(argv[++i]);
+        else if (word == "--program" && i + 1 < argc) {
+            const std::string pair = argv[++i];
+            const std::size_t equals = std::min(pair.find('='), pair.size() - 1);
+            programs.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
+        }
+    }
+    const Hands hands;
+    if (!hands.ready()) {
+        std::fprintf(stderr, "bench_window_latency: needs a display and libXtst.so.6 (Debian: libxtst6).\n");
+        return 1;
+    }
+    const test::TemporaryFolder cache;
+    bool shown = true;
+    if (answers) {
+        std::printf("Milliseconds from an event to its answer on the screen, window of 1600 x 1000 pixels: median (to the longest) of %d. Goal: 100.\n\n", runs);
+        std::printf("| program | while | click on File to its menu | key to the filter | slider to its number |\n|---|---|---|---|---|\n");
+        for (const auto& [name, path] : programs) shown = shown && measureAnswers(hands, name, path, cache / "cache", runs);
+    }
+    std::printf("\nSeconds of processor time in ten seconds in which nobody touches the window, by default values, after %.0f s at most.\n\n", settle);
+    std::printf("| program | entrance | place 1 | place 2 | place 3 | place 4 |\n|---|---|---|---|---|---|\n");
+    for (const auto& [name, path] : programs) shown = shown && measureIdle(hands, name, path, cache / "cache", settle);
+    if (!shown) std::fprintf(stderr, "bench_window_latency: no window came.\n");
+    return shown ? 0 : 1;
+}

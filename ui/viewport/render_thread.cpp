@@ -1,0 +1,203 @@
+#include "ui/viewport/render_thread.h"
+
+#include "render/failure.h"
+#include "render/measure/clock.h"
+#include "ui/window/application.h"
+
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr int nicer = 5;  ///< Steps of priority below the window's.
+
+/// Linux keeps one per thread, and threads started by this one inherit it.
+void lowerPriorityOfThisThread()
+{
+    setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), nicer);
+}
+
+}  // namespace
+
+RenderThread::RenderThread(Gallery& gallery) : gallery_(gallery)
+{
+    thread_ = std::thread([this] { run(); });
+}
+
+RenderThread::~RenderThread()
+{
+    {
+        const std::scoped_lock lock(mutex_);
+        ending_ = true;
+        for (const auto& task : tasks_) *task->cancelled = true;
+    }
+    unwanted_ = true;
+    wake_.notify_one();
+    thread_.join();
+}
+
+void RenderThread::draw(PictureOrder order)
+{
+    {
+        const std::scoped_lock lock(mutex_);
+        wanted_ = std::move(order);
+        unwanted_ = ending_;
+    }
+    wake_.notify_one();
+}
+
+RenderThread::Task RenderThread::start(Step step, Ended ended)
+{
+    Task task;
+    task.cancelled_ = std::make_shared<std::atomic<bool>>(false);
+    {
+        const std::scoped_lock lock(mutex_);
+        tasks_.push_back(std::make_shared<Running>(Running{std::move(step), std::move(ended), task.cancelled_}));
+    }
+    wake_.notify_one();
+    return task;
+}
+
+void RenderThread::post(std::function<std::function<void()>()> work)
+{
+    {
+        const std::scoped_lock lock(mutex_);
+        posted_.push_back(std::move(work));
+    }
+    wake_.notify_one();
+}
+
+void RenderThread::toWindow(std::function<void()> outcome)
+{
+    QMetaObject::invokeMethod(this, std::move(outcome), Qt::QueuedConnection);
+}
+
+void RenderThread::run()
+{
+    // The context's own threads inherit it: the window's hands come before its pictures.
+    lowerPriorityOfThisThread();
+    try {
+        gallery_.open();
+        open_ = true;
+    } catch (const std::exception& thrown) {
+        toWindow([this, why = messageOf(thrown)] { emit failed(why); });
+    }
+    for (;;) {
+        {
+            std::unique_lock lock(mutex_);
+            wake_.wait(lock, [this] { return ending_ || !idle(); });
+            if (ending_) break;
+        }
+        work();
+    }
+    tasks_.clear();
+    posted_.clear();
+    if (open_) gallery_.close();
+}
+
+bool RenderThread::pictureFirst() const
+{
+    if (tasks_.empty()) return true;
+    // What a visitor waits for comes first; what goes on elsewhere has a step between any two such pictures.
+    const bool quick = !wanted_->region && wanted_->order.sample == 0;
+    return quick ? !pictureWasLast_ : pictureSeconds_ <= taskSeconds_;
+}
+
+void RenderThread::work()
+{
+    std::function<std::function<void()>()> once;
+    std::optional<PictureOrder> order;
+    {
+        const std::scoped_lock lock(mutex_);
+        if (!posted_.empty()) {
+            once = std::move(posted_.front());
+            posted_.pop_front();
+        } else if (wanted_ && pictureFirst()) {
+            order = std::exchange(wanted_, std::nullopt);
+        }
+    }
+    if (once) {
+        try {
+            if (std::function<void()> outcome = once()) toWindow(std::move(outcome));
+        } catch (const std::exception& thrown) {
+            toWindow([this, why = messageOf(thrown)] { emit failed(why); });
+        }
+        return;
+    }
+    if (!order) {
+        step();
+        return;
+    }
+    DrawnPicture done = picture(std::move(*order));
+    pictureWasLast_ = true;
+    pictureSeconds_ += done.seconds;
+    toWindow([this, done = std::move(done)] { emit drawn(done); });
+    const std::scoped_lock lock(mutex_);
+    if (tasks_.empty()) pictureSeconds_ = taskSeconds_ = 0;
+}
+
+DrawnPicture RenderThread::picture(PictureOrder order)
+{
+    DrawnPicture done;
+    const double start = render::wallSeconds();
+    try {
+        if (!open_) throw Failure(Blame::openGl, "Nothing can be drawn: there is no graphics context.");
+        const std::function<bool()> unwanted = [this] { return unwanted_.load(); };
+        if (order.region) done.image = gallery_.drawRegion(order.look, order.request, *order.region, order.order.samples, unwanted);
+        else {
+            done.report = gallery_.draw(order.look, order.request, unwanted);
+            done.image = gallery_.screenImage(order.screen);
+        }
+    } catch (const render::gl::Abandoned&) {
+        done.abandoned = true;
+    } catch (const std::exception& thrown) {
+        done.failure = messageOf(thrown);
+    }
+    done.problems = gallery_.problems();
+    done.seconds = render::wallSeconds() - start;
+    done.order = std::move(order);
+    return done;
+}
+
+void RenderThread::step()
+{
+    std::shared_ptr<Running> task;
+    {
+        const std::scoped_lock lock(mutex_);
+        if (tasks_.empty()) return;
+        task = std::move(tasks_.front());
+        tasks_.pop_front();
+    }
+    if (*task->cancelled) return;
+    const Tell tell = [this, cancelled = task->cancelled](std::function<void()> what) {
+        toWindow([cancelled, what = std::move(what)] { if (!*cancelled) what(); });
+    };
+    const double start = render::wallSeconds();
+    QString failure;
+    bool more = false;
+    try {
+        if (!open_) throw Failure(Blame::openGl, "Nothing can be drawn: there is no graphics context.");
+        more = task->step(tell);
+    } catch (const std::exception& thrown) {
+        failure = messageOf(thrown);
+    }
+    if (!more) {
+        task->step = {};  // What it held is let go before anybody hears of its end.
+        tell([ended = task->ended, failure] { ended(failure); });
+    }
+    pictureWasLast_ = false;
+    taskSeconds_ += render::wallSeconds() - start;
+    const std::scoped_lock lock(mutex_);
+    // Time that no picture wanted is not saved up for pictures.
+    if (!wanted_) taskSeconds_ = std::min(taskSeconds_, pictureSeconds_);
+    if (more) tasks_.push_back(std::move(task));
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_render_thread.cpp"
