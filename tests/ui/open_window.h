@@ -1,6 +1,6 @@
 #pragma once
 
-#include "painted_gallery.h"
+#include "tests/ui/painted_gallery.h"
 
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
@@ -9,7 +9,7 @@
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QAction>
 #include <QApplication>

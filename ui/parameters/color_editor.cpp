@@ -2,7 +2,7 @@
 
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/shown_text.h"
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QColorDialog>
 #include <QHBoxLayout>
@@ -71,10 +71,10 @@ glm::dvec3 linear(const QColor& color)
     return {decode(rgb.red() / 255.0), decode(rgb.green() / 255.0), decode(rgb.blue() / 255.0)};
 }
 
-ColorEditor::ColorEditor(const ParameterInfo& row, QWidget* parent)
-    : ValueEditor(row, parent), swatch_(new Swatch(this)), code_(new QLineEdit(this))
+ColorEditor::ColorEditor(const ValueRef& value, QWidget* parent)
+    : ValueEditor(value, parent), swatch_(new Swatch(this)), code_(new QLineEdit(this))
 {
-    const QString name = QString::fromStdString(label(row));
+    const QString name = QString::fromStdString(label(row()));
     swatch_->setAccessibleName(tr("%1, choose a color").arg(name));
     swatch_->setToolTip(tr("Choose a color. The dialog stays open beside the picture."));
     swatch_->setMinimumSize(40, 22);
@@ -126,7 +126,7 @@ void ColorEditor::typed()
     }
     const bool changed = std::get<glm::dvec3>(*color) != value_;
     showValue(*color);
-    if (changed) emit edited(value_, newGesture());
+    if (changed) edit(value_, newGesture());
 }
 
 void ColorEditor::choose()
@@ -141,11 +141,11 @@ void ColorEditor::choose()
     connect(dialog, &QColorDialog::currentColorChanged, this, [this, gesture](const QColor& color) {
         if (color.rgb() == encoded(value_).rgb()) return;
         showValue(linear(color));
-        emit edited(value_, gesture);
+        edit(value_, gesture);
     });
     connect(dialog, &QDialog::rejected, this, [this, gesture, before] {
         showValue(before);
-        emit edited(before, gesture);
+        edit(before, gesture);
     });
     connect(this, &QObject::destroyed, dialog, &QObject::deleteLater);
     dialog->show();

@@ -19,7 +19,7 @@ class ColorEditor final : public ValueEditor {
     Q_OBJECT
 
 public:
-    ColorEditor(const ParameterInfo&, QWidget* parent);
+    ColorEditor(const ValueRef&, QWidget* parent);
     void showValue(const Value&) override;
 
 private:

@@ -29,10 +29,10 @@ const ParameterInfo& angle(std::size_t i)
 
 }  // namespace
 
-DirectionEditor::DirectionEditor(const ParameterInfo& row, QWidget* parent)
-    : ValueEditor(row, parent), azimuth_(new NumberField(angle(0), this)), elevation_(new NumberField(angle(1), this))
+DirectionEditor::DirectionEditor(const ValueRef& value, QWidget* parent)
+    : ValueEditor(value, parent), azimuth_(new NumberField(angle(0), this)), elevation_(new NumberField(angle(1), this))
 {
-    const QString name = QString::fromStdString(label(row));
+    const QString name = QString::fromStdString(label(row()));
     azimuth_->setAccessibleName(tr("%1, azimuth").arg(name));
     elevation_->setAccessibleName(tr("%1, elevation").arg(name));
     azimuth_->setToolTip(tooltipText(angle(0)));
@@ -61,7 +61,7 @@ void DirectionEditor::showValue(const Value& value)
 
 void DirectionEditor::take(int gesture)
 {
-    emit edited(directionOf({azimuth_->value(), elevation_->value()}), gesture);
+    edit(directionOf({azimuth_->value(), elevation_->value()}), gesture);
 }
 
 void DirectionEditor::labelPressed(double x)

@@ -79,7 +79,11 @@ void PrintDialog::connectParts()
             });
     connect(sheets_, &SheetBar::removeAsked, this,
             [this, changeSheets](const QString& name) { changeSheets([&] { desk_->removeSheet(name.toStdString()); }); });
-    connect(panel_, &ParameterPanel::edited, this, [this](const ParameterValues& values) { setValues(values); });
+    const auto edited = [this] {
+        if (values_ && settings_.look().values[0] != *values_) setValues(settings_.look().values[0]);
+    };
+    connect(&settings_, &History::changed, this, edited);
+    connect(&settings_, &History::replaced, this, edited);
     connect(numbers_, &PrintNumbersView::fitAsked, this, [this](double scale) { setValues(desk_->withBaselineScale(*values_, scale)); });
     connect(path_, &QLineEdit::textChanged, this, &PrintDialog::refresh);
     connect(browse_, &QToolButton::clicked, this, &PrintDialog::browse);
@@ -137,7 +141,9 @@ void PrintDialog::setValues(const ParameterValues& values)
     const bool same = values_ && desk_->sameViews(*values_, values);
     values_ = values;
     if (!live_ && desk_->origin(*values_) == ViewOrigin::shown) values_ = desk_->withOrigin(*values_, ViewOrigin::files);
-    panel_->showValues(*values_, QStringLiteral("print"));
+    if (settings_.look().values.empty()) settings_.restart({{*values_}, {}});
+    else settings_.change({}, {{*values_}, {}});
+    panel_->showExhibit(0, QStringLiteral("print"));
     showRows();
     showSheets();
     source_->showOrigin(desk_->origin(*values_));

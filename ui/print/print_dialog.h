@@ -2,8 +2,9 @@
 
 #include "exhibits/printing/print_desk.h"
 #include "ui/print/newest_job.h"
-#include "ui/window/message_strip.h"
-#include "ui/window/progress_job.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/progress_job.h"
+#include "ui/model/history.h"
 
 #include <QDialog>
 #include <QTimer>
@@ -95,6 +96,7 @@ private:
 
     std::unique_ptr<PrintDesk> desk_;
     std::optional<ParameterValues> values_;
+    History settings_{Look()};  ///< The values once more, as the panel shows and sets them.
     QStringList files_;
     std::shared_ptr<const PrintViews> views_;
     std::optional<SceneDepth> depth_;

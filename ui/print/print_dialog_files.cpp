@@ -5,7 +5,7 @@
 #include "exhibits/framework/state_folder.h"
 #include "render/files/read_file.h"
 #include "ui/print/shown_views.h"
-#include "ui/window/replace_question.h"
+#include "ui/kit/replace_question.h"
 
 #include <QDir>
 #include <QDragEnterEvent>

@@ -38,7 +38,7 @@ void PrintDialog::build()
     tabs_->setAccessibleName(tr("What to print"));
     source_ = new SourceBar(live_ != nullptr, this);
     sheets_ = new SheetBar(this);
-    panel_ = new ParameterPanel(this);
+    panel_ = new ParameterPanel(settings_, this);
 
     auto* bars = new QVBoxLayout;
     bars->setContentsMargins(8, 8, 8, 0);

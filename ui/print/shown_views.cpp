@@ -2,10 +2,11 @@
 
 #include "render/failure.h"
 #include "render/measure/memory.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/kit/message_of.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/presets/look_text.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/application.h"
-#include "ui/window/main_window.h"
 
 namespace vitrine::ui {
 namespace {
@@ -14,7 +15,7 @@ constexpr int depthWidth = 240;
 
 }  // namespace
 
-ShownViews::ShownViews(MainWindow& window) : QObject(&window), window_(window)
+ShownViews::ShownViews(Workbench& window, QObject* parent) : QObject(parent), window_(window)
 {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &ShownViews::step);
@@ -54,7 +55,7 @@ void ShownViews::start(const PrintDesk& desk, const ParameterValues& values, boo
     desk_ = &desk;
     values_ = values;
     views_ = desk.newViews();
-    views_->setLook(window_.shelf().lookText());
+    views_->setLook(textOf(window_.gallery(), look, window_.chosen(), "Picture"));
     next_ = 0;
     elapsed_.start();
     timer_.start(0);

@@ -13,14 +13,14 @@
 
 namespace vitrine::ui {
 
-class MainWindow;
+class Workbench;
 
 /// Renders the views of a print from what the window shows, step by step between the window's other work.
 class ShownViews final : public QObject {
     Q_OBJECT
 
 public:
-    explicit ShownViews(MainWindow&);
+    explicit ShownViews(Workbench&, QObject* parent);
     ~ShownViews() override;
 
     /// From where the visitor stands now; stops what was being rendered.
@@ -40,7 +40,7 @@ private:
     void take();
     void fail(const QString& why);
 
-    MainWindow& window_;
+    Workbench& window_;
     const PrintDesk* desk_ = nullptr;
     std::optional<ParameterValues> values_;
     std::vector<PrintShot> pictures_;  ///< The quick one for depth, then the views.

@@ -1,7 +1,7 @@
 #include "ui/study/study_chart.h"
 
 #include "exhibits/study/study_text.h"
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QSvgGenerator>
 

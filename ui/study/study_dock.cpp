@@ -8,7 +8,7 @@
 #include "render/measure/memory.h"
 #include "ui/study/study_chart.h"
 #include "ui/study/study_pictures.h"
-#include "ui/window/progress_job.h"
+#include "ui/kit/progress_job.h"
 
 #include <QApplication>
 #include <QBuffer>
@@ -138,9 +138,11 @@ StudyDock::StudyDock(Gallery& gallery, History& history, WithContext withContext
     connect(chart_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
         if (const auto point = chart_->pointAt(event->position()); point && event->button() == Qt::LeftButton) apply(*point);
     });
-    connect(&history_, &History::changed, this, [this] {
+    const auto refreshWhileSeen = [this] {
         if (isVisible()) refresh();
-    });
+    };
+    connect(&history_, &History::changed, this, refreshWhileSeen);
+    connect(&history_, &History::replaced, this, refreshWhileSeen);
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &StudyDock::step);
     showIdle();
@@ -417,7 +419,7 @@ void StudyDock::apply(std::size_t point)
         next.values[axis.exhibit].setRow(axis.row, axis.values[result().points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
-    history_.change(one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.exhibits(), request_, result().points[point]))) : tr("Set what the study found"), std::move(next));
+    history_.change(one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.exhibits(), request_, result().points[point]))) : tr("Set what the study found"), next);
 }
 
 }  // namespace vitrine::ui

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/viewport/gallery.h"
-#include "ui/window/undo.h"
+#include "ui/model/history.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

@@ -3,7 +3,7 @@
 #include "exhibits/museum/named_files.h"
 #include "render/failure.h"
 #include "ui/viewport/overlay.h"
-#include "ui/window/application.h"
+#include "ui/kit/message_of.h"
 
 #include <QOpenGLContext>
 #include <QOpenGLDebugLogger>
@@ -63,6 +63,7 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
         if (stateOfFiles(history_.look()) != filesDrawn_) lookChanged();
     });
     connect(&history, &History::changed, this, &Viewport::valuesChanged);
+    connect(&history, &History::replaced, this, &Viewport::valuesChanged);
     connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.look().camera); });
 #ifndef NDEBUG
     connect(&shaderPoll_, &QTimer::timeout, this, &Viewport::reloadShaders);

@@ -3,7 +3,7 @@
 #include "ui/viewport/camera_control.h"
 #include "ui/viewport/draw_schedule.h"
 #include "ui/viewport/gallery.h"
-#include "ui/window/undo.h"
+#include "ui/model/history.h"
 
 #include <QElapsedTimer>
 #include <QOpenGLWidget>

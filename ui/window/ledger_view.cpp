@@ -1,6 +1,6 @@
 #include "ui/window/ledger_view.h"
 
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QHeaderView>
 #include <QLocale>

@@ -2,7 +2,7 @@
 
 #include "exhibits/exhibits.h"
 #include "render/failure.h"
-#include "ui/viewport/first_picture.h"
+#include "ui/window/first_picture.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_gallery.h"
 #include "ui/viewport/viewport.h"

@@ -2,7 +2,7 @@
 
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
-#include "ui/window/replace_question.h"
+#include "ui/kit/replace_question.h"
 
 #include <QCheckBox>
 #include <QComboBox>

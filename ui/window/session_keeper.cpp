@@ -54,8 +54,10 @@ void SessionKeeper::noteLayout()
     if (!quiet_.isActive() || sinceWritten_.elapsed() < longestWait - quietTime) quiet_.start();
 }
 
-void SessionKeeper::watchLayout()
+void SessionKeeper::watch()
 {
+    connect(&window_.history(), &History::changed, this, &SessionKeeper::noteChange);
+    connect(&window_.history(), &History::replaced, this, &SessionKeeper::noteChange);
     window_.installEventFilter(this);
     for (const QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
         connect(dock, &QDockWidget::visibilityChanged, this, &SessionKeeper::noteLayout);

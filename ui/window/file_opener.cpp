@@ -1,0 +1,105 @@
+#include "ui/window/file_opener.h"
+
+#include "exhibits/exhibits.h"
+#include "render/failure.h"
+#include "render/image/image_io.h"
+#include "ui/kit/message_of.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/viewport/gallery.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace vitrine::ui {
+namespace {
+
+const QStringList models{QStringLiteral("glb"), QStringLiteral("gltf")};
+const QStringList pictures{QStringLiteral("hdr"), QStringLiteral("exr"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
+                           QStringLiteral("png"), QStringLiteral("tif"), QStringLiteral("tiff")};
+
+/// Whether the file is a lenticular print or describes one.
+bool isPrint(const QString& path)
+{
+    try {
+        const std::unique_ptr<PrintDesk> desk = makePrintDesk();
+        static_cast<void>(desk->settingsFrom(desk->settingsIn(path.toStdString()), path.toStdString()));
+        return true;
+    } catch (const Failure&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+FileOpener::FileOpener(Workbench& window, PresetShelf& shelf, QObject* parent) : QObject(parent), window_(window), shelf_(shelf) {}
+
+void FileOpener::setHallFile(const char* parameter, const QString& path)
+{
+    Look next = window_.history().look();
+    const auto row = next.values[0].table().find(parameter);
+    if (!row) {
+        window_.say(MessageStrip::Mood::problem,
+            tr("%1 was dropped, but this hall has no parameter \"%2\" to put it in.").arg(path, QLatin1String(parameter)));
+        return;
+    }
+    next.values[0].setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
+    for (const std::string& why : window_.gallery().unreadableFiles(next)) {
+        if (!why.starts_with(label(next.values[0].rows()[*row]) + " of ")) continue;
+        window_.say(MessageStrip::Mood::problem, tr("%1 Nothing was changed.").arg(QString::fromStdString(why)));
+        return;
+    }
+    window_.history().change(tr("Put %1 into the hall").arg(QFileInfo(path).fileName()), next);
+}
+
+QStringList FileOpener::openable()
+{
+    QStringList patterns{QStringLiteral("*.json")};
+    for (const QString& ending : models + pictures) patterns << QStringLiteral("*.") + ending;
+    return patterns;
+}
+
+void FileOpener::open(const QString& path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (ending == QLatin1String("json")) {
+        if (isPrint(path)) emit printFound(path);
+        else shelf_.loadFile(path);
+    } else if (models.contains(ending)) {
+        setHallFile("model", path);
+    } else if (pictures.contains(ending)) {
+        openPicture(path);
+    } else {
+        window_.say(MessageStrip::Mood::problem,
+            tr("%1 cannot be opened: it is none of .json, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif.").arg(path));
+    }
+}
+
+void FileOpener::openPicture(const QString& path)
+{
+    if (isPrint(path)) {
+        emit printFound(path);
+        return;
+    }
+    if (shelf_.loadFromPicture(path)) return;
+    const QString name = QFileInfo(path).fileName();
+    try {
+        const std::shared_ptr<const render::Texture> picture = render::loadTexture(path.toStdString(), true, true);
+        if (std::abs(picture->width - 2 * picture->height) > std::max(1, picture->height / 50)) {
+            window_.say(MessageStrip::Mood::problem,
+                tr("%1 was not put into the sky: it has %2 × %3 pixels, and a panorama of the whole sky is twice as wide as high. "
+                   "To stretch it over the sky all the same, choose it for Environment of The hall.").arg(name).arg(picture->width).arg(picture->height));
+            return;
+        }
+    } catch (const std::exception& failure) {
+        window_.say(MessageStrip::Mood::problem, messageOf(failure));
+        return;
+    }
+    setHallFile("environment", path);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_file_opener.cpp"
