@@ -4,32 +4,48 @@
 find_package(GTest REQUIRED)
 find_package(rapidcheck QUIET)
 
-# What most tests include of other people's, compiled once for all programs.
-file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp "")
-add_library(vitrine_test_headers STATIC ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)
-target_link_libraries(vitrine_test_headers PRIVATE vitrine_options glm::glm nlohmann_json::nlohmann_json GTest::gtest)
-target_precompile_headers(vitrine_test_headers PRIVATE <gtest/gtest.h> <glm/glm.hpp> <nlohmann/json.hpp> <algorithm> <cmath>
-                          <filesystem> <fstream> <functional> <map> <memory> <random> <regex> <string> <vector>)
-target_compile_options(vitrine_test_headers PRIVATE -fPIC)  # As Qt 6.4 asks of what links it: one way for all programs.
-set_target_properties(vitrine_test_headers PROPERTIES UNITY_BUILD OFF)
+# Tests compile in half the time without optimization, and most of them wait for the program anyway. OPTIMIZED is for those
+# that compute by themselves: references in float64, pictures of many pixels.
+set(vitrine_unoptimized "$<$<CONFIG:Release>:-O0>")
 
-# vitrine_gtest_program(<name> SOURCES <file>... [LIBRARIES <target>...]): a GoogleTest program that ctest knows nothing of yet.
+# What most tests include of other people's, compiled once for all programs, and once more for those with OPTIMIZED.
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp "")
+foreach(headers vitrine_test_headers vitrine_optimized_test_headers)
+    add_library(${headers} STATIC ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)
+    target_link_libraries(${headers} PRIVATE vitrine_options glm::glm nlohmann_json::nlohmann_json GTest::gtest)
+    target_precompile_headers(${headers} PRIVATE <gtest/gtest.h> <glm/glm.hpp> <nlohmann/json.hpp> <algorithm> <cmath>
+                              <filesystem> <fstream> <functional> <map> <memory> <random> <regex> <string> <vector>)
+    target_compile_options(${headers} PRIVATE -fPIC)  # As Qt 6.4 asks of what links it: one way for all programs.
+endforeach()
+target_compile_options(vitrine_test_headers PRIVATE ${vitrine_unoptimized})
+
+# vitrine_gtest_program(<name> [OPTIMIZED] SOURCES <file>... [LIBRARIES <target>...]): a GoogleTest program that ctest knows
+# nothing of yet.
 function(vitrine_gtest_program name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "OPTIMIZED" "" "SOURCES;LIBRARIES")
     add_executable(${name} ${arg_SOURCES})
     target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE VITRINE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                VITRINE_PROGRAM="${PROJECT_BINARY_DIR}/vitrine")
     target_compile_options(${name} PRIVATE -fPIC)
-    target_precompile_headers(${name} REUSE_FROM vitrine_test_headers)
-    # Tests name their helpers as they like; where CMAKE_UNITY_BUILD is on, it is for the libraries.
-    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests UNITY_BUILD OFF)
+    if(arg_OPTIMIZED)
+        target_precompile_headers(${name} REUSE_FROM vitrine_optimized_test_headers)
+    else()
+        target_compile_options(${name} PRIVATE ${vitrine_unoptimized})
+        target_precompile_headers(${name} REUSE_FROM vitrine_test_headers)
+    endif()
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
 endfunction()
 
-# vitrine_test(<name> LABELS <label>... SOURCES <file>... [LIBRARIES <target>...]): a GoogleTest program, one entry of ctest.
+# vitrine_test(<name> [OPTIMIZED] LABELS <label>... SOURCES <file>... [LIBRARIES <target>...]): a GoogleTest program, one
+# entry of ctest.
 function(vitrine_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LABELS;SOURCES;LIBRARIES")
-    vitrine_gtest_program(${name} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES})
+    cmake_parse_arguments(PARSE_ARGV 1 arg "OPTIMIZED" "" "LABELS;SOURCES;LIBRARIES")
+    set(optimized)
+    if(arg_OPTIMIZED)
+        set(optimized OPTIMIZED)
+    endif()
+    vitrine_gtest_program(${name} ${optimized} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES})
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600)
 endfunction()
