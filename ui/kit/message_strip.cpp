@@ -175,6 +175,12 @@ QStringList MessageStrip::texts() const
     return all;
 }
 
+void MessageStrip::takeBack(const QString& text)
+{
+    for (int i = list_->count() - 1; i >= 0; --i)
+        if (const auto* line = dynamic_cast<Line*>(list_->itemAt(i)->widget()); line && line->text() == text) delete line;
+}
+
 void MessageStrip::dismissAll()
 {
     for (int i = 0; i < list_->count(); ++i) list_->itemAt(i)->widget()->deleteLater();

@@ -22,6 +22,8 @@ public:
     /// A text that is already listed is not listed twice. Notices of one kind, told by the same `several`, become one:
     /// "%1 screenshots saved, the last one to %2.", with their number and the newest's `what`.
     void say(Mood, const QString& text, const QString& several = {}, const QString& what = {});
+    /// What was said is no longer so: takes it out of the list.
+    void takeBack(const QString& text);
     [[nodiscard]] QStringList texts() const;
     void dismissAll();
     /// Out of sight, whatever is said meanwhile: in the bare picture.

@@ -1,10 +1,10 @@
 #include "ui/parameters/color_editor.h"
 
+#include "ui/kit/theme.h"
+#include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/shown_text.h"
-#include "ui/kit/theme.h"
 
-#include <QColorDialog>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPainter>
@@ -76,7 +76,7 @@ ColorEditor::ColorEditor(const ValueRef& value, QWidget* parent)
 {
     const QString name = QString::fromStdString(label(row()));
     swatch_->setAccessibleName(tr("%1, choose a color").arg(name));
-    swatch_->setToolTip(tr("Choose a color. The dialog stays open beside the picture."));
+    swatch_->setToolTip(tr("Choose a color; the picture follows."));
     swatch_->setMinimumSize(40, 22);
     code_->setAccessibleName(name);
     code_->setFixedSize(NumberField::usualWidth, 22);
@@ -131,14 +131,11 @@ void ColorEditor::typed()
 
 void ColorEditor::choose()
 {
-    auto* dialog = new QColorDialog(encoded(value_), window());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setOption(QColorDialog::DontUseNativeDialog);
-    dialog->setWindowTitle(QString::fromStdString(label(row())));
+    auto* dialog = new ColorDialog(QString::fromStdString(label(row())), encoded(value_), window());
     // All that is tried in one visit to the dialog is one undo step; Cancel takes it back.
     const Gesture gesture = newGesture();
     const glm::dvec3 before = value_;
-    connect(dialog, &QColorDialog::currentColorChanged, this, [this, gesture](const QColor& color) {
+    connect(dialog, &ColorDialog::picked, this, [this, gesture](const QColor& color) {
         if (color.rgb() == encoded(value_).rgb()) return;
         showValue(linear(color));
         edit(value_, gesture);
@@ -148,7 +145,7 @@ void ColorEditor::choose()
         edit(before, gesture);
     });
     connect(this, &QObject::destroyed, dialog, &QObject::deleteLater);
-    dialog->show();
+    dialog->openOver(*parentWidget());
 }
 
 }  // namespace vitrine::ui

@@ -13,12 +13,10 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// The two angles are rows of a table of their own: fields, steps and typing are those of any number.
 struct Angles final : Parameters {
-    Real azimuth = real("azimuth", 0, degree, {-pi, pi}, "Compass angle: 0 is the far end of the hall, 90 its right side.");
-    Real elevation = real("elevation", 0, degree, {-pi / 2, pi / 2}, "Height above the horizon: 90 is straight up.");
+    Real azimuth = real("azimuth", 0, degree, {-std::numbers::pi, std::numbers::pi}, "Compass angle: 0 is the far end of the hall, 90 its right side.");
+    Real elevation = real("elevation", 0, degree, {-std::numbers::pi / 2, std::numbers::pi / 2}, "Height above the horizon: 90 is straight up.");
 };
 
 const ParameterInfo& angle(std::size_t i)

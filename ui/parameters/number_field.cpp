@@ -1,7 +1,7 @@
 #include "ui/parameters/number_field.h"
 
-#include "ui/parameters/shown_text.h"
 #include "ui/kit/theme.h"
+#include "ui/parameters/shown_text.h"
 
 #include <QFocusEvent>
 #include <QKeyEvent>

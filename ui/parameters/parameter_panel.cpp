@@ -1,10 +1,10 @@
 #include "ui/parameters/parameter_panel.h"
 
+#include "ui/kit/idle_undo.h"
+#include "ui/kit/theme.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
 #include "ui/parameters/shown_text.h"
-#include "ui/kit/idle_undo.h"
-#include "ui/kit/theme.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -51,7 +51,7 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     onlyChanged_->setFixedHeight(26);
     onlyChanged_->setFocusPolicy(Qt::StrongFocus);
     elsewhere_->setAccessibleName(tr("Matches in the other tab"));
-    elsewhere_->setToolTip(tr("Shows these in their tab."));
+    elsewhere_->setToolTip(tr("Goes to the tab that has these parameters."));
     elsewhere_->setFocusPolicy(Qt::StrongFocus);
     elsewhere_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     elsewhere_->setFixedHeight(26);

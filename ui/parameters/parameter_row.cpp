@@ -1,7 +1,8 @@
 #include "ui/parameters/parameter_row.h"
 
-#include "ui/parameters/shown_text.h"
+#include "ui/kit/text.h"
 #include "ui/kit/theme.h"
+#include "ui/parameters/shown_text.h"
 
 #include <QGraphicsOpacityEffect>
 #include <QHBoxLayout>
@@ -14,11 +15,6 @@
 
 namespace vitrine::ui {
 namespace {
-
-QString text(std::string_view s)
-{
-    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
-}
 
 constexpr float idleInk = 0.45F;  // Of a row that does not act.
 

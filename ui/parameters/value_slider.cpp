@@ -1,7 +1,7 @@
 #include "ui/parameters/value_slider.h"
 
-#include "ui/parameters/number_drag.h"
 #include "ui/kit/theme.h"
+#include "ui/parameters/number_drag.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

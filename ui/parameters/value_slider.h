@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/parameters/slider_scale.h"
 #include "ui/model/history.h"
+#include "ui/parameters/slider_scale.h"
 
 #include <QSlider>
 

@@ -4,6 +4,7 @@
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
+#include "ui/kit/name_dialog.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -12,7 +13,6 @@
 #include "ui/viewport/viewport.h"
 
 #include <QFileDialog>
-#include <QInputDialog>
 #include <QUndoStack>
 
 #include <algorithm>
@@ -201,20 +201,16 @@ void PresetShelf::save()
 
 void PresetShelf::saveAs()
 {
-    auto* ask = new QInputDialog(list_.window());
-    ask->setAttribute(Qt::WA_DeleteOnClose);
     const Exhibit& exhibit = *window_.gallery().exhibits()[window_.shown()];
     const QString title = QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()));
     const StoredPreset* used = inUse();
-    ask->setWindowTitle(tr("Save preset of %1").arg(title));
-    ask->setLabelText(tr("Name of this preset of %1").arg(title));
-    ask->setTextValue(freeName(used ? words(used->preset.name) : title));
+    auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(used ? words(used->preset.name) : title), list_.window());
     // Whatever is on show by then, it is this exhibit that was named.
-    connect(ask, &QInputDialog::textValueSelected, this, [this, shown = window_.shown()](const QString& name) {
+    connect(ask, &NameDialog::named, this, [this, shown = window_.shown()](const QString& name) {
         if (window_.shown() != shown) window_.choose(shown);
         saveUnder(name);
     });
-    ask->show();
+    ask->openOver(list_);
 }
 
 void PresetShelf::saveUnder(const QString& name)
@@ -226,7 +222,7 @@ void PresetShelf::saveUnder(const QString& name)
         keepThumbnail(saved.path);
         use(std::move(saved));
         if (unique != name.trimmed())
-            window_.say(MessageStrip::Mood::notice, tr("There is a preset \"%1\" already; this one is \"%2\".").arg(name.trimmed(), unique));
+            window_.say(MessageStrip::Mood::notice, tr("There is a preset \"%1\" already; this one was saved as \"%2\".").arg(name.trimmed(), unique));
     });
     refresh();
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/viewport/gallery.h"
 #include "ui/model/history.h"
+#include "ui/viewport/gallery.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -59,6 +59,11 @@ protected:
     void showEvent(QShowEvent*) override;
 
 private:
+    void setTexts();
+    [[nodiscard]] QLayout* measuring();
+    [[nodiscard]] QLayout* choosing();
+    [[nodiscard]] QWidget* chartAndPictures();
+    void connectParts();
     void measure();
     void find(bool byError);
     void start(StudyRequest);

@@ -1,5 +1,6 @@
 #include "ui/window/exhibit_list.h"
 
+#include "ui/kit/text.h"
 #include "ui/kit/tile_delegate.h"
 
 #include <algorithm>
@@ -8,11 +9,6 @@ namespace vitrine::ui {
 namespace {
 
 constexpr int exhibitRole = Qt::UserRole;
-
-QString text(std::string_view s)
-{
-    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
-}
 
 }  // namespace
 

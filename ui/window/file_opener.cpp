@@ -42,7 +42,7 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
     const auto row = next.values[0].table().find(parameter);
     if (!row) {
         window_.say(MessageStrip::Mood::problem,
-            tr("%1 was dropped, but this hall has no parameter \"%2\" to put it in.").arg(path, QLatin1String(parameter)));
+                    tr("%1 cannot be shown: this hall has no parameter \"%2\" for it.").arg(path, QLatin1String(parameter)));
         return;
     }
     next.values[0].setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
@@ -73,7 +73,7 @@ void FileOpener::open(const QString& path)
         openPicture(path);
     } else {
         window_.say(MessageStrip::Mood::problem,
-            tr("%1 cannot be opened: it is none of .json, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif.").arg(path));
+                    tr("%1 cannot be opened: Vitrine opens .json, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.").arg(path));
     }
 }
 
@@ -89,8 +89,11 @@ void FileOpener::openPicture(const QString& path)
         const std::shared_ptr<const render::Texture> picture = render::loadTexture(path.toStdString(), true, true);
         if (std::abs(picture->width - 2 * picture->height) > std::max(1, picture->height / 50)) {
             window_.say(MessageStrip::Mood::problem,
-                tr("%1 was not put into the sky: it has %2 × %3 pixels, and a panorama of the whole sky is twice as wide as high. "
-                   "To stretch it over the sky all the same, choose it for Environment of The hall.").arg(name).arg(picture->width).arg(picture->height));
+                        tr("%1 was not put into the sky: a panorama of the whole sky is twice as wide as high, and this picture has %2 × %3 "
+                           "pixels. To stretch it over the sky all the same, choose it as “Environment” in the parameters of the hall.")
+                            .arg(name)
+                            .arg(picture->width)
+                            .arg(picture->height));
             return;
         }
     } catch (const std::exception& failure) {

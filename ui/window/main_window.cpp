@@ -3,6 +3,7 @@
 #include "exhibits/exhibits.h"
 #include "render/files/assets.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/text.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_list.h"
@@ -42,11 +43,6 @@
 
 namespace vitrine::ui {
 namespace {
-
-QString text(std::string_view s)
-{
-    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
-}
 
 QString thumbnailPath(const Exhibit& exhibit)
 {
@@ -144,12 +140,24 @@ void MainWindow::noteFrame(const render::FrameReport& report, const QSize& pixel
 {
     status_->note(report, pixels, QString::fromStdString(viewport_->schedule().reason()));
     docks_->ledger().note(report);
-    for (const render::Skipped& complaint : complaints_.begun(report.skipped)) {
+    showComplaints(report.skipped);
+    keepThumbnail();
+}
+
+void MainWindow::showComplaints(const std::vector<render::Skipped>& skipped)
+{
+    for (const render::Skipped& complaint : complaints_.begun(skipped)) {
         const QString line = text(lineOf(complaint));
         if (complaint.unreadable.empty()) docks_->log().add(line);
         else say(MessageStrip::Mood::problem, line);  // What the strip says goes into the log, too.
     }
-    keepThumbnail();
+    // A file that is there again is no problem any more.
+    QStringList now;
+    for (const render::Skipped& complaint : skipped)
+        if (complaint.complaint && !complaint.unreadable.empty()) now << text(lineOf(complaint));
+    for (const QString& line : std::as_const(unreadable_))
+        if (!now.contains(line)) messages_->takeBack(line);
+    unreadable_ = now;
 }
 
 void MainWindow::say(MessageStrip::Mood mood, const QString& words, const QString& several, const QString& what)

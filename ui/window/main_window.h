@@ -76,6 +76,7 @@ private:
     void showShippedThumbnails();
     void showTitle();
     void noteFrame(const render::FrameReport&, const QSize& pixels);
+    void showComplaints(const std::vector<render::Skipped>&);
     void keepThumbnail();
 
     Gallery& gallery_;
@@ -89,6 +90,7 @@ private:
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     render::Complaints complaints_;  // Those that are in the log already.
+    QStringList unreadable_;         // What the strip says about files that cannot be read.
     std::unique_ptr<WindowActions> actions_;
     bool bare_ = false;  // Panels, menu and status line are hidden.
     std::size_t chosen_ = 0;

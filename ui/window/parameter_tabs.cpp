@@ -1,5 +1,6 @@
 #include "ui/window/parameter_tabs.h"
 
+#include "ui/kit/text.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 
@@ -7,14 +8,6 @@
 #include <QVBoxLayout>
 
 namespace vitrine::ui {
-namespace {
-
-QString tabText(std::string_view s)
-{
-    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
-}
-
-}  // namespace
 
 ParameterTabs::ParameterTabs(std::span<const std::unique_ptr<Exhibit>> exhibits, History& history, QWidget* parent)
     : QWidget(parent), exhibits_(exhibits), tabs_(new QTabBar(this)), panel_(new ParameterPanel(history, this))
@@ -42,9 +35,9 @@ void ParameterTabs::choose(std::size_t exhibit)
         const QSignalBlocker quiet(tabs_);
         while (tabs_->count() > 0) tabs_->removeTab(0);
         for (const std::size_t i : exhibit == 0 ? std::vector<std::size_t>{0} : std::vector<std::size_t>{exhibit, 0}) {
-            const int tab = tabs_->addTab(tabText(exhibits_[i]->title()));
+            const int tab = tabs_->addTab(text(exhibits_[i]->title()));
             tabs_->setTabData(tab, static_cast<qulonglong>(i));
-            tabs_->setTabToolTip(tab, tabText(exhibits_[i]->summary()));
+            tabs_->setTabToolTip(tab, text(exhibits_[i]->summary()));
         }
         tabs_->updateGeometry();  // A tab bar that is not shown yet does not tell its layout that it has grown.
     }
@@ -59,7 +52,7 @@ std::size_t ParameterTabs::shown() const
 void ParameterTabs::show()
 {
     const auto exhibit = static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
-    panel_->showExhibit(exhibit, tabText(exhibits_[exhibit]->name()));
+    panel_->showExhibit(exhibit, text(exhibits_[exhibit]->name()));
 }
 
 void ParameterTabs::searchElsewhere()
@@ -77,7 +70,7 @@ void ParameterTabs::searchElsewhere()
         return;
     }
     const QString more = found.size() > 3 ? tr(" and %1 more").arg(found.size() - 3) : QString();
-    panel_->offerElsewhere(tr("%1: %2%3").arg(tabText(exhibits_[other]->title()), found.mid(0, 3).join(QStringLiteral(", ")), more));
+    panel_->offerElsewhere(tr("%1: %2%3").arg(text(exhibits_[other]->title()), found.mid(0, 3).join(QStringLiteral(", ")), more));
 }
 
 }  // namespace vitrine::ui

@@ -1,9 +1,9 @@
 #include "ui/window/picture_export.h"
 
 #include "render/measure/memory.h"
+#include "ui/kit/message_of.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/viewport/viewport.h"
-#include "ui/kit/message_of.h"
 #include "ui/window/main_window.h"
 
 #include <QDateTime>

@@ -109,12 +109,12 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
     make.add(tr("Save e&xhibition…"), {}, tr("Saves everything in one file: all exhibits, the hall and where you stand."),
              [&window] { window.shelf().saveExhibition(); });
     make.separator();
-    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves the picture at once, as PNG in your pictures folder."),
+    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves what the picture shows as PNG, in your pictures folder."),
              [&window] { saveScreenshot(window); });
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
-             tr("Any size, supersampling, PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
+             tr("Saves the picture at any size, as PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
     make.add(tr("Export &lenticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
-             tr("Views of what is shown, or of your own, interlaced for a sheet of lenses; and charts to calibrate it with."),
+             tr("Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to calibrate it."),
              [&window] { window.openPrintDialog(); });
     make.separator();
     make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}, tr("Closes the window; everything comes back next time."),
@@ -131,10 +131,10 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     make.take(redo);
     make.separator();
-    make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)}, tr("Goes to the filter of the panel."), [&window] {
+    make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)}, tr("Goes to the filter above the parameters."), [&window] {
         window.findParameter();
     });
-    make.add(tr("Reset &all parameters"), {}, tr("All values of the exhibit on show become the initial ones, as one step."),
+    make.add(tr("Reset &all parameters"), {}, tr("Gives all parameters in the panel their initial values; one undo brings yours back."),
              [&window] { window.resetEverything(); });
     make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)}, tr("Finds and runs any command by name."),
              [&window] { window.openPalette(); });

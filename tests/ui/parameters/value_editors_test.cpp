@@ -1,6 +1,7 @@
 #include "tests/ui/parameters/open_panel.h"
 
 #include "ui/parameters/color_editor.h"
+#include "ui/parameters/color_picker.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -187,6 +188,30 @@ private slots:
         QTest::keyClick(code, Qt::Key_Return);
         QVERIFY(std::abs(values()[table_.base].value.x - 0.21586) < 1e-4);  // sRGB 128: IEC 61966-2-1.
         QCOMPARE(history_->stack().count(), 3);
+    }
+
+    void aColorIsPickedInADialogOfOneUndoStepThatCancelTakesBack()
+    {
+        const glm::dvec3 before = values()[table_.base].value;
+        QAbstractButton* swatch = nullptr;
+        for (auto* button : panel_->row("baseColor")->findChildren<QAbstractButton*>())
+            if (button->accessibleName().contains("choose a color")) swatch = button;
+        QVERIFY(swatch);
+        swatch->click();
+        auto* dialog = panel_->findChild<ColorDialog*>();
+        QVERIFY(dialog);
+        QCOMPARE(dialog->findChild<QLabel*>()->text(), QString("Base color"));
+        auto* field = dialog->findChild<ColorField*>();
+        QTest::mouseClick(field, Qt::LeftButton, {}, field->placeOfHue(1 / 3.0).toPoint());
+        QTest::mouseClick(field, Qt::LeftButton, {}, field->placeOf(1, 1).toPoint());
+        const glm::dvec3 green = values()[table_.base].value;
+        QVERIFY(green.y > 0.98 && green.x < 0.02 && green.z < 0.02);
+        QTest::keyClick(field, Qt::Key_Left);
+        QVERIFY(values()[table_.base].value.x > green.x);
+        QCOMPARE(history_->stack().count(), 1);
+        dialog->reject();
+        QVERIFY(glm::distance(values()[table_.base].value, before) < 1e-12);
+        QCOMPARE(history_->stack().count(), 0);
     }
 
     void linearAndEncodedColorsRoundTrip()

@@ -1,13 +1,13 @@
 #include "tests/ui/open_window.h"
 
+#include "ui/kit/message_strip.h"
+#include "ui/kit/name_dialog.h"
+#include "ui/kit/tile_delegate.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/window/exhibit_list.h"
-#include "ui/kit/message_strip.h"
-#include "ui/kit/tile_delegate.h"
 
 #include <QDir>
 #include <QFileDialog>
-#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTabBar>
@@ -41,10 +41,15 @@ private slots:
         QVERIFY(roughness(0) > 0.5);
         QCOMPARE(roughness(1), 0.25);
         action("Save preset as…")->trigger();
-        auto* ask = window_->findChild<QInputDialog*>();
+        auto* ask = window_->findChild<NameDialog*>();
         QVERIFY(ask);
-        QCOMPARE(ask->windowTitle(), QString("Save preset of Hall"));
-        QCOMPARE(ask->textValue(), QString("Hall"));
+        // The heading is in the dialog, in full, and the dialog is not in front of what stands in the middle of the picture.
+        auto* heading = ask->findChild<QLabel*>();
+        QCOMPARE(heading->text(), QString("Save preset of Hall as"));
+        QVERIFY(heading->height() >= heading->heightForWidth(heading->width()));
+        const QRect picture(window_->viewport().mapToGlobal(QPoint(0, 0)), window_->viewport().size());
+        QVERIFY(!ask->geometry().intersects(picture.adjusted(picture.width() / 8, 0, -picture.width() / 8, 0)));
+        QCOMPARE(ask->name(), QString("Hall"));
         ask->accept();
         QTRY_COMPARE(rowsNamed("Hall").size(), 1);
         QVERIFY(QFile::exists(home_->filePath("vitrine/presets/hall/hall.json")));

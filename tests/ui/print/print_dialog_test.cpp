@@ -1,6 +1,8 @@
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/state_folder.h"
 #include "render/files/read_file.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/theme.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
@@ -10,8 +12,6 @@
 #include "ui/print/sheet_bar.h"
 #include "ui/print/source_bar.h"
 #include "ui/print/strip_preview.h"
-#include "ui/kit/message_strip.h"
-#include "ui/kit/theme.h"
 
 #include <QApplication>
 #include <QComboBox>

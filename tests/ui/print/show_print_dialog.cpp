@@ -3,9 +3,9 @@
 #include "tests/ui/print/painted_views.h"
 
 #include "exhibits/exhibits.h"
+#include "ui/kit/theme.h"
 #include "ui/print/eyes_preview.h"
 #include "ui/print/print_dialog.h"
-#include "ui/kit/theme.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -2,11 +2,11 @@
 
 #include "tests/exhibits/study/known_law.h"
 
+#include "ui/kit/theme.h"
 #include "ui/study/study_chart.h"
 #include "ui/study/study_dock.h"
 #include "ui/study/study_pictures.h"
 #include "ui/viewport/museum_gallery.h"
-#include "ui/kit/theme.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -2,14 +2,14 @@
 #include "tests/ui/ui_main.h"
 
 #include "render/failure.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/theme.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/main_window.h"
-#include "ui/kit/message_strip.h"
-#include "ui/window/session_keeper.h"
-#include "ui/kit/theme.h"
 #include "ui/window/file_opener.h"
+#include "ui/window/main_window.h"
+#include "ui/window/session_keeper.h"
 
 #include <QAction>
 #include <QDir>

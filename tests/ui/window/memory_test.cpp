@@ -2,6 +2,7 @@
 #include "exhibits/exhibits.h"
 #include "exhibits/museum/museum.h"
 #include "render/measure/memory.h"
+#include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/value_slider.h"
@@ -15,7 +16,6 @@
 #include "ui/window/main_window.h"
 #include "ui/window/picture_export.h"
 #include "ui/window/screenshot_dialog.h"
-#include "ui/kit/theme.h"
 
 #include <QApplication>
 #include <QDialog>

@@ -4,6 +4,8 @@
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
 #include "render/plan/frame_plan.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/print/print_dialog.h"
@@ -11,10 +13,8 @@
 #include "ui/viewport/museum_gallery.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
-#include "ui/kit/message_strip.h"
 #include "ui/window/picture_export.h"
 #include "ui/window/screenshot_dialog.h"
-#include "ui/kit/theme.h"
 
 #include <QDir>
 #include <QDropEvent>
@@ -202,6 +202,7 @@ private slots:
             picture.save(path(file));
         }
         QTRY_VERIFY(unreadable_.isEmpty());
+        QTRY_VERIFY2(said().isEmpty(), qPrintable(said().join(" | ")));  // What was said is no longer so.
         QCOMPARE(value(index, row.constData()), path(file).toStdString());
     }
 

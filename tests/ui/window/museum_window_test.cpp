@@ -3,6 +3,8 @@
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "render/measure/clock.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/value_slider.h"
@@ -13,13 +15,11 @@
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_gallery.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/file_opener.h"
 #include "ui/window/ledger_dock.h"
 #include "ui/window/ledger_view.h"
 #include "ui/window/main_window.h"
-#include "ui/kit/message_strip.h"
 #include "ui/window/picture_export.h"
-#include "ui/kit/theme.h"
-#include "ui/window/file_opener.h"
 
 #include <QApplication>
 #include <QCheckBox>

@@ -3,13 +3,13 @@
 #include "tests/ui/painted_gallery.h"
 
 #include "exhibits/exhibits.h"
+#include "ui/kit/theme.h"
 #include "ui/print/eyes_preview.h"
 #include "ui/print/print_dialog.h"
 #include "ui/study/study_dock.h"
 #include "ui/viewport/museum_gallery.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
-#include "ui/kit/theme.h"
 
 #include <QApplication>
 #include <QDockWidget>

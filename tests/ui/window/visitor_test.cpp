@@ -1,11 +1,11 @@
 #include "tests/ui/open_window.h"
 
+#include "ui/kit/message_strip.h"
 #include "ui/parameters/number_field.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/viewport/overlay.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/exhibit_list.h"
-#include "ui/kit/message_strip.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/status_line.h"
 

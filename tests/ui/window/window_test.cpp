@@ -1,5 +1,9 @@
 #include "tests/ui/open_window.h"
 
+#include "ui/kit/message_strip.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/tile_delegate.h"
+#include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
@@ -10,14 +14,11 @@
 #include "ui/viewport/viewport.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/exhibit_list.h"
+#include "ui/window/file_opener.h"
 #include "ui/window/ledger_view.h"
 #include "ui/window/log_view.h"
 #include "ui/window/main_window.h"
-#include "ui/kit/message_strip.h"
 #include "ui/window/status_line.h"
-#include "ui/kit/theme.h"
-#include "ui/kit/tile_delegate.h"
-#include "ui/window/file_opener.h"
 #include "ui/window/theme_choice.h"
 
 #include <QAction>
@@ -32,6 +33,8 @@
 #include <clocale>
 #include <memory>
 
+#include <QSignalSpy>
+
 using namespace vitrine;
 using namespace vitrine::ui;
 
@@ -43,6 +46,35 @@ private slots:
     void initTestCase() { prepare(); }
     void init() { start(); }
     void cleanup() { finish(); }
+
+    void oneMoveOfTheMouseStartsThePictureAnewOnce()
+    {
+        window_->choose(1);
+        settle();
+        const std::size_t before = gallery_->requests.size();
+        QSignalSpy changed(&window_->history(), &History::changed);
+        auto* slider = in<ValueSlider>("roughness");
+        QTest::mousePress(slider, Qt::LeftButton, {}, {slider->width() - 20, slider->height() / 2});
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, {slider->width() - 20, slider->height() / 2});
+        settle();
+        QCOMPARE(changed.count(), 1);
+        const auto full = std::count_if(gallery_->requests.begin() + static_cast<std::ptrdiff_t>(before), gallery_->requests.end(), [&](const FrameRequest& request) {
+            return request.sample == 0 && request.raster.size == gallery_->requests.back().raster.size;
+        });
+        QCOMPARE(full, 1);
+    }
+
+    void aColorIsChosenBesideThePicture()
+    {
+        window_->choose(1);
+        for (auto* button : window_->panel().row("baseColor")->findChildren<QAbstractButton*>())
+            if (button->accessibleName().contains("choose a color")) button->click();
+        auto* dialog = window_->findChild<ColorDialog*>();
+        QVERIFY(dialog);
+        const QRect picture(window_->viewport().mapToGlobal(QPoint(0, 0)), window_->viewport().size());
+        QVERIFY(!dialog->geometry().intersects(picture.adjusted(picture.width() / 8, 0, -picture.width() / 8, 0)));
+        dialog->reject();
+    }
 
     void aRealSliderChangesThePictureAndUndoTakesItBack()
     {
