@@ -14,7 +14,8 @@ QuietDialog::QuietDialog(const QString& heading, const QString& accept, QWidget*
     : QDialog(parent), heading_(new QLabel(heading, this)), body_(new QVBoxLayout), accept_(new QPushButton(accept, this))
 {
     setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(heading);
+    setWindowTitle(QStringLiteral("Vitrine"));  // Short enough for any title bar; the heading is below it.
+    setAccessibleName(heading);
     QFont bold = heading_->font();
     bold.setWeight(QFont::DemiBold);
     heading_->setFont(bold);

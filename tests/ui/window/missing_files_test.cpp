@@ -255,7 +255,7 @@ private slots:
         const Look before = window_->history().look();
         drop(path("photo.jpg"));
         QCOMPARE(said().size(), 1);
-        QVERIFY2(said().front().contains("photo.jpg") && said().front().contains("400 × 300") && said().front().contains("Environment of The hall"), qPrintable(said().front()));
+        QVERIFY2(said().front().contains("photo.jpg") && said().front().contains("400 × 300") && said().front().contains("“Environment” in the parameters of the hall"), qPrintable(said().front()));
         QVERIFY(window_->history().look().values == before.values);
         QImage panorama(400, 200, QImage::Format_RGB32);
         panorama.fill(Qt::darkCyan);

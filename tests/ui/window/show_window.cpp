@@ -4,6 +4,9 @@
 
 #include "exhibits/exhibits.h"
 #include "ui/kit/theme.h"
+#include "ui/parameters/color_picker.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
 #include "ui/print/eyes_preview.h"
 #include "ui/print/print_dialog.h"
 #include "ui/study/study_dock.h"
@@ -67,6 +70,14 @@ int main(int argc, char** argv)
             if (dock->objectName() == QLatin1String("ledger")) dock->show();
         waitUntilStill(window, 60000);
         window.grab().save(folder + QStringLiteral("/visit") + ending);
+        if (!real) {
+            for (auto* button : window.panel().row("baseColor")->findChildren<QAbstractButton*>())
+                if (button->accessibleName().contains(QLatin1String("choose a color"))) button->click();
+            auto* dialog = window.findChild<ui::ColorDialog*>();
+            QApplication::processEvents();
+            dialog->grab().save(folder + QStringLiteral("/color") + ending);
+            dialog->reject();
+        }
         if (real) {
             window.findChild<QDockWidget*>(QStringLiteral("study"))->show();
             window.findChild<QDockWidget*>(QStringLiteral("study"))->raise();
