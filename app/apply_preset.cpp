@@ -1,4 +1,4 @@
-#include "app/picture_options.h"
+#include "app/apply_preset.h"
 
 #include "exhibits/framework/preset.h"
 #include "render/failure.h"
@@ -27,7 +27,7 @@ void append(std::vector<std::string>& notes, const std::string& file, const std:
 
 }  // namespace
 
-void applyPreset(const Museum& museum, const std::string& file, PictureJob& job)
+void applyPreset(const Museum& museum, const std::string& file, RequestedPicture& job)
 {
     const std::string text = presetTextOf(file);
     const PresetHeader header = presetHeader(render::parseJson(text, file, presetLimits));

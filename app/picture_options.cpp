@@ -1,5 +1,6 @@
 #include "app/picture_options.h"
 
+#include "app/apply_preset.h"
 #include "exhibits/framework/expression.h"
 #include "exhibits/framework/value_text.h"
 #include "exhibits/hall/hall_table.h"
@@ -66,7 +67,7 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
 
 }  // namespace
 
-std::optional<Value> typedValue(const ParameterInfo& row, const std::string& text)
+std::optional<Value> optionValue(const ParameterInfo& row, const std::string& text)
 {
     if (row.isNumeric())
         if (const auto plain = evaluate(text, Unit::none)) return *plain;
@@ -166,20 +167,20 @@ void applySet(const Museum& museum, Look& look, std::size_t subject, const std::
     const auto row = values.table().find(name);
     if (!row) throw Failure(Blame::usage, "--set " + name + ": " + std::string(museum.exhibits()[owner]->name()) + " has no parameter of that name; `vitrine list --json` names them.");
     const ParameterInfo& info = values.rows()[*row];
-    const std::optional<Value> value = typedValue(info, text);
+    const std::optional<Value> value = optionValue(info, text);
     if (!value || !nearestLegal(info, *value)) throw Failure(Blame::usage, "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info) + '.');
     if (!values.setRow(*row, *value) && info.kind != Kind::direction)
         notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(*row)) + ", the nearest that is allowed (" + whatItTakes(info) + ").");
 }
 
-PictureJob pictureJob(const Museum& museum, const PictureOptions& options)
+RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& options)
 {
     const auto subject = museum.find(options.subject);
     if (!subject) throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + "\"; `vitrine list` names them.");
     const bool isHall = *subject == 0;
     if (isHall && options.alone) throw Failure(Blame::usage, "--alone: the hall cannot be shown without the hall; name an exhibit.");
 
-    PictureJob job;
+    RequestedPicture job;
     job.subject = *subject;
     job.look = museum.initialLook();
     if (!options.preset.empty()) applyPreset(museum, options.preset, job);

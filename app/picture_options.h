@@ -38,18 +38,14 @@ void addPictureOptions(CLI::App&, PictureOptions&);
 void addSceneOptions(CLI::App&, PictureOptions&, const std::string& heading = "Options");
 
 /// Values, camera and request that the options ask for. Throws Failure naming the option and what to give.
-struct PictureJob {
+struct RequestedPicture {
     std::size_t subject = 0;
     Look look;
     PictureRequest request;
     bool cameraFromPreset = false;
     std::vector<std::string> notes;  ///< What was brought to the nearest legal value, for standard error.
 };
-[[nodiscard]] PictureJob pictureJob(const Museum&, const PictureOptions&);
-
-/// Reads a preset of the subject, an exhibition, or the preset inside a PNG or OpenEXR picture into the look.
-/// Throws Failure naming file, line and key; the look is then unchanged.
-void applyPreset(const Museum&, const std::string& file, PictureJob&);
+[[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&);
 
 /// Sets one "name=value"; `subject` is what an undotted name belongs to. Plain numbers are in SI units, as
 /// `list --json` and presets have them; "30deg" and "12mm" name their own.
@@ -57,7 +53,7 @@ void applySet(const Museum&, Look&, std::size_t subject, const std::string& assi
 
 /// The value that someone typed on the command line, where a number is in SI units unless it names its own; nothing
 /// when the text means none.
-[[nodiscard]] std::optional<Value> typedValue(const ParameterInfo&, const std::string& text);
+[[nodiscard]] std::optional<Value> optionValue(const ParameterInfo&, const std::string& text);
 /// "a number from 0 to 1", "one of none, hard": after "give ".
 [[nodiscard]] std::string whatItTakes(const ParameterInfo&);
 

@@ -26,7 +26,7 @@ struct RenderOptions {
 };
 
 /// The preset that brings this picture back: of the exhibit, or of everything.
-std::string presetOf(const Museum& museum, const PictureJob& job)
+std::string presetOf(const Museum& museum, const RequestedPicture& job)
 {
     if (job.subject != 0) {
         const Exhibit& exhibit = *museum.exhibits()[job.subject];
@@ -40,7 +40,7 @@ int renderPicture(const RenderOptions& options)
     const render::PictureFormat format = pictureFormat("--out", options.picture.out, options.sixteenBit);
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
-    const PictureJob job = pictureJob(museum, options.picture);
+    const RequestedPicture job = requestedPicture(museum, options.picture);
     for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
     render::gl::Renderer renderer;
     PictureMaker maker(museum, renderer, job.look, job.request);
@@ -65,7 +65,7 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
         options.size = size;
         options.samples = samples;
         options.out = (std::filesystem::path(folder) / (options.subject + ".png")).string();
-        const PictureJob job = pictureJob(museum, options);
+        const RequestedPicture job = requestedPicture(museum, options);
         PictureMaker maker(museum, renderer, job.look, job.request);
         while (maker.step()) {}
         render::writePicture(options.out, maker.picture(), render::PictureFormat::png8, {.preset = presetOf(museum, job)});

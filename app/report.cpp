@@ -16,7 +16,7 @@ using render::Json;
 constexpr int timedRuns = 5;
 
 /// The picture's frame once more, one sample, no larger than a tile.
-FrameRequest frameOf(const PictureJob& job, const render::Painter& painter)
+FrameRequest frameOf(const RequestedPicture& job, const render::Painter& painter)
 {
     FrameRequest frame = job.request.frame;
     frame.raster.tile = glm::min(frame.raster.size, glm::ivec2(std::min(job.request.largestTile, painter.largestSide())));
@@ -39,7 +39,7 @@ std::int64_t total(const render::Image& counts)
 
 }  // namespace
 
-void writeReport(const std::string& file, const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl, const PictureJob& job, const PictureMaker& maker)
+void writeReport(const std::string& file, const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl, const RequestedPicture& job, const PictureMaker& maker)
 {
     const FrameRequest frame = frameOf(job, renderer);
     std::vector<double> milliseconds;

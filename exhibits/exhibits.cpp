@@ -3,7 +3,6 @@
 #include "exhibits/crepuscular_rays/crepuscular_rays.h"
 #include "exhibits/fur/fur.h"
 #include "exhibits/lenticular/lenticular.h"
-#include "exhibits/printing/lenticular_desk.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 
 namespace vitrine {
@@ -16,11 +15,6 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<Fur>());
     exhibits.push_back(std::make_unique<CrepuscularRays>());
     return exhibits;
-}
-
-std::unique_ptr<PrintDesk> makePrintDesk()
-{
-    return std::make_unique<lenticular::LenticularDesk>();
 }
 
 }  // namespace vitrine

@@ -1,12 +1,12 @@
 #include "app/command.h"
+#include "app/print/gathered_views.h"
 #include "app/print/print_options.h"
-#include "app/print/print_views.h"
 #include "app/progress.h"
 
 #include "exhibits/printing/chart.h"
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/print_file.h"
 #include "exhibits/printing/print_json.h"
+#include "exhibits/printing/sheet.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/extension.h"
@@ -25,30 +25,17 @@ namespace vitrine::app {
 namespace {
 
 namespace fs = std::filesystem;
-using lenticular::PrintLayout;
+using printing::PrintLayout;
 
-void warnOfShapes(const PrintLayout& layout, const lenticular::ViewSet& views)
+printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout, const std::vector<std::string>& sources, const render::Json& scene)
 {
-    const lenticular::PrintSettings& s = layout.settings();
-    const double wanted = (s.width + 2 * s.bleed) / (s.height + 2 * s.bleed);
-    for (int k = 0; k < views.count(); ++k) {
-        const double shape = static_cast<double>(views.view(k).width) / views.height();
-        if (shape / wanted > 1.02 || shape / wanted < 0.98) {
-            std::fprintf(stderr, "vitrine: The views are not shaped as the print is and are stretched to it.\n");
-            return;
-        }
-    }
-}
-
-lenticular::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout, const std::vector<std::string>& sources, const render::Json& scene)
-{
-    lenticular::PrintFile file;
+    printing::PrintFile file;
     file.path = options.out;
     file.bits = options.bits;
     file.compression = streamCompression(options.compression);
     file.tileWidth = options.tileMm;
-    file.threads = lenticular::interlacingThreads();
-    render::Json json = lenticular::printJson(layout, render::storedDpi(options.out, layout.settings().dpiX), sources);
+    file.threads = printing::interlacingThreads();
+    render::Json json = printing::printJson(layout, render::storedDpi(options.out, layout.settings().dpiX), sources);
     if (!scene.is_null()) json["scene"] = scene;
     file.json = render::writeJson(json);
     return file;
@@ -56,8 +43,8 @@ lenticular::PrintFile printFile(const PrintOptions& options, const PrintLayout& 
 
 void say(const PrintLayout& layout, const PrintOptions& options, const std::vector<fs::path>& written)
 {
-    for (const std::string& warning : lenticular::warningsOf(layout)) std::fprintf(stderr, "vitrine: %s\n", warning.c_str());
-    const lenticular::PrintNumbers numbers = lenticular::numbersOf(layout, render::storedDpi(options.out, layout.settings().dpiX));
+    for (const std::string& warning : printing::warningsOf(layout)) std::fprintf(stderr, "vitrine: %s\n", warning.c_str());
+    const printing::PrintNumbers numbers = printing::numbersOf(layout, render::storedDpi(options.out, layout.settings().dpiX));
     for (const fs::path& path : written) std::printf("%s\n", path.c_str());
     std::printf("%lld x %lld pixels, %.4f pixels per lens, %.6f LPI as stored\n", static_cast<long long>(layout.width()),
                 static_cast<long long>(layout.height()), numbers.pixelsPerLens, numbers.effectiveLpi);
@@ -78,19 +65,15 @@ void checkTarget(const std::string& out)
 
 int makeChart(const PrintOptions& options)
 {
-    using lenticular::ChartKind;
+    using printing::ChartKind;
     const ChartKind kind = options.chart == "pitch"   ? ChartKind::pitch
                            : options.chart == "phase" ? ChartKind::phase
                            : options.chart == "views" ? ChartKind::views
                                                       : ChartKind::rotation;
     const PrintLayout layout(printSettings(options, options.views.count == 0 ? 12 : options.views.count));
-    const lenticular::Chart chart(layout, kind, options.chartSpan / 100);
-    const lenticular::PrintFile file = printFile(options, layout, {options.chart + " chart"}, nullptr);
-    const std::vector<fs::path> written = lenticular::writeRaster(
-        layout,
-        {[&](const lenticular::Region& region, std::uint8_t* out) { chart.fill(region, out); },
-         [&](const lenticular::Region& region, std::uint16_t* out) { chart.fill(region, out); }},
-        file);
+    const printing::Chart chart(layout, kind, options.chartSpan / 100);
+    const printing::PrintFile file = printFile(options, layout, {options.chart + " chart"}, nullptr);
+    const std::vector<fs::path> written = printing::writeChart(layout, chart, file);
     if (!options.report.empty()) render::atomicWrite(options.report, file.json);
     for (const fs::path& path : written) std::printf("%s\n", path.c_str());
     return 0;
@@ -102,24 +85,24 @@ int makePrint(const PrintOptions& options)
     if (!options.chart.empty()) return makeChart(options);
     if (!options.out.empty()) checkTarget(options.out);
     const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
-    PrintViews made = printViews(options.views, layoutOf);
+    GatheredViews made = gatherViews(options.views, layoutOf);
     for (const std::string& note : made.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
     const PrintLayout layout = layoutOf(made.views.count());
-    warnOfShapes(layout, made.views);
+    if (const std::string stretched = printing::stretchWarning(layout, made.views); !stretched.empty()) std::fprintf(stderr, "vitrine: %s\n", stretched.c_str());
     std::vector<fs::path> written;
-    lenticular::PrintFile file = printFile(options, layout, made.sources, made.scene);
+    printing::PrintFile file = printFile(options, layout, made.sources, made.scene);
     if (!options.out.empty()) {
         file.profile = made.profile;
         if (layout.settings().compensate) {
-            const lenticular::ViewMatrix mixing = lenticular::viewMixing(layout);
-            const lenticular::CrossTalk talk = lenticular::crossTalkOf(made.views, mixing, lenticular::compensation(mixing));
-            file.json = lenticular::withCrossTalk(file.json, talk);
+            const printing::ViewMatrix mixing = printing::viewMixing(layout);
+            const printing::CrossTalk talk = printing::crossTalkOf(made.views, mixing, printing::compensation(mixing));
+            file.json = printing::withCrossTalk(file.json, talk);
             std::printf("cross-talk %.4f before, %.4f after compensation (root mean square, simulated); %.1f %% beyond black or white\n", talk.before,
                         talk.after, 100 * talk.clipped);
         }
         ProgressLine line("interlacing");
         file.progress = [&](double part) { return line.show(part); };
-        written = lenticular::writePrint(layout, made.views, file);
+        written = printing::writePrint(layout, made.views, file);
     }
     if (!options.report.empty()) render::atomicWrite(options.report, file.json);
     if (made.folder) {

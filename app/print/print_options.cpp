@@ -27,20 +27,20 @@ double directionOf(const std::string& text)
 }
 
 /// A named sheet, one measured by the user, or one derived for the LPI with a zone of 30 degrees.
-lenticular::Sheet sheetOf(const PrintOptions& options)
+printing::Sheet sheetOf(const PrintOptions& options)
 {
-    lenticular::Sheet sheet;
+    printing::Sheet sheet;
     if (!options.sheet.empty()) {
-        sheet = lenticular::knownSheet(options.sheet);
+        sheet = printing::knownSheet(options.sheet);
         if (options.lpi != 0) sheet.effectiveLpi = options.lpi;
     } else if (options.radiusUm != 0 || options.thicknessUm != 0) {
         sheet = {"own", options.lpi, 0, options.radiusUm / 1000, options.thicknessUm / 1000, options.index, options.conic};
     } else {
-        sheet = lenticular::derivedSheet("derived", options.lpi, 30, options.index);
+        sheet = printing::derivedSheet("derived", options.lpi, 30, options.index);
         sheet.conic = options.conic;
     }
     if (options.effectiveLpi != 0) sheet.effectiveLpi = options.effectiveLpi;
-    lenticular::check(sheet);
+    printing::check(sheet);
     return sheet;
 }
 
@@ -58,10 +58,10 @@ render::StreamCompression streamCompression(const std::string& name)
     return name == "zstd" ? render::StreamCompression::zstd : render::StreamCompression::none;
 }
 
-lenticular::PrintSettings printSettings(const PrintOptions& options, int views)
+printing::PrintSettings printSettings(const PrintOptions& options, int views)
 {
     if (options.lpi == 0 && options.sheet.empty()) throw Failure(Blame::usage, "--lpi is 0: give the sheet's lenses per inch, or a --sheet.");
-    lenticular::PrintSettings settings;
+    printing::PrintSettings settings;
     settings.sheet = sheetOf(options);
     settings.dpiX = options.dpi;
     settings.dpiY = options.dpiY == 0 ? options.dpi : options.dpiY;
@@ -75,9 +75,9 @@ lenticular::PrintSettings printSettings(const PrintOptions& options, int views)
     settings.reverse = options.order == "reverse";
     settings.mirror = options.mirror;
     settings.views = views;
-    settings.method = options.method == "nearest" ? lenticular::Method::nearest
-                      : options.method == "guard" ? lenticular::Method::guard
-                                                  : lenticular::Method::area;
+    settings.method = options.method == "nearest" ? printing::Method::nearest
+                      : options.method == "guard" ? printing::Method::guard
+                                                  : printing::Method::area;
     settings.guard = options.guard;
     settings.border = options.borderMm;
     settings.inkSpread = options.inkUm / 1000;

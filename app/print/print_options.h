@@ -39,7 +39,7 @@ struct PrintOptions {
 void addPrintOptions(CLI::App&, PrintOptions&);
 
 /// The settings that the options ask for, for `views` views. Throws Failure (Blame::usage) naming the option.
-[[nodiscard]] lenticular::PrintSettings printSettings(const PrintOptions&, int views);
+[[nodiscard]] printing::PrintSettings printSettings(const PrintOptions&, int views);
 
 [[nodiscard]] render::StreamCompression streamCompression(const std::string& name);
 

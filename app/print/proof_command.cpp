@@ -1,8 +1,8 @@
 #include "app/command.h"
 #include "app/print/print_options.h"
 
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/proof.h"
+#include "exhibits/printing/sheet.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
 
@@ -25,10 +25,10 @@ int makeProof(const ProofOptions& options)
 {
     const bool png = fs::path(options.out).extension() == ".png";
     if (!png && fs::path(options.out).extension() != ".tif") throw Failure(Blame::usage, "--out " + options.out + ": give a name that ends in .png or .tif.");
-    const lenticular::Eye eye{options.angle * lenticular::radiansPerDegree, options.angleY * lenticular::radiansPerDegree,
+    const printing::Eye eye{options.angle * printing::radiansPerDegree, options.angleY * printing::radiansPerDegree,
                               distanceOf("--distance-mm", options.distance)};
-    lenticular::PrintRaster print = lenticular::readPrint(options.print);
-    const render::Image seen = lenticular::lookThrough(print, eye);
+    printing::PrintRaster print = printing::readPrint(options.print);
+    const render::Image seen = printing::lookThrough(print, eye);
     render::writePicture(options.out, seen, png ? render::PictureFormat::png8 : render::PictureFormat::tiff8,
                          {.pixelsPerInch = print.layout().settings().sheet.lpi()});
     return 0;

@@ -1,9 +1,9 @@
-#include "app/print/print_views.h"
+#include "app/print/rendered_views.h"
 
 #include "app/progress.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
-#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/sheet.h"
 #include "exhibits/printing/view_maker.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
@@ -19,10 +19,10 @@
 namespace vitrine::app {
 namespace {
 
-using lenticular::DepthRange;
-using lenticular::PrintLayout;
-using lenticular::ViewRig;
-using lenticular::ViewShot;
+using printing::DepthRange;
+using printing::PrintLayout;
+using printing::ViewRig;
+using printing::ViewShot;
 
 constexpr int longestSide = 1200;     ///< Where no size is asked for.
 constexpr int mostSide = 8192;        ///< A print of a meter at 40 LPI has 1600 lenses.
@@ -44,7 +44,7 @@ int countFor(const ViewOptions& options, const LayoutOf& layoutOf)
 /// Of the print's shape, no finer than the print.
 std::string sizeFor(const PrintLayout& layout)
 {
-    const lenticular::PrintSettings& s = layout.settings();
+    const printing::PrintSettings& s = layout.settings();
     const glm::dvec2 print(s.width + 2 * s.bleed, s.height + 2 * s.bleed);
     const double pixels = std::min<double>(longestSide, static_cast<double>(std::max(layout.width(), layout.height())));
     const glm::dvec2 size = glm::max(glm::round(print * (pixels / std::max(print.x, print.y))), glm::dvec2(1));
@@ -72,7 +72,7 @@ std::array<std::string, 2> endsOf(const std::string& sweep)
     return {sweep.substr(0, dots), name + sweep.substr(dots + 2)};
 }
 
-void applySweeps(const Museum& museum, const ViewOptions& options, const PictureJob& job, std::vector<ViewShot>& shots, std::vector<std::string>& notes)
+void applySweeps(const Museum& museum, const ViewOptions& options, const RequestedPicture& job, std::vector<ViewShot>& shots, std::vector<std::string>& notes)
 {
     for (const std::string& typed : options.sweeps) {
         const std::array<std::string, 2> ends = endsOf(typed);
@@ -88,7 +88,7 @@ void applySweeps(const Museum& museum, const ViewOptions& options, const Picture
         Look to = job.look;
         applySet(museum, from, job.subject, ends[0], notes);
         applySet(museum, to, job.subject, ends[1], notes);
-        lenticular::sweep(shots, from, to);
+        printing::sweep(shots, from, to);
     }
 }
 
@@ -98,71 +98,101 @@ std::string depthText(double meters)
 }
 
 /// The preset that brings one view back.
-std::string presetOf(const Museum& museum, const PictureJob& job, const ViewShot& shot)
+std::string presetOf(const Museum& museum, const RequestedPicture& job, const ViewShot& shot)
 {
     if (job.subject == 0) return exhibitionText({"View", namedValues(museum.exhibits(), shot.look.values), shot.look.camera});
     return presetText(Preset{std::string(museum.exhibits()[job.subject]->name()), "View", shot.look.values[job.subject], shot.look.camera});
 }
 
-}  // namespace
-
-PrintViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
+/// Refuses what can be refused before anything is rendered.
+void checkOptions(const ViewOptions& options)
 {
-    const std::optional<double> strength = strengthOf(options);
     if (!std::isfinite(options.convergence) || options.convergence < 0) throw Failure(Blame::usage, "--convergence: give metres in front of the camera.");
     if (options.every != 1 || options.pingPong) throw Failure(Blame::usage, "--every and --ping-pong choose among pictures; the views of an exhibit are made as many as --count says.");
-    const int count = countFor(options, layoutOf);
-    const PrintLayout layout = layoutOf(count);
+}
+
+/// The options of the picture that all views vary, with the size of a view.
+PictureOptions sceneOptions(const ViewOptions& options, const PrintLayout& layout)
+{
     PictureOptions scene = options.scene;
     scene.size = options.viewSize.empty() ? sizeFor(layout) : options.viewSize;
     const glm::ivec2 size = parseSize("--view-size", scene.size);
     if (size.x > mostSide || size.y > mostSide) throw Failure(Blame::usage, "--view-size " + scene.size + ": a view has at most " + std::to_string(mostSide) + " pixels on a side.");
-    const render::gl::HeadlessContext context;
-    const Museum museum{allExhibits()};
-    const PictureJob job = pictureJob(museum, scene);
-    const ViewShot base{job.look, job.request};
-    const auto rigOf = [&](double s) { return ViewRig(layout, job.look.camera, size, {s, options.convergence}); };
-    ViewRig rig = rigOf(strength.value_or(1));
-    std::vector<ViewShot> shots = shotsOf(rig, base);
-    PrintViews result;
-    result.notes = job.notes;
-    if (options.turnDegrees != 0) lenticular::turn(shots, options.turnDegrees * lenticular::radiansPerDegree);
-    applySweeps(museum, options, job, shots, result.notes);
-    if (!options.saveViews.empty()) result.folder = std::make_unique<ViewFolder>(options.saveViews, options.viewFormat, count);
+    return scene;
+}
 
-    render::gl::Renderer renderer;
-    const DepthRange depth = lenticular::measuredDepth(museum, renderer, base);
-    if (!strength) {
-        rig = rigOf(std::min(1.0, rig.strengthThatHolds(depth)));
-        const std::vector<ViewShot> fitted = shotsOf(rig, base);
-        for (std::size_t k = 0; k < shots.size(); ++k) shots[k].look.camera = shots[k].request.frame.camera = fitted[k].look.camera;
-    }
+/// Moves the shots' cameras to those of another rig; turns and sweeps stay.
+void takeCameras(std::vector<ViewShot>& shots, const ViewRig& rig)
+{
+    for (std::size_t k = 0; k < shots.size(); ++k) shots[k].look.camera = shots[k].request.frame.camera = rig.camera(static_cast<int>(k));
+}
+
+/// What the rig is and what it holds of the scene, for people.
+void describe(const ViewRig& rig, const DepthRange& depth, bool reverse, GatheredViews& result)
+{
     const DepthRange budget = rig.budget();
     result.numbers.push_back(rig.baseline() == 0 ? std::string("all views from one camera")
-                                                 : text("%d cameras over %.3f m (%.3g of true depth), converging at %.2f m, the perspective of an eye at %.0f mm", count,
+                                                 : text("%d cameras over %.3f m (%.3g of true depth), converging at %.2f m, the perspective of an eye at %.0f mm", rig.count(),
                                                         rig.baseline(), rig.strength(), rig.convergence(), rig.convergence() / rig.scale()));
     if (rig.baseline() > 0) {
         result.numbers.push_back(text("the scene reaches from %s to %s, and the print holds %s to %s without doubled contours", depthText(depth.nearest).c_str(),
                                       depthText(depth.farthest).c_str(), depthText(budget.nearest).c_str(), depthText(budget.farthest).c_str()));
     }
-    for (const std::string& warning : lenticular::warningsOf(rig, depth)) result.notes.push_back(warning);
-    if (layout.settings().reverse && rig.baseline() > 0) result.notes.emplace_back("With --order reverse the depth of rendered views is inside out.");
+    for (const std::string& warning : printing::warningsOf(rig, depth)) result.notes.push_back(warning);
+    if (reverse && rig.baseline() > 0) result.notes.emplace_back("With --order reverse the depth of rendered views is inside out.");
+}
 
+/// What brings the views back.
+render::Json sceneJson(const Museum& museum, const ViewOptions& options, const RequestedPicture& picture, const ViewShot& base, const ViewRig& rig)
+{
+    const glm::ivec2 size = picture.request.frame.raster.size;
+    return {{"exhibit", options.scene.subject},
+            {"preset", render::Json::parse(presetOf(museum, picture, base))},
+            {"baseline", rig.baseline()},
+            {"baselineScale", rig.strength()},
+            {"convergence", rig.convergence()},
+            {"turnDegrees", options.turnDegrees},
+            {"sweeps", options.sweeps},
+            {"samples", picture.request.samples},
+            {"seed", picture.request.frame.seed},
+            {"viewSize", {size.x, size.y}}};
+}
+
+}  // namespace
+
+GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
+{
+    const std::optional<double> strength = strengthOf(options);
+    checkOptions(options);
+    const int count = countFor(options, layoutOf);
+    const PrintLayout layout = layoutOf(count);
+    const PictureOptions scene = sceneOptions(options, layout);
+    const render::gl::HeadlessContext context;
+    const Museum museum{allExhibits()};
+    const RequestedPicture picture = requestedPicture(museum, scene);
+    const ViewShot base{picture.look, picture.request};
+    const auto rigOf = [&](double s) { return ViewRig(layout, picture.look.camera, picture.request.frame.raster.size, {s, options.convergence}); };
+    ViewRig rig = rigOf(strength.value_or(1));
+    std::vector<ViewShot> shots = shotsOf(rig, base);
+    GatheredViews result;
+    result.notes = picture.notes;
+    if (options.turnDegrees != 0) printing::turn(shots, options.turnDegrees * printing::radiansPerDegree);
+    applySweeps(museum, options, picture, shots, result.notes);
+    if (!options.saveViews.empty()) result.folder = std::make_unique<ViewFolder>(options.saveViews, options.viewFormat, count);
+
+    render::gl::Renderer renderer;
+    const DepthRange depth = printing::measuredDepth(museum, renderer, base);
+    if (!strength) {
+        rig = rigOf(std::min(1.0, rig.strengthThatHolds(depth)));
+        takeCameras(shots, rig);
+    }
+    describe(rig, depth, layout.settings().reverse, result);
     for (int k = 0; k < count; ++k) result.sources.push_back(scene.subject + ", view " + std::to_string(k));
-    result.scene = {{"exhibit", scene.subject},
-                    {"preset", render::Json::parse(presetOf(museum, job, base))},
-                    {"baseline", rig.baseline()},
-                    {"baselineScale", rig.strength()},
-                    {"convergence", rig.convergence()},
-                    {"turnDegrees", options.turnDegrees},
-                    {"sweeps", options.sweeps},
-                    {"samples", job.request.samples},
-                    {"seed", job.request.frame.seed},
-                    {"viewSize", {size.x, size.y}}};
+    result.scene = sceneJson(museum, options, picture, base, rig);
     ProgressLine line("rendering views");
-    lenticular::ViewMaker maker(museum, renderer, shots, [&](int k, const render::Image& image) {
+    printing::ViewMaker maker(museum, renderer, shots, [&](int k, const render::Image& image) {
         result.views.add(image);
-        if (result.folder) result.folder->add(k, image, presetOf(museum, job, shots[static_cast<std::size_t>(k)]));
+        if (result.folder) result.folder->add(k, image, presetOf(museum, picture, shots[static_cast<std::size_t>(k)]));
     });
     while (maker.step())
         if (!line.show(maker.progress())) throw Failure(Blame::usage, "Rendering the views was stopped; nothing was written.");

@@ -1,6 +1,6 @@
 #include "app/print/view_folder.h"
 
-#include "exhibits/printing/view_source.h"
+#include "exhibits/printing/view_files.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
 
@@ -28,7 +28,7 @@ ViewFolder::ViewFolder(fs::path folder, std::string extension, int count)
     if (error) refuse(folder_, "the folder cannot be made (" + error.message() + "); choose another");
     std::vector<std::string> names;
     for (int k = 0; k < count; ++k) names.push_back(nameOf(k));
-    for (const fs::path& file : lenticular::picturesIn(folder_)) {
+    for (const fs::path& file : printing::picturesIn(folder_)) {
         if (std::find(names.begin(), names.end(), file.filename().string()) == names.end()) {
             refuse(folder_, "it holds " + file.filename().string() + ", which is none of the " + std::to_string(count) + " views to be written; choose an empty folder");
         }

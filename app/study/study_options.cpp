@@ -41,7 +41,7 @@ void setValues(const Museum& museum, StudyAxis& axis, const std::string& text)
     const ParameterInfo& row = rowOf(museum.exhibits(), axis);
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');) {
-        const std::optional<Value> value = typedValue(row, part);
+        const std::optional<Value> value = optionValue(row, part);
         const std::optional<Value> legal = value ? nearestLegal(row, *value) : std::nullopt;
         if (!legal || *legal != *value) throw Failure(Blame::usage, "--values: \"" + part + "\" is no value for " + std::string(row.name) + "; give " + whatItTakes(row) + '.');
         axis.values.push_back(std::get<double>(*legal));
@@ -89,7 +89,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     picture.preset = options.preset;
     picture.sets = options.sets;
     picture.size = options.size;
-    PictureJob job = pictureJob(museum, picture);
+    RequestedPicture job = requestedPicture(museum, picture);
     notes = job.notes;
 
     StudyRequest request;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/study/study.h"
+#include "exhibits/study/study_result.h"
 #include "render/measure/flip.h"
 #include "render/measure/metrics.h"
 

@@ -15,7 +15,7 @@ enum class RayView : int { picture, mask, light };
 struct CrepuscularRaysTable final : Parameters {
     Group show = group("On show");
     Choice<RayTechnique> technique = choice("technique", RayTechnique::volume, {"none", "screen space", "volume", "both"},
-        "How the beams are made: smeared from the bright sky across the picture, or by marching the sun's shadows through dusty air.", quality(2));
+        "How the beams are made: smeared from the bright sky across the picture, or by marching the sun's shadows through dusty air.", quality(RayTechnique::volume));
     Choice<RayTechnique> compareWith = choice("compareWith", RayTechnique::none, {"none", "screen space", "volume", "both"}, "What is shown to the right of the wipe.", whenLater("compare", 1));
     Toggle compare = toggle("compare", false, "Divide the picture by a wipe: the technique on the left, the comparison on the right.");
     Real wipe = real("wipe", 0.5, none, {0, 1}, "Where the comparison begins: 0 is the left edge of the picture, 1 the right.", when(compare));
@@ -44,7 +44,7 @@ struct CrepuscularRaysTable final : Parameters {
         "How the sky is told from what hides it: by depth, by what is not yet covered, or by drawing the occluders once more.", screenSpace);
     Toggle skyColor = toggle("skyColor", true, "Let the mask carry the colors of the sky instead of plain white.", screenSpace);
     Real threshold = real("threshold", 0.0, none, {0, 1}, "Brightness below which the sky gives no rays: 0 lets all of it.", screenSpace);
-    Real lightSize = real("lightSize", 1.570796, degree, Range{0.001, 3.141593}.soft(0.0174533, 3.141593), "How far around the sun the sky gives rays: 180° is all of it.", screenSpace);
+    Real lightSize = real("lightSize", degrees(90), degree, Range{degrees(0.05), degrees(180)}.soft(degrees(1), degrees(180)), "How far around the sun the sky gives rays: 180° is all of it.", screenSpace);
 
     Group air = group("Air");
     Real airDensity = real("airDensity", 0.012, perMetre, Range{0, 10}.soft(0, 0.05), "Dust in the air: what a metre of it takes out of a beam near the floor; 0 is clear air.", volume);
@@ -57,16 +57,16 @@ struct CrepuscularRaysTable final : Parameters {
 
     Group accuracy = foldedGroup("Accuracy");
     Choice<RayMethod> method = choice("method", RayMethod::polar, {"loop", "three passes", "polar sum"},
-        "How the mean along a ray is found: sample by sample, by three passes over each other's results, or by a running sum on a polar grid.", quality(0), screenSpace && when(sum, RaySum::mean));
+        "How the mean along a ray is found: sample by sample, by three passes over each other's results, or by a running sum on a polar grid.", quality(RayMethod::loop), screenSpace && when(sum, RaySum::mean));
     Count samples = count("samples", 216, {1, 4096, logarithmic}, "Points along a ray: three passes take the cube root each, the polar grid takes two cells a point.", quality(4096), screenSpace);
     Toggle jitter = toggle("jitter", true, "Shift samples and steps by blue noise, so that too few of them look like grain and not like bands.", anyBeams);
     Count volumeSteps = count("volumeSteps", 16, {1, 1024, logarithmic}, "Steps in which a ray crosses a beam of the volume.", quality(1024), volume && whenAbove(airDensity, 0) && whenAbove(beamStrength, 0));
     Choice<RayResolution> resolution = choice("resolution", RayResolution::half, {"full", "half", "quarter"},
-        "Of the beams, before they are brought up to the picture's with regard to its depth.", exactAt(0), anyBeams);
+        "Of the beams, before they are brought up to the picture's with regard to its depth.", exactAt(RayResolution::full), anyBeams);
 
     Group hangings = group("Hangings");
     Toggle animate = toggle("animate", false, "Let the draught turn the mobile.");
-    Real turn = real("turn", 0.35, degree, {-3.141593, 3.141593}, "How far the mobile has turned.");
+    Real turn = real("turn", degrees(20.0535), degree, {degrees(-180), degrees(180)}, "How far the mobile has turned.");
     Real turnSpeed = real("turnSpeed", 0.02, hertz, Range{0, 2}.soft(0, 0.1), "Turns of the mobile in a second, while it is animated.", when(animate));
 };
 

@@ -4,8 +4,10 @@
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 namespace vitrine::derive {
 namespace {
@@ -49,7 +51,32 @@ std::string rangeText(const ParameterInfo& row)
     return {};
 }
 
+/// SHADOW_METHOD for "shadowMethod", SUN_S_DISK for "sun's disk".
+std::string upperCase(std::string_view name)
+{
+    std::string text;
+    for (const char c : name) {
+        const auto u = static_cast<unsigned char>(c);
+        if (std::isupper(u) != 0 && !text.empty() && text.back() != '_') text += '_';
+        if (std::isalnum(u) != 0) text += static_cast<char>(std::toupper(u));
+        else if (!text.empty() && text.back() != '_') text += '_';
+    }
+    return text;
+}
+
 }  // namespace
+
+std::string enumerators(const Parameters& table)
+{
+    std::string text;
+    std::set<std::string> names;
+    for (const ParameterInfo& row : table.rows())
+        for (std::size_t i = 0; i < row.choices.size(); ++i) {
+            const std::string name = upperCase(row.name) + '_' + upperCase(row.choices[i]);
+            if (names.insert(name).second) text += "const int " + name + " = " + std::to_string(i) + ";\n";
+        }
+    return text;
+}
 
 std::string uniformBlock(const Parameters& table)
 {
@@ -57,7 +84,7 @@ std::string uniformBlock(const Parameters& table)
     for (const ParameterInfo& row : table.rows())
         if (row.kind != Kind::file) fields += "    " + std::string(glslType(row.kind)) + ' ' + std::string(row.name) + ";\n";
     if (fields.empty()) return {};
-    return "layout(std140, binding = " + std::to_string(BLOCK_PARAMETERS) + ") uniform Parameters {\n" + fields + "} parameters;\n";
+    return enumerators(table) + "layout(std140, binding = " + std::to_string(BLOCK_PARAMETERS) + ") uniform Parameters {\n" + fields + "} parameters;\n";
 }
 
 render::Bytes uniformBytes(const ParameterValues& values)
@@ -80,7 +107,7 @@ std::string manualTable(const Parameters& table)
         const ParameterInfo& row = table.rows()[i];
         std::string unit(info(row.unit).symbol);
         text += "| `" + std::string(row.name) + "` | " + formatValue(row, row.initial) + " | " + rangeText(row) + " | " + unit + " | " + std::string(row.help);
-        if (row.qualityReference) text += " *Quality: exact at " + formatValue(row, *row.qualityReference) + ".*";
+        if (row.qualityReference) text += (row.exactByMeaning ? " *Quality: exact at " : " *Quality: finest at ") + formatValue(row, *row.qualityReference) + ".*";
         if (row.actsWhen) text += " *Acts when " + actsWhen(table, i) + ".*";
         text += " |\n";
     }

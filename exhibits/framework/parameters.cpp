@@ -40,11 +40,20 @@ std::string_view toString(Scale scale)
     return scale == Scale::linear ? "linear" : "logarithmic";
 }
 
-std::string label(const ParameterInfo& row)
+bool isRowName(std::string_view name)
 {
-    if (!row.called.empty()) return std::string(row.called);
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    return !name.empty() && name.size() <= 64 && isLetter(name.front()) &&
+           std::all_of(name.begin(), name.end(), [&](char c) { return isLetter(c) || (c >= '0' && c <= '9'); });
+}
+
+namespace {
+
+/// "Shell count" for "shellCount".
+std::string spelledOut(std::string_view name)
+{
     std::string text;
-    for (const char c : row.name) {
+    for (const char c : name) {
         const bool upper = std::isupper(static_cast<unsigned char>(c)) != 0;
         if (upper && !text.empty()) text += ' ';
         const int shownAs = text.empty() ? std::toupper(static_cast<unsigned char>(c)) : std::tolower(static_cast<unsigned char>(c));
@@ -53,8 +62,16 @@ std::string label(const ParameterInfo& row)
     return text;
 }
 
+}  // namespace
+
+std::string label(const ParameterInfo& row)
+{
+    return row.called.empty() ? spelledOut(row.name) : std::string(row.called);
+}
+
 std::string labelInGroup(const ParameterInfo& row)
 {
+    if (!row.array.empty() && row.called.empty()) return spelledOut(row.elementRow);
     std::string text = label(row);
     const std::size_t end = text.find(' ');
     if (end == std::string::npos) return text;
@@ -121,34 +138,95 @@ ParameterValues Parameters::initial() const
 
 Parameters::Group Parameters::group(std::string_view title)
 {
-    group_ = title;
+    group_ = owned(title);
     groupFolded_ = false;
     return {};
 }
 
 Parameters::Group Parameters::foldedGroup(std::string_view title)
 {
-    group_ = title;
+    group_ = owned(title);
     groupFolded_ = true;
     return {};
 }
 
+void Parameters::beginElement(std::string_view array, std::size_t index, const Element& element)
+{
+    assert(array_.empty() || index > 0);  // No array within an array.
+    group(element.heading);
+    array_ = owned(array);
+    element_ = index;
+    elementName_ = owned(element.name);
+}
+
+void Parameters::endArray()
+{
+    group_ = array_ = elementName_ = {};
+    element_ = 0;
+}
+
+std::string_view Parameters::owned(std::string_view text)
+{
+    const auto known = texts_.find(text);
+    return known != texts_.end() ? *known : *texts_.emplace(text).first;
+}
+
+void Parameters::own(Condition& condition)
+{
+    condition.row = owned(condition.row);
+    for (Condition& part : condition.parts) own(part);
+}
+
 std::uint16_t Parameters::appendRow(ParameterInfo row)
 {
+    if (!array_.empty()) {
+        row.array = array_;
+        row.element = element_;
+        row.elementRow = owned(row.name);
+        std::string name(elementName_);
+        name += static_cast<char>(std::toupper(static_cast<unsigned char>(row.name.front())));
+        name += row.name.substr(1);
+        row.name = owned(name);
+    }
+    for (std::string_view* text : {&row.name, &row.group, &row.help, &row.called, &row.endings}) *text = owned(*text);
+    for (std::string_view& choice : row.choices) choice = owned(choice);
+    if (row.word) row.word->text = owned(row.word->text);
+    if (row.actsWhen) own(*row.actsWhen);
+    row.groupFolded = groupFolded_;
+
+    assert(isRowName(row.name));
     assert(!find(row.name) && "two rows share a name");
     assert(row.range.low <= row.range.softLow && row.range.softHigh <= row.range.high);
     assert(row.range.scale == Scale::linear || row.range.softLow > 0);
     assert(nearestLegal(row, row.initial).has_value());
     assert(!row.word || row.isNumeric());
-    row.groupFolded = groupFolded_;
     rows_.push_back(std::move(row));
     return static_cast<std::uint16_t>(rows_.size() - 1);
 }
 
-ParameterValues::ParameterValues(const Parameters& table) : table_(&table)
+ParameterValues::ParameterValues(const Parameters& table) : ParameterValues(std::shared_ptr<const Parameters>(std::shared_ptr<void>(), &table)) {}
+
+ParameterValues::ParameterValues(std::shared_ptr<const Parameters> table) : table_(std::move(table))
 {
-    values_.reserve(table.rows().size());
-    for (const ParameterInfo& row : table.rows()) values_.push_back(row.initial);
+    values_.reserve(rows().size());
+    for (const ParameterInfo& row : rows()) values_.push_back(row.initial);
+}
+
+ParameterValues ParameterValues::under(std::shared_ptr<const Parameters> table) const
+{
+    ParameterValues result(std::move(table));
+    for (std::size_t i = 0; i < result.rows().size(); ++i) {
+        const std::optional<std::size_t> here = table_->find(result.rows()[i].name);
+        if (here && rows()[*here].kind == result.rows()[i].kind) result.setRow(i, values_[*here]);
+    }
+    return result;
+}
+
+bool ParameterValues::operator==(const ParameterValues& other) const
+{
+    if (values_ != other.values_) return false;
+    return table_ == other.table_ || std::equal(rows().begin(), rows().end(), other.rows().begin(), other.rows().end(),
+                                                [](const ParameterInfo& a, const ParameterInfo& b) { return a.name == b.name; });
 }
 
 bool ParameterValues::setRow(std::size_t i, const Value& value)

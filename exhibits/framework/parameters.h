@@ -6,8 +6,12 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
+#include <memory>
+#include <numbers>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,7 +57,7 @@ struct Word {
 /// a preset, the command line flag, the field of the uniform block, the line in the manual, the points
 /// of the accuracy study and the random values of the tests are all derived from this row.
 struct ParameterInfo {
-    std::string_view name;   ///< The member it initialises; preset key, flag and GLSL field.
+    std::string_view name;   ///< The member it initializes; preset key, flag and GLSL field.
     std::string_view group;  ///< Heading in the panel; empty before the first `group`.
     std::string_view help;   ///< One or two sentences: what it does, what low and high look like.
     Kind kind = Kind::real;
@@ -68,6 +72,9 @@ struct ParameterInfo {
     std::optional<Word> word = {};           ///< For a real or a count.
     bool groupFolded = false;                ///< Whether the panel shows its group folded at first.
     std::string_view endings = {};           ///< For Kind::file: what a dialog offers, "glb gltf"; empty: everything.
+    std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
+    std::size_t element = 0;                 ///< Which group of that array, from 0.
+    std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
 
     /// Whether its values are numbers, with others between them: a real or a count.
     [[nodiscard]] bool isNumeric() const { return kind == Kind::real || kind == Kind::count; }
@@ -104,8 +111,10 @@ class ParameterValues;
 ///         Real morph = real("morph", 0.5, none, {0, 1}, "0 is a torus, 1 is a mug.");
 ///         Count stepLimit = count("stepLimit", 96, {1, 512, logarithmic}, "Steps a ray may take.", quality(512));
 ///         Choice<NormalMethod> normalMethod = choice("normalMethod", NormalMethod::central,
-///             {"forward", "tetrahedron", "central"}, "How the normal is estimated.", quality(2));
+///             {"forward", "tetrahedron", "central"}, "How the normal is estimated.", quality(NormalMethod::central));
 ///     };
+///
+/// A table copies every text that it is given, so it can be made of a file that is read at run time as well: `MadeTable`.
 class Parameters {
 public:
     Parameters(const Parameters&) = delete;  // Handles are only meaningful to their own table.
@@ -122,6 +131,14 @@ protected:
     using enum Scale;
 
     struct Group {};
+    /// One group of an array: "ball" stands before the names of its rows, the heading above them.
+    struct Element {
+        std::string_view name;
+        std::string_view heading;
+    };
+
+    /// Radians: for initial values and ranges of angles. The inverse of how `Unit::degree` shows them, to the last bit for most.
+    [[nodiscard]] static constexpr double degrees(double angle) { return angle / (180 / std::numbers::pi); }
 
     // What may be said of a row after its help, in any order:
     struct Quality {
@@ -132,6 +149,10 @@ protected:
     [[nodiscard]] static Quality quality(double reference) { return {reference, false}; }
     /// The same, but at `reference` the row approximates nothing: a closed form, or an approximation that is off.
     [[nodiscard]] static Quality exactAt(double reference) { return {reference, true}; }
+    template <typename Enum> requires std::is_enum_v<Enum>
+    [[nodiscard]] static Quality quality(Enum reference) { return quality(static_cast<double>(reference)); }
+    template <typename Enum> requires std::is_enum_v<Enum>
+    [[nodiscard]] static Quality exactAt(Enum reference) { return exactAt(static_cast<double>(reference)); }
     /// Of the files that a file row reads, with blanks between: "glb gltf".
     struct Endings { std::string_view text; };
     [[nodiscard]] static Endings endings(std::string_view text) { return {text}; }
@@ -164,6 +185,19 @@ protected:
     Group group(std::string_view title);
     /// The same; the panel shows the group folded until someone opens it.
     Group foldedGroup(std::string_view title);
+
+    /// Groups with the same rows, one for each element: within `make(i)` a row "length" is "ballLength". Returns what `make`
+    /// returns, in the order of the elements.
+    template <typename Make> auto groups(std::string_view array, std::span<const Element> elements, const Make& make)
+    {
+        std::vector<decltype(make(std::size_t{0}))> made;
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            beginElement(array, i, elements[i]);
+            made.push_back(make(i));
+        }
+        endArray();
+        return made;
+    }
 
     template <typename... Traits>
     Real real(std::string_view name, double initial, Unit unit, Range range, std::string_view help, const Traits&... traits)
@@ -204,6 +238,13 @@ protected:
         const double last = static_cast<double>(names.size()) - 1;
         return {append({name, group_, help, Kind::choice, Unit::none, {0, last}, static_cast<double>(initial), names}, traits...)};
     }
+    /// For choices that are known at run time only; `initial` is an index, and there is at least one name.
+    template <typename... Traits>
+    Choice<int> choice(std::string_view name, int initial, std::span<const std::string> names, std::string_view help, const Traits&... traits)
+    {
+        const double last = static_cast<double>(names.size()) - 1;
+        return {append({name, group_, help, Kind::choice, Unit::none, {0, last}, static_cast<double>(initial), {names.begin(), names.end()}}, traits...)};
+    }
 
 private:
     static void say(ParameterInfo& row, const Quality& quality)
@@ -222,17 +263,49 @@ private:
     }
     std::uint16_t appendRow(ParameterInfo);
     template <typename T> [[nodiscard]] std::string_view nameOf(Parameter<T> row) const { return rows_[row.row].name; }
+    void beginElement(std::string_view array, std::size_t index, const Element&);
+    void endArray();
+    /// The table's own copy of a text.
+    [[nodiscard]] std::string_view owned(std::string_view);
+    void own(Condition&);
 
+    std::set<std::string, std::less<>> texts_;  ///< Nodes keep their place.
     std::vector<ParameterInfo> rows_;
     std::string_view group_;
     bool groupFolded_ = false;
+    std::string_view array_;
+    std::size_t element_ = 0;
+    std::string_view elementName_;
 };
 
+/// A table whose rows are known at run time only: of a scene that a file describes.
+class MadeTable final : public Parameters {
+public:
+    using Parameters::Element;
+    using Parameters::choice;
+    using Parameters::color;
+    using Parameters::count;
+    using Parameters::direction;
+    using Parameters::file;
+    using Parameters::foldedGroup;
+    using Parameters::group;
+    using Parameters::groups;
+    using Parameters::real;
+    using Parameters::toggle;
+};
+
+/// Whether a row may have this name: letters and digits, a letter first, at most 64 of them, so that it is a key, a flag and
+/// a field of GLSL alike. (Words that GLSL reserves are not among the fields: `derive::uniformBlock`.)
+[[nodiscard]] bool isRowName(std::string_view);
+
 /// A snapshot of one value per row of one table. Cheap to copy: presets, A/B comparisons, undo and
-/// sweeps are all just snapshots, and a frame is a function of one. The table must outlive it.
+/// sweeps are all just snapshots, and a frame is a function of one.
 class ParameterValues {
 public:
+    /// Initial values of a table that outlives them.
     explicit ParameterValues(const Parameters&);
+    /// Initial values of a table that they keep alive; not null.
+    explicit ParameterValues(std::shared_ptr<const Parameters>);
 
     template <typename T> [[nodiscard]] T operator[](Parameter<T> p) const
     {
@@ -259,10 +332,15 @@ public:
     void resetRow(std::size_t i);
     [[nodiscard]] bool isInitial(std::size_t i) const;
 
-    bool operator==(const ParameterValues& other) const { return values_ == other.values_; }
+    /// These values under another table: rows of the same name and kind keep theirs, as near as is legal there; others are
+    /// initial.
+    [[nodiscard]] ParameterValues under(std::shared_ptr<const Parameters>) const;
+
+    /// Values of different tables are equal when their rows bear the same names.
+    bool operator==(const ParameterValues& other) const;
 
 private:
-    const Parameters* table_;
+    std::shared_ptr<const Parameters> table_;  ///< Owns nothing where the table outlives the values.
     std::vector<Value> values_;
 };
 

@@ -108,6 +108,15 @@ std::string changeNote(const ParameterInfo& row, std::string_view shownName, con
     return (note += shortestNumber(row.range.high)) += ")";
 }
 
+/// Whether a number is a limit of its row but for rounding: 3.141593 where half a turn is the limit. Nobody has to hear of it.
+bool isRoundedLimit(const ParameterInfo& row, const Value& value)
+{
+    const auto* x = std::get_if<double>(&value);
+    if (!x || row.kind != Kind::real) return false;
+    const auto near = [&](double limit) { return std::abs(*x - limit) <= 1e-6 * std::abs(limit); };
+    return near(row.range.low) || near(row.range.high);
+}
+
 }  // namespace
 
 Failure JsonPlace::failure(std::string_view problem) const
@@ -146,7 +155,7 @@ Value valueFromJson(const ParameterInfo& row, const Json& json, const JsonPlace&
     const Value written = readValue(row, json, place);
     const std::optional<Value> legal = nearestLegal(row, written);
     if (!legal) throw place.failure("this direction has no length; give it one.");
-    if (*legal != written) notes.push_back(changeNote(row, shownName, written, *legal));
+    if (*legal != written && !isRoundedLimit(row, written)) notes.push_back(changeNote(row, shownName, written, *legal));
     return *legal;
 }
 

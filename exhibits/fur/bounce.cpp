@@ -142,7 +142,7 @@ render::Box bouncingSpace(const FurTable& table, const ParameterValues& values, 
     for (int i = 0; i < furBodyCount; ++i) {
         // Strands keep their length within 1 %.
         const double reach = (i == furBall ? ballRadius * s.growth.largest() : i == furRoll ? rollRadius + rollHalfLength : ringRadius + ringTube) +
-                             1.02 * values[coatRows(table, i).length] + 1e-3;
+                             1.02 * values[table.coats[static_cast<std::size_t>(i)].length] + 1e-3;
         const Flight flight = flightOf(s, i);
         space.include(homes[i] + glm::dvec3(-reach, 0, -reach));
         space.include(homes[i] + glm::dvec3(reach, heightOfStart(s, i) + reach, reach));

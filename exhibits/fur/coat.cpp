@@ -22,16 +22,9 @@ glm::vec4 vec4Of(const glm::dquat& q)
 
 }  // namespace
 
-CoatRows coatRows(const FurTable& table, int body)
-{
-    if (body == furBall) return {table.ballLength, table.ballUniformity, table.ballDensity, table.ballThickness, table.ballRoot, table.ballTip};
-    if (body == furRoll) return {table.rollLength, table.rollUniformity, table.rollDensity, table.rollThickness, table.rollRoot, table.rollTip};
-    return {table.ringLength, table.ringUniformity, table.ringDensity, table.ringThickness, table.ringRoot, table.ringTip};
-}
-
 double colliderRadius(const FurTable& table, const ParameterValues& values, int body, double grown)
 {
-    return bodyRadius(body) * grown + (1 - values[table.flattening]) * values[coatRows(table, body).length];
+    return bodyRadius(body) * grown + (1 - values[table.flattening]) * values[table.coats[static_cast<std::size_t>(body)].length];
 }
 
 double shellsAtDistance(int wanted, double length, double distance, double pixelAngle)
@@ -66,7 +59,7 @@ glm::dmat4 Coats::worldFromBody(int index) const
 render::Box Coats::space(int index, const render::Box& skin) const
 {
     // Strands keep their length within 1 %.
-    const double reach = 1.02 * values[coatRows(table, index).length] + 1e-3;
+    const double reach = 1.02 * values[table.coats[static_cast<std::size_t>(index)].length] + 1e-3;
     const double grown = states[static_cast<std::size_t>(index)].grown;
     return {skin.low * grown - reach, skin.high * grown + reach};
 }
@@ -80,7 +73,7 @@ FurBody Coats::body(int index) const
 {
     const auto which = static_cast<std::size_t>(index);
     const FurState& state = states[which];
-    const CoatRows rows = coatRows(table, index);
+    const CoatRows rows = table.coats[static_cast<std::size_t>(index)];
     const double length = values[rows.length];
     const glm::dquat bodyFromPit = glm::conjugate(state.turn);
     FurBody body;
@@ -124,7 +117,7 @@ FurBody Coats::body(int index) const
         const double myRadius = radius(index) * state.grown;
         const double itsRadius = radius(other) * theirs.grown;
         const double room = apart - myRadius - itsRadius;
-        if (apart < 1e-6 || room > length + values[coatRows(table, other).length]) continue;
+        if (apart < 1e-6 || room > length + values[table.coats[static_cast<std::size_t>(other)].length]) continue;
         const glm::dvec3 normal = (mine - its) / apart;
         press(normal, glm::dot(normal, its) + itsRadius + 0.5 * room);
     }

@@ -11,24 +11,12 @@
 
 namespace vitrine {
 
-inline constexpr int furBodyCount = 3;
-enum FurBodyIndex : int { furBall, furRoll, furRing };
-
 // Sizes of the bodies' skins and of their pit, metres. The pit is that of assets/models/hall_props.py.
 inline constexpr double ballRadius = 0.33;
 inline constexpr double rollRadius = 0.22, rollHalfLength = 0.26;
 inline constexpr double ringRadius = 0.35, ringTube = 0.15;
 inline constexpr double pitRadius = 1.6, pitRim = 0.35;
 inline constexpr double pitPadRadius = 0.145, pitPadLift = 0.04;  ///< The leather tube around it.
-
-/// The rows of one body's own coat.
-struct CoatRows {
-    Real length, uniformity;
-    Count density;
-    Real thickness;
-    Color root, tip;
-};
-[[nodiscard]] CoatRows coatRows(const FurTable&, int body);
 
 /// Where a body is and how its fur hangs back, at one moment. Pit space: the middle of the pit's floor, y up.
 struct FurState {

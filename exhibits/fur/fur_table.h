@@ -2,38 +2,32 @@
 
 #include "exhibits/framework/parameters.h"
 
+#include <array>
+#include <vector>
+
 namespace vitrine {
+
+inline constexpr int furBodyCount = 3;
+enum FurBodyIndex : int { furBall, furRoll, furRing };
 
 enum class FurRotation : int { matrixMix, nlerp, slerp };
 enum class FurSpring : int { explicitEuler, semiImplicit, closedForm };
 enum class FurSilhouette : int { none, fins, byAngle, march };
 enum class FurOrder : int { outerFirst, innerFirst };
 
+/// The rows of one body's own coat.
+struct CoatRows {
+    Real length, uniformity;
+    Count density;
+    Real thickness;
+    Color root, tip;
+};
+
 /// Everything that can be set about the furry bodies. Lengths in metres.
 struct FurTable final : Parameters {
-    Group ball = group("Coat of the ball");
-    Real ballLength = real("ballLength", 0.2, metre, Range{0, 1}.soft(0, 0.4), "Of its longest strands: 0 leaves the bare skin.");
-    Real ballUniformity = real("ballUniformity", 0.35, none, {0, 1}, "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.", whenAbove(ballLength, 0));
-    Count ballDensity = count("ballDensity", 60000, Range{1, 1000000, logarithmic}.soft(100, 200000), "Strands on a square metre.", whenAbove(ballLength, 0));
-    Real ballThickness = real("ballThickness", 0.0045, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.", whenAbove(ballLength, 0));
-    Color ballRoot = color("ballRoot", {0.24, 0.075, 0.03}, "Of its fur at the skin.");
-    Color ballTip = color("ballTip", {0.95, 0.58, 0.31}, "Of its fur at the tips.", whenAbove(ballLength, 0));
-
-    Group roll = group("Coat of the roll");
-    Real rollLength = real("rollLength", 0.10, metre, Range{0, 1}.soft(0, 0.4), "Of its longest strands: 0 leaves the bare skin.");
-    Real rollUniformity = real("rollUniformity", 0.5, none, {0, 1}, "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.", whenAbove(rollLength, 0));
-    Count rollDensity = count("rollDensity", 30000, Range{1, 1000000, logarithmic}.soft(100, 200000), "Strands on a square metre.", whenAbove(rollLength, 0));
-    Real rollThickness = real("rollThickness", 0.0048, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.", whenAbove(rollLength, 0));
-    Color rollRoot = color("rollRoot", {0.018, 0.022, 0.032}, "Of its fur at the skin.");
-    Color rollTip = color("rollTip", {0.50, 0.55, 0.62}, "Of its fur at the tips.", whenAbove(rollLength, 0));
-
+    /// By FurBodyIndex: ballLength, ... rollLength, ... ringLength, ...
+    std::vector<CoatRows> coats = groups("coats", coatElements, [this](std::size_t body) { return coat(coatInitials[body]); });
     Group ring = group("Coat of the ring");
-    Real ringLength = real("ringLength", 0.075, metre, Range{0, 1}.soft(0, 0.4), "Of its longest strands: 0 leaves the bare skin.");
-    Real ringUniformity = real("ringUniformity", 0.6, none, {0, 1}, "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.", whenAbove(ringLength, 0));
-    Count ringDensity = count("ringDensity", 42000, Range{1, 1000000, logarithmic}.soft(100, 200000), "Strands on a square metre.", whenAbove(ringLength, 0));
-    Real ringThickness = real("ringThickness", 0.0042, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.", whenAbove(ringLength, 0));
-    Color ringRoot = color("ringRoot", {0.10, 0.006, 0.016}, "Of its fur at the skin.");
-    Color ringTip = color("ringTip", {0.78, 0.16, 0.20}, "Of its fur at the tips.", whenAbove(ringLength, 0));
     File ringModel = file("ringModel", "A glTF object that wears the ring's coat in place of the ring; models/teddy.glb is one of ours.", endings("glb gltf"));
 
     Group strands = group("Strands");
@@ -78,7 +72,7 @@ struct FurTable final : Parameters {
     Real airDrag = real("airDrag", 0.22, none, Range{0, 10}.soft(0, 1), "How far it trails in moving air, in strand lengths for each metre a second.", whenLater("byHand", 0));
     Real strength = real("strength", 1.0, none, Range{0, 10}.soft(0, 3), "How much of all this is seen: 0 keeps every strand upright.", whenLater("byHand", 0));
     Real displacementLimit = real("displacementLimit", 2.2, none, Range{0, 100}.soft(0, 5), "How far tips may be drawn at most, in strand lengths.", whenLater("byHand", 0));
-    Real rotationLimit = real("rotationLimit", 1.2, degree, {0, 3.141592653589793}, "How far they may turn less than their body at most; the museum that this exhibit follows allows 30 degrees.", whenLater("byHand", 0));
+    Real rotationLimit = real("rotationLimit", degrees(68.755), degree, {0, degrees(180)}, "How far they may turn less than their body at most; the museum that this exhibit follows allows 30 degrees.", whenLater("byHand", 0));
     Real wind = real("wind", 0.0, none, Range{0, 20}.soft(0, 3), "Strength of a draught over the pit: it keeps the fur moving.");
     Direction windDirection = direction("windDirection", {1, 0, -0.3}, "Where the draught blows.", whenAbove(wind, 0));
     Real gustiness = real("gustiness", 0.5, none, {0, 1}, "How uneven it is: 0 leans on the fur steadily and moves nothing.", whenAbove(wind, 0));
@@ -87,21 +81,48 @@ struct FurTable final : Parameters {
     Real handX = real("handX", 0.0, none, Range{-20, 20}.soft(-3, 3), "By hand: how far the tips are drawn to the right.", when(byHand));
     Real handY = real("handY", -3.0, none, Range{-20, 20}.soft(-3, 3), "By hand: how far they are drawn up.", when(byHand));
     Real handZ = real("handZ", 0.0, none, Range{-20, 20}.soft(-3, 3), "By hand: how far they are drawn towards the entrance.", when(byHand));
-    Real handTurn = real("handTurn", 0.0, degree, Range{-3.141593, 3.141593}, "By hand: how far they are turned about the axis towards the entrance.", when(byHand));
+    Real handTurn = real("handTurn", 0.0, degree, Range{degrees(-180), degrees(180)}, "By hand: how far they are turned about the axis towards the entrance.", when(byHand));
 
     Group accuracy = foldedGroup("Accuracy");
     Count shellCount = count("shellCount", 10, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
     Count samplesBetween = count("samplesBetween", 16, {1, 32}, "Points at most that a ray visits between two shells, where it grazes them.", quality(32), whenLater("silhouette", static_cast<double>(FurSilhouette::march)));
     Choice<FurSilhouette> silhouette = choice("silhouette", FurSilhouette::march, {"none", "fins", "by angle", "march"},
-        "What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells where they are seen at an angle, or a march from shell to shell.", quality(3));
+        "What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells where they are seen at an angle, or a march from shell to shell.", quality(FurSilhouette::march));
     Choice<FurOrder> drawOrder = choice("drawOrder", FurOrder::outerFirst, {"outer first", "inner first"},
-        "Outer shells first hide what is behind them before it is drawn; the picture is the same.", exactAt(0));
+        "Outer shells first hide what is behind them before it is drawn; the picture is the same.", exactAt(FurOrder::outerFirst));
     Toggle levelOfDetail = toggle("levelOfDetail", true, "Fewer shells where the coat is far away and small.", exactAt(0));
     Choice<FurRotation> rotationModel = choice("rotationModel", FurRotation::slerp, {"matrix mix", "nlerp", "slerp"},
-        "How a strand turns from root to tip: the mix of matrices shortens it, nlerp hurries in the middle, slerp does neither.", exactAt(2));
+        "How a strand turns from root to tip: the mix of matrices shortens it, nlerp hurries in the middle, slerp does neither.", exactAt(FurRotation::slerp));
     Choice<FurSpring> springModel = choice("springModel", FurSpring::closedForm, {"explicit Euler", "semi-implicit", "closed form"},
-        "How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.", exactAt(2), when(byHand, false));
+        "How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.", exactAt(FurSpring::closedForm), when(byHand, false));
     Count springRate = count("springRate", 240, {15, 240, logarithmic}, "Spring steps a second: few make the first two methods fail.", quality(240), when(byHand, false));
+
+private:
+    struct CoatInitial {
+        double length, uniformity;
+        int density;
+        double thickness;
+        glm::dvec3 root, tip;
+    };
+    static constexpr std::array<Element, furBodyCount> coatElements{{{"ball", "Coat of the ball"}, {"roll", "Coat of the roll"}, {"ring", "Coat of the ring"}}};
+    static constexpr std::array<CoatInitial, furBodyCount> coatInitials{{
+        {0.2, 0.35, 60000, 0.0045, {0.24, 0.075, 0.03}, {0.95, 0.58, 0.31}},
+        {0.10, 0.5, 30000, 0.0048, {0.018, 0.022, 0.032}, {0.50, 0.55, 0.62}},
+        {0.075, 0.6, 42000, 0.0042, {0.10, 0.006, 0.016}, {0.78, 0.16, 0.20}},
+    }};
+
+    CoatRows coat(const CoatInitial& initial)
+    {
+        CoatRows rows{};
+        rows.length = real("length", initial.length, metre, Range{0, 1}.soft(0, 0.4), "Of its longest strands: 0 leaves the bare skin.");
+        rows.uniformity = real("uniformity", initial.uniformity, none, {0, 1},
+            "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.", whenAbove(rows.length, 0));
+        rows.density = count("density", initial.density, Range{1, 1000000, logarithmic}.soft(100, 200000), "Strands on a square metre.", whenAbove(rows.length, 0));
+        rows.thickness = real("thickness", initial.thickness, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02), "Of a strand, at its root.", whenAbove(rows.length, 0));
+        rows.root = color("root", initial.root, "Of its fur at the skin.");
+        rows.tip = color("tip", initial.tip, "Of its fur at the tips.", whenAbove(rows.length, 0));
+        return rows;
+    }
 };
 
 }  // namespace vitrine

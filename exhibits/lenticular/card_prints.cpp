@@ -1,8 +1,9 @@
 #include "exhibits/lenticular/card_prints.h"
 
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/print_raster.h"
-#include "exhibits/printing/view_source.h"
+#include "exhibits/printing/sheet.h"
+#include "exhibits/printing/view_files.h"
+#include "exhibits/printing/view_set.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
@@ -41,7 +42,7 @@ render::Image shrunk(const render::Image& image, int factor)
 }
 
 /// The interlacer's 16 bits of linear light are more than a texture of 8-bit codes can show.
-CardViews codesOf(const ViewSet& set)
+CardViews codesOf(const printing::ViewSet& set)
 {
     CardViews out;
     out.height = set.height();
@@ -62,7 +63,7 @@ void readInto(CardSource& source, const std::vector<fs::path>& files, int count)
 {
     const int available = static_cast<int>(files.size());
     const int taken = std::clamp(count, 1, available);
-    ViewSet views;
+    printing::ViewSet views;
     for (int i = 0; i < taken; ++i) {
         // The middles of equal parts of the sequence.
         const int at = static_cast<int>((i + 0.5) * available / taken);
@@ -134,8 +135,8 @@ std::shared_ptr<const render::Texture> stacked(const render::Image& raster, glm:
 
 void readRaster(CardSource& source, const fs::path& file)
 {
-    PrintRaster print = readPrint(file);
-    const PrintLayout& layout = print.layout();
+    printing::PrintRaster print = printing::readPrint(file);
+    const printing::PrintLayout& layout = print.layout();
     source.print = layout.settings();
     source.lying = layout.lensesPerPixelX() == 0;
     if (!source.lying && !layout.vertical()) refuse(file, "its lenses are slanted, and the card's are upright or level; look at it with vitrine proof.");
@@ -143,7 +144,7 @@ void readRaster(CardSource& source, const fs::path& file)
     const int acrossPixels = source.lying ? raster.height : raster.width;
     if (acrossPixels > mostAcross) refuse(file, "it is " + std::to_string(acrossPixels) + " pixels wide across its lenses, and " + std::to_string(mostAcross) + " is the most.");
     source.rasterSize = {acrossPixels, std::min(source.lying ? raster.width : raster.height, mostRows)};
-    source.lenses = acrossPixels / (source.lying ? source.print.dpiY : source.print.dpiX) * mmPerInch / source.print.sheet.pitch();
+    source.lenses = acrossPixels / (source.lying ? source.print.dpiY : source.print.dpiX) * printing::mmPerInch / source.print.sheet.pitch();
     source.aspect = (raster.width / source.print.dpiX) / (raster.height / source.print.dpiY);
     source.raster = stacked(raster, source.rasterSize, source.lying, source.print.mirror);
 }
@@ -153,7 +154,7 @@ render::AssetStore::Made<CardSource> readSource(const std::string& name, int cou
     auto source = std::make_shared<CardSource>();
     std::error_code error;
     if (fs::is_directory(name, error) || isPlainPicture(name)) {
-        const std::vector<fs::path> files = viewFiles({name});
+        const std::vector<fs::path> files = printing::viewFiles({name});
         source->available = static_cast<int>(files.size());
         readInto(*source, files, count);
     } else {

@@ -13,6 +13,8 @@
 
 namespace vitrine::lenticular {
 
+using printing::PrintSettings;
+
 /// The card's views as its texture needs them: sRGB codes, red, green and blue; row 0 at the top. All have the same
 /// height; widths differ.
 struct CardViews {

@@ -1,7 +1,7 @@
 #include "exhibits/lenticular/card_sheet.h"
 
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/optics.h"
+#include "exhibits/printing/sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +17,12 @@ CardSheetFound feasible(Sheet sheet)
     const double least = 1.02 * half * std::sqrt(std::max(1 + sheet.conic, 0.0));
     if (sheet.radius < least) {
         sheet.radius = least;
-        note = "its radius raised to " + shortText(least) + " mm, which its lenses need";
+        note = "its radius raised to " + printing::shortText(least) + " mm, which its lenses need";
     }
-    const double shallow = 1.05 * sag(sheet, half);
+    const double shallow = 1.05 * printing::sag(sheet, half);
     if (sheet.thickness < shallow) {
         sheet.thickness = shallow;
-        note += std::string(note.empty() ? "its" : ", and its") + " thickness raised to " + shortText(shallow) + " mm, as deep as its lenses are";
+        note += std::string(note.empty() ? "its" : ", and its") + " thickness raised to " + printing::shortText(shallow) + " mm, as deep as its lenses are";
     }
     return {sheet, note};
 }
@@ -77,14 +77,14 @@ CardSheetFound cardSheet(const LenticularTable& table, const ParameterValues& va
     if (kind == CardSheet::custom) {
         sheet = {"custom", values[table.customLpi], 0, values[table.radius] * 1e3, values[table.thickness] * 1e3, values[table.refractiveIndex], values[table.conic]};
     } else {
-        sheet = knownSheet(std::string(values.rows()[table.sheetKind.row].choices[static_cast<std::size_t>(kind)]));
+        sheet = printing::knownSheet(std::string(values.rows()[table.sheetKind.row].choices[static_cast<std::size_t>(kind)]));
     }
     if (const int slices = values[table.slices]; slices > 0) {
         const double pitch = 2e3 * (values[table.axis] == CardAxis::vertical ? cardHalfSize.x : cardHalfSize.y) / slices;
         const double scale = pitch / sheet.pitch();
         sheet.radius *= scale;
         sheet.thickness *= scale;
-        sheet.nominalLpi = mmPerInch / pitch;
+        sheet.nominalLpi = printing::mmPerInch / pitch;
         sheet.effectiveLpi = 0;
     }
     return feasible(sheet);
@@ -106,7 +106,7 @@ double pitchRatio(const LenticularTable& table, const ParameterValues& values, c
     case CardModel::paraxial: return 1 / (1 + sheet.thickness / sheet.index / distance);
     case CardModel::exact: break;
     }
-    return sheet.pitch() / printPitch(sheet, distance);
+    return sheet.pitch() / printing::printPitch(sheet, distance);
 }
 
 glm::dvec2 pictureHalfSize(const LenticularTable& table, const ParameterValues& values, double aspect)

@@ -9,6 +9,8 @@
 
 namespace vitrine::lenticular {
 
+using printing::Sheet;
+
 /// Half the card's width, height and thickness, in meters.
 inline const glm::dvec3 cardHalfSize{0.3, 0.2, 0.0025};
 

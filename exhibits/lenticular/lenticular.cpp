@@ -123,7 +123,7 @@ render::Bound dispersionBound(const Scene& s)
     return render::boundOf(0, 1, {{paper, "no light falls on the card"}});
 }
 
-Pass cardPass(const Scene& s, std::string_view title, const Moment& moment, const lenticular::Sheet& sheet, lenticular::CardPrints& prints, render::FramePlan& plan)
+Pass cardPass(const Scene& s, std::string_view title, const Moment& moment, const printing::Sheet& sheet, lenticular::CardPrints& prints, render::FramePlan& plan)
 {
     const ParameterValues& values = s.context.values;
     Pass pass;

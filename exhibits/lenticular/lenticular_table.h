@@ -38,9 +38,9 @@ struct LenticularTable final : Parameters {
 
     Group lens = group("Simulation");
     Choice<CardModel> model = choice("model", CardModel::exact, {"linear", "paraxial", "exact"},
-        "From an eye's angle to the strip: in proportion to its tangent as in the source, first-order optics, or Snell's law on the lens.", exactAt(2));
+        "From an eye's angle to the strip: in proportion to its tangent as in the source, first-order optics, or Snell's law on the lens.", exactAt(CardModel::exact));
     Real magnification = real("magnification", 1, none, {0, 2}, "Size of the spot that a lens shows against what the model gives: 0 is one point of a strip, above 1 the neighbors bleed in.");
-    Real intendedMaxAngle = real("intendedMaxAngle", 0.785398163397448, degree, Range{0.0174532925199433, 1.48352986419518}.soft(0.0872664625997165, 1.0471975511966),
+    Real intendedMaxAngle = real("intendedMaxAngle", degrees(45), degree, Range{degrees(1), degrees(85)}.soft(degrees(5), degrees(60)),
         "Of the linear model: the angle to either side at which all views have been seen.", when(model, CardModel::linear));
     Count apertureSamples = count("apertureSamples", 8, {1, 64, logarithmic}, "Parts of a lens, or of the piece of it under a pixel, that are traced.", quality(64), whenLater("prefilter", 1));
     Toggle prefilter = toggle("prefilter", true, "Integrate over the lens and the pixel; without it one ray a pixel gives moire from afar.", quality(1));
@@ -56,7 +56,7 @@ struct LenticularTable final : Parameters {
     Real inkSpread = real("inkSpread", 0.000012, micrometre, Range{0, 0.005}.soft(0, 0.0001), "Standard deviation of the ink's blur: cross-talk between views.");
     Real pitchError = real("pitchError", 0, none, Range{-0.2, 0.2}.soft(-0.01, 0.01), "Of the strips' pitch against what it should be: 0.01 is one percent too wide.");
     Real phase = real("phase", 0, none, {-1, 1}, "Of the strips under the lenses, in lenses.");
-    Real rotation = real("rotation", 0, degree, Range{-0.1, 0.1}.soft(-0.01, 0.01), "Of the print against the sheet: fringes lean across the card.");
+    Real rotation = real("rotation", 0.0, degree, Range{degrees(-6), degrees(6)}.soft(degrees(-0.6), degrees(0.6)), "Of the print against the sheet: fringes lean across the card.");
 
     Group gloss = group("Light and gloss");
     Real lamp = real("lamp", 0.35, none, Range{0, 20}.soft(0, 3), "Of the lamp in the vault that is aimed at the card: 0 leaves it to the hall's light.");

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "exhibits/printing/interlace.h"
-#include "exhibits/printing/strip_weights.h"
+#include "exhibits/printing/taps.h"
 
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 enum class ChartKind : std::uint8_t {
     pitch,     ///< Bands of black and white views at LPI around the sheet's: the right one is evenly lit.
@@ -55,4 +55,4 @@ private:
 /// Whether the text, 7 cells high and 6 cells a letter, has ink in a cell; `column` counts from its left end.
 [[nodiscard]] bool textCell(const std::string& text, int column, int row);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

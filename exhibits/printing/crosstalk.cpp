@@ -1,15 +1,15 @@
 #include "exhibits/printing/crosstalk.h"
 
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/optics.h"
 #include "exhibits/printing/proof.h"
-#include "exhibits/printing/strip_weights.h"
+#include "exhibits/printing/sheet.h"
+#include "exhibits/printing/taps.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -138,4 +138,4 @@ CrossTalk crossTalkOf(const ViewSet& views, const ViewMatrix& mixing, const View
     return {std::sqrt(before / count), std::sqrt(after / count), clipped / count};
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "exhibits/printing/print_layout.h"
-#include "exhibits/printing/view_source.h"
+#include "exhibits/printing/view_set.h"
 
 #include <cstddef>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// A square matrix over the views: `at(i, k)` weighs view k in what belongs to view i. Rows sum to 1.
 struct ViewMatrix {
@@ -37,4 +37,4 @@ struct CrossTalk {
 /// Over a grid of places on the views.
 [[nodiscard]] CrossTalk crossTalkOf(const ViewSet&, const ViewMatrix& mixing, const ViewMatrix& compensated);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

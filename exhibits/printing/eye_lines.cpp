@@ -1,14 +1,14 @@
 #include "exhibits/printing/eye_lines.h"
 
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/optics.h"
+#include "exhibits/printing/sheet.h"
 #include "render/image/srgb.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 constexpr int previewParts = 32;
@@ -132,4 +132,4 @@ CodedPicture EyeLines::seen(const Eye& eye, int side) const
     return picture;
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

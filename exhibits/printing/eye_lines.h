@@ -1,13 +1,19 @@
 #pragma once
 
 #include "exhibits/printing/interlace.h"
-#include "exhibits/printing/print_desk.h"
 #include "exhibits/printing/proof.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
+
+/// RGB as files store it, sRGB-encoded, 8 bit, row 0 at the top, no padding.
+struct CodedPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb{};
+};
 
 /// A print made along a few lines only, to look at through its lenses while it is being set up.
 ///
@@ -34,4 +40,4 @@ private:
     std::vector<std::uint8_t> codes_;  ///< Line by line, each across the lenses, three channels.
 };
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

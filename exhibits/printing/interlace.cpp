@@ -1,10 +1,8 @@
 #include "exhibits/printing/interlace.h"
 
-#include "exhibits/printing/box_filter.h"
-#include "exhibits/printing/dither.h"
 #include "exhibits/printing/interlace_kernels.h"
-#include "exhibits/printing/numbers.h"
-#include "exhibits/printing/strip_weights.h"
+#include "exhibits/printing/sheet.h"
+#include "exhibits/printing/taps.h"
 #include "render/failure.h"
 
 #include <algorithm>
@@ -15,7 +13,7 @@
 #include <limits>
 #include <thread>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 constexpr double whole = 65536;  // Weight 1 of kernels::blendAndEncode.
@@ -51,7 +49,77 @@ RowBlend rowBlend(std::int64_t y, std::int64_t height, int viewHeight, bool near
     return rows;
 }
 
+// The pattern's constants as parts of 2^32, and the rest of 52.9829189 beside 52 as a part of 2^16: whole numbers that
+// wrap around are the fractions, exactly and everywhere the same.
+constexpr std::uint32_t alongX = 288237660;  // 0.06711056
+constexpr std::uint32_t alongY = 25070368;   // 0.00583715
+constexpr std::uint32_t rest = 64417;        // 0.9829189
+
+/// 0 to 2^16 - 1.
+std::uint32_t pattern(std::uint32_t along)
+{
+    return (52 * along + (along >> 16U) * rest) >> 16U;
+}
+
+/// Channels are far apart in the pattern, so that their grains do not add up to gray ones.
+std::uint32_t placeOf(std::int64_t x, std::int64_t y, int channel)
+{
+    return alongX * static_cast<std::uint32_t>(x + 47 * channel) + alongY * static_cast<std::uint32_t>(y + 17 * channel);
+}
+
+/// Samples views around places of a raster whose lenses are not vertical: over one lens across them, one pixel along.
+class SlantedSampler {
+public:
+    SlantedSampler(const PrintLayout& layout, const ViewSet& views)
+        : views_(views), width_(static_cast<double>(layout.width())), scaleY_(views.height() / static_cast<double>(layout.height()))
+    {
+        const bool acrossX = std::abs(layout.lensesPerPixelX()) >= std::abs(layout.lensesPerPixelY());
+        boxX_ = acrossX ? 1 / std::abs(layout.lensesPerPixelX()) : 1;
+        boxY_ = acrossX ? 1 : 1 / std::abs(layout.lensesPerPixelY());
+    }
+
+    /// Adds view `k` around (x, y), in pixels of the raster, times `weight`.
+    void add(int k, double x, double y, float weight, std::array<float, 3>& sum)
+    {
+        const double scaleX = views_.view(k).width / width_;
+        boxTaps(x * scaleX, boxX_ * scaleX, views_.view(k).width, columns_);
+        boxTaps(y * scaleY_, boxY_ * scaleY_, views_.height(), rows_);
+        for (std::size_t r = 0; r < rows_.weights.size(); ++r) {
+            const std::uint16_t* at = views_.row(k, rows_.first + static_cast<int>(r)) + static_cast<std::size_t>(columns_.first) * 4;
+            const float rowWeight = weight * rows_.weights[r];
+            for (const float columnWeight : columns_.weights) {
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += rowWeight * columnWeight * static_cast<float>(at[c]);
+                at += 4;
+            }
+        }
+    }
+
+private:
+    const ViewSet& views_;
+    double width_, scaleY_;
+    double boxX_ = 1, boxY_ = 1;
+    BoxTaps columns_{}, rows_{};
+};
+
 }  // namespace
+
+double ditherAt(std::int64_t x, std::int64_t y, int channel)
+{
+    return pattern(placeOf(x, y, channel)) / 65536.0;
+}
+
+void ditherRows(const Region& region, const std::uint16_t* from, std::uint8_t* to)
+{
+    const auto width = static_cast<std::size_t>(region.x1 - region.x0);
+    for (std::int64_t y = region.y0; y < region.y1; ++y, from += width * 3, to += width * 3) {
+        for (int c = 0; c < 3; ++c) {
+            std::uint32_t place = placeOf(region.x0, y, c);
+            for (auto at = static_cast<std::size_t>(c); at < width * 3; at += 3, place += alongX) {
+                to[at] = static_cast<std::uint8_t>((from[at] + ((257 * pattern(place)) >> 16U)) / 257);
+            }
+        }
+    }
+}
 
 Interlacer::Interlacer(const PrintLayout& layout, const ViewSet& views)
     : layout_(layout.withoutBorder()), borderX_(layout.borderX()), borderY_(layout.borderY()), views_(views)
@@ -179,33 +247,12 @@ template <typename Code> void Interlacer::fillSlanted(const Region& region, Code
     constexpr std::int64_t rowsBetween = 8;  // Of letting go of rows on disk.
     constexpr double negligible = 1e-5;      // Of a view's weight in another.
     const PrintSettings& settings = layout_.settings();
-    const auto width = static_cast<double>(layout_.width());
-    const auto height = static_cast<double>(layout_.height());
     const double pixelsX = layout_.printPitch() * settings.dpiX / mmPerInch * layout_.cosine();  // From lens to lens, across.
     const double pixelsY = layout_.printPitch() * settings.dpiY / mmPerInch * layout_.sine();
-    const bool acrossX = std::abs(layout_.lensesPerPixelX()) >= std::abs(layout_.lensesPerPixelY());
-    const double boxX = acrossX ? 1 / std::abs(layout_.lensesPerPixelX()) : 1;
-    const double boxY = acrossX ? 1 : 1 / std::abs(layout_.lensesPerPixelY());
-    const double scaleY = views_.height() / height;
     const std::size_t samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
     std::vector<std::uint16_t> linear(samples);
     std::vector<Tap> taps;
-    BoxTaps columns;
-    BoxTaps rows;
-    // A view around a place of the raster, times `weight`.
-    const auto addView = [&](int k, double x, double y, float weight, std::array<float, 3>& sum) {
-        const double scaleX = views_.view(k).width / width;
-        boxTaps(x * scaleX, boxX * scaleX, views_.view(k).width, columns);
-        boxTaps(y * scaleY, boxY * scaleY, views_.height(), rows);
-        for (std::size_t r = 0; r < rows.weights.size(); ++r) {
-            const std::uint16_t* at = views_.row(k, rows.first + static_cast<int>(r)) + static_cast<std::size_t>(columns.first) * 4;
-            const float rowWeight = weight * rows.weights[r];
-            for (const float columnWeight : columns.weights) {
-                for (std::size_t c = 0; c < 3; ++c) sum[c] += rowWeight * columnWeight * static_cast<float>(at[c]);
-                at += 4;
-            }
-        }
-    };
+    SlantedSampler sampler(layout_, views_);
     for (std::int64_t y = region.y0; y < region.y1; ++y, out += samples) {
         std::uint16_t* pixel = linear.data();
         for (std::int64_t x = region.x0; x < region.x1; ++x, pixel += 3) {
@@ -221,13 +268,13 @@ template <typename Code> void Interlacer::fillSlanted(const Region& region, Code
                 const double footY = py + off * pixelsY;
                 const auto weight = static_cast<float>(tap.weight);
                 if (compensation_.weights.empty()) {
-                    addView(tap.view, footX, footY, weight, sum);
+                    sampler.add(tap.view, footX, footY, weight, sum);
                     continue;
                 }
                 std::array<float, 3> combined{};
                 for (int k = 0; k < views_.count(); ++k) {
                     const double share = compensation_.at(tap.view, k);
-                    if (std::abs(share) > negligible) addView(k, footX, footY, static_cast<float>(share), combined);
+                    if (std::abs(share) > negligible) sampler.add(k, footX, footY, static_cast<float>(share), combined);
                 }
                 for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * std::clamp(combined[c], 0.0F, 65535.0F);
             }
@@ -301,4 +348,4 @@ void Interlacer::fill(const Region& region, std::uint16_t* out, int threads) con
     fillThreaded(region, out, threads);
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

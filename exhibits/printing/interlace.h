@@ -2,12 +2,12 @@
 
 #include "exhibits/printing/crosstalk.h"
 #include "exhibits/printing/print_layout.h"
-#include "exhibits/printing/view_source.h"
+#include "exhibits/printing/view_set.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// A part of the raster, ends excluded.
 struct Region {
@@ -70,4 +70,13 @@ private:
     std::vector<float> weights_;
 };
 
-}  // namespace vitrine::lenticular
+/// What is added to a code before it is rounded down, 0 to 1: an ordered pattern without visible period, even over
+/// every small neighborhood. It depends on the place on the raster and nothing else.
+/// J. Jimenez, Next generation post processing in Call of Duty: Advanced Warfare, SIGGRAPH 2014 (interleaved
+/// gradient noise).
+[[nodiscard]] double ditherAt(std::int64_t x, std::int64_t y, int channel);
+
+/// Codes of 8 bits from codes of 16, a region's rows without padding. Codes that 8 bits have stay as they are.
+void ditherRows(const Region&, const std::uint16_t* from, std::uint8_t* to);
+
+}  // namespace vitrine::printing

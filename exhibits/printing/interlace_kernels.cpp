@@ -12,7 +12,7 @@
 #define VITRINE_AVX2 [[gnu::target("avx2")]]
 #endif
 
-namespace vitrine::lenticular::kernels {
+namespace vitrine::printing::kernels {
 namespace {
 
 using Four = float __attribute__((vector_size(16)));
@@ -222,4 +222,4 @@ void blendAndEncode(const std::uint16_t* a, const std::uint16_t* b, std::uint16_
     blendAndLookUp(a, b, part, 0, codes16().data(), count, out);
 }
 
-}  // namespace vitrine::lenticular::kernels
+}  // namespace vitrine::printing::kernels

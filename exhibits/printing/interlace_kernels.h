@@ -7,7 +7,7 @@
 
 /// The inner loops of the interlacer. The first two are compiled for the plain instruction set and for AVX2; both
 /// give the same bits, since the order of operations is fixed and multiplications are not fused with additions.
-namespace vitrine::lenticular::kernels {
+namespace vitrine::printing::kernels {
 
 /// lenses[slot] = the mean of `row` (four samples a pixel) over each span; four floats a lens.
 void filterLenses(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count, const float* weights, float* lenses);
@@ -23,4 +23,4 @@ void mixColumns(const float* lenses, const Interlacer::ColumnTap* taps, const st
 void blendAndEncode(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count, std::uint8_t* out);
 void blendAndEncode(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count, std::uint16_t* out);
 
-}  // namespace vitrine::lenticular::kernels
+}  // namespace vitrine::printing::kernels

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 /// The shader library's lens, at float64: the formulas are there, once for the print and the card in the hall.
@@ -103,4 +103,4 @@ double zoneByAperture(const Sheet& sheet)
     return low + high;
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

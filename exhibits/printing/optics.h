@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// Where one ray, from the eye through a lens, meets the print. Lengths in millimeters.
 struct Landing {
@@ -55,4 +55,4 @@ struct Aperture {
 [[nodiscard]] double zoneByExtremeRay(const Sheet&); ///< Through cusp and opposite print edge; circles only.
 [[nodiscard]] double zoneByAperture(const Sheet&);   ///< Where the exact mean over the lens reaches half a pitch.
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

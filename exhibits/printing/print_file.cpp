@@ -1,6 +1,6 @@
 #include "exhibits/printing/print_file.h"
 
-#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/sheet.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 
@@ -10,7 +10,7 @@
 #include <memory>
 #include <thread>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 /// Rows per strip: about 8 million samples, and whole strips of the file.
@@ -108,4 +108,12 @@ std::vector<std::filesystem::path> writePrint(const PrintLayout& layout, const V
                        file);
 }
 
-}  // namespace vitrine::lenticular
+std::vector<std::filesystem::path> writeChart(const PrintLayout& layout, const Chart& chart, const PrintFile& file)
+{
+    return writeRaster(layout,
+                       {[&](const Region& region, std::uint8_t* out) { chart.fill(region, out); },
+                        [&](const Region& region, std::uint16_t* out) { chart.fill(region, out); }},
+                       file);
+}
+
+}  // namespace vitrine::printing

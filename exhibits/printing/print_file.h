@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/printing/chart.h"
 #include "exhibits/printing/interlace.h"
 #include "render/image/picture_stream.h"
 
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// Where and how a raster is written.
 struct PrintFile {
@@ -40,8 +41,11 @@ std::vector<std::filesystem::path> writeRaster(const PrintLayout&, const RasterS
 /// The same for the views' print.
 std::vector<std::filesystem::path> writePrint(const PrintLayout&, const ViewSet&, const PrintFile&);
 
+/// The same for a chart.
+std::vector<std::filesystem::path> writeChart(const PrintLayout&, const Chart&, const PrintFile&);
+
 /// The columns at which a print is cut: 0, the cusps nearest to multiples of `tileWidth`, the width. Throws
 /// Failure (Blame::usage) for lenses that are not vertical, or tiles narrower than a lens.
 [[nodiscard]] std::vector<std::int64_t> tileCuts(const PrintLayout&, double tileWidth);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -1,14 +1,22 @@
 #include "exhibits/printing/print_json.h"
 
+#include "exhibits/framework/preset_values.h"
+#include "exhibits/printing/print_raster.h"
+#include "render/failure.h"
+#include "render/files/extension.h"
+#include "render/files/read_file.h"
+
 #include <cmath>
 #include <limits>
+#include <tuple>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using render::Json;
 
 constexpr int version = 1;
+constexpr std::size_t mostJsonBytes = 4U << 20U;
 
 /// One key of an object, with the failure that names it.
 class Reader {
@@ -42,6 +50,41 @@ public:
 private:
     const render::JsonDocument& document_;
 };
+
+/// In all but the sheet.
+bool samePrint(const PrintSettings& a, const PrintSettings& b)
+{
+    const auto all = [](const PrintSettings& s) {
+        return std::tuple(s.dpiX, s.dpiY, s.width, s.height, s.bleed, s.distance, s.visualLpi, s.phase, s.direction, s.reverse, s.mirror, s.views, s.method,
+                          s.guard, s.border, s.dither, s.compensate, s.inkSpread);
+    };
+    return all(a) == all(b);
+}
+
+/// What is under "desk". Throws Failure naming file, line and key.
+void addValues(const render::JsonDocument& document, SavedSettings& settings)
+{
+    const PrintTable& table = printTable();
+    const render::Json& root = document.root();
+    if (!root.is_object() || !root.contains("desk")) return;
+    const render::Json& desk = root["desk"];
+    if (!desk.is_object() || !desk.contains("values") || !desk["values"].is_object()) throw document.failure("desk", "this must be an object with \"values\"; correct it there.");
+    for (const auto& [key, json] : desk["values"].items()) {
+        const auto row = table.find(key);
+        if (!row) {
+            settings.notes.push_back("\"" + key + "\" is not known and was left out.");
+            continue;
+        }
+        const JsonPlace place{document, "desk.values." + key, {}};
+        settings.values.setRow(*row, valueFromJson(table.rows()[*row], json, place, key, settings.notes));
+    }
+    if (!desk.contains("files")) return;
+    if (!desk["files"].is_array()) throw document.failure("desk.files", "this must be a list of file names; correct it there.");
+    for (const render::Json& file : desk["files"]) {
+        if (!file.is_string()) throw document.failure("desk.files", "this must be a list of file names; correct it there.");
+        settings.sources.push_back(file.get<std::string>());
+    }
+}
 
 }  // namespace
 
@@ -130,4 +173,50 @@ PrintSettings settingsFromJson(const render::JsonDocument& document)
     return s;
 }
 
-}  // namespace vitrine::lenticular
+Json valuesJson(const ParameterValues& values, const std::vector<std::string>& sources)
+{
+    Json changed = Json::object();
+    for (std::size_t i = 0; i < values.rows().size(); ++i)
+        if (!values.isInitial(i)) changed[std::string(values.rows()[i].name)] = jsonFromValue(values.rows()[i], values.row(i));
+    return {{"values", changed}, {"files", sources}};
+}
+
+std::string settingsText(const ParameterValues& values, const std::vector<std::string>& sources)
+{
+    Json json;
+    try {
+        const PrintLayout layout(printSettings(values, values[printTable().views]));
+        json = printJson(layout, layout.settings().dpiX, sources);
+    } catch (const Failure&) {
+        json["vitrinePrint"] = version;  // Settings that cannot be are kept all the same: someone is in the middle of them.
+    }
+    json["desk"] = valuesJson(values, sources);
+    return render::writeJson(json);
+}
+
+SavedSettings savedSettings(const std::string& text, const std::string& fileName)
+{
+    const render::JsonDocument document = render::parseJson(text, fileName, {.bytes = mostJsonBytes});
+    if (!document.root().is_object() || document.root().value("vitrinePrint", Json()) != version) {
+        throw document.failure("vitrinePrint", "this does not describe a lenticular print of version 1; give a print, or the JSON beside it.");
+    }
+    SavedSettings settings{printTable().initial(), {}, {}};
+    addValues(document, settings);
+    if (!document.root().contains("print")) return settings;
+    const PrintSettings read = settingsFromJson(document);
+    try {
+        const PrintSettings here = printSettings(settings.values, read.views);
+        if (samePrint(here, read) && sameLens(here.sheet, read.sheet)) return settings;
+    } catch (const Failure&) {  // The values describe no print that can be made: the print's own part counts.
+    }
+    settings.values = withSettings(settings.values, read);
+    return settings;
+}
+
+std::string settingsIn(const std::filesystem::path& path)
+{
+    if (render::lowerExtension(path) == ".json") return render::readFile(path, mostJsonBytes);
+    return printDescription(path).text();
+}
+
+}  // namespace vitrine::printing

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "exhibits/printing/crosstalk.h"
-#include "exhibits/printing/print_layout.h"
+#include "exhibits/printing/print_table.h"
 #include "render/files/strict_json.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// Every parameter of a print and the numbers that follow, as the file carries them: enough to look at it
 /// through its sheet and to make it again. Lengths in millimeters; an infinite distance is null.
@@ -19,4 +20,22 @@ namespace vitrine::lenticular {
 /// The settings in such a text, which comes from a file. Throws Failure naming line and key.
 [[nodiscard]] PrintSettings settingsFromJson(const render::JsonDocument&);
 
-}  // namespace vitrine::lenticular
+/// The values that differ from the initial ones, by name, and where the views came from: under "desk" in a print's JSON,
+/// so that a print brings back everything that was set.
+[[nodiscard]] render::Json valuesJson(const ParameterValues&, const std::vector<std::string>& sources);
+
+/// Everything that is set, as a print's own JSON has it.
+[[nodiscard]] std::string settingsText(const ParameterValues&, const std::vector<std::string>& sources);
+
+/// What such a text brings back.
+struct SavedSettings {
+    ParameterValues values;
+    std::vector<std::string> sources;
+    std::vector<std::string> notes;  ///< What had to be changed, for people.
+};
+/// Reads a JSON that a print or `settingsText` wrote. Throws Failure naming file, line and key.
+[[nodiscard]] SavedSettings savedSettings(const std::string& text, const std::string& fileName);
+/// The JSON beside or inside a print, or of a file of settings. Throws Failure when there is none.
+[[nodiscard]] std::string settingsIn(const std::filesystem::path&);
+
+}  // namespace vitrine::printing

@@ -1,14 +1,14 @@
 #include "exhibits/printing/print_layout.h"
 
 #include "exhibits/printing/crosstalk.h"
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/optics.h"
+#include "exhibits/printing/sheet.h"
 #include "render/failure.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 constexpr double mostPixels = 2147483647;  // Per side; PNG and TIFF end there.
@@ -82,7 +82,7 @@ PrintLayout::PrintLayout(const PrintSettings& settings) : settings_(settings)
     width_ += 2 * borderX_;
     height_ += 2 * borderY_;
     if (static_cast<double>(std::max(width_, height_)) > mostPixels) refuse("with its border it has more than 2147483647 pixels on a side");
-    pitch_ = settings_.visualLpi > 0 ? mmPerInch / settings_.visualLpi : vitrine::lenticular::printPitch(settings_.sheet, settings_.distance);
+    pitch_ = settings_.visualLpi > 0 ? mmPerInch / settings_.visualLpi : vitrine::printing::printPitch(settings_.sheet, settings_.distance);
     // The two directions that nearly all prints have are exact: no 6e-17 where 0 is meant.
     const bool horizontal = std::abs(settings_.direction) == 90;
     cos_ = horizontal ? 0 : std::cos(settings_.direction * radiansPerDegree);
@@ -146,4 +146,4 @@ std::vector<std::string> warningsOf(const PrintLayout& layout)
     return warnings;
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// How a printed pixel chooses among the views under it.
 enum class Method : std::uint8_t {
@@ -107,4 +107,4 @@ struct PrintNumbers {
 /// Full sentences on what will disappoint.
 [[nodiscard]] std::vector<std::string> warningsOf(const PrintLayout&);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -125,4 +125,4 @@ PrintRaster readPrint(const fs::path& path)
     return {layout, tiles};
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

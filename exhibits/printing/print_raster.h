@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// The raster of a finished print, whatever its size, from one file or from the tiles it was cut into. Rows come
 /// into memory as they are asked for, and a window of them stays.
@@ -46,4 +46,4 @@ private:
 /// one of them or the name without number may be given. Throws Failure naming the file.
 [[nodiscard]] PrintRaster readPrint(const std::filesystem::path&);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

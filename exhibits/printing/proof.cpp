@@ -1,7 +1,7 @@
 #include "exhibits/printing/proof.h"
 
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/optics.h"
+#include "exhibits/printing/sheet.h"
 #include "render/failure.h"
 #include "render/image/srgb.h"
 
@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 struct Ray {
@@ -160,4 +160,4 @@ double angleOfView(const PrintLayout& layout, int k)
     return (low + high) / 2;
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// From where the print is looked at.
 struct Eye {
@@ -30,4 +30,4 @@ struct Eye {
 /// the inverse of the exact mean over the lens.
 [[nodiscard]] double angleOfView(const PrintLayout&, int k);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -1,12 +1,11 @@
 #include "exhibits/printing/sheet.h"
 
-#include "exhibits/printing/numbers.h"
 #include "render/failure.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 [[noreturn]] void refuse(const Sheet& sheet, const std::string& why)
@@ -56,6 +55,13 @@ void check(const Sheet& sheet)
     }
 }
 
+bool sameLens(const Sheet& a, const Sheet& b)
+{
+    const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-6 * std::max(std::abs(x), std::abs(y)); };
+    return near(a.nominalLpi, b.nominalLpi) && near(a.effectiveLpi, b.effectiveLpi) && near(a.radius, b.radius) && near(a.thickness, b.thickness) &&
+           near(a.index, b.index) && near(a.conic, b.conic);
+}
+
 Sheet derivedSheet(const std::string& name, double lpi, double zoneDegrees, double index)
 {
     Sheet sheet{name, lpi, 0, 1, 1, index, 0};
@@ -87,4 +93,4 @@ const Sheet& knownSheet(const std::string& name)
     throw Failure(Blame::usage, "There is no sheet \"" + name + "\"; known are " + names + ".");
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

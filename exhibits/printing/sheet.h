@@ -1,9 +1,23 @@
 #pragma once
 
+#include <array>
+#include <cstdio>
+#include <numbers>
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
+
+constexpr double mmPerInch = 25.4;
+constexpr double radiansPerDegree = std::numbers::pi / 180;
+
+/// "0.3175": six significant digits, for messages and labels.
+[[nodiscard]] inline std::string shortText(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.6g", value);
+    return text.data();
+}
 
 /// A sheet of cylindrical lenses. Lengths in millimeters; the print lies `thickness` below the lens tops.
 ///
@@ -25,6 +39,9 @@ struct Sheet {
 /// LPI positive and finite, index above 1, the curve reaching the cusp, the print below the cusp.
 void check(const Sheet&);
 
+/// Whether two sheets have the same numbers, but for rounding; names do not count.
+[[nodiscard]] bool sameLens(const Sheet&, const Sheet&);
+
 /// A sheet focused on its back that shows its views over `zoneDegrees`: t = n p / (2 tan(V/2)) and
 /// r = t (n-1)/n, the paraxial focus. Throws Failure when that zone needs a lens wider than a circle.
 [[nodiscard]] Sheet derivedSheet(const std::string& name, double lpi, double zoneDegrees, double index = 1.56);
@@ -36,4 +53,4 @@ void check(const Sheet&);
 /// The known sheet of that name. Throws Failure (Blame::usage) listing the names.
 [[nodiscard]] const Sheet& knownSheet(const std::string& name);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 /// What lies at `part` (0 to 1) of the way; nothing where there is no way.
@@ -91,17 +91,23 @@ bool ViewMaker::step()
     return true;
 }
 
-DepthRange measuredDepth(const Museum& museum, render::Painter& painter, const ViewShot& shot, int width)
+ViewShot depthShot(ViewShot shot, int width)
 {
-    PictureRequest request = shot.request;
+    PictureRequest& request = shot.request;
     const glm::dvec2 size(request.frame.raster.size);
     request.frame.raster.size = glm::max(glm::ivec2(glm::round(size * (std::min<double>(width, size.x) / size.x))), glm::ivec2(1));
     request.frame.channels = {};
     request.samples = 1;
     request.depth = true;
-    PictureMaker maker(museum, painter, shot.look, request);
+    return shot;
+}
+
+DepthRange measuredDepth(const Museum& museum, render::Painter& painter, const ViewShot& shot)
+{
+    const ViewShot quick = depthShot(shot);
+    PictureMaker maker(museum, painter, quick.look, quick.request);
     while (maker.step()) {}
     return depthRange(maker.picture());
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

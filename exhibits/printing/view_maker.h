@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// One view of a print, to be rendered.
 struct ViewShot {
@@ -52,7 +52,10 @@ private:
     std::optional<PictureMaker> maker_;
 };
 
-/// How far the shot's scene reaches, by a quick look with one sample per pixel, `width` pixels wide.
-[[nodiscard]] DepthRange measuredDepth(const Museum&, render::Painter&, const ViewShot&, int width = 240);
+/// The same shot as a quick look with one sample per pixel, `width` pixels wide, and the channel "depth.Z".
+[[nodiscard]] ViewShot depthShot(ViewShot, int width = 240);
 
-}  // namespace vitrine::lenticular
+/// How far the shot's scene reaches, by such a quick look.
+[[nodiscard]] DepthRange measuredDepth(const Museum&, render::Painter&, const ViewShot&);
+
+}  // namespace vitrine::printing

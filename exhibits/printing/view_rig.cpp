@@ -1,6 +1,6 @@
 #include "exhibits/printing/view_rig.h"
 
-#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/sheet.h"
 #include "render/failure.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 ViewRig::ViewRig(const PrintLayout& layout, const render::Camera& middle, glm::ivec2 viewSize, const RigSettings& settings)
     : middle_(middle), count_(layout.settings().views), strength_(settings.strength)
@@ -94,4 +94,4 @@ std::vector<std::string> warningsOf(const ViewRig& rig, const DepthRange& scene)
             " without doubled contours: what lies beyond will show steps. A baseline scale of " + shortText(std::floor(holds * 1000) / 1000) + " holds all of it."};
 }
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 
 /// A stretch of distances along the view axis, in metres; `farthest` may be infinite.
 struct DepthRange {
@@ -71,4 +71,4 @@ private:
 /// Full sentences on depth that the print cannot hold, with what to do.
 [[nodiscard]] std::vector<std::string> warningsOf(const ViewRig&, const DepthRange& scene);
 
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

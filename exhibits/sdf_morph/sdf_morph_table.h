@@ -37,19 +37,19 @@ struct SdfMorphTable final : Parameters {
 
     Group light = group("Shadow");
     Choice<SdfShadow> shadowMethod = choice("shadowMethod", SdfShadow::signedDistance, {"none", "hard", "classic", "improved", "signed", "area"},
-        "How the object shades itself from the sun: one ray, three kinds of estimate from one ray, or many rays.", quality(5));
+        "How the object shades itself from the sun: one ray, three kinds of estimate from one ray, or many rays.", quality(SdfShadow::area));
     Count shadowRays = count("shadowRays", 16, {1, 256, logarithmic}, "Rays over the sun's disk, for the area method.", quality(256), when(shadowMethod, SdfShadow::area));
-    Real sunWidth = real("sunWidth", 0.0261799, degree, Range{0.000174533, 1.0}.soft(0.00174533, 0.174533), "How wide the sun looks: wide gives soft shadows. The real one is half a degree.", when(shadowMethod, {SdfShadow::classic, SdfShadow::improved, SdfShadow::signedDistance, SdfShadow::area}));
+    Real sunWidth = real("sunWidth", degrees(1.5), degree, Range{degrees(0.01), degrees(60)}.soft(degrees(0.1), degrees(10)), "How wide the sun looks: wide gives soft shadows. The real one is half a degree.", when(shadowMethod, {SdfShadow::classic, SdfShadow::improved, SdfShadow::signedDistance, SdfShadow::area}));
 
     Group accuracy = foldedGroup("Accuracy");
     Real hitTolerance = real("hitTolerance", 1.0, none, Range{0.001, 64, logarithmic}.soft(0.05, 16), "How near a ray must come to the surface, in half pixels at that distance.", quality(0.001));
     Count stepLimit = count("stepLimit", 128, {1, 1024, logarithmic}, "Steps a ray may take; one that runs out ends on its best candidate.", quality(1024));
     Choice<SdfRelaxation> relaxation = choice("relaxation", SdfRelaxation::automatic, {"none", "fixed", "automatic"},
-        "Whether steps may be longer than the distance: by a fixed factor, or as long as the field's slope promises.", exactAt(0));
+        "Whether steps may be longer than the distance: by a fixed factor, or as long as the field's slope promises.", exactAt(SdfRelaxation::none));
     Real relaxationFactor = real("relaxationFactor", 1.2, none, {1, 1.99}, "Of the fixed kind: 1 is none, higher takes longer steps and has to take back more.", exactAt(1), when(relaxation, SdfRelaxation::fixed));
     Toggle conePrepass = toggle("conePrepass", true, "First march one cone for every 8 × 8 pixels, and start their rays where it ended.", exactAt(0));
     Choice<SdfNormal> normalMethod = choice("normalMethod", SdfNormal::central, {"forward", "tetrahedron", "central"},
-        "Differences that give the normal: 4, 4 or 6 evaluations; the first two lean across creases.", quality(2));
+        "Differences that give the normal: 4, 4 or 6 evaluations; the first two lean across creases.", quality(SdfNormal::central));
     Real normalStep = real("normalStep", 0.0003, metre, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02), "Step of those differences near the eye: too small drowns in rounding, too large rounds creases.", quality(0.0003));
 
     Group bounds = group("Bounding box");

@@ -1,5 +1,6 @@
 #include "exhibits/study/study.h"
 
+#include "exhibits/study/study_choice.h"
 #include "render/failure.h"
 
 #include <algorithm>
@@ -8,6 +9,9 @@
 
 namespace vitrine {
 namespace {
+
+constexpr int mostDoublings = 3;
+constexpr int heldOutRuns = 3;
 
 /// Those of the program's state, not of a picture's work.
 constexpr const char* stateCounters[] = {"images", "programs"};
@@ -69,7 +73,9 @@ render::Image resampled(const render::Image& from, glm::ivec2 size)
 
 }  // namespace
 
-Study::Study(const Museum& museum, render::Painter& painter, StudyRequest request) : museum_(museum), painter_(painter), request_(std::move(request))
+Study::Study(const Museum& museum, render::Painter& painter, StudyRequest request) : museum_(museum), painter_(painter), request_(std::move(request)),
+      judge_(museum.exhibits(), request_),
+      search_(museum.exhibits(), request_, result_, [this](const Setting& setting) { addSetting(setting); }, [this] { judge(); })
 {
     if (request_.axes.empty()) throw Failure(Blame::usage, "A study needs a parameter that is marked as quality; `vitrine list --json` names them.");
     if (request_.metric == render::Metric::psnr) throw Failure(Blame::usage, "A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.");
@@ -80,7 +86,7 @@ Study::Study(const Museum& museum, render::Painter& painter, StudyRequest reques
     findDependentPasses();
     for (std::size_t view = 0; view < views_.size(); ++view) addReference(view, true);
     if (request_.axes.size() > 2) {
-        searchOn();
+        search_.advance();
         return;
     }
     std::vector<Setting> grid(1);
@@ -240,7 +246,7 @@ void Study::addSetting(const Setting& setting)
             shot.counters["pixels"] = static_cast<std::int64_t>(drawn.x) * drawn.y;
             for (auto& [name, count] : shot.counters) count *= samples;
             shot.firstMilliseconds = report.milliseconds * samples;
-            shot.errors = errorsOf(views_[view].reference, picture);
+            shot.errors = judge_.errorsOf(views_[view].reference, picture);
             // A search keeps many pictures: of those, the colors are enough, unless it goes by something else.
             shot.picture = request_.axes.size() > 2 && goesByColor(request_.metric) ? colorsOf(picture) : std::move(picture);
             if (view + 1 == result_.views.size()) judge();
@@ -288,11 +294,80 @@ void Study::addTimes()
     }
 }
 
+void Study::renewErrors()
+{
+    for (StudyPoint& point : result_.points)
+        for (std::size_t view = 0; view < point.shots.size(); ++view)
+            if (!point.shots[view].picture.empty()) point.shots[view].errors = judge_.errorsOf(views_[view].reference, point.shots[view].picture);
+}
+
+bool Study::refineReference()
+{
+    renewErrors();
+    judge();
+    const bool tellsAll = std::none_of(result_.points.begin(), result_.points.end(), [](const StudyPoint& point) { return point.uncertain; });
+    if (tellsAll || doublings_ >= mostDoublings) return false;
+    std::vector<double> doubled;
+    for (const StudyAxis& axis : request_.axes) doubled.push_back(exactness(rowOf(museum_.exhibits(), axis), doublings_ + 1).exact);
+    if (doubled == result_.exact) return false;
+    ++doublings_;
+    result_.exact = doubled;
+    for (std::size_t view = 0; view < result_.views.size(); ++view) {
+        views_[view].neighbors = {views_[view].reference};
+        addReference(view, false);
+    }
+    return true;
+}
+
+double Study::uncertainty() const
+{
+    std::vector<double> uncertainties;
+    for (std::size_t view = 0; view < result_.views.size(); ++view) {
+        const View& v = views_[view];
+        if (v.reference.empty()) continue;
+        for (std::size_t i = 0; i < v.neighbors.size(); ++i) {
+            const double change = judge_.errorsOf(v.reference, v.neighbors[i])[request_.metric];
+            if (i == 0) uncertainties.push_back(change);
+            else uncertainties.back() = std::max(uncertainties.back(), change);
+        }
+    }
+    return judge_.pooled(uncertainties);
+}
+
+void Study::judge()
+{
+    result_.uncertainty = uncertainty();
+    judge_.judge(result_, doublings_);
+}
+
+void Study::tryCandidate()
+{
+    const std::size_t point = candidates_.back();
+    candidates_.pop_back();
+    result_.choice = StudyChoice{.point = point, .holds = true};
+    for (std::size_t view = result_.views.size(); view < views_.size(); ++view) {
+        result_.choice->heldOutViews.push_back(views_[view].view.name);
+        const Look look = lookAt(valuesOf(result_.points[point].setting), view);
+        addPicture("held-out view " + views_[view].view.name, look, view, [this, view, look](render::Image picture) {
+            StudyChoice& choice = *result_.choice;
+            const double error = judge_.errorsOf(views_[view].reference, picture)[request_.metric];
+            choice.heldOutError = std::max(choice.heldOutError, error);
+            if (request_.maxError) choice.holds = choice.holds && error <= *request_.maxError;
+            if (!request_.maxMilliseconds) return;
+            std::vector<double> times;
+            for (int run = 0; run < heldOutRuns; ++run) times.push_back(drawTimed(look, view).milliseconds * pictureRequest(look, view).samples);
+            const double median = render::quantile(times, 0.5);
+            choice.heldOutMilliseconds = std::max(choice.heldOutMilliseconds, median);
+            choice.holds = choice.holds && median <= *request_.maxMilliseconds;
+        });
+    }
+}
+
 void Study::nextPhase()
 {
     switch (phase_) {
     case Phase::pictures:
-        if (request_.axes.size() > 2 ? searchOn() : refineReference()) return;
+        if (request_.axes.size() > 2 ? search_.advance() : refineReference()) return;
         judge();
         phase_ = Phase::exactReferences;
         if (!request_.modelError) return;
@@ -302,7 +377,7 @@ void Study::nextPhase()
             for (std::size_t i = 0; i < request_.axes.size(); ++i) look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, result_.exact[i]);
             addPicture("everything exact, " + views_[view].view.name, look, view, [this, view](render::Image picture) {
                 views_[view].exact = std::move(picture);
-                for (StudyPoint& point : result_.points) point.shots[view].modelError = errorsOf(views_[view].exact, point.shots[view].picture)[request_.metric];
+                for (StudyPoint& point : result_.points) point.shots[view].modelError = judge_.errorsOf(views_[view].exact, point.shots[view].picture)[request_.metric];
             });
         }
         return;
@@ -314,7 +389,7 @@ void Study::nextPhase()
         judge();
         phase_ = Phase::done;
         if (!request_.maxError && !request_.maxMilliseconds) return;
-        listCandidates();
+        candidates_ = choiceCandidates(request_, result_);
         if (candidates_.empty()) return;
         phase_ = Phase::choice;
         for (std::size_t view = result_.views.size(); view < views_.size(); ++view) addReference(view, false);

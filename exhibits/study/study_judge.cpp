@@ -1,6 +1,5 @@
-// What the pictures and times of a study come to.
+#include "exhibits/study/study_judge.h"
 
-#include "exhibits/study/study.h"
 #include "render/files/number_text.h"
 #include "render/measure/distance.h"
 #include "render/measure/pareto.h"
@@ -15,7 +14,6 @@ namespace {
 using render::Metric;
 using render::shortNumber;
 
-constexpr int mostDoublings = 3;
 /// A reference is trusted when it moves by less than this part of the smallest error.
 constexpr double quarter = 0.25;
 /// A counter that varies less than this says little of what a parameter costs.
@@ -63,9 +61,20 @@ std::string mostTelling(const std::vector<StudyPoint>& points)
     return best;
 }
 
+/// Of all runs that every view has.
+std::optional<render::Summary> timeOf(const StudyPoint& point)
+{
+    std::size_t runs = std::numeric_limits<std::size_t>::max();
+    for (const StudyShot& shot : point.shots) runs = std::min(runs, shot.milliseconds.size());
+    std::vector<double> means(runs, 0.0);
+    for (std::size_t run = 0; run < runs; ++run)
+        for (const StudyShot& shot : point.shots) means[run] += shot.milliseconds[run] / static_cast<double>(point.shots.size());
+    return means.empty() ? std::nullopt : std::optional(render::summarize(means));
+}
+
 }  // namespace
 
-Errors Study::errorsOf(const render::Image& reference, const render::Image& picture) const
+Errors StudyJudge::errorsOf(const render::Image& reference, const render::Image& picture) const
 {
     const render::ColorDifference color = render::colorDifference(reference, picture);
     Errors errors{{Metric::rmse, color.rmse}, {Metric::psnr, color.psnr()}, {Metric::max, color.max}, {Metric::beyond, color.beyond}};
@@ -74,7 +83,7 @@ Errors Study::errorsOf(const render::Image& reference, const render::Image& pict
     return errors;
 }
 
-double Study::pooled(const std::vector<double>& errors) const
+double StudyJudge::pooled(const std::vector<double>& errors) const
 {
     if (errors.empty()) return 0;
     double sum = 0;
@@ -88,103 +97,73 @@ double Study::pooled(const std::vector<double>& errors) const
     return request_.metric == Metric::rmse ? std::sqrt(mean) : mean;
 }
 
-void Study::renewErrors()
+void StudyJudge::judge(StudyResult& result, int doublings) const
 {
-    for (StudyPoint& point : result_.points)
-        for (std::size_t view = 0; view < point.shots.size(); ++view)
-            if (!point.shots[view].picture.empty()) point.shots[view].errors = errorsOf(views_[view].reference, point.shots[view].picture);
+    double smallest = std::numeric_limits<double>::infinity();
+    std::size_t uncertain = 0;
+    result.present.reset();
+    for (std::size_t i = 0; i < result.points.size(); ++i) {
+        StudyPoint& point = result.points[i];
+        if (!isDrawn(point)) continue;
+        judgePoint(point, result.uncertainty);
+        uncertain += point.uncertain ? 1 : 0;
+        if (point.error > 0) smallest = std::min(smallest, point.error);
+        if (isPresent(point)) result.present = i;
+    }
+    result.converged = uncertain == 0 && uncheckedAxes(exhibits_, request_.axes).empty();
+    result.convergence = convergenceSentence(result, uncertain, smallest, doublings);
+    if (std::isinf(smallest) && result.points.size() > 1 && std::all_of(result.points.begin(), result.points.end(), isDrawn)) {
+        std::string names;
+        for (const StudyAxis& axis : request_.axes) names += (names.empty() ? "" : " or ") + axisName(exhibits_, request_.subject, axis);
+        result.convergence = "Nothing depends on " + names + " at present: every setting gives the same picture. Switch on what it acts on, and study again.";
+    }
+    judgeCosts(result);
 }
 
-bool Study::refineReference()
+void StudyJudge::judgePoint(StudyPoint& point, double uncertainty) const
 {
-    renewErrors();
-    judge();
-    const bool tellsAll = std::none_of(result_.points.begin(), result_.points.end(), [](const StudyPoint& point) { return point.uncertain; });
-    if (tellsAll || doublings_ >= mostDoublings) return false;
-    std::vector<double> doubled;
-    for (const StudyAxis& axis : request_.axes) doubled.push_back(exactness(rowOf(museum_.exhibits(), axis), doublings_ + 1).exact);
-    if (doubled == result_.exact) return false;
-    ++doublings_;
-    result_.exact = doubled;
-    for (std::size_t view = 0; view < result_.views.size(); ++view) {
-        views_[view].neighbors = {views_[view].reference};
-        addReference(view, false);
+    std::vector<double> errors;
+    std::vector<double> modelErrors;
+    point.counters.clear();
+    for (StudyShot& shot : point.shots) {
+        errors.push_back(shot.errors.contains(request_.metric) ? shot.errors.at(request_.metric) : std::numeric_limits<double>::quiet_NaN());
+        modelErrors.push_back(shot.modelError);
+        for (const auto& [name, count] : shot.counters) point.counters[name] += count;
+    }
+    point.error = pooled(errors);
+    point.modelError = pooled(modelErrors);
+    point.lowestError = *std::min_element(errors.begin(), errors.end());
+    point.worstError = *std::max_element(errors.begin(), errors.end());
+    point.uncertain = point.error > 0 && point.error * quarter < uncertainty;
+}
+
+bool StudyJudge::isPresent(const StudyPoint& point) const
+{
+    for (std::size_t a = 0; a < request_.axes.size(); ++a) {
+        const StudyAxis& axis = request_.axes[a];
+        if (std::get<double>(request_.look.values[axis.exhibit].row(axis.row)) != axis.values[point.setting[a]]) return false;
     }
     return true;
 }
 
-void Study::judge()
+std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size_t uncertainErrors, double smallestError, int doublings) const
 {
-    std::vector<double> uncertainties;
-    for (std::size_t view = 0; view < result_.views.size(); ++view) {
-        const View& v = views_[view];
-        if (v.reference.empty()) continue;
-        for (std::size_t i = 0; i < v.neighbors.size(); ++i) {
-            const double change = errorsOf(v.reference, v.neighbors[i])[request_.metric];
-            if (i == 0) uncertainties.push_back(change);
-            else uncertainties.back() = std::max(uncertainties.back(), change);
-        }
-    }
-    result_.uncertainty = pooled(uncertainties);
-
-    double smallest = std::numeric_limits<double>::infinity();
-    std::size_t uncertain = 0;
-    const Look base = request_.look;
-    result_.present.reset();
-    for (std::size_t i = 0; i < result_.points.size(); ++i) {
-        StudyPoint& point = result_.points[i];
-        if (!isDrawn(point)) continue;
-        std::vector<double> errors;
-        std::vector<double> modelErrors;
-        point.counters.clear();
-        for (StudyShot& shot : point.shots) {
-            errors.push_back(shot.errors.contains(request_.metric) ? shot.errors.at(request_.metric) : std::numeric_limits<double>::quiet_NaN());
-            modelErrors.push_back(shot.modelError);
-            for (const auto& [name, count] : shot.counters) point.counters[name] += count;
-        }
-        point.error = pooled(errors);
-        point.modelError = pooled(modelErrors);
-        point.lowestError = *std::min_element(errors.begin(), errors.end());
-        point.worstError = *std::max_element(errors.begin(), errors.end());
-        point.uncertain = point.error > 0 && point.error * quarter < result_.uncertainty;
-        uncertain += point.uncertain ? 1 : 0;
-        if (point.error > 0) smallest = std::min(smallest, point.error);
-        bool isPresent = true;
-        for (std::size_t a = 0; a < request_.axes.size(); ++a) {
-            const StudyAxis& axis = request_.axes[a];
-            isPresent = isPresent && std::get<double>(base.values[axis.exhibit].row(axis.row)) == axis.values[point.setting[a]];
-        }
-        if (isPresent) result_.present = i;
-    }
-    result_.converged = uncertain == 0 && uncheckedAxes(museum_.exhibits(), request_.axes).empty();
-    result_.convergence = convergenceSentence(uncertain, smallest);
-    if (std::isinf(smallest) && result_.points.size() > 1 && std::all_of(result_.points.begin(), result_.points.end(), isDrawn)) {
-        std::string names;
-        for (const StudyAxis& axis : request_.axes) names += (names.empty() ? "" : " or ") + axisName(museum_.exhibits(), request_.subject, axis);
-        result_.convergence = "Nothing depends on " + names + " at present: every setting gives the same picture. Switch on what it acts on, and study again.";
-    }
-    judgeCosts();
-}
-
-std::string Study::convergenceSentence(std::size_t uncertainErrors, double smallestError) const
-{
-    const Exhibits exhibits = museum_.exhibits();
     const auto listed = [&](const std::vector<StudyAxis>& axes, const std::vector<double>& values) {
         std::string text;
-        for (std::size_t i = 0; i < axes.size(); ++i) text += (text.empty() ? "" : ", ") + axisName(exhibits, request_.subject, axes[i]) + ' ' + axisValueText(exhibits, axes[i], values[i]);
+        for (std::size_t i = 0; i < axes.size(); ++i) text += (text.empty() ? "" : ", ") + axisName(exhibits_, request_.subject, axes[i]) + ' ' + axisValueText(exhibits_, axes[i], values[i]);
         return text;
     };
-    const std::vector<StudyAxis> unchecked = uncheckedAxes(exhibits, request_.axes);
+    const std::vector<StudyAxis> unchecked = uncheckedAxes(exhibits_, request_.axes);
     std::vector<double> takenFor;
-    for (const StudyAxis& axis : unchecked) takenFor.push_back(exactness(rowOf(exhibits, axis)).exact);
+    for (const StudyAxis& axis : unchecked) takenFor.push_back(exactness(rowOf(exhibits_, axis)).exact);
     const std::string onTrust = unchecked.empty() ? "" : "What counts as exact is not checked: " + listed(unchecked, takenFor) + '.';
-    const auto neighbors = neighborsOf(exhibits, request_.axes);
+    const auto neighbors = neighborsOf(exhibits_, request_.axes);
     if (neighbors.empty()) return onTrust.empty() ? "The reference is exact by the meaning of the parameter." : onTrust;
 
     std::string text;
-    const std::string change = shortNumber(result_.uncertainty);
-    if (doublings_ > 0) {
-        text = "The reference was made twice as exact " + std::to_string(doublings_) + (doublings_ == 1 ? " time" : " times") + ", the last time changing it by " + change;
+    const std::string change = shortNumber(result.uncertainty);
+    if (doublings > 0) {
+        text = "The reference was made twice as exact " + std::to_string(doublings) + (doublings == 1 ? " time" : " times") + ", the last time changing it by " + change;
     } else {
         for (const std::vector<double>& neighbor : neighbors) text += (text.empty() ? "At " : ", or at ") + listed(request_.axes, neighbor);
         text += " the reference changes by " + change;
@@ -194,47 +173,44 @@ std::string Study::convergenceSentence(std::size_t uncertainErrors, double small
     return text + (onTrust.empty() ? "" : ' ' + onTrust);
 }
 
-void Study::judgeCosts()
+void StudyJudge::judgeCosts(StudyResult& result) const
 {
-    for (StudyPoint& point : result_.points) {
-        std::size_t runs = std::numeric_limits<std::size_t>::max();
-        for (const StudyShot& shot : point.shots) runs = std::min(runs, shot.milliseconds.size());
-        std::vector<double> means(runs, 0.0);
-        for (std::size_t run = 0; run < runs; ++run)
-            for (const StudyShot& shot : point.shots) means[run] += shot.milliseconds[run] / static_cast<double>(point.shots.size());
-        point.time = means.empty() ? std::nullopt : std::optional(render::summarize(means));
-    }
+    for (StudyPoint& point : result.points) point.time = timeOf(point);
     const bool oneParameter = request_.axes.size() <= 2 && !request_.maxMilliseconds;
-    const std::string counter = oneParameter ? mostTelling(result_.points) : std::string();
-    result_.costName = counter.empty() ? "ms" : counter;
+    const std::string counter = oneParameter ? mostTelling(result.points) : std::string();
+    result.costName = counter.empty() ? "ms" : counter;
 
     std::vector<render::CostAndError> measured;
-    const bool anyTimed = std::any_of(result_.points.begin(), result_.points.end(), [](const StudyPoint& p) { return p.time.has_value(); });
-    for (StudyPoint& point : result_.points) {
+    const bool anyTimed = std::any_of(result.points.begin(), result.points.end(), [](const StudyPoint& p) { return p.time.has_value(); });
+    for (StudyPoint& point : result.points) {
         double first = 0;
         for (const StudyShot& shot : point.shots) first += shot.firstMilliseconds / static_cast<double>(point.shots.size());
         point.cost = !counter.empty() ? static_cast<double>(point.counters[counter]) : point.time ? point.time->median : first;
         const bool counts = isDrawn(point) && (!counter.empty() || point.time || !anyTimed);
         measured.push_back({counts ? point.cost : std::numeric_limits<double>::infinity(), point.error});
     }
-    result_.front = render::paretoFront(measured);
-    for (std::size_t i = 0; i < result_.points.size(); ++i)
-        result_.points[i].dominated = isDrawn(result_.points[i]) && std::find(result_.front.begin(), result_.front.end(), i) == result_.front.end();
-    const auto place = render::knee(measured, result_.front);
-    result_.knee = place ? std::optional(result_.front[*place]) : std::nullopt;
+    result.front = render::paretoFront(measured);
+    for (std::size_t i = 0; i < result.points.size(); ++i)
+        result.points[i].dominated = isDrawn(result.points[i]) && std::find(result.front.begin(), result.front.end(), i) == result.front.end();
+    const auto place = render::knee(measured, result.front);
+    result.knee = place ? std::optional(result.front[*place]) : std::nullopt;
+    fitLaw(result, measured);
+}
 
-    result_.law.reset();
-    const bool numeric = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& axis) { return rowOf(museum_.exhibits(), axis).isNumeric(); });
+void StudyJudge::fitLaw(StudyResult& result, std::span<const render::CostAndError> measured) const
+{
+    result.law.reset();
+    const bool numeric = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& axis) { return rowOf(exhibits_, axis).isNumeric(); });
     if (request_.axes.size() > 2 || !numeric) return;
     std::vector<double> errors;
     std::vector<double> costs;
-    for (const std::size_t i : result_.front) {
-        if (result_.points[i].uncertain) continue;
-        errors.push_back(result_.points[i].error);
+    for (const std::size_t i : result.front) {
+        if (result.points[i].uncertain) continue;
+        errors.push_back(result.points[i].error);
         costs.push_back(measured[i].cost);
     }
     const render::PowerLaw law = render::fitPowerLaw(errors, costs);
-    if (law.points >= 3) result_.law = law;
+    if (law.points >= 3) result.law = law;
 }
 
 }  // namespace vitrine

@@ -1,5 +1,5 @@
 // Prints of exhibits, quilts and sequences, as users make them.
-#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/sheet.h"
 #include "exhibits/printing/print_json.h"
 #include "exhibits/printing/proof.h"
 #include "render/files/strict_json.h"
@@ -62,10 +62,10 @@ TEST(PrintExhibit, LooksThroughItsSheetLikeTheViewThatWasRenderedForThatAngle)
     const TemporaryFolder folder;
     const Ended ended = test::vitrine(printing(folder / "p.tif", theMug + Words{"--count", "4", "--turn", "160", "--save-views", folder / "views"}));
     ASSERT_EQ(ended.code, 0) << ended.err;
-    const lenticular::PrintLayout layout(lenticular::settingsFromJson(render::readJson(folder / "p.tif.json")));
+    const printing::PrintLayout layout(printing::settingsFromJson(render::readJson(folder / "p.tif.json")));
     ASSERT_EQ(layout.settings().views, 4);
     for (const int k : {0, 2}) {
-        const double degrees = lenticular::angleOfView(layout, k) / lenticular::radiansPerDegree;
+        const double degrees = printing::angleOfView(layout, k) / printing::radiansPerDegree;
         ASSERT_EQ(test::vitrine({"proof", folder / "p.tif", "--angle=" + std::to_string(degrees), "--out", folder / "seen.png"}).code, 0);
         const render::Image seen = render::readImage(folder / "seen.png");
         // Rows of the print are interpolated between rows of the view, which softens it along the lens; the views'
@@ -199,8 +199,8 @@ render::Image level(int k, int count, int width = 30, int height = 20)
 /// The number of the view that the middle of a print shows from the angle of view `k`.
 double viewShown(const TemporaryFolder& folder, int k, int count)
 {
-    const lenticular::PrintLayout layout(lenticular::settingsFromJson(render::readJson(folder / "p.tif.json")));
-    const double degrees = lenticular::angleOfView(layout, k) / lenticular::radiansPerDegree;
+    const printing::PrintLayout layout(printing::settingsFromJson(render::readJson(folder / "p.tif.json")));
+    const double degrees = printing::angleOfView(layout, k) / printing::radiansPerDegree;
     EXPECT_EQ(test::vitrine({"proof", folder / "p.tif", "--angle=" + std::to_string(degrees), "--out", folder / "seen.png"}).code, 0);
     const render::Image seen = render::readImage(folder / "seen.png");
     return static_cast<double>(seen.at(seen.width / 2, seen.height / 2, 0)) * (count + 1) - 1;

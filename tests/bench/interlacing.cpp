@@ -5,7 +5,7 @@
 
 #include "exhibits/printing/interlace.h"
 #include "exhibits/printing/print_file.h"
-#include "exhibits/printing/strip_weights.h"
+#include "exhibits/printing/taps.h"
 #include "render/image/srgb.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 #include <thread>
 
 using namespace vitrine;
-using namespace vitrine::lenticular;
+using namespace vitrine::printing;
 
 namespace {
 

@@ -56,7 +56,7 @@ TEST(PresetOfTheSource, OfTheFurHasItsExportedDefaults)
     EXPECT_EQ(v[t.springModel], FurSpring::explicitEuler);
     EXPECT_EQ(v[t.silhouette], FurSilhouette::none);
     for (int body = 0; body < furBodyCount; ++body) {
-        const CoatRows rows = coatRows(t, body);
+        const CoatRows rows = t.coats[static_cast<std::size_t>(body)];
         EXPECT_EQ(v[rows.length], 0.15);
         EXPECT_EQ(v[rows.uniformity], 0);      // length_uniformity
         EXPECT_NEAR(v[rows.density] / strandsPerArea(100), 1, 0.005);  // density 100: cells along a side of the texture
@@ -81,7 +81,7 @@ TEST(PresetOfTheSource, OfTheReferenceVideoHasItsScenesValues)
     const auto linear = [](double c) { return std::pow((c + 0.055) / 1.055, 2.4); };
     const glm::dvec3 color(linear(0.753), linear(0.542), linear(0.439));
     for (int body = 0; body < furBodyCount; ++body) {
-        const CoatRows rows = coatRows(t, body);
+        const CoatRows rows = t.coats[static_cast<std::size_t>(body)];
         EXPECT_EQ(v[rows.length], 0.15);
         EXPECT_EQ(v[rows.uniformity], 0);      // noiseMin 0, noiseMax 1
         EXPECT_NEAR(v[rows.density] / strandsPerArea(366), 1, 0.005);

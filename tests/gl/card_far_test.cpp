@@ -2,7 +2,7 @@
 
 #include "exhibits/lenticular/card_sheet.h"
 #include "exhibits/printing/interlace.h"
-#include "exhibits/printing/numbers.h"
+#include "exhibits/printing/sheet.h"
 #include "exhibits/printing/print_file.h"
 #include "exhibits/printing/print_json.h"
 #include "render/image/image_io.h"
@@ -123,7 +123,7 @@ render::Image noise(int k, int width, int height)
 TEST_F(CardFar, ThePrintedRasterLooksAsItsViewsDo)
 {
     constexpr int count = 4;
-    lenticular::ViewSet set;
+    printing::ViewSet set;
     std::filesystem::create_directories(folder / "views");
     for (int k = 0; k < count; ++k) {
         const render::Image image = noise(k, 96, 64);
@@ -131,18 +131,18 @@ TEST_F(CardFar, ThePrintedRasterLooksAsItsViewsDo)
         render::writePicture(folder / ("views/view" + std::to_string(k) + ".png"), image, render::PictureFormat::png8);
     }
     for (const double direction : {0.0, 90.0}) {
-        lenticular::PrintSettings settings;
-        settings.sheet = lenticular::knownSheet("20-3d");
+        printing::PrintSettings settings;
+        settings.sheet = printing::knownSheet("20-3d");
         settings.dpiX = settings.dpiY = 400;
         settings.width = 152.4;  // 120 lenses, 20 pixels each.
         settings.height = 101.6;
         settings.views = count;
         settings.direction = direction;
-        const lenticular::PrintLayout layout(settings);
-        const lenticular::ViewSet& made = set;
-        lenticular::PrintFile file{folder / ("print" + std::to_string(static_cast<int>(direction)) + ".tif")};
-        file.json = lenticular::printJson(layout, 400, {}).dump();
-        lenticular::writePrint(layout, made, file);
+        const printing::PrintLayout layout(settings);
+        const printing::ViewSet& made = set;
+        printing::PrintFile file{folder / ("print" + std::to_string(static_cast<int>(direction)) + ".tif")};
+        file.json = printing::printJson(layout, 400, {}).dump();
+        printing::writePrint(layout, made, file);
         for (const double angle : {-0.15, 0.0, 0.08}) {
             CardShot shot;
             shot.values().set(cardTable().axis, direction == 0 ? CardAxis::vertical : CardAxis::horizontal);

@@ -12,7 +12,7 @@
 namespace vitrine {
 namespace {
 
-using lenticular::Sheet;
+using printing::Sheet;
 using test::cardTable;
 using test::CardShot;
 using test::CardViews;
@@ -54,12 +54,12 @@ double expectedGray(const CardShot& shot, const Sheet& sheet, double theta, int 
     }
     if (values[t.model] == CardModel::paraxial) {
         const double p = sheet.pitch();
-        return grayBetween(m * lenticular::paraxial(sheet, -p / 2, 0) / p + lenticular::paraxial(sheet, 0, theta) / p,
-                           m * lenticular::paraxial(sheet, p / 2, 0) / p + lenticular::paraxial(sheet, 0, theta) / p, count);
+        return grayBetween(m * printing::paraxial(sheet, -p / 2, 0) / p + printing::paraxial(sheet, 0, theta) / p,
+                           m * printing::paraxial(sheet, p / 2, 0) / p + printing::paraxial(sheet, 0, theta) / p, count);
     }
-    const double at = lenticular::chiefRay(sheet, theta);
+    const double at = printing::chiefRay(sheet, theta);
     double sum = 0;
-    for (const auto& part : lenticular::aperture(sheet, theta, beta, 1024).parts)
+    for (const auto& part : printing::aperture(sheet, theta, beta, 1024).parts)
         sum += part.share * grayBetween((at + m * (part.from - at)) / sheet.pitch(), (at + m * (part.to - at)) / sheet.pitch(), count);
     return sum;
 }
@@ -128,7 +128,7 @@ TEST_F(CardOptics, AcrossTheZoneTheExactModelNeverStepsBackAndJumpsAtItsEdge)
     CardShot shot;
     // An ellipse is sharp straight ahead; a sharp lens jumps hard.
     const Sheet sheet = lenticular::cardSheet(cardTable(), shot.values()).sheet;
-    const double edge = lenticular::zoneByAperture(sheet) / 2;
+    const double edge = printing::zoneByAperture(sheet) / 2;
     const auto levelAt = [&](double share) {
         shot.from(share * edge, 2, 0.0016);
         return seen(shot, 8);

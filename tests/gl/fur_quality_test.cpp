@@ -66,7 +66,7 @@ TEST_F(FurQuality, ShellsByAngleLeaveNoHoleInTheSkinAndAreTheSameInBothOrders)
     const auto shot = [](FurSilhouette silhouette, FurOrder order, int density) {
         FurShot s;
         s.shells(7, silhouette, order);
-        for (int i = 0; i < furBodyCount; ++i) s.object().set(coatRows(table(), i).density, density);
+        for (int i = 0; i < furBodyCount; ++i) s.object().set(table().coats[static_cast<std::size_t>(i)].density, density);
         return s.take();
     };
     const Picture bare = shot(FurSilhouette::none, FurOrder::outerFirst, 1);

@@ -71,7 +71,7 @@ TEST_F(FurScaled, H87_AMirroredExhibitIsTheMirrorImageOfItself)
 TEST_F(FurScaled, H87_NormalsOfAnUnevenlyScaledSkinAreThoseOfItsEllipsoid)
 {
     Shot shot = furShot();
-    for (const Real length : {table().ballLength, table().rollLength, table().ringLength}) shot.object().set(length, 0.0);
+    for (const Real length : {table().coats[furBall].length, table().coats[furRoll].length, table().coats[furRing].length}) shot.object().set(length, 0.0);
     const glm::dmat4 scale = glm::scale(glm::dmat4(1), glm::dvec3(1, 2, 0.7));
     shot.transform(scale);
     render::Camera camera = shot.request.frame.camera;
@@ -104,11 +104,11 @@ TEST_F(FurScaled, H87_AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
 {
     // How far the fur reaches beyond its skin, up and aside: as far as the scaled sphere of skin and fur, float64.
     Shot shot = furShot();
-    shot.object().set(table().ballUniformity, 1.0);
+    shot.object().set(table().coats[furBall].uniformity, 1.0);
     shot.object().set(table().strandRoundness, 0.999);
     shot.object().set(table().gravity, 0.0);
     const FurState ball = restStates(bounceSettings(table(), shot.object(), nullptr, 0))[furBall];
-    const double reach = ballRadius * ball.grown + shot.object()[table().ballLength];
+    const double reach = ballRadius * ball.grown + shot.object()[table().coats[furBall].length];
     for (const glm::dvec3 factors : {glm::dvec3(1), glm::dvec3(1, 1.6, 1), glm::dvec3(1.6, 1, 0.5)}) {
         const glm::dmat4 scale = glm::scale(glm::dmat4(1), factors);
         shot.transform(scale);
@@ -128,7 +128,7 @@ TEST_F(FurScaled, H87_AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
         EXPECT_NEAR((p.height() / 2.0 - highest) * pixel, reach * factors.y, 0.04 * reach * factors.y) << factors.y;
         EXPECT_NEAR((p.width() / 2.0 - leftmost) * pixel, reach * factors.x, 0.04 * reach * factors.x) << factors.x;
         // The naive way pushes the skin out along its carried normal by the unscaled length.
-        const double naive = ballRadius * ball.grown * factors.y + shot.object()[table().ballLength];
+        const double naive = ballRadius * ball.grown * factors.y + shot.object()[table().coats[furBall].length];
         EXPECT_TRUE(factors.y == 1 || std::abs(naive - reach * factors.y) > 0.1 * reach);
     }
 }

@@ -20,7 +20,7 @@ TEST_F(FurTest, WithoutLengthIsTheSkin)
 {
     FurShot bare, one;
     for (FurShot* shot : {&bare, &one})
-        for (int i = 0; i < furBodyCount; ++i) shot->object().set(coatRows(table(), i).length, 0.0);
+        for (int i = 0; i < furBodyCount; ++i) shot->object().set(table().coats[static_cast<std::size_t>(i)].length, 0.0);
     one.shells(1, FurSilhouette::none);
     const Picture a = bare.take();
     EXPECT_GT(a.hits(), 300);
@@ -71,10 +71,10 @@ TEST_F(FurTest, IsFiniteWhateverOneSets)
 {
     const auto& t = table();
     const std::vector<std::function<void(ParameterValues&)>> hostile{
-        [&](ParameterValues& v) { v.set(t.ballDensity, 1); v.set(t.ringDensity, 1000000); },
-        [&](ParameterValues& v) { v.set(t.ballThickness, 0.1); v.set(t.rollThickness, 0.0001); },
-        [&](ParameterValues& v) { v.set(t.ballLength, 1.0); v.set(t.rollLength, 1e-7); },
-        [&](ParameterValues& v) { v.set(t.strandRoundness, 0.999); v.set(t.ballUniformity, 0.0); v.set(t.rollUniformity, 1.0); },
+        [&](ParameterValues& v) { v.set(t.coats[furBall].density, 1); v.set(t.coats[furRing].density, 1000000); },
+        [&](ParameterValues& v) { v.set(t.coats[furBall].thickness, 0.1); v.set(t.coats[furRoll].thickness, 0.0001); },
+        [&](ParameterValues& v) { v.set(t.coats[furBall].length, 1.0); v.set(t.coats[furRoll].length, 1e-7); },
+        [&](ParameterValues& v) { v.set(t.strandRoundness, 0.999); v.set(t.coats[furBall].uniformity, 0.0); v.set(t.coats[furRoll].uniformity, 1.0); },
         [&](ParameterValues& v) { v.set(t.curvature, 0.0); v.set(t.comb, 10.0); },
         [&](ParameterValues& v) { v.set(t.curvature, 10.0); v.set(t.disorder, 10.0); },
         [&](ParameterValues& v) { v.set(t.distanceAttenuation, 0.01); },

@@ -56,15 +56,15 @@ TEST_F(ViewsTest, EveryViewIsThePictureOfItsShotAndComesInOrder)
 {
     Shot shot;
     shot.size(30, 20);
-    lenticular::PrintSettings s;
-    s.sheet = lenticular::derivedSheet("test", 40, 30);
+    printing::PrintSettings s;
+    s.sheet = printing::derivedSheet("test", 40, 30);
     s.views = 3;
-    const lenticular::ViewShot base{shot.look, shot.request};
-    const lenticular::ViewRig rig(lenticular::PrintLayout(s), shot.request.frame.camera, {30, 20}, {0.5, 0});
-    std::vector<lenticular::ViewShot> shots = lenticular::shotsOf(rig, base);
-    lenticular::turn(shots, 0.7);
+    const printing::ViewShot base{shot.look, shot.request};
+    const printing::ViewRig rig(printing::PrintLayout(s), shot.request.frame.camera, {30, 20}, {0.5, 0});
+    std::vector<printing::ViewShot> shots = printing::shotsOf(rig, base);
+    printing::turn(shots, 0.7);
     std::vector<render::Image> views;
-    lenticular::ViewMaker maker(gallery().museum, gallery().renderer, shots, [&](int k, const render::Image& image) {
+    printing::ViewMaker maker(gallery().museum, gallery().renderer, shots, [&](int k, const render::Image& image) {
         EXPECT_EQ(static_cast<std::size_t>(k), views.size());
         views.push_back(image);
     });
@@ -88,7 +88,7 @@ TEST_F(ViewsTest, MeasuresHowFarTheSceneReaches)
 {
     Shot shot;
     shot.size(60, 40);
-    const lenticular::DepthRange alone = lenticular::measuredDepth(gallery().museum, gallery().renderer, {shot.look, shot.request});
+    const printing::DepthRange alone = printing::measuredDepth(gallery().museum, gallery().renderer, {shot.look, shot.request});
     const Picture picture = shot.take();
     double nearest = 1e9;
     picture.each([&](int x, int y) { nearest = std::min(nearest, picture.depth(x, y)); });

@@ -117,7 +117,7 @@ TEST(CardPlan, ASheetThatCannotBeIsReplacedByTheNearestAndSaysSo)
     scene.values().set(scene.t.radius, 1e-4);
     scene.values().set(scene.t.thickness, 1e-4);
     const lenticular::CardSheetFound found = lenticular::cardSheet(scene.t, scene.values());
-    EXPECT_NO_THROW(lenticular::check(found.sheet));
+    EXPECT_NO_THROW(printing::check(found.sheet));
     EXPECT_NE(scene.plan().find("lenticular/card")->reason.find("radius raised"), std::string::npos);
 }
 
@@ -142,7 +142,7 @@ TEST(CardPlan, EverySheetThatCanBeChosenIsKnownAndEveryTableMakesOneThatCanBe)
                         values.set(t.thickness, thickness);
                         values.set(t.conic, conic);
                         values.set(t.slices, slices);
-                        EXPECT_NO_THROW(lenticular::check(lenticular::cardSheet(t, values).sheet));
+                        EXPECT_NO_THROW(printing::check(lenticular::cardSheet(t, values).sheet));
                     }
 }
 

@@ -143,7 +143,7 @@ TEST(FurPlan, DrawsEachBodyWithAllItsShellsInOneCall)
         for (const render::Draw& draw : coat->draws) EXPECT_EQ(draw.instances, shells);
         EXPECT_EQ(coat->counts.at("shells"), 3 * shells);
     }
-    scene.values().set(table().ballLength, 0.0);
+    scene.values().set(table().coats[furBall].length, 0.0);
     EXPECT_EQ(scene.plan().find("fur/coat")->draws[0].instances, 1) << "a bare skin has no shells";
 }
 

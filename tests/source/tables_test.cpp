@@ -47,11 +47,13 @@ TEST(Tables, EveryRowIsNamedAfterItsMember)
 {
     for (const auto& [exhibit, table] : tables()) {
         const std::vector<DeclaredRow> rows = declaredRows(test::withoutComments(test::sourceText("exhibits/" + exhibit + '/' + exhibit + "_table.h")));
-        ASSERT_EQ(rows.size(), table->rows().size()) << exhibit;
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            EXPECT_EQ(rows[i].member, rows[i].name) << exhibit;
-            EXPECT_EQ(rows[i].name, table->rows()[i].name) << exhibit;
+        std::set<std::string> declared, made;
+        for (const DeclaredRow& row : rows) {
+            EXPECT_EQ(row.member, row.name) << exhibit;
+            declared.insert(row.name);
         }
+        for (const ParameterInfo& row : table->rows()) made.emplace(row.array.empty() ? row.name : row.elementRow);
+        EXPECT_EQ(declared, made) << exhibit;
     }
     EXPECT_NE(declaredRows(R"(Real morf = real("morph", 1)").front().member, "morph");
 }
@@ -140,12 +142,18 @@ std::string readersOf(const std::string& exhibit)
     return text;
 }
 
+bool isRead(const std::string& text, const ParameterInfo& row)
+{
+    // Either C++ takes it from the table, or from the rows of one group of an array, or a shader from its block; what is no
+    // part of the picture shown is found by a name that a constant holds: `supersamplesRow`.
+    const std::string name(row.array.empty() ? row.name : row.elementRow);
+    const std::string from = row.array.empty() ? "\\b(parameters|table|table_|t|parameters\\(\\))" : "(\\b" + std::string(row.array) + "\\[[^;]*\\]|\\brows)";
+    return std::regex_search(text, std::regex(from + "\\." + name + "\\b")) || text.find("find(" + name + "Row)") != std::string::npos;
+}
+
 bool isRead(const std::string& text, std::string_view row)
 {
-    // Either C++ takes it from the table, or a shader from its block; what is no part of the picture shown is found by
-    // a name that a constant holds: `supersamplesRow`.
-    const std::regex use("\\b(parameters|table|table_|t|parameters\\(\\))\\." + std::string(row) + "\\b");
-    return std::regex_search(text, use) || text.find("find(" + std::string(row) + "Row)") != std::string::npos;
+    return isRead(text, ParameterInfo{.name = row});
 }
 
 TEST(Tables, EveryRowIsReadByItsOwnExhibit)
@@ -153,7 +161,7 @@ TEST(Tables, EveryRowIsReadByItsOwnExhibit)
     // A slider that nothing reads would be a lie.
     for (const auto& [exhibit, table] : tables()) {
         const std::string text = readersOf(exhibit);
-        for (const ParameterInfo& row : table->rows()) EXPECT_TRUE(isRead(text, row.name)) << exhibit << '.' << row.name;
+        for (const ParameterInfo& row : table->rows()) EXPECT_TRUE(isRead(text, row)) << exhibit << '.' << row.name;
     }
     // A row of one exhibit is not read because another one reads its own of the same name.
     EXPECT_TRUE(isRead(readersOf("sdf_morph"), "refractiveIndex"));
@@ -177,6 +185,13 @@ TEST(Tables, ShadersUseOnlyFieldsThatTheirTableHas)
     }
     EXPECT_GT(found, 10);
     EXPECT_EQ(derive::uniformBlock(*tables().at("sdf_morph")).find(" noSuchField;"), std::string::npos);
+}
+
+TEST(Tables, RowsBearNamesThatAreKeysFlagsAndFields)
+{
+    for (const auto& [exhibit, table] : tables())
+        for (const ParameterInfo& row : table->rows()) EXPECT_TRUE(isRowName(row.name)) << exhibit << '.' << row.name;
+    for (const char* bad : {"", "1st", "two words", "under_score", "quote\"", "a=b", "caf\u00e9"}) EXPECT_FALSE(isRowName(bad)) << bad;
 }
 
 TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)

@@ -71,10 +71,9 @@ void ProgressJob::run(Work work)
                 }
                 return !stopping->load();
             });
-        } catch (const PrintStopped&) {
-            stopped = true;
         } catch (const std::exception& failure) {
-            why = messageOf(failure);
+            stopped = stopping->load();  // It did what it was asked to: nothing to complain about.
+            if (!stopped) why = messageOf(failure);
         }
         QMetaObject::invokeMethod(this, [this, turn, outcome, why, stopped] { end(turn, outcome, why, stopped); }, Qt::QueuedConnection);
     });

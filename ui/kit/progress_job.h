@@ -1,7 +1,5 @@
 #pragma once
 
-#include "exhibits/printing/print_desk.h"
-
 #include <QElapsedTimer>
 #include <QObject>
 #include <QThreadPool>
@@ -19,7 +17,9 @@ class ProgressJob final : public QObject {
 
 public:
     using Outcome = std::function<void()>;
-    using Work = std::function<Outcome(const PrintProgress&)>;
+    /// Called with the part that is done, 0 to 1; false where the work is to stop, which it does by throwing.
+    using Progress = std::function<bool(double)>;
+    using Work = std::function<Outcome(const Progress&)>;
 
     explicit ProgressJob(QObject* parent);
     /// Stops and waits.

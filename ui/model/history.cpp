@@ -107,6 +107,7 @@ void History::set(std::size_t exhibit, std::size_t row, const Value& value, Gest
     const ParameterInfo& info = values.rows()[row];
     const std::optional<Value> legal = nearestLegal(info, value);
     if (!legal || *legal == values.row(row)) return;
+    gesture_ = gesture;
     const QString step = text.isEmpty() ? tr("Change %1").arg(QString::fromStdString(label(info)).toLower()) : text;
     stack_.push(new LookStep(*this, step, {{exhibit, row, values.row(row), *legal}}, look_.camera, gesture, Camera::stays));
 }
@@ -115,6 +116,7 @@ void History::change(const QString& text, const Look& after, Gesture gesture, Ca
 {
     std::vector<RowChange> changes = changesBetween(look_, after);
     if (changes.empty() && (camera == Camera::stays || after.camera == look_.camera)) return;
+    gesture_ = gesture;
     stack_.push(new LookStep(*this, text, std::move(changes), after.camera, gesture, camera));
 }
 

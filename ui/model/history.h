@@ -38,6 +38,8 @@ public:
     /// Starts over from `look`, with nothing to undo: a session that comes back.
     void restart(const Look&);
 
+    /// Of the change that `changed` or `replaced` says now, or said last.
+    [[nodiscard]] Gesture gesture() const { return gesture_; }
     [[nodiscard]] QUndoStack& stack() { return stack_; }
 
 signals:
@@ -52,6 +54,7 @@ private:
     friend class LookStep;
 
     Look look_;
+    Gesture gesture_ = 0;
     QUndoStack stack_;
 };
 

@@ -14,7 +14,7 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double eyesApart = 0.065;          // Metres, the usual mean.
+constexpr double eyesApart = 65;             // Millimeters, the usual mean.
 constexpr double steepest = 70 * degree;
 constexpr double perPixel = 0.15 * degree;   // 200 pixels are about a zone.
 constexpr int caption = 24;
@@ -39,7 +39,7 @@ EyesPreview::EyesPreview(QWidget* parent) : QWidget(parent), job_(this)
     });
 }
 
-void EyesPreview::setPreview(std::shared_ptr<const PrintPreview> preview, double distance)
+void EyesPreview::setPreview(std::shared_ptr<const printing::PrintPreview> preview, double distance)
 {
     preview_ = std::move(preview);
     distance_ = distance;
@@ -72,15 +72,15 @@ void EyesPreview::fetch(bool coarse)
     const double wide = std::min(room.width(), room.height() * shape);
     const int fine = static_cast<int>(std::lround(std::max(wide, wide / shape) * devicePixelRatioF()));
     const int side = std::max(1, coarse ? std::min(coarseSide, fine) : fine);
-    std::array<PrintEye, 2> eyes;
+    std::array<printing::Eye, 2> eyes;
     for (std::size_t i = 0; i < 2; ++i) {
         const double aside = (i == 0 ? -0.5 : 0.5) * eyesApart / distance_;
-        eyes[i] = {std::atan(std::tan(angle_) + aside), angleAlong_, distance_};
+        eyes[i] = preview_->eyeAt(std::atan(std::tan(angle_) + aside), angleAlong_, distance_);
     }
     job_.ask([this, preview = preview_, eyes, side, angle = angle_]() -> NewestJob::Outcome {
         std::array<QImage, 2> images;
         for (std::size_t i = 0; i < 2; ++i)
-            if (CodedPicture seen = preview->seen(eyes[i], side); seen.width > 0) images[i] = imageOf(seen);
+            if (printing::CodedPicture seen = preview->seen(eyes[i], side); seen.width > 0) images[i] = imageOf(seen);
         return [this, images, angle] {
             images_ = images;
             shownAngle_ = angle;
@@ -114,7 +114,7 @@ void EyesPreview::paintEvent(QPaintEvent*)
         painter.drawText(below.adjusted(0, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, tr("Left eye"));
         painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, tr("Right eye"));
         painter.setPen(theme().text);
-        const QString from = std::isinf(distance_) ? tr("far away") : tr("%1 cm").arg(distance_ * 100, 0, 'g', 4);
+        const QString from = std::isinf(distance_) ? tr("far away") : tr("%1 cm").arg(distance_ / 10, 0, 'g', 4);
         painter.drawText(below, Qt::AlignCenter,
                          tr("%1, %2, from %3").arg(side(angle_, tr("right"), tr("left")), side(angleAlong_, tr("above"), tr("below")), from));
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/printing/print_desk.h"
+#include "exhibits/printing/print_preview.h"
 #include "ui/print/newest_job.h"
 
 #include <QImage>
@@ -19,8 +19,8 @@ class EyesPreview final : public QWidget {
 public:
     explicit EyesPreview(QWidget* parent = nullptr);
 
-    /// Null: nothing to show. `distance` in metres, infinity for eyes far away, which see the same.
-    void setPreview(std::shared_ptr<const PrintPreview>, double distance);
+    /// Null: nothing to show. `distance` in millimeters, infinity for eyes far away, which see the same.
+    void setPreview(std::shared_ptr<const printing::PrintPreview>, double distance);
     /// From where the card is looked at, between the eyes, in radians; to the right, and from above.
     void look(double angle, double angleAlong);
     [[nodiscard]] double angle() const { return angle_; }
@@ -45,11 +45,11 @@ private:
     void fetch(bool coarse);
     [[nodiscard]] QRectF half(int eye) const;
 
-    std::shared_ptr<const PrintPreview> preview_;
+    std::shared_ptr<const printing::PrintPreview> preview_;
     NewestJob job_;
     QTimer settle_;  ///< From the coarse pictures of a drag to fine ones.
     std::array<QImage, 2> images_;
-    double distance_ = 0.4;
+    double distance_ = 400;
     double angle_ = 0, angleAlong_ = 0, shownAngle_ = 0;
     QPointF grabbed_;
     bool dragging_ = false;

@@ -1,42 +1,64 @@
 #include "ui/print/print_dialog.h"
 
+#include "exhibits/framework/save_bytes.h"
+#include "exhibits/framework/state_folder.h"
+#include "exhibits/printing/print_json.h"
 #include "render/failure.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/print/export_bar.h"
 #include "ui/print/eyes_preview.h"
 #include "ui/print/print_numbers.h"
 #include "ui/print/sheet_bar.h"
 #include "ui/print/shown_views.h"
 #include "ui/print/source_bar.h"
 #include "ui/print/strip_preview.h"
+#include "ui/kit/idle_undo.h"
+#include "ui/kit/replace_question.h"
 
+#include <QAction>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QFileInfo>
-#include <QLabel>
-#include <QLineEdit>
-#include <QProgressBar>
-#include <QPushButton>
+#include <QHBoxLayout>
+#include <QMimeData>
+#include <QSettings>
+#include <QStandardPaths>
 #include <QTabBar>
-
-#include <cmath>
-#include <utility>
+#include <QUrl>
+#include <QVBoxLayout>
 
 namespace vitrine::ui {
 namespace {
 
-constexpr int renderAfter = 400;  // Milliseconds: not at every step of a slider.
+constexpr int panelWidth = 376;
+
+QString placesPath()
+{
+    return QString::fromStdString((stateFolder() / "print.ini").string());
+}
+
+QStringList localFiles(const QMimeData& data)
+{
+    QStringList paths;
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile()) paths << url.toLocalFile();
+    return paths;
+}
 
 }  // namespace
 
-PrintDialog::PrintDialog(std::unique_ptr<PrintDesk> desk, ShownViews* shown, QWidget* parent)
-    : QDialog(parent), desk_(std::move(desk)), live_(shown), look_(this), count_(this), read_(this), write_(this)
+PrintDialog::PrintDialog(ShownViews* shown, QWidget* parent)
+    : QDialog(parent), setup_(shown != nullptr, this), loader_(shown, this), look_(this), count_(this), write_(this)
 {
-    if (live_) live_->setParent(this);
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Export lenticular print"));
     setAcceptDrops(true);
-    renderSoon_.setSingleShot(true);
-    renderSoon_.setInterval(renderAfter);
-    build();
-    connectParts();
+    build(shown != nullptr);
+    buildUndo();
+    connectSetup();
+    connectViews();
+    connectExport();
     recall();
 }
 
@@ -45,90 +67,171 @@ PrintDialog::~PrintDialog()
     if (!remembered_) remember();  // The window took it along.
 }
 
-void PrintDialog::connectParts()
+QWidget* PrintDialog::buildLeft(bool canShow)
 {
+    tabs_ = new QTabBar(this);
+    tabs_->setDrawBase(false);
+    tabs_->setExpanding(false);
+    tabs_->addTab(tr("Print"));
+    tabs_->addTab(tr("Calibration chart"));
+    tabs_->setTabToolTip(0, tr("Views, interlaced."));
+    tabs_->setTabToolTip(1, tr("A sheet to print and lay the lenses on: pitch, phase, number of views, rotation."));
+    tabs_->setAccessibleName(tr("What to print"));
+    source_ = new SourceBar(canShow, this);
+    sheets_ = new SheetBar(setup_, this);
+    panel_ = new ParameterPanel(panelValues_, this);
+    panel_->showExhibit(0, QStringLiteral("print"));
+
+    auto* bars = new QVBoxLayout;
+    bars->setContentsMargins(8, 8, 8, 0);
+    bars->setSpacing(8);
+    bars->addWidget(source_);
+    bars->addWidget(sheets_);
+    auto* left = new QVBoxLayout;
+    left->setContentsMargins(0, 0, 0, 0);
+    left->setSpacing(0);
+    left->addWidget(tabs_);
+    left->addLayout(bars);
+    left->addWidget(panel_, 1);
+    auto* side = new QWidget(this);
+    side->setLayout(left);
+    side->setFixedWidth(panelWidth);
+    return side;
+}
+
+QLayout* PrintDialog::buildRight()
+{
+    strips_ = new StripPreview(this);
+    eyes_ = new EyesPreview(this);
+    numbers_ = new PrintNumbersView(this);
+    export_ = new ExportBar(this);
+    auto* right = new QVBoxLayout;
+    right->setContentsMargins(8, 8, 16, 16);
+    right->setSpacing(8);
+    right->addWidget(strips_, 4);
+    right->addWidget(eyes_, 5);
+    right->addWidget(numbers_);
+    right->addWidget(export_);
+    return right;
+}
+
+void PrintDialog::build(bool canShow)
+{
+    messages_ = new MessageStrip(this);
+    auto* sides = new QHBoxLayout;
+    sides->setContentsMargins(0, 0, 0, 0);
+    sides->setSpacing(8);
+    sides->addWidget(buildLeft(canShow));
+    sides->addLayout(buildRight(), 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(messages_);
+    layout->addLayout(sides, 1);
+    resize(1200, 680);  // With a title bar it fits 1280 x 720.
+}
+
+void PrintDialog::buildUndo()
+{
+    undo_ = setup_.stack().createUndoAction(this);
+    undo_->setShortcuts(QKeySequence::Undo);
+    redo_ = setup_.stack().createRedoAction(this);
+    redo_->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    addActions({undo_, redo_});
+    new IdleUndo(this);
+}
+
+void PrintDialog::connectSetup()
+{
+    connect(&setup_, &PrintSetup::changed, this, &PrintDialog::showState);
     connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) { setChart(tab == 1); });
-    connect(source_, &SourceBar::originChosen, this, [this](ViewOrigin origin) {
-        files_.clear();
-        setValues(desk_->withOrigin(*values_, origin));
+    connect(source_, &SourceBar::originChosen, this, [this](printing::ViewOrigin origin) {
+        PrintState state = setup_.state();
+        state.files.clear();
+        state.values.set(printing::printTable().origin, origin);
+        setup_.change(tr("Change where the views come from"), state);
     });
     connect(source_, &SourceBar::filesChosen, this, &PrintDialog::open);
-    connect(source_, &SourceBar::renderAsked, this, &PrintDialog::getViews);
-    connect(sheets_, &SheetBar::chosen, this, [this](const QString& name) {
-        try {
-            sheet_ = name.toStdString();
-            setValues(desk_->withSheet(*values_, sheet_));
-        } catch (const std::exception& failure) {
-            say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
-        }
+    connect(sheets_, &SheetBar::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    connect(&panelValues_, &History::changed, this, [this](std::size_t, std::size_t row) {
+        const ParameterValues& edited = panelValues_.look().values[0];
+        setup_.change(tr("Change %1").arg(QString::fromStdString(label(edited.rows()[row])).toLower()), edited, panelValues_.gesture());
     });
-    const auto changeSheets = [this](const auto& change) {
-        try {
-            change();
-        } catch (const std::exception& failure) {
-            say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
-        }
-        showSheets();
-    };
-    connect(sheets_, &SheetBar::saveAsked, this,
-            [this, changeSheets](const QString& name) {
-                changeSheets([&] {
-                    desk_->saveSheet(*values_, name.toStdString());
-                    sheet_ = name.toStdString();
-                });
-            });
-    connect(sheets_, &SheetBar::removeAsked, this,
-            [this, changeSheets](const QString& name) { changeSheets([&] { desk_->removeSheet(name.toStdString()); }); });
-    const auto edited = [this] {
-        if (values_ && settings_.look().values[0] != *values_) setValues(settings_.look().values[0]);
-    };
-    connect(&settings_, &History::changed, this, edited);
-    connect(&settings_, &History::replaced, this, edited);
-    connect(numbers_, &PrintNumbersView::fitAsked, this, [this](double scale) { setValues(desk_->withBaselineScale(*values_, scale)); });
-    connect(path_, &QLineEdit::textChanged, this, &PrintDialog::refresh);
-    connect(browse_, &QToolButton::clicked, this, &PrintDialog::browse);
-    connect(load_, &QPushButton::clicked, this, [this] { askSettings(false); });
-    connect(save_, &QPushButton::clicked, this, [this] { askSettings(true); });
-    connect(go_, &QPushButton::clicked, this, &PrintDialog::startExport);
-    connect(stop_, &QPushButton::clicked, this, &PrintDialog::reject);
+    connect(&panelValues_, &History::replaced, this, [this] {
+        setup_.change(tr("Change settings"), panelValues_.look().values[0], panelValues_.gesture());
+    });
+    connect(numbers_, &PrintNumbersView::fitAsked, this, [this](double strength) {
+        ParameterValues values = this->values();
+        values.set(printing::printTable().baselineScale, strength);
+        setup_.change(tr("Fit depth"), values);
+    });
+}
 
-    for (NewestJob* job : {&look_, &count_})
-        connect(job, &NewestJob::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
-    connect(&renderSoon_, &QTimer::timeout, this, [this] {
-        if (exporting_ || !summary_.refusal.empty()) return;
-        wantsViews_ = false;
-        live_->start(*desk_, *values_, true);
-    });
-    connect(&read_, &ProgressJob::progressed, this, [this](double part) { source_->say(tr("Reading, %1 %").arg(std::lround(part * 100))); });
-    connect(&read_, &ProgressJob::failed, this, [this](const QString& why) {
-        source_->say(tr("No views could be read."));
+void PrintDialog::connectViews()
+{
+    connect(source_, &SourceBar::renderAsked, this, [this] { loader_.load(setup_.state()); });
+    connect(&loader_, &ViewLoader::said, source_, &SourceBar::say);
+    connect(&loader_, &ViewLoader::changed, this, &PrintDialog::refresh);
+    connect(&loader_, &ViewLoader::progressed, this, [this](double part, double secondsLeft) { export_->showProgress(part, secondsLeft); });
+    connect(&loader_, &ViewLoader::readyForPrint, this, [this] { write(loader_.views()); });
+    connect(&loader_, &ViewLoader::failed, this, [this](const QString& why) {
         say(MessageStrip::Mood::problem, why);
+        if (exporting_) endExport(tr("Nothing was written."));
         refresh();
     });
-    const auto tell = [this](double part, double secondsLeft) {
-        progress_->setValue(static_cast<int>(part * 1000));
-        status_->setText(secondsLeft < 0 ? QString() : timeLeft(secondsLeft));
-    };
-    connect(&write_, &ProgressJob::progressed, this, tell);
+    for (NewestJob* job : {&look_, &count_})
+        connect(job, &NewestJob::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+}
+
+void PrintDialog::connectExport()
+{
+    connect(export_, &ExportBar::pathChanged, this, &PrintDialog::refresh);
+    connect(export_, &ExportBar::exportAsked, this, &PrintDialog::begin);
+    connect(export_, &ExportBar::stopAsked, this, &PrintDialog::reject);
+    connect(export_, &ExportBar::settingsLoaded, this, &PrintDialog::loadSettings);
+    connect(export_, &ExportBar::settingsSaved, this, &PrintDialog::saveSettings);
+    connect(&write_, &ProgressJob::progressed, export_, &ExportBar::showProgress);
     connect(&write_, &ProgressJob::stopped, this, [this] { endExport(tr("Cancelled; no file was written.")); });
     connect(&write_, &ProgressJob::failed, this, [this](const QString& why) {
         endExport(tr("Nothing was written."));
         say(MessageStrip::Mood::problem, why);
     });
-    if (!live_) return;
-    connect(live_, &ShownViews::progressed, this, [this, tell](double part, double secondsLeft) {
-        source_->say(tr("Rendering views, %1 %").arg(std::lround(part * 100)));
-        if (exporting_) tell(part, secondsLeft);
+}
+
+void PrintDialog::recall()
+{
+    const QSettings places(placesPath(), QSettings::IniFormat);
+    restoreGeometry(places.value(QStringLiteral("geometry")).toByteArray());
+    QString folder = places.value(QStringLiteral("folder")).toString();
+    if (folder.isEmpty() || !QDir(folder).exists()) folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    export_->suggest(folder);
+    trySaying([this] {
+        for (const QString& note : setup_.recall()) say(MessageStrip::Mood::notice, note);
     });
-    connect(live_, &ShownViews::finished, this, [this](const std::shared_ptr<const PrintViews>& views, const SceneDepth& depth) {
-        takeViews(views, depth, !exporting_);
-        if (exporting_) write(views);
-    });
-    connect(live_, &ShownViews::failed, this, [this](const QString& why) {
-        source_->say(tr("No views could be rendered."));
-        say(MessageStrip::Mood::problem, why);
-        if (exporting_) endExport(tr("Nothing was written."));
-    });
+}
+
+void PrintDialog::remember()
+{
+    remembered_ = true;
+    try {
+        setup_.remember();
+        QSettings places(placesPath(), QSettings::IniFormat);
+        places.setValue(QStringLiteral("geometry"), saveGeometry());
+        places.setValue(QStringLiteral("folder"), QFileInfo(path()).absolutePath());
+    } catch (const std::exception& failure) {
+        qWarning("%s", failure.what());  // The dialog is closing; nothing else depends on it.
+    }
+}
+
+bool PrintDialog::trySaying(const std::function<void()>& work)
+{
+    try {
+        work();
+        return true;
+    } catch (const std::exception& failure) {
+        say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        return false;
+    }
 }
 
 void PrintDialog::say(MessageStrip::Mood mood, const QString& text)
@@ -138,38 +241,32 @@ void PrintDialog::say(MessageStrip::Mood mood, const QString& text)
 
 void PrintDialog::setValues(const ParameterValues& values)
 {
-    const bool same = values_ && desk_->sameViews(*values_, values);
-    values_ = values;
-    if (!live_ && desk_->origin(*values_) == ViewOrigin::shown) values_ = desk_->withOrigin(*values_, ViewOrigin::files);
-    if (settings_.look().values.empty()) settings_.restart({{*values_}, {}});
-    else settings_.change({}, {{*values_}, {}});
-    panel_->showExhibit(0, QStringLiteral("print"));
+    setup_.change(tr("Change settings"), values);
+}
+
+bool PrintDialog::fromWindow() const
+{
+    return values()[printing::printTable().origin] == printing::ViewOrigin::shown;
+}
+
+void PrintDialog::showState(bool views)
+{
+    panelValues_.change({}, {{values()}, {}});
     showRows();
-    showSheets();
-    source_->showOrigin(desk_->origin(*values_));
-    if (!same) getViews();
+    source_->showOrigin(values()[printing::printTable().origin]);
+    if (views) loader_.load(setup_.state());
     refresh();
 }
 
 void PrintDialog::showRows()
 {
-    panel_->setWanted([this](const ParameterInfo& row) { return desk_->matters(row, *values_, chart_); });
-}
-
-void PrintDialog::showSheets()
-{
-    std::string problem;
-    sheets_->showSheets(desk_->sheets(problem), desk_->sheetName(*values_, sheet_));
-    if (!problem.empty()) say(MessageStrip::Mood::problem, QString::fromStdString(problem));
+    panel_->setWanted([this](const ParameterInfo& row) { return printing::rowActs(row, values(), chart_); });
 }
 
 void PrintDialog::setChart(bool chart)
 {
-    if (chart != chart_) {
-        const QString other = std::exchange(otherPath_, path_->text());
-        chart_ = chart;
-        path_->setText(other);
-    }
+    chart_ = chart;
+    export_->setChart(chart);
     tabs_->setCurrentIndex(chart ? 1 : 0);
     source_->setVisible(!chart);
     eyes_->setVisible(!chart);
@@ -179,104 +276,179 @@ void PrintDialog::setChart(bool chart)
 
 void PrintDialog::setPath(const QString& path)
 {
-    path_->setText(path);
+    export_->setPath(path);
 }
 
 QString PrintDialog::path() const
 {
-    return path_->text();
-}
-
-bool PrintDialog::hasViews() const
-{
-    return views_ || desk_->origin(*values_) == ViewOrigin::shown;
-}
-
-void PrintDialog::getViews()
-{
-    if (desk_->origin(*values_) == ViewOrigin::shown) {
-        read_.stop();
-        draft_ = wantsViews_ = true;
-        renderSoon_.start();
-        return;
-    }
-    wantsViews_ = false;
-    renderSoon_.stop();
-    if (live_) live_->stop();
-    depth_.reset();
-    readFiles();
-}
-
-void PrintDialog::readFiles()
-{
-    if (files_.isEmpty()) {
-        views_.reset();
-        read_.stop();
-        source_->say(desk_->origin(*values_) == ViewOrigin::quilt ? tr("Choose a picture with a grid of views, or drop it here.")
-                                                                  : tr("Choose a folder or pictures, or drop them here."));
-        return;
-    }
-    std::vector<std::string> names;
-    for (const QString& file : files_) names.push_back(file.toStdString());
-    source_->say(tr("Reading"));
-    read_.start([this, names, values = *values_](const PrintProgress& progress) -> ProgressJob::Outcome {
-        const std::shared_ptr<const PrintViews> views = desk_->readViews(values, names, progress);
-        return [this, views] { takeViews(views, std::nullopt, false); };
-    });
-}
-
-void PrintDialog::takeViews(std::shared_ptr<const PrintViews> views, const std::optional<SceneDepth>& depth, bool draft)
-{
-    views_ = std::move(views);
-    depth_ = depth;
-    draft_ = draft;
-    const QString from = files_.isEmpty() ? tr("what is shown") : files_.size() == 1 ? QFileInfo(files_.front()).fileName() : tr("%1 pictures").arg(files_.size());
-    source_->say(draft ? tr("%1 views of %2, small ones to look at").arg(views_->count()).arg(from) : tr("%1 views from %2").arg(views_->count()).arg(from));
-    refresh();
+    return export_->path();
 }
 
 bool PrintDialog::settled() const
 {
-    return asked_ == shown_ && !look_.busy() && !read_.running() && !renderSoon_.isActive() && !(live_ && live_->running());
+    return asked_ == shown_ && !look_.busy() && !loader_.busy();
 }
 
 void PrintDialog::refresh()
 {
-    if (!values_) return;
-    const int turn = ++asked_;
-    const std::filesystem::path path = path_->text().toStdString();
-    const std::shared_ptr<const PrintViews> views = chart_ ? nullptr : views_;
-    look_.ask([this, values = *values_, views, chart = chart_]() -> NewestJob::Outcome {
-        std::shared_ptr<const PrintPreview> preview;
+    lookAgain();
+    countAgain();
+    showButtons();
+}
+
+void PrintDialog::lookAgain()
+{
+    const std::shared_ptr<const printing::PrintViews> views = chart_ ? nullptr : loader_.views();
+    look_.ask([this, values = values(), views, chart = chart_]() -> NewestJob::Outcome {
+        std::shared_ptr<const printing::PrintPreview> preview;
         try {
-            if (chart || views) preview = desk_->preview(values, views);
-        } catch (const Failure&) {  // The summary says why.
+            if (chart || views) preview = printing::printPreview(values, views);
+        } catch (const Failure&) {  // The plan says why.
         }
-        return [this, preview, distance = desk_->viewingDistance(values)] {
+        return [this, preview, distance = printing::viewingDistance(values)] {
             strips_->setPreview(preview);
             eyes_->setPreview(chart_ ? nullptr : preview, distance);
         };
     });
-    count_.ask([this, turn, path, values = *values_, views, chart = chart_]() -> NewestJob::Outcome {
-        // Views that are rendered will be as many as the values say, whatever is there now.
-        const PrintSummary summary = desk_->summary(values, desk_->origin(values) == ViewOrigin::shown ? nullptr : views.get(), chart, path);
-        return [this, turn, summary] {
-            summary_ = summary;
+}
+
+void PrintDialog::countAgain()
+{
+    const int turn = ++asked_;
+    // Views that are rendered will be as many as the values say, whatever is there now.
+    const std::shared_ptr<const printing::PrintViews> views = chart_ || fromWindow() ? nullptr : loader_.views();
+    count_.ask([this, turn, file = std::filesystem::path(path().toStdString()), values = values(), views, chart = chart_]() -> NewestJob::Outcome {
+        const printing::PrintPlan plan = printing::printPlan(values, views.get(), chart, file);
+        return [this, turn, plan] {
+            plan_ = plan;
             shown_ = turn;
-            numbers_->showSummary(summary, chart_ ? std::nullopt : depth_);
+            numbers_->showPlan(plan, chart_ ? std::nullopt : loader_.depth());
             showButtons();
-            if (wantsViews_ && !chart_ && summary.refusal.empty() && !renderSoon_.isActive()) renderSoon_.start();
+            loader_.setPossible(plan.refusal.empty() && !chart_);
         };
     });
-    showButtons();
 }
 
 void PrintDialog::showButtons()
 {
-    go_->setEnabled(!exporting_ && summary_.refusal.empty() && (chart_ || hasViews()) && !read_.running());
-    go_->setText(chart_ ? tr("Export chart") : tr("Export"));
-    stop_->setText(exporting_ ? tr("Cancel") : tr("Close"));
-    for (QWidget* input : std::initializer_list<QWidget*>{tabs_, source_, sheets_, panel_, path_, browse_, load_}) input->setEnabled(!exporting_);
+    export_->showPossible(exporting_, plan_.refusal.empty() && (chart_ || loader_.views() || fromWindow()) && !loader_.reading());
+    for (QWidget* input : std::initializer_list<QWidget*>{tabs_, source_, sheets_, panel_}) input->setEnabled(!exporting_);
+    undo_->setEnabled(!exporting_ && setup_.stack().canUndo());
+    redo_->setEnabled(!exporting_ && setup_.stack().canRedo());
+}
+
+void PrintDialog::loadSettings(const QString& path)
+{
+    trySaying([&] {
+        for (const QString& note : setup_.load(printing::settingsIn(path.toStdString()), path.toStdString())) say(MessageStrip::Mood::notice, note);
+    });
+}
+
+void PrintDialog::saveSettings(const QString& path)
+{
+    trySaying([&] {
+        savePresetBytes(path.toStdString(), setup_.text());
+        say(MessageStrip::Mood::notice, tr("Settings saved to %1.").arg(path));
+    });
+}
+
+void PrintDialog::open(const QStringList& paths)
+{
+    if (paths.isEmpty() || exporting_) return;
+    if (paths.size() == 1 && QFileInfo(paths.front()).isFile()) {
+        if (QFileInfo(paths.front()).suffix().toLower() == QLatin1String("json")) {
+            loadSettings(paths.front());
+            return;
+        }
+        try {
+            const std::string path = paths.front().toStdString();
+            for (const QString& note : setup_.load(printing::settingsIn(path), path)) say(MessageStrip::Mood::notice, note);
+            return;
+        } catch (const std::exception&) {  // No print: a picture like any other.
+        }
+    }
+    if (chart_) setChart(false);
+    PrintState state = setup_.state();
+    state.files = paths;
+    if (fromWindow()) state.values.set(printing::printTable().origin, printing::ViewOrigin::files);
+    if (state == setup_.state()) loader_.load(state);  // The files may be others by now.
+    else setup_.change(tr("Choose views"), state);
+}
+
+void PrintDialog::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (!localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void PrintDialog::dropEvent(QDropEvent* event)
+{
+    open(localFiles(*event->mimeData()));
+    event->acceptProposedAction();
+}
+
+void PrintDialog::startExport()
+{
+    if (!exporting_) export_->ask();
+}
+
+void PrintDialog::begin(const QString&)
+{
+    if (exporting_) return;
+    exporting_ = true;
+    export_->showStatus(tr("Starting"));
+    showButtons();
+    if (chart_) write(nullptr);
+    else if (!fromWindow() || loader_.inFull()) write(loader_.views());
+    else loader_.renderInFull();
+}
+
+void PrintDialog::stopExport()
+{
+    if (!exporting_) return;
+    if (write_.running()) {
+        export_->showStatus(tr("Stopping"));
+        write_.stop();
+        return;
+    }
+    loader_.stop();
+    endExport(tr("Cancelled; no file was written."));
+}
+
+void PrintDialog::write(std::shared_ptr<const printing::PrintViews> views)
+{
+    write_.start([this, views = std::move(views), file = std::filesystem::path(path().toStdString()), values = values(),
+                  sources = textsOf(files())](const ProgressJob::Progress& progress) -> ProgressJob::Outcome {
+        const std::vector<std::filesystem::path> written = printing::exportPrint(values, views.get(), sources, file, progress);
+        return [this, written] {
+            const QString first = QString::fromStdString(written.front().string());
+            export_->setPath(nextFreePath(path()));
+            say(MessageStrip::Mood::notice, written.size() == 1 ? tr("Saved %1, and its settings beside it.").arg(first)
+                                                                : tr("Saved %1 files, the first %2, and their settings beside them.").arg(written.size()).arg(first));
+            endExport(QString());
+        };
+    });
+}
+
+void PrintDialog::endExport(const QString& words)
+{
+    exporting_ = false;
+    export_->showStatus(words);
+    showButtons();
+    emit exportEnded(words.isEmpty());
+}
+
+void PrintDialog::reject()
+{
+    if (exporting_) stopExport();
+    else QDialog::reject();
+}
+
+void PrintDialog::done(int result)
+{
+    loader_.stop();
+    write_.stop();
+    remember();
+    QDialog::done(result);
 }
 
 }  // namespace vitrine::ui

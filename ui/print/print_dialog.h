@@ -1,32 +1,26 @@
 #pragma once
 
-#include "exhibits/printing/print_desk.h"
+#include "exhibits/printing/print_plan.h"
 #include "ui/print/newest_job.h"
+#include "ui/print/print_setup.h"
+#include "ui/print/view_loader.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/progress_job.h"
 #include "ui/model/history.h"
 
 #include <QDialog>
-#include <QTimer>
 
 #include <memory>
-#include <optional>
 
-class QLabel;
-class QLineEdit;
-class QProgressBar;
-class QPushButton;
 class QTabBar;
-class QToolButton;
-class QVBoxLayout;
 
 namespace vitrine::ui {
 
+class ExportBar;
 class EyesPreview;
 class ParameterPanel;
 class PrintNumbersView;
 class SheetBar;
-class ShownViews;
 class SourceBar;
 class StripPreview;
 
@@ -37,13 +31,12 @@ class PrintDialog final : public QDialog {
 
 public:
     /// `shown` renders views of what the window shows; taken over, and null where there is no such window.
-    PrintDialog(std::unique_ptr<PrintDesk>, ShownViews* shown, QWidget* parent);
+    PrintDialog(ShownViews* shown, QWidget* parent);
     ~PrintDialog() override;
 
-    [[nodiscard]] const PrintDesk& desk() const { return *desk_; }
-    [[nodiscard]] const ParameterValues& values() const { return *values_; }
+    [[nodiscard]] const ParameterValues& values() const { return setup_.values(); }
     void setValues(const ParameterValues&);
-    [[nodiscard]] const QStringList& files() const { return files_; }
+    [[nodiscard]] const QStringList& files() const { return setup_.state().files; }
     /// Views, or a print or its JSON whose settings come back: what a drop on the dialog does.
     void open(const QStringList& paths);
     void setChart(bool);
@@ -72,47 +65,41 @@ protected:
     void dropEvent(QDropEvent*) override;
 
 private:
-    void build();
-    void connectParts();
+    void build(bool canShow);
+    [[nodiscard]] QWidget* buildLeft(bool canShow);
+    [[nodiscard]] QLayout* buildRight();
+    void buildUndo();
+    void connectSetup();
+    void connectViews();
+    void connectExport();
     void remember();
     void recall();
-    void takeSettings(const std::string& text, const std::string& fileName);
+
+    /// Does `work`; says why where it throws. Returns whether it did not.
+    bool trySaying(const std::function<void()>& work);
     void say(MessageStrip::Mood, const QString&);
-
+    void showState(bool views);
     void showRows();
-    void showSheets();
-    void getViews();
-    void readFiles();
-    void takeViews(std::shared_ptr<const PrintViews>, const std::optional<SceneDepth>&, bool draft);
     void refresh();
+    void lookAgain();
+    void countAgain();
     void showButtons();
-    [[nodiscard]] bool hasViews() const;
+    [[nodiscard]] bool fromWindow() const;
 
-    void write(std::shared_ptr<const PrintViews>);
     void begin(const QString& path);
+    void write(std::shared_ptr<const printing::PrintViews>);
     void endExport(const QString& words);
-    void browse();
-    void askSettings(bool save);
 
-    std::unique_ptr<PrintDesk> desk_;
-    std::optional<ParameterValues> values_;
-    History settings_{Look()};  ///< The values once more, as the panel shows and sets them.
-    QStringList files_;
-    std::shared_ptr<const PrintViews> views_;
-    std::optional<SceneDepth> depth_;
-    PrintSummary summary_;
-    std::string sheet_;       ///< Chosen or saved last: of sheets that are alike, the one that is meant.
-    bool draft_ = false;      ///< The views are small ones, to look at.
+    PrintSetup setup_;
+    History panelValues_{Look{{printing::printTable().initial()}, {}}};  ///< Those of `setup_` once more, for the panel.
+    ViewLoader loader_;
+    printing::PrintPlan plan_;
     bool chart_ = false;
     bool exporting_ = false;
     bool remembered_ = false;
-    bool wantsViews_ = false; ///< To be rendered as soon as the print is possible.
     int asked_ = 0, shown_ = 0;  ///< Refreshes asked for and shown.
-
-    ShownViews* live_;
-    NewestJob look_, count_;  ///< Previews; numbers, which take longer with many views.
-    ProgressJob read_, write_;
-    QTimer renderSoon_;
+    NewestJob look_, count_;     ///< Previews; numbers, which take longer with many views.
+    ProgressJob write_;
 
     MessageStrip* messages_;
     QTabBar* tabs_;
@@ -122,13 +109,8 @@ private:
     StripPreview* strips_;
     EyesPreview* eyes_;
     PrintNumbersView* numbers_;
-    QLineEdit* path_;
-    QString otherPath_;  ///< Of the chart while the print is set up, and the other way round.
-    QString replaced_;   ///< The visitor agreed that this file may be replaced.
-    QToolButton* browse_;
-    QProgressBar* progress_;
-    QLabel* status_;
-    QPushButton *load_, *save_, *stop_, *go_;
+    ExportBar* export_;
+    QAction *undo_, *redo_;
 };
 
 }  // namespace vitrine::ui

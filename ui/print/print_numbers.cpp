@@ -11,20 +11,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vitrine::ui {
 namespace {
 
-QString millimeters(double metres)
+QString millimeters(double length)
 {
-    return QString::number(metres * 1000, 'f', metres < 0.01 ? 2 : 1) + QStringLiteral(" mm");
+    return QString::number(length, 'f', length < 10 ? 2 : 1) + QStringLiteral(" mm");
 }
 
-QString reach(double from, double to)
+QString reach(const printing::DepthRange& range)
 {
     const auto metres = [](double m) { return std::isinf(m) ? QString(QChar(0x221e)) : QString::number(m, 'f', m < 10 ? 1 : 0); };
-    return metres(from) + QChar(0x2013) + metres(to) + QStringLiteral(" m");
+    return metres(range.nearest) + QChar(0x2013) + metres(range.farthest) + QStringLiteral(" m");
 }
 
 QString bytesText(double bytes)
@@ -74,6 +73,19 @@ void CrosstalkBars::paintEvent(QPaintEvent*)
 
 PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
 {
+    auto* top = new QHBoxLayout;
+    top->setSpacing(24);
+    top->addLayout(buildNumbers());
+    top->addLayout(buildCrosstalk(), 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addLayout(top);
+    layout->addLayout(buildMessages());
+}
+
+QLayout* PrintNumbersView::buildNumbers()
+{
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(4);
@@ -93,7 +105,11 @@ PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
     }
     grid->setColumnMinimumWidth(1, 96);
     grid->setColumnMinimumWidth(3, 120);
+    return grid;
+}
 
+QLayout* PrintNumbersView::buildCrosstalk()
+{
     bars_ = new CrosstalkBars(this);
     crosstalk_ = new QLabel(tr("Cross-talk"), this);
     crosstalk_->setTextFormat(Qt::PlainText);
@@ -101,11 +117,11 @@ PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
     chart->setSpacing(4);
     chart->addWidget(crosstalk_);
     chart->addWidget(bars_, 1);
-    auto* top = new QHBoxLayout;
-    top->setSpacing(24);
-    top->addLayout(grid);
-    top->addLayout(chart, 1);
+    return chart;
+}
 
+QLayout* PrintNumbersView::buildMessages()
+{
     messages_ = new QLabel(this);
     messages_->setTextFormat(Qt::PlainText);
     messages_->setWordWrap(true);
@@ -113,10 +129,6 @@ PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
     messages_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     messages_->setMinimumHeight(2 * messages_->fontMetrics().height() + 4);
     messages_->setAccessibleName(tr("Warnings"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
-    layout->addLayout(top);
     fit_ = new QPushButton(tr("Fit depth"), this);
     fit_->setAutoDefault(false);
     fit_->setAccessibleName(fit_->text());
@@ -127,7 +139,7 @@ PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
     below->setSpacing(8);
     below->addWidget(messages_, 1);
     below->addWidget(fit_, 0, Qt::AlignTop);
-    layout->addLayout(below);
+    return below;
 }
 
 QLabel* PrintNumbersView::addNumber(const QString& label, const QString& help)
@@ -157,33 +169,38 @@ QString PrintNumbersView::messages() const
     return messages_->text();
 }
 
-void PrintNumbersView::showSummary(const PrintSummary& summary, const std::optional<SceneDepth>& scene)
+void PrintNumbersView::showNumbers(const printing::PrintPlan& plan, const std::optional<printing::SceneDepth>& depth)
 {
-    const bool possible = summary.refusal.empty();
-    const QString none = QStringLiteral("–");
-    perLens_->setText(possible ? QString::number(summary.pixelsPerLens, 'f', 4) : none);
-    lpi_->setText(possible ? QString::number(summary.storedLpi, 'f', 4) : none);
-    views_->setText(possible ? tr("%1 of %2").arg(std::lround(summary.effectiveViews)).arg(summary.ownShare.size()) : none);
-    zone_->setText(possible ? QString::number(summary.zone * 180 / std::numbers::pi, 'f', 1) + QChar(0xb0) : none);
-    depth_->setText(possible ? millimeters(summary.depthBudget) : none);
-    scene_->setText(possible && scene ? tr("%1 (%2)").arg(reach(scene->nearest, scene->farthest), reach(scene->nearestHeld, scene->farthestHeld)) : none);
-    size_->setText(possible ? tr("%1 × %2 px").arg(summary.width).arg(summary.height) : none);
-    bytes_->setText(possible ? bytesText(summary.bytes) : none);
-    bars_->showShares(summary.ownShare);
-    if (possible && !summary.ownShare.empty()) {
-        const auto [least, most] = std::minmax_element(summary.ownShare.begin(), summary.ownShare.end());
-        crosstalk_->setText(tr("Cross-talk %1 to %2 %").arg(std::lround(100 * (1 - *most))).arg(std::lround(100 * (1 - *least))));
-    } else {
+    if (!plan.layout) {
+        for (const auto& [name, value] : numbers_) value->setText(QStringLiteral("–"));
         crosstalk_->setText(tr("Cross-talk"));
+        return;
     }
+    const printing::PrintNumbers& numbers = plan.numbers;
+    perLens_->setText(QString::number(numbers.pixelsPerLens, 'f', 4));
+    lpi_->setText(QString::number(numbers.effectiveLpi, 'f', 4));
+    views_->setText(tr("%1 of %2").arg(std::lround(numbers.effectiveViews)).arg(numbers.ownShare.size()));
+    zone_->setText(QString::number(numbers.zoneDegrees, 'f', 1) + QChar(0xb0));
+    depth_->setText(millimeters(numbers.depthBudget));
+    scene_->setText(depth ? tr("%1 (%2)").arg(reach(depth->scene), reach(depth->held)) : QStringLiteral("–"));
+    size_->setText(tr("%1 × %2 px").arg(plan.layout->width()).arg(plan.layout->height()));
+    bytes_->setText(bytesText(plan.bytes));
+    const auto [least, most] = std::minmax_element(numbers.ownShare.begin(), numbers.ownShare.end());
+    crosstalk_->setText(tr("Cross-talk %1 to %2 %").arg(std::lround(100 * (1 - *most))).arg(std::lround(100 * (1 - *least))));
+}
 
+void PrintNumbersView::showPlan(const printing::PrintPlan& plan, const std::optional<printing::SceneDepth>& depth)
+{
+    showNumbers(plan, depth);
+    bars_->showShares(plan.numbers.ownShare);
+    const bool possible = plan.layout.has_value();
     QStringList lines;
-    if (!possible) lines << QString::fromStdString(summary.refusal);
-    for (const std::string& warning : summary.warnings) lines << QString::fromStdString(warning);
-    if (possible && scene)
-        for (const std::string& warning : scene->warnings) lines << QString::fromStdString(warning);
-    fitting_ = scene ? scene->scaleThatHolds : 1;
-    fit_->setVisible(possible && scene && (scene->nearest < scene->nearestHeld || scene->farthest > scene->farthestHeld));
+    if (!possible) lines << QString::fromStdString(plan.refusal);
+    for (const std::string& warning : plan.warnings) lines << QString::fromStdString(warning);
+    if (possible && depth)
+        for (const std::string& warning : depth->warnings) lines << QString::fromStdString(warning);
+    fitting_ = depth ? depth->strengthThatHolds : 1;
+    fit_->setVisible(possible && depth && (depth->scene.nearest < depth->held.nearest || depth->scene.farthest > depth->held.farthest));
     messages_->setText(lines.join(QLatin1Char('\n')));
     QPalette palette = this->palette();
     palette.setColor(QPalette::WindowText, possible ? theme().accent : theme().error);

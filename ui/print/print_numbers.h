@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/printing/print_desk.h"
+#include "exhibits/printing/print_plan.h"
 
 #include <QWidget>
 
@@ -8,6 +8,7 @@
 #include <vector>
 
 class QLabel;
+class QLayout;
 class QPushButton;
 
 namespace vitrine::ui {
@@ -35,16 +36,20 @@ public:
     explicit PrintNumbersView(QWidget* parent = nullptr);
 
     /// The scene's depth is known for rendered views only.
-    void showSummary(const PrintSummary&, const std::optional<SceneDepth>&);
+    void showPlan(const printing::PrintPlan&, const std::optional<printing::SceneDepth>&);
     /// "Pixels per lens" and so on, as on the screen.
     [[nodiscard]] QString shown(const QString& label) const;
     [[nodiscard]] QString messages() const;
 
 signals:
-    /// The scene is too deep: which baseline scale holds it.
-    void fitAsked(double baselineScale);
+    /// The scene is too deep: at which strength of the rig the print holds it.
+    void fitAsked(double strength);
 
 private:
+    [[nodiscard]] QLayout* buildNumbers();
+    [[nodiscard]] QLayout* buildCrosstalk();
+    [[nodiscard]] QLayout* buildMessages();
+    void showNumbers(const printing::PrintPlan&, const std::optional<printing::SceneDepth>&);
     QLabel* addNumber(const QString& label, const QString& help);
 
     std::vector<std::pair<QLabel*, QLabel*>> numbers_;

@@ -1,5 +1,8 @@
 #include "ui/print/sheet_bar.h"
 
+#include "render/failure.h"
+#include "ui/print/print_setup.h"
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QInputDialog>
@@ -10,7 +13,8 @@
 
 namespace vitrine::ui {
 
-SheetBar::SheetBar(QWidget* parent) : QWidget(parent), list_(new QComboBox(this)), save_(new QToolButton(this)), remove_(new QToolButton(this))
+SheetBar::SheetBar(PrintSetup& setup, QWidget* parent)
+    : QWidget(parent), setup_(setup), list_(new QComboBox(this)), save_(new QToolButton(this)), remove_(new QToolButton(this))
 {
     auto* name = new QLabel(tr("Sheet"), this);
     list_->setAccessibleName(tr("Lens sheet"));
@@ -34,28 +38,76 @@ SheetBar::SheetBar(QWidget* parent) : QWidget(parent), list_(new QComboBox(this)
     layout->addWidget(list_, 1);
     layout->addWidget(save_);
     layout->addWidget(remove_);
-    connect(list_, &QComboBox::activated, this, [this](int index) {
-        if (index < static_cast<int>(sheets_.size())) emit chosen(list_->itemText(index));
-    });
-    connect(save_, &QToolButton::clicked, this, &SheetBar::askName);
-    connect(remove_, &QToolButton::clicked, this, [this] { emit removeAsked(list_->currentText()); });
+    connectParts();
 }
 
-void SheetBar::showSheets(const std::vector<SheetEntry>& sheets, const std::string& current)
+void SheetBar::connectParts()
 {
-    sheets_ = sheets;
+    connect(list_, &QComboBox::activated, this, [this](int index) {
+        if (index < static_cast<int>(count_)) choose(list_->itemText(index));
+    });
+    connect(save_, &QToolButton::clicked, this, &SheetBar::askName);
+    connect(remove_, &QToolButton::clicked, this, [this] { remove(list_->currentText()); });
+    connect(&setup_, &PrintSetup::changed, this, &SheetBar::showSheets);
+}
+
+void SheetBar::change(const std::function<void()>& work)
+{
+    try {
+        work();
+    } catch (const std::exception& failure) {
+        emit failed(QString::fromUtf8(failure.what()));
+    }
+    showSheets();
+}
+
+void SheetBar::choose(const QString& name)
+{
+    change([&] {
+        const printing::Sheet sheet = sheets_.named(name.toStdString());
+        setup_.change(tr("Choose sheet %1").arg(name), {printing::withSheet(setup_.values(), sheet), setup_.state().files, sheet.name});
+    });
+}
+
+void SheetBar::save(const QString& name)
+{
+    change([&] {
+        printing::Sheet sheet = printing::sheetOf(setup_.values());
+        sheet.name = name.toStdString();
+        sheets_.save(sheet);
+        setup_.change(tr("Save sheet %1").arg(name), {setup_.values(), setup_.state().files, sheet.name});
+    });
+}
+
+void SheetBar::remove(const QString& name)
+{
+    change([&] { sheets_.remove(name.toStdString()); });
+}
+
+void SheetBar::showSheets()
+{
+    std::string problem;
+    const std::vector<printing::Sheet> sheets = sheets_.all(problem);
+    std::string current;
+    try {
+        current = sheets_.nameOf(printing::sheetOf(setup_.values()), setup_.state().sheet);
+    } catch (const Failure&) {  // A sheet that cannot be has no name; the plan says why.
+    }
     const QSignalBlocker quiet(list_);
     list_->clear();
-    for (const SheetEntry& sheet : sheets_) list_->addItem(QString::fromStdString(sheet.name));
-    const auto at = std::find_if(sheets_.begin(), sheets_.end(), [&](const SheetEntry& sheet) { return sheet.name == current; });
-    if (at == sheets_.end()) list_->addItem(tr("not in the list"));
-    list_->setCurrentIndex(static_cast<int>(at - sheets_.begin()));
-    remove_->setEnabled(at != sheets_.end() && at->own);
+    for (const printing::Sheet& sheet : sheets) list_->addItem(QString::fromStdString(sheet.name));
+    const auto at = std::find_if(sheets.begin(), sheets.end(), [&](const printing::Sheet& sheet) { return sheet.name == current; });
+    if (at == sheets.end()) list_->addItem(tr("not in the list"));
+    const auto index = static_cast<std::size_t>(at - sheets.begin());
+    count_ = sheets.size();
+    list_->setCurrentIndex(static_cast<int>(index));
+    remove_->setEnabled(at != sheets.end() && index >= printing::knownSheets().size());
+    if (!problem.empty()) emit failed(QString::fromStdString(problem));
 }
 
 QString SheetBar::current() const
 {
-    return list_->currentIndex() < static_cast<int>(sheets_.size()) ? list_->currentText() : QString();
+    return list_->currentIndex() < static_cast<int>(count_) ? list_->currentText() : QString();
 }
 
 void SheetBar::askName()
@@ -66,7 +118,7 @@ void SheetBar::askName()
     dialog->setLabelText(tr("Name of the sheet"));
     dialog->setTextValue(remove_->isEnabled() ? current() : QString());
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
-        if (!name.trimmed().isEmpty()) emit saveAsked(name.trimmed());
+        if (!name.trimmed().isEmpty()) save(name.trimmed());
     });
     dialog->open();
 }

@@ -2,18 +2,13 @@
 
 #include "render/failure.h"
 #include "render/measure/memory.h"
-#include "ui/kit/message_of.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/presets/look_text.h"
 #include "ui/viewport/viewport.h"
+#include "ui/kit/message_of.h"
 
 namespace vitrine::ui {
-namespace {
-
-constexpr int depthWidth = 240;
-
-}  // namespace
 
 ShownViews::ShownViews(Workbench& window, QObject* parent) : QObject(parent), window_(window)
 {
@@ -32,7 +27,7 @@ ShownViews::~ShownViews()
     stop();
 }
 
-void ShownViews::start(const PrintDesk& desk, const ParameterValues& values, bool draft)
+void ShownViews::start(const ParameterValues& values, bool draft)
 {
     stop();
     const Look look = window_.history().look();
@@ -40,21 +35,17 @@ void ShownViews::start(const PrintDesk& desk, const ParameterValues& values, boo
     frame.camera = look.camera;
     frame.time = window_.viewport().time();
     try {
-        pictures_ = desk.shots(values, look, frame, draft);
+        pictures_ = printing::printShots(values, look, frame, draft);
     } catch (const std::exception& failure) {
         fail(messageOf(failure));
         return;
     }
-    PrintShot quick{look, pictures_.front().request};
+    printing::ViewShot quick{look, pictures_.front().request};
     quick.request.frame.camera = look.camera;
-    const glm::ivec2 size = quick.request.frame.raster.size;
-    quick.request.frame.raster.size = {depthWidth, std::max(1, depthWidth * size.y / size.x)};
-    quick.request.samples = 1;
-    quick.request.depth = true;
+    quick = printing::depthShot(quick);
     pictures_.insert(pictures_.begin(), quick);
-    desk_ = &desk;
     values_ = values;
-    views_ = desk.newViews();
+    views_ = std::make_shared<printing::PrintViews>();
     views_->setLook(textOf(window_.gallery(), look, window_.chosen(), "Picture"));
     next_ = 0;
     elapsed_.start();
@@ -78,7 +69,7 @@ void ShownViews::fail(const QString& why)
 
 void ShownViews::begin(std::size_t picture)
 {
-    const PrintShot& shot = pictures_[picture];
+    const printing::ViewShot& shot = pictures_[picture];
     if (job_.renderer) window_.gallery().nextPicture(job_, shot.look, shot.request);
     else job_ = window_.gallery().makePicture(shot.look, shot.request);
     if (!job_.maker) throw Failure(Blame::openGl, "No views can be rendered before the first picture is on the screen; try again then.");
@@ -86,7 +77,7 @@ void ShownViews::begin(std::size_t picture)
 
 void ShownViews::take()
 {
-    if (next_ == 0) depth_ = desk_->sceneDepth(*values_, pictures_[0].look, job_.maker->picture());
+    if (next_ == 0) depth_ = printing::sceneDepth(*values_, pictures_[0].look, job_.maker->picture());
     else views_->add(job_.maker->picture());
     ++next_;
     job_.maker.reset();
@@ -105,7 +96,7 @@ void ShownViews::step()
         return;
     }
     if (next_ == pictures_.size()) {
-        const std::shared_ptr<const PrintViews> views = std::move(views_);
+        const std::shared_ptr<const printing::PrintViews> views = std::move(views_);
         stop();
         emit finished(views, depth_);
         return;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/printing/print_desk.h"
+#include "exhibits/printing/print_views.h"
 #include "ui/viewport/gallery.h"
 
 #include <QElapsedTimer>
@@ -20,18 +20,18 @@ class ShownViews final : public QObject {
     Q_OBJECT
 
 public:
-    explicit ShownViews(Workbench&, QObject* parent);
+    ShownViews(Workbench&, QObject* parent);
     ~ShownViews() override;
 
     /// From where the visitor stands now; stops what was being rendered.
-    void start(const PrintDesk&, const ParameterValues&, bool draft);
+    void start(const ParameterValues&, bool draft);
     void stop();
     [[nodiscard]] bool running() const { return timer_.isActive(); }
 
 signals:
     /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
     void progressed(double part, double secondsLeft);
-    void finished(std::shared_ptr<const vitrine::PrintViews> views, const vitrine::SceneDepth& depth);
+    void finished(std::shared_ptr<const vitrine::printing::PrintViews> views, const vitrine::printing::SceneDepth& depth);
     void failed(const QString& why);
 
 private:
@@ -41,12 +41,11 @@ private:
     void fail(const QString& why);
 
     Workbench& window_;
-    const PrintDesk* desk_ = nullptr;
     std::optional<ParameterValues> values_;
-    std::vector<PrintShot> pictures_;  ///< The quick one for depth, then the views.
+    std::vector<printing::ViewShot> pictures_;  ///< The quick one for depth, then the views.
     std::size_t next_ = 0;
-    std::shared_ptr<PrintViews> views_;
-    SceneDepth depth_;
+    std::shared_ptr<printing::PrintViews> views_;
+    printing::SceneDepth depth_;
     PictureJob job_;
     QTimer timer_;
     QElapsedTimer elapsed_;

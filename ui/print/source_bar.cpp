@@ -13,9 +13,9 @@ SourceBar::SourceBar(bool canShow, QWidget* parent)
     : QWidget(parent), origin_(new QComboBox(this)), render_(new QPushButton(tr("Render again"), this)),
       folder_(new QPushButton(tr("Folder…"), this)), files_(new QPushButton(tr("Pictures…"), this)), said_(new QLabel(this))
 {
-    if (canShow) origin_->addItem(tr("What is shown"), static_cast<int>(ViewOrigin::shown));
-    origin_->addItem(tr("Pictures"), static_cast<int>(ViewOrigin::files));
-    origin_->addItem(tr("Quilt"), static_cast<int>(ViewOrigin::quilt));
+    if (canShow) origin_->addItem(tr("What is shown"), static_cast<int>(printing::ViewOrigin::shown));
+    origin_->addItem(tr("Pictures"), static_cast<int>(printing::ViewOrigin::files));
+    origin_->addItem(tr("Quilt"), static_cast<int>(printing::ViewOrigin::quilt));
     origin_->setAccessibleName(tr("Where the views come from"));
     origin_->setToolTip(tr("Views rendered from the picture in the window, read from a folder or a list of pictures,\nor cut from one picture with a grid of views. A folder or pictures can also be dropped here."));
     origin_->setFocusPolicy(Qt::StrongFocus);
@@ -43,20 +43,20 @@ SourceBar::SourceBar(bool canShow, QWidget* parent)
     layout->addLayout(row);
     layout->addWidget(said_);
 
-    connect(origin_, &QComboBox::activated, this, [this] { emit originChosen(static_cast<ViewOrigin>(origin_->currentData().toInt())); });
+    connect(origin_, &QComboBox::activated, this, [this] { emit originChosen(static_cast<printing::ViewOrigin>(origin_->currentData().toInt())); });
     connect(render_, &QPushButton::clicked, this, &SourceBar::renderAsked);
     connect(folder_, &QPushButton::clicked, this, &SourceBar::chooseFolder);
     connect(files_, &QPushButton::clicked, this, &SourceBar::chooseFiles);
     showOrigin(shown_);
 }
 
-void SourceBar::showOrigin(ViewOrigin origin)
+void SourceBar::showOrigin(printing::ViewOrigin origin)
 {
     shown_ = origin;
     origin_->setCurrentIndex(origin_->findData(static_cast<int>(origin)));
-    render_->setVisible(origin == ViewOrigin::shown);
-    folder_->setVisible(origin == ViewOrigin::files);
-    files_->setVisible(origin != ViewOrigin::shown);
+    render_->setVisible(origin == printing::ViewOrigin::shown);
+    folder_->setVisible(origin == printing::ViewOrigin::files);
+    files_->setVisible(origin != printing::ViewOrigin::shown);
 }
 
 void SourceBar::say(const QString& text)
@@ -80,10 +80,10 @@ void SourceBar::chooseFolder()
 
 void SourceBar::chooseFiles()
 {
-    auto* dialog = new QFileDialog(this, shown_ == ViewOrigin::quilt ? tr("Quilt") : tr("Views"), {},
+    auto* dialog = new QFileDialog(this, shown_ == printing::ViewOrigin::quilt ? tr("Quilt") : tr("Views"), {},
                                    tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(shown_ == ViewOrigin::quilt ? QFileDialog::ExistingFile : QFileDialog::ExistingFiles);
+    dialog->setFileMode(shown_ == printing::ViewOrigin::quilt ? QFileDialog::ExistingFile : QFileDialog::ExistingFiles);
     connect(dialog, &QFileDialog::filesSelected, this, &SourceBar::filesChosen);
     dialog->open();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/printing/print_desk.h"
+#include "exhibits/printing/print_table.h"
 
 #include <QStringList>
 #include <QWidget>
@@ -19,13 +19,13 @@ public:
     /// `canShow`: there is a picture in the window to render views from.
     SourceBar(bool canShow, QWidget* parent);
 
-    void showOrigin(ViewOrigin);
+    void showOrigin(printing::ViewOrigin);
     /// "16 views" or why there are none.
     void say(const QString&);
     [[nodiscard]] QString said() const;
 
 signals:
-    void originChosen(vitrine::ViewOrigin);
+    void originChosen(vitrine::printing::ViewOrigin);
     void filesChosen(const QStringList&);
     void renderAsked();
 
@@ -36,7 +36,7 @@ private:
     QComboBox* origin_;
     QPushButton *render_, *folder_, *files_;
     QLabel* said_;
-    ViewOrigin shown_ = ViewOrigin::files;
+    printing::ViewOrigin shown_ = printing::ViewOrigin::files;
 };
 
 }  // namespace vitrine::ui

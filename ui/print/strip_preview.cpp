@@ -18,7 +18,7 @@ constexpr double leastLensOnScreen = 6;  // Pixels: closer lines would be a gray
 
 }  // namespace
 
-QImage imageOf(const CodedPicture& picture)
+QImage imageOf(const printing::CodedPicture& picture)
 {
     QImage image(picture.width, picture.height, QImage::Format_RGB888);
     const std::size_t row = static_cast<std::size_t>(picture.width) * 3;
@@ -39,7 +39,7 @@ StripPreview::StripPreview(QWidget* parent) : QWidget(parent), job_(this)
     });
 }
 
-void StripPreview::setPreview(std::shared_ptr<const PrintPreview> preview)
+void StripPreview::setPreview(std::shared_ptr<const printing::PrintPreview> preview)
 {
     const bool moved = !preview || !preview_ || preview->width() != preview_->width() || preview->height() != preview_->height();
     preview_ = std::move(preview);
@@ -78,7 +78,7 @@ void StripPreview::fetch()
     const std::int64_t x1 = std::max(x0 + 1, edge(std::ceil(middle_.x() + width() / 2.0 / zoom_), preview_->width()));
     const std::int64_t y1 = std::max(y0 + 1, edge(std::ceil(middle_.y() + height() / 2.0 / zoom_), preview_->height()));
     job_.ask([this, preview = preview_, x0, y0, x1, y1]() -> NewestJob::Outcome {
-        const QImage image = imageOf(preview->raster(x0, y0, x1, y1));
+        const QImage image = imageOf(preview->raster({x0, y0, x1, y1}));
         return [this, image, x0, y0, x1, y1] {
             image_ = image;
             imageRegion_ = QRectF(static_cast<double>(x0), static_cast<double>(y0), static_cast<double>(x1 - x0), static_cast<double>(y1 - y0));
@@ -116,7 +116,7 @@ void StripPreview::paintEvent(QPaintEvent*)
 
 void StripPreview::paintLenses(QPainter& painter) const
 {
-    const LensGrid grid = preview_->lenses();
+    const printing::LensGrid grid = preview_->lenses();
     const double perPixel = std::hypot(grid.perX, grid.perY);
     if (!(perPixel > 0) || zoom_ / perPixel < leastLensOnScreen) return;
     const QRectF paper = QRectF(toScreen(0, 0), toScreen(static_cast<double>(preview_->width()), static_cast<double>(preview_->height()))) & QRectF(rect());

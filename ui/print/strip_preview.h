@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/printing/print_desk.h"
+#include "exhibits/printing/print_preview.h"
 #include "ui/print/newest_job.h"
 
 #include <QImage>
@@ -17,7 +17,7 @@ public:
     explicit StripPreview(QWidget* parent = nullptr);
 
     /// Null: nothing to show. The place that is looked at stays while the print's size does.
-    void setPreview(std::shared_ptr<const PrintPreview>);
+    void setPreview(std::shared_ptr<const printing::PrintPreview>);
     [[nodiscard]] double zoom() const { return zoom_; }  ///< Screen pixels per printed pixel.
     void setZoom(double);
     /// Of what is on the screen; null until it is made.
@@ -42,7 +42,7 @@ private:
     void paintLenses(QPainter&) const;
     [[nodiscard]] QPointF toScreen(double x, double y) const;
 
-    std::shared_ptr<const PrintPreview> preview_;
+    std::shared_ptr<const printing::PrintPreview> preview_;
     NewestJob job_;
     QImage image_;
     QRectF imageRegion_;          ///< Of the raster, in its pixels.
@@ -53,6 +53,6 @@ private:
 };
 
 /// The picture as Qt draws it.
-[[nodiscard]] QImage imageOf(const CodedPicture&);
+[[nodiscard]] QImage imageOf(const printing::CodedPicture&);
 
 }  // namespace vitrine::ui

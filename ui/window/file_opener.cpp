@@ -1,6 +1,6 @@
 #include "ui/window/file_opener.h"
 
-#include "exhibits/exhibits.h"
+#include "exhibits/printing/print_json.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "ui/kit/message_of.h"
@@ -24,8 +24,7 @@ const QStringList pictures{QStringLiteral("hdr"), QStringLiteral("exr"), QString
 bool isPrint(const QString& path)
 {
     try {
-        const std::unique_ptr<PrintDesk> desk = makePrintDesk();
-        static_cast<void>(desk->settingsFrom(desk->settingsIn(path.toStdString()), path.toStdString()));
+        static_cast<void>(printing::savedSettings(printing::settingsIn(path.toStdString()), path.toStdString()));
         return true;
     } catch (const Failure&) {
         return false;

@@ -1,6 +1,5 @@
 #include "ui/window/main_window.h"
 
-#include "exhibits/exhibits.h"
 #include "render/files/assets.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/text.h"
@@ -299,7 +298,7 @@ void MainWindow::openScreenshotDialog()
 void MainWindow::openPrintDialog(const QString& print)
 {
     auto* dialog = findChild<PrintDialog*>();
-    if (!dialog) dialog = new PrintDialog(makePrintDesk(), new ShownViews(*this, this), this);
+    if (!dialog) dialog = new PrintDialog(new ShownViews(*this, this), this);
     dialog->show();
     dialog->raise();
     dialog->activateWindow();

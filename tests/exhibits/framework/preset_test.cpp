@@ -96,6 +96,14 @@ TEST(Preset, KeepsUnknownKeysOnSave)
     EXPECT_EQ(presetText(read(text)), text);
 }
 
+TEST(Preset, ClampsARoundedLimitWithoutAWord)
+{
+    const Preset rounded = read(fileWith(R"("angle": 3.141593)"));
+    EXPECT_TRUE(rounded.notes.empty());
+    EXPECT_EQ(rounded.values[table.angle], 3.141592653589793);
+    EXPECT_EQ(read(fileWith(R"("angle": 3.1417)")).notes.size(), 1U);
+}
+
 TEST(Preset, ReportsEveryClamp)
 {
     const Preset preset = read(fileWith(R"("exposure": 99, "stepLimit": 64.4, "tint": [2, 0, 0], "sun": [0, 3, 4])"));

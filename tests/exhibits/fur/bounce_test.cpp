@@ -165,7 +165,7 @@ TEST(Bounce, CollidesWithTheRadiusThatIsDrawn)
 double reachOf(int body, const ParameterValues& values, double grown)
 {
     const double skin = body == furBall ? ballRadius * grown : body == furRoll ? rollHalfLength + rollRadius : ringRadius + ringTube;
-    return skin + values[coatRows(table(), body).length];
+    return skin + values[table().coats[static_cast<std::size_t>(body)].length];
 }
 
 TEST(Bounce, NeverLeavesTheSpaceInWhichItIsLookedFor)
@@ -249,7 +249,7 @@ TEST(Bounce, RestsOnTheFloorWhateverTheFurCarries)
         const BounceSettings s = bounceSettings(table(), values, nullptr, 0);
         for (int i = 0; i < furBodyCount; ++i) {
             const double skin = i == furBall ? ballRadius : i == furRoll ? rollRadius : ringTube;
-            const double length = values[coatRows(table(), i).length];
+            const double length = values[table().coats[static_cast<std::size_t>(i)].length];
             EXPECT_NEAR(restStates(s)[static_cast<std::size_t>(i)].position.y, skin + (1 - flattening) * length, 1e-12);
         }
     }

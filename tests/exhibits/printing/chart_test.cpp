@@ -8,7 +8,7 @@
 #include <complex>
 #include <numbers>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 constexpr double dpi = 300;
@@ -155,4 +155,4 @@ TEST(Chart, RefusesAPrintThatIsTooSmall)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

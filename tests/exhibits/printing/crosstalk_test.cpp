@@ -1,6 +1,6 @@
 #include "exhibits/printing/crosstalk.h"
 
-#include "exhibits/printing/dither.h"
+#include "exhibits/printing/interlace.h"
 #include "exhibits/printing/proof.h"
 #include "tests/exhibits/printing/samples.h"
 
@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using test::linearImage;
@@ -215,4 +215,4 @@ TEST(Border, IsWhiteAndMovesNothing)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

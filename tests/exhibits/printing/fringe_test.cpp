@@ -1,15 +1,15 @@
 // Errors of a print as its sheet shows them: the number of fringes is known in closed form.
 
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/optics.h"
 #include "exhibits/printing/proof.h"
+#include "exhibits/printing/sheet.h"
 #include "tests/exhibits/printing/samples.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using test::linearImage;
@@ -173,4 +173,4 @@ INSTANTIATE_TEST_SUITE_P(Prints, AngleSweep,
                                          Sweep{30, 720, 4, -26.6, Method::nearest}, Sweep{40, 1200, 6, 45, Method::guard}));
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

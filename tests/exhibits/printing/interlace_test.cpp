@@ -1,6 +1,6 @@
 #include "tests/exhibits/printing/samples.h"
 
-#include "exhibits/printing/strip_weights.h"
+#include "exhibits/printing/taps.h"
 #include "render/failure.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using test::noisyViews;
@@ -260,4 +260,4 @@ TEST(Lenticular, WarnsOfWhatWillDisappoint)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -18,7 +18,7 @@
 #include <cstdlib>
 #include <fstream>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using test::noisyViews;
@@ -277,4 +277,4 @@ TEST(PrintRaster, WhatIsCutOffOrOfAnotherSizeIsRefusedByName)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

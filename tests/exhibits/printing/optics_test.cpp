@@ -1,7 +1,7 @@
 #include "exhibits/printing/optics.h"
 
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/print_layout.h"
+#include "exhibits/printing/sheet.h"
 #include "render/failure.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 const Sheet twenty{"20 LPI", 20, 0, 1.1487179487179487, 3.2, 1.56, 0};
@@ -155,4 +155,4 @@ TEST(LenticularSheet, ThePrintPitchFollowsFromTheDistance)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

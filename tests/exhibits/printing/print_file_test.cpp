@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using test::noisyViews;
@@ -213,4 +213,4 @@ TEST(PrintCommand, PrintsAndProvesAndRefusesWithoutLeavingFiles)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -10,7 +10,7 @@
 #include <array>
 #include <cstdio>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using vitrine::test::bytesOf;
@@ -139,4 +139,4 @@ TEST_F(PrintRefusals, AFullDiskIsExit5NothingIsLeftAndTheEarlierPrintStands)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

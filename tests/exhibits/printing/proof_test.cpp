@@ -1,8 +1,9 @@
 #include "exhibits/printing/proof.h"
+#include "exhibits/printing/view_files.h"
 
 #include "exhibits/printing/crosstalk.h"
-#include "exhibits/printing/numbers.h"
 #include "exhibits/printing/optics.h"
+#include "exhibits/printing/sheet.h"
 #include "render/image/image_io.h"
 #include "tests/exhibits/printing/samples.h"
 
@@ -11,7 +12,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 using test::linearImage;
@@ -190,4 +191,4 @@ TEST(Proof, OfAPrintOfPhotographsShowsEachFromItsOwnSide)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace vitrine::lenticular::test {
+namespace vitrine::printing::test {
 
 /// A print of `columns` x `rows` pixels at `dpi`.
 inline PrintSettings settingsFor(double lpi, double dpi, int views, double columns, double rows)
@@ -54,4 +54,4 @@ inline render::Image linearImage(const PrintLayout& layout, const std::vector<st
     return image;
 }
 
-}  // namespace vitrine::lenticular::test
+}  // namespace vitrine::printing::test

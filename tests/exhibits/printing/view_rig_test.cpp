@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vitrine::lenticular {
+namespace vitrine::printing {
 namespace {
 
 const render::Camera middle{{0.3, 1.6, 2.5}, {0.1, 1.4, 0.2}, 0.7};
@@ -244,4 +244,4 @@ TEST(DepthRange, LeavesOutTheStrayPixelsAndKnowsTheHorizon)
 }
 
 }  // namespace
-}  // namespace vitrine::lenticular
+}  // namespace vitrine::printing

@@ -1,5 +1,5 @@
-#include "exhibits/exhibits.h"
 #include "exhibits/framework/state_folder.h"
+#include "exhibits/printing/print_json.h"
 #include "render/files/read_file.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
@@ -32,7 +32,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// The print dialog over the real desk, with views from files: no OpenGL.
+/// The print dialog with views from files: no OpenGL.
 class PrintDialogTest : public QObject {
     Q_OBJECT
 
@@ -41,7 +41,7 @@ class PrintDialogTest : public QObject {
 
     void openDialog()
     {
-        dialog_ = new PrintDialog(makePrintDesk(), nullptr, nullptr);
+        dialog_ = new PrintDialog(nullptr, nullptr);
         dialog_->show();
         QVERIFY(QTest::qWaitForWindowExposed(dialog_, vitrine::test::patience));
         settle();
@@ -256,7 +256,7 @@ private slots:
         QTRY_VERIFY(!dialog_->exporting());
         QVERIFY2(said().contains("Saved " + out + "/card.tif"), qPrintable(said()));
         QCOMPARE(filesIn(out), (QStringList{"card.tif", "card.tif.json"}));
-        const PrintDesk::Settings written = dialog_->desk().settingsFrom(render::readFile((out + "/card.tif.json").toStdString(), 1 << 20), "card.tif.json");
+        const printing::SavedSettings written = printing::savedSettings(render::readFile((out + "/card.tif.json").toStdString(), 1 << 20), "card.tif.json");
         QVERIFY(written.values == before);
         QCOMPARE(written.sources.size(), std::size_t{6});
 
@@ -423,7 +423,9 @@ private slots:
         file.close();
         openDialog();
         QVERIFY2(said().contains("print.json"), qPrintable(said()));
-        QVERIFY(dialog_->values() == dialog_->desk().withOrigin(dialog_->desk().parameters().initial(), ViewOrigin::files));
+        ParameterValues first = printing::printTable().initial();
+        first.set(printing::printTable().origin, printing::ViewOrigin::files);
+        QVERIFY(dialog_->values() == first);
         QFile other(home_->filePath("other.json"));
         QVERIFY(other.open(QIODevice::WriteOnly));
         other.write("{\"vitrinePrint\": 7}");
@@ -438,18 +440,121 @@ private slots:
         auto* bar = dialog_->findChild<SheetBar*>();
         set("measuredPerInch", 60.12);
         QCOMPARE(bar->current(), QString());
-        emit bar->saveAsked("Mine");
+        bar->save("Mine");
         QCOMPARE(bar->current(), QString("Mine"));
-        emit bar->chosen("40-3d");
+        bar->choose("40-3d");
         settle();
         QCOMPARE(bar->current(), QString("40-3d"));
-        emit bar->chosen("Mine");
+        bar->choose("Mine");
         settle();
         QVERIFY(number("LPI in the file") > 60);
-        emit bar->saveAsked("40-3d");  // A shipped one: refused.
+        bar->save("40-3d");  // A shipped one: refused.
         QVERIFY2(said().contains("40-3d"), qPrintable(said()));
-        emit bar->removeAsked("Mine");
+        bar->remove("Mine");
         QCOMPARE(bar->current(), QString());
+    }
+
+    void anOwnSheetWithAShippedSheetsNumbersStaysTheOwnOne()
+    {
+        auto* bar = dialog_->findChild<SheetBar*>();
+        const QString shipped = bar->current();
+        QVERIFY(!shipped.isEmpty());
+        bar->save("Mine");
+        QCOMPARE(bar->current(), QString("Mine"));
+        set("phase", 0.2);
+        QCOMPARE(bar->current(), QString("Mine"));
+        closeDialog();
+        openDialog();
+        bar = dialog_->findChild<SheetBar*>();
+        QCOMPARE(bar->current(), QString("Mine"));
+        bar->choose(shipped);
+        QCOMPARE(bar->current(), shipped);
+        bar->choose("Mine");
+        bar->remove("Mine");
+        QCOMPARE(bar->current(), shipped);
+    }
+
+    void settingsFilesAndSheetsAreUndoneAndRedone()
+    {
+        const auto press = [&](Qt::KeyboardModifiers modifiers, QWidget* at) {
+            QTest::keyClick(at, Qt::Key_Z, modifiers);
+            settle();
+        };
+        const auto undo = [&] { press(Qt::ControlModifier, dialog_->findChild<StripPreview*>()); };
+        const auto redo = [&] { press(Qt::ControlModifier | Qt::ShiftModifier, dialog_->findChild<StripPreview*>()); };
+        QApplication::setActiveWindow(dialog_);
+        const QStringList views = solidViews(4);
+        const ParameterValues before = dialog_->values();
+        dialog_->open(views);
+        settle();
+        type("lensesPerInch", "40");
+        const ParameterValues typed = dialog_->values();
+        dialog_->findChild<SheetBar*>()->choose("20-flip");
+        settle();
+        const ParameterValues chosen = dialog_->values();
+        QVERIFY(typed != before && chosen != typed);
+
+        undo();
+        QVERIFY(dialog_->values() == typed);
+        QCOMPARE(dialog_->findChild<SheetBar*>()->current(), QString("40-3d"));
+        QVERIFY(std::abs(number("LPI in the file") - 40) < 1);
+        undo();
+        QVERIFY(dialog_->values() == before);
+        QCOMPARE(dialog_->files(), views);
+        undo();
+        QVERIFY(dialog_->files().isEmpty());
+        QVERIFY(!button("Export")->isEnabled());
+        undo();  // Nothing before that.
+        QVERIFY(dialog_->values() == before);
+
+        redo();
+        QCOMPARE(dialog_->files(), views);
+        QVERIFY(button("Export")->isEnabled());
+        redo();
+        redo();
+        QVERIFY(dialog_->values() == chosen);
+        QCOMPARE(dialog_->findChild<SheetBar*>()->current(), QString("20-flip"));
+        // Also from a number field in which nothing is typed.
+        press(Qt::ControlModifier, dialog_->findChild<ParameterPanel*>()->row("phase")->findChild<NumberField*>());
+        QVERIFY(dialog_->values() == typed);
+    }
+
+    void aDragIsOneStepOfUndo()
+    {
+        const ParameterValues before = dialog_->values();
+        auto* panel = dialog_->findChild<ParameterPanel*>();
+        ParameterValues values = before;
+        const std::size_t phase = *values.table().find("phase");
+        const Gesture gesture = newGesture();
+        for (const double to : {0.1, 0.2, 0.3}) {
+            values.setRow(phase, to);
+            emit panel->row("phase")->findChild<NumberField*>()->edited(to, gesture);
+        }
+        settle();
+        QVERIFY(dialog_->values() == values);
+        QApplication::setActiveWindow(dialog_);
+        QTest::keyClick(dialog_->findChild<StripPreview*>(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(dialog_->values() == before);
+    }
+
+    void whileAPrintIsWrittenNothingIsUndone()
+    {
+        dialog_->open(solidViews(12));
+        settle();
+        set("width", 1.2);
+        set("height", 1.2);
+        const ParameterValues before = dialog_->values();
+        dialog_->setPath(home_->filePath("card.tif"));
+        settle();
+        dialog_->startExport();
+        QVERIFY(dialog_->exporting());
+        QApplication::setActiveWindow(dialog_);
+        QTest::keyClick(dialog_->findChild<StripPreview*>(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(dialog_->values() == before);
+        dialog_->stopExport();
+        QTRY_VERIFY(!dialog_->exporting());
+        QTest::keyClick(dialog_->findChild<StripPreview*>(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(dialog_->values() != before);
     }
 
     void escClosesAndEveryControlIsReachedByTabAndHasAName()

@@ -41,7 +41,7 @@ int main(int argc, char** argv)
     for (const bool dark : {true, false}) {
         const QString ending = dark ? QStringLiteral("_dark.png") : QStringLiteral("_light.png");
         ui::applyTheme(app, dark ? ui::darkTheme() : ui::lightTheme());
-        ui::PrintDialog dialog(makePrintDesk(), nullptr, nullptr);
+        ui::PrintDialog dialog(nullptr, nullptr);
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         dialog.setPath(QStringLiteral("/home/visitor/Pictures/lenticular-print.tif"));
         dialog.show();

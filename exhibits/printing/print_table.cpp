@@ -1,0 +1,160 @@
+#include "exhibits/printing/print_table.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vitrine::printing {
+namespace {
+
+/// Without the last digits that conversion adds, so that 70 mm stay 70.
+double mm(double metres)
+{
+    return std::round(metres * 1e12) / 1e9;
+}
+
+double degrees(double radians)
+{
+    return std::round(radians / radiansPerDegree * 1e9) / 1e9;
+}
+
+bool same(double a, double b)
+{
+    return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
+
+const PrintTable& printTable()
+{
+    static const PrintTable table;
+    return table;
+}
+
+bool rowActs(const ParameterInfo& row, const ParameterValues& values, bool chart)
+{
+    const PrintTable& table = printTable();
+    const auto is = [&](auto parameter) { return row.name == table.rows()[parameter.row].name; };
+    const ViewOrigin from = values[table.origin];
+    if (row.group == "Views") {
+        if (chart) return is(table.views) && values[table.chart] != ChartKind::pitch && values[table.chart] != ChartKind::phase;
+        if (is(table.viewWidth) || is(table.samples) || is(table.baselineScale) || is(table.convergence)) return from == ViewOrigin::shown;
+        if (is(table.quiltColumns) || is(table.quiltRows)) return from == ViewOrigin::quilt;
+        if (is(table.views)) return from != ViewOrigin::quilt;
+        return !is(table.origin);  // It has a place of its own, beside the files.
+    }
+    if (is(table.chart)) return chart;
+    if (is(table.chartSpan)) return chart && values[table.chart] == ChartKind::pitch;
+    if (is(table.zone)) return values[table.lens] == LensShape::derived;
+    if (is(table.radius) || is(table.thickness)) return values[table.lens] == LensShape::given;
+    if (is(table.distance)) return !values[table.infiniteDistance];
+    if (is(table.border) || is(table.compensate)) return !chart;
+    if (is(table.dither)) return values[table.bits] == 0;
+    if (is(table.guard)) return values[table.method] == Method::guard;
+    if (is(table.tileWidth)) return values[table.direction] == 0;
+    return true;
+}
+
+bool sameViews(const ParameterValues& a, const ParameterValues& b)
+{
+    const PrintTable& table = printTable();
+    const bool rendered = b[table.origin] == ViewOrigin::shown;
+    const auto decides = [&](const ParameterInfo& row) {
+        if (row.group == "Views") return row.name == table.rows()[table.origin.row].name || rowActs(row, b, false);
+        // The cameras stand as the lenses show, and frame what the print's shape takes.
+        return rendered && (row.group == "Sheet" || row.name == "width" || row.name == "height" || row.name == "bleed" || row.name == "direction" ||
+                            row.name == "distance" || row.name == "infiniteDistance" || row.name == "visualPerInch");
+    };
+    for (std::size_t i = 0; i < a.rows().size(); ++i)
+        if (a.row(i) != b.row(i) && decides(a.rows()[i])) return false;
+    return true;
+}
+
+double viewingDistance(const ParameterValues& values)
+{
+    return values[printTable().infiniteDistance] ? std::numeric_limits<double>::infinity() : values[printTable().distance] * 1000;
+}
+
+Sheet sheetOf(const ParameterValues& values)
+{
+    const PrintTable& table = printTable();
+    Sheet sheet;
+    if (values[table.lens] == LensShape::derived) {
+        sheet = derivedSheet("", values[table.lensesPerInch], degrees(values[table.zone]), values[table.refractiveIndex]);
+        sheet.conic = values[table.conic];
+    } else {
+        sheet = {"", values[table.lensesPerInch], 0, mm(values[table.radius]), mm(values[table.thickness]), values[table.refractiveIndex], values[table.conic]};
+    }
+    sheet.effectiveLpi = values[table.measuredPerInch];
+    check(sheet);
+    return sheet;
+}
+
+ParameterValues withSheet(ParameterValues values, const Sheet& sheet)
+{
+    const PrintTable& table = printTable();
+    values.set(table.lensesPerInch, sheet.nominalLpi);
+    values.set(table.measuredPerInch, sheet.effectiveLpi);
+    values.set(table.radius, sheet.radius / 1000);
+    values.set(table.thickness, sheet.thickness / 1000);
+    values.set(table.refractiveIndex, sheet.index);
+    values.set(table.conic, sheet.conic);
+    // The zone that a lens focused on its back would have; kept where the sheet is that lens.
+    const double zone = 2 * std::atan(sheet.index * (25.4 / sheet.nominalLpi) / (2 * sheet.thickness));
+    values.set(table.zone, degrees(zone) * radiansPerDegree);
+    values.set(table.lens, same(sheet.radius, sheet.thickness * (sheet.index - 1) / sheet.index) ? LensShape::derived : LensShape::given);
+    return values;
+}
+
+PrintSettings printSettings(const ParameterValues& values, int views)
+{
+    const PrintTable& table = printTable();
+    PrintSettings s;
+    s.sheet = sheetOf(values);
+    s.dpiX = values[table.dotsPerInch];
+    s.dpiY = values[table.dotsDown] > 0 ? values[table.dotsDown] : s.dpiX;
+    s.width = mm(values[table.width]);
+    s.height = mm(values[table.height]);
+    s.bleed = mm(values[table.bleed]);
+    s.distance = values[table.infiniteDistance] ? std::numeric_limits<double>::infinity() : mm(values[table.distance]);
+    s.visualLpi = values[table.visualPerInch];
+    s.phase = values[table.phase];
+    s.direction = degrees(values[table.direction]);
+    s.reverse = values[table.reverse];
+    s.mirror = values[table.mirror];
+    s.views = views;
+    s.method = values[table.method];
+    s.guard = values[table.guard];
+    s.border = mm(values[table.border]);
+    s.inkSpread = mm(values[table.inkSpread]);
+    s.compensate = values[table.compensate];
+    s.dither = values[table.dither] && values[table.bits] == 0;  // 16 bits need none.
+    return s;
+}
+
+ParameterValues withSettings(ParameterValues values, const PrintSettings& s)
+{
+    const PrintTable& table = printTable();
+    values = withSheet(std::move(values), s.sheet);
+    values.set(table.dotsPerInch, s.dpiX);
+    values.set(table.dotsDown, s.dpiY == s.dpiX ? 0.0 : s.dpiY);
+    values.set(table.width, s.width / 1000);
+    values.set(table.height, s.height / 1000);
+    values.set(table.bleed, s.bleed / 1000);
+    values.set(table.infiniteDistance, std::isinf(s.distance));
+    if (!std::isinf(s.distance)) values.set(table.distance, s.distance / 1000);
+    values.set(table.visualPerInch, s.visualLpi);
+    values.set(table.phase, s.phase);
+    values.set(table.direction, s.direction * radiansPerDegree);
+    values.set(table.reverse, s.reverse);
+    values.set(table.mirror, s.mirror);
+    values.set(table.views, s.views);
+    values.set(table.method, s.method);
+    values.set(table.guard, s.guard);
+    values.set(table.border, s.border / 1000);
+    values.set(table.inkSpread, s.inkSpread / 1000);
+    values.set(table.compensate, s.compensate);
+    values.set(table.dither, s.dither);
+    return values;
+}
+
+}  // namespace vitrine::printing

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "exhibits/study/study_result.h"
+#include "render/measure/pareto.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// What the pictures and times of a study come to.
+class StudyJudge {
+public:
+    /// Exhibits and request must outlive it.
+    StudyJudge(Exhibits exhibits, const StudyRequest& request) : exhibits_(exhibits), request_(request) {}
+
+    [[nodiscard]] Errors errorsOf(const render::Image& reference, const render::Image& picture) const;
+    /// One number for all views: root mean square of RMS errors, largest of maxima, else the mean.
+    [[nodiscard]] double pooled(const std::vector<double>& errors) const;
+    /// Fills in what follows from the points' shots and the reference's uncertainty; `doublings` is how often the
+    /// reference was made twice as exact.
+    void judge(StudyResult&, int doublings) const;
+
+private:
+    void judgePoint(StudyPoint&, double uncertainty) const;
+    [[nodiscard]] bool isPresent(const StudyPoint&) const;
+    [[nodiscard]] std::string convergenceSentence(const StudyResult&, std::size_t uncertainErrors, double smallestError, int doublings) const;
+    void judgeCosts(StudyResult&) const;
+    void fitLaw(StudyResult&, std::span<const render::CostAndError>) const;
+
+    Exhibits exhibits_;
+    const StudyRequest& request_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,106 @@
+#include "exhibits/printing/print_views.h"
+#include "render/failure.h"
+#include "render/image/image_io.h"
+#include "tests/exhibits/printing/set_up_print.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace vitrine::printing {
+namespace {
+
+class PrintViewsTest : public test::SetUpPrint {
+protected:
+    [[nodiscard]] static ParameterValues shown(ParameterValues values)
+    {
+        values.set(printTable().origin, ViewOrigin::shown);
+        return values;
+    }
+    [[nodiscard]] ParameterValues scaled(double strength) const
+    {
+        ParameterValues values = values_;
+        values.set(table_.baselineScale, strength);
+        return values;
+    }
+};
+
+TEST_F(PrintViewsTest, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
+{
+    std::vector<std::string> files;
+    for (int k = 0; k < 9; ++k) {
+        files.push_back((folder_.path() / ("v" + std::to_string(k) + ".png")).string());
+        render::writePicture(files.back(), render::Image(8, 8, 3, static_cast<float>(k) / 8), render::PictureFormat::png16);
+    }
+    values_.set(table_.views, 3);
+    const auto three = readViews(values_, files, {});
+    ASSERT_EQ(three->count(), 3);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(three->full().row(k, 0)[0], 65535.0 * k / 2, 12);
+    values_.set(table_.views, 40);
+    EXPECT_EQ(readViews(values_, {folder_.path().string()}, {})->count(), 9);  // No more than there are.
+    EXPECT_THROW(static_cast<void>(readViews(values_, {}, {})), Failure);
+    EXPECT_THROW(static_cast<void>(readViews(values_, files, [](double part) { return part < 0.5; })), Failure);
+
+    render::Image quilt(8, 4, 3);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 8; ++x)
+            for (int c = 0; c < 3; ++c) quilt.at(x, y, c) = static_cast<float>((y < 2 ? 2 : 0) + (x < 4 ? 0 : 1)) / 3;
+    render::writePicture(folder_.path() / "quilt.png", quilt, render::PictureFormat::png16);
+    values_.set(table_.origin, ViewOrigin::quilt);
+    values_.set(table_.quiltColumns, 2);
+    values_.set(table_.quiltRows, 2);
+    const auto four = readViews(values_, {(folder_.path() / "quilt.png").string()}, {});
+    ASSERT_EQ(four->count(), 4);
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(four->full().row(k, 0)[0], 65535.0 * k / 3, 12);
+}
+
+TEST_F(PrintViewsTest, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
+{
+    Look look{{}, {{0, 1.6, 4}, {0, 1.2, 0}, 0.9}};
+    const auto fine = printShots(values_, look, {}, false);
+    const auto draft = printShots(values_, look, {}, true);
+    ASSERT_EQ(fine.size(), 12U);
+    ASSERT_EQ(draft.size(), 12U);
+    for (std::size_t k = 0; k + 1 < fine.size(); ++k) EXPECT_GT(fine[k + 1].look.camera.eye.x, fine[k].look.camera.eye.x);
+    EXPECT_EQ(fine[3].look.camera, draft[3].look.camera);
+    EXPECT_EQ(fine[0].request.frame.raster.size.x, 960);
+    EXPECT_LE(draft[0].request.frame.raster.size.x, 240);
+    EXPECT_NEAR(static_cast<double>(fine[0].request.frame.raster.size.y) / 960, 0.02 / 0.03, 1e-3);
+    values_.set(table_.baselineScale, 0.0);
+    const auto flat = printShots(values_, look, {}, false);
+    EXPECT_EQ(flat[0].look.camera.eye, flat[11].look.camera.eye);
+
+    ParameterValues other = values_;
+    other.set(table_.phase, 0.2);
+    EXPECT_TRUE(sameViews(values_, other));
+    other.set(table_.lensesPerInch, 40.0);
+    EXPECT_TRUE(sameViews(values_, other));  // Files stay what they are,
+    const ParameterValues fromWindow = shown(values_);
+    const ParameterValues coarser = shown(other);
+    EXPECT_FALSE(sameViews(fromWindow, coarser));  // and cameras stand where the lenses need them.
+    EXPECT_FALSE(sameViews(values_, fromWindow));
+}
+
+TEST_F(PrintViewsTest, TheBaselineScaleThatFitsHoldsTheSceneAndALargerOneDoesNot)
+{
+    values_ = shown(values_);
+    const Look look{{}, {{0, 1.6, 4}, {0, 1.2, 0}, 0.9}};
+    render::Image picture(20, 10, 5, 1.0F);
+    picture.channelNames = {"R", "G", "B", "A", "depth.Z"};
+    for (int x = 0; x < 20; ++x)
+        for (int y = 0; y < 10; ++y) picture.at(x, y, 4) = 2.0F + static_cast<float>(x);
+    const SceneDepth deep = sceneDepth(values_, look, picture);
+    EXPECT_NEAR(deep.scene.nearest, 2, 0.01);
+    EXPECT_NEAR(deep.scene.farthest, 21, 0.01);
+    EXPECT_FALSE(deep.warnings.empty());
+    ASSERT_LT(deep.strengthThatHolds, 1);
+    const SceneDepth held = sceneDepth(scaled(deep.strengthThatHolds), look, picture);
+    EXPECT_LE(held.held.nearest, held.scene.nearest * (1 + 1e-9));
+    EXPECT_GE(held.held.farthest, held.scene.farthest * (1 - 1e-9));
+    EXPECT_TRUE(held.warnings.empty());
+    const SceneDepth more = sceneDepth(scaled(deep.strengthThatHolds * 1.05), look, picture);
+    EXPECT_FALSE(more.warnings.empty());
+}
+
+}  // namespace
+}  // namespace vitrine::printing
