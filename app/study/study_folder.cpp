@@ -7,7 +7,7 @@
 #include "render/image/image_io.h"
 #include "render/measure/distance.h"
 #include "ui/study/study_chart.h"
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QApplication>
 #include <QBuffer>

@@ -52,17 +52,21 @@ std::string rangeText(const ParameterInfo& row)
     return {};
 }
 
-/// SHADOW_METHOD for "shadowMethod", SUN_S_DISK for "sun's disk".
-std::string upperCase(std::string_view name)
+/// "oldGold" for "old gold", "sunSDisk" for "sun's disk".
+std::string camelCase(std::string_view text)
 {
-    std::string text;
-    for (const char c : name) {
+    std::string name;
+    bool begins = false;
+    for (const char c : text) {
         const auto u = static_cast<unsigned char>(c);
-        if (std::isupper(u) != 0 && !text.empty() && text.back() != '_') text += '_';
-        if (std::isalnum(u) != 0) text += static_cast<char>(std::toupper(u));
-        else if (!text.empty() && text.back() != '_') text += '_';
+        if (std::isalnum(u) == 0) {
+            begins = !name.empty();
+            continue;
+        }
+        name += static_cast<char>(begins ? std::toupper(u) : u);
+        begins = false;
     }
-    return text;
+    return name;
 }
 
 }  // namespace
@@ -73,7 +77,7 @@ std::string enumerators(const Parameters& table)
     std::set<std::string> names;
     for (const ParameterInfo& row : table.rows())
         for (std::size_t i = 0; i < row.choices.size(); ++i) {
-            const std::string name = upperCase(row.name) + '_' + upperCase(row.choices[i]);
+            const std::string name = std::string(row.name) + '_' + camelCase(row.choices[i]);
             if (names.insert(name).second) text += "const int " + name + " = " + std::to_string(i) + ";\n";
         }
     return text;

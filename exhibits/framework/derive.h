@@ -13,7 +13,7 @@
 // change here.
 namespace vitrine::derive {
 
-/// The enumerators of a table's choices, as GLSL: `const int SHADOW_METHOD_AREA = 5;` for "area" of the row "shadowMethod".
+/// The enumerators of a table's choices, as GLSL: `const int shadowMethod_area = 5;` for "area" of the row "shadowMethod".
 [[nodiscard]] std::string enumerators(const Parameters&);
 
 /// The std140 block of a table, as GLSL, after its `enumerators`: shaders read `parameters.shellCount`. Real is float, count

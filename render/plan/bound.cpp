@@ -29,11 +29,12 @@ Bound boundOf(double share, double radiance, std::initializer_list<Factor> facto
 std::string toString(const Bound& bound)
 {
     if (!bound.isKnown()) return {};
-    if (bound.isZero()) return "nothing: its bound is 0";
-    const std::string share = bound.share > 0 ? shortNumber(100 * bound.share) + " % of the light" : std::string();
-    const std::string radiance = bound.radiance > 0 ? shortNumber(bound.radiance) : std::string();
-    if (share.empty()) return "at most " + radiance + " of light";
-    return "at most " + share + (radiance.empty() ? std::string() : " and " + radiance + " more");
+    if (bound.isZero()) return "changes nothing";
+    // White is 1 of light: with as much, a pixel can become anything.
+    if (bound.share >= 1 || bound.radiance >= 1) return "may change any pixel";
+    const std::string radiance = shortNumber(bound.radiance) + " of the light of white";
+    if (bound.share == 0) return "changes a pixel by at most " + radiance;
+    return "changes a pixel by at most " + shortNumber(100 * bound.share) + " % of its light" + (bound.radiance > 0 ? " and " + radiance : "");
 }
 
 }  // namespace vitrine::render

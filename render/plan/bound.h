@@ -31,7 +31,8 @@ struct Factor {
 /// changes nothing, whatever it would.
 [[nodiscard]] Bound boundOf(double share, double radiance, std::initializer_list<Factor> factors);
 
-/// "at most 40 % of the light and 0.3 more"; "nothing: its bound is 0"; empty when nothing is promised.
+/// "changes a pixel by at most 40 % of its light and 0.3 of the light of white"; "may change any pixel" from a bound of 1
+/// on, which leaves a pixel every value; "changes nothing"; empty when nothing is promised.
 [[nodiscard]] std::string toString(const Bound&);
 
 }  // namespace vitrine::render

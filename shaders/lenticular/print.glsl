@@ -51,16 +51,16 @@ LensShape lensShape(Print print, float index, float along)
 float spotMiddle(LensShape s, vec2 plane)
 {
     float tangent = plane.x / plane.y;
-    if (parameters.model == MODEL_LINEAR) return -0.5 * tangent / tan(parameters.intendedMaxAngle);
-    if (parameters.model == MODEL_PARAXIAL) return -s.thickness / s.index * atan(tangent);
+    if (parameters.model == model_linear) return -0.5 * tangent / tan(parameters.intendedMaxAngle);
+    if (parameters.model == model_paraxial) return -s.thickness / s.index * atan(tangent);
     return lensChiefRay(s, tangent);
 }
 
 // How fast that middle moves with the tangent of the eye's angle.
 float spotRate(LensShape s, vec2 plane)
 {
-    if (parameters.model == MODEL_LINEAR) return 0.5 / tan(parameters.intendedMaxAngle);
-    if (parameters.model == MODEL_PARAXIAL) return s.thickness / s.index * plane.y * plane.y;
+    if (parameters.model == model_linear) return 0.5 / tan(parameters.intendedMaxAngle);
+    if (parameters.model == model_paraxial) return s.thickness / s.index * plane.y * plane.y;
     return s.thickness - s.radius;
 }
 
@@ -68,8 +68,8 @@ float spotRate(LensShape s, vec2 plane)
 vec2 landing(LensShape s, float x, vec2 plane, float middle, float views)
 {
     ++traces;
-    if (parameters.model == MODEL_LINEAR) return vec2(middle - parameters.magnification * x / views, 1.0);
-    if (parameters.model == MODEL_PARAXIAL) return vec2(middle + parameters.magnification * x * (1.0 - s.thickness * (s.index - 1.0) / (s.index * s.radius)), 1.0);
+    if (parameters.model == model_linear) return vec2(middle - parameters.magnification * x / views, 1.0);
+    if (parameters.model == model_paraxial) return vec2(middle + parameters.magnification * x * (1.0 - s.thickness * (s.index - 1.0) / (s.index * s.radius)), 1.0);
     LensRay ray = lensTrace(s, x, plane.x, plane.y);
     return vec2(middle + parameters.magnification * (ray.x - middle), ray.weight);
 }

@@ -28,9 +28,9 @@ vec3 heatColor(float x)
 vec3 heat(March march, Hit hit)
 {
     vec3 shown;
-    if (parameters.heatMap == HEAT_MAP_STEPS) shown = heatColor(float(march.steps) / parameters.heatScale);
-    else if (parameters.heatMap == HEAT_MAP_EVALUATIONS) shown = heatColor(float(evaluations) / parameters.heatScale);
-    else if (parameters.heatMap == HEAT_MAP_NORMALS) shown = hit.worldNormal * 0.5 + 0.5;
+    if (parameters.heatMap == heatMap_steps) shown = heatColor(float(march.steps) / parameters.heatScale);
+    else if (parameters.heatMap == heatMap_evaluations) shown = heatColor(float(evaluations) / parameters.heatScale);
+    else if (parameters.heatMap == heatMap_normals) shown = hit.worldNormal * 0.5 + 0.5;
     else shown = heatColor(0.5 + 0.5 * march.distance / max(4.0 * hit.tolerance, 1e-7));
     return inverseTonemap(shown * 0.98) / light.probeHigh.w;
 }

@@ -44,7 +44,7 @@ Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
 // Share of the sun that the object leaves itself, by the table's method.
 float selfVisibility(Hit hit)
 {
-    if (parameters.shadowMethod == SHADOW_METHOD_NONE) return 1.0;
+    if (parameters.shadowMethod == shadowMethod_none) return 1.0;
     vec3 toSun = normalize(mat3(object.localFromWorld) * light.sunDirection.xyz);
     if (dot(hit.localNormal, toSun) <= 0.0) return 0.0;
     vec3 start = hit.local + hit.localNormal * (2.0 * hit.tolerance);
@@ -52,10 +52,10 @@ float selfVisibility(Hit hit)
     float tMax = rayBox(start, toSun, object.boxLow.xyz, object.boxHigh.xyz).y;
     float width = tan(0.5 * parameters.sunWidth);
     Shadow s;
-    if (parameters.shadowMethod == SHADOW_METHOD_HARD) s = shadowHard(start, toSun, tMin, tMax, parameters.stepLimit);
-    else if (parameters.shadowMethod == SHADOW_METHOD_CLASSIC) s = shadowClassic(start, toSun, width, tMin, tMax, parameters.stepLimit);
-    else if (parameters.shadowMethod == SHADOW_METHOD_IMPROVED) s = shadowAaltonen(start, toSun, width, tMin, tMax, parameters.stepLimit);
-    else if (parameters.shadowMethod == SHADOW_METHOD_SIGNED) s = shadowSigned(start, toSun, width, tMin, tMax, parameters.stepLimit);
+    if (parameters.shadowMethod == shadowMethod_hard) s = shadowHard(start, toSun, tMin, tMax, parameters.stepLimit);
+    else if (parameters.shadowMethod == shadowMethod_classic) s = shadowClassic(start, toSun, width, tMin, tMax, parameters.stepLimit);
+    else if (parameters.shadowMethod == shadowMethod_improved) s = shadowAaltonen(start, toSun, width, tMin, tMax, parameters.stepLimit);
+    else if (parameters.shadowMethod == shadowMethod_signed) s = shadowSigned(start, toSun, width, tMin, tMax, parameters.stepLimit);
     else {
         uvec2 pixel = uvec2(framePixel(gl_FragCoord.xy));
         uint bits = pcg(pixel.x + 65536u * pixel.y + 747796405u * uint(frame.timing.y));

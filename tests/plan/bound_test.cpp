@@ -50,10 +50,12 @@ TEST(Bound, WhatNobodyKnowsIsNotKnownAndNeverZero)
 
 TEST(Bound, ReadsAsASentence)
 {
-    EXPECT_EQ(toString(Bound{0.4, 0.3, {}}), "at most 40 % of the light and 0.3 more");
-    EXPECT_EQ(toString(Bound{1, 0, {}}), "at most 100 % of the light");
-    EXPECT_EQ(toString(Bound{0, 2, {}}), "at most 2 of light");
-    EXPECT_EQ(toString(Bound{0, 0, "off"}), "nothing: its bound is 0");
+    EXPECT_EQ(toString(Bound{0.4, 0.3, {}}), "changes a pixel by at most 40 % of its light and 0.3 of the light of white");
+    EXPECT_EQ(toString(Bound{0.4, 0, {}}), "changes a pixel by at most 40 % of its light");
+    EXPECT_EQ(toString(Bound{0, 0.25, {}}), "changes a pixel by at most 0.25 of the light of white");
+    EXPECT_EQ(toString(Bound{1, 0, {}}), "may change any pixel");
+    EXPECT_EQ(toString(Bound{0, 695, {}}), "may change any pixel");
+    EXPECT_EQ(toString(Bound{0, 0, "off"}), "changes nothing");
 }
 
 TEST(FramePlanNeeds, AnEffectOfBoundZeroIsListedAndLeftOutUnlessEverythingRuns)

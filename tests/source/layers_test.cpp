@@ -111,10 +111,34 @@ const std::map<std::string, std::vector<std::string>> roomsOfExhibits{
 };
 const std::vector<std::string> roomsForExhibits{"framework", "kit", "printing"};
 
+/// The rooms of ui/, likewise. None includes one that includes it.
+const std::map<std::string, std::vector<std::string>> roomsOfUi{
+    {"kit", {}},
+    {"model", {"kit"}},
+    {"viewport", {"kit", "model"}},
+    {"parameters", {"kit", "model", "viewport"}},
+    {"presets", {"kit", "model", "viewport"}},
+    {"study", {"kit", "model", "viewport"}},
+    {"print", {"kit", "model", "viewport", "parameters", "presets"}},
+    {"window", {"kit", "model", "viewport", "parameters", "presets", "study", "print"}},
+};
+
+/// The folder below the first one; empty where there is none.
 std::string roomOf(const std::string& path)
 {
-    const std::string rest = path.substr(std::string("exhibits/").size());
+    const std::string rest = path.substr(path.find('/') + 1);
     return rest.find('/') == std::string::npos ? "" : rest.substr(0, rest.find('/'));
+}
+
+/// Empty when a file of ui/ may include that other one.
+std::string uiRoomComplaint(const Include& include)
+{
+    const std::string from = roomOf(include.file), to = roomOf(include.target);
+    if (from == to) return {};
+    const auto room = roomsOfUi.find(from);
+    if (room == roomsOfUi.end()) return from + " is no room of ui/";
+    const std::vector<std::string>& good = room->second;
+    return std::find(good.begin(), good.end(), to) == good.end() ? from + " may not include " + to : "";
 }
 
 /// Empty when a file of exhibits/ may include that other one.
@@ -136,8 +160,32 @@ TEST(Layers, RoomsOfTheExhibitsIncludeOnlyThoseBelowThem)
             }
 }
 
+TEST(Layers, RoomsOfTheWindowIncludeOnlyThoseBelowThem)
+{
+    for (const std::string& file : test::sourceFiles("ui", test::cppExtensions))
+        for (const Include& include : test::includesOf(file))
+            if (startsWith(include.target, "ui/")) {
+                EXPECT_EQ(uiRoomComplaint(include), "") << file << ':' << include.line << " includes " << include.target;
+            }
+}
+
+TEST(Layers, RoomsOfTheWindowHaveNoCycles)
+{
+    for (const auto& [room, below] : roomsOfUi)
+        for (const std::string& lower : below) {
+            const std::vector<std::string>& further = roomsOfUi.at(lower);
+            EXPECT_EQ(std::find(further.begin(), further.end(), room), further.end()) << room << " and " << lower << " may include each other";
+            for (const std::string& lowest : further)
+                EXPECT_NE(std::find(below.begin(), below.end(), lowest), below.end()) << room << " reaches " << lowest << " through " << lower << " only";
+        }
+}
+
 TEST(LayersControl, ForbiddenRoomsAreSeen)
 {
+    EXPECT_NE(uiRoomComplaint({"ui/presets/a.h", 1, "ui/window/main_window.h"}), "");
+    EXPECT_NE(uiRoomComplaint({"ui/kit/a.h", 1, "ui/model/history.h"}), "");
+    EXPECT_NE(uiRoomComplaint({"ui/a.h", 1, "ui/model/history.h"}), "");
+    EXPECT_EQ(uiRoomComplaint({"ui/window/a.h", 1, "ui/print/print_dialog.h"}), "");
     EXPECT_NE(roomComplaint({"exhibits/fur/a.h", 1, "exhibits/sdf_morph/sdf_morph.h"}), "");
     EXPECT_NE(roomComplaint({"exhibits/fur/a.h", 1, "exhibits/hall/hall.h"}), "");
     EXPECT_NE(roomComplaint({"exhibits/hall/a.h", 1, "exhibits/museum/museum.h"}), "");

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "painted_gallery.h"
+#include "tests/ui/painted_gallery.h"
 
+#include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/value_slider.h"
@@ -9,7 +10,6 @@
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
-#include "ui/window/theme.h"
 
 #include <QAction>
 #include <QApplication>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sample_tables.h"
+#include "tests/ui/sample_tables.h"
 
 #include "ui/viewport/gallery.h"
 

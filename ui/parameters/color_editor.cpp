@@ -1,10 +1,10 @@
 #include "ui/parameters/color_editor.h"
 
+#include "ui/kit/theme.h"
+#include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/shown_text.h"
-#include "ui/window/theme.h"
 
-#include <QColorDialog>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPainter>
@@ -71,12 +71,12 @@ glm::dvec3 linear(const QColor& color)
     return {decode(rgb.red() / 255.0), decode(rgb.green() / 255.0), decode(rgb.blue() / 255.0)};
 }
 
-ColorEditor::ColorEditor(const ParameterInfo& row, QWidget* parent)
-    : ValueEditor(row, parent), swatch_(new Swatch(this)), code_(new QLineEdit(this))
+ColorEditor::ColorEditor(const ValueRef& value, QWidget* parent)
+    : ValueEditor(value, parent), swatch_(new Swatch(this)), code_(new QLineEdit(this))
 {
-    const QString name = QString::fromStdString(label(row));
+    const QString name = QString::fromStdString(label(row()));
     swatch_->setAccessibleName(tr("%1, choose a color").arg(name));
-    swatch_->setToolTip(tr("Choose a color. The dialog stays open beside the picture."));
+    swatch_->setToolTip(tr("Choose a color; the picture follows."));
     swatch_->setMinimumSize(40, 22);
     code_->setAccessibleName(name);
     code_->setFixedSize(NumberField::usualWidth, 22);
@@ -126,29 +126,26 @@ void ColorEditor::typed()
     }
     const bool changed = std::get<glm::dvec3>(*color) != value_;
     showValue(*color);
-    if (changed) emit edited(value_, newGesture());
+    if (changed) edit(value_, newGesture());
 }
 
 void ColorEditor::choose()
 {
-    auto* dialog = new QColorDialog(encoded(value_), window());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setOption(QColorDialog::DontUseNativeDialog);
-    dialog->setWindowTitle(QString::fromStdString(label(row())));
+    auto* dialog = new ColorDialog(QString::fromStdString(label(row())), encoded(value_), window());
     // All that is tried in one visit to the dialog is one undo step; Cancel takes it back.
     const Gesture gesture = newGesture();
     const glm::dvec3 before = value_;
-    connect(dialog, &QColorDialog::currentColorChanged, this, [this, gesture](const QColor& color) {
+    connect(dialog, &ColorDialog::picked, this, [this, gesture](const QColor& color) {
         if (color.rgb() == encoded(value_).rgb()) return;
         showValue(linear(color));
-        emit edited(value_, gesture);
+        edit(value_, gesture);
     });
     connect(dialog, &QDialog::rejected, this, [this, gesture, before] {
         showValue(before);
-        emit edited(before, gesture);
+        edit(before, gesture);
     });
     connect(this, &QObject::destroyed, dialog, &QObject::deleteLater);
-    dialog->show();
+    dialog->openOver(*parentWidget());
 }
 
 }  // namespace vitrine::ui

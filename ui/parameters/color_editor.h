@@ -5,7 +5,6 @@
 #include <QAbstractButton>
 #include <QColor>
 
-class QColorDialog;
 class QLineEdit;
 
 namespace vitrine::ui {
@@ -14,12 +13,12 @@ namespace vitrine::ui {
 [[nodiscard]] QColor encoded(const glm::dvec3& linear);
 [[nodiscard]] glm::dvec3 linear(const QColor&);
 
-/// A swatch that opens a dialog beside the window, and the color as #rrggbb; typed in any way that `typedValue` takes.
+/// A swatch that opens a dialog over the panel, and the color as #rrggbb; typed in any way that `typedValue` takes.
 class ColorEditor final : public ValueEditor {
     Q_OBJECT
 
 public:
-    ColorEditor(const ParameterInfo&, QWidget* parent);
+    ColorEditor(const ValueRef&, QWidget* parent);
     void showValue(const Value&) override;
 
 private:

@@ -13,12 +13,10 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// The two angles are rows of a table of their own: fields, steps and typing are those of any number.
 struct Angles final : Parameters {
-    Real azimuth = real("azimuth", 0, degree, {-pi, pi}, "Compass angle: 0 is the far end of the hall, 90 its right side.");
-    Real elevation = real("elevation", 0, degree, {-pi / 2, pi / 2}, "Height above the horizon: 90 is straight up.");
+    Real azimuth = real("azimuth", 0, degree, {-std::numbers::pi, std::numbers::pi}, "Compass angle: 0 is the far end of the hall, 90 its right side.");
+    Real elevation = real("elevation", 0, degree, {-std::numbers::pi / 2, std::numbers::pi / 2}, "Height above the horizon: 90 is straight up.");
 };
 
 const ParameterInfo& angle(std::size_t i)
@@ -29,10 +27,10 @@ const ParameterInfo& angle(std::size_t i)
 
 }  // namespace
 
-DirectionEditor::DirectionEditor(const ParameterInfo& row, QWidget* parent)
-    : ValueEditor(row, parent), azimuth_(new NumberField(angle(0), this)), elevation_(new NumberField(angle(1), this))
+DirectionEditor::DirectionEditor(const ValueRef& value, QWidget* parent)
+    : ValueEditor(value, parent), azimuth_(new NumberField(angle(0), this)), elevation_(new NumberField(angle(1), this))
 {
-    const QString name = QString::fromStdString(label(row));
+    const QString name = QString::fromStdString(label(row()));
     azimuth_->setAccessibleName(tr("%1, azimuth").arg(name));
     elevation_->setAccessibleName(tr("%1, elevation").arg(name));
     azimuth_->setToolTip(tooltipText(angle(0)));
@@ -61,7 +59,7 @@ void DirectionEditor::showValue(const Value& value)
 
 void DirectionEditor::take(int gesture)
 {
-    emit edited(directionOf({azimuth_->value(), elevation_->value()}), gesture);
+    edit(directionOf({azimuth_->value(), elevation_->value()}), gesture);
 }
 
 void DirectionEditor::labelPressed(double x)

@@ -13,7 +13,7 @@ class DirectionEditor final : public ValueEditor {
     Q_OBJECT
 
 public:
-    DirectionEditor(const ParameterInfo&, QWidget* parent);
+    DirectionEditor(const ValueRef&, QWidget* parent);
     void showValue(const Value&) override;
     void labelPressed(double x) override;
     void labelMoved(double x, Qt::KeyboardModifiers) override;

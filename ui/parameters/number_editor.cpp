@@ -7,10 +7,10 @@
 
 namespace vitrine::ui {
 
-NumberEditor::NumberEditor(const ParameterInfo& row, QWidget* parent)
-    : ValueEditor(row, parent), slider_(new ValueSlider(row, this)), field_(new NumberField(row, this))
+NumberEditor::NumberEditor(const ValueRef& value, QWidget* parent)
+    : ValueEditor(value, parent), slider_(new ValueSlider(row(), this)), field_(new NumberField(row(), this))
 {
-    const QString name = QString::fromStdString(label(row));
+    const QString name = QString::fromStdString(label(row()));
     slider_->setAccessibleName(tr("%1, slider").arg(name));
     field_->setAccessibleName(name);
     field_->setFixedWidth(NumberField::usualWidth);
@@ -21,14 +21,8 @@ NumberEditor::NumberEditor(const ParameterInfo& row, QWidget* parent)
     layout->addWidget(slider_, 1);
     layout->addWidget(field_);
 
-    connect(slider_, &ValueSlider::edited, this, [this](double value, int gesture) {
-        field_->showValue(value);
-        emit edited(value, gesture);
-    });
-    connect(field_, &NumberField::edited, this, [this](double value, int gesture) {
-        slider_->showValue(value);
-        emit edited(value, gesture);
-    });
+    connect(slider_, &ValueSlider::edited, this, &NumberEditor::edit);
+    connect(field_, &NumberField::edited, this, &NumberEditor::edit);
 }
 
 void NumberEditor::showValue(const Value& value)

@@ -12,7 +12,7 @@ class NumberEditor final : public ValueEditor {
     Q_OBJECT
 
 public:
-    NumberEditor(const ParameterInfo&, QWidget* parent);
+    NumberEditor(const ValueRef&, QWidget* parent);
 
     void showValue(const Value&) override;
     void labelPressed(double x) override;

@@ -1,7 +1,7 @@
 #include "ui/parameters/number_field.h"
 
+#include "ui/kit/theme.h"
 #include "ui/parameters/shown_text.h"
-#include "ui/window/theme.h"
 
 #include <QFocusEvent>
 #include <QKeyEvent>
@@ -29,6 +29,7 @@ NumberField::NumberField(const ParameterInfo& row, QWidget* parent) : QLineEdit(
 
 void NumberField::showValue(double value)
 {
+    if (value == value_) return;
     value_ = value;
     if (!editing_) refresh();
 }

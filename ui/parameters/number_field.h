@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/model/history.h"
 #include "ui/parameters/number_drag.h"
-#include "ui/window/undo.h"
 
 #include <QLineEdit>
 

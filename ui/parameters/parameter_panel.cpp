@@ -1,10 +1,10 @@
 #include "ui/parameters/parameter_panel.h"
 
+#include "ui/kit/idle_undo.h"
+#include "ui/kit/theme.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
 #include "ui/parameters/shown_text.h"
-#include "ui/window/idle_undo.h"
-#include "ui/window/theme.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -28,15 +28,10 @@ QString rowLabel(const ParameterInfo& row)
     return QString::fromStdString(label(row));
 }
 
-QString changeText(const ParameterInfo& row)
-{
-    return ParameterPanel::tr("Change %1").arg(rowLabel(row).toLower());
-}
-
 }  // namespace
 
-ParameterPanel::ParameterPanel(QWidget* parent)
-    : QWidget(parent), filter_(new QLineEdit(this)), onlyChanged_(new QToolButton(this)), elsewhere_(new QToolButton(this)),
+ParameterPanel::ParameterPanel(History& history, QWidget* parent)
+    : QWidget(parent), history_(history), filter_(new QLineEdit(this)), onlyChanged_(new QToolButton(this)), elsewhere_(new QToolButton(this)),
       scroll_(new QScrollArea(this)),
       nothing_(new QLabel(this))
 {
@@ -56,7 +51,7 @@ ParameterPanel::ParameterPanel(QWidget* parent)
     onlyChanged_->setFixedHeight(26);
     onlyChanged_->setFocusPolicy(Qt::StrongFocus);
     elsewhere_->setAccessibleName(tr("Matches in the other tab"));
-    elsewhere_->setToolTip(tr("Shows these in their tab."));
+    elsewhere_->setToolTip(tr("Goes to the tab that has these parameters."));
     elsewhere_->setFocusPolicy(Qt::StrongFocus);
     elsewhere_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     elsewhere_->setFixedHeight(26);
@@ -91,68 +86,90 @@ ParameterPanel::ParameterPanel(QWidget* parent)
         emit filtered();
     });
     connect(onlyChanged_, &QToolButton::toggled, this, &ParameterPanel::applyFilter);
+    connect(&history_, &History::changed, this, &ParameterPanel::showRow);
+    connect(&history_, &History::replaced, this, &ParameterPanel::showAll);
 }
 
-void ParameterPanel::showValues(const ParameterValues& values, const QString& exhibit)
+void ParameterPanel::showExhibit(std::size_t exhibit, const QString& name)
 {
-    const bool sameTable = values_ && &values_->table() == &values.table() && exhibit_ == exhibit;
-    values_ = values;
+    const bool another = exhibit_ != exhibit || name_ != name;
     exhibit_ = exhibit;
+    name_ = name;
+    if (another) table_ = nullptr;
+    showAll();
+}
+
+void ParameterPanel::showAll()
+{
+    if (name_.isEmpty()) return;  // Nothing is shown yet.
+    const bool sameTable = table_ == &values().table();
+    table_ = &values().table();
     if (!sameTable) rebuild();
-    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->showValue(values_->row(i));
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->showValue(values().row(i));
     showWhatActs();
     for (ParameterSection* section : sections_) section->refresh();
     // While only changed rows are shown, a row that was just reset stays until the next look.
     if (!sameTable) applyFilter();
 }
 
+void ParameterPanel::showRow(std::size_t exhibit, std::size_t row)
+{
+    if (exhibit != exhibit_ || rows_.empty()) return;
+    rows_[row]->showValue(values().row(row));
+    showWhatActs();
+    sectionOf_[row]->refresh();
+}
+
 void ParameterPanel::showWhatActs()
 {
     for (std::size_t i = 0; i < rows_.size(); ++i)
-        rows_[i]->setIdle(acts(*values_, i) ? QString() : QString::fromStdString(actsWhen(*values_, i)));
+        rows_[i]->setIdle(acts(values(), i) ? QString() : QString::fromStdString(actsWhen(values(), i)));
 }
 
 void ParameterPanel::rebuild()
 {
     rows_.clear();
     sections_.clear();
+    sectionOf_.clear();
     foldedAtFirst_.clear();
     content_ = new QWidget;
     auto* layout = new QVBoxLayout(content_);
     layout->setContentsMargins(0, 0, 4, 8);
     layout->setSpacing(0);
-    std::string_view group;
-    for (std::size_t i = 0; i < values_->rows().size(); ++i) {
-        const ParameterInfo& info = values_->rows()[i];
-        if (sections_.empty() || info.group != group) {
-            group = info.group;
-            auto* section = new ParameterSection(QString::fromUtf8(group.data(), static_cast<qsizetype>(group.size())), content_);
-            const QString key = exhibit_ + QLatin1Char('/') + section->title();
-            foldedAtFirst_.push_back(info.groupFolded);
-            section->setFolded(folded_.contains(key) != info.groupFolded);
-            connect(section, &ParameterSection::foldedByVisitor, this, [this, key, atFirst = info.groupFolded](bool folded) {
-                if (folded != atFirst) folded_.insert(key);
-                else folded_.remove(key);
-            });
-            sections_.push_back(section);
-            layout->addWidget(section);
-        }
-        auto* row = new ParameterRow(info, sections_.back());
-        row->setGaugeShown(gauges_);
-        sections_.back()->add(row);
-        rows_.push_back(row);
-        connect(row, &ParameterRow::edited, this,
-                [this, i](const Value& value, int gesture) { edit(i, value, gesture, changeText(values_->rows()[i])); });
-        connect(row, &ParameterRow::resetAsked, this, [this, i] {
-            edit(i, values_->rows()[i].initial, newGesture(), tr("Reset %1").arg(rowLabel(values_->rows()[i]).toLower()));
-        });
-        connect(row, &ParameterRow::accuracyAsked, this, [this, i] { emit accuracyAsked(i); });
-        row->installEventFilter(this);
-        for (QWidget* child : row->findChildren<QWidget*>()) child->installEventFilter(this);
+    for (std::size_t i = 0; i < values().rows().size(); ++i) {
+        const ParameterInfo& info = values().rows()[i];
+        if (i == 0 || info.group != values().rows()[i - 1].group) addSection(info);
+        addRow(i);
     }
     layout->addStretch(1);
     scroll_->setWidget(content_);
     orderTabs();
+}
+
+void ParameterPanel::addSection(const ParameterInfo& first)
+{
+    auto* section = new ParameterSection(QString::fromUtf8(first.group.data(), static_cast<qsizetype>(first.group.size())), content_);
+    const QString key = name_ + QLatin1Char('/') + section->title();
+    foldedAtFirst_.push_back(first.groupFolded);
+    section->setFolded(folded_.contains(key) != first.groupFolded);
+    connect(section, &ParameterSection::foldedByVisitor, this, [this, key, atFirst = first.groupFolded](bool folded) {
+        if (folded != atFirst) folded_.insert(key);
+        else folded_.remove(key);
+    });
+    sections_.push_back(section);
+    content_->layout()->addWidget(section);
+}
+
+void ParameterPanel::addRow(std::size_t i)
+{
+    auto* row = new ParameterRow(ValueRef(history_, exhibit_, i), sections_.back());
+    row->setGaugeShown(gauges_);
+    sections_.back()->add(row);
+    rows_.push_back(row);
+    sectionOf_.push_back(sections_.back());
+    connect(row, &ParameterRow::accuracyAsked, this, [this, i] { emit accuracyAsked(i); });
+    row->installEventFilter(this);
+    for (QWidget* child : row->findChildren<QWidget*>()) child->installEventFilter(this);
 }
 
 void ParameterPanel::orderTabs()
@@ -198,7 +215,7 @@ void ParameterPanel::offerElsewhere(const QString& what)
 
 ParameterRow* ParameterPanel::row(std::string_view name) const
 {
-    const std::optional<std::size_t> i = values_ ? values_->table().find(name) : std::nullopt;
+    const std::optional<std::size_t> i = table_ ? table_->find(name) : std::nullopt;
     return i ? rows_[*i] : nullptr;
 }
 
@@ -230,7 +247,7 @@ void ParameterPanel::setFoldedGroups(const QStringList& groups)
 {
     folded_ = QSet<QString>(groups.begin(), groups.end());
     for (std::size_t i = 0; i < sections_.size(); ++i)
-        sections_[i]->setFolded(folded_.contains(exhibit_ + QLatin1Char('/') + sections_[i]->title()) != foldedAtFirst_[i]);
+        sections_[i]->setFolded(folded_.contains(name_ + QLatin1Char('/') + sections_[i]->title()) != foldedAtFirst_[i]);
 }
 
 void ParameterPanel::focusFilter()
@@ -243,21 +260,9 @@ void ParameterPanel::applyFilter()
 {
     int shown = 0;
     for (ParameterSection* section : sections_) shown += section->filter(filter_->text(), onlyChanged_->isChecked());
-    nothing_->setVisible(shown == 0 && values_);
+    nothing_->setVisible(shown == 0 && table_);
     nothing_->setText(filter_->text().isEmpty() ? tr("All values are the initial ones.")
                                                 : tr("No parameter matches \"%1\".").arg(filter_->text()));
-}
-
-void ParameterPanel::edit(std::size_t row, const Value& value, Gesture gesture, const QString& text)
-{
-    ParameterValues next = *values_;
-    next.setRow(row, value);
-    if (next == *values_) return;
-    values_ = next;
-    rows_[row]->showValue(values_->row(row));
-    showWhatActs();
-    for (ParameterSection* section : sections_) section->refresh();
-    emit edited(*values_, gesture, text);
 }
 
 std::optional<std::size_t> ParameterPanel::rowAt(QObject* object) const
@@ -301,10 +306,9 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
 {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    const ParameterInfo& info = values_->rows()[row];
-    QAction* reset = menu->addAction(tr("Reset to %1").arg(shownText(info, info.initial)), this,
-                                     [this, row] { emit rows_[row]->resetAsked(); });
-    reset->setEnabled(!values_->isInitial(row));
+    const ParameterInfo& info = values().rows()[row];
+    QAction* reset = menu->addAction(tr("Reset to %1").arg(shownText(info, info.initial)), rows_[row], &ParameterRow::reset);
+    reset->setEnabled(!values().isInitial(row));
     menu->addSeparator();
     if (gauges_ && info.qualityReference) menu->addAction(tr("What does accuracy cost?"), this, [this, row] { emit accuracyAsked(row); });
     menu->addAction(tr("Copy value"), this, [this, row] { copy(row); });
@@ -316,25 +320,26 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
 
 void ParameterPanel::copy(std::size_t row) const
 {
-    QApplication::clipboard()->setText(exactText(values_->rows()[row], values_->row(row)));
+    QApplication::clipboard()->setText(exactText(values().rows()[row], values().row(row)));
 }
 
 void ParameterPanel::paste(std::size_t row)
 {
     QString problem;
-    const std::optional<Value> value = typedValue(values_->rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
-    if (value) edit(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values_->rows()[row]).toLower()));
+    const std::optional<Value> value = typedValue(values().rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
+    if (value) history_.set(exhibit_, row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
     if (!problem.isEmpty()) tell(row, problem);
 }
 
 void ParameterPanel::pasteAll(std::size_t row)
 {
     QString problem;
-    const std::optional<ParameterValues> pasted = allFromJson(values_->table(), exhibit_, QApplication::clipboard()->text(), &problem);
+    const std::optional<ParameterValues> pasted = allFromJson(values().table(), name_, QApplication::clipboard()->text(), &problem);
     if (!problem.isEmpty()) tell(row, problem);
-    if (!pasted || *pasted == *values_) return;
-    showValues(*pasted, exhibit_);
-    emit edited(*values_, newGesture(), tr("Paste all values"));
+    if (!pasted) return;
+    Look next = history_.look();
+    next.values[exhibit_] = *pasted;
+    history_.change(tr("Paste all values"), next, newGesture());
 }
 
 void ParameterPanel::tell(std::size_t row, const QString& words)
@@ -344,7 +349,7 @@ void ParameterPanel::tell(std::size_t row, const QString& words)
 
 void ParameterPanel::copyAll() const
 {
-    QApplication::clipboard()->setText(allAsJson(*values_, exhibit_));
+    QApplication::clipboard()->setText(allAsJson(values(), name_));
 }
 
 }  // namespace vitrine::ui

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/parameters.h"
-#include "ui/window/undo.h"
+#include "ui/model/history.h"
 
 #include <QSet>
 #include <QWidget>
@@ -22,16 +21,20 @@ namespace vitrine::ui {
 class ParameterRow;
 class ParameterSection;
 
-/// The parameters of one table: everything here is derived from its rows.
+/// The values of one exhibit in the history: everything here is derived from the rows of its table. Controls set values in
+/// the history; when one changes, its row is shown anew and no other.
 class ParameterPanel final : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ParameterPanel(QWidget* parent = nullptr);
+    /// The history must outlive it.
+    explicit ParameterPanel(History&, QWidget* parent = nullptr);
 
-    /// Shows these values under this exhibit's name; a table other than before rebuilds the rows.
-    void showValues(const ParameterValues&, const QString& exhibit);
-    [[nodiscard]] const std::optional<ParameterValues>& values() const { return values_; }
+    /// Shows the values of this exhibit from now on. `name`: under which it keeps what is folded, and copies and pastes.
+    void showExhibit(std::size_t exhibit, const QString& name);
+    /// Whose values are shown.
+    [[nodiscard]] std::size_t exhibit() const { return exhibit_; }
+    [[nodiscard]] const ParameterValues& values() const { return history_.look().values[exhibit_]; }
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
     /// Shows only rows that are wanted; an empty function wants all.
     void setWanted(const std::function<bool(const ParameterInfo&)>&);
@@ -52,8 +55,6 @@ public slots:
     void focusFilter();
 
 signals:
-    /// The visitor changed something; edits of one gesture are one undo step. `text` names it: "Change roughness".
-    void edited(const vitrine::ParameterValues& values, int gesture, const QString& text);
     /// The gauge of a quality parameter: what does its accuracy cost?
     void accuracyAsked(std::size_t row);
     /// The words of the filter changed.
@@ -67,9 +68,12 @@ protected:
 
 private:
     void rebuild();
+    void addRow(std::size_t row);
+    void addSection(const ParameterInfo&);
+    void showRow(std::size_t exhibit, std::size_t row);
+    void showAll();
     void showWhatActs();
     void applyFilter();
-    void edit(std::size_t row, const Value&, Gesture, const QString& text);
     void focusFirst();
     void orderTabs();
     void openMenu(std::size_t row, const QPoint& at);
@@ -81,6 +85,7 @@ private:
     void tell(std::size_t row, const QString& words);
     [[nodiscard]] std::optional<std::size_t> rowAt(QObject*) const;
 
+    History& history_;
     QLineEdit* filter_;
     QToolButton* onlyChanged_;
     QToolButton* elsewhere_;
@@ -89,9 +94,11 @@ private:
     QWidget* content_ = nullptr;
     std::vector<ParameterRow*> rows_;
     std::vector<ParameterSection*> sections_;
+    std::vector<ParameterSection*> sectionOf_;  // By row.
     std::vector<bool> foldedAtFirst_;  // By section.
-    std::optional<ParameterValues> values_;
-    QString exhibit_;
+    const Parameters* table_ = nullptr;  // Whose rows are built; null: none yet.
+    std::size_t exhibit_ = 0;
+    QString name_;
     QSet<QString> folded_;
     bool gauges_ = false;
 };

@@ -1,7 +1,8 @@
 #include "ui/parameters/parameter_row.h"
 
+#include "ui/kit/text.h"
+#include "ui/kit/theme.h"
 #include "ui/parameters/shown_text.h"
-#include "ui/window/theme.h"
 
 #include <QGraphicsOpacityEffect>
 #include <QHBoxLayout>
@@ -14,11 +15,6 @@
 
 namespace vitrine::ui {
 namespace {
-
-QString text(std::string_view s)
-{
-    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
-}
 
 constexpr float idleInk = 0.45F;  // Of a row that does not act.
 
@@ -73,11 +69,14 @@ ResetDot::ResetDot(QWidget* parent) : QAbstractButton(parent)
 {
     setFixedSize(18, 22);
     setAttribute(Qt::WA_Hover);
-    setDiffers(false);
+    setEnabled(false);
+    setFocusPolicy(Qt::NoFocus);
 }
 
 void ResetDot::setDiffers(bool differs)
 {
+    if (differs_ == differs) return;
+    differs_ = differs;
     setEnabled(differs);
     setFocusPolicy(differs ? Qt::StrongFocus : Qt::NoFocus);
     update();
@@ -129,21 +128,24 @@ void GaugeMark::paintEvent(QPaintEvent*)
     painter.drawLine(center, center + QPointF(2.6, -2.6));
 }
 
-ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
-    : QWidget(parent), editor_(makeEditor(info, this)), label_(new RowLabel(QString::fromStdString(labelInGroup(info)), editor_, this)), naming_(new QWidget(this)), dot_(new ResetDot(this))
+ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
+    : QWidget(parent), value_(value), editor_(makeEditor(value, this)),
+      label_(new RowLabel(QString::fromStdString(labelInGroup(value.info())), editor_, this)), naming_(new QWidget(this)),
+      dot_(new ResetDot(this))
 {
-    const QString name = QString::fromStdString(label(info));
+    const ParameterInfo& row = info();
+    const QString name = QString::fromStdString(label(row));
     setFixedHeight(rowHeight);
-    setToolTip(tooltipText(info));
+    setToolTip(tooltipText(row));
     setAttribute(Qt::WA_Hover);
     setFocusPolicy(Qt::NoFocus);
     dot_->setAccessibleName(tr("Reset %1").arg(name));
-    dot_->setToolTip(tr("Reset to %1").arg(shownText(info, info.initial)));
+    dot_->setToolTip(tr("Reset to %1").arg(shownText(row, row.initial)));
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(16, 2, 2, 2);
     layout->setSpacing(4);
-    const bool quality = info.qualityReference.has_value();
+    const bool quality = row.qualityReference.has_value();
     if (quality) {
         gauge_ = new GaugeMark(this);
         gauge_->setAccessibleName(tr("%1: what does accuracy cost?").arg(name));
@@ -163,8 +165,13 @@ ParameterRow::ParameterRow(const ParameterInfo& info, QWidget* parent)
     layout->addWidget(editor_, 1);
     layout->addWidget(dot_);
 
-    connect(editor_, &ValueEditor::edited, this, &ParameterRow::edited);
-    connect(dot_, &QAbstractButton::clicked, this, &ParameterRow::resetAsked);
+    connect(dot_, &QAbstractButton::clicked, this, &ParameterRow::reset);
+    showValue(value.value());
+}
+
+void ParameterRow::reset()
+{
+    value_.set(info().initial, newGesture(), tr("Reset %1").arg(QString::fromStdString(label(info())).toLower()));
 }
 
 void ParameterRow::showValue(const Value& value)

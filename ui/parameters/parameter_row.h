@@ -37,6 +37,9 @@ public:
 
 protected:
     void paintEvent(QPaintEvent*) override;
+
+private:
+    bool differs_ = false;
 };
 
 /// The mark of a quality parameter: what does its accuracy cost?
@@ -58,11 +61,12 @@ public:
     static constexpr int rowHeight = 26;
     static constexpr int narrowestLabel = 112, widestLabel = 240;
 
-    /// `info` must outlive the row.
-    ParameterRow(const ParameterInfo& info, QWidget* parent);
+    ParameterRow(const ValueRef&, QWidget* parent);
 
     [[nodiscard]] const ParameterInfo& info() const { return editor_->row(); }
     void showValue(const Value&);
+    /// Back to the initial value.
+    void reset();
     [[nodiscard]] bool differs() const { return differs_; }
     /// Whether label, name, group, help or a choice contains `words`, whatever the case.
     [[nodiscard]] static bool matches(const ParameterInfo&, const QString& words);
@@ -78,14 +82,13 @@ public:
     void setGaugeShown(bool);
 
 signals:
-    void edited(const vitrine::Value& value, int gesture);
-    void resetAsked();
     void accuracyAsked();
 
 protected:
     void resizeEvent(QResizeEvent*) override;
 
 private:
+    ValueRef value_;
     ValueEditor* editor_;
     RowLabel* label_;
     QWidget* naming_;

@@ -1,7 +1,7 @@
 #include "ui/parameters/parameter_section.h"
 
+#include "ui/kit/theme.h"
 #include "ui/parameters/parameter_row.h"
-#include "ui/window/theme.h"
 
 #include <QPainter>
 #include <QVBoxLayout>

@@ -39,13 +39,13 @@ QStringList filtersOf(const ParameterInfo& row)
 
 }  // namespace
 
-ToggleEditor::ToggleEditor(const ParameterInfo& row, QWidget* parent) : ValueEditor(row, parent), box_(new QCheckBox(this))
+ToggleEditor::ToggleEditor(const ValueRef& value, QWidget* parent) : ValueEditor(value, parent), box_(new QCheckBox(this))
 {
-    box_->setAccessibleName(nameOf(row));
+    box_->setAccessibleName(nameOf(row()));
     QHBoxLayout* layout = rowLayout(this);
     layout->addWidget(box_);
     layout->addStretch(1);
-    connect(box_, &QCheckBox::clicked, this, [this](bool on) { emit edited(on ? 1.0 : 0.0, newGesture()); });
+    connect(box_, &QCheckBox::clicked, this, [this](bool on) { edit(on ? 1.0 : 0.0, newGesture()); });
 }
 
 void ToggleEditor::showValue(const Value& value)
@@ -53,16 +53,16 @@ void ToggleEditor::showValue(const Value& value)
     box_->setChecked(std::get<double>(value) != 0);
 }
 
-ChoiceEditor::ChoiceEditor(const ParameterInfo& row, QWidget* parent) : ValueEditor(row, parent), box_(new QComboBox(this))
+ChoiceEditor::ChoiceEditor(const ValueRef& value, QWidget* parent) : ValueEditor(value, parent), box_(new QComboBox(this))
 {
-    for (const std::string_view name : row.choices)
+    for (const std::string_view name : row().choices)
         box_->addItem(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
-    box_->setAccessibleName(nameOf(row));
+    box_->setAccessibleName(nameOf(row()));
     box_->setFocusPolicy(Qt::StrongFocus);
     box_->setFixedHeight(22);
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     rowLayout(this)->addWidget(box_, 1);
-    connect(box_, &QComboBox::activated, this, [this](int index) { emit edited(static_cast<double>(index), newGesture()); });
+    connect(box_, &QComboBox::activated, this, [this](int index) { edit(static_cast<double>(index), newGesture()); });
 }
 
 void ChoiceEditor::showValue(const Value& value)
@@ -70,10 +70,10 @@ void ChoiceEditor::showValue(const Value& value)
     box_->setCurrentIndex(static_cast<int>(std::get<double>(value)));
 }
 
-FileEditor::FileEditor(const ParameterInfo& row, QWidget* parent)
-    : ValueEditor(row, parent), path_(new QLineEdit(this)), browse_(new QToolButton(this))
+FileEditor::FileEditor(const ValueRef& value, QWidget* parent)
+    : ValueEditor(value, parent), path_(new QLineEdit(this)), browse_(new QToolButton(this))
 {
-    path_->setAccessibleName(nameOf(row));
+    path_->setAccessibleName(nameOf(row()));
     path_->setPlaceholderText(tr("none"));
     path_->setFixedHeight(22);
     path_->setTextMargins(2, 0, 2, 0);
@@ -81,7 +81,7 @@ FileEditor::FileEditor(const ParameterInfo& row, QWidget* parent)
     browse_->setText(QStringLiteral("…"));
     browse_->setAutoRaise(true);
     browse_->setFixedSize(24, 22);
-    browse_->setAccessibleName(tr("%1, choose a file").arg(nameOf(row)));
+    browse_->setAccessibleName(tr("%1, choose a file").arg(nameOf(row())));
     browse_->setToolTip(tr("Choose a file. Dropping one here works too."));
     browse_->setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
@@ -114,7 +114,7 @@ void FileEditor::take(const QString& path)
 {
     if (path == shown_) return;
     showValue(path.toStdString());
-    emit edited(path.toStdString(), newGesture());
+    edit(path.toStdString(), newGesture());
 }
 
 void FileEditor::dragEnterEvent(QDragEnterEvent* event)

@@ -14,7 +14,7 @@ class ToggleEditor final : public ValueEditor {
     Q_OBJECT
 
 public:
-    ToggleEditor(const ParameterInfo&, QWidget* parent);
+    ToggleEditor(const ValueRef&, QWidget* parent);
     void showValue(const Value&) override;
 
 private:
@@ -26,7 +26,7 @@ class ChoiceEditor final : public ValueEditor {
     Q_OBJECT
 
 public:
-    ChoiceEditor(const ParameterInfo&, QWidget* parent);
+    ChoiceEditor(const ValueRef&, QWidget* parent);
     void showValue(const Value&) override;
 
 private:
@@ -38,7 +38,7 @@ class FileEditor final : public ValueEditor {
     Q_OBJECT
 
 public:
-    FileEditor(const ParameterInfo&, QWidget* parent);
+    FileEditor(const ValueRef&, QWidget* parent);
     void showValue(const Value&) override;
 
 protected:

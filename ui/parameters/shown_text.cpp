@@ -4,6 +4,7 @@
 #include "exhibits/framework/value_text.h"
 #include "render/failure.h"
 
+#include "ui/kit/text.h"
 #include "ui/parameters/color_editor.h"
 
 #include <QColor>
@@ -16,11 +17,6 @@
 
 namespace vitrine::ui {
 namespace {
-
-QString text(std::string_view s)
-{
-    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
-}
 
 /// At most `digits` significant digits, without trailing zeros; never a thousand-digit number.
 QString shortNumber(double x, int digits)

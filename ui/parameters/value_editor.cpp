@@ -7,16 +7,22 @@
 
 namespace vitrine::ui {
 
-ValueEditor* makeEditor(const ParameterInfo& row, QWidget* parent)
+void ValueEditor::edit(const Value& value, Gesture gesture)
 {
-    switch (row.kind) {
+    value_.set(value, gesture);
+    if (value_.value() != value) showValue(value_.value());  // It was not legal.
+}
+
+ValueEditor* makeEditor(const ValueRef& value, QWidget* parent)
+{
+    switch (value.info().kind) {
     case Kind::real:
-    case Kind::count: return new NumberEditor(row, parent);
-    case Kind::toggle: return new ToggleEditor(row, parent);
-    case Kind::choice: return new ChoiceEditor(row, parent);
-    case Kind::color: return new ColorEditor(row, parent);
-    case Kind::direction: return new DirectionEditor(row, parent);
-    case Kind::file: return new FileEditor(row, parent);
+    case Kind::count: return new NumberEditor(value, parent);
+    case Kind::toggle: return new ToggleEditor(value, parent);
+    case Kind::choice: return new ChoiceEditor(value, parent);
+    case Kind::color: return new ColorEditor(value, parent);
+    case Kind::direction: return new DirectionEditor(value, parent);
+    case Kind::file: return new FileEditor(value, parent);
     }
     return nullptr;
 }

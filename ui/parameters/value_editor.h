@@ -1,21 +1,20 @@
 #pragma once
 
-#include "exhibits/framework/parameters.h"
-#include "ui/window/undo.h"
+#include "ui/model/value_ref.h"
 
 #include <QWidget>
 
 namespace vitrine::ui {
 
-/// Edits the value of one row. One subclass per kind.
+/// Edits one value of the look on show. One subclass per kind.
 class ValueEditor : public QWidget {
     Q_OBJECT
 
 public:
-    ValueEditor(const ParameterInfo& row, QWidget* parent) : QWidget(parent), row_(row) {}
+    ValueEditor(const ValueRef& value, QWidget* parent) : QWidget(parent), value_(value), row_(value.info()) {}
 
     [[nodiscard]] const ParameterInfo& row() const { return row_; }
-    /// Shows a value; emits nothing.
+    /// Shows a value and sets nothing. A control that shows it already is not painted again.
     virtual void showValue(const Value&) = 0;
     /// Dragging the row's label edits numbers; others ignore it.
     virtual void labelPressed(double) {}
@@ -23,15 +22,16 @@ public:
     virtual void labelReleased() {}
     [[nodiscard]] virtual bool dragsByLabel() const { return false; }
 
-signals:
+protected:
     /// The visitor changed the value. Edits of one gesture are one undo step.
-    void edited(const vitrine::Value& value, int gesture);
+    void edit(const Value&, Gesture);
 
 private:
+    ValueRef value_;
     const ParameterInfo& row_;
 };
 
 /// The editor for the row's kind.
-[[nodiscard]] ValueEditor* makeEditor(const ParameterInfo&, QWidget* parent);
+[[nodiscard]] ValueEditor* makeEditor(const ValueRef&, QWidget* parent);
 
 }  // namespace vitrine::ui

@@ -1,7 +1,7 @@
 #include "ui/parameters/value_slider.h"
 
+#include "ui/kit/theme.h"
 #include "ui/parameters/number_drag.h"
-#include "ui/window/theme.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -28,6 +28,7 @@ ValueSlider::ValueSlider(const ParameterInfo& row, QWidget* parent) : QSlider(Qt
 
 void ValueSlider::showValue(double value)
 {
+    if (value == value_) return;
     value_ = value;
     const QSignalBlocker quiet(this);
     setValue(static_cast<int>(std::lround(std::clamp(scale_.position(value), 0.0, 1.0) * ticks)));

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "ui/model/history.h"
 #include "ui/parameters/slider_scale.h"
-#include "ui/window/undo.h"
 
 #include <QSlider>
+
+#include <limits>
 
 namespace vitrine::ui {
 
@@ -14,6 +16,7 @@ class ValueSlider final : public QSlider {
 public:
     ValueSlider(const ParameterInfo& row, QWidget* parent);
 
+    /// Not painted again where it shows that value already: the one under the pointer, when its own edit comes back.
     void showValue(double value);
 
 signals:
@@ -38,7 +41,7 @@ private:
 
     const ParameterInfo& row_;
     SliderScale scale_;
-    double value_ = 0;
+    double value_ = std::numeric_limits<double>::quiet_NaN();  // Until one is shown.
     double valueAtPress_ = 0;
     double lastX_ = 0;
     double position_ = 0;

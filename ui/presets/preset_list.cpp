@@ -1,6 +1,6 @@
 #include "ui/presets/preset_list.h"
 
-#include "ui/window/exhibit_list.h"
+#include "ui/kit/tile_delegate.h"
 
 #include <QAction>
 #include <QHBoxLayout>

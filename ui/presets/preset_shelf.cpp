@@ -1,14 +1,18 @@
 #include "ui/presets/preset_shelf.h"
 
+#include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
+#include "ui/kit/name_dialog.h"
+#include "ui/kit/tile_delegate.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
 #include "ui/presets/look_text.h"
 #include "ui/presets/preset_list.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/main_window.h"
 
-#include <QInputDialog>
+#include <QFileDialog>
 #include <QUndoStack>
 
 #include <algorithm>
@@ -31,10 +35,21 @@ QString words(const std::string& s)
     return QString::fromStdString(s);
 }
 
+QFileDialog* fileDialog(QWidget* window, const QString& title, QFileDialog::AcceptMode mode, const QString& filter)
+{
+    auto* dialog = new QFileDialog(window, title);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(mode);
+    dialog->setFileMode(mode == QFileDialog::AcceptOpen ? QFileDialog::ExistingFile : QFileDialog::AnyFile);
+    dialog->setNameFilter(filter);
+    if (mode == QFileDialog::AcceptSave) dialog->setDefaultSuffix(QStringLiteral("json"));
+    return dialog;
+}
+
 }  // namespace
 
-PresetShelf::PresetShelf(MainWindow& window, PresetList& list, PresetStore store)
-    : QObject(&window), window_(window), list_(list), store_(std::move(store)), uses_(window.history().stack())
+PresetShelf::PresetShelf(Workbench& window, PresetList& list, PresetStore store)
+    : QObject(&list), window_(window), list_(list), store_(std::move(store)), uses_(window.history().stack())
 {
     connect(&list, &PresetList::loadAsked, this, &PresetShelf::load);
     connect(&list, &PresetList::renamed, this, &PresetShelf::renameTo);
@@ -43,6 +58,7 @@ PresetShelf::PresetShelf(MainWindow& window, PresetList& list, PresetStore store
         mark();
     });
     connect(&window.history(), &History::changed, this, &PresetShelf::mark);
+    connect(&window.history(), &History::replaced, this, &PresetShelf::mark);
 }
 
 std::string PresetShelf::exhibitName() const
@@ -137,7 +153,7 @@ void PresetShelf::show(const Preset& preset, std::size_t exhibit, const QString&
     next.values[exhibit] = preset.values;
     const bool moves = preset.camera.has_value();
     if (moves) next.camera = *preset.camera;
-    window_.history().change(step, std::move(next), 0, moves ? History::Camera::moves : History::Camera::stays);
+    window_.history().change(step, next, 0, moves ? History::Camera::moves : History::Camera::stays);
 }
 
 void PresetShelf::load(const QString& id)
@@ -185,20 +201,16 @@ void PresetShelf::save()
 
 void PresetShelf::saveAs()
 {
-    auto* ask = new QInputDialog(&window_);
-    ask->setAttribute(Qt::WA_DeleteOnClose);
     const Exhibit& exhibit = *window_.gallery().exhibits()[window_.shown()];
     const QString title = QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()));
     const StoredPreset* used = inUse();
-    ask->setWindowTitle(tr("Save preset of %1").arg(title));
-    ask->setLabelText(tr("Name of this preset of %1").arg(title));
-    ask->setTextValue(freeName(used ? words(used->preset.name) : title));
+    auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(used ? words(used->preset.name) : title), list_.window());
     // Whatever is on show by then, it is this exhibit that was named.
-    connect(ask, &QInputDialog::textValueSelected, this, [this, shown = window_.shown()](const QString& name) {
+    connect(ask, &NameDialog::named, this, [this, shown = window_.shown()](const QString& name) {
         if (window_.shown() != shown) window_.choose(shown);
         saveUnder(name);
     });
-    ask->show();
+    ask->openOver(list_);
 }
 
 void PresetShelf::saveUnder(const QString& name)
@@ -210,7 +222,7 @@ void PresetShelf::saveUnder(const QString& name)
         keepThumbnail(saved.path);
         use(std::move(saved));
         if (unique != name.trimmed())
-            window_.say(MessageStrip::Mood::notice, tr("There is a preset \"%1\" already; this one is \"%2\".").arg(name.trimmed(), unique));
+            window_.say(MessageStrip::Mood::notice, tr("There is a preset \"%1\" already; this one was saved as \"%2\".").arg(name.trimmed(), unique));
     });
     refresh();
 }
@@ -218,7 +230,7 @@ void PresetShelf::saveUnder(const QString& name)
 void PresetShelf::keepThumbnail(const std::filesystem::path& preset)
 {
     const QImage& picture = window_.viewport().shown();
-    if (!picture.isNull()) MainWindow::thumbnailOf(picture).save(idOf(PresetStore::thumbnailPath(preset)), "PNG");
+    if (!picture.isNull()) thumbnailOf(picture).save(idOf(PresetStore::thumbnailPath(preset)), "PNG");
 }
 
 void PresetShelf::keepMissingThumbnail()
@@ -285,6 +297,52 @@ void PresetShelf::remove()
     });
 }
 
+void PresetShelf::importFile()
+{
+    QFileDialog* dialog = fileDialog(list_.window(), tr("Import preset"), QFileDialog::AcceptOpen,
+                                     tr("Presets, and pictures with one inside (*.json *.png *.exr)"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        trySafely([&] {
+            std::filesystem::path copy = store_.importFile(path.toStdString(), exhibitName(), table());
+            // A picture shows itself what is in it; the others get theirs once what they look like is on the screen.
+            if (const QImage picture(path); !picture.isNull())
+                thumbnailOf(picture).save(QString::fromStdString(PresetStore::thumbnailPath(copy).string()), "PNG");
+            const QString name = QString::fromStdString(store_.load(copy, exhibitName(), table()).preset.name);
+            if (const QString unique = freeName(name, copy); unique != name) copy = store_.rename(copy, unique.toStdString());
+            refresh();
+            load(QString::fromStdString(copy.string()));
+            keepMissingThumbnail();  // Where the picture shows it already.
+        });
+    });
+    dialog->open();
+}
+
+void PresetShelf::exportFile()
+{
+    const QString id = list_.selected();
+    if (id.isEmpty()) {
+        window_.say(MessageStrip::Mood::notice, tr("Nothing was exported: select a preset in the list first."));
+        return;
+    }
+    QFileDialog* dialog = fileDialog(list_.window(), tr("Export preset"), QFileDialog::AcceptSave, tr("Presets (*.json)"));
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, id](const QString& target) { trySafely([&] { store_.exportFile(id.toStdString(), target.toStdString()); }); });
+    dialog->open();
+}
+
+void PresetShelf::saveExhibition()
+{
+    QFileDialog* dialog = fileDialog(list_.window(), tr("Save exhibition"), QFileDialog::AcceptSave, tr("Exhibitions (*.json)"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& target) {
+        trySafely([&] {
+            const std::string name = QFileInfo(target).completeBaseName().toStdString();
+            render::atomicWrite(target.toStdString(), textOf(window_.gallery(), window_.history().look(), window_.chosen(), name));
+            window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(target));
+        });
+    });
+    dialog->open();
+}
+
 void PresetShelf::loadText(const std::string& text, const QString& origin)
 {
     const PresetHeader header = presetHeader(render::parseJson(text, origin.toStdString(), presetLimits));
@@ -293,7 +351,7 @@ void PresetShelf::loadText(const std::string& text, const QString& origin)
         std::size_t chosen = 0;
         Look look = lookFrom(window_.gallery(), text, origin.toStdString(), notes, &chosen);
         tell(origin, notes);
-        window_.history().change(tr("Load %1").arg(origin), std::move(look), 0, History::Camera::moves);
+        window_.history().change(tr("Load %1").arg(origin), look, 0, History::Camera::moves);
         window_.choose(chosen);
         return;
     }

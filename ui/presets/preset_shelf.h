@@ -13,8 +13,8 @@
 
 namespace vitrine::ui {
 
-class MainWindow;
 class PresetList;
+class Workbench;
 
 /// Presets on disk, for the exhibit whose parameters the panel shows: loads, saves, renames, duplicates, deletes. What fails is
 /// said in the message strip, and everything stays as it was.
@@ -23,7 +23,7 @@ class PresetShelf final : public QObject {
 
 public:
     /// Both must outlive it.
-    PresetShelf(MainWindow&, PresetList&, PresetStore);
+    PresetShelf(Workbench&, PresetList&, PresetStore);
 
     /// Shows the presets of the table on show.
     void refresh();
@@ -75,7 +75,7 @@ private:
     [[nodiscard]] bool changedSince(const StoredPreset&) const;
     [[nodiscard]] QString freeName(const QString& wanted, const std::filesystem::path& exceptFor = {}) const;
 
-    MainWindow& window_;
+    Workbench& window_;
     PresetList& list_;
     PresetStore store_;
     PresetUses uses_;

@@ -1,7 +1,7 @@
 #include "ui/print/eyes_preview.h"
 
 #include "ui/print/strip_preview.h"
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QKeyEvent>
 #include <QPainter>

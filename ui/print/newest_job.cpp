@@ -1,6 +1,6 @@
 #include "ui/print/newest_job.h"
 
-#include "ui/window/application.h"
+#include "ui/kit/message_of.h"
 
 #include <exception>
 #include <utility>

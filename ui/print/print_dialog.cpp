@@ -12,8 +12,8 @@
 #include "ui/print/shown_views.h"
 #include "ui/print/source_bar.h"
 #include "ui/print/strip_preview.h"
-#include "ui/window/idle_undo.h"
-#include "ui/window/replace_question.h"
+#include "ui/kit/idle_undo.h"
+#include "ui/kit/replace_question.h"
 
 #include <QAction>
 #include <QDir>
@@ -79,7 +79,8 @@ QWidget* PrintDialog::buildLeft(bool canShow)
     tabs_->setAccessibleName(tr("What to print"));
     source_ = new SourceBar(canShow, this);
     sheets_ = new SheetBar(setup_, this);
-    panel_ = new ParameterPanel(this);
+    panel_ = new ParameterPanel(panelValues_, this);
+    panel_->showExhibit(0, QStringLiteral("print"));
 
     auto* bars = new QVBoxLayout;
     bars->setContentsMargins(8, 8, 8, 0);
@@ -152,8 +153,13 @@ void PrintDialog::connectSetup()
     });
     connect(source_, &SourceBar::filesChosen, this, &PrintDialog::open);
     connect(sheets_, &SheetBar::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
-    connect(panel_, &ParameterPanel::edited, this,
-            [this](const ParameterValues& values, int gesture, const QString& text) { setup_.change(text, values, gesture); });
+    connect(&panelValues_, &History::changed, this, [this](std::size_t, std::size_t row) {
+        const ParameterValues& edited = panelValues_.look().values[0];
+        setup_.change(tr("Change %1").arg(QString::fromStdString(label(edited.rows()[row])).toLower()), edited, panelValues_.gesture());
+    });
+    connect(&panelValues_, &History::replaced, this, [this] {
+        setup_.change(tr("Change settings"), panelValues_.look().values[0], panelValues_.gesture());
+    });
     connect(numbers_, &PrintNumbersView::fitAsked, this, [this](double strength) {
         ParameterValues values = this->values();
         values.set(printing::printTable().baselineScale, strength);
@@ -245,7 +251,7 @@ bool PrintDialog::fromWindow() const
 
 void PrintDialog::showState(bool views)
 {
-    panel_->showValues(values(), QStringLiteral("print"));
+    panelValues_.change({}, {{values()}, {}});
     showRows();
     source_->showOrigin(values()[printing::printTable().origin]);
     if (views) loader_.load(setup_.state());

@@ -4,8 +4,9 @@
 #include "ui/print/newest_job.h"
 #include "ui/print/print_setup.h"
 #include "ui/print/view_loader.h"
-#include "ui/window/message_strip.h"
-#include "ui/window/progress_job.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/progress_job.h"
+#include "ui/model/history.h"
 
 #include <QDialog>
 
@@ -90,6 +91,7 @@ private:
     void endExport(const QString& words);
 
     PrintSetup setup_;
+    History panelValues_{Look{{printing::printTable().initial()}, {}}};  ///< Those of `setup_` once more, for the panel.
     ViewLoader loader_;
     printing::PrintPlan plan_;
     bool chart_ = false;

@@ -1,6 +1,6 @@
 #include "ui/print/print_numbers.h"
 
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QGridLayout>
 #include <QLabel>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/printing/print_table.h"
-#include "ui/window/undo.h"
+#include "ui/model/history.h"
 
 #include <QObject>
 #include <QStringList>

@@ -2,22 +2,23 @@
 
 #include "render/failure.h"
 #include "render/measure/memory.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/presets/look_text.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/application.h"
-#include "ui/window/main_window.h"
+#include "ui/kit/message_of.h"
 
 #include <algorithm>
 
 namespace vitrine::ui {
 namespace {
 
-constexpr int viewTile = 512;     // So that a step takes part of a second, and the viewport goes on in between.
+constexpr int viewTile = 512;          // So that a step takes part of a second, and the viewport goes on in between.
 constexpr qint64 viewsToldEvery = 50;  // Milliseconds.
 
 }  // namespace
 
-ShownViews::ShownViews(MainWindow& window) : QObject(&window), window_(window) {}
+ShownViews::ShownViews(Workbench& window, QObject* parent) : QObject(parent), window_(window) {}
 
 ShownViews::~ShownViews()
 {
@@ -46,7 +47,7 @@ void ShownViews::start(const ParameterValues& values, bool draft)
     values_ = values;
     look_ = look;
     views_ = std::make_shared<printing::PrintViews>();
-    views_->setLook(window_.shelf().lookText());
+    views_->setLook(textOf(window_.gallery(), look, window_.chosen(), "Picture"));
     work->views = views_;
     elapsed_.start();
     task_ = window_.viewport().renderThread().start([this, work, &gallery = window_.gallery()](const RenderThread::Tell& tell) { return step(gallery, *work, tell, *this); },

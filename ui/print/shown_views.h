@@ -12,14 +12,14 @@
 
 namespace vitrine::ui {
 
-class MainWindow;
+class Workbench;
 
 /// Renders the views of a print from what the window shows, step by step on the render thread.
 class ShownViews final : public QObject {
     Q_OBJECT
 
 public:
-    explicit ShownViews(MainWindow&);
+    ShownViews(Workbench&, QObject* parent);
     ~ShownViews() override;
 
     /// From where the visitor stands now; stops what was being rendered.
@@ -48,7 +48,7 @@ private:
     void note(double part);
     void end(const QString& failure);
 
-    MainWindow& window_;
+    Workbench& window_;
     std::optional<ParameterValues> values_;
     Look look_;  ///< Of the quick picture.
     std::shared_ptr<printing::PrintViews> views_;

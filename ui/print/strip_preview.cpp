@@ -1,6 +1,6 @@
 #include "ui/print/strip_preview.h"
 
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QKeyEvent>
 #include <QPainter>

@@ -2,7 +2,7 @@
 
 #include "exhibits/printing/print_views.h"
 #include "ui/print/print_setup.h"
-#include "ui/window/progress_job.h"
+#include "ui/kit/progress_job.h"
 
 #include <QObject>
 #include <QTimer>

@@ -1,7 +1,7 @@
 #include "ui/study/study_chart.h"
 
 #include "exhibits/study/study_text.h"
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QSvgGenerator>
 
@@ -234,7 +234,12 @@ void StudyChart::addMarks()
         label->setSelectable(false);
         labels.push_back({i, label, place});
     }
-    if (!anyExact_) return;
+    if (anyExact_) markExact();
+}
+
+void StudyChart::markExact()
+{
+    const Theme& t = theme();
     auto* line = new QCPItemStraightLine(this);
     line->setPen(QPen(t.dim, 1, Qt::DotLine));
     line->point1->setCoords(xAxis->range().lower, floor_);

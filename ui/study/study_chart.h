@@ -54,6 +54,7 @@ private:
     void layOutFor(QSize);
     void scaleAxes();
     void addMarks();
+    void markExact();
     [[nodiscard]] double shownError(double error) const;
 
     std::vector<ChartPoint> points_;

@@ -6,9 +6,9 @@
 #include "render/files/atomic_write.h"
 #include "render/measure/distance.h"
 #include "render/measure/memory.h"
+#include "ui/kit/progress_job.h"
 #include "ui/study/study_chart.h"
 #include "ui/study/study_pictures.h"
-#include "ui/window/progress_job.h"
 
 #include <QApplication>
 #include <QBuffer>
@@ -53,6 +53,20 @@ StudyDock::StudyDock(Gallery& gallery, History& history, RenderThread& thread, Q
       progress_(new QProgressBar(this)), doing_(new QLabel(this)), words_(new QLabel(this)), caption_(new QLabel(this)), error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
       milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this)), chart_(new StudyChart(this)), pictures_(new StudyPictures(this))
 {
+    setTexts();
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(8, 8, 8, 8);
+    all->setSpacing(8);
+    all->addLayout(measuring());
+    all->addLayout(choosing());
+    all->addWidget(chartAndPictures(), 1);
+    all->addWidget(words_);
+    connectParts();
+    showIdle();
+}
+
+void StudyDock::setTexts()
+{
     parameter_->setAccessibleName(tr("What to measure"));
     view_->setAccessibleName(tr("View"));
     for (QComboBox* box : {parameter_, view_}) {
@@ -69,31 +83,53 @@ StudyDock::StudyDock(Gallery& gallery, History& history, RenderThread& thread, Q
     keepsItsPlace.setRetainSizeWhenHidden(true);
     progress_->setSizePolicy(keepsItsPlace);
     go_->setFixedWidth(80);
-    auto* cheapest = new QPushButton(tr("Find"), this);
-    cheapest->setAccessibleName(tr("Find the cheapest within the error"));
-    auto* best = new QPushButton(tr("Find"), this);
-    best->setAccessibleName(tr("Find the best within the time"));
-
-    auto* top = new QHBoxLayout;
-    top->setSpacing(8);
-    for (QWidget* w : std::initializer_list<QWidget*>{parameter_, go_, progress_}) top->addWidget(w);
-    top->addWidget(doing_, 1);
-    auto* choose = new QHBoxLayout;
-    choose->setSpacing(8);
-    for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest, new QLabel(tr("Best within"), this), milliseconds_, new QLabel(tr("ms"), this), best}) choose->addWidget(w);
-    choose->addStretch(1);
     copy_->setText(tr("Copy"));
     copy_->setAccessibleName(tr("Copy the measurements"));
     copy_->setToolTip(tr("Copies what was measured as a table (CSV)."));
     save_->setText(tr("Save…"));
     save_->setAccessibleName(tr("Save the measurements"));
     save_->setToolTip(tr("Saves what was measured as a table (CSV) or JSON, or the chart as PNG or SVG."));
+    for (QLabel* label : {doing_, words_, caption_}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setMinimumWidth(40);
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    }
+    words_->setWordWrap(true);
+    caption_->setWordWrap(true);
+    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+}
+
+QLayout* StudyDock::measuring()
+{
+    auto* top = new QHBoxLayout;
+    top->setSpacing(8);
+    for (QWidget* w : std::initializer_list<QWidget*>{parameter_, go_, progress_}) top->addWidget(w);
+    top->addWidget(doing_, 1);
+    return top;
+}
+
+QLayout* StudyDock::choosing()
+{
+    auto* cheapest = new QPushButton(tr("Find"), this);
+    cheapest->setAccessibleName(tr("Find the cheapest within the error"));
+    auto* best = new QPushButton(tr("Find"), this);
+    best->setAccessibleName(tr("Find the best within the time"));
+    connect(cheapest, &QPushButton::clicked, this, [this] { find(true); });
+    connect(best, &QPushButton::clicked, this, [this] { find(false); });
+    auto* choose = new QHBoxLayout;
+    choose->setSpacing(8);
+    for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest, new QLabel(tr("Best within"), this), milliseconds_, new QLabel(tr("ms"), this), best}) choose->addWidget(w);
+    choose->addStretch(1);
     for (QToolButton* button : {copy_, save_}) {
         button->setFocusPolicy(Qt::StrongFocus);
         button->setFixedHeight(26);
         choose->addWidget(button);
     }
+    return choose;
+}
 
+QWidget* StudyDock::chartAndPictures()
+{
     auto* right = new QWidget(this);
     auto* column = new QVBoxLayout(right);
     column->setContentsMargins(0, 0, 0, 0);
@@ -108,26 +144,12 @@ StudyDock::StudyDock(Gallery& gallery, History& history, RenderThread& thread, Q
     split->setStretchFactor(1, 1);
     split->setChildrenCollapsible(false);
     split->setSizes({500, 500});
+    return split;
+}
 
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(8, 8, 8, 8);
-    all->setSpacing(8);
-    all->addLayout(top);
-    all->addLayout(choose);
-    all->addWidget(split, 1);
-    all->addWidget(words_);
-    for (QLabel* label : {doing_, words_, caption_}) {
-        label->setTextFormat(Qt::PlainText);
-        label->setMinimumWidth(40);
-        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    }
-    words_->setWordWrap(true);
-    caption_->setWordWrap(true);
-    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-
+void StudyDock::connectParts()
+{
     connect(go_, &QPushButton::clicked, this, [this] { running() ? stop() : measure(); });
-    connect(cheapest, &QPushButton::clicked, this, [this] { find(true); });
-    connect(best, &QPushButton::clicked, this, [this] { find(false); });
     connect(error_, &QLineEdit::returnPressed, this, [this] { find(true); });
     connect(milliseconds_, &QLineEdit::returnPressed, this, [this] { find(false); });
     connect(view_, &QComboBox::currentIndexChanged, this, [this] { showPoint(shownPoint_); });
@@ -138,10 +160,11 @@ StudyDock::StudyDock(Gallery& gallery, History& history, RenderThread& thread, Q
     connect(chart_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
         if (const auto point = chart_->pointAt(event->position()); point && event->button() == Qt::LeftButton) apply(*point);
     });
-    connect(&history_, &History::changed, this, [this] {
+    const auto refreshWhileSeen = [this] {
         if (isVisible()) refresh();
-    });
-    showIdle();
+    };
+    connect(&history_, &History::changed, this, refreshWhileSeen);
+    connect(&history_, &History::replaced, this, refreshWhileSeen);
 }
 
 StudyDock::~StudyDock()
@@ -311,7 +334,7 @@ void StudyDock::showIdle()
     doing_->clear();
     for (QToolButton* button : {copy_, save_}) button->setEnabled(!result_.points.empty());
     suggestTime();
-    if (result_.points.empty()) words_->setText(tr("Choose a parameter: error is measured against its most exact value, cost in work done and in time."));
+    if (result_.points.empty()) words_->setText(tr("Choose a parameter and measure it: its errors are those against its most exact value, its costs are work and time."));
 }
 
 void StudyDock::suggestTime()
@@ -422,7 +445,7 @@ void StudyDock::apply(std::size_t point)
         next.values[axis.exhibit].setRow(axis.row, axis.values[result().points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
-    history_.change(one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.exhibits(), request_, result().points[point]))) : tr("Set what the study found"), std::move(next));
+    history_.change(one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.exhibits(), request_, result().points[point]))) : tr("Set what the study found"), next);
 }
 
 }  // namespace vitrine::ui

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/model/history.h"
 #include "ui/viewport/render_thread.h"
-#include "ui/window/undo.h"
 
 #include <QElapsedTimer>
 #include <QWidget>
@@ -56,6 +56,11 @@ protected:
     void showEvent(QShowEvent*) override;
 
 private:
+    void setTexts();
+    [[nodiscard]] QLayout* measuring();
+    [[nodiscard]] QLayout* choosing();
+    [[nodiscard]] QWidget* chartAndPictures();
+    void connectParts();
     void measure();
     void find(bool byError);
     void start(StudyRequest);

@@ -2,7 +2,7 @@
 
 #include "render/image/srgb.h"
 #include "render/measure/metrics.h"
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

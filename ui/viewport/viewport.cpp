@@ -3,7 +3,7 @@
 #include "exhibits/museum/named_files.h"
 #include "render/failure.h"
 #include "ui/viewport/overlay.h"
-#include "ui/window/application.h"
+#include "ui/kit/message_of.h"
 
 #include <QPainter>
 #include <QWindow>
@@ -68,6 +68,7 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
         if (stateOfFiles(history_.look()) != filesDrawn_) lookChanged();
     });
     connect(&history, &History::changed, this, &Viewport::valuesChanged);
+    connect(&history, &History::replaced, this, &Viewport::valuesChanged);
     connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.look().camera); });
     thread_ = std::make_unique<RenderThread>(gallery_);
     connect(thread_.get(), &RenderThread::drawn, this, &Viewport::take);

@@ -4,7 +4,7 @@
 #include "ui/viewport/draw_schedule.h"
 #include "ui/viewport/gallery.h"
 #include "ui/viewport/render_thread.h"
-#include "ui/window/undo.h"
+#include "ui/model/history.h"
 
 #include <QElapsedTimer>
 #include <QOpenGLWidget>

@@ -1,20 +1,10 @@
 #include "ui/window/application.h"
 
-#include "render/failure.h"
+#include "ui/kit/message_of.h"
 
 #include <cstdio>
-#include <new>
 
 namespace vitrine::ui {
-
-QString messageOf(const std::exception& thrown)
-{
-    const QString words = QString::fromUtf8(thrown.what());
-    if (dynamic_cast<const Failure*>(&thrown)) return words;
-    if (dynamic_cast<const std::bad_alloc*>(&thrown))
-        return Application::tr("There was not enough memory for what was to be done; nothing was changed. Make it smaller, or close something else.");
-    return Application::tr("A fault in Vitrine itself was caught, and what was to be done was not done: %1. Everything else goes on.").arg(words);
-}
 
 bool Application::notify(QObject* receiver, QEvent* event)
 {

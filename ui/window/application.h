@@ -2,8 +2,6 @@
 
 #include <QApplication>
 
-#include <exception>
-
 namespace vitrine::ui {
 
 /// An application that goes on when the handler of an event or a timer throws: what was thrown is told, and the event
@@ -25,8 +23,5 @@ private:
 
     bool telling_ = false;
 };
-
-/// What a visitor is told of something that was thrown: a Failure's own sentence, or what it means to him.
-[[nodiscard]] QString messageOf(const std::exception&);
 
 }  // namespace vitrine::ui

@@ -114,14 +114,14 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     line(tr("Right drag"), tr("Look around with the pointer locked"));
     line(tr("Click"), tr("Visit an exhibit, press a button"));
     line(tr("Wheel"), tr("Come nearer to the exhibit or step back"));
-    line(QStringLiteral("E"), tr("Press the button looked at, or that of the exhibit on show"));
-    line(QStringLiteral("Esc"), tr("Walk on"));
+    line(QStringLiteral("E"), tr("Press the red button you look at, or that of the exhibit you visit"));
+    line(QStringLiteral("Esc"), tr("Leave the exhibit and walk on"));
     line(tr("Backspace, Alt+Left"), tr("Back to where you stood before"));
     heading(tr("In number fields"));
     line(tr("Drag the label or the number"), tr("Change it; Shift ten times finer, Ctrl ten times coarser"));
     line(tr("Click, or any digit"), tr("Type: 1/3, 2*pi, 30deg"));
     line(tr("Up, Down, wheel"), tr("One step; the wheel only in the field with the focus"));
-    line(tr("Enter, Esc"), tr("Accept; back to the value before"));
+    line(tr("Enter, Esc"), tr("Accept; bring back the value before"));
     heading(tr("Commands"));
     for (const QAction* action : actions)
         if (!action->shortcuts().isEmpty()) line(keysOf(action), nameOf(action));

@@ -1,6 +1,6 @@
 #include "ui/window/dock_title.h"
 
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QDockWidget>
 #include <QHBoxLayout>

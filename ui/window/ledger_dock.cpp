@@ -22,7 +22,7 @@ LedgerDock::LedgerDock(std::function<QString()> reason, QWidget* parent)
         // A longer sentence must not move the picture above.
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     }
-    everything_->setToolTip(tr("Runs every step, called for or not. The picture stays the same to the bit; only the cost changes."));
+    everything_->setToolTip(tr("Runs every step, also those that the picture does not need. It stays the same to the bit; only the cost changes."));
     auto* top = new QHBoxLayout;
     top->setContentsMargins(8, 4, 8, 4);
     top->setSpacing(24);

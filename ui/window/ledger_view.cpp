@@ -1,6 +1,6 @@
 #include "ui/window/ledger_view.h"
 
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QHeaderView>
 #include <QLocale>
@@ -16,7 +16,7 @@ LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
 {
     setAccessibleName(tr("Ledger"));
     setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Saved"), tr("Why")});
-    headerItem()->setToolTip(saved, tr("What a skipped step took when it last ran, in milliseconds; running everything measures all."));
+    headerItem()->setToolTip(saved, tr("Milliseconds that a skipped step took when it last ran. “Run everything” measures them all."));
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
@@ -87,12 +87,12 @@ void LedgerView::renew()
         for (int column = 0; column < columnCount(); ++column) item->setForeground(column, ran ? theme().text : theme().dim);
     };
     for (const render::StepReport& s : report_.ran) {
-        fill(s.name, s.work, milliseconds(s.milliseconds), {}, s.reason + (s.bound.isKnown() ? "; changes " + toString(s.bound) : std::string()), true);
+        fill(s.name, s.work, milliseconds(s.milliseconds), {}, s.reason + (s.bound.isKnown() ? "; " + toString(s.bound) : std::string()), true);
         for (const render::Effect& e : s.effects)
-            fill(e.name, s.work, tr("in step above"), {}, e.bound.isKnown() ? "changes " + toString(e.bound) : std::string("how much it changes is not known"), true);
+            fill(e.name, s.work, tr("in the step above"), {}, e.bound.isKnown() ? toString(e.bound) : tr("may change any pixel").toStdString(), true);
     }
     for (const render::Skipped& s : report_.skipped)
-        fill(s.name, s.work, tr("skipped"), milliseconds(lastCost(s.name)), s.reason + (s.boundIsZero ? ": its bound is 0" : ""), false);
+        fill(s.name, s.work, tr("skipped"), milliseconds(lastCost(s.name)), s.reason + (s.boundIsZero ? "; would change nothing" : ""), false);
 }
 
 }  // namespace vitrine::ui

@@ -1,42 +1,47 @@
 #include "ui/window/main_window.h"
 
+#include "render/files/assets.h"
+#include "ui/kit/idle_undo.h"
+#include "ui/kit/text.h"
+#include "ui/kit/tile_delegate.h"
 #include "ui/parameters/parameter_panel.h"
-#include "ui/parameters/parameter_row.h"
 #include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/print/print_dialog.h"
+#include "ui/print/shown_views.h"
 #include "ui/study/study_dock.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
+#include "ui/window/close_guard.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/exhibit_list.h"
-#include "ui/window/idle_undo.h"
+#include "ui/window/file_opener.h"
 #include "ui/window/ledger_dock.h"
 #include "ui/window/log_view.h"
+#include "ui/window/parameter_tabs.h"
 #include "ui/window/picture_export.h"
+#include "ui/window/screenshot_dialog.h"
 #include "ui/window/session_keeper.h"
 #include "ui/window/status_line.h"
 #include "ui/window/window_actions.h"
-
-#include "render/files/assets.h"
+#include "ui/window/window_docks.h"
 
 #include <QAction>
+#include <QCloseEvent>
 #include <QDir>
-#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QFileInfo>
+#include <QMenuBar>
+#include <QMimeData>
 #include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
-#include <QTabBar>
+#include <QUrl>
 #include <QVBoxLayout>
 
 namespace vitrine::ui {
 namespace {
-
-QString text(std::string_view s)
-{
-    return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
-}
 
 QString thumbnailPath(const Exhibit& exhibit)
 {
@@ -53,7 +58,25 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     setAcceptDrops(true);
     resize(firstSize(screen()->availableSize()));
     new IdleUndo(this);
+    buildMiddle();
+    docks_ = new WindowDocks(*this, *this);
+    shelf_ = new PresetShelf(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
+    files_ = new FileOpener(*this, *shelf_, this);
+    guard_ = new CloseGuard(*this);
+    actions_ = std::make_unique<WindowActions>(*this);
+    docks_->presets().setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
+    connectParts();
+    connectViewport();
+    showShippedThumbnails();
+    choose(0);
+    keeper_ = new SessionKeeper(*this);
+    if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
+    keeper_->watch();
+    viewport_->setFocus();
+}
 
+void MainWindow::buildMiddle()
+{
     auto* middle = new QWidget;
     auto* layout = new QVBoxLayout(middle);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -67,24 +90,17 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     status_ = new StatusLine;
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
+}
 
-    buildDocks();
-    actions_ = std::make_unique<WindowActions>(*this);
-    presets_->setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
-    connectParts();
+void MainWindow::showShippedThumbnails()
+{
     for (std::size_t i = 0; i < gallery_.exhibits().size(); ++i) {
         // The shipped one shows the exhibit's best view; one kept from the screen serves those that ship none.
         const std::string shipped = "thumbnails/" + std::string(gallery_.exhibits()[i]->name()) + ".png";
         QPixmap kept(QString::fromStdString(render::asset(shipped).string()));
         if (kept.isNull()) kept.load(thumbnailPath(*gallery_.exhibits()[i]));
-        if (!kept.isNull()) exhibits_->setThumbnail(i, kept);
+        if (!kept.isNull()) docks_->exhibits().setThumbnail(i, kept);
     }
-    choose(0);
-    keeper_ = new SessionKeeper(*this);
-    if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
-    connect(&history_, &History::changed, keeper_, &SessionKeeper::noteChange);
-    keeper_->watchLayout();
-    viewport_->setFocus();
 }
 
 MainWindow::~MainWindow()
@@ -92,48 +108,54 @@ MainWindow::~MainWindow()
     // Pictures in the making end while the viewport, its render thread and the message strip are still there.
     qDeleteAll(findChildren<PrintDialog*>());
     qDeleteAll(findChildren<PictureExport*>());
-    study_->stop();
+    study().stop();
 }
 
 void MainWindow::connectParts()
 {
-    connect(panel_, &ParameterPanel::edited, this, [this](const ParameterValues& values, int gesture, const QString& step) {
-        Look next = history_.look();
-        next.values[shown()] = values;
-        history_.change(step, std::move(next), gesture);
-    });
-    connect(&history_, &History::changed, this, &MainWindow::showValues);
-    connect(tabs_, &QTabBar::currentChanged, this, [this] {
-        showValues();
-        shelf_->refresh();
-        searchElsewhere();
-    });
-    connect(panel_, &ParameterPanel::filtered, this, &MainWindow::searchElsewhere);
-    connect(panel_, &ParameterPanel::elsewhereAsked, this, [this] { tabs_->setCurrentIndex(1 - tabs_->currentIndex()); });
-    connect(panel_, &ParameterPanel::filterLeft, viewport_, [this] { viewport_->setFocus(); });
+    connect(&docks_->parameters(), &ParameterTabs::turned, shelf_, &PresetShelf::refresh);
+    connect(&panel(), &ParameterPanel::filterLeft, viewport_, [this] { viewport_->setFocus(); });
     connect(shelf_, &PresetShelf::marked, this, &MainWindow::showTitle);
-    connect(exhibits_, &ExhibitList::chosen, this, [this](std::size_t exhibit) {
-        visit(exhibit);
-    });
+    connect(files_, &FileOpener::printFound, this, &MainWindow::openPrintDialog);
+    connect(&docks_->exhibits(), &ExhibitList::chosen, this, &MainWindow::visit);
+    connect(&study(), &StudyDock::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    connect(messages_, &MessageStrip::said, &docks_->log(), &LogView::add);
+}
+
+void MainWindow::connectViewport()
+{
     connect(viewport_, &Viewport::visited, this, &MainWindow::choose);
     connect(viewport_, &Viewport::pressed, this, [this](std::size_t exhibit) {
         Look next = history_.look();
         if (gallery_.exhibits()[exhibit]->press(next.values[exhibit]))
-            history_.change(tr("Press the button of %1").arg(text(gallery_.exhibits()[exhibit]->title())), std::move(next));
+            history_.change(tr("Press the button of %1").arg(text(gallery_.exhibits()[exhibit]->title())), next);
     });
     connect(viewport_, &Viewport::failed, this, [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
-    connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report, const QSize& pixels) {
-        status_->note(report, pixels, viewport_->reason());
-        ledger_->note(report);
-        for (const render::Skipped& complaint : complaints_.begun(report.skipped)) {
-            const QString line = text(lineOf(complaint));
-            if (complaint.unreadable.empty()) log_->add(line);
-            else say(MessageStrip::Mood::problem, line);  // The log hears what the strip says.
-        }
-        keepThumbnail();
-    });
-    connect(study_, &StudyDock::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
-    connect(messages_, &MessageStrip::said, log_, &LogView::add);
+    connect(viewport_, &Viewport::drawn, this, &MainWindow::noteFrame);
+}
+
+void MainWindow::noteFrame(const render::FrameReport& report, const QSize& pixels)
+{
+    status_->note(report, pixels, viewport_->reason());
+    docks_->ledger().note(report);
+    showComplaints(report.skipped);
+    keepThumbnail();
+}
+
+void MainWindow::showComplaints(const std::vector<render::Skipped>& skipped)
+{
+    for (const render::Skipped& complaint : complaints_.begun(skipped)) {
+        const QString line = text(lineOf(complaint));
+        if (complaint.unreadable.empty()) docks_->log().add(line);
+        else say(MessageStrip::Mood::problem, line);  // What the strip says goes into the log, too.
+    }
+    // A file that is there again is no problem any more.
+    QStringList now;
+    for (const render::Skipped& complaint : skipped)
+        if (complaint.complaint && !complaint.unreadable.empty()) now << text(lineOf(complaint));
+    for (const QString& line : std::as_const(unreadable_))
+        if (!now.contains(line)) messages_->takeBack(line);
+    unreadable_ = now;
 }
 
 void MainWindow::say(MessageStrip::Mood mood, const QString& words, const QString& several, const QString& what)
@@ -143,22 +165,12 @@ void MainWindow::say(MessageStrip::Mood mood, const QString& words, const QStrin
 
 void MainWindow::choose(std::size_t exhibit)
 {
-    if (chosen_ != exhibit) panel_->clearFilter();
+    if (chosen_ != exhibit) panel().clearFilter();
     chosen_ = exhibit;
-    exhibits_->choose(exhibit);
+    docks_->exhibits().choose(exhibit);
     viewport_->setSubject(exhibit);
-    {
-        const QSignalBlocker quiet(tabs_);
-        while (tabs_->count() > 0) tabs_->removeTab(0);
-        for (const std::size_t i : exhibit == 0 ? std::vector<std::size_t>{0} : std::vector<std::size_t>{exhibit, 0}) {
-            const int tab = tabs_->addTab(text(gallery_.exhibits()[i]->title()));
-            tabs_->setTabData(tab, static_cast<qulonglong>(i));
-            tabs_->setTabToolTip(tab, text(gallery_.exhibits()[i]->summary()));
-        }
-        tabs_->updateGeometry();  // A tab bar that is not shown yet does not tell its layout that it has grown.
-    }
-    showValues();
-    study_->setSubject(exhibit);
+    docks_->parameters().choose(exhibit);
+    study().setSubject(exhibit);
     shelf_->refresh();
     if (keeper_) keeper_->noteLayout();
 }
@@ -172,7 +184,17 @@ void MainWindow::visit(std::size_t exhibit)
 
 std::size_t MainWindow::shown() const
 {
-    return static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
+    return docks_->parameters().shown();
+}
+
+ParameterPanel& MainWindow::panel() const
+{
+    return docks_->parameters().panel();
+}
+
+StudyDock& MainWindow::study() const
+{
+    return docks_->study();
 }
 
 QSize MainWindow::firstSize(const QSize& room)
@@ -189,42 +211,19 @@ void MainWindow::showTitle()
     setWindowTitle(tr("%1 – Vitrine").arg(parts.join(QStringLiteral(": "))));
 }
 
-void MainWindow::searchElsewhere()
-{
-    QStringList found;
-    const QString words = panel_->filterText();
-    if (tabs_->count() > 1 && !words.isEmpty()) {
-        const auto other = static_cast<std::size_t>(tabs_->tabData(1 - tabs_->currentIndex()).toULongLong());
-        for (const ParameterInfo& row : gallery_.exhibits()[other]->parameters().rows())
-            if (ParameterRow::matches(row, words)) found << QString::fromStdString(label(row));
-        if (!found.isEmpty()) {
-            const QString title = text(gallery_.exhibits()[other]->title());
-            const QString more = found.size() > 3 ? tr(" and %1 more").arg(found.size() - 3) : QString();
-            panel_->offerElsewhere(tr("%1: %2%3").arg(title, found.mid(0, 3).join(QStringLiteral(", ")), more));
-            return;
-        }
-    }
-    panel_->offerElsewhere({});
-}
-
-void MainWindow::showValues()
-{
-    panel_->showValues(history_.look().values[shown()], text(gallery_.exhibits()[shown()]->name()));
-}
-
 void MainWindow::resetEverything()
 {
     const Exhibit& exhibit = *gallery_.exhibits()[shown()];
     Look next = history_.look();
     next.values[shown()] = exhibit.parameters().initial();
-    history_.change(tr("Reset %1").arg(text(exhibit.title())), std::move(next));
+    history_.change(tr("Reset %1").arg(text(exhibit.title())), next);
 }
 
 void MainWindow::keepThumbnail()
 {
     if (!viewport_->schedule().still()) return;
     QMetaObject::invokeMethod(shelf_, &PresetShelf::keepMissingThumbnail, Qt::QueuedConnection);
-    if (exhibits_->hasThumbnail(chosen_)) return;
+    if (docks_->exhibits().hasThumbnail(chosen_)) return;
     const auto posed = chosen_ == 0 ? CameraControl::Mode::walk : CameraControl::Mode::orbit;
     if (viewport_->mode() != posed) return;
     QMetaObject::invokeMethod(
@@ -233,19 +232,75 @@ void MainWindow::keepThumbnail()
             const QImage& picture = viewport_->shown();
             if (picture.isNull()) return;
             const QPixmap small = thumbnailOf(picture);
-            exhibits_->setThumbnail(chosen_, small);
+            docks_->exhibits().setThumbnail(chosen_, small);
             const QString path = thumbnailPath(*gallery_.exhibits()[chosen_]);
             if (QDir().mkpath(QFileInfo(path).path())) small.save(path, "PNG");  // A cache: the next visit makes another.
         },
         Qt::QueuedConnection);
 }
 
-QPixmap MainWindow::thumbnailOf(const QImage& picture)
+void MainWindow::hidePanels(bool hidden)
 {
-    const QSize size = TileDelegate::picture * 2;
-    const QImage scaled = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-    return QPixmap::fromImage(
-        scaled.copy(QRect(QPoint((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2), size)));
+    if (hidden == bare_) return;
+    if (hidden && keeper_) keeper_->saveLayout();  // What comes back next time is what was there before.
+    bare_ = hidden;
+    if (hidden) docks_->hideAll();
+    else docks_->showAgain();
+    menuBar()->setVisible(!hidden);
+    statusBar()->setVisible(!hidden);
+    messages_->setBanned(hidden);
+    if (actions_) actions_->panels->setChecked(hidden);
+    viewport_->setFocus();
+}
+
+void MainWindow::findParameter()
+{
+    hidePanels(false);
+    docks_->showParameters();
+    panel().focusFilter();
+}
+
+void MainWindow::setFullScreen(bool on)
+{
+    setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!guard_->mayClose()) {
+        event->ignore();
+        return;
+    }
+    keeper_->close();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) files_->open(url.toLocalFile());
+    event->acceptProposedAction();
+}
+
+void MainWindow::openScreenshotDialog()
+{
+    (new ScreenshotDialog(*this))->show();
+}
+
+void MainWindow::openPrintDialog(const QString& print)
+{
+    auto* dialog = findChild<PrintDialog*>();
+    if (!dialog) dialog = new PrintDialog(new ShownViews(*this, this), this);
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+    if (!print.isEmpty()) dialog->open({print});
 }
 
 void MainWindow::openPalette()

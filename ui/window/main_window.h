@@ -1,33 +1,30 @@
 #pragma once
 
 #include "render/plan/complaints.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
 #include "ui/viewport/gallery.h"
-#include "ui/window/message_strip.h"
-#include "ui/window/undo.h"
 
 #include <QMainWindow>
-#include <QPixmap>
-#include <QPointer>
 
-class QMessageBox;
-class QTabBar;
+#include <memory>
 
 namespace vitrine::ui {
 
-class ExhibitList;
-class LedgerDock;
-class LogView;
+class CloseGuard;
+class FileOpener;
+class MessageStrip;
 class ParameterPanel;
-class PresetList;
 class PresetShelf;
 class SessionKeeper;
 class StatusLine;
 class StudyDock;
 class Viewport;
+class WindowDocks;
 struct WindowActions;
 
 /// The workbench: the picture in the middle, everything else around it.
-class MainWindow final : public QMainWindow {
+class MainWindow final : public QMainWindow, public Workbench {
     Q_OBJECT
 
 public:
@@ -35,41 +32,32 @@ public:
     explicit MainWindow(Gallery&, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// As `MessageStrip::say`.
-    void say(MessageStrip::Mood, const QString& text, const QString& several = {}, const QString& what = {});
-    /// Shows this exhibit's parameters and presets; 0 is the hall.
-    void choose(std::size_t exhibit);
-    /// Whose parameters the panel shows: the chosen exhibit, or the hall beside it.
-    [[nodiscard]] std::size_t shown() const;
-    /// ... and goes there.
-    void visit(std::size_t exhibit);
-    /// A picture, preset, model or panorama: what a drop on the window does.
-    void openFile(const QString& path);
-    /// What it reads: "*.json", "*.glb", ...
-    [[nodiscard]] static QStringList openable();
+    [[nodiscard]] Gallery& gallery() const override { return gallery_; }
+    [[nodiscard]] History& history() override { return history_; }
+    [[nodiscard]] Viewport& viewport() const override { return *viewport_; }
+    [[nodiscard]] std::size_t chosen() const override { return chosen_; }
+    [[nodiscard]] std::size_t shown() const override;
+    void choose(std::size_t exhibit) override;
+    void say(MessageStrip::Mood, const QString& text, const QString& several = {}, const QString& what = {}) override;
 
+    /// Chooses an exhibit and goes there.
+    void visit(std::size_t exhibit);
     /// Nothing but the picture is shown.
     [[nodiscard]] bool bare() const { return bare_; }
-    [[nodiscard]] std::size_t chosen() const { return chosen_; }
-    [[nodiscard]] Gallery& gallery() const { return gallery_; }
-    [[nodiscard]] History& history() { return history_; }
-    [[nodiscard]] Viewport& viewport() const { return *viewport_; }
-    [[nodiscard]] ParameterPanel& panel() const { return *panel_; }
-    [[nodiscard]] StudyDock& study() const { return *study_; }
+    [[nodiscard]] ParameterPanel& panel() const;
+    [[nodiscard]] StudyDock& study() const;
     [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }
+    [[nodiscard]] FileOpener& files() const { return *files_; }
+    [[nodiscard]] WindowDocks& docks() const { return *docks_; }
 
     /// Of a first window on a screen with this much room, its frame left out: as large as is useful, never larger.
     [[nodiscard]] static QSize firstSize(const QSize& room);
-    /// Cut to the shape of the lists' pictures.
-    [[nodiscard]] static QPixmap thumbnailOf(const QImage&);
 
     // What the actions do.
     void hidePanels(bool hidden);
     void findParameter();
     void openAbout();
-    [[nodiscard]] const QList<QDockWidget*>& docks() const { return docks_; }
     void setFullScreen(bool);
-    void saveScreenshotNow();
     void openScreenshotDialog();
     void openPrintDialog(const QString& print = {});
     void resetEverything();
@@ -82,39 +70,29 @@ protected:
     void dropEvent(QDropEvent*) override;
 
 private:
-    void buildDocks();
+    void buildMiddle();
     void connectParts();
-    void showValues();
+    void connectViewport();
+    void showShippedThumbnails();
     void showTitle();
-    /// What of the other tab matches the filter.
-    void searchElsewhere();
+    void noteFrame(const render::FrameReport&, const QSize& pixels);
+    void showComplaints(const std::vector<render::Skipped>&);
     void keepThumbnail();
-    void setHallFile(const char* parameter, const QString& path);
-    void openPicture(const QString& path);
-    void askBeforeClosing();
-    void closeWhenDone();
-    void closeIfDone();
 
     Gallery& gallery_;
     History history_;
     Viewport* viewport_;
     MessageStrip* messages_;
     StatusLine* status_;
-    QTabBar* tabs_ = nullptr;
-    ParameterPanel* panel_ = nullptr;
-    ExhibitList* exhibits_ = nullptr;
-    PresetList* presets_ = nullptr;
+    WindowDocks* docks_ = nullptr;
     PresetShelf* shelf_ = nullptr;
+    FileOpener* files_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
-    LedgerDock* ledger_ = nullptr;
-    LogView* log_ = nullptr;
-    StudyDock* study_ = nullptr;
-    render::Complaints complaints_;  // What the log has been told of.
+    CloseGuard* guard_ = nullptr;
+    render::Complaints complaints_;  // Those that are in the log already.
+    QStringList unreadable_;         // What the strip says about files that cannot be read.
     std::unique_ptr<WindowActions> actions_;
-    QList<QDockWidget*> docks_, hiddenDocks_;
-    bool bare_ = false;          // Panels, menu and status line are hidden.
-    bool closeAnyway_ = false;   // The visitor gave up what is being written.
-    QPointer<QMessageBox> closing_;
+    bool bare_ = false;  // Panels, menu and status line are hidden.
     std::size_t chosen_ = 0;
 };
 

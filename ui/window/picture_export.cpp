@@ -2,9 +2,9 @@
 
 #include "render/failure.h"
 #include "render/measure/memory.h"
+#include "ui/kit/message_of.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/application.h"
 #include "ui/window/main_window.h"
 
 #include <QDateTime>

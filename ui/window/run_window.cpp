@@ -2,11 +2,11 @@
 
 #include "exhibits/exhibits.h"
 #include "render/failure.h"
-#include "ui/viewport/first_picture.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_gallery.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/application.h"
+#include "ui/window/first_picture.h"
 #include "ui/window/main_window.h"
 #include "ui/window/theme_choice.h"
 

@@ -1,8 +1,8 @@
 #include "ui/window/screenshot_dialog.h"
 
+#include "ui/kit/replace_question.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
-#include "ui/window/replace_question.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -54,7 +54,8 @@ ScreenshotDialog::ScreenshotDialog(MainWindow& window)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Export picture"));
-    build();
+    fillInputs();
+    layOut();
     connect(sizes_, &QComboBox::activated, this, [this] {
         const QSize size = sizes_->currentData().toSize();
         width_->setValue(size.width());
@@ -71,7 +72,7 @@ ScreenshotDialog::ScreenshotDialog(MainWindow& window)
         QString::fromStdString(freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
 }
 
-void ScreenshotDialog::build()
+void ScreenshotDialog::fillInputs()
 {
     const double ratio = window_.viewport().devicePixelRatioF();
     const QSize now = QSizeF(window_.viewport().size() * ratio).toSize();
@@ -99,9 +100,12 @@ void ScreenshotDialog::build()
     height_->setAccessibleName(tr("Height"));
     path_->setAccessibleName(tr("File"));
     progress_->setAccessibleName(tr("Progress"));
-    samples_->setToolTip(tr("Samples per pixel: 1 has stairs, 16 is smooth, 64 is for prints."));
-    transparent_->setToolTip(tr("The exhibit as it stands in the hall's light, cut out: alpha is 0 around it."));
+    samples_->setToolTip(tr("Samples per pixel: edges are stairs at 1, smooth at 16; 64 is for prints."));
+    transparent_->setToolTip(tr("The exhibit alone, in the hall's light; around it the picture is transparent."));
+}
 
+void ScreenshotDialog::layOut()
+{
     auto* size = new QHBoxLayout;
     size->setSpacing(8);
     size->addWidget(width_);
@@ -201,11 +205,11 @@ void ScreenshotDialog::setBusy(bool busy)
 void ScreenshotDialog::start()
 {
     if (transparent_->isChecked() && !window_.gallery().exhibits()[window_.chosen()]->castsShadow()) {
-        left_->setText(tr("This is made of light alone: there is nothing to cut out."));
+        left_->setText(tr("This exhibit is made of light alone: there is nothing to cut out."));
         return;
     }
     if (transparent_->isChecked() && window_.chosen() == 0) {
-        left_->setText(tr("Visit an exhibit first: around the hall there is nothing to leave out."));
+        left_->setText(tr("Visit an exhibit first: the hall has nothing around it that could be left out."));
         return;
     }
     if (path_->text() == replaced_) write(replaced_);
@@ -220,7 +224,7 @@ void ScreenshotDialog::write(const QString& to)
     running_ = new PictureExport(window_, wish());
     connect(running_, &PictureExport::progressed, this, [this](double part, double secondsLeft) {
         progress_->setValue(static_cast<int>(part * 1000));
-        left_->setText(secondsLeft < 0 ? tr("Drawing") : tr("About %1 left").arg(duration(secondsLeft)));
+        left_->setText(secondsLeft < 0 ? tr("Drawing …") : tr("About %1 left").arg(duration(secondsLeft)));
     });
     connect(running_, &PictureExport::finished, this, [this](const QString& path) {
         setBusy(false);
@@ -234,7 +238,7 @@ void ScreenshotDialog::write(const QString& to)
         window_.say(MessageStrip::Mood::problem, why);
     });
     setBusy(true);
-    left_->setText(tr("Drawing"));
+    left_->setText(tr("Drawing …"));
     running_->start();
 }
 

@@ -29,7 +29,8 @@ public slots:
     void reject() override;
 
 private:
-    void build();
+    void fillInputs();
+    void layOut();
     void takeFormat();
     void browse();
     void start();

@@ -16,7 +16,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int quietTime = 2000;  // Milliseconds.
+constexpr int quietBeforeWriting = 2000;  // Milliseconds.
 constexpr int longestWait = 10000;
 constexpr int settledAfter = 60000;
 constexpr int mostTimesRestored = 3;
@@ -33,7 +33,7 @@ SessionKeeper::SessionKeeper(MainWindow& window)
     : QObject(&window), window_(window), folder_(stateFolder()), journal_(folder_ / "recovery")
 {
     quiet_.setSingleShot(true);
-    quiet_.setInterval(quietTime);
+    quiet_.setInterval(quietBeforeWriting);
     connect(&quiet_, &QTimer::timeout, this, &SessionKeeper::write);
     settled_.setSingleShot(true);
     settled_.setInterval(settledAfter);
@@ -51,11 +51,13 @@ void SessionKeeper::noteLayout()
     if (closed_) return;
     // Restarts the quiet time, unless that would put it off for too long.
     if (!quiet_.isActive()) sinceWritten_.start();
-    if (!quiet_.isActive() || sinceWritten_.elapsed() < longestWait - quietTime) quiet_.start();
+    if (!quiet_.isActive() || sinceWritten_.elapsed() < longestWait - quietBeforeWriting) quiet_.start();
 }
 
-void SessionKeeper::watchLayout()
+void SessionKeeper::watch()
 {
+    connect(&window_.history(), &History::changed, this, &SessionKeeper::noteChange);
+    connect(&window_.history(), &History::replaced, this, &SessionKeeper::noteChange);
     window_.installEventFilter(this);
     for (const QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
         connect(dock, &QDockWidget::visibilityChanged, this, &SessionKeeper::noteLayout);

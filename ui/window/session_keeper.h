@@ -27,12 +27,10 @@ public:
     bool restore();
     /// The window closes as it should.
     void close();
-    /// The look changed.
-    void noteChange();
     /// What stands where changed.
     void noteLayout();
-    /// From now on the window's own changes count: not those of its making.
-    void watchLayout();
+    /// From now on changes of values and layout count: not those of the window's making.
+    void watch();
     /// The bare picture is no layout: docks are left as they were saved before.
     void saveLayout() const;
 
@@ -40,6 +38,7 @@ protected:
     bool eventFilter(QObject*, QEvent*) override;
 
 private:
+    void noteChange();
     void write();
     bool writeJournal();
     bool restoreCrash();

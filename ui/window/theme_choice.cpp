@@ -1,7 +1,7 @@
 #include "ui/window/theme_choice.h"
 
 #include "exhibits/framework/state_folder.h"
-#include "ui/window/theme.h"
+#include "ui/kit/theme.h"
 
 #include <QActionGroup>
 #include <QApplication>

@@ -4,8 +4,11 @@
 #include "ui/presets/preset_shelf.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
+#include "ui/window/file_opener.h"
 #include "ui/window/main_window.h"
+#include "ui/window/screenshot.h"
 #include "ui/window/theme_choice.h"
+#include "ui/window/window_docks.h"
 
 #include <QAction>
 #include <QDesktopServices>
@@ -20,7 +23,10 @@ namespace {
 
 using Keys = QList<QKeySequence>;
 
-class Maker {
+}  // namespace
+
+/// Makes actions and puts them into the menu that was begun last.
+class WindowActions::Maker {
 public:
     Maker(MainWindow& window, QList<QAction*>& all) : window_(window), all_(all) {}
 
@@ -64,9 +70,22 @@ private:
     QMenu* menu_ = nullptr;
 };
 
+namespace {
+
 QString tr(const char* text)
 {
     return MainWindow::tr(text);
+}
+
+/// Lets the visitor choose a file to open.
+void chooseFile(MainWindow& window)
+{
+    auto* dialog = new QFileDialog(&window, tr("Open"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({tr("All that can be opened (%1)").arg(FileOpener::openable().join(QLatin1Char(' '))), tr("All files (*)")});
+    QObject::connect(dialog, &QFileDialog::fileSelected, &window.files(), &FileOpener::open);
+    dialog->open();
 }
 
 }  // namespace
@@ -74,32 +93,36 @@ QString tr(const char* text)
 WindowActions::WindowActions(MainWindow& window)
 {
     Maker make(window, all);
-    PresetShelf& shelf = window.shelf();
+    addFileMenu(make, window);
+    addEditMenu(make, window);
+    addPresetMenu(make, window.shelf());
+    addViewMenu(make, window);
+    addExhibitMenu(make, window);
+    addHelpMenu(make, window);
+}
 
+void WindowActions::addFileMenu(Maker& make, MainWindow& window)
+{
     make.menu(tr("&File"));
     make.add(tr("&Open…"), {QKeySequence(Qt::CTRL | Qt::Key_O)},
-             tr("A preset, a picture with one inside, a model or a panorama."), [&window] {
-                 auto* dialog = new QFileDialog(&window, tr("Open"));
-                 dialog->setAttribute(Qt::WA_DeleteOnClose);
-                 dialog->setFileMode(QFileDialog::ExistingFile);
-                 dialog->setNameFilters({tr("All that can be opened (%1)").arg(MainWindow::openable().join(QLatin1Char(' '))), tr("All files (*)")});
-                 QObject::connect(dialog, &QFileDialog::fileSelected, &window, &MainWindow::openFile);
-                 dialog->open();
-             });
+             tr("A preset, a picture with one inside, a model or a panorama."), [&window] { chooseFile(window); });
     make.add(tr("Save e&xhibition…"), {}, tr("Saves everything in one file: all exhibits, the hall and where you stand."),
-             [&shelf] { shelf.saveExhibition(); });
+             [&window] { window.shelf().saveExhibition(); });
     make.separator();
-    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves the picture at once, as PNG in your pictures folder."),
-             [&window] { window.saveScreenshotNow(); });
+    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves what the picture shows as PNG, in your pictures folder."),
+             [&window] { saveScreenshot(window); });
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
-             tr("Any size, supersampling, PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
+             tr("Saves the picture at any size, as PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
     make.add(tr("Export &lenticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
-             tr("Views of what is shown, or of your own, interlaced for a sheet of lenses; and charts to calibrate it with."),
+             tr("Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to calibrate it."),
              [&window] { window.openPrintDialog(); });
     make.separator();
     make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}, tr("Closes the window; everything comes back next time."),
              [&window] { window.close(); });
+}
 
+void WindowActions::addEditMenu(Maker& make, MainWindow& window)
+{
     make.menu(tr("&Edit"));
     QAction* undo = window.history().stack().createUndoAction(&window, tr("&Undo"));
     undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
@@ -108,14 +131,17 @@ WindowActions::WindowActions(MainWindow& window)
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     make.take(redo);
     make.separator();
-    make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)}, tr("Goes to the filter of the panel."), [&window] {
+    make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)}, tr("Goes to the filter above the parameters."), [&window] {
         window.findParameter();
     });
-    make.add(tr("Reset &all parameters"), {}, tr("All values of the exhibit on show become the initial ones, as one step."),
+    make.add(tr("Reset &all parameters"), {}, tr("Gives all parameters in the panel their initial values; one undo brings yours back."),
              [&window] { window.resetEverything(); });
     make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)}, tr("Finds and runs any command by name."),
              [&window] { window.openPalette(); });
+}
 
+void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
+{
     make.menu(tr("&Preset"));
     savePreset = make.add(tr("&Save preset"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
                           tr("Saves the values that the panel shows to the preset in use."), [&shelf] { shelf.save(); });
@@ -132,7 +158,10 @@ WindowActions::WindowActions(MainWindow& window)
     presetMenu << make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own."), [&shelf] { shelf.importFile(); });
     presetMenu << make.add(tr("&Export preset…"), {}, tr("Writes the selected preset to a file."),
                            [&shelf] { shelf.exportFile(); });
+}
 
+void WindowActions::addViewMenu(Maker& make, MainWindow& window)
+{
     make.menu(tr("&View"));
     panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
                          tr("Leaves nothing but the picture. Tab does the same while the picture has the focus."),
@@ -141,13 +170,18 @@ WindowActions::WindowActions(MainWindow& window)
                              [this] { panels->toggle(); });
     make.inViewport(bare);
     make.separator();
-    for (QDockWidget* dock : window.docks()) {
+    for (QDockWidget* dock : window.docks().all()) {
         QAction* toggle = dock->toggleViewAction();
         toggle->setToolTip(tr("Shows or hides this panel."));
         toggle->setStatusTip(toggle->toolTip());
         make.take(toggle);
     }
     make.separator();
+    addScreenAndClock(make, window);
+}
+
+void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
+{
     fullScreen = make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."),
                              [&window](bool on) { window.setFullScreen(on); });
     make.submenu(themeMenu(&window));
@@ -160,7 +194,10 @@ WindowActions::WindowActions(MainWindow& window)
              tr("Builds changed shaders again; one that fails keeps its last good picture."),
              [&window] { window.viewport().reloadShaders(); });
 #endif
+}
 
+void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
+{
     make.menu(tr("E&xhibit"));
     make.add(tr("&Entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)}, tr("Back to where the visit begins."), [&window] { window.visit(0); });
     make.add(tr("&Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)}, tr("To where you stood before; Backspace does the same while the picture has the focus."),
@@ -177,7 +214,10 @@ WindowActions::WindowActions(MainWindow& window)
                  keys, QString::fromUtf8(exhibit.summary().data(), static_cast<qsizetype>(exhibit.summary().size())),
                  [&window, i] { window.visit(i); });
     }
+}
 
+void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
+{
     make.menu(tr("&Help"));
     make.add(tr("&Keyboard and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)},
              tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });

@@ -7,6 +7,7 @@ class QAction;
 namespace vitrine::ui {
 
 class MainWindow;
+class PresetShelf;
 
 /// Every command of the window, each with its shortcut; the menus, the palette and the sheet are made of these.
 struct WindowActions {
@@ -19,6 +20,16 @@ struct WindowActions {
     QAction* savePreset = nullptr;
     QAction* savePresetAs = nullptr;
     QList<QAction*> presetMenu;
+
+private:
+    class Maker;
+    void addFileMenu(Maker&, MainWindow&);
+    void addEditMenu(Maker&, MainWindow&);
+    void addPresetMenu(Maker&, PresetShelf&);
+    void addViewMenu(Maker&, MainWindow&);
+    void addScreenAndClock(Maker&, MainWindow&);
+    void addExhibitMenu(Maker&, MainWindow&);
+    void addHelpMenu(Maker&, MainWindow&);
 };
 
 }  // namespace vitrine::ui

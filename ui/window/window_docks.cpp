@@ -1,144 +1,138 @@
-// The docks around the picture: what is in them and where they start.
-#include "ui/window/main_window.h"
+#include "ui/window/window_docks.h"
 
-#include "render/files/assets.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_list.h"
-#include "ui/presets/preset_shelf.h"
 #include "ui/study/study_dock.h"
+#include "ui/viewport/gallery.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/dock_title.h"
 #include "ui/window/exhibit_list.h"
 #include "ui/window/ledger_dock.h"
 #include "ui/window/ledger_view.h"
 #include "ui/window/log_view.h"
-#include "ui/window/session_keeper.h"
-#include "ui/window/status_line.h"
-#include "ui/window/window_actions.h"
+#include "ui/window/parameter_tabs.h"
 
-#include <QAction>
 #include <QDockWidget>
-#include <QMenu>
-#include <QMenuBar>
+#include <QMainWindow>
 #include <QScrollArea>
-#include <QStatusBar>
 #include <QTabBar>
-#include <QVBoxLayout>
 
 namespace vitrine::ui {
 
-void MainWindow::buildDocks()
+WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench) : QObject(&window), window_(window), workbench_(workbench)
 {
-    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    const auto dock = [this](const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
-        auto* made = new QDockWidget(title, this);
-        made->setObjectName(QLatin1String(name));
-        made->setAccessibleName(title);
-        made->setWidget(content);
-        made->setTitleBarWidget(new DockTitle(made));
-        addDockWidget(area, made);
-        docks_ << made;
-        return made;
-    };
+    window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
+    window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    addLists();
+    parameters_ = new ParameterTabs(workbench_.gallery().exhibits(), workbench_.history());
+    parametersDock_ = add(tr("Parameters"), "parameters", parameters_, Qt::RightDockWidgetArea);
+    addStudy();
+    addLedgerAndLog();
+    nameStacks();
+    window_.resizeDocks({docks_[0], docks_[1]}, {400, 300}, Qt::Vertical);
+    window_.resizeDocks({docks_[0], parametersDock_}, {240, 360}, Qt::Horizontal);
+}
 
+QDockWidget* WindowDocks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area)
+{
+    auto* dock = new QDockWidget(title, &window_);
+    dock->setObjectName(QLatin1String(name));
+    dock->setAccessibleName(title);
+    dock->setWidget(content);
+    dock->setTitleBarWidget(new DockTitle(dock));
+    window_.addDockWidget(area, dock);
+    docks_ << dock;
+    return dock;
+}
+
+void WindowDocks::addLists()
+{
     exhibits_ = new ExhibitList;
     presets_ = new PresetList;
-    QDockWidget* exhibits = dock(tr("Exhibits"), "exhibits", exhibits_, Qt::LeftDockWidgetArea);
-    QDockWidget* presets = dock(tr("Presets"), "presets", presets_, Qt::LeftDockWidgetArea);
-    exhibits_->fill(gallery_.exhibits(), gallery_.emptyPlaces());
-    shelf_ = new PresetShelf(*this, *presets_, PresetStore::standard(render::asset("presets")));
+    add(tr("Exhibits"), "exhibits", exhibits_, Qt::LeftDockWidgetArea);
+    add(tr("Presets"), "presets", presets_, Qt::LeftDockWidgetArea);
+    exhibits_->fill(workbench_.gallery().exhibits(), workbench_.gallery().emptyPlaces());
+}
 
-    auto* right = new QWidget;
-    auto* rightLayout = new QVBoxLayout(right);
-    rightLayout->setContentsMargins(0, 0, 0, 0);
-    rightLayout->setSpacing(0);
-    tabs_ = new QTabBar;
-    tabs_->setDrawBase(false);
-    tabs_->setExpanding(false);
-    tabs_->setAccessibleName(tr("Whose parameters"));
-    panel_ = new ParameterPanel;
-    rightLayout->addWidget(tabs_);
-    rightLayout->addWidget(panel_, 1);
-    dock(tr("Parameters"), "parameters", right, Qt::RightDockWidgetArea);
+void WindowDocks::addStudy()
+{
+    study_ = new StudyDock(workbench_.gallery(), workbench_.history(), workbench_.viewport().renderThread());
+    auto* room = new QScrollArea;  // So that a small window need not grow for the chart.
+    room->setWidget(study_);
+    room->setWidgetResizable(true);
+    room->setFrameShape(QFrame::NoFrame);
+    studyDock_ = add(tr("Study"), "study", room, Qt::BottomDockWidgetArea);
+    studyDock_->hide();
+    ParameterPanel& panel = parameters_->panel();
+    connect(&panel, &ParameterPanel::accuracyAsked, this, [this](std::size_t row) {
+        showStudy();
+        study_->ask(parameters_->shown(), row);
+    });
+    panel.setGaugesShown(true);
+}
 
-    study_ = new StudyDock(gallery_, history_, viewport_->renderThread());
-    auto* studyRoom = new QScrollArea;  // So that a small window need not grow for the chart.
-    studyRoom->setWidget(study_);
-    studyRoom->setWidgetResizable(true);
-    studyRoom->setFrameShape(QFrame::NoFrame);
-    QDockWidget* study = dock(tr("Study"), "study", studyRoom, Qt::BottomDockWidgetArea);
-    ledger_ = new LedgerDock([this] { return viewport_->reason(); });
+void WindowDocks::addLedgerAndLog()
+{
+    Viewport& viewport = workbench_.viewport();
+    ledger_ = new LedgerDock([&viewport] { return viewport.reason(); });
     QHash<QString, QString> titles;
-    for (const auto& exhibit : gallery_.exhibits())
-        titles.insert(QString::fromUtf8(exhibit->name().data(), static_cast<qsizetype>(exhibit->name().size())), QString::fromUtf8(exhibit->title().data(), static_cast<qsizetype>(exhibit->title().size())));
+    for (const auto& exhibit : workbench_.gallery().exhibits())
+        titles.insert(QString::fromUtf8(exhibit->name().data(), static_cast<qsizetype>(exhibit->name().size())),
+                      QString::fromUtf8(exhibit->title().data(), static_cast<qsizetype>(exhibit->title().size())));
     ledger_->view().setTitles(titles);
-    connect(ledger_, &LedgerDock::runEverythingAsked, viewport_, &Viewport::setRunEverything);
+    connect(ledger_, &LedgerDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
     log_ = new LogView;
-    QDockWidget* ledger = dock(tr("Ledger"), "ledger", ledger_, Qt::BottomDockWidgetArea);
-    QDockWidget* log = dock(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
-    tabifyDockWidget(study, ledger);
-    tabifyDockWidget(ledger, log);
-    study->hide();
+    QDockWidget* ledger = add(tr("Ledger"), "ledger", ledger_, Qt::BottomDockWidgetArea);
+    QDockWidget* log = add(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
+    window_.tabifyDockWidget(studyDock_, ledger);
+    window_.tabifyDockWidget(ledger, log);
     ledger->hide();
     log->hide();
     // Steps are timed one by one, which costs time, only while someone looks.
-    connect(ledger, &QDockWidget::visibilityChanged, viewport_, [this](bool visible) { viewport_->setStepsTimed(visible); });
+    connect(ledger, &QDockWidget::visibilityChanged, &viewport, &Viewport::setStepsTimed);
+}
 
-    connect(panel_, &ParameterPanel::accuracyAsked, this, [this, study](std::size_t row) {
-        study->show();
-        study->raise();
-        if (study->height() < 300) resizeDocks({study}, {320}, Qt::Vertical);
-        study_->ask(shown(), row);
-    });
-    panel_->setGaugesShown(true);
-
+void WindowDocks::nameStacks()
+{
     // The tab bars of stacked docks are Qt's own, made when needed.
     for (const QDockWidget* each : docks_)
         connect(each, &QDockWidget::visibilityChanged, this, [this] {
-            for (QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+            for (QTabBar* bar : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
                 bar->setAccessibleName(tr("Stacked panels"));
                 bar->setFocusPolicy(bar->count() > 1 ? Qt::TabFocus : Qt::NoFocus);  // Qt gives it to empty ones, too.
             }
         });
-    resizeDocks({exhibits, presets}, {400, 300}, Qt::Vertical);
-    resizeDocks({exhibits, docks_[2]}, {240, 360}, Qt::Horizontal);
 }
 
-void MainWindow::hidePanels(bool hidden)
+void WindowDocks::hideAll()
 {
-    if (hidden == bare_) return;
-    if (hidden) {
-        if (keeper_) keeper_->saveLayout();  // What comes back next time is what was there before.
-        bare_ = true;
-        for (QDockWidget* dock : docks_)
-            if (dock->isVisible()) hiddenDocks_ << dock;
-        for (QDockWidget* dock : hiddenDocks_) dock->hide();
-    } else {
-        for (QDockWidget* dock : hiddenDocks_) dock->show();
-        hiddenDocks_.clear();
-        bare_ = false;
-    }
-    menuBar()->setVisible(!hidden);
-    statusBar()->setVisible(!hidden);
-    messages_->setBanned(hidden);
-    if (actions_) actions_->panels->setChecked(hidden);
-    viewport_->setFocus();
+    for (QDockWidget* dock : docks_)
+        if (dock->isVisible()) hidden_ << dock;
+    for (QDockWidget* dock : hidden_) dock->hide();
 }
 
-void MainWindow::findParameter()
+void WindowDocks::showAgain()
 {
-    hidePanels(false);
-    QDockWidget* parameters = findChild<QDockWidget*>(QStringLiteral("parameters"));
-    parameters->show();
-    parameters->raise();  // In front, where it is stacked with others.
-    panel_->focusFilter();
+    for (QDockWidget* dock : hidden_) dock->show();
+    hidden_.clear();
 }
 
-void MainWindow::setFullScreen(bool on)
+void WindowDocks::showParameters()
 {
-    setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+    parametersDock_->show();
+    parametersDock_->raise();
+}
+
+void WindowDocks::showStudy()
+{
+    studyDock_->show();
+    studyDock_->raise();
+    if (studyDock_->height() < 300) window_.resizeDocks({studyDock_}, {320}, Qt::Vertical);
 }
 
 }  // namespace vitrine::ui
+
+#include "moc_window_docks.cpp"

@@ -157,7 +157,7 @@ TEST(MadeTable, GivesShadersItsBlockAndItsChoicesByName)
 {
     const auto table = madeTable({"red"}, 10);
     const std::string text = derive::uniformBlock(*table);
-    for (const char* line : {"const int RED_FINISH_MATTE = 0;\n", "const int RED_FINISH_OLD_GOLD = 1;\n", "const int RED_FINISH_GLASS = 2;\n", "    float redRadius;\n", "    vec3 redTint;\n"})
+    for (const char* line : {"const int redFinish_matte = 0;\n", "const int redFinish_oldGold = 1;\n", "const int redFinish_glass = 2;\n", "    float redRadius;\n", "    vec3 redTint;\n"})
         EXPECT_NE(text.find(line), std::string::npos) << line << text;
     EXPECT_EQ(text.find("panorama"), std::string::npos);
 }

@@ -1,6 +1,8 @@
 #include "exhibits/framework/state_folder.h"
 #include "exhibits/printing/print_json.h"
 #include "render/files/read_file.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/theme.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
@@ -10,8 +12,6 @@
 #include "ui/print/sheet_bar.h"
 #include "ui/print/source_bar.h"
 #include "ui/print/strip_preview.h"
-#include "ui/window/message_strip.h"
-#include "ui/window/theme.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -528,7 +528,7 @@ private slots:
         const Gesture gesture = newGesture();
         for (const double to : {0.1, 0.2, 0.3}) {
             values.setRow(phase, to);
-            emit panel->edited(values, gesture, "Change phase");
+            emit panel->row("phase")->findChild<NumberField*>()->edited(to, gesture);
         }
         settle();
         QVERIFY(dialog_->values() == values);

@@ -1,0 +1,161 @@
+#include "tests/ui/sample_tables.h"
+
+#include "ui/model/history.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <random>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+class HistoryTest : public QObject {
+    Q_OBJECT
+
+    const test::SampleTable table_;
+    [[nodiscard]] Look start() const { return {{table_.initial()}, {}}; }
+    [[nodiscard]] static Look with(Look look, Real parameter, double value)
+    {
+        look.values[0].set(parameter, value);
+        return look;
+    }
+
+private slots:
+    void oneGestureIsOneStep()
+    {
+        History history(start());
+        const Gesture drag = newGesture();
+        for (int i = 1; i <= 20; ++i) history.change("Change roughness", with(history.look(), table_.roughness, i / 20.0), drag);
+        history.change("Change roughness", with(history.look(), table_.roughness, 0.3), newGesture());
+        QCOMPARE(history.stack().count(), 2);
+        history.stack().undo();
+        QCOMPARE(history.look().values[0][table_.roughness], 1.0);
+        history.stack().undo();
+        QVERIFY(history.look() == start());
+        QCOMPARE(history.stack().redoText(), QString("Change roughness"));
+        history.stack().redo();
+        QCOMPARE(history.look().values[0][table_.roughness], 1.0);
+    }
+
+    void oneValueThatChangesIsNamedAndOnlyThat()
+    {
+        History history(start());
+        const std::size_t row = *table_.find("roughness");
+        QSignalSpy changed(&history, &History::changed);
+        QSignalSpy replaced(&history, &History::replaced);
+        const Gesture drag = newGesture();
+        for (const double value : {0.3, 0.4, 0.4, 7.0}) history.set(0, row, value, drag);
+        QCOMPARE(changed.count(), 3);
+        QCOMPARE(history.look().values[0][table_.roughness], 1.0);  // The nearest legal value.
+        QCOMPARE(history.stack().count(), 1);
+        QCOMPARE(history.stack().undoText(), QString("Change roughness"));
+        history.stack().undo();
+        QVERIFY(history.look() == start());
+        QCOMPARE(changed.count(), 4);
+        for (const QList<QVariant>& signal : changed) {
+            QCOMPARE(signal[0].value<std::size_t>(), std::size_t{0});
+            QCOMPARE(signal[1].value<std::size_t>(), row);
+        }
+        history.set(0, row, std::string("a path"), newGesture());
+        QVERIFY(history.look() == start());
+        QCOMPARE(replaced.count(), 0);
+        history.change("Load", with(with(start(), table_.roughness, 0.1), table_.morph, 0.9));
+        history.stack().undo();
+        QCOMPARE(replaced.count(), 2);
+        QCOMPARE(changed.count(), 4);
+    }
+
+    void editsWithoutAGestureNeverMerge()
+    {
+        History history(start());
+        history.change("Load a", with(history.look(), table_.roughness, 0.1));
+        history.change("Load b", with(history.look(), table_.roughness, 0.2));
+        QCOMPARE(history.stack().count(), 2);
+    }
+
+    void aDragThatComesBackIsNoStep()
+    {
+        History history(start());
+        const Gesture drag = newGesture();
+        history.change("Change morph", with(history.look(), table_.morph, 0.9), drag);
+        history.change("Change morph", start(), drag);
+        QCOMPARE(history.stack().count(), 0);
+        history.change("Nothing", start());
+        QCOMPARE(history.stack().count(), 0);
+    }
+
+    void walkingIsNoStepAndUndoLeavesTheVisitorWhereHeIs()
+    {
+        History history(start());
+        history.change("Change morph", with(history.look(), table_.morph, 0.9));
+        render::Camera elsewhere;
+        elsewhere.eye = {3, 1.65, 2};
+        history.setCamera(elsewhere);
+        QSignalSpy moved(&history, &History::cameraMoved);
+        history.stack().undo();
+        QVERIFY(history.look().camera == elsewhere);
+        QCOMPARE(moved.count(), 0);
+    }
+
+    void aPresetThatMovesTheCameraTakesItBack()
+    {
+        History history(start());
+        Look preset = with(start(), table_.morph, 0.9);
+        preset.camera.eye = {1, 2, 3};
+        history.change("Load", preset, 0, History::Camera::moves);
+        QVERIFY(history.look().camera == preset.camera);
+        QSignalSpy moved(&history, &History::cameraMoved);
+        history.stack().undo();
+        QVERIFY(history.look() == start());
+        QCOMPARE(moved.count(), 1);
+    }
+
+    void otherStepsRunAtOnceAndBothWays()
+    {
+        History history(start());
+        int there = 1;
+        history.record(
+            "Delete preset", [&] { there = 0; }, [&] { there = 1; });
+        QCOMPARE(there, 0);
+        history.stack().undo();
+        QCOMPARE(there, 1);
+        history.stack().redo();
+        QCOMPARE(there, 0);
+    }
+
+    void tenThousandRandomStepsAgreeWithAPlainList()
+    {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> value(0, 1);
+        History history(start());
+        std::vector<Look> all{start()};
+        std::size_t at = 0;
+        for (int i = 0; i < 10000; ++i) {
+            switch (random() % 4) {
+            case 0:
+                if (at > 0) --at;
+                history.stack().undo();
+                break;
+            case 1:
+                if (at + 1 < all.size()) ++at;
+                history.stack().redo();
+                break;
+            default: {
+                const Look next = with(history.look(), random() % 2 ? table_.morph : table_.roughness, value(random));
+                history.change("Change", next, newGesture());
+                all.resize(at + 1);
+                all.push_back(next);
+                ++at;
+            }
+            }
+            QVERIFY(history.look() == all[at]);
+        }
+        while (history.stack().canUndo()) history.stack().undo();
+        QVERIFY(history.look() == start());
+    }
+};
+
+QTEST_APPLESS_MAIN(HistoryTest)
+
+#include "history_test.moc"

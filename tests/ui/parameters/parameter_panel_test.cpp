@@ -1,0 +1,331 @@
+#include "tests/ui/parameters/open_panel.h"
+
+#include "ui/parameters/color_editor.h"
+#include "ui/parameters/parameter_section.h"
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QHash>
+#include <QLineEdit>
+#include <QSet>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QToolTip>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+namespace {
+
+/// Counts how often each row of a panel, or anything in it, is painted.
+class PaintCounter final : public QObject {
+public:
+    explicit PaintCounter(ParameterPanel& panel)
+    {
+        for (ParameterRow* row : panel.findChildren<ParameterRow*>())
+            for (QWidget* widget : row->findChildren<QWidget*>()) {
+                rows_[widget] = row;
+                widget->installEventFilter(this);
+            }
+    }
+    bool eventFilter(QObject* object, QEvent* event) override
+    {
+        if (event->type() == QEvent::Paint) painted << rows_.value(object);
+        return false;
+    }
+    QSet<ParameterRow*> painted;
+
+private:
+    QHash<QObject*, ParameterRow*> rows_;
+};
+
+}  // namespace
+
+/// The panel as a whole: what is in it, where, and what becomes of a change.
+class ParameterPanelTest : public test::OpenPanel {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init() { open(); }
+
+    void everyRowOfTheTableIsShownInOrder()
+    {
+        const auto rows = panel_->findChildren<ParameterRow*>();
+        QCOMPARE(rows.size(), static_cast<qsizetype>(table_.rows().size()));
+        for (const ParameterInfo& info : table_.rows()) {
+            QVERIFY(panel_->row(info.name));
+            QCOMPARE(panel_->row(info.name)->height(), ParameterRow::rowHeight);
+        }
+    }
+
+    void aMoveOfTheMouseIsOneChangeOfOneValueAndPaintsOneRow()
+    {
+        ValueSlider* morph = slider("morph");
+        const QPoint from(morph->width() / 2, morph->height() / 2);
+        drag(morph, from, 5);
+        QCoreApplication::processEvents();
+        PaintCounter counter(*panel_);
+        QSignalSpy changed(history_.get(), &History::changed);
+        QSignalSpy replaced(history_.get(), &History::replaced);
+        QSignalSpy fieldShown(field("morph"), &QLineEdit::textChanged);
+        for (int x = 10; x <= 30; x += 10) {
+            QMouseEvent move(QEvent::MouseMove, from + QPoint(x, 0), morph->mapToGlobal(QPointF(from) + QPointF(x, 0)), Qt::NoButton,
+                             Qt::LeftButton, {});
+            QApplication::sendEvent(morph, &move);
+            QCoreApplication::processEvents();
+        }
+        QCOMPARE(changed.count(), 3);
+        QCOMPARE(changed[2][0].value<std::size_t>(), std::size_t{0});
+        QCOMPARE(changed[2][1].value<std::size_t>(), *table_.find("morph"));
+        QCOMPARE(replaced.count(), 0);
+        QCOMPARE(fieldShown.count(), 3);
+        QCOMPARE(counter.painted, QSet<ParameterRow*>{panel_->row("morph")});
+        release(morph, from + QPoint(30, 0));
+    }
+
+    void whatComesFromElsewhereIsShown()
+    {
+        history_->set(0, *table_.find("roughness"), 0.75, newGesture());
+        QCOMPARE(field("roughness")->value(), 0.75);
+        QVERIFY(dot("roughness")->isEnabled());
+        Look preset = history_->look();
+        preset.values[0].set(table_.roughness, 0.5);
+        preset.values[0].set(table_.morph, 0.125);
+        history_->change("Load", preset);
+        QCOMPARE(field("roughness")->value(), 0.5);
+        QCOMPARE(field("morph")->value(), 0.125);
+        history_->stack().undo();
+        QCOMPARE(field("roughness")->value(), 0.75);
+        QCOMPARE(field("morph")->value(), 0.5);
+    }
+
+    void theWheelOverAControlWithoutFocusChangesNothingAndScrolls()
+    {
+        for (QWidget* widget : panel_->findChildren<QWidget*>()) {
+            if (widget->hasFocus() || !widget->isVisible()) continue;
+            wheel(widget, 120);
+            wheel(widget, -120);
+        }
+        QVERIFY(values() == table_.initial());
+        QCOMPARE(history_->stack().count(), 0);
+    }
+
+    void theFilterOverridesFolding()
+    {
+        auto sections = panel_->findChildren<ParameterSection*>();
+        for (ParameterSection* section : sections) section->setFolded(true);
+        QVERIFY(!panel_->row("roughness")->isVisible());
+        auto* filter = panel_->findChild<QLineEdit*>("", Qt::FindDirectChildrenOnly);
+        panel_->focusFilter();
+        QTest::keyClicks(filter, "rough");
+        QVERIFY(panel_->row("roughness")->isVisible());
+        QVERIFY(!panel_->row("morph")->isVisible());
+        QTest::keyClick(filter, Qt::Key_Escape);
+        QVERIFY(filter->text().isEmpty());
+        QVERIFY(!panel_->row("roughness")->isVisible());
+    }
+
+    void onlyChangedShowsWhatWasChanged()
+    {
+        type("roughness", "0.8");
+        panel_->findChild<QToolButton*>("", Qt::FindDirectChildrenOnly)->click();
+        QVERIFY(panel_->row("roughness")->isVisible());
+        QVERIFY(!panel_->row("morph")->isVisible());
+    }
+
+    void foldedGroupsAreRemembered()
+    {
+        auto* heading = panel_->findChildren<SectionHeading*>().at(1);
+        QTest::mouseClick(heading, Qt::LeftButton);
+        QCOMPARE(panel_->foldedGroups(), QStringList{"sample/Surface"});
+        ParameterPanel other(*history_);
+        other.setFoldedGroups(panel_->foldedGroups());
+        other.showExhibit(0, "sample");
+        other.show();
+        QVERIFY(!other.row("roughness")->isVisible());
+        QVERIFY(other.row("morph")->isVisible());
+    }
+
+    void everyControlHasANameOfItsOwnATooltipAndATabPosition()
+    {
+        QSet<QString> names;
+        int controls = 0;
+        for (QWidget* widget : panel_->findChildren<QWidget*>()) {
+            if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isVisible()) continue;
+            const QString name = widget->accessibleName();
+            QVERIFY2(!name.isEmpty(), widget->metaObject()->className());
+            QVERIFY2(!names.contains(name), qPrintable(name));
+            names << name;
+            bool tip = false;
+            for (const QWidget* w = widget; w && w != panel_.get(); w = w->parentWidget()) tip = tip || !w->toolTip().isEmpty();
+            QVERIFY2(tip, qPrintable(name));
+            ++controls;
+        }
+        QVERIFY(controls > 30);
+    }
+
+    void everyControlIsReachedByTab()
+    {
+        QSet<QWidget*> wanted, reached;
+        for (QWidget* widget : panel_->findChildren<QWidget*>())
+            if ((widget->focusPolicy() & Qt::TabFocus) && widget->isVisible() && widget->isEnabled()) wanted << widget;
+        panel_->focusFilter();
+        for (int i = 0; i < 200; ++i) {
+            if (QWidget* now = QApplication::focusWidget()) {
+                reached << now;
+                QTest::keyClick(now, Qt::Key_Tab);
+            }
+        }
+        for (QWidget* widget : wanted) QVERIFY2(reached.contains(widget), qPrintable(widget->accessibleName()));
+        QVERIFY(values() == table_.initial());  // Passing through changes nothing.
+    }
+
+    void tooltipsSayEverything()
+    {
+        const QString tip = panel_->row("tubeRadius")->toolTip();
+        for (const char* part : {"Radius of the torus's tube.", "1 to 200", "mm", "Initial value: 12", "tubeRadius", "Shift"})
+            QVERIFY2(tip.contains(QLatin1String(part)), part);
+    }
+
+    void valuesAreCopiedAndPasted()
+    {
+        type("roughness", "0.1234567890123");
+        QMetaObject::invokeMethod(panel_->row("roughness"), [&] {
+            QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, panel_->row("roughness")->mapToGlobal(QPoint(5, 5)));
+            QApplication::sendEvent(panel_->row("roughness"), &event);
+        });
+        auto* menu = panel_->findChild<QMenu*>();
+        QVERIFY(menu);
+        for (QAction* action : menu->actions())
+            if (action->text() == "Copy value") action->trigger();
+        QCOMPARE(QApplication::clipboard()->text(), QString("0.1234567890123"));
+        for (QAction* action : menu->actions())
+            if (action->text().startsWith("Reset")) action->trigger();
+        QCOMPARE(values()[table_.roughness], 0.25);
+        for (QAction* action : menu->actions())
+            if (action->text() == "Paste") action->trigger();
+        QCOMPARE(values()[table_.roughness], 0.1234567890123);
+        for (QAction* action : menu->actions())
+            if (action->text() == "Copy all as JSON") action->trigger();
+        QVERIFY(QApplication::clipboard()->text().contains("\"roughness\": 0.1234567890123"));
+        menu->close();
+    }
+
+    void aRowThatDoesNotActIsGrayAndSaysWhenItDoesAndKeepsWhatIsTyped()
+    {
+        showIdleTable();
+        ParameterRow* row = panel_->row("hourOfDay");
+        QVERIFY(row->idle());
+        QVERIFY(!panel_->row("sunHeight")->idle());
+        QVERIFY2(row->toolTip().startsWith(QStringLiteral("Does nothing now: acts when “Set sun by” is hour.")), qPrintable(row->toolTip()));
+        QCOMPARE(row->accessibleDescription(), QStringLiteral("Does nothing now: acts when “Set sun by” is hour. It keeps its value."));
+        QVERIFY(ink(row) < 0.7 * ink(panel_->row("sunHeight")));
+        type("hourOfDay", "9.5");
+        QCOMPARE(std::get<double>(panel_->values().row(*idle_.find("hourOfDay"))), 9.5);
+        auto* choice = in<QComboBox>("sunBy");
+        choice->setFocus();
+        QTest::keyClick(choice, Qt::Key_Down);
+        QVERIFY(!row->idle());
+        QVERIFY(panel_->row("sunHeight")->idle());
+        QCOMPARE(std::get<double>(panel_->values().row(*idle_.find("hourOfDay"))), 9.5);
+        QVERIFY(!row->toolTip().contains(QStringLiteral("Does nothing")));
+        QVERIFY(row->toolTip().contains(QStringLiteral("Of the day.")));
+    }
+
+    void labelsSayWhatTheirHeadingDoesNotAndTooltipsSayAll()
+    {
+        showIdleTable();
+        const auto label = [&](const char* row) { return panel_->row(row)->findChild<RowLabel*>()->text(); };
+        QCOMPARE(label("sunBy"), QStringLiteral("Set sun by"));
+        QCOMPARE(label("sunHeight"), QStringLiteral("Height"));
+        QVERIFY(panel_->row("sunHeight")->toolTip().contains(QStringLiteral("Sun height")));
+        QVERIFY(panel_->row("sunHeight")->toolTip().contains(QStringLiteral("Allowed: 0 to 1")));
+    }
+
+    void groupsThatStartFoldedAreRememberedWhenOpened()
+    {
+        showIdleTable();
+        QVERIFY(!panel_->row("steps")->isVisible());
+        QVERIFY(panel_->foldedGroups().isEmpty());
+        QTest::mouseClick(panel_->findChildren<SectionHeading*>().at(1), Qt::LeftButton);
+        QVERIFY(panel_->row("steps")->isVisible());
+        ParameterPanel other(*history_);
+        other.setFoldedGroups(panel_->foldedGroups());
+        other.showExhibit(0, "sample");
+        other.show();
+        QVERIFY(other.row("steps")->isVisible());
+    }
+
+    void pastingNonsenseSaysSoAndPasteAllIsTheCounterpartOfCopyAll()
+    {
+        type("roughness", "0.7");
+        type("morph", "0.125");
+        choose("roughness", "Copy all as JSON");
+        const QString all = QApplication::clipboard()->text();
+        type("roughness", "0.3");
+        type("stepLimit", "5");
+        const int before = history_->stack().count();
+        QApplication::clipboard()->setText(all);
+        choose("speed", "Paste all");
+        QCOMPARE(values()[table_.roughness], 0.7);
+        QCOMPARE(values()[table_.morph], 0.125);
+        QCOMPARE(values()[table_.stepLimit], 96);  // What is not in it is initial, as with a preset.
+        QCOMPARE(history_->stack().count(), before + 1);
+        const ParameterValues kept = values();
+        QApplication::clipboard()->setText("a poem");
+        choose("roughness", "Paste");
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("\"a poem\" is no value for “Roughness”")), qPrintable(QToolTip::text()));
+        choose("roughness", "Paste all");
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("the clipboard")), qPrintable(QToolTip::text()));
+        QVERIFY(values() == kept);
+    }
+
+    void slidersHaveRoomAtTheDefaultWidth()
+    {
+        QVERIFY2(slider("roughness")->width() >= 100, qPrintable(QString::number(slider("roughness")->width())));
+        QVERIFY(field("stepLimit")->width() >= 64);
+        const int start = slider("roughness")->mapTo(panel_.get(), QPoint()).x();
+        for (const char* row : {"speed", "stepLimit", "exposure"}) QCOMPARE(slider(row)->mapTo(panel_.get(), QPoint()).x(), start);
+        panel_->resize(600, 400);
+        QCoreApplication::processEvents();
+        QVERIFY(panel_->row("roughness")->findChild<RowLabel*>()->width() > 160);
+        QCOMPARE(slider("speed")->mapTo(panel_.get(), QPoint()).x(), slider("roughness")->mapTo(panel_.get(), QPoint()).x());
+    }
+
+    void fieldsStandOutInBothThemes()
+    {
+        // WCAG 2.2, 1.4.11: 3:1 for what tells a control from its surroundings; contrast by 1.4.3's formula.
+        const auto luminance = [](const QColor& c) { return glm::dot(linear(c), glm::dvec3(0.2126, 0.7152, 0.0722)); };
+        const auto contrast = [&](const QColor& a, const QColor& b) {
+            const double x = luminance(a) + 0.05;
+            const double y = luminance(b) + 0.05;
+            return std::max(x / y, y / x);
+        };
+        for (const Theme& each : {darkTheme(), lightTheme()}) {
+            QVERIFY(contrast(each.outline, each.window) >= 3);
+            QVERIFY(contrast(each.outline, each.base) >= 3);
+            applyTheme(*qApp, each);
+            QWidget* number = field("roughness");
+            const QImage seen = number->grab().toImage();
+            QVERIFY2(contrast(seen.pixelColor(seen.width() / 2, 0), each.window) > 2, "the edge of a number is drawn");  // It is antialiased.
+        }
+        applyTheme(*qApp, darkTheme());
+    }
+
+    void gaugesAreHiddenUntilSomethingAnswersThem()
+    {
+        QVERIFY(!in<GaugeMark>("stepLimit")->isVisible());
+        QVERIFY(!in<GaugeMark>("roughness"));
+        QSignalSpy asked(panel_.get(), &ParameterPanel::accuracyAsked);
+        panel_->setGaugesShown(true);
+        QVERIFY(in<GaugeMark>("stepLimit")->isVisible());
+        QTest::mouseClick(in<GaugeMark>("stepLimit"), Qt::LeftButton);
+        QCOMPARE(asked.count(), 1);
+        QCOMPARE(asked[0][0].value<std::size_t>(), table_.find("stepLimit").value());
+    }
+};
+
+QTEST_MAIN(ParameterPanelTest)
+
+#include "parameter_panel_test.moc"

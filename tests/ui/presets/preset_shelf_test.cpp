@@ -1,0 +1,162 @@
+#include "tests/ui/open_window.h"
+
+#include "ui/kit/message_strip.h"
+#include "ui/kit/name_dialog.h"
+#include "ui/kit/tile_delegate.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/window/exhibit_list.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTabBar>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// Presets as a visitor saves, loads, names and recognizes them.
+class PresetShelfTest : public test::OpenWindow {
+    Q_OBJECT
+
+    void load(const char* name) { window_->shelf().load(rowsNamed(name).front()->data(Qt::UserRole).toString()); }
+    [[nodiscard]] QString marked() { return presets()->currentItem() ? presets()->currentItem()->text() : QString(); }
+    [[nodiscard]] QString lineOfMarked() { return presets()->currentItem()->data(TileDelegate::secondLine).toString(); }
+    void showTab(int tab)
+    {
+        for (QTabBar* bar : window_->findChildren<QTabBar*>())
+            if (bar->accessibleName() == "Whose parameters") bar->setCurrentIndex(tab);
+    }
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init() { start(); }
+    void cleanup() { finish(); }
+
+    void whatThePanelShowsIsSavedAndTheDialogSaysWhoseItIs()
+    {
+        window_->choose(1);
+        showTab(1);
+        dragRoughness(60);
+        QVERIFY(roughness(0) > 0.5);
+        QCOMPARE(roughness(1), 0.25);
+        action("Save preset as…")->trigger();
+        auto* ask = window_->findChild<NameDialog*>();
+        QVERIFY(ask);
+        // The heading is in the dialog, in full, and the dialog is not in front of what stands in the middle of the picture.
+        auto* heading = ask->findChild<QLabel*>();
+        QCOMPARE(heading->text(), QString("Save preset of Hall as"));
+        QVERIFY(heading->height() >= heading->heightForWidth(heading->width()));
+        const QRect picture(window_->viewport().mapToGlobal(QPoint(0, 0)), window_->viewport().size());
+        QVERIFY(!ask->geometry().intersects(picture.adjusted(picture.width() / 8, 0, -picture.width() / 8, 0)));
+        QCOMPARE(ask->name(), QString("Hall"));
+        ask->accept();
+        QTRY_COMPARE(rowsNamed("Hall").size(), 1);
+        QVERIFY(QFile::exists(home_->filePath("vitrine/presets/hall/hall.json")));
+        showTab(0);
+        QCOMPARE(rowsNamed("Hall").size(), 0);
+        showTab(1);
+        const double saved = roughness(0);
+        action("Reset all parameters")->trigger();
+        load("Hall");
+        QCOMPARE(roughness(0), saved);
+        QCOMPARE(roughness(1), 0.25);
+    }
+
+    void noTwoPresetsHaveOneName()
+    {
+        window_->choose(1);
+        window_->shelf().saveUnder("Dull");
+        window_->shelf().saveUnder("Dull");
+        QCOMPARE(rowsNamed("Dull").size(), 1);
+        QCOMPARE(rowsNamed("Dull 2").size(), 1);
+        QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("Dull 2"));
+        window_->shelf().duplicate();
+        window_->shelf().duplicate();
+        QCOMPARE(rowsNamed("Dull 2 copy").size(), 1);
+        presets()->item(presets()->row(rowsNamed("Dull 2").front()))->setText("dull");
+        QTRY_COMPARE(rowsNamed("dull 2").size(), 1);
+    }
+
+    void undoTakesTheMarkBackToo()
+    {
+        window_->choose(1);
+        window_->shelf().saveUnder("Smooth");
+        dragRoughness(60);
+        QCOMPARE(marked(), QString("Smooth"));
+        QCOMPARE(lineOfMarked(), QString("Changed since"));
+        window_->shelf().saveUnder("Dull");
+        QCOMPARE(marked(), QString("Dull"));
+        QCOMPARE(lineOfMarked(), QString("Yours"));
+        load("Smooth");
+        QCOMPARE(marked(), QString("Smooth"));
+        window_->history().stack().undo();
+        QCOMPARE(marked(), QString("Dull"));
+        QCOMPARE(lineOfMarked(), QString("Yours"));
+        window_->history().stack().undo();
+        QCOMPARE(marked(), QString("Smooth"));
+        QCOMPARE(lineOfMarked(), QString("Yours"));
+        window_->history().stack().redo();
+        window_->history().stack().redo();
+        QCOMPARE(marked(), QString("Smooth"));
+        // A step in place of what was undone brings no mark back.
+        window_->history().stack().undo();
+        dragRoughness(30);
+        QCOMPARE(marked(), QString("Dull"));
+        QCOMPARE(lineOfMarked(), QString("Changed since"));
+    }
+
+    void savingWritesToThePresetThatIsMarked()
+    {
+        window_->choose(1);
+        window_->shelf().saveUnder("Smooth");
+        dragRoughness(60);
+        window_->shelf().saveUnder("Dull");
+        const double dull = roughness();
+        load("Smooth");
+        window_->history().stack().undo();  // Dull again.
+        dragRoughness(90);
+        window_->shelf().save();
+        const double saved = roughness();
+        QVERIFY(saved != dull);
+        load("Smooth");
+        QCOMPARE(roughness(), 0.25);
+        load("Dull");
+        QCOMPARE(roughness(), saved);
+    }
+
+    void theEditorOfANameCoversTheOldOne()
+    {
+        window_->choose(1);
+        window_->shelf().saveUnder("Dull");
+        window_->shelf().rename();
+        auto* editor = presets()->findChild<QLineEdit*>();
+        QVERIFY(editor && editor->isVisible());
+        QVERIFY(editor->autoFillBackground());
+        const QRect row = presets()->visualItemRect(rowsNamed("Dull").front());
+        QVERIFY(editor->geometry().left() >= row.left() + 12 + TileDelegate::picture.width());
+        QVERIFY(editor->height() >= row.height() - 8);
+        QCOMPARE(editor->palette().color(QPalette::Base).alpha(), 255);
+    }
+
+    void anImportedPresetGetsAPicture()
+    {
+        window_->choose(1);
+        window_->shelf().saveUnder("Dull");
+        const QString exported = home_->filePath("friend.json");
+        QVERIFY(QFile::copy(home_->filePath("vitrine/presets/sdf_morph/dull.json"), exported));
+        window_->visit(1);
+        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        window_->shelf().importFile();
+        auto* dialog = window_->findChild<QFileDialog*>();
+        QVERIFY(dialog);
+        emit dialog->fileSelected(exported);
+        delete dialog;
+        QTRY_COMPARE(rowsNamed("Dull 2").size(), 1);
+        QTRY_VERIFY(!rowsNamed("Dull 2").front()->icon().isNull());
+    }
+};
+
+QTEST_MAIN(PresetShelfTest)
+
+#include "preset_shelf_test.moc"

@@ -1,0 +1,203 @@
+#include "tests/ui/painted_gallery.h"
+#include "tests/ui/ui_main.h"
+
+#include "render/failure.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/theme.h"
+#include "ui/parameters/number_field.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/file_opener.h"
+#include "ui/window/main_window.h"
+#include "ui/window/session_keeper.h"
+
+#include <QAction>
+#include <QDir>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include <clocale>
+#include <memory>
+#include <new>
+#include <stdexcept>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// What the window survives, and what it brings back the next time: over a gallery whose picture is one color.
+class KeptWorkTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> home_;
+    std::unique_ptr<test::PaintedGallery> gallery_;
+    std::unique_ptr<MainWindow> window_;
+
+    void openWindow()
+    {
+        gallery_ = std::make_unique<test::PaintedGallery>();
+        window_ = std::make_unique<MainWindow>(*gallery_);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
+        connect(static_cast<Application*>(qApp), &Application::caught, window_.get(), [this](const QString& message) { window_->say(MessageStrip::Mood::problem, message); });
+    }
+    void closeWindow()
+    {
+        window_->close();
+        window_.reset();
+    }
+    /// The program goes without a word: what it wrote stays as the journal of a process that is no longer there.
+    void crash(const QString& name)
+    {
+        const QDir folder = recovery();
+        QTRY_VERIFY(!own().isEmpty());
+        const QString journal = folder.filePath(own());
+        QFile::remove(folder.filePath(name));
+        QVERIFY(QFile::copy(journal, folder.filePath(name)));
+        QFile layout(state("window.ini")), session(state("session.json"));
+        QVERIFY(layout.open(QIODevice::ReadOnly));
+        const QByteArray keptLayout = layout.readAll();
+        const QByteArray keptSession = session.open(QIODevice::ReadOnly) ? session.readAll() : QByteArray();
+        layout.close();
+        session.close();
+        closeWindow();
+        // What a clean exit writes was never written.
+        QVERIFY(layout.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        layout.write(keptLayout);
+        QFile::remove(state("session.json"));
+        if (keptSession.isEmpty()) return;
+        QVERIFY(session.open(QIODevice::WriteOnly));
+        session.write(keptSession);
+    }
+    static QString state(const char* name) { return QString::fromLocal8Bit(qgetenv("XDG_STATE_HOME")) + "/vitrine/" + name; }
+    static QDir recovery() { return QDir(state("recovery")); }
+    /// The journal of this process.
+    static QString own()
+    {
+        const QStringList files = recovery().entryList({QString::number(QCoreApplication::applicationPid()) + "-*.json"}, QDir::Files);
+        return files.isEmpty() ? QString() : files.front();
+    }
+    [[nodiscard]] QStringList said() { return window_->findChild<MessageStrip*>()->texts(); }
+    [[nodiscard]] double roughness() { return window_->history().look().values[1][gallery_->table(1).roughness]; }
+    void setRoughness(double value)
+    {
+        Look next = window_->history().look();
+        next.values[1].set(gallery_->table(1).roughness, value);
+        window_->history().change("Roughness", std::move(next));
+    }
+    QDockWidget* dock(const char* name) { return window_->findChild<QDockWidget*>(name); }
+
+private slots:
+    void initTestCase()
+    {
+        std::setlocale(LC_NUMERIC, "C");
+        applyTheme(*qApp, darkTheme());
+    }
+    void init()
+    {
+        home_ = std::make_unique<QTemporaryDir>();
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+            qputenv(name, home_->path().toLocal8Bit());
+        openWindow();
+    }
+    void cleanup()
+    {
+        if (window_) closeWindow();
+    }
+
+    void whatATimerOrASlotThrowsIsSaidAndTheProgramGoesOn()
+    {
+        QTimer::singleShot(0, window_.get(), [] { throw Failure(Blame::file, "Cannot read gone.hdr: there is no such file."); });
+        QTRY_VERIFY(said().contains("Cannot read gone.hdr: there is no such file."));
+        auto* action = new QAction(window_.get());
+        connect(action, &QAction::triggered, window_.get(), [] { throw std::runtime_error("the slot broke"); });
+        QMetaObject::invokeMethod(action, &QAction::trigger, Qt::QueuedConnection);
+        QTRY_VERIFY(said().join(' ').contains("the slot broke"));
+        QMetaObject::invokeMethod(window_.get(), [] { throw std::bad_alloc(); }, Qt::QueuedConnection);
+        QTRY_VERIFY(said().join(' ').contains("not enough memory"));
+        QMetaObject::invokeMethod(window_.get(), [] { throw 7; }, Qt::QueuedConnection);
+        QTRY_COMPARE(said().size(), 4);
+        QVERIFY(!said().join(' ').contains("std::"));
+        // The window works on.
+        const long long before = window_->viewport().picturesDrawn();
+        setRoughness(0.7);
+        QTRY_VERIFY(window_->viewport().picturesDrawn() > before);
+    }
+
+    void whatDrawingThrowsIsSaidAndTheNextPictureIsDrawn()
+    {
+        gallery_->thrown = std::make_exception_ptr(std::bad_alloc());
+        setRoughness(0.7);
+        QTRY_VERIFY(said().join(' ').contains("not enough memory"));
+        gallery_->thrown = nullptr;
+        const long long before = window_->viewport().picturesDrawn();
+        setRoughness(0.3);
+        QTRY_VERIFY(window_->viewport().picturesDrawn() > before);
+    }
+
+    void theBarePictureIsLeftByTabAfterARestart()
+    {
+        window_->choose(1);
+        window_->hidePanels(true);
+        QVERIFY(!dock("parameters")->isVisible());
+        QVERIFY(!window_->menuBar()->isVisible());
+        closeWindow();
+        openWindow();
+        QVERIFY(window_->menuBar()->isVisible());
+        for (const char* name : {"parameters", "exhibits", "presets"}) QVERIFY2(dock(name)->isVisible(), name);
+        QVERIFY(!dock("ledger")->isVisible());
+    }
+
+    void withEveryPanelClosedTabStillTakesTheMenuAwayAndBringsItBack()
+    {
+        for (QDockWidget* each : window_->findChildren<QDockWidget*>()) each->hide();
+        window_->hidePanels(true);
+        QVERIFY(!window_->menuBar()->isVisible());
+        window_->hidePanels(false);
+        QVERIFY(window_->menuBar()->isVisible());
+        QVERIFY(!dock("parameters")->isVisible());
+    }
+
+    void aSecondCrashRightAfterARecoveryLosesNothing()
+    {
+        window_->choose(1);
+        setRoughness(0.61);
+        dock("presets")->hide();
+        crash("999999999-1.json");
+        openWindow();
+        QCOMPARE(roughness(), 0.61);
+        QVERIFY(said().contains("Vitrine crashed or was stopped; your last state was restored."));
+        QCOMPARE(window_->chosen(), std::size_t{1});
+        QVERIFY(!dock("presets")->isVisible());
+        // At once: nothing was changed, no quiet time went by.
+        QVERIFY(!own().isEmpty());
+        QVERIFY(!recovery().exists("999999999-1.json"));
+        crash("999999998-1.json");
+        openWindow();
+        QCOMPARE(roughness(), 0.61);
+        QVERIFY(said().contains("Vitrine crashed or was stopped; your last state was restored."));
+    }
+
+    void aStateThatCrashesAgainAndAgainIsPutAsideAndNotLost()
+    {
+        setRoughness(0.61);
+        for (int i = 0; i < 3; ++i) {
+            crash(QString("99999999%1-1.json").arg(9 - i));
+            openWindow();
+            QCOMPARE(roughness(), 0.61);
+        }
+        crash("999999990-1.json");
+        openWindow();
+        QCOMPARE(roughness(), 0.25);  // As it was at first.
+        const QStringList aside = recovery().entryList({"aside-*"}, QDir::Files);
+        QCOMPARE(aside.size(), 1);
+        QVERIFY2(said().join(' ').contains(aside.front()), qPrintable(said().join(' ')));
+        window_->files().open(recovery().filePath(aside.front()));
+        QCOMPARE(roughness(), 0.61);
+    }
+};
+
+VITRINE_TEST_MAIN(KeptWorkTest)
+
+#include "kept_work_test.moc"

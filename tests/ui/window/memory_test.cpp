@@ -1,0 +1,215 @@
+// A thousand steps of ordinary use on the real window: what is kept at step 1000 is what was kept at step 200.
+#include "exhibits/exhibits.h"
+#include "exhibits/museum/museum.h"
+#include "render/measure/memory.h"
+#include "ui/kit/theme.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/parameters/value_slider.h"
+#include "ui/presets/preset_list.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/study/study_dock.h"
+#include "ui/viewport/gl_probe.h"
+#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/command_palette.h"
+#include "ui/window/main_window.h"
+#include "ui/window/picture_export.h"
+#include "ui/window/screenshot_dialog.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QListWidget>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <clocale>
+#include <future>
+#include <memory>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+class MemoryTest : public QObject {
+    Q_OBJECT
+
+    struct Kept {
+        int glNames = 0;
+        std::vector<render::gl::Stored> stored;
+        std::int64_t ownBytes = 0;
+        qsizetype objects = 0;  ///< Of the window: widgets, actions, timers.
+    };
+
+    std::unique_ptr<QTemporaryDir> home_;
+    std::unique_ptr<Museum> museum_;
+    std::unique_ptr<MuseumGallery> gallery_;
+    std::unique_ptr<MainWindow> window_;
+    std::size_t exhibit_ = 0;
+    int step_ = 0;
+
+    /// The next picture: every step is one that a visitor would see.
+    void draw()
+    {
+        window_->viewport().lookChanged();
+        QTRY_VERIFY(window_->viewport().schedule().current());
+        ++step_;
+    }
+    void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
+
+    void drag(int moves)
+    {
+        auto* slider = window_->panel().row("morph")->findChild<ValueSlider*>();
+        const QPoint from(12, slider->height() / 2);
+        QTest::mousePress(slider, Qt::LeftButton, {}, from);
+        for (int i = 1; i <= moves; ++i) {
+            QTest::mouseMove(slider, from + QPoint(i % 2 == 1 ? 20 : 4, 0));
+            draw();
+        }
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(4, 0));
+    }
+
+    void switchPresets(int count)
+    {
+        auto* list = window_->findChild<PresetList*>()->findChild<QListWidget*>();
+        QStringList ids;
+        for (int i = 0; i < list->count(); ++i) ids << list->item(i)->data(Qt::UserRole).toString();
+        ids.removeAll(QString());
+        QVERIFY(ids.size() > 3);
+        for (int i = 0; i < count; ++i) {
+            window_->shelf().load(ids[i % ids.size()]);
+            draw();
+        }
+    }
+
+    void openDialogs()
+    {
+        const std::function<void()> dialogs[] = {[this] { window_->openScreenshotDialog(); }, [this] { window_->openShortcutSheet(); },
+                                                 [this] { window_->openPrintDialog(); }, [this] { window_->openPalette(); }};
+        for (const auto& open : dialogs) {
+            open();
+            draw();
+            for (QDialog* dialog : window_->findChildren<QDialog*>()) dialog->close();
+            for (CommandPalette* palette : window_->findChildren<CommandPalette*>()) palette->close();
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        }
+    }
+
+    void measure()
+    {
+        StudyDock& study = window_->study();
+        study.setEffort({16, 9}, 1);
+        QSignalSpy finished(&study, &StudyDock::finished);
+        study.ask(exhibit_, *window_->gallery().exhibits()[exhibit_]->parameters().find("hitTolerance"));
+        QTRY_VERIFY(finished.count() == 1);
+        QVERIFY(!study.result().points.empty());
+        ++step_;
+    }
+
+    void exportPicture()
+    {
+        ExportWish wish;
+        wish.path = home_->filePath("picture.png").toStdString();
+        wish.size = {64, 36};
+        wish.samples = 1;
+        auto* work = new PictureExport(*window_, wish);
+        QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
+        work->start();
+        QTRY_VERIFY(finished.count() + failed.count() == 1);
+        QCOMPARE(failed.count(), 0);
+        ++step_;
+    }
+
+    /// A hundred steps that end where they began.
+    void round()
+    {
+        window_->choose(exhibit_);
+        drag(30);
+        switchPresets(30);
+        openDialogs();
+        measure();
+        exportPicture();
+        while (step_ % 100 != 99) {
+            drag(1);
+            window_->history().stack().undo();
+        }
+        const ParameterValues initial = gallery_->exhibits()[exhibit_]->parameters().initial();
+        Look look = window_->history().look();
+        look.values[exhibit_] = initial;
+        window_->history().change(QStringLiteral("Reset"), look);
+        draw();
+        settle();
+    }
+
+    [[nodiscard]] Kept kept()
+    {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QTest::qWait(100);
+        render::trimHeap();
+        std::promise<std::vector<render::gl::Stored>> stored;
+        window_->viewport().renderThread().post([&] {
+            stored.set_value(gallery_->stored());
+            return std::function<void()>();
+        });
+        return {render::gl::liveGlNames(), stored.get_future().get(), render::processMemory().own, window_->findChildren<QObject*>().size()};
+    }
+
+private slots:
+    void initTestCase()
+    {
+        render::returnFreedMemory();
+        std::setlocale(LC_NUMERIC, "C");
+        applyTheme(*qApp, darkTheme());
+        QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
+        home_ = std::make_unique<QTemporaryDir>();
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+            qputenv(name, home_->path().toLocal8Bit());
+        museum_ = std::make_unique<Museum>(allExhibits());
+        exhibit_ = museum_->find("sdf_morph").value();
+        gallery_ = std::make_unique<MuseumGallery>(*museum_);
+        window_ = std::make_unique<MainWindow>(*gallery_);
+        window_->resize(700, 420);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
+        // One sample of a small picture: what is counted does not depend on how fine it is.
+        Look look = window_->history().look();
+        look.values[0].setRow(*look.values[0].table().find(supersamplesRow), 1.0);
+        look.values[0].setRow(*look.values[0].table().find("shadowMapSize"), 512.0);
+        window_->history().change(QStringLiteral("Small"), look);
+        window_->visit(exhibit_);
+        settle();
+    }
+
+    void aThousandStepsKeepWhatTwoHundredKept()
+    {
+        Kept at200;
+        for (int i = 1; i <= 10; ++i) {
+            round();
+            QCOMPARE(step_, 100 * i);
+            const Kept now = kept();
+            if (i == 2) at200 = now;
+            QString line = QStringLiteral("step %1: own %2 MB, GL names %3, objects %4").arg(step_).arg(double(now.ownBytes) / 1e6, 0, 'f', 1).arg(now.glNames).arg(now.objects);
+            for (const auto& s : now.stored) line += QStringLiteral(", %1 %2 (%3 MB)").arg(QString::fromStdString(s.what)).arg(s.count).arg(double(s.bytes) / 1e6, 0, 'f', 1);
+            qInfo("%s", qPrintable(line));
+            if (i != 10) continue;
+            QCOMPARE(now.glNames, at200.glNames);
+            QVERIFY(now.stored == at200.stored);
+            QCOMPARE(now.objects, at200.objects);
+            // Undo keeps every step, some 0.3 KB each; the rest is how a heap of this size breathes.
+            const double growth = double(now.ownBytes - at200.ownBytes) / 1e6;
+            QVERIFY2(growth < 16, qPrintable(QStringLiteral("%1 MB more").arg(growth)));
+        }
+    }
+
+    void cleanupTestCase()
+    {
+        window_->close();
+        window_.reset();
+        // All of it was the window's.
+        QCOMPARE(render::gl::liveGlNames(), 0);
+    }
+};
+
+QTEST_MAIN(MemoryTest)
+
+#include "memory_test.moc"

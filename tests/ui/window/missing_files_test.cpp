@@ -1,0 +1,376 @@
+#include "tests/ui/ui_main.h"
+
+#include "exhibits/exhibits.h"
+#include "render/files/assets.h"
+#include "render/image/image_io.h"
+#include "render/plan/frame_plan.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/theme.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/print/print_dialog.h"
+#include "ui/viewport/gl_probe.h"
+#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+#include "ui/window/picture_export.h"
+#include "ui/window/screenshot_dialog.h"
+
+#include <QDir>
+#include <QDropEvent>
+#include <QImage>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+
+#include <clocale>
+#include <memory>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// The window over the real museum, and files that cannot be shown: it says so once and goes on.
+class MissingFilesTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> home_;
+    std::unique_ptr<Museum> museum_;
+    std::unique_ptr<MuseumGallery> gallery_;
+    std::unique_ptr<MainWindow> window_;
+    QStringList unreadable_;  // Of the last picture drawn.
+    std::size_t fur_ = 0;
+
+    [[nodiscard]] QString path(const QString& name) const { return home_->filePath(name); }
+    void write(const QString& name, const QByteArray& bytes) const
+    {
+        QFile::remove(path(name));
+        QFile file(path(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+    }
+    static QByteArray contentOf(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    static QByteArray goodModel() { return contentOf(QString::fromStdString(render::asset("models/teddy.glb").string())); }
+    /// Quotes may be written as apostrophes.
+    static QByteArray json(QByteArray text) { return text.replace('\'', '"'); }
+    static QByteArray glb(QByteArray json)
+    {
+        while (json.size() % 4 != 0) json += ' ';
+        const auto word = [](qsizetype n) {
+            const auto x = static_cast<quint32>(n);
+            return QByteArray(reinterpret_cast<const char*>(&x), 4);
+        };
+        return "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
+    }
+    /// Every one of them once ended the program.
+    QStringList writeBrokenFiles() const
+    {
+        write("draco.glb", glb(json("{'asset':{'version':'2.0'},'extensionsUsed':['KHR_draco_mesh_compression'],'extensionsRequired':['KHR_draco_mesh_compression'],'scene':0,'scenes':[{'nodes':[]}]}")));
+        write("truncated.glb", goodModel().left(5000));
+        QByteArray noise;
+        for (int i = 0; i < 4000; ++i) noise += static_cast<char>((i * 7919 + i / 13) & 255);
+        write("noise.glb", noise);
+        write("no-bin.gltf", json("{'asset':{'version':'2.0'},'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],"
+                             "'accessors':[{'bufferView':0,'componentType':5126,'count':3,'type':'VEC3','min':[0,0,0],'max':[1,1,1]}],"
+                             "'bufferViews':[{'buffer':0,'byteLength':36}],'buffers':[{'byteLength':36,'uri':'no-bin.bin'}]}"));
+        write("truncated.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 128\n\x02\x02");
+        QImage picture(256, 128, QImage::Format_RGB32);
+        for (int y = 0; y < 128; ++y)
+            for (int x = 0; x < 256; ++x) picture.setPixel(x, y, qRgb(x, 2 * y, x ^ y));
+        picture.save(path("whole.jpg"), "JPG", 95);
+        write("truncated.jpg", contentOf(path("whole.jpg")).left(3000));
+        return {path("draco.glb"), path("truncated.glb"), path("noise.glb"), path("no-bin.gltf"), path("truncated.hdr"), path("truncated.jpg")};
+    }
+
+    void openWindow()
+    {
+        gallery_ = std::make_unique<MuseumGallery>(*museum_);
+        window_ = std::make_unique<MainWindow>(*gallery_);
+        window_->resize(1000, 560);
+        connect(&window_->viewport(), &Viewport::drawn, this, [this](const render::FrameReport& report) {
+            unreadable_.clear();
+            for (const render::Skipped& skipped : report.skipped)
+                if (!skipped.unreadable.empty()) unreadable_ << QString::fromStdString(skipped.unreadable);
+        });
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
+        drawAnother();
+    }
+    /// The window draws: it lives.
+    void drawAnother()
+    {
+        window_->viewport().lookChanged();
+        QTRY_VERIFY(window_->viewport().schedule().current());
+    }
+    [[nodiscard]] QStringList said() const { return window_->findChild<MessageStrip*>()->texts(); }
+    void dismiss()
+    {
+        window_->findChild<MessageStrip*>()->dismissAll();
+        QTRY_VERIFY(said().isEmpty());
+    }
+    void drop(const QString& file) const
+    {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(file)});
+        QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(window_.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent event({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(window_.get(), &event);
+    }
+    void type(const char* row, const QString& text)
+    {
+        auto* line = window_->panel().row(row)->findChild<QLineEdit*>();
+        QVERIFY(line);
+        line->setText(text);
+        emit line->editingFinished();
+    }
+    [[nodiscard]] std::string value(std::size_t exhibit, const char* row) const
+    {
+        const ParameterValues& values = window_->history().look().values[exhibit];
+        return std::get<std::string>(values.row(*values.table().find(row)));
+    }
+    void writeSession(const QByteArray& exhibit, const QByteArray& row, const QString& file, const render::Camera& camera)
+    {
+        QDir().mkpath(path("vitrine"));
+        const auto three = [](const glm::dvec3& v) { return QStringLiteral("[%1,%2,%3]").arg(v.x).arg(v.y).arg(v.z).toUtf8(); };
+        write("vitrine/session.json", json("{'format':'vitrine-exhibition','version':1,'app':'0.1.0','name':'S','values':{'hall.supersamples':1,'" + exhibit + "." + row + "':'" +
+                                          file.toUtf8() + "'},'camera':{'eye':" + three(camera.eye) + ",'target':" + three(camera.target) + ",'fov':0.9}}"));
+    }
+
+private slots:
+    void initTestCase()
+    {
+        std::setlocale(LC_NUMERIC, "C");
+        applyTheme(*qApp, darkTheme());
+        QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
+        museum_ = std::make_unique<Museum>(allExhibits());
+        fur_ = museum_->find("fur").value();
+    }
+    void init()
+    {
+        home_ = std::make_unique<QTemporaryDir>();
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+            qputenv(name, home_->path().toLocal8Bit());
+    }
+    void cleanup()
+    {
+        if (window_) window_->close();
+        window_.reset();
+    }
+
+    void aSessionThatNamesAMissingFileOpensAndDrawsItWhenItComesBack_data()
+    {
+        QTest::addColumn<QByteArray>("exhibit");
+        QTest::addColumn<QByteArray>("row");
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("label");
+        QTest::newRow("panorama") << QByteArray("hall") << QByteArray("environment") << "gone.jpg" << "Environment of The hall";
+        QTest::newRow("model") << QByteArray("hall") << QByteArray("model") << "gone.glb" << "Model of The hall";
+        QTest::newRow("ring") << QByteArray("fur") << QByteArray("ringModel") << "gone.glb" << "Ring model of Fur with Physics";
+        QTest::newRow("print") << QByteArray("lenticular") << QByteArray("frontPrint") << "gone.jpg" << "Front print of Lenticular Card";
+    }
+    void aSessionThatNamesAMissingFileOpensAndDrawsItWhenItComesBack()
+    {
+        QFETCH(QByteArray, exhibit);
+        QFETCH(QByteArray, row);
+        QFETCH(QString, file);
+        QFETCH(QString, label);
+        const std::size_t index = museum_->find(exhibit.toStdString()).value();
+        const Look initial = museum_->initialLook();
+        writeSession(exhibit, row, path(file), index == 0 ? initial.camera : museum_->bestView(index, initial.values[index]));
+        openWindow();
+        QTRY_COMPARE(unreadable_.size(), 1);
+        QCOMPARE(said().size(), 1);
+        QVERIFY2(said().front().startsWith(label + ": ") && said().front().contains(path(file)), qPrintable(said().front()));
+        QCOMPARE(value(index, row.constData()), path(file).toStdString());
+        drawAnother();
+        QCOMPARE(said().size(), 1);
+        // Nobody touches the window: it looks for itself.
+        if (file.endsWith("glb")) {
+            write(file, goodModel());
+        } else {
+            QImage picture(64, 32, QImage::Format_RGB32);
+            picture.fill(Qt::green);
+            picture.save(path(file));
+        }
+        QTRY_VERIFY(unreadable_.isEmpty());
+        QTRY_VERIFY2(said().isEmpty(), qPrintable(said().join(" | ")));  // What was said is no longer so.
+        QCOMPARE(value(index, row.constData()), path(file).toStdString());
+    }
+
+    void brokenFilesThatAreDroppedChangeNothingAndSayWhyOnce()
+    {
+        const QStringList broken = writeBrokenFiles();
+        openWindow();
+        const Look before = window_->history().look();
+        for (const QString& file : broken) {
+            drop(file);
+            QTRY_VERIFY(!said().isEmpty());
+            drawAnother();
+            QVERIFY2(said().size() == 1, qPrintable(file + ": " + said().join(" | ")));
+            QVERIFY2(said().front().contains(QFileInfo(file).fileName()), qPrintable(said().front()));
+            QVERIFY2(window_->history().look().values == before.values, qPrintable(file));
+            dismiss();
+        }
+    }
+
+    void brokenFilesThatAreTypedStayInTheFieldAndAreSaidOnce()
+    {
+        const QStringList broken = writeBrokenFiles();
+        openWindow();
+        window_->choose(0);
+        for (const QString& file : broken) {
+            const char* row = file.contains(".gl") ? "model" : "environment";
+            type(row, file);
+            drawAnother();
+            drawAnother();
+            QVERIFY2(said().size() == 1, qPrintable(file + ": " + said().join(" | ")));
+            QVERIFY2(said().front().contains(QFileInfo(file).fileName()), qPrintable(said().front()));
+            QCOMPARE(value(0, row), file.toStdString());
+            type(row, QString());
+            drawAnother();
+            dismiss();
+        }
+        window_->visit(fur_);
+        window_->viewport().jumpTo(museum_->bestView(fur_, window_->history().look().values[fur_]));
+        drawAnother();
+        type("ringModel", path("noise.glb"));
+        drawAnother();
+        QVERIFY2(said().size() == 1 && said().front().startsWith("Ring model of Fur with Physics: "), qPrintable(said().join(" | ")));
+    }
+
+    void aPhotographIsNoSkyAndAPrintOpensItsDialog()
+    {
+        openWindow();
+        QImage photo(400, 300, QImage::Format_RGB32);
+        photo.fill(Qt::darkCyan);
+        photo.save(path("photo.jpg"));
+        const Look before = window_->history().look();
+        drop(path("photo.jpg"));
+        QTRY_COMPARE(said().size(), 1);
+        QVERIFY2(said().front().contains("photo.jpg") && said().front().contains("400 × 300") && said().front().contains("“Environment” in the parameters of the hall"), qPrintable(said().front()));
+        QVERIFY(window_->history().look().values == before.values);
+        QImage panorama(400, 200, QImage::Format_RGB32);
+        panorama.fill(Qt::darkCyan);
+        panorama.save(path("sky.png"));
+        drop(path("sky.png"));
+        QTRY_COMPARE(value(0, "environment"), path("sky.png").toStdString());
+
+        window_->openPrintDialog();
+        auto* dialog = window_->findChild<PrintDialog*>();
+        panorama.save(path("view1.png"));
+        panorama.save(path("view2.png"));
+        dialog->open({path("view1.png"), path("view2.png")});
+        const auto set = [&](const char* row, double value) {
+            ParameterValues values = dialog->values();
+            values.setRow(*values.table().find(row), value);
+            dialog->setValues(values);
+        };
+        set("width", 0.02);
+        set("height", 0.01);
+        dialog->setPath(path("card.tif"));
+        QTRY_VERIFY(dialog->settled());
+        const ParameterValues printed = dialog->values();
+        dialog->startExport();
+        QTRY_VERIFY(!dialog->exporting());
+        for (const char* file : {"card.tif", "card.tif.json"}) {
+            set("width", 0.03);
+            dialog->close();
+            QTRY_VERIFY(!window_->findChild<PrintDialog*>());
+            drop(path(file));
+            dialog = window_->findChild<PrintDialog*>();
+            QVERIFY2(dialog, file);
+            QVERIFY(dialog->values() == printed);
+            QCOMPARE(value(0, "environment"), path("sky.png").toStdString());
+        }
+    }
+
+    void closingDuringAnExportAsksAndCanWaitForIt()
+    {
+        openWindow();
+        const auto start = [&](const char* name, int samples) {
+            ExportWish wish;
+            wish.path = path(name).toStdString();
+            wish.size = {64, 36};
+            wish.samples = samples;
+            (new PictureExport(*window_, wish))->start();
+        };
+        const auto answer = [&](const char* button) {
+            window_->close();
+            QVERIFY(window_->isVisible());
+            auto* box = window_->findChild<QMessageBox*>();
+            QVERIFY(box);
+            QVERIFY2(box->text().contains(".png"), qPrintable(box->text()));
+            box->findChild<QPushButton*>(button)->click();
+        };
+        start("long.png", 4096);
+        window_->close();
+        QVERIFY(window_->isVisible());
+        window_->findChild<QMessageBox*>()->reject();
+        QTRY_VERIFY(!window_->findChild<QMessageBox*>());
+        for (PictureExport* work : window_->findChildren<PictureExport*>()) {
+            QVERIFY(work->running());
+            work->cancel();
+        }
+        start("short.png", 2);
+        answer("closeWhenDone");
+        QTRY_VERIFY(!window_->isVisible());
+        QVERIFY(QFile::exists(path("short.png")));
+        window_.reset();
+        openWindow();
+        start("given-up.png", 4096);
+        answer("closeAnyway");
+        QTRY_VERIFY(!window_->isVisible());
+        window_.reset();
+        QVERIFY(!QFile::exists(path("given-up.png")));
+    }
+
+    void exportPictureTakesANewNameAfterEachExportAndEscapeCancelsFirst()
+    {
+        openWindow();
+        window_->openScreenshotDialog();
+        auto* dialog = window_->findChild<ScreenshotDialog*>();
+        dialog->setPath(path("look.png"));
+        for (QSpinBox* box : dialog->findChildren<QSpinBox*>()) box->setValue(box->accessibleName() == "Width" ? 64 : box->accessibleName() == "Height" ? 36 : 1);
+        const auto button = [&](const char* text) {
+            for (QPushButton* each : dialog->findChildren<QPushButton*>())
+                if (each->text() == text) return each;
+            return static_cast<QPushButton*>(nullptr);
+        };
+        button("Export")->click();
+        QTRY_VERIFY(QFile::exists(path("look.png")));
+        QTRY_COMPARE(dialog->path(), path("look-2.png"));
+        const QByteArray first = contentOf(path("look.png"));
+        dialog->setPath(path("look.png"));
+        button("Export")->click();
+        auto* question = dialog->findChild<QMessageBox*>();
+        QVERIFY(question);
+        question->findChild<QPushButton*>("keepBoth")->click();
+        QTRY_VERIFY(QFile::exists(path("look-2.png")));
+        QCOMPARE(contentOf(path("look.png")), first);
+        QTRY_COMPARE(dialog->path(), path("look-3.png"));
+        // Esc: first the export, then the dialog.
+        for (QSpinBox* box : dialog->findChildren<QSpinBox*>())
+            if (box->accessibleName() != "Width" && box->accessibleName() != "Height") box->setValue(64);
+        QTRY_VERIFY(button("Export")->isEnabled());
+        button("Export")->click();
+        QVERIFY(button("Cancel"));
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QVERIFY(dialog->isVisible());
+        QVERIFY(button("Close"));
+        QTest::keyClick(dialog, Qt::Key_Escape);
+        QTRY_VERIFY(!window_->findChild<ScreenshotDialog*>());
+        QVERIFY(!QFile::exists(path("look-3.png")));
+    }
+};
+
+VITRINE_TEST_MAIN(MissingFilesTest)
+
+#include "missing_files_test.moc"

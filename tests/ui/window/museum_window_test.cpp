@@ -1,0 +1,289 @@
+#include "exhibits/exhibits.h"
+#include "exhibits/museum/museum.h"
+#include "render/failure.h"
+#include "render/image/image_io.h"
+#include "render/measure/clock.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/theme.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/parameters/value_slider.h"
+#include "ui/presets/preset_list.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/print/print_dialog.h"
+#include "ui/study/study_dock.h"
+#include "ui/viewport/gl_probe.h"
+#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/file_opener.h"
+#include "ui/window/ledger_dock.h"
+#include "ui/window/ledger_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/picture_export.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QEventLoop>
+#include <QListWidget>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <clocale>
+#include <memory>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// The window over the real museum and the real renderer.
+class MuseumWindowTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> home_;
+    std::unique_ptr<Museum> museum_;
+    std::unique_ptr<MuseumGallery> gallery_;
+    std::unique_ptr<MainWindow> window_;
+    std::size_t exhibit_ = 0;
+
+    void openWindow()
+    {
+        gallery_ = std::make_unique<MuseumGallery>(*museum_);
+        window_ = std::make_unique<MainWindow>(*gallery_);
+        window_->resize(1000, 560);  // A small picture: a software renderer draws it too.
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
+        settle();
+    }
+    void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
+    [[nodiscard]] QImage picture()
+    {
+        settle();
+        return window_->viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    }
+    /// The picture once the viewport has taken its room: docks come and go over several turns of the event loop.
+    [[nodiscard]] QImage pictureAtRest()
+    {
+        QImage last = picture();
+        for (int equal = 0; equal < 3;) {
+            QTest::qWait(50);
+            QImage now = picture();
+            equal = now.size() == last.size() ? equal + 1 : 0;
+            last = std::move(now);
+        }
+        return last;
+    }
+    /// Mean difference per channel, 0 to 255.
+    [[nodiscard]] static double difference(const QImage& a, const QImage& b)
+    {
+        if (a.size() != b.size()) return 255;
+        double sum = 0;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x) {
+                const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+                sum += std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q));
+            }
+        return sum / (3.0 * a.width() * a.height());
+    }
+    [[nodiscard]] const ParameterValues& values() { return window_->history().look().values[exhibit_]; }
+    void dragMorph(int pixels)
+    {
+        auto* slider = window_->panel().row("morph")->findChild<ValueSlider*>();
+        const QPoint from(12, slider->height() / 2);
+        QTest::mousePress(slider, Qt::LeftButton, {}, from);
+        for (int x = 0; x <= pixels; x += 4) QTest::mouseMove(slider, from + QPoint(x, 0));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(pixels, 0));
+    }
+
+    void setPrint(PrintDialog& dialog, const char* row, double value)
+    {
+        ParameterValues values = dialog.values();
+        values.setRow(*values.table().find(row), value);
+        dialog.setValues(values);
+    }
+
+private slots:
+    void initTestCase()
+    {
+        std::setlocale(LC_NUMERIC, "C");
+        applyTheme(*qApp, darkTheme());
+        QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
+        try {
+            museum_ = std::make_unique<Museum>(allExhibits());
+        } catch (const std::exception& failure) {
+            QFAIL(failure.what());
+        }
+        exhibit_ = museum_->find("sdf_morph").value();
+    }
+    void init()
+    {
+        // Every case has folders of its own; nothing of the user's is ever touched.
+        home_ = std::make_unique<QTemporaryDir>();
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+            qputenv(name, home_->path().toLocal8Bit());
+        openWindow();
+    }
+    void cleanup()
+    {
+        if (window_) window_->close();
+        window_.reset();
+    }
+
+    void aPrintOfWhatIsShownIsRenderedAndCancelLeavesNothing()
+    {
+        window_->openPrintDialog();
+        window_->openPrintDialog();
+        QCOMPARE(window_->findChildren<PrintDialog*>().size(), 1);
+        auto* dialog = window_->findChild<PrintDialog*>();
+        for (const auto& [row, value] : std::initializer_list<std::pair<const char*, double>>{
+                 {"views", 2}, {"viewWidth", 96}, {"samples", 2}, {"width", 0.03}, {"height", 0.02}, {"dotsPerInch", 300}})
+            setPrint(*dialog, row, value);
+        const QDir home(home_->path());
+        dialog->setPath(home.filePath("print.png"));
+        QTRY_VERIFY(dialog->settled());
+        dialog->startExport();
+        QVERIFY(dialog->exporting());
+        dialog->stopExport();
+        QVERIFY(!dialog->exporting());
+        QVERIFY(!QFile::exists(home.filePath("print.png")));
+        dialog->startExport();
+        QTRY_VERIFY(!dialog->exporting());
+        const QImage print(home.filePath("print.png"));
+        QCOMPARE(print.width(), 354);
+        QFile json(home.filePath("print.png.json"));
+        QVERIFY(json.open(QIODevice::ReadOnly));
+        QVERIFY(json.readAll().contains("\"scene\""));  // The look that was rendered.
+        // The hall, not a blank: many colors.
+        QSet<QRgb> colors;
+        for (int y = 0; y < print.height(); ++y)
+            for (int x = 0; x < print.width(); ++x) colors << print.pixel(x, y);
+        QVERIFY2(colors.size() > 500, qPrintable(QString::number(colors.size())));
+        dialog->close();
+        QTRY_VERIFY(!window_->findChild<PrintDialog*>());
+    }
+
+    void aSliderChangesThePictureUndoRestoresItAndAPresetBringsItBackInTheNextSession()
+    {
+        window_->visit(exhibit_);
+        const QImage before = picture();
+        dragMorph(10);
+        const ParameterValues changed = values();
+        const QImage after = picture();
+        // The object fills a good part of the picture: another shape is no rounding.
+        QVERIFY2(difference(before, after) > 1, qPrintable(QString::number(difference(before, after))));
+        window_->history().stack().undo();
+        // Same inputs, same picture; the average of sixteen samples is kept in half floats.
+        QVERIFY2(difference(before, picture()) < 0.5, qPrintable(QString::number(difference(before, picture()))));
+        window_->history().stack().redo();
+        window_->shelf().saveUnder("Half melted");
+        window_->history().stack().undo();
+        window_->close();
+        window_.reset();
+
+        openWindow();
+        auto* list = window_->findChild<PresetList*>()->findChild<QListWidget*>();
+        const auto items = list->findItems("Half melted", Qt::MatchExactly);
+        QCOMPARE(items.size(), 1);
+        window_->shelf().load(items.first()->data(Qt::UserRole).toString());
+        QVERIFY(values() == changed);
+        QVERIFY2(difference(after, picture()) < 0.5, qPrintable(QString::number(difference(after, picture()))));
+    }
+
+    void aPictureCarriesTheLookAndBringsItBackWhenDropped()
+    {
+        window_->visit(exhibit_);
+        settle();
+        dragMorph(60);
+        const Look shown = window_->history().look();
+        ExportWish wish;
+        wish.path = home_->filePath("picture.png").toStdString();
+        wish.size = {160, 90};
+        wish.samples = 2;
+        settle();
+        const long long drawn = window_->viewport().picturesDrawn();
+        auto* work = new PictureExport(*window_, wish);
+        QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
+        work->start();
+        QTRY_VERIFY(finished.count() + failed.count() == 1);
+        QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The viewport and its picture are left alone.
+        QVERIFY(render::embeddedPreset(wish.path).has_value());
+        window_->history().stack().undo();
+        window_->files().open(QString::fromStdString(wish.path.string()));
+        QVERIFY(window_->history().look() == shown);
+    }
+
+    void tenSecondsOfIdlingDrawNothingAndUseNoProcessor()
+    {
+        window_->visit(exhibit_);
+        settle();
+        QTest::qWait(1000);  // The status line and what else follows the last picture.
+        const long long drawn = window_->viewport().picturesDrawn();
+        // Not by qWait: it wakes up every 10 ms itself, which is half a percent.
+        const double cpu = render::processCpuSeconds();
+        QEventLoop idle;
+        QTimer::singleShot(10000, &idle, &QEventLoop::quit);
+        idle.exec();
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);
+        const double share = (render::processCpuSeconds() - cpu) / 10;
+        QVERIFY2(share < 0.005, qPrintable(QStringLiteral("%1 % of a processor").arg(100 * share)));
+    }
+
+    void theLedgersSwitchRunsEverythingAndChangesNoPixel()
+    {
+        window_->visit(exhibit_);
+        window_->findChild<QDockWidget*>("ledger")->show();
+        const QImage before = pictureAtRest();
+        auto* ledger = window_->findChild<LedgerDock*>();
+        ledger->runEverything().setChecked(true);
+        settle();
+        QCOMPARE(difference(before, picture()), 0.0);
+        QVERIFY(ledger->view().lastCost("sdf_morph/march") >= 0);
+        ledger->runEverything().setChecked(false);
+        settle();
+        QTRY_VERIFY(ledger->reasonText().contains("nothing to draw, because"));
+    }
+
+    void aStudyInTheWindowLeavesThePictureAloneUntilAPointIsClicked()
+    {
+        window_->visit(exhibit_);
+        const QImage before = pictureAtRest();
+        StudyDock& study = window_->study();
+        study.setEffort({64, 36}, 2);
+        window_->findChild<QDockWidget*>("study")->show();
+        QSignalSpy finished(&study, &StudyDock::finished);
+        const auto row = window_->gallery().exhibits()[exhibit_]->parameters().find("hitTolerance");
+        emit window_->panel().accuracyAsked(*row);
+        QVERIFY(study.running());
+        QTRY_VERIFY(finished.count() == 1);
+        QVERIFY(study.result().points.size() >= 5);
+        QCOMPARE(study.result().costName, std::string("evaluations"));
+        QCOMPARE(window_->history().stack().count(), 0);
+        window_->findChild<QDockWidget*>("study")->hide();
+        const QImage after = pictureAtRest();
+        QCOMPARE(after.size(), before.size());
+        const double change = difference(before, after);
+        QVERIFY2(change < 0.5, qPrintable(QString::number(change)));
+    }
+
+    void aCancelledExportLeavesNoFile()
+    {
+        ExportWish wish;
+        wish.path = home_->filePath("never.png").toStdString();
+        wish.size = {640, 360};
+        wish.samples = 64;
+        auto* work = new PictureExport(*window_, wish);
+        QSignalSpy progressed(work, &PictureExport::progressed);
+        work->start();
+        QTRY_VERIFY(progressed.count() >= 2);
+        work->cancel();
+        QTest::qWait(200);
+        QCOMPARE(QDir(home_->path()).entryList({"*never*"}, QDir::Files | QDir::Hidden), QStringList());
+    }
+};
+
+QTEST_MAIN(MuseumWindowTest)
+
+#include "museum_window_test.moc"

@@ -1,0 +1,103 @@
+// Draws the window into pictures, dark and light, to look at: show_window FOLDER [museum]. With "museum"
+// the real one, else a gallery of one color with every kind of parameter.
+#include "tests/ui/painted_gallery.h"
+
+#include "exhibits/exhibits.h"
+#include "ui/kit/theme.h"
+#include "ui/parameters/color_picker.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/print/eyes_preview.h"
+#include "ui/print/print_dialog.h"
+#include "ui/study/study_dock.h"
+#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QEventLoop>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include <clocale>
+#include <cstdio>
+
+using namespace vitrine;
+
+namespace {
+
+void waitUntilStill(const ui::MainWindow& window, int mostMilliseconds)
+{
+    QElapsedTimer passed;
+    passed.start();
+    do QApplication::processEvents(QEventLoop::AllEvents, 50);
+    while (passed.elapsed() < mostMilliseconds && (passed.elapsed() < 1200 || !window.viewport().schedule().still()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    const QTemporaryDir home;
+    for (const char* name : {"XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"}) qputenv(name, home.path().toLocal8Bit());
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication app(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");
+    const QString folder = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral(".");
+    const bool real = argc > 2;
+    std::unique_ptr<Museum> museum;
+    if (real) museum = std::make_unique<Museum>(allExhibits());
+    for (const bool dark : {true, false}) {
+        const QString ending = dark ? QStringLiteral("_dark.png") : QStringLiteral("_light.png");
+        ui::applyTheme(app, dark ? ui::darkTheme() : ui::lightTheme());
+        std::unique_ptr<ui::Gallery> gallery;
+        if (real) gallery = std::make_unique<ui::MuseumGallery>(*museum);
+        else gallery = std::make_unique<test::PaintedGallery>();
+        ui::MainWindow window(*gallery);
+        window.show();
+        waitUntilStill(window, 60000);
+        window.grab().save(folder + QStringLiteral("/entrance") + ending);
+        std::printf("entrance: %lld pictures drawn\n", window.viewport().picturesDrawn());
+        window.visit(1);
+        if (!real) {
+            window.say(ui::MessageStrip::Mood::problem,
+                       QStringLiteral("Preset shiny.json, line 4, key \"roughnes\": there is no such parameter. "
+                                      "Everything stays as it was."));
+            window.say(ui::MessageStrip::Mood::notice, QStringLiteral("Screenshot saved to sdf_morph-2026-11-21-103512.png"));
+        }
+        for (auto* dock : window.findChildren<QDockWidget*>())
+            if (dock->objectName() == QLatin1String("ledger")) dock->show();
+        waitUntilStill(window, 60000);
+        window.grab().save(folder + QStringLiteral("/visit") + ending);
+        if (!real) {
+            for (auto* button : window.panel().row("baseColor")->findChildren<QAbstractButton*>())
+                if (button->accessibleName().contains(QLatin1String("choose a color"))) button->click();
+            auto* dialog = window.findChild<ui::ColorDialog*>();
+            QApplication::processEvents();
+            dialog->grab().save(folder + QStringLiteral("/color") + ending);
+            dialog->reject();
+        }
+        if (real) {
+            window.findChild<QDockWidget*>(QStringLiteral("study"))->show();
+            window.findChild<QDockWidget*>(QStringLiteral("study"))->raise();
+            window.study().setEffort({240, 135}, 3);
+            QEventLoop until;
+            QObject::connect(&window.study(), &ui::StudyDock::finished, &until, &QEventLoop::quit);
+            window.study().ask(1, *window.gallery().exhibits()[1]->parameters().find("hitTolerance"));
+            until.exec();
+            waitUntilStill(window, 60000);
+            window.grab().save(folder + QStringLiteral("/study") + ending);
+            window.openPrintDialog();
+            auto* dialog = window.findChild<ui::PrintDialog*>();
+            dialog->setPath(QStringLiteral("/home/visitor/Pictures/lenticular-print.tif"));
+            QElapsedTimer passed;
+            passed.start();
+            do QApplication::processEvents(QEventLoop::AllEvents, 50);
+            while (passed.elapsed() < 120000 && (passed.elapsed() < 3000 || !dialog->settled() || dialog->findChild<ui::EyesPreview*>()->seen(0).isNull()));
+            dialog->grab().save(folder + QStringLiteral("/print") + ending);
+            std::printf("print dialog with rendered views: %.1f s\n", static_cast<double>(passed.elapsed()) / 1000);
+        }
+        std::printf("visit: %lld pictures drawn\n", window.viewport().picturesDrawn());
+    }
+}

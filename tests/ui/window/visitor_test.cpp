@@ -1,0 +1,435 @@
+#include "tests/ui/open_window.h"
+
+#include "ui/kit/message_strip.h"
+#include "ui/parameters/number_field.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/viewport/overlay.h"
+#include "ui/window/about_dialog.h"
+#include "ui/window/exhibit_list.h"
+#include "ui/window/file_opener.h"
+#include "ui/window/status_line.h"
+
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScreen>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QToolButton>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// What a visitor does in the window, with mouse and keys.
+class VisitorTest : public test::OpenWindow {
+    Q_OBJECT
+
+    [[nodiscard]] QPoint at(double x, double y) { return {static_cast<int>(window_->viewport().width() * (x + 1) / 2), static_cast<int>(window_->viewport().height() * (1 - y) / 2)}; }
+    [[nodiscard]] QLineEdit* filter()
+    {
+        for (QLineEdit* edit : window_->panel().findChildren<QLineEdit*>())
+            if (edit->accessibleName() == "Find a parameter") return edit;
+        return nullptr;
+    }
+    [[nodiscard]] QStringList overlays()
+    {
+        QStringList shown;
+        for (const Overlay* overlay : window_->viewport().findChildren<Overlay*>())
+            if (overlay->isVisible()) shown << overlay->text();
+        return shown;
+    }
+    [[nodiscard]] QTabBar* tabs()
+    {
+        for (QTabBar* bar : window_->findChildren<QTabBar*>())
+            if (bar->accessibleName() == "Whose parameters") return bar;
+        return nullptr;
+    }
+    [[nodiscard]] QStringList menu(const char* name)
+    {
+        QStringList entries;
+        for (QAction* top : window_->menuBar()->actions())
+            if (top->text().remove('&') == QLatin1String(name))
+                for (QAction* entry : top->menu()->actions()) entries << entry->text().remove('&');
+        return entries;
+    }
+    void activate() { QApplication::setActiveWindow(window_.get()); }  // No window manager does it under Xvfb.
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init() { start(); }
+    void cleanup() { finish(); }
+
+    void theViewMenuListsEveryPanelAndFindOpensAClosedOne()
+    {
+        for (const char* panel : {"Exhibits", "Presets", "Parameters", "Study", "Ledger", "Log"}) QVERIFY2(menu("View").contains(QLatin1String(panel)), panel);
+        auto* parameters = window_->findChild<QDockWidget*>("parameters");
+        action("Parameters")->trigger();
+        QVERIFY(!parameters->isVisible());
+        activate();
+        action("Find a parameter")->trigger();
+        QVERIFY(parameters->isVisible());
+        QTRY_VERIFY(filter()->hasFocus());
+    }
+
+    void theTabsOfExhibitAndHallAreThereAfterARestoredSession()
+    {
+        QVERIFY(tabs()->isVisible() && tabs()->height() >= 20);
+        window_->choose(1);
+        closeWindow();
+        openWindow();
+        QCOMPARE(window_->chosen(), std::size_t{1});
+        QCOMPARE(tabs()->count(), 2);
+        QVERIFY2(tabs()->isVisible() && tabs()->height() >= 20, qPrintable(QString::number(tabs()->height())));
+        for (int i = 0; i < 2; ++i) QVERIFY(tabs()->tabRect(i).width() > 20 && tabs()->rect().contains(tabs()->tabRect(i).center()));
+        QTest::mouseClick(tabs(), Qt::LeftButton, {}, tabs()->tabRect(1).center());
+        QCOMPARE(window_->shown(), std::size_t{0});
+    }
+
+    void undoIsTheWindowsWhereNothingIsTyped()
+    {
+        window_->choose(1);
+        activate();
+        auto* color = in<QLineEdit>("baseColor");
+        color->setFocus();
+        color->selectAll();
+        QTest::keyClicks(color, "#336699");
+        QTest::keyClick(color, Qt::Key_Return);
+        QCOMPARE(window_->history().stack().count(), 1);
+        QTest::keyClick(color, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window_->history().stack().index(), 0);
+        QTest::keyClick(color, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(window_->history().stack().index(), 1);
+        // What is half typed is the field's own.
+        QTest::keyClick(color, Qt::Key_End);
+        QTest::keyClick(color, Qt::Key_Backspace);
+        QTest::keyClick(color, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window_->history().stack().index(), 1);
+        QCOMPARE(color->text(), QString("#336699"));
+
+        auto* file = in<QLineEdit>("environment");
+        file->setFocus();
+        QTest::keyClicks(file, "/nowhere.hdr");
+        QTest::keyClick(file, Qt::Key_Return);
+        QCOMPARE(window_->history().stack().index(), 2);
+        QTest::keyClick(file, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window_->history().stack().index(), 1);
+
+        filter()->setFocus();
+        QTest::keyClicks(filter(), "base");
+        QTest::keyClick(filter(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(window_->history().stack().index(), 0);
+        QCOMPARE(filter()->text(), QString("base"));
+    }
+
+    void pointingNamesWhatAClickVisitsAndAWallIsNothing()
+    {
+        Viewport& viewport = window_->viewport();
+        QTest::mouseMove(&viewport, at(0, 0));
+        QTRY_VERIFY(overlays().contains("Torus to mug"));
+        QCOMPARE(viewport.cursor().shape(), Qt::PointingHandCursor);
+        QTest::mouseMove(&viewport, at(-0.8, 0.6));
+        QTRY_VERIFY(!overlays().contains("Torus to mug"));
+        QVERIFY(viewport.cursor().shape() != Qt::PointingHandCursor);
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(-0.8, 0.6));
+        QCOMPARE(viewport.mode(), CameraControl::Mode::walk);
+        QCOMPARE(window_->chosen(), std::size_t{0});
+    }
+
+    void aClickOnAButtonWithinReachPressesIt()
+    {
+        Viewport& viewport = window_->viewport();
+        QSignalSpy pressed(&viewport, &Viewport::pressed);
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(0.8, 0));
+        QCOMPARE(pressed.count(), 1);
+        QCOMPARE(viewport.mode(), CameraControl::Mode::walk);
+        gallery_->buttonInReach = false;  // From afar one goes there first ...
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(0.8, 0));
+        QCOMPARE(pressed.count(), 1);
+        QTRY_COMPARE(viewport.mode(), CameraControl::Mode::orbit);
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(0.8, 0));  // ... and presses it then.
+        QCOMPARE(pressed.count(), 2);
+        QTest::keyClick(&viewport, Qt::Key_E);
+        QCOMPARE(pressed.count(), 3);
+    }
+
+    void afterAWrongClickThereIsAWayBack()
+    {
+        Viewport& viewport = window_->viewport();
+        const render::Camera before = window_->history().look().camera;
+        QVERIFY(!viewport.canGoBack());
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(0, 0));
+        QTRY_COMPARE(viewport.mode(), CameraControl::Mode::orbit);
+        QCOMPARE(window_->chosen(), std::size_t{1});
+        QTest::keyClick(&viewport, Qt::Key_Backspace);
+        QTRY_COMPARE(viewport.mode(), CameraControl::Mode::walk);
+        QVERIFY(window_->history().look().camera == before);
+        QCOMPARE(window_->chosen(), std::size_t{0});
+        QVERIFY(!viewport.canGoBack());
+        QVERIFY(action("Back")->shortcuts().contains(QKeySequence("Alt+Left")));
+    }
+
+    void theFirstWindowFitsItsScreen()
+    {
+        for (const QSize screen : {QSize(1280, 720), QSize(1366, 768), QSize(1024, 600)}) {
+            const QSize size = MainWindow::firstSize(screen);
+            QVERIFY(size.width() <= screen.width() - 8 && size.height() <= screen.height() - 40);
+        }
+        QCOMPARE(MainWindow::firstSize({3840, 2160}), QSize(1400, 860));
+        // ... and nothing in the window asks for more.
+        QVERIFY2(window_->minimumSizeHint().height() <= MainWindow::firstSize({1280, 720}).height(), qPrintable(QString::number(window_->minimumSizeHint().height())));
+        closeWindow();
+        gallery_ = std::make_unique<test::PaintedGallery>();
+        QDir(home_->path()).removeRecursively();
+        window_ = std::make_unique<MainWindow>(*gallery_);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
+        QCOMPARE(window_->size(), MainWindow::firstSize(window_->screen()->availableSize()));
+    }
+
+    void aLookThatComesBackChoosesItsExhibit()
+    {
+        window_->choose(1);
+        dragRoughness(60);
+        QFile file(home_->filePath("exhibition.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(window_->shelf().lookText()));
+        file.close();
+        window_->choose(0);
+        window_->files().open(file.fileName());
+        QCOMPARE(window_->chosen(), std::size_t{1});
+        QCOMPARE(window_->shown(), std::size_t{1});
+        QCOMPARE(window_->findChild<ExhibitList*>()->currentItem()->text(), QString("Torus to mug"));
+        // One of an older program does not say it: what is in the middle of its picture is.
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QByteArray text = file.readAll();
+        file.close();
+        QVERIFY(text.contains("\"exhibit\": \"sdf_morph\""));
+        text.replace("\"exhibit\": \"sdf_morph\",", "");
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        file.close();
+        window_->choose(0);
+        window_->files().open(file.fileName());
+        QCOMPARE(window_->chosen(), std::size_t{1});
+        QCOMPARE(window_->findChild<MessageStrip*>()->texts(), QStringList());
+    }
+
+    void visitingByKeyGivesThePictureTheFocus()
+    {
+        activate();
+        window_->choose(1);
+        filter()->setFocus();
+        action("Visit Torus to mug")->trigger();
+        QVERIFY(window_->viewport().hasFocus());
+    }
+
+    void theFilterLeadsToItsMatchesAndOut()
+    {
+        activate();
+        window_->choose(1);
+        action("Find a parameter")->trigger();
+        QTRY_VERIFY(filter()->hasFocus());
+        for (const auto key : {Qt::Key_Return, Qt::Key_Down}) {
+            filter()->setFocus();
+            filter()->setText("roughness");
+            QTest::keyClick(filter(), key);
+            QVERIFY(window_->panel().row("roughness")->isAncestorOf(QApplication::focusWidget()));
+        }
+        filter()->setFocus();
+        QTest::keyClick(filter(), Qt::Key_Escape);
+        QVERIFY(filter()->text().isEmpty() && filter()->hasFocus());
+        QTest::keyClick(filter(), Qt::Key_Escape);
+        QVERIFY(window_->viewport().hasFocus());
+    }
+
+    void tabGoesFromTheFilterIntoTheRows()
+    {
+        activate();
+        window_->choose(1);
+        filter()->setFocus();
+        int stops = 0;
+        while (!window_->panel().row("morph")->isAncestorOf(QApplication::focusWidget())) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            QVERIFY2(++stops <= 3, QApplication::focusWidget()->metaObject()->className());
+        }
+    }
+
+    void everyStopOfTheTabKeyShowsTheFocus()
+    {
+        activate();
+        window_->choose(1);
+        filter()->setFocus();
+        QTest::keyClick(filter(), Qt::Key_Tab);
+        QStringList blind;
+        QSet<QString> seen;
+        for (int i = 0; i < 200 && QApplication::focusWidget() != filter(); ++i) {
+            QWidget* stop = QApplication::focusWidget();
+            QVERIFY(stop);
+            if (stop == &window_->viewport()) {  // Tab is its own key there: on behind it.
+                do stop = stop->nextInFocusChain();
+                while (!(stop->focusPolicy() & Qt::TabFocus) || !stop->isVisible() || !stop->isEnabled() || stop->window() != window_.get());
+                stop->setFocus(Qt::TabFocusReason);
+                continue;
+            }
+            QWidget* around = stop->parentWidget();
+            seen << stop->accessibleName();
+            const QRect there(stop->mapTo(window_.get(), QPoint(-2, -2)), stop->size() + QSize(4, 4));
+            const QImage with = window_->grab(there).toImage();
+            stop->clearFocus();
+            const QImage without = window_->grab(there).toImage();
+            if (with == without) blind << QString("%1 \"%2\" in %3").arg(stop->metaObject()->className(), stop->accessibleName(), around->metaObject()->className());
+            stop->setFocus(Qt::TabFocusReason);
+            QTest::keyClick(stop, Qt::Key_Tab);
+        }
+        QVERIFY2(blind.isEmpty(), qPrintable(blind.join("; ")));
+        for (const char* stop : {"Exhibits", "Presets", "Save preset", "Whose parameters", "Only changed", "Base color"}) QVERIFY2(seen.contains(QLatin1String(stop)), stop);
+    }
+
+    void aFinishedPictureIsSavedAsItIs()
+    {
+        settle();
+        const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+        const int reads = gallery_->pictureReads;
+        for (int i = 0; i < 2; ++i) {
+            settle();
+            action("Screenshot")->trigger();
+        }
+        QTRY_COMPARE(gallery_->pictureReads, reads + 2);
+        QTRY_COMPARE(folder.entryList({"*.png"}, QDir::Files).size(), 2);
+        const QImage picture(folder.filePath(folder.entryList({"*.png"}, QDir::Files).first()));
+        QCOMPARE(picture.width(), window_->viewport().width());
+        // While it is still being refined it is drawn apart, and the visitor is told.
+        window_->viewport().lookChanged();
+        QVERIFY(!window_->viewport().pictureFinished());
+        action("Screenshot")->trigger();
+        settle();
+        QCOMPARE(gallery_->pictureReads, reads + 2);
+    }
+
+    void theFilterSearchesTheOtherTabAndEndsWithTheVisit()
+    {
+        window_->choose(1);
+        filter()->setText("exposure");
+        auto* elsewhere = window_->findChild<QToolButton*>();
+        for (QToolButton* button : window_->panel().findChildren<QToolButton*>())
+            if (button->accessibleName() == "Matches in the other tab") elsewhere = button;
+        QVERIFY(elsewhere->isVisible());
+        QVERIFY2(elsewhere->text().startsWith("Hall: Exposure"), qPrintable(elsewhere->text()));
+        QTest::mouseClick(elsewhere, Qt::LeftButton);
+        QCOMPARE(window_->shown(), std::size_t{0});
+        QVERIFY(window_->panel().row("exposure")->isVisible());
+        filter()->setText("no such thing");
+        QVERIFY(!elsewhere->isVisible());
+        window_->choose(0);
+        QVERIFY(filter()->text().isEmpty());
+    }
+
+    void aBarePictureHasNoStatusBar()
+    {
+        window_->hidePanels(true);
+        QVERIFY(!window_->statusBar()->isVisible());
+        window_->hidePanels(false);
+        QVERIFY(window_->statusBar()->isVisible());
+    }
+
+    void theHallInTheListGoesToTheHall()
+    {
+        auto* list = window_->findChild<ExhibitList*>();
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->findItems("Torus to mug", Qt::MatchExactly).front()).center());
+        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->findItems("Hall", Qt::MatchExactly).front()).center());
+        QCOMPARE(window_->chosen(), std::size_t{0});
+        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
+        QVERIFY(window_->history().look().camera == gallery_->bestView(0, window_->history().look().values[0]));
+    }
+
+    void aNarrowPictureIsDrawnWider()
+    {
+        const double fov = window_->history().look().camera.fovY;
+        const double aspect = static_cast<double>(window_->viewport().width()) / window_->viewport().height();
+        QVERIFY(aspect < 1.4);
+        const double drawn = gallery_->requests().back().camera.fovY;
+        QVERIFY(std::abs(std::tan(drawn / 2) * aspect - std::tan(fov / 2) * 1.5) < 1e-9);
+    }
+
+    void aPausedJumpStandsStillWhileItIsRefined()
+    {
+        gallery_->movesFor = 3;
+        gallery_->looked = LookedAt{1, "E – melt it"};
+        window_->viewport().jumpTo(window_->history().look().camera);  // Looks at the button.
+        window_->viewport().press();
+        QTRY_VERIFY(gallery_->requests().back().sincePressed[1] > 0.3);
+        action("Pause clock")->trigger();
+        settle();
+        std::vector<double> moments;
+        const std::vector<FrameRequest> drawn = gallery_->requests();
+        for (auto request = drawn.rbegin(); moments.size() < 16; ++request) {
+            QCOMPARE(request->samples, 16);
+            moments.push_back(request->sincePressed[1]);
+        }
+        for (const double moment : moments) QCOMPARE(moment, moments.front());
+        QTest::qWait(300);
+        window_->viewport().lookChanged();
+        settle();
+        QCOMPARE(gallery_->requests().back().sincePressed[1], moments.front());
+        action("Pause clock")->trigger();
+        QTRY_VERIFY(gallery_->requests().back().sincePressed[1] > moments.front() + 0.05);
+    }
+
+    void menusHoldWhatTheyAreNamedFor()
+    {
+        for (const char* entry : {"Save preset", "Save preset as…", "Rename preset", "Delete preset", "Import preset…"}) {
+            QVERIFY2(menu("Preset").contains(QString::fromUtf8(entry)), entry);
+            QVERIFY2(!menu("File").contains(QString::fromUtf8(entry)), entry);
+        }
+        QVERIFY(menu("Help").contains("About Vitrine") && menu("Help").contains("Manual"));
+#ifdef NDEBUG
+        QVERIFY(!menu("View").contains("Reload shaders"));  // There are none to read.
+#endif
+        action("About Vitrine")->trigger();
+        auto* about = window_->findChild<AboutDialog*>();
+        QVERIFY(about && about->isVisible());
+        QString words;
+        for (const QLabel* label : about->findChildren<QLabel*>()) words += label->text();
+        for (const char* part : {VITRINE_VERSION, "Qt", "GNU General Public License"}) QVERIFY2(words.contains(QLatin1String(part)), part);
+        about->close();
+    }
+
+    void theTitleNamesExhibitAndPreset()
+    {
+        QVERIFY(!window_->windowIcon().isNull());
+        window_->choose(1);
+        QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug – Vitrine"));
+        window_->shelf().saveUnder("Dull");
+        QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull – Vitrine"));
+        dragRoughness(60);
+        QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull * – Vitrine"));
+    }
+
+    void fileDialogsOfferWhatCanBeRead()
+    {
+        action("Open…")->trigger();
+        auto* open = window_->findChild<QFileDialog*>();
+        QVERIFY(open);
+        const QString offered = open->nameFilters().front();
+        for (const char* ending : {"*.json", "*.glb", "*.gltf", "*.hdr", "*.exr", "*.png", "*.jpg", "*.jpeg", "*.tif", "*.tiff"})
+            QVERIFY2(offered.contains(QLatin1String(ending)), ending);
+        delete open;
+        window_->choose(1);
+        for (QToolButton* button : window_->panel().row("environment")->findChildren<QToolButton*>())
+            if (button->accessibleName().contains("choose a file")) QTest::mouseClick(button, Qt::LeftButton);
+        auto* dialog = window_->findChild<QFileDialog*>();
+        QVERIFY(dialog);
+        QVERIFY2(dialog->nameFilters().front().contains("*.hdr *.exr"), qPrintable(dialog->nameFilters().join(';')));
+        delete dialog;
+    }
+};
+
+QTEST_MAIN(VisitorTest)
+
+#include "visitor_test.moc"

@@ -1,0 +1,202 @@
+#include "ui/kit/message_strip.h"
+
+#include "ui/kit/theme.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QEvent>
+#include <QGraphicsOpacityEffect>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPropertyAnimation>
+#include <QScrollArea>
+#include <QTimer>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr int highest = 132;  // Pixels: a few messages; more of them scroll.
+
+class Line final : public QWidget {
+public:
+    Line(MessageStrip::Mood mood, const QString& text, QWidget* parent)
+        : QWidget(parent), mood_(mood), words_(new QLabel(text, this))
+    {
+        words_->setTextFormat(Qt::PlainText);
+        words_->setWordWrap(true);
+        words_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+        words_->setAccessibleName(MessageStrip::tr("Message"));
+        auto* copy = button(MessageStrip::tr("Copy"), MessageStrip::tr("Copy this message"));
+        auto* dismiss = button(QStringLiteral("✕"), MessageStrip::tr("Dismiss this message"));
+        auto* layout = new QHBoxLayout(this);
+        layout->setContentsMargins(16, 4, 8, 4);
+        layout->setSpacing(8);
+        layout->addWidget(words_, 1);
+        layout->addWidget(copy, 0, Qt::AlignTop);
+        layout->addWidget(dismiss, 0, Qt::AlignTop);
+        connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(words_->text()); });
+        life_.setSingleShot(true);
+        connect(&life_, &QTimer::timeout, this, [this] { fade(); });
+        connect(dismiss, &QToolButton::clicked, this, &QObject::deleteLater);
+    }
+    [[nodiscard]] QString text() const { return words_->text(); }
+
+    /// One more of the same kind: `several` with their number and what the newest is about.
+    void repeat(const QString& several, const QString& what)
+    {
+        words_->setText(several.arg(++count_).arg(what));
+        goAfter(life_.interval());
+    }
+    [[nodiscard]] const QString& kind() const { return kind_; }
+    void setKind(const QString& several) { kind_ = several; }
+    /// Fades out once the time is over and the pointer is elsewhere.
+    void goAfter(int milliseconds)
+    {
+        life_.start(milliseconds);
+    }
+
+private:
+    void fade()
+    {
+        if (underMouse()) {
+            life_.start();
+            return;
+        }
+        auto* veil = new QGraphicsOpacityEffect(this);
+        setGraphicsEffect(veil);
+        auto* fading = new QPropertyAnimation(veil, "opacity", this);
+        fading->setDuration(400);
+        fading->setStartValue(1.0);
+        fading->setEndValue(0.0);
+        connect(fading, &QAbstractAnimation::finished, this, &QObject::deleteLater);
+        fading->start();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.fillRect(QRect(0, 0, 4, height()), mood_ == MessageStrip::Mood::problem ? theme().error : theme().good);
+    }
+
+private:
+    QToolButton* button(const QString& face, const QString& name)
+    {
+        auto* made = new QToolButton(this);
+        made->setText(face);
+        made->setAutoRaise(true);
+        made->setAccessibleName(name);
+        made->setToolTip(name);
+        made->setFocusPolicy(Qt::StrongFocus);
+        return made;
+    }
+
+    MessageStrip::Mood mood_;
+    QLabel* words_;
+    QString kind_;
+    int count_ = 1;
+    QTimer life_;
+};
+
+}  // namespace
+
+MessageStrip::MessageStrip(QWidget* parent)
+    : QWidget(parent), scroll_(new QScrollArea(this)), content_(new QWidget), list_(new QVBoxLayout(content_))
+{
+    list_->setContentsMargins(0, 0, 0, 0);
+    list_->setSpacing(1);
+    scroll_->setWidget(content_);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setFocusPolicy(Qt::NoFocus);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(scroll_);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    hide();
+}
+
+void MessageStrip::lieOver(QWidget* under)
+{
+    under_ = under;
+    setParent(under->parentWidget());
+    under->installEventFilter(this);
+    fit();
+}
+
+void MessageStrip::say(Mood mood, const QString& text, const QString& several, const QString& what)
+{
+    emit said(text);
+    if (texts().contains(text)) return;
+    Line* line = nullptr;
+    for (int i = 0; i < list_->count() && !several.isEmpty(); ++i)
+        if (auto* other = dynamic_cast<Line*>(list_->itemAt(i)->widget()); other && other->kind() == several) line = other;
+    if (line) {
+        line->repeat(several, what);
+    } else {
+        line = new Line(mood, text, content_);
+        line->setKind(several);
+        list_->addWidget(line);
+        connect(line, &QObject::destroyed, this, [this] { QTimer::singleShot(0, this, &MessageStrip::fit); });
+        if (mood == Mood::notice) line->goAfter(noticeTime_);
+    }
+    fit();
+    QTimer::singleShot(0, this, &MessageStrip::fit);  // Once the width is known, wrapped lines know their height.
+}
+
+void MessageStrip::setBanned(bool banned)
+{
+    banned_ = banned;
+    fit();
+}
+
+bool MessageStrip::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == under_ && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) fit();
+    return QWidget::eventFilter(watched, event);
+}
+
+void MessageStrip::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), theme().window);
+}
+
+QStringList MessageStrip::texts() const
+{
+    QStringList all;
+    for (int i = 0; i < list_->count(); ++i)
+        if (const auto* line = dynamic_cast<Line*>(list_->itemAt(i)->widget())) all << line->text();
+    return all;
+}
+
+void MessageStrip::takeBack(const QString& text)
+{
+    for (int i = list_->count() - 1; i >= 0; --i)
+        if (const auto* line = dynamic_cast<Line*>(list_->itemAt(i)->widget()); line && line->text() == text) delete line;
+}
+
+void MessageStrip::dismissAll()
+{
+    for (int i = 0; i < list_->count(); ++i) list_->itemAt(i)->widget()->deleteLater();
+}
+
+void MessageStrip::fit()
+{
+    setVisible(list_->count() > 0 && !banned_);
+    const int wide = under_ ? under_->width() : width();
+    const int wanted = list_->hasHeightForWidth() ? list_->heightForWidth(std::max(200, wide)) : list_->sizeHint().height();
+    setFixedHeight(std::min(highest, wanted));
+    if (!under_) return;
+    setGeometry(under_->x(), under_->y(), wide, height());
+    raise();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_message_strip.cpp"

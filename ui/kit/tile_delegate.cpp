@@ -1,0 +1,95 @@
+#include "ui/kit/tile_delegate.h"
+
+#include "ui/kit/theme.h"
+
+#include <QLineEdit>
+#include <QPainter>
+
+namespace vitrine::ui {
+
+QWidget* TileDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
+    if (!editor) return nullptr;
+    editor->setAutoFillBackground(true);
+    editor->setAccessibleName(tr("New name"));
+    QPalette colors = editor->palette();
+    colors.setColor(QPalette::Base, colors.color(QPalette::Window));
+    editor->setPalette(colors);
+    if (auto* line = qobject_cast<QLineEdit*>(editor)) line->setFrame(true);
+    return editor;
+}
+
+void TileDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
+{
+    const int left = 12 + picture.width() + 8;
+    editor->setGeometry(option.rect.adjusted(left, 3, -4, -3));
+}
+
+QSize TileDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const
+{
+    return {160, picture.height() + 12};
+}
+
+void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+{
+    const Theme& colors = theme();
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const bool enabled = index.flags() & Qt::ItemIsEnabled;
+    const bool selected = option.state & QStyle::State_Selected;
+    const bool hovered = enabled && option.state & QStyle::State_MouseOver;
+    if (selected || hovered) {
+        QColor fill = selected ? colors.accent : colors.text;
+        fill.setAlphaF(selected ? 0.18F : 0.06F);
+        painter->fillRect(option.rect, fill);
+    }
+    if (selected) painter->fillRect(QRect(option.rect.left(), option.rect.top(), 3, option.rect.height()), colors.accent);
+
+    const QRect frame(option.rect.left() + 12, option.rect.top() + 6, picture.width(), picture.height());
+    const QIcon icon = index.data(Qt::DecorationRole).value<QIcon>();
+    if (!icon.isNull()) {
+        painter->setRenderHint(QPainter::SmoothPixmapTransform);
+        painter->drawPixmap(frame, icon.pixmap(picture * 2));
+    } else {
+        QColor fill = colors.text;
+        fill.setAlphaF(0.06F);
+        painter->fillRect(frame, fill);
+        QFont large = option.font;
+        large.setPointSizeF(large.pointSizeF() * 1.3);
+        painter->setFont(large);
+        painter->setPen(colors.dim);
+        painter->drawText(frame, Qt::AlignCenter, index.data(mark).toString());
+        painter->setFont(option.font);
+    }
+    const QString second = index.data(secondLine).toString();
+    QRect words = option.rect.adjusted(12 + picture.width() + 12, 6, -8, -6);
+    const QFontMetrics metrics(option.font);
+    painter->setPen(enabled ? colors.text : colors.dim);
+    const QString first = metrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, words.width());
+    painter->drawText(words, (second.isEmpty() ? Qt::AlignVCenter : Qt::AlignTop) | Qt::AlignLeft, first);
+    painter->setPen(colors.dim);
+    QFont small = option.font;
+    small.setPointSizeF(small.pointSizeF() * 0.9);
+    painter->setFont(small);
+    painter->drawText(words, Qt::AlignBottom | Qt::AlignLeft,
+                      QFontMetrics(small).elidedText(second, Qt::ElideRight, words.width()));
+    if (option.state & QStyle::State_HasFocus) {
+        painter->setPen(colors.accent);
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+    painter->restore();
+}
+
+QPixmap thumbnailOf(const QImage& picture)
+{
+    const QSize size = TileDelegate::picture * 2;
+    const QImage scaled = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    return QPixmap::fromImage(
+        scaled.copy(QRect(QPoint((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2), size)));
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_tile_delegate.cpp"

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "exhibits/museum/museum.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+#include <functional>
+
+namespace vitrine::ui {
+
+/// Edits with the same number, other than 0, are one undo step: one drag, one held key.
+using Gesture = int;
+[[nodiscard]] Gesture newGesture();
+
+/// The look on show and all the looks before it: the one place where values of the window change.
+///
+/// Whoever shows a value listens to `changed` and `replaced`; nobody keeps a copy of the values. The camera walks freely
+/// and is no step of its own; a change that moves it (a preset) takes it back when undone.
+class History : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Camera { stays, moves };
+
+    explicit History(Look start, QObject* parent = nullptr);
+
+    [[nodiscard]] const Look& look() const { return look_; }
+    /// Sets one value, or the nearest legal one. `text` names the step for people; empty: "Change roughness". A value
+    /// equal to the one on show is no step.
+    void set(std::size_t exhibit, std::size_t row, const Value&, Gesture, const QString& text = {});
+    /// Sets several values at once: shows `after`. A look equal to the one on show is no step.
+    void change(const QString& text, const Look& after, Gesture = 0, Camera = Camera::stays);
+    /// A step that is no change of the look, such as deleting a preset; `redo` is called now.
+    void record(const QString& text, std::function<void()> redo, std::function<void()> undo);
+    /// The visitor moved: no step, no signal.
+    void setCamera(const render::Camera& camera) { look_.camera = camera; }
+    /// Starts over from `look`, with nothing to undo: a session that comes back.
+    void restart(const Look&);
+
+    /// Of the change that `changed` or `replaced` says now, or said last.
+    [[nodiscard]] Gesture gesture() const { return gesture_; }
+    [[nodiscard]] QUndoStack& stack() { return stack_; }
+
+signals:
+    /// This value changed, and no other: by an edit, undo or redo.
+    void changed(std::size_t exhibit, std::size_t row);
+    /// Several values changed at once, or none but the camera.
+    void replaced();
+    /// ... and the camera is to go to `look().camera`.
+    void cameraMoved();
+
+private:
+    friend class LookStep;
+
+    Look look_;
+    Gesture gesture_ = 0;
+    QUndoStack stack_;
+};
+
+}  // namespace vitrine::ui

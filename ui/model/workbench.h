@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ui/kit/message_strip.h"
+
+#include <cstddef>
+
+namespace vitrine::ui {
+
+class Gallery;
+class History;
+class Viewport;
+
+/// What the window offers to those who work for it: controllers, exports, dialogs.
+class Workbench {
+public:
+    virtual ~Workbench() = default;
+
+    [[nodiscard]] virtual Gallery& gallery() const = 0;
+    [[nodiscard]] virtual History& history() = 0;
+    [[nodiscard]] virtual Viewport& viewport() const = 0;
+    /// The exhibit that is visited; 0 is the hall.
+    [[nodiscard]] virtual std::size_t chosen() const = 0;
+    /// Whose parameters the panel shows: the chosen exhibit, or the hall beside it.
+    [[nodiscard]] virtual std::size_t shown() const = 0;
+    /// Shows this exhibit's parameters and presets.
+    virtual void choose(std::size_t exhibit) = 0;
+    /// As `MessageStrip::say`.
+    virtual void say(MessageStrip::Mood, const QString& text, const QString& several = {}, const QString& what = {}) = 0;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "ui/kit/quiet_dialog.h"
+
+#include <QWidget>
+
+namespace vitrine::ui {
+
+/// Saturation to the right and value upward in a field, hue in a bar below it. Arrows move in the field, with Ctrl in the bar.
+class ColorField final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ColorField(const QColor& start, QWidget* parent);
+
+    [[nodiscard]] QColor color() const;
+    /// Where in the widget these are, 0 to 1.
+    [[nodiscard]] QPointF placeOf(double saturation, double value) const;
+    [[nodiscard]] QPointF placeOfHue(double hue) const;
+
+signals:
+    void picked(const QColor&);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+    [[nodiscard]] QSize sizeHint() const override { return {240, 180}; }
+
+private:
+    [[nodiscard]] QRectF field() const;
+    [[nodiscard]] QRectF bar() const;
+    void take(const QPointF&);
+    void set(double hue, double saturation, double value);
+
+    // Kept beside the color: gray has no hue, black no saturation.
+    double hue_ = 0, saturation_ = 0, value_ = 0;
+    bool inBar_ = false;
+};
+
+/// Chooses a color; what is tried is on show at once.
+class ColorDialog final : public QuietDialog {
+    Q_OBJECT
+
+public:
+    ColorDialog(const QString& heading, const QColor& start, QWidget* parent);
+
+signals:
+    void picked(const QColor&);
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,112 @@
+#include "ui/window/file_opener.h"
+
+#include "exhibits/printing/print_json.h"
+#include "render/failure.h"
+#include "render/image/image_io.h"
+#include "ui/kit/message_of.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/viewport/gallery.h"
+#include "ui/viewport/viewport.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace vitrine::ui {
+namespace {
+
+const QStringList models{QStringLiteral("glb"), QStringLiteral("gltf")};
+const QStringList pictures{QStringLiteral("hdr"), QStringLiteral("exr"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
+                           QStringLiteral("png"), QStringLiteral("tif"), QStringLiteral("tiff")};
+
+/// Whether the file is a lenticular print or describes one.
+bool isPrint(const QString& path)
+{
+    try {
+        static_cast<void>(printing::savedSettings(printing::settingsIn(path.toStdString()), path.toStdString()));
+        return true;
+    } catch (const Failure&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+FileOpener::FileOpener(Workbench& window, PresetShelf& shelf, QObject* parent) : QObject(parent), window_(window), shelf_(shelf) {}
+
+void FileOpener::setHallFile(const char* parameter, const QString& path)
+{
+    Look next = window_.history().look();
+    const auto row = next.values[0].table().find(parameter);
+    if (!row) {
+        window_.say(MessageStrip::Mood::problem,
+                    tr("%1 cannot be shown: this hall has no parameter \"%2\" for it.").arg(path, QLatin1String(parameter)));
+        return;
+    }
+    next.values[0].setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
+    // Reading a large file takes seconds.
+    window_.viewport().renderThread().post(
+        [this, &gallery = window_.gallery(), next, row = *row, path]() -> std::function<void()> {
+            for (const std::string& why : gallery.unreadableFiles(next))
+                if (why.starts_with(label(next.values[0].rows()[row]) + " of "))
+                    return [this, why] {
+                        window_.say(MessageStrip::Mood::problem, tr("%1 Nothing was changed.").arg(QString::fromStdString(why)));
+                    };
+            return [this, row, path, file = next.values[0].row(row)] {
+                Look changed = window_.history().look();
+                changed.values[0].setRow(row, file);
+                window_.history().change(tr("Put %1 into the hall").arg(QFileInfo(path).fileName()), changed);
+            };
+        });
+}
+
+QStringList FileOpener::openable()
+{
+    QStringList patterns{QStringLiteral("*.json")};
+    for (const QString& ending : models + pictures) patterns << QStringLiteral("*.") + ending;
+    return patterns;
+}
+
+void FileOpener::open(const QString& path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (ending == QLatin1String("json")) {
+        if (isPrint(path)) emit printFound(path);
+        else shelf_.loadFile(path);
+    } else if (models.contains(ending)) {
+        setHallFile("model", path);
+    } else if (pictures.contains(ending)) {
+        openPicture(path);
+    } else {
+        window_.say(MessageStrip::Mood::problem,
+                    tr("%1 cannot be opened: Vitrine opens .json, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.").arg(path));
+    }
+}
+
+void FileOpener::openPicture(const QString& path)
+{
+    if (isPrint(path)) {
+        emit printFound(path);
+        return;
+    }
+    if (shelf_.loadFromPicture(path)) return;
+    window_.viewport().renderThread().post([this, path]() -> std::function<void()> {
+        const std::shared_ptr<const render::Texture> picture = render::loadTexture(path.toStdString(), true, true);
+        if (std::abs(picture->width - 2 * picture->height) <= std::max(1, picture->height / 50))
+            return [this, path] { setHallFile("environment", path); };
+        return [this, name = QFileInfo(path).fileName(), width = picture->width, height = picture->height] {
+            window_.say(MessageStrip::Mood::problem,
+                        tr("%1 was not put into the sky: a panorama of the whole sky is twice as wide as high, and this picture has %2 × %3 "
+                           "pixels. To stretch it over the sky all the same, choose it as “Environment” in the parameters of the hall.")
+                            .arg(name)
+                            .arg(width)
+                            .arg(height));
+        };
+    });
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_file_opener.cpp"

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+namespace vitrine::ui {
+
+class PresetShelf;
+class Workbench;
+
+/// Puts files that come to the window where they belong: presets and pictures with one inside, models, panoramas, prints.
+class FileOpener final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Both must outlive it.
+    FileOpener(Workbench&, PresetShelf&, QObject* parent);
+
+    /// A file of any of these kinds. What is wrong with it is said in the message strip, and everything stays as it was.
+    void open(const QString& path);
+    /// What it reads: "*.json", "*.glb", ...
+    [[nodiscard]] static QStringList openable();
+
+signals:
+    /// A lenticular print, or the settings of one.
+    void printFound(const QString& path);
+
+private:
+    void openPicture(const QString& path);
+    void setHallFile(const char* parameter, const QString& path);
+
+    Workbench& window_;
+    PresetShelf& shelf_;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,78 @@
+#include "ui/window/parameter_tabs.h"
+
+#include "ui/kit/text.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+
+#include <QTabBar>
+#include <QVBoxLayout>
+
+namespace vitrine::ui {
+
+ParameterTabs::ParameterTabs(std::span<const std::unique_ptr<Exhibit>> exhibits, History& history, QWidget* parent)
+    : QWidget(parent), exhibits_(exhibits), tabs_(new QTabBar(this)), panel_(new ParameterPanel(history, this))
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(tabs_);
+    layout->addWidget(panel_, 1);
+    tabs_->setDrawBase(false);
+    tabs_->setExpanding(false);
+    tabs_->setAccessibleName(tr("Whose parameters"));
+    connect(tabs_, &QTabBar::currentChanged, this, [this] {
+        show();
+        searchElsewhere();
+        emit turned();
+    });
+    connect(panel_, &ParameterPanel::filtered, this, &ParameterTabs::searchElsewhere);
+    connect(panel_, &ParameterPanel::elsewhereAsked, this, [this] { tabs_->setCurrentIndex(1 - tabs_->currentIndex()); });
+}
+
+void ParameterTabs::choose(std::size_t exhibit)
+{
+    {
+        const QSignalBlocker quiet(tabs_);
+        while (tabs_->count() > 0) tabs_->removeTab(0);
+        for (const std::size_t i : exhibit == 0 ? std::vector<std::size_t>{0} : std::vector<std::size_t>{exhibit, 0}) {
+            const int tab = tabs_->addTab(text(exhibits_[i]->title()));
+            tabs_->setTabData(tab, static_cast<qulonglong>(i));
+            tabs_->setTabToolTip(tab, text(exhibits_[i]->summary()));
+        }
+        tabs_->updateGeometry();  // A tab bar that is not shown yet does not tell its layout that it has grown.
+    }
+    show();
+}
+
+std::size_t ParameterTabs::shown() const
+{
+    return panel_->exhibit();
+}
+
+void ParameterTabs::show()
+{
+    const auto exhibit = static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
+    panel_->showExhibit(exhibit, text(exhibits_[exhibit]->name()));
+}
+
+void ParameterTabs::searchElsewhere()
+{
+    const QString words = panel_->filterText();
+    QStringList found;
+    std::size_t other = 0;
+    if (tabs_->count() > 1 && !words.isEmpty()) {
+        other = static_cast<std::size_t>(tabs_->tabData(1 - tabs_->currentIndex()).toULongLong());
+        for (const ParameterInfo& row : exhibits_[other]->parameters().rows())
+            if (ParameterRow::matches(row, words)) found << QString::fromStdString(label(row));
+    }
+    if (found.isEmpty()) {
+        panel_->offerElsewhere({});
+        return;
+    }
+    const QString more = found.size() > 3 ? tr(" and %1 more").arg(found.size() - 3) : QString();
+    panel_->offerElsewhere(tr("%1: %2%3").arg(text(exhibits_[other]->title()), found.mid(0, 3).join(QStringLiteral(", ")), more));
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_parameter_tabs.cpp"

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <QList>
+#include <QObject>
+
+class QDockWidget;
+class QMainWindow;
+
+namespace vitrine::ui {
+
+class ExhibitList;
+class LedgerDock;
+class LogView;
+class ParameterTabs;
+class PresetList;
+class StudyDock;
+class Workbench;
+
+/// The panels around the picture: what is in them, where they start, how they go out of sight and come back.
+class WindowDocks final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Builds them into this window, which must outlive them, as must the workbench.
+    WindowDocks(QMainWindow&, Workbench&);
+
+    [[nodiscard]] const QList<QDockWidget*>& all() const { return docks_; }
+    [[nodiscard]] ExhibitList& exhibits() const { return *exhibits_; }
+    [[nodiscard]] PresetList& presets() const { return *presets_; }
+    [[nodiscard]] ParameterTabs& parameters() const { return *parameters_; }
+    [[nodiscard]] StudyDock& study() const { return *study_; }
+    [[nodiscard]] LedgerDock& ledger() const { return *ledger_; }
+    [[nodiscard]] LogView& log() const { return *log_; }
+
+    /// Hides those that are open.
+    void hideAll();
+    /// Shows those again that `hideAll` hid.
+    void showAgain();
+    /// Opens the parameters, in front where they are stacked with others.
+    void showParameters();
+    /// The same of the study, large enough for its chart.
+    void showStudy();
+
+private:
+    QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea);
+    void addLists();
+    void addStudy();
+    void addLedgerAndLog();
+    void nameStacks();
+
+    QMainWindow& window_;
+    Workbench& workbench_;
+    QList<QDockWidget*> docks_, hidden_;
+    QDockWidget* parametersDock_ = nullptr;
+    QDockWidget* studyDock_ = nullptr;
+    ExhibitList* exhibits_ = nullptr;
+    PresetList* presets_ = nullptr;
+    ParameterTabs* parameters_ = nullptr;
+    StudyDock* study_ = nullptr;
+    LedgerDock* ledger_ = nullptr;
+    LogView* log_ = nullptr;
+};
+
+}  // namespace vitrine::ui
