@@ -16,7 +16,9 @@ std::string presetTextOf(const std::string& file)
     const std::string extension = render::lowerExtension(file);
     if (extension != ".png" && extension != ".exr") return render::readFile(file, presetLimits.bytes);
     std::optional<std::string> text = render::embeddedPreset(file);
-    if (!text) throw Failure(Blame::file, file + ": this picture carries no preset; give a preset file, or a picture that Vitrine made.");
+    if (!text)
+        throw Failure(Blame::file,
+                      file + ": this picture carries no preset; give a preset file, or a picture that Vitrine made.");
     return *text;
 }
 
@@ -32,7 +34,8 @@ void applyPreset(const Museum& museum, const std::string& file, RequestedPicture
     const std::string text = presetTextOf(file);
     const PresetHeader header = presetHeader(render::parseJson(text, file, presetLimits));
     if (header.isExhibition) {
-        Exhibition exhibition = parseExhibition(text, file, namedValues(museum.exhibits(), museum.initialLook().values));
+        Exhibition exhibition =
+            parseExhibition(text, file, namedValues(museum.exhibits(), museum.initialLook().values));
         for (auto& [name, values] : exhibition.values)
             if (const auto i = museum.find(name)) job.look.values[*i] = values;
         job.look.camera = exhibition.camera;
@@ -41,9 +44,12 @@ void applyPreset(const Museum& museum, const std::string& file, RequestedPicture
         return;
     }
     // In the hall, a preset of any exhibit may be shown; elsewhere it must be the subject's.
-    const std::string expected = job.subject == 0 ? header.exhibit : std::string(museum.exhibits()[job.subject]->name());
+    const std::string expected =
+        job.subject == 0 ? header.exhibit : std::string(museum.exhibits()[job.subject]->name());
     const auto owner = museum.find(expected);
-    if (!owner) throw Failure(Blame::file, file + ": it is a preset of \"" + header.exhibit + "\", which is not in this museum.");
+    if (!owner)
+        throw Failure(Blame::file,
+                      file + ": it is a preset of \"" + header.exhibit + "\", which is not in this museum.");
     Preset preset = parsePreset(text, file, expected, museum.exhibits()[*owner]->parameters());
     job.look.values[*owner] = preset.values;
     if (preset.camera) {

@@ -36,10 +36,17 @@ Json examine()
     try {
         const render::gl::HeadlessContext context;
         const render::gl::ContextInfo& gl = context.info();
-        report["opengl"] = Json{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"shadingLanguage", gl.shadingLanguage}, {"software", gl.software}, {"usable", true}};
-        report["limits"] = Json{{"textureSize", gl.maxTextureSize}, {"samples", gl.maxSamples}, {"uniformBlockBytes", gl.maxUniformBlockSize}};
+        report["opengl"] = Json{{"renderer", gl.renderer}, {"vendor", gl.vendor},
+                                {"version", gl.version},   {"shadingLanguage", gl.shadingLanguage},
+                                {"software", gl.software}, {"usable", true}};
+        report["limits"] = Json{{"textureSize", gl.maxTextureSize},
+                                {"samples", gl.maxSamples},
+                                {"uniformBlockBytes", gl.maxUniformBlockSize}};
         const render::ClockChoice& clock = render::gl::trustedClock(gl.software);
-        report["clock"] = Json{{"method", clock.name}, {"trusted", clock.trusted}, {"why", clock.why}, {"overheadMs", 1e3 * clock.overheadSeconds}};
+        report["clock"] = Json{{"method", clock.name},
+                               {"trusted", clock.trusted},
+                               {"why", clock.why},
+                               {"overheadMs", 1e3 * clock.overheadSeconds}};
     } catch (const Failure& failure) {
         report["opengl"] = Json{{"usable", false}, {"why", failure.what()}};
     }
@@ -59,7 +66,8 @@ void printText(const Json& value, const std::string& indent)
             std::printf("%s%s\n", indent.c_str(), key.c_str());
             printText(entry, indent + "  ");
         } else {
-            std::printf("%s%-20s %s\n", indent.c_str(), key.c_str(), entry.is_string() ? entry.get<std::string>().c_str() : entry.dump().c_str());
+            std::printf("%s%-20s %s\n", indent.c_str(), key.c_str(),
+                        entry.is_string() ? entry.get<std::string>().c_str() : entry.dump().c_str());
         }
     }
 }
@@ -67,8 +75,10 @@ void printText(const Json& value, const std::string& indent)
 int doctor(bool asJson)
 {
     const Json report = examine();
-    if (asJson) std::fputs(render::writeJson(report).c_str(), stdout);
-    else printText(report, "");
+    if (asJson)
+        std::fputs(render::writeJson(report).c_str(), stdout);
+    else
+        printText(report, "");
     return report["opengl"]["usable"].get<bool>() ? 0 : static_cast<int>(Blame::openGl);
 }
 
@@ -76,7 +86,8 @@ int doctor(bool asJson)
 
 void addDoctorCommand(CLI::App& parser, Action& chosen)
 {
-    CLI::App* command = parser.add_subcommand("doctor", "Say what this machine can do: OpenGL, limits, clock, libraries");
+    CLI::App* command =
+        parser.add_subcommand("doctor", "Say what this machine can do: OpenGL, limits, clock, libraries");
     struct Given {
         bool asJson = false;
         bool stability = false;
@@ -84,9 +95,15 @@ void addDoctorCommand(CLI::App& parser, Action& chosen)
     };
     auto given = std::make_shared<Given>();
     command->add_flag("--json", given->asJson, "As JSON");
-    command->add_flag("--stability", given->stability, "Try the hard cases on this machine's driver, and print what holds and what does not");
-    command->add_option("--presets", given->options.presets, "With --stability: random settings of each exhibit")->capture_default_str()->check(CLI::Range(1, 1'000'000));
-    command->add_option("--first-seed", given->options.firstSeed, "With --stability: the seed to begin with; a fault names its own")->capture_default_str();
+    command->add_flag("--stability", given->stability,
+                      "Try the hard cases on this machine's driver, and print what holds and what does not");
+    command->add_option("--presets", given->options.presets, "With --stability: random settings of each exhibit")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1'000'000));
+    command
+        ->add_option("--first-seed", given->options.firstSeed,
+                     "With --stability: the seed to begin with; a fault names its own")
+        ->capture_default_str();
     command->callback([&chosen, given] {
         chosen = [given] {
             given->options.asJson = given->asJson;

@@ -63,7 +63,10 @@ Json exhibitJson(std::string_view name, std::string_view title, std::string_view
 {
     Json rows = Json::array();
     for (const ParameterInfo& row : table.rows()) rows.push_back(rowJson(row, table));
-    return Json{{"name", std::string(name)}, {"title", std::string(title)}, {"summary", std::string(summary)}, {"parameters", rows}};
+    return Json{{"name", std::string(name)},
+                {"title", std::string(title)},
+                {"summary", std::string(summary)},
+                {"parameters", rows}};
 }
 
 int manual(const std::string& name)
@@ -87,13 +90,15 @@ int list(bool asJson)
     const HallTable hall;
     Json all = Json::array();
     all.push_back(exhibitJson("hall", hallTitle, hallSummary, hall));
-    for (const auto& exhibit : allExhibits()) all.push_back(exhibitJson(exhibit->name(), exhibit->title(), exhibit->summary(), exhibit->parameters()));
+    for (const auto& exhibit : allExhibits())
+        all.push_back(exhibitJson(exhibit->name(), exhibit->title(), exhibit->summary(), exhibit->parameters()));
     if (asJson) {
         std::fputs(render::writeJson(all).c_str(), stdout);
         return 0;
     }
     for (const Json& exhibit : all)
-        std::printf("%-16s %s (%zu parameters)\n", exhibit["name"].get<std::string>().c_str(), exhibit["summary"].get<std::string>().c_str(), exhibit["parameters"].size());
+        std::printf("%-16s %s (%zu parameters)\n", exhibit["name"].get<std::string>().c_str(),
+                    exhibit["summary"].get<std::string>().c_str(), exhibit["parameters"].size());
     return 0;
 }
 
@@ -106,7 +111,8 @@ void addListCommand(CLI::App& parser, Action& chosen)
     command->add_flag("--json", *asJson, "Everything about every parameter, as JSON; numbers are in SI units");
     auto name = std::make_shared<std::string>();
     command->add_option("--manual", *name, "The parameter table of one exhibit, as Markdown for its README");
-    command->callback([&chosen, asJson, name] { chosen = [asJson, name] { return name->empty() ? list(*asJson) : manual(*name); }; });
+    command->callback(
+        [&chosen, asJson, name] { chosen = [asJson, name] { return name->empty() ? list(*asJson) : manual(*name); }; });
 }
 
 }  // namespace vitrine::app

@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* about = "Vitrine: a workbench for real-time rendering techniques, in a museum hall.\n"
                               "Without a command, the window opens.\n"
-                              "Exit codes: 0 done, 1 check failed, 2 usage, 3 no OpenGL 4.5, 4 shader failed, 5 file not read or not written, 130 stopped.";
+                              "Exit codes: 0 done, 1 check failed, 2 usage, 3 no OpenGL 4.5, 4 shader failed, 5 file "
+                              "not read or not written, 130 stopped.";
 
 int parseAndRun(int argc, char** argv)
 {
@@ -59,7 +60,9 @@ int main(int argc, char** argv)
         std::fprintf(stderr, "vitrine: %s\n", failure.what());
         return failure.exitCode();
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "vitrine: There was not enough memory for this; ask for a smaller size, or fewer samples or views.\n");
+        std::fprintf(
+            stderr,
+            "vitrine: There was not enough memory for this; ask for a smaller size, or fewer samples or views.\n");
         return static_cast<int>(vitrine::Blame::usage);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "vitrine: %s\n", error.what());

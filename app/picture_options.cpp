@@ -21,8 +21,10 @@ std::vector<std::string> split(const std::string& text, char separator)
 {
     std::vector<std::string> parts(1);
     for (const char c : text) {
-        if (c == separator) parts.emplace_back();
-        else if (c != ' ') parts.back() += c;
+        if (c == separator)
+            parts.emplace_back();
+        else if (c != ' ')
+            parts.back() += c;
     }
     return parts;
 }
@@ -36,10 +38,16 @@ Channels parseChannels(const std::string& text, PictureRequest& request, bool& b
 {
     Channels channels;
     for (const std::string& name : split(text, ',')) {
-        if (name == "depth") request.depth = true;
-        else if (name == "normal") channels.normal = true;
-        else if (name == "evaluations") channels.evaluations = true;
-        else if (name != "color") throw Failure(Blame::usage, "--channels: \"" + name + "\" is no channel; give color, depth, normal or evaluations, separated by commas.");
+        if (name == "depth")
+            request.depth = true;
+        else if (name == "normal")
+            channels.normal = true;
+        else if (name == "evaluations")
+            channels.evaluations = true;
+        else if (name != "color")
+            throw Failure(Blame::usage,
+                          "--channels: \"" + name +
+                              "\" is no channel; give color, depth, normal or evaluations, separated by commas.");
         beyondColor = beyondColor || name != "color";
     }
     return channels;
@@ -59,7 +67,8 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
     if (!options.scale.empty()) {
         const glm::dvec3 scale = parseTriple("--scale", options.scale);
         if (std::abs(scale.x) < 1e-6 || std::abs(scale.y) < 1e-6 || std::abs(scale.z) < 1e-6)
-            throw Failure(Blame::usage, "--scale " + options.scale + ": a scale of 0 leaves nothing to draw; give three numbers away from 0.");
+            throw Failure(Blame::usage, "--scale " + options.scale +
+                                            ": a scale of 0 leaves nothing to draw; give three numbers away from 0.");
         m = glm::scale(m, scale);
     }
     return m;
@@ -85,7 +94,8 @@ std::string whatItTakes(const ParameterInfo& row)
     if (row.kind == Kind::color) return "#rrggbb or r,g,b";
     if (row.kind == Kind::direction) return "x,y,z";
     const std::string unit(info(row.unit).storedSymbol);
-    return "a number from " + render::shortestNumber(row.range.low) + " to " + render::shortestNumber(row.range.high) + (unit.empty() ? "" : ' ' + unit);
+    return "a number from " + render::shortestNumber(row.range.low) + " to " + render::shortestNumber(row.range.high) +
+           (unit.empty() ? "" : ' ' + unit);
 }
 
 render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
@@ -93,7 +103,8 @@ render::PictureFormat pictureFormat(const std::string& option, const std::string
     const std::string extension = render::lowerExtension(file);
     if (extension == ".png") return sixteenBit ? render::PictureFormat::png16 : render::PictureFormat::png8;
     if (extension == ".exr") return render::PictureFormat::exr;
-    if (extension == ".tif" || extension == ".tiff") return sixteenBit ? render::PictureFormat::tiff16 : render::PictureFormat::tiff8;
+    if (extension == ".tif" || extension == ".tiff")
+        return sixteenBit ? render::PictureFormat::tiff16 : render::PictureFormat::tiff8;
     throw Failure(Blame::usage, option + ' ' + file + ": give a name that ends in .png, .exr or .tif.");
 }
 
@@ -107,7 +118,9 @@ glm::dvec3 parseTriple(const std::string& option, const std::string& text)
         good = number.has_value();
         result[i] = number.value_or(0);
     }
-    if (!good) throw Failure(Blame::usage, option + " \"" + text + "\": give three numbers, such as " + option + " 1.5,2,-0.5.");
+    if (!good)
+        throw Failure(Blame::usage,
+                      option + " \"" + text + "\": give three numbers, such as " + option + " 1.5,2,-0.5.");
     return result;
 }
 
@@ -117,17 +130,25 @@ glm::ivec2 parseSize(const std::string& option, const std::string& text)
     glm::ivec2 size(0);
     for (int i = 0; parts.size() == 2 && i < 2; ++i) {
         const auto number = render::parseNumber(parts[static_cast<std::size_t>(i)]);
-        if (number && *number >= 1 && *number <= 1e6 && *number == std::floor(*number)) size[i] = static_cast<int>(*number);
+        if (number && *number >= 1 && *number <= 1e6 && *number == std::floor(*number))
+            size[i] = static_cast<int>(*number);
     }
-    if (size.x < 1 || size.y < 1) throw Failure(Blame::usage, option + " \"" + text + "\": give width x height in whole pixels, each from 1 to 1000000, such as " + option + " 640x360.");
+    if (size.x < 1 || size.y < 1)
+        throw Failure(Blame::usage, option + " \"" + text +
+                                        "\": give width x height in whole pixels, each from 1 to 1000000, such as " +
+                                        option + " 640x360.");
     return size;
 }
 
 void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& heading)
 {
-    const auto add = [&](const char* name, auto& value, const char* help) { return command.add_option(name, value, help)->group(heading); };
+    const auto add = [&](const char* name, auto& value, const char* help) {
+        return command.add_option(name, value, help)->group(heading);
+    };
     add("--preset", o.preset, "A preset of the exhibit, an exhibition, or a picture that carries one");
-    add("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")->take_all()->allow_extra_args(true);
+    add("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")
+        ->take_all()
+        ->allow_extra_args(true);
     add("--time", o.time, "Seconds on the exhibit's clock")->capture_default_str();
     add("--seed", o.seed, "Of everything random")->capture_default_str();
     add("--eye", o.eye, "Where the camera is: x,y,z in metres (the exhibit's own space with --alone)");
@@ -136,7 +157,9 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
     add("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
     add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
     command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light")->group(heading);
-    add("--samples", o.samples, "Samples per pixel; without it 4, or the hall's supersamples where a preset or --set changes them")->check(CLI::Range(1, 4096));
+    add("--samples", o.samples,
+        "Samples per pixel; without it 4, or the hall's supersamples where a preset or --set changes them")
+        ->check(CLI::Range(1, 4096));
     command.add_flag("--transparent", o.transparent, "Nothing around the exhibit: alpha 0 there")->group(heading);
     add("--environment", o.environment, "A panorama in place of the sky");
     add("--model", o.model, "A glTF object for the free plinth");
@@ -146,39 +169,51 @@ void addPictureOptions(CLI::App& command, PictureOptions& o)
 {
     command.add_option("--size", o.size, "Width x height in pixels")->capture_default_str();
     addSceneOptions(command, o);
-    command.add_flag("--run-everything", o.everything, "Run every pass, called for or not: the picture must not change");
+    command.add_flag("--run-everything", o.everything,
+                     "Run every pass, called for or not: the picture must not change");
     command.add_option("--channels", o.channels, "color,depth,normal,evaluations (EXR)")->capture_default_str();
 }
 
-void applySet(const Museum& museum, Look& look, std::size_t subject, const std::string& assignment, std::vector<std::string>& notes)
+void applySet(const Museum& museum, Look& look, std::size_t subject, const std::string& assignment,
+              std::vector<std::string>& notes)
 {
     const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos || equals == 0) throw Failure(Blame::usage, "--set \"" + assignment + "\": give name=value, such as --set morph=0.3.");
+    if (equals == std::string::npos || equals == 0)
+        throw Failure(Blame::usage, "--set \"" + assignment + "\": give name=value, such as --set morph=0.3.");
     std::string name = assignment.substr(0, equals);
     const std::string text = assignment.substr(equals + 1);
     std::size_t owner = subject;
     if (const std::size_t dot = name.find('.'); dot != std::string::npos) {
         const auto found = museum.find(name.substr(0, dot));
-        if (!found) throw Failure(Blame::usage, "--set " + name + ": there is no exhibit \"" + name.substr(0, dot) + "\"; `vitrine list` names them.");
+        if (!found)
+            throw Failure(Blame::usage, "--set " + name + ": there is no exhibit \"" + name.substr(0, dot) +
+                                            "\"; `vitrine list` names them.");
         owner = *found;
         name = name.substr(dot + 1);
     }
     ParameterValues& values = look.values[owner];
     const auto row = values.table().find(name);
-    if (!row) throw Failure(Blame::usage, "--set " + name + ": " + std::string(museum.exhibits()[owner]->name()) + " has no parameter of that name; `vitrine list --json` names them.");
+    if (!row)
+        throw Failure(Blame::usage, "--set " + name + ": " + std::string(museum.exhibits()[owner]->name()) +
+                                        " has no parameter of that name; `vitrine list --json` names them.");
     const ParameterInfo& info = values.rows()[*row];
     const std::optional<Value> value = optionValue(info, text);
-    if (!value || !nearestLegal(info, *value)) throw Failure(Blame::usage, "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info) + '.');
+    if (!value || !nearestLegal(info, *value))
+        throw Failure(Blame::usage,
+                      "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info) + '.');
     if (!values.setRow(*row, *value) && info.kind != Kind::direction)
-        notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(*row)) + ", the nearest that is allowed (" + whatItTakes(info) + ").");
+        notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(*row)) +
+                        ", the nearest that is allowed (" + whatItTakes(info) + ").");
 }
 
 RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& options)
 {
     const auto subject = museum.find(options.subject);
-    if (!subject) throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + "\"; `vitrine list` names them.");
+    if (!subject)
+        throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + "\"; `vitrine list` names them.");
     const bool isHall = *subject == 0;
-    if (isHall && options.alone) throw Failure(Blame::usage, "--alone: the hall cannot be shown without the hall; name an exhibit.");
+    if (isHall && options.alone)
+        throw Failure(Blame::usage, "--alone: the hall cannot be shown without the hall; name an exhibit.");
 
     RequestedPicture job;
     job.subject = *subject;
@@ -198,11 +233,14 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
         camera.eye = glm::dvec3(exhibitFromWorld * glm::dvec4(camera.eye, 1));
         camera.target = glm::dvec3(exhibitFromWorld * glm::dvec4(camera.target, 1));
     }
-    if (!job.cameraFromPreset && !isHall) camera = options.alone ? museum.exhibits()[*subject]->bestView(job.look.values[*subject]) : museum.bestView(*subject, job.look.values[*subject]);
+    if (!job.cameraFromPreset && !isHall)
+        camera = options.alone ? museum.exhibits()[*subject]->bestView(job.look.values[*subject])
+                               : museum.bestView(*subject, job.look.values[*subject]);
     if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye);
     if (!options.target.empty()) camera.target = parseTriple("--target", options.target);
     if (options.fovDegrees != 0) {
-        if (!(options.fovDegrees >= 1 && options.fovDegrees <= 175)) throw Failure(Blame::usage, "--fov: give an angle from 1 to 175 degrees.");
+        if (!(options.fovDegrees >= 1 && options.fovDegrees <= 175))
+            throw Failure(Blame::usage, "--fov: give an angle from 1 to 175 degrees.");
         camera.fovY = options.fovDegrees * std::numbers::pi / 180;
     }
     if (!std::isfinite(options.time)) throw Failure(Blame::usage, "--time: give a finite number of seconds.");
@@ -216,8 +254,10 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     frame.runEverything = options.everything;
     frame.needsFiles = true;  // What was named and is not in the picture would be a lie.
     frame.exhibitTransform = exhibitTransform(options);
-    if (options.alone) frame.alone = *subject;
-    else if (!isHall) frame.subject = *subject;
+    if (options.alone)
+        frame.alone = *subject;
+    else if (!isHall)
+        frame.subject = *subject;
     const bool asInHall = !hall.isInitial(names.supersamples.row);
     job.request.samples = options.samples > 0 ? options.samples : asInHall ? hall[names.supersamples] : 4;
 
@@ -225,7 +265,9 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     frame.channels = parseChannels(options.channels, job.request, beyondColor);
     const bool linear = isExr(options.out);
     frame.averageIn = linear ? AverageIn::radiance : AverageIn::display;
-    if (beyondColor && !linear && !options.out.empty()) throw Failure(Blame::usage, "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
+    if (beyondColor && !linear && !options.out.empty())
+        throw Failure(Blame::usage,
+                      "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
     return job;
 }
 

@@ -15,19 +15,19 @@ namespace vitrine::app {
 
 /// What `render` and its relatives can be told about the picture, as typed.
 struct PictureOptions {
-    std::string subject;                 ///< An exhibit's name, or "hall".
+    std::string subject;  ///< An exhibit's name, or "hall".
     std::string out;
     std::string size = "640x360";
     std::string preset;
-    std::vector<std::string> sets;       ///< "name=value" or "exhibit.name=value".
+    std::vector<std::string> sets;  ///< "name=value" or "exhibit.name=value".
     double time = 0;
     std::uint32_t seed = 1;
     std::string eye, target, scale, rotate;
-    double fovDegrees = 0;               ///< 0: the view's own.
+    double fovDegrees = 0;  ///< 0: the view's own.
     bool alone = false;
     bool transparent = false;
     bool everything = false;
-    int samples = 0;                     ///< 0: as the hall's supersamples were set, or 4.
+    int samples = 0;  ///< 0: as the hall's supersamples were set, or 4.
     std::string channels = "color";
     std::string environment, model;
 };
@@ -49,7 +49,8 @@ struct RequestedPicture {
 
 /// Sets one "name=value"; `subject` is what an undotted name belongs to. Plain numbers are in SI units, as
 /// `list --json` and presets have them; "30deg" and "12mm" name their own.
-void applySet(const Museum&, Look&, std::size_t subject, const std::string& assignment, std::vector<std::string>& notes);
+void applySet(const Museum&, Look&, std::size_t subject, const std::string& assignment,
+              std::vector<std::string>& notes);
 
 /// The value that someone typed on the command line, where a number is in SI units unless it names its own; nothing
 /// when the text means none.

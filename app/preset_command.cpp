@@ -30,11 +30,15 @@ int check(const std::string& file, const NamedValues& tables)
         if (header.isExhibition) {
             notes = parseExhibition(document.text(), file, tables).notes;
         } else {
-            const auto table = std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return t.first == header.exhibit; });
-            if (table == tables.end()) throw document.failure("exhibit", "there is no exhibit \"" + header.exhibit + "\"; `vitrine list` names them");
+            const auto table =
+                std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return t.first == header.exhibit; });
+            if (table == tables.end())
+                throw document.failure("exhibit",
+                                       "there is no exhibit \"" + header.exhibit + "\"; `vitrine list` names them");
             notes = parsePreset(document.text(), file, header.exhibit, table->second.table()).notes;
         }
-        std::printf("%s: good (%s \"%s\")\n", file.c_str(), header.isExhibition ? "exhibition" : header.exhibit.c_str(), header.name.c_str());
+        std::printf("%s: good (%s \"%s\")\n", file.c_str(), header.isExhibition ? "exhibition" : header.exhibit.c_str(),
+                    header.name.c_str());
         for (const std::string& note : notes) std::printf("  %s\n", note.c_str());
         return 0;
     } catch (const Failure& failure) {
@@ -48,7 +52,8 @@ int checkAll(const std::vector<std::string>& files)
     const HallTable hall;
     const auto exhibits = allExhibits();
     NamedValues tables{{"hall", hall.initial()}};
-    for (const auto& exhibit : exhibits) tables.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
+    for (const auto& exhibit : exhibits)
+        tables.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
     int worst = 0;
     for (const std::string& file : files) worst = std::max(worst, check(file, tables));
     return worst;
@@ -60,7 +65,8 @@ void addPresetCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand("preset", "Work with preset files");
     command->require_subcommand(1);
-    CLI::App* checking = command->add_subcommand("check", "Say whether preset files can be loaded, and what loading changes");
+    CLI::App* checking =
+        command->add_subcommand("check", "Say whether preset files can be loaded, and what loading changes");
     auto files = std::make_shared<std::vector<std::string>>();
     checking->add_option("files", *files, "Preset or exhibition files")->required();
     checking->callback([&chosen, files] { chosen = [files] { return checkAll(*files); }; });

@@ -38,7 +38,10 @@ bool StopSignal::stopped()
     return stopAsked != 0;
 }
 
-ProgressLine::ProgressLine(std::string what) : what_(std::move(what)), shown_(std::chrono::steady_clock::now()), terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(std::string what)
+    : what_(std::move(what)), shown_(std::chrono::steady_clock::now()), terminal_(isatty(STDERR_FILENO) == 1)
+{
+}
 
 ProgressLine::~ProgressLine()
 {

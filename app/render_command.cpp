@@ -30,7 +30,8 @@ std::string presetOf(const Museum& museum, const RequestedPicture& job)
 {
     if (job.subject != 0) {
         const Exhibit& exhibit = *museum.exhibits()[job.subject];
-        return presetText(Preset{std::string(exhibit.name()), "Picture", job.look.values[job.subject], job.look.camera});
+        return presetText(
+            Preset{std::string(exhibit.name()), "Picture", job.look.values[job.subject], job.look.camera});
     }
     return exhibitionText({"Picture", namedValues(museum.exhibits(), job.look.values), job.look.camera});
 }
@@ -44,8 +45,10 @@ int renderPicture(const RenderOptions& options)
     for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
     render::gl::Renderer renderer;
     PictureMaker maker(museum, renderer, job.look, job.request);
-    while (maker.step()) {}
-    for (const render::Skipped& complaint : render::Complaints().begun(maker.report().skipped)) std::fprintf(stderr, "vitrine: %s\n", lineOf(complaint).c_str());
+    while (maker.step()) {
+    }
+    for (const render::Skipped& complaint : render::Complaints().begun(maker.report().skipped))
+        std::fprintf(stderr, "vitrine: %s\n", lineOf(complaint).c_str());
     render::writePicture(options.picture.out, maker.picture(), format, {.preset = presetOf(museum, job)});
     if (!options.report.empty()) writeReport(options.report, museum, renderer, context.info(), job, maker);
     return 0;
@@ -58,7 +61,9 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
     render::gl::Renderer renderer;
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) throw Failure(Blame::file, folder + ": the folder cannot be made (" + error.message() + "); choose another with --out.");
+    if (error)
+        throw Failure(Blame::file,
+                      folder + ": the folder cannot be made (" + error.message() + "); choose another with --out.");
     for (const auto& exhibit : museum.exhibits()) {
         PictureOptions options;
         options.subject = exhibit->name();
@@ -67,8 +72,10 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
         options.out = (std::filesystem::path(folder) / (options.subject + ".png")).string();
         const RequestedPicture job = requestedPicture(museum, options);
         PictureMaker maker(museum, renderer, job.look, job.request);
-        while (maker.step()) {}
-        render::writePicture(options.out, maker.picture(), render::PictureFormat::png8, {.preset = presetOf(museum, job)});
+        while (maker.step()) {
+        }
+        render::writePicture(options.out, maker.picture(), render::PictureFormat::png8,
+                             {.preset = presetOf(museum, job)});
         std::printf("%s\n", options.out.c_str());
     }
     std::printf("The tour is in %s\n", std::filesystem::absolute(folder).string().c_str());
@@ -79,26 +86,31 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
 
 void addRenderCommand(CLI::App& parser, Action& chosen)
 {
-    CLI::App* command = parser.add_subcommand("render", "Render an exhibit at its place in the hall, or the hall, to a file; needs no display");
+    CLI::App* command = parser.add_subcommand(
+        "render", "Render an exhibit at its place in the hall, or the hall, to a file; needs no display");
     auto options = std::make_shared<RenderOptions>();
     command->add_option("exhibit", options->picture.subject, "An exhibit's name, or hall")->required();
     command->add_option("--out", options->picture.out, "The picture: .png, .exr (linear light) or .tif")->required();
     command->add_flag("--sixteen-bit", options->sixteenBit, "PNG or TIFF with 16 bits per channel");
-    command->add_option("--report", options->report, "What ran, what was skipped and why, counters, times and memory by owner, as JSON");
+    command->add_option("--report", options->report,
+                        "What ran, what was skipped and why, counters, times and memory by owner, as JSON");
     addPictureOptions(*command, options->picture);
     command->callback([&chosen, options] { chosen = [options] { return renderPicture(*options); }; });
 }
 
 void addTourCommand(CLI::App& parser, Action& chosen)
 {
-    CLI::App* command = parser.add_subcommand("tour", "Render one picture of the hall and of every exhibit into a folder");
+    CLI::App* command =
+        parser.add_subcommand("tour", "Render one picture of the hall and of every exhibit into a folder");
     auto folder = std::make_shared<std::string>("vitrine-tour");
     auto size = std::make_shared<std::string>("1280x720");
     auto samples = std::make_shared<int>(9);
     command->add_option("--out", *folder, "The folder")->capture_default_str();
     command->add_option("--size", *size, "Width x height in pixels")->capture_default_str();
     command->add_option("--samples", *samples, "Samples per pixel")->capture_default_str()->check(CLI::Range(1, 4096));
-    command->callback([&chosen, folder, size, samples] { chosen = [folder, size, samples] { return renderTour(*folder, *size, *samples); }; });
+    command->callback([&chosen, folder, size, samples] {
+        chosen = [folder, size, samples] { return renderTour(*folder, *size, *samples); };
+    });
 }
 
 }  // namespace vitrine::app

@@ -19,7 +19,8 @@ constexpr int timedRuns = 5;
 FrameRequest frameOf(const RequestedPicture& job, const render::Painter& painter)
 {
     FrameRequest frame = job.request.frame;
-    frame.raster.tile = glm::min(frame.raster.size, glm::ivec2(std::min(job.request.largestTile, painter.largestSide())));
+    frame.raster.tile =
+        glm::min(frame.raster.size, glm::ivec2(std::min(job.request.largestTile, painter.largestSide())));
     return frame;
 }
 
@@ -39,17 +40,20 @@ std::int64_t total(const render::Image& counts)
 
 }  // namespace
 
-void writeReport(const std::string& file, const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl, const RequestedPicture& job, const PictureMaker& maker)
+void writeReport(const std::string& file, const Museum& museum, render::gl::Renderer& renderer,
+                 const render::gl::ContextInfo& gl, const RequestedPicture& job, const PictureMaker& maker)
 {
     const FrameRequest frame = frameOf(job, renderer);
     const Prepared prepared = museum.prepare(job.look, frame);
     std::vector<double> milliseconds;
-    for (int run = 0; run < timedRuns; ++run) milliseconds.push_back(renderer.draw(museum.plan(prepared, frame, renderer.kept())).milliseconds);
+    for (int run = 0; run < timedRuns; ++run)
+        milliseconds.push_back(renderer.draw(museum.plan(prepared, frame, renderer.kept())).milliseconds);
     std::sort(milliseconds.begin(), milliseconds.end());
 
     renderer.timeSteps(true);
     std::map<std::string, double> stepMilliseconds;
-    for (const render::StepReport& step : renderer.draw(museum.plan(prepared, frame, renderer.kept())).ran) stepMilliseconds[step.name] = step.milliseconds;
+    for (const render::StepReport& step : renderer.draw(museum.plan(prepared, frame, renderer.kept())).ran)
+        stepMilliseconds[step.name] = step.milliseconds;
     renderer.timeSteps(false);
 
     // What was skipped, run all the same: once for the programs and what is kept, once for the time.
@@ -59,20 +63,30 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     (void)renderer.draw(museum.plan(preparedAll, everything));
     renderer.timeSteps(true);
     std::map<std::string, double> wouldCost;
-    for (const render::StepReport& step : renderer.draw(museum.plan(preparedAll, everything)).ran) wouldCost[step.name] = step.milliseconds;
+    for (const render::StepReport& step : renderer.draw(museum.plan(preparedAll, everything)).ran)
+        wouldCost[step.name] = step.milliseconds;
     renderer.timeSteps(false);
 
     const render::FrameReport& first = maker.report();
     Json ran = Json::array();
     for (const render::StepReport& step : first.ran) {
         const auto timed = stepMilliseconds.find(step.name);
-        ran.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}, {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)}, {"bound", boundJson(step.bound)}});
-        for (const render::Effect& effect : step.effects) ran.back()["effects"].push_back(Json{{"name", effect.name}, {"bound", boundJson(effect.bound)}});
+        ran.push_back(Json{{"name", step.name},
+                           {"kind", toString(step.work)},
+                           {"reason", step.reason},
+                           {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)},
+                           {"bound", boundJson(step.bound)}});
+        for (const render::Effect& effect : step.effects)
+            ran.back()["effects"].push_back(Json{{"name", effect.name}, {"bound", boundJson(effect.bound)}});
     }
     Json skipped = Json::array();
     for (const render::Skipped& step : first.skipped) {
         const auto known = wouldCost.find(step.name);
-        skipped.push_back(Json{{"name", step.name}, {"kind", toString(step.work)}, {"reason", step.reason}, {"wouldCostMs", known == wouldCost.end() ? Json(nullptr) : Json(known->second)}, {"boundIsZero", step.boundIsZero}});
+        skipped.push_back(Json{{"name", step.name},
+                               {"kind", toString(step.work)},
+                               {"reason", step.reason},
+                               {"wouldCostMs", known == wouldCost.end() ? Json(nullptr) : Json(known->second)},
+                               {"boundIsZero", step.boundIsZero}});
     }
 
     Json counters = Json::object();
@@ -83,17 +97,23 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     counters["evaluations"] = total(renderer.read(evaluationsImage));
 
     Json memory{{"residentBytes", render::processMemory().resident}, {"ownBytes", render::processMemory().own}};
-    for (const render::gl::Stored& kept : renderer.stored()) memory[kept.what] = Json{{"count", kept.count}, {"bytes", kept.bytes}};
+    for (const render::gl::Stored& kept : renderer.stored())
+        memory[kept.what] = Json{{"count", kept.count}, {"bytes", kept.bytes}};
 
-    const Json report{{"exhibit", std::string(museum.exhibits()[job.subject]->name())},
-                      {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},
-                      {"renderer", gl.renderer},
-                      {"clock", Json{{"method", first.clock}, {"trusted", first.clockTrusted}, {"overheadMs", first.overheadMilliseconds}}},
-                      {"ran", ran},
-                      {"skipped", skipped},
-                      {"counters", counters},
-                      {"memory", memory},
-                      {"ms", Json{{"median", milliseconds[timedRuns / 2]}, {"low", milliseconds.front()}, {"high", milliseconds.back()}, {"runs", timedRuns}}}};
+    const Json report{
+        {"exhibit", std::string(museum.exhibits()[job.subject]->name())},
+        {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},
+        {"renderer", gl.renderer},
+        {"clock",
+         Json{{"method", first.clock}, {"trusted", first.clockTrusted}, {"overheadMs", first.overheadMilliseconds}}},
+        {"ran", ran},
+        {"skipped", skipped},
+        {"counters", counters},
+        {"memory", memory},
+        {"ms", Json{{"median", milliseconds[timedRuns / 2]},
+                    {"low", milliseconds.front()},
+                    {"high", milliseconds.back()},
+                    {"runs", timedRuns}}}};
     render::atomicWrite(file, render::writeJson(report));
 }
 

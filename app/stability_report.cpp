@@ -29,29 +29,43 @@ std::string measured(double x)
 
 void printTable(const render::gl::ContextInfo& gl, const std::vector<StabilityResult>& results)
 {
-    std::printf("vitrine   %s\nrenderer  %s\nversion   %s\n\n", VITRINE_VERSION, gl.renderer.c_str(), gl.version.c_str());
+    std::printf("vitrine   %s\nrenderer  %s\nversion   %s\n\n", VITRINE_VERSION, gl.renderer.c_str(),
+                gl.version.c_str());
     std::size_t width = 0;
     for (const StabilityResult& r : results) width = std::max(width, r.what.size());
     std::printf("%-5s %-*s %-6s %10s %10s\n", "case", static_cast<int>(width), "what", "result", "value", "limit");
     for (const StabilityResult& r : results) {
-        std::printf("%-5s %-*s %-6s %10s %10s\n", r.number.c_str(), static_cast<int>(width), r.what.c_str(), r.passed ? "holds" : "FAILS", measured(r.value).c_str(), measured(r.limit).c_str());
+        std::printf("%-5s %-*s %-6s %10s %10s\n", r.number.c_str(), static_cast<int>(width), r.what.c_str(),
+                    r.passed ? "holds" : "FAILS", measured(r.value).c_str(), measured(r.limit).c_str());
         if (!r.detail.empty()) std::printf("      %s\n", r.detail.c_str());
     }
-    const auto failed = std::count_if(results.begin(), results.end(), [](const StabilityResult& r) { return !r.passed; });
-    if (failed == 0) std::printf("\nEverything holds.\n");
-    else std::printf("\n%d of %d do not hold. Please send this table to the people who make Vitrine.\n", static_cast<int>(failed), static_cast<int>(results.size()));
+    const auto failed =
+        std::count_if(results.begin(), results.end(), [](const StabilityResult& r) { return !r.passed; });
+    if (failed == 0)
+        std::printf("\nEverything holds.\n");
+    else
+        std::printf("\n%d of %d do not hold. Please send this table to the people who make Vitrine.\n",
+                    static_cast<int>(failed), static_cast<int>(results.size()));
 }
 
-Json asJson(const render::gl::ContextInfo& gl, const StabilityOptions& options, const std::vector<StabilityResult>& results)
+Json asJson(const render::gl::ContextInfo& gl, const StabilityOptions& options,
+            const std::vector<StabilityResult>& results)
 {
     Json cases = Json::array();
     for (const StabilityResult& r : results)
-        cases.push_back(Json{{"case", r.number}, {"what", r.what}, {"holds", r.passed}, {"value", std::isfinite(r.value) ? Json(r.value) : Json("infinite")}, {"limit", r.limit}, {"detail", r.detail}});
-    return Json{{"version", VITRINE_VERSION},
-                {"opengl", Json{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"software", gl.software}}},
-                {"presets", options.presets},
-                {"firstSeed", options.firstSeed},
-                {"cases", std::move(cases)}};
+        cases.push_back(Json{{"case", r.number},
+                             {"what", r.what},
+                             {"holds", r.passed},
+                             {"value", std::isfinite(r.value) ? Json(r.value) : Json("infinite")},
+                             {"limit", r.limit},
+                             {"detail", r.detail}});
+    return Json{
+        {"version", VITRINE_VERSION},
+        {"opengl",
+         Json{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"software", gl.software}}},
+        {"presets", options.presets},
+        {"firstSeed", options.firstSeed},
+        {"cases", std::move(cases)}};
 }
 
 }  // namespace
@@ -71,8 +85,10 @@ int stabilityReport(const StabilityOptions& options)
         }));
     }
     if (watched) std::fputs("\r\033[K", stderr);
-    if (options.asJson) std::fputs(render::writeJson(asJson(context.info(), options, results)).c_str(), stdout);
-    else printTable(context.info(), results);
+    if (options.asJson)
+        std::fputs(render::writeJson(asJson(context.info(), options, results)).c_str(), stdout);
+    else
+        printTable(context.info(), results);
     const bool good = std::all_of(results.begin(), results.end(), [](const StabilityResult& r) { return r.passed; });
     return good ? 0 : static_cast<int>(Blame::check);
 }

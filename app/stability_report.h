@@ -5,7 +5,7 @@
 namespace vitrine::app {
 
 struct StabilityOptions {
-    int presets = 200;             ///< Random settings of each exhibit.
+    int presets = 200;  ///< Random settings of each exhibit.
     std::uint64_t firstSeed = 1;
     bool asJson = false;
 };

@@ -26,7 +26,8 @@ std::map<std::string, std::string> libraryVersions()
             {"GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH)},
             {"libepoxy", VITRINE_EPOXY_VERSION},
             {"libpng", png_get_libpng_ver(nullptr)},
-            {"nlohmann-json", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+            {"nlohmann-json",
+             dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
             {"tinygltf", VITRINE_TINYGLTF_VERSION}};
 }
 

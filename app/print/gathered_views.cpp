@@ -29,7 +29,8 @@ GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
     ProgressLine line("reading views");
     std::set<std::pair<int, int>> sizes;
     for (const std::size_t i : chosen) {
-        if (!line.show(static_cast<double>(result.sources.size()) / static_cast<double>(chosen.size()))) throw Failure(Blame::usage, "Reading the views was stopped; nothing was written.");
+        if (!line.show(static_cast<double>(result.sources.size()) / static_cast<double>(chosen.size())))
+            throw Failure(Blame::usage, "Reading the views was stopped; nothing was written.");
         const render::Image image = render::readImage(files[i], {.cancelled = StopSignal::stopped});
         sizes.emplace(image.width, image.height);
         result.views.add(image);
@@ -43,12 +44,16 @@ GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
 GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
 {
     const glm::ivec2 grid = parseSize("--quilt", options.quilt[0]);
-    if (grid.x > 1000 || grid.y > 1000) throw Failure(Blame::usage, "--quilt " + options.quilt[0] + ": give columns x rows, such as --quilt 8x6 quilt.png.");
-    const std::vector<std::size_t> chosen = printing::chosenViews(static_cast<std::size_t>(grid.x * grid.y), sequenceOf(options));
+    if (grid.x > 1000 || grid.y > 1000)
+        throw Failure(Blame::usage,
+                      "--quilt " + options.quilt[0] + ": give columns x rows, such as --quilt 8x6 quilt.png.");
+    const std::vector<std::size_t> chosen =
+        printing::chosenViews(static_cast<std::size_t>(grid.x * grid.y), sequenceOf(options));
     (void)layoutOf(static_cast<int>(chosen.size()));
     const fs::path file = options.quilt[1];
     const render::Image quilt = render::readImage(file, {.cancelled = StopSignal::stopped});
-    const auto order = options.quiltOrder == "top-left" ? printing::QuiltOrder::topLeft : printing::QuiltOrder::bottomLeft;
+    const auto order =
+        options.quiltOrder == "top-left" ? printing::QuiltOrder::topLeft : printing::QuiltOrder::bottomLeft;
     GatheredViews result;
     for (const std::size_t k : chosen) {
         result.views.add(printing::viewOfQuilt(quilt, grid.x, grid.y, static_cast<int>(k), order));
@@ -62,9 +67,12 @@ GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
 
 GatheredViews gatherViews(const ViewOptions& options, const LayoutOf& layoutOf)
 {
-    const int ways = static_cast<int>(!options.files.empty()) + static_cast<int>(!options.quilt.empty()) + static_cast<int>(!options.scene.subject.empty());
-    if (ways == 0) throw Failure(Blame::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");
-    if (ways > 1) throw Failure(Blame::usage, "The views come from one place: give only one of --views, --quilt and --exhibit.");
+    const int ways = static_cast<int>(!options.files.empty()) + static_cast<int>(!options.quilt.empty()) +
+                     static_cast<int>(!options.scene.subject.empty());
+    if (ways == 0)
+        throw Failure(Blame::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");
+    if (ways > 1)
+        throw Failure(Blame::usage, "The views come from one place: give only one of --views, --quilt and --exhibit.");
     if (!options.scene.subject.empty()) return renderedViews(options, layoutOf);
     return options.quilt.empty() ? viewsOfFiles(options, layoutOf) : viewsOfQuilt(options, layoutOf);
 }

@@ -17,12 +17,12 @@ namespace vitrine::app {
 /// The views of a print and where they came from.
 struct GatheredViews {
     printing::ViewSet views;
-    std::vector<std::string> sources;            ///< One for each view, for the print's description.
-    std::string profile;                         ///< ICC profile of the pictures; empty when they have none.
-    render::Json scene;                          ///< What brings rendered views back; null for pictures.
-    std::vector<std::string> notes;              ///< For standard error.
-    std::vector<std::string> numbers;            ///< For standard output.
-    std::unique_ptr<ViewFolder> folder;          ///< Of --save-views, not yet published.
+    std::vector<std::string> sources;    ///< One for each view, for the print's description.
+    std::string profile;                 ///< ICC profile of the pictures; empty when they have none.
+    render::Json scene;                  ///< What brings rendered views back; null for pictures.
+    std::vector<std::string> notes;      ///< For standard error.
+    std::vector<std::string> numbers;    ///< For standard output.
+    std::unique_ptr<ViewFolder> folder;  ///< Of --save-views, not yet published.
 };
 
 /// The layout of a print of so many views. Throws Failure when it cannot be made.

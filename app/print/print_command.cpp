@@ -27,7 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 using printing::PrintLayout;
 
-printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout, const std::vector<std::string>& sources, const render::Json& scene)
+printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout,
+                              const std::vector<std::string>& sources, const render::Json& scene)
 {
     printing::PrintFile file;
     file.path = options.out;
@@ -43,21 +44,26 @@ printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& la
 
 void say(const PrintLayout& layout, const PrintOptions& options, const std::vector<fs::path>& written)
 {
-    for (const std::string& warning : printing::warningsOf(layout)) std::fprintf(stderr, "vitrine: %s\n", warning.c_str());
-    const printing::PrintNumbers numbers = printing::numbersOf(layout, render::storedDpi(options.out, layout.settings().dpiX));
+    for (const std::string& warning : printing::warningsOf(layout))
+        std::fprintf(stderr, "vitrine: %s\n", warning.c_str());
+    const printing::PrintNumbers numbers =
+        printing::numbersOf(layout, render::storedDpi(options.out, layout.settings().dpiX));
     for (const fs::path& path : written) std::printf("%s\n", path.c_str());
-    std::printf("%lld x %lld pixels, %.4f pixels per lens, %.6f LPI as stored\n", static_cast<long long>(layout.width()),
-                static_cast<long long>(layout.height()), numbers.pixelsPerLens, numbers.effectiveLpi);
+    std::printf("%lld x %lld pixels, %.4f pixels per lens, %.6f LPI as stored\n",
+                static_cast<long long>(layout.width()), static_cast<long long>(layout.height()), numbers.pixelsPerLens,
+                numbers.effectiveLpi);
     const auto [least, most] = std::minmax_element(numbers.ownShare.begin(), numbers.ownShare.end());
-    std::printf("zone %.1f degrees, depth %.1f mm, cross-talk %.0f to %.0f %%, %.0f views can be told apart\n", numbers.zoneDegrees, numbers.depthBudget,
-                100 * (1 - *most), 100 * (1 - *least), numbers.effectiveViews);
+    std::printf("zone %.1f degrees, depth %.1f mm, cross-talk %.0f to %.0f %%, %.0f views can be told apart\n",
+                numbers.zoneDegrees, numbers.depthBudget, 100 * (1 - *most), 100 * (1 - *least),
+                numbers.effectiveViews);
 }
 
 /// Rendering views takes minutes: a print that cannot be written is refused before.
 void checkTarget(const std::string& out)
 {
     const std::string extension = render::lowerExtension(out);
-    if (extension != ".tif" && extension != ".tiff" && extension != ".png") throw Failure(Blame::usage, "--out " + out + ": give a name that ends in .tif or .png.");
+    if (extension != ".tif" && extension != ".tiff" && extension != ".png")
+        throw Failure(Blame::usage, "--out " + out + ": give a name that ends in .tif or .png.");
     const fs::path folder = render::PartFile(out).target().parent_path();
     if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
         throw Failure(Blame::file, "Cannot write " + out + ": " + std::strerror(errno) + "; choose another folder.");
@@ -81,14 +87,16 @@ int makeChart(const PrintOptions& options)
 
 int makePrint(const PrintOptions& options)
 {
-    if (options.out.empty() && (options.views.saveViews.empty() || !options.chart.empty())) throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in .tif or .png.");
+    if (options.out.empty() && (options.views.saveViews.empty() || !options.chart.empty()))
+        throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in .tif or .png.");
     if (!options.chart.empty()) return makeChart(options);
     if (!options.out.empty()) checkTarget(options.out);
     const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
     GatheredViews made = gatherViews(options.views, layoutOf);
     for (const std::string& note : made.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
     const PrintLayout layout = layoutOf(made.views.count());
-    if (const std::string stretched = printing::stretchWarning(layout, made.views); !stretched.empty()) std::fprintf(stderr, "vitrine: %s\n", stretched.c_str());
+    if (const std::string stretched = printing::stretchWarning(layout, made.views); !stretched.empty())
+        std::fprintf(stderr, "vitrine: %s\n", stretched.c_str());
     std::vector<fs::path> written;
     printing::PrintFile file = printFile(options, layout, made.sources, made.scene);
     if (!options.out.empty()) {
@@ -97,8 +105,9 @@ int makePrint(const PrintOptions& options)
             const printing::ViewMatrix mixing = printing::viewMixing(layout);
             const printing::CrossTalk talk = printing::crossTalkOf(made.views, mixing, printing::compensation(mixing));
             file.json = printing::withCrossTalk(file.json, talk);
-            std::printf("cross-talk %.4f before, %.4f after compensation (root mean square, simulated); %.1f %% beyond black or white\n", talk.before,
-                        talk.after, 100 * talk.clipped);
+            std::printf("cross-talk %.4f before, %.4f after compensation (root mean square, simulated); %.1f %% beyond "
+                        "black or white\n",
+                        talk.before, talk.after, 100 * talk.clipped);
         }
         ProgressLine line("interlacing");
         file.progress = [&](double part) { return line.show(part); };

@@ -15,7 +15,8 @@ double numberOf(const std::string& option, const std::string& text, const char* 
 {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) throw Failure(Blame::usage, option + " " + text + ": give " + advice + ".");
+    if (error != std::errc() || end != text.data() + text.size())
+        throw Failure(Blame::usage, option + " " + text + ": give " + advice + ".");
     return value;
 }
 
@@ -34,7 +35,8 @@ printing::Sheet sheetOf(const PrintOptions& options)
         sheet = printing::knownSheet(options.sheet);
         if (options.lpi != 0) sheet.effectiveLpi = options.lpi;
     } else if (options.radiusUm != 0 || options.thicknessUm != 0) {
-        sheet = {"own", options.lpi, 0, options.radiusUm / 1000, options.thicknessUm / 1000, options.index, options.conic};
+        sheet = {"own",         options.lpi,  0, options.radiusUm / 1000, options.thicknessUm / 1000,
+                 options.index, options.conic};
     } else {
         sheet = printing::derivedSheet("derived", options.lpi, 30, options.index);
         sheet.conic = options.conic;
@@ -60,7 +62,8 @@ render::StreamCompression streamCompression(const std::string& name)
 
 printing::PrintSettings printSettings(const PrintOptions& options, int views)
 {
-    if (options.lpi == 0 && options.sheet.empty()) throw Failure(Blame::usage, "--lpi is 0: give the sheet's lenses per inch, or a --sheet.");
+    if (options.lpi == 0 && options.sheet.empty())
+        throw Failure(Blame::usage, "--lpi is 0: give the sheet's lenses per inch, or a --sheet.");
     printing::PrintSettings settings;
     settings.sheet = sheetOf(options);
     settings.dpiX = options.dpi;
@@ -84,17 +87,22 @@ printing::PrintSettings printSettings(const PrintOptions& options, int views)
     settings.dither = options.dither;
     settings.compensate = options.compensate;
     if (options.dither && options.bits == 16) throw Failure(Blame::usage, "--dither is for 8 bits; 16 bits need none.");
-    if (options.borderMm != 0 && !options.chart.empty()) throw Failure(Blame::usage, "--border-mm: charts have a border of their own.");
+    if (options.borderMm != 0 && !options.chart.empty())
+        throw Failure(Blame::usage, "--border-mm: charts have a border of their own.");
     return settings;
 }
 
 void addPrintOptions(CLI::App& command, PrintOptions& o)
 {
     addViewOptions(command, o.views);
-    command.add_option("--chart", o.chart, "Instead of views, a sheet to calibrate with: pitch, phase, views or rotation")->check(CLI::IsMember({"pitch", "phase", "views", "rotation"}));
-    command.add_option("--chart-span", o.chartSpan, "Of a pitch chart, in percent each way: 1 is coarse, 0.1 fine")->capture_default_str();
+    command
+        .add_option("--chart", o.chart, "Instead of views, a sheet to calibrate with: pitch, phase, views or rotation")
+        ->check(CLI::IsMember({"pitch", "phase", "views", "rotation"}));
+    command.add_option("--chart-span", o.chartSpan, "Of a pitch chart, in percent each way: 1 is coarse, 0.1 fine")
+        ->capture_default_str();
     command.add_option("--out", o.out, "The print: .tif or .png; may be left out with --save-views");
-    command.add_option("--report", o.report, "Also write the print's description here, as JSON; it always lies beside the print and in it");
+    command.add_option("--report", o.report,
+                       "Also write the print's description here, as JSON; it always lies beside the print and in it");
     command.add_option("--lpi", o.lpi, "Lenses per inch of the sheet");
     command.add_option("--effective-lpi", o.effectiveLpi, "Lenses per inch as measured");
     command.add_option("--dpi", o.dpi, "Printed dots per inch")->capture_default_str();
@@ -105,17 +113,26 @@ void addPrintOptions(CLI::App& command, PrintOptions& o)
     command.add_option("--distance-mm", o.distance, "From which it is looked at, or inf")->capture_default_str();
     command.add_option("--visual-lpi", o.visualLpi, "Lenses per inch as read from a pitch chart at that distance");
     command.add_option("--phase", o.phase, "Moves the strips under the lenses, in lenses");
-    command.add_option("--direction", o.direction, "Of the lenses: vertical, horizontal or degrees from vertical")->capture_default_str();
-    command.add_option("--order", o.order, "normal or reverse")->capture_default_str()->check(CLI::IsMember({"normal", "reverse"}));
+    command.add_option("--direction", o.direction, "Of the lenses: vertical, horizontal or degrees from vertical")
+        ->capture_default_str();
+    command.add_option("--order", o.order, "normal or reverse")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"normal", "reverse"}));
     command.add_flag("--mirror", o.mirror, "For printing on the sheet's back");
-    command.add_option("--method", o.method, "nearest, area or guard")->capture_default_str()->check(CLI::IsMember({"nearest", "area", "guard"}));
-    command.add_option("--guard", o.guard, "With --method guard: part of a strip that its blended edges take")->capture_default_str();
+    command.add_option("--method", o.method, "nearest, area or guard")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"nearest", "area", "guard"}));
+    command.add_option("--guard", o.guard, "With --method guard: part of a strip that its blended edges take")
+        ->capture_default_str();
     command.add_option("--border-mm", o.borderMm, "White paper around trim and bleed, on every side");
     command.add_flag("--dither", o.dither, "Spread what 8 bits cannot say over neighboring pixels");
-    command.add_flag("--crosstalk-compensation", o.compensate, "Change the views so that the sheet's mixing of them shows less");
+    command.add_flag("--crosstalk-compensation", o.compensate,
+                     "Change the views so that the sheet's mixing of them shows less");
     command.add_option("--ink-um", o.inkUm, "How far a printed point spreads (standard deviation), for cross-talk");
     command.add_option("--bits", o.bits, "8 or 16")->capture_default_str()->check(CLI::IsMember({8, 16}));
-    command.add_option("--compression", o.compression, "Of TIFF: none, deflate or zstd")->capture_default_str()->check(CLI::IsMember({"none", "deflate", "zstd"}));
+    command.add_option("--compression", o.compression, "Of TIFF: none, deflate or zstd")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"none", "deflate", "zstd"}));
     command.add_option("--tile-mm", o.tileMm, "Cut into files of about this width, between lenses");
     command.add_option("--sheet", o.sheet, "A known sheet, such as 60-3d or 75-flip");
     command.add_option("--radius-um", o.radiusUm, "Of the lenses, in micrometers");

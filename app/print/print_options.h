@@ -15,8 +15,8 @@ namespace vitrine::app {
 /// What `print` can be told, as typed.
 struct PrintOptions {
     ViewOptions views;
-    std::string chart;               ///< "pitch", "phase", "views", "rotation"; empty: a print of views.
-    double chartSpan = 1;            ///< Of a pitch chart, in percent each way.
+    std::string chart;     ///< "pitch", "phase", "views", "rotation"; empty: a print of views.
+    double chartSpan = 1;  ///< Of a pitch chart, in percent each way.
     std::string out, report;
     double lpi = 0, effectiveLpi = 0, dpi = 600, dpiY = 0;
     double widthMm = 0, heightMm = 0, bleedMm = 0;

@@ -24,9 +24,10 @@ struct ProofOptions {
 int makeProof(const ProofOptions& options)
 {
     const bool png = fs::path(options.out).extension() == ".png";
-    if (!png && fs::path(options.out).extension() != ".tif") throw Failure(Blame::usage, "--out " + options.out + ": give a name that ends in .png or .tif.");
+    if (!png && fs::path(options.out).extension() != ".tif")
+        throw Failure(Blame::usage, "--out " + options.out + ": give a name that ends in .png or .tif.");
     const printing::Eye eye{options.angle * printing::radiansPerDegree, options.angleY * printing::radiansPerDegree,
-                              distanceOf("--distance-mm", options.distance)};
+                            distanceOf("--distance-mm", options.distance)};
     printing::PrintRaster print = printing::readPrint(options.print);
     const render::Image seen = printing::lookThrough(print, eye);
     render::writePicture(options.out, seen, png ? render::PictureFormat::png8 : render::PictureFormat::tiff8,
@@ -40,9 +41,14 @@ void addProofCommand(CLI::App& parser, Action& chosen)
 {
     CLI::App* command = parser.add_subcommand("proof", "Show an interlaced print as it looks through its sheet");
     auto options = std::make_shared<ProofOptions>();
-    command->add_option("print", options->print, "A file that vitrine print wrote; of a print in tiles, any of them")->required();
-    command->add_option("--angle", options->angle, "Of the eye across the lenses, in degrees; positive to the right, or below")->required();
-    command->add_option("--angle-y", options->angleY, "Of the eye along the lenses, in degrees; positive above, or to the right");
+    command->add_option("print", options->print, "A file that vitrine print wrote; of a print in tiles, any of them")
+        ->required();
+    command
+        ->add_option("--angle", options->angle,
+                     "Of the eye across the lenses, in degrees; positive to the right, or below")
+        ->required();
+    command->add_option("--angle-y", options->angleY,
+                        "Of the eye along the lenses, in degrees; positive above, or to the right");
     command->add_option("--distance-mm", options->distance, "Of the eye, or inf")->capture_default_str();
     command->add_option("--out", options->out, "The picture: .png or .tif, one pixel for each lens")->required();
     command->callback([&chosen, options] { chosen = [options] { return makeProof(*options); }; });

@@ -24,9 +24,9 @@ using printing::PrintLayout;
 using printing::ViewRig;
 using printing::ViewShot;
 
-constexpr int longestSide = 1200;     ///< Where no size is asked for.
-constexpr int mostSide = 8192;        ///< A print of a meter at 40 LPI has 1600 lenses.
-constexpr int mostOfItself = 24;  ///< Views, where none are asked for: more cost time and show little.
+constexpr int longestSide = 1200;  ///< Where no size is asked for.
+constexpr int mostSide = 8192;     ///< A print of a meter at 40 LPI has 1600 lenses.
+constexpr int mostOfItself = 24;   ///< Views, where none are asked for: more cost time and show little.
 
 template <typename... Args> std::string text(const char* format, Args... args)
 {
@@ -57,7 +57,9 @@ std::optional<double> strengthOf(const ViewOptions& options)
     if (options.baselineScale.empty()) return options.turnDegrees == 0 && options.sweeps.empty() ? 1 : 0;
     if (options.baselineScale == "fit") return std::nullopt;
     const std::optional<double> number = render::parseNumber(options.baselineScale);
-    if (!number || !(*number >= 0)) throw Failure(Blame::usage, "--baseline-scale " + options.baselineScale + ": give 0 or more, 1 for depth in its true measure, or fit.");
+    if (!number || !(*number >= 0))
+        throw Failure(Blame::usage, "--baseline-scale " + options.baselineScale +
+                                        ": give 0 or more, 1 for depth in its true measure, or fit.");
     return number;
 }
 
@@ -72,16 +74,20 @@ std::array<std::string, 2> endsOf(const std::string& sweep)
     return {sweep.substr(0, dots), name + sweep.substr(dots + 2)};
 }
 
-void applySweeps(const Museum& museum, const ViewOptions& options, const RequestedPicture& job, std::vector<ViewShot>& shots, std::vector<std::string>& notes)
+void applySweeps(const Museum& museum, const ViewOptions& options, const RequestedPicture& job,
+                 std::vector<ViewShot>& shots, std::vector<std::string>& notes)
 {
     for (const std::string& typed : options.sweeps) {
         const std::array<std::string, 2> ends = endsOf(typed);
         if (typed.rfind("time=", 0) == 0) {
             const auto from = render::parseNumber(ends[0].substr(5));
             const auto to = render::parseNumber(ends[1].substr(5));
-            if (!from || !to) throw Failure(Blame::usage, "--sweep \"" + typed + "\": give seconds, such as --sweep time=0..2.");
+            if (!from || !to)
+                throw Failure(Blame::usage, "--sweep \"" + typed + "\": give seconds, such as --sweep time=0..2.");
             for (std::size_t k = 0; k < shots.size(); ++k)
-                shots[k].request.frame.time = *from + (*to - *from) * static_cast<double>(k) / static_cast<double>(std::max<std::size_t>(shots.size() - 1, 1));
+                shots[k].request.frame.time =
+                    *from + (*to - *from) * static_cast<double>(k) /
+                                static_cast<double>(std::max<std::size_t>(shots.size() - 1, 1));
             continue;
         }
         Look from = job.look;
@@ -100,15 +106,21 @@ std::string depthText(double meters)
 /// The preset that brings one view back.
 std::string presetOf(const Museum& museum, const RequestedPicture& job, const ViewShot& shot)
 {
-    if (job.subject == 0) return exhibitionText({"View", namedValues(museum.exhibits(), shot.look.values), shot.look.camera});
-    return presetText(Preset{std::string(museum.exhibits()[job.subject]->name()), "View", shot.look.values[job.subject], shot.look.camera});
+    if (job.subject == 0)
+        return exhibitionText({"View", namedValues(museum.exhibits(), shot.look.values), shot.look.camera});
+    return presetText(Preset{std::string(museum.exhibits()[job.subject]->name()), "View", shot.look.values[job.subject],
+                             shot.look.camera});
 }
 
 /// Refuses what can be refused before anything is rendered.
 void checkOptions(const ViewOptions& options)
 {
-    if (!std::isfinite(options.convergence) || options.convergence < 0) throw Failure(Blame::usage, "--convergence: give metres in front of the camera.");
-    if (options.every != 1 || options.pingPong) throw Failure(Blame::usage, "--every and --ping-pong choose among pictures; the views of an exhibit are made as many as --count says.");
+    if (!std::isfinite(options.convergence) || options.convergence < 0)
+        throw Failure(Blame::usage, "--convergence: give metres in front of the camera.");
+    if (options.every != 1 || options.pingPong)
+        throw Failure(
+            Blame::usage,
+            "--every and --ping-pong choose among pictures; the views of an exhibit are made as many as --count says.");
 }
 
 /// The options of the picture that all views vary, with the size of a view.
@@ -117,14 +129,17 @@ PictureOptions sceneOptions(const ViewOptions& options, const PrintLayout& layou
     PictureOptions scene = options.scene;
     scene.size = options.viewSize.empty() ? sizeFor(layout) : options.viewSize;
     const glm::ivec2 size = parseSize("--view-size", scene.size);
-    if (size.x > mostSide || size.y > mostSide) throw Failure(Blame::usage, "--view-size " + scene.size + ": a view has at most " + std::to_string(mostSide) + " pixels on a side.");
+    if (size.x > mostSide || size.y > mostSide)
+        throw Failure(Blame::usage, "--view-size " + scene.size + ": a view has at most " + std::to_string(mostSide) +
+                                        " pixels on a side.");
     return scene;
 }
 
 /// Moves the shots' cameras to those of another rig; turns and sweeps stay.
 void takeCameras(std::vector<ViewShot>& shots, const ViewRig& rig)
 {
-    for (std::size_t k = 0; k < shots.size(); ++k) shots[k].look.camera = shots[k].request.frame.camera = rig.camera(static_cast<int>(k));
+    for (std::size_t k = 0; k < shots.size(); ++k)
+        shots[k].look.camera = shots[k].request.frame.camera = rig.camera(static_cast<int>(k));
 }
 
 /// What the rig is and what it holds of the scene, for people.
@@ -132,30 +147,31 @@ void describe(const ViewRig& rig, const DepthRange& depth, bool reverse, Gathere
 {
     const DepthRange budget = rig.budget();
     result.numbers.push_back(rig.baseline() == 0 ? std::string("all views from one camera")
-                                                 : text("%d cameras over %.3f m (%.3g of true depth), converging at %.2f m, the perspective of an eye at %.0f mm", rig.count(),
-                                                        rig.baseline(), rig.strength(), rig.convergence(), rig.convergence() / rig.scale()));
+                                                 : text("%d cameras over %.3f m (%.3g of true depth), converging at "
+                                                        "%.2f m, the perspective of an eye at %.0f mm",
+                                                        rig.count(), rig.baseline(), rig.strength(), rig.convergence(),
+                                                        rig.convergence() / rig.scale()));
     if (rig.baseline() > 0) {
-        result.numbers.push_back(text("the scene reaches from %s to %s, and the print holds %s to %s without doubled contours", depthText(depth.nearest).c_str(),
-                                      depthText(depth.farthest).c_str(), depthText(budget.nearest).c_str(), depthText(budget.farthest).c_str()));
+        result.numbers.push_back(
+            text("the scene reaches from %s to %s, and the print holds %s to %s without doubled contours",
+                 depthText(depth.nearest).c_str(), depthText(depth.farthest).c_str(), depthText(budget.nearest).c_str(),
+                 depthText(budget.farthest).c_str()));
     }
     for (const std::string& warning : printing::warningsOf(rig, depth)) result.notes.push_back(warning);
-    if (reverse && rig.baseline() > 0) result.notes.emplace_back("With --order reverse the depth of rendered views is inside out.");
+    if (reverse && rig.baseline() > 0)
+        result.notes.emplace_back("With --order reverse the depth of rendered views is inside out.");
 }
 
 /// What brings the views back.
-render::Json sceneJson(const Museum& museum, const ViewOptions& options, const RequestedPicture& picture, const ViewShot& base, const ViewRig& rig)
+render::Json sceneJson(const Museum& museum, const ViewOptions& options, const RequestedPicture& picture,
+                       const ViewShot& base, const ViewRig& rig)
 {
     const glm::ivec2 size = picture.request.frame.raster.size;
-    return {{"exhibit", options.scene.subject},
-            {"preset", render::Json::parse(presetOf(museum, picture, base))},
-            {"baseline", rig.baseline()},
-            {"baselineScale", rig.strength()},
-            {"convergence", rig.convergence()},
-            {"turnDegrees", options.turnDegrees},
-            {"sweeps", options.sweeps},
-            {"samples", picture.request.samples},
-            {"seed", picture.request.frame.seed},
-            {"viewSize", {size.x, size.y}}};
+    return {{"exhibit", options.scene.subject},   {"preset", render::Json::parse(presetOf(museum, picture, base))},
+            {"baseline", rig.baseline()},         {"baselineScale", rig.strength()},
+            {"convergence", rig.convergence()},   {"turnDegrees", options.turnDegrees},
+            {"sweeps", options.sweeps},           {"samples", picture.request.samples},
+            {"seed", picture.request.frame.seed}, {"viewSize", {size.x, size.y}}};
 }
 
 }  // namespace
@@ -171,14 +187,17 @@ GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf
     const Museum museum{allExhibits()};
     const RequestedPicture picture = requestedPicture(museum, scene);
     const ViewShot base{picture.look, picture.request};
-    const auto rigOf = [&](double s) { return ViewRig(layout, picture.look.camera, picture.request.frame.raster.size, {s, options.convergence}); };
+    const auto rigOf = [&](double s) {
+        return ViewRig(layout, picture.look.camera, picture.request.frame.raster.size, {s, options.convergence});
+    };
     ViewRig rig = rigOf(strength.value_or(1));
     std::vector<ViewShot> shots = shotsOf(rig, base);
     GatheredViews result;
     result.notes = picture.notes;
     if (options.turnDegrees != 0) printing::turn(shots, options.turnDegrees * printing::radiansPerDegree);
     applySweeps(museum, options, picture, shots, result.notes);
-    if (!options.saveViews.empty()) result.folder = std::make_unique<ViewFolder>(options.saveViews, options.viewFormat, count);
+    if (!options.saveViews.empty())
+        result.folder = std::make_unique<ViewFolder>(options.saveViews, options.viewFormat, count);
 
     render::gl::Renderer renderer;
     const DepthRange depth = printing::measuredDepth(museum, renderer, base);
@@ -195,7 +214,8 @@ GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf
         if (result.folder) result.folder->add(k, image, presetOf(museum, picture, shots[static_cast<std::size_t>(k)]));
     });
     while (maker.step())
-        if (!line.show(maker.progress())) throw Failure(Blame::usage, "Rendering the views was stopped; nothing was written.");
+        if (!line.show(maker.progress()))
+            throw Failure(Blame::usage, "Rendering the views was stopped; nothing was written.");
     return result;
 }
 

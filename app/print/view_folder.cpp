@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 }  // namespace
 
 ViewFolder::ViewFolder(fs::path folder, std::string extension, int count)
-    : folder_(std::move(folder)), part_(folder_ / (".views-" + std::to_string(getpid()))), extension_(std::move(extension)), digits_(count > 100 ? 3 : 2)
+    : folder_(std::move(folder)), part_(folder_ / (".views-" + std::to_string(getpid()))),
+      extension_(std::move(extension)), digits_(count > 100 ? 3 : 2)
 {
     std::error_code error;
     made_ = fs::create_directory(folder_, error);
@@ -30,7 +31,8 @@ ViewFolder::ViewFolder(fs::path folder, std::string extension, int count)
     for (int k = 0; k < count; ++k) names.push_back(nameOf(k));
     for (const fs::path& file : printing::picturesIn(folder_)) {
         if (std::find(names.begin(), names.end(), file.filename().string()) == names.end()) {
-            refuse(folder_, "it holds " + file.filename().string() + ", which is none of the " + std::to_string(count) + " views to be written; choose an empty folder");
+            refuse(folder_, "it holds " + file.filename().string() + ", which is none of the " + std::to_string(count) +
+                                " views to be written; choose an empty folder");
         }
     }
     fs::create_directory(part_, error);
@@ -55,7 +57,9 @@ std::string ViewFolder::nameOf(int k) const
 
 void ViewFolder::add(int k, const render::Image& image, const std::string& preset)
 {
-    render::writePicture(part_ / nameOf(k), image, extension_ == "png" ? render::PictureFormat::png8 : render::PictureFormat::jpeg, {.preset = preset});
+    render::writePicture(part_ / nameOf(k), image,
+                         extension_ == "png" ? render::PictureFormat::png8 : render::PictureFormat::jpeg,
+                         {.preset = preset});
 }
 
 void ViewFolder::publish()

@@ -11,9 +11,9 @@ namespace vitrine::app {
 /// place together at the end.
 class ViewFolder {
 public:
-    /// `extension` is "png" or "jpg"; `count` views will come. Makes the folder when it is missing (not those that hold it). Throws Failure
-    /// (Blame::file) when it cannot be made, or holds other pictures than views of these names: they would be taken
-    /// for views as well.
+    /// `extension` is "png" or "jpg"; `count` views will come. Makes the folder when it is missing (not those that hold
+    /// it). Throws Failure (Blame::file) when it cannot be made, or holds other pictures than views of these names:
+    /// they would be taken for views as well.
     ViewFolder(std::filesystem::path, std::string extension, int count);
     /// Removes what was not published.
     ~ViewFolder();

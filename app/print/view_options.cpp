@@ -7,24 +7,71 @@ namespace vitrine::app {
 void addViewOptions(CLI::App& command, ViewOptions& o)
 {
     const char* pictures = "Views from pictures";
-    command.add_option("--views", o.files, "A folder of pictures, or the pictures, in the order seen from left to right; two or more of anything make a flip")->group(pictures);
-    command.add_option("--quilt", o.quilt, "A picture of many views in a grid: COLUMNSxROWS and the file, such as --quilt 8x6 quilt.png")->expected(2)->group(pictures);
-    command.add_option("--quilt-order", o.quiltOrder, "Where the quilt's first view is: bottom-left (then rightwards and up, as Looking Glass quilts have it) or top-left (then rightwards and down)")
-        ->capture_default_str()->check(CLI::IsMember({"bottom-left", "top-left"}))->group(pictures);
-    command.add_option("--every", o.every, "Take every so many of them, as from the frames of a video")->capture_default_str()->check(CLI::Range(1, 1000000))->group(pictures);
-    command.add_flag("--ping-pong", o.pingPong, "After the last, back to the first: 1 2 3 4 3 2, so that nothing jumps where the views start again")->group(pictures);
-    command.add_option("--count", o.count, "How many views: of pictures, spread evenly (by default all); of an exhibit, rendered (by default as many as the print can tell apart, 24 at most)");
+    command
+        .add_option("--views", o.files,
+                    "A folder of pictures, or the pictures, in the order seen from left to right; two or more of "
+                    "anything make a flip")
+        ->group(pictures);
+    command
+        .add_option("--quilt", o.quilt,
+                    "A picture of many views in a grid: COLUMNSxROWS and the file, such as --quilt 8x6 quilt.png")
+        ->expected(2)
+        ->group(pictures);
+    command
+        .add_option("--quilt-order", o.quiltOrder,
+                    "Where the quilt's first view is: bottom-left (then rightwards and up, as Looking Glass quilts "
+                    "have it) or top-left (then rightwards and down)")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"bottom-left", "top-left"}))
+        ->group(pictures);
+    command.add_option("--every", o.every, "Take every so many of them, as from the frames of a video")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000000))
+        ->group(pictures);
+    command
+        .add_flag("--ping-pong", o.pingPong,
+                  "After the last, back to the first: 1 2 3 4 3 2, so that nothing jumps where the views start again")
+        ->group(pictures);
+    command.add_option("--count", o.count,
+                       "How many views: of pictures, spread evenly (by default all); of an exhibit, rendered (by "
+                       "default as many as the print can tell apart, 24 at most)");
 
     const char* rendered = "Views of an exhibit";
-    CLI::Option* exhibit = command.add_option("--exhibit", o.scene.subject, "Render the views: an exhibit's name, or hall");
+    CLI::Option* exhibit =
+        command.add_option("--exhibit", o.scene.subject, "Render the views: an exhibit's name, or hall");
     exhibit->group(rendered);
-    command.add_option("--view-size", o.viewSize, "Width x height of a view in pixels; by default of the print's shape, at most 1200 on a side")->group(rendered);
-    command.add_option("--baseline-scale", o.baselineScale, "Of the cameras' line: 1 shows depth in its true measure (the default), less is flatter, 0 is one camera (the default with --turn or --sweep), fit is the most that shows no doubled contours")->group(rendered);
-    command.add_option("--convergence", o.convergence, "Metres from the camera to what lies in the plane of the print; by default what the camera looks at")->group(rendered);
-    command.add_option("--turn", o.turnDegrees, "Turn the exhibit on its vertical axis by so many degrees over all views, as if one walked around it to the right; 360 meets itself")->group(rendered);
-    command.add_option("--sweep", o.sweeps, "Let a parameter run over the views: name=a..b, such as morph=0..1, or time=0..2 in seconds")->take_all()->allow_extra_args(true)->group(rendered);
-    command.add_option("--save-views", o.saveViews, "Also write the views into this folder: view_00.png, view_01.png, ...")->group(rendered);
-    command.add_option("--view-format", o.viewFormat, "Of these: png or jpg")->capture_default_str()->check(CLI::IsMember({"png", "jpg"}))->group(rendered);
+    command
+        .add_option("--view-size", o.viewSize,
+                    "Width x height of a view in pixels; by default of the print's shape, at most 1200 on a side")
+        ->group(rendered);
+    command
+        .add_option("--baseline-scale", o.baselineScale,
+                    "Of the cameras' line: 1 shows depth in its true measure (the default), less is flatter, 0 is one "
+                    "camera (the default with --turn or --sweep), fit is the most that shows no doubled contours")
+        ->group(rendered);
+    command
+        .add_option(
+            "--convergence", o.convergence,
+            "Metres from the camera to what lies in the plane of the print; by default what the camera looks at")
+        ->group(rendered);
+    command
+        .add_option("--turn", o.turnDegrees,
+                    "Turn the exhibit on its vertical axis by so many degrees over all views, as if one walked around "
+                    "it to the right; 360 meets itself")
+        ->group(rendered);
+    command
+        .add_option("--sweep", o.sweeps,
+                    "Let a parameter run over the views: name=a..b, such as morph=0..1, or time=0..2 in seconds")
+        ->take_all()
+        ->allow_extra_args(true)
+        ->group(rendered);
+    command
+        .add_option("--save-views", o.saveViews, "Also write the views into this folder: view_00.png, view_01.png, ...")
+        ->group(rendered);
+    command.add_option("--view-format", o.viewFormat, "Of these: png or jpg")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"png", "jpg"}))
+        ->group(rendered);
     addSceneOptions(command, o.scene, rendered);
     for (CLI::Option* option : command.get_options())
         if (option->get_group() == rendered && option != exhibit) option->needs(exhibit);

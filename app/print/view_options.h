@@ -14,20 +14,20 @@ namespace vitrine::app {
 
 /// What `print` can be told about its views, as typed.
 struct ViewOptions {
-    std::vector<std::string> files;    ///< --views: folders and files.
-    std::vector<std::string> quilt;    ///< "8x6" and a file; empty: none.
+    std::vector<std::string> files;  ///< --views: folders and files.
+    std::vector<std::string> quilt;  ///< "8x6" and a file; empty: none.
     std::string quiltOrder = "bottom-left";
-    int count = 0;                     ///< 0: all there are, or as many as the print can tell apart.
+    int count = 0;  ///< 0: all there are, or as many as the print can tell apart.
     int every = 1;
     bool pingPong = false;
 
-    PictureOptions scene;              ///< Of --exhibit; `subject` is empty when there is none.
-    std::string viewSize;              ///< Empty: of the print's shape.
-    std::string baselineScale;         ///< A number or "fit"; empty: 1, or 0 where something else moves.
-    double convergence = 0;            ///< Metres; 0: the camera's target.
+    PictureOptions scene;       ///< Of --exhibit; `subject` is empty when there is none.
+    std::string viewSize;       ///< Empty: of the print's shape.
+    std::string baselineScale;  ///< A number or "fit"; empty: 1, or 0 where something else moves.
+    double convergence = 0;     ///< Metres; 0: the camera's target.
     double turnDegrees = 0;
-    std::vector<std::string> sweeps;   ///< "name=a..b".
-    std::string saveViews;             ///< A folder; empty: the views are not kept.
+    std::vector<std::string> sweeps;  ///< "name=a..b".
+    std::string saveViews;            ///< A folder; empty: the views are not kept.
     std::string viewFormat = "png";
 };
 

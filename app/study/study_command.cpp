@@ -50,13 +50,15 @@ private:
 
 void printTable(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
 {
-    std::printf("%-44s %12s %14s %12s %10s\n", "setting", std::string(toString(request.metric)).c_str(), costTitle(result.costName).c_str(), "ms, median", "spread");
+    std::printf("%-44s %12s %14s %12s %10s\n", "setting", std::string(toString(request.metric)).c_str(),
+                costTitle(result.costName).c_str(), "ms, median", "spread");
     // A curve by its parameter; of a search, the front and the present setting, by cost.
     std::vector<std::size_t> shown(result.points.size());
     std::iota(shown.begin(), shown.end(), std::size_t{0});
     if (request.axes.size() > 2) {
         std::erase_if(shown, [&](std::size_t i) { return result.points[i].dominated && result.present != i; });
-        std::sort(shown.begin(), shown.end(), [&](std::size_t a, std::size_t b) { return result.points[a].cost < result.points[b].cost; });
+        std::sort(shown.begin(), shown.end(),
+                  [&](std::size_t a, std::size_t b) { return result.points[a].cost < result.points[b].cost; });
     }
     for (const std::size_t i : shown) {
         const StudyPoint& p = result.points[i];
@@ -65,9 +67,12 @@ void printTable(Exhibits exhibits, const StudyRequest& request, const StudyResul
         if (result.present == i) marks += " present";
         if (p.dominated) marks += " dominated";
         if (p.uncertain) marks += " uncertain";
-        std::printf("%-44s %12.4g %14.8g %12.3f %10.3f%s\n", pointText(exhibits, request, p).c_str(), p.error, p.cost, p.time ? p.time->median : 0.0, p.time ? p.time->spread : 0.0, marks.c_str());
+        std::printf("%-44s %12.4g %14.8g %12.3f %10.3f%s\n", pointText(exhibits, request, p).c_str(), p.error, p.cost,
+                    p.time ? p.time->median : 0.0, p.time ? p.time->spread : 0.0, marks.c_str());
     }
-    std::printf("Clock: %s, %s; taking a time adds %.4f ms to a picture.\n%s\n", result.clock.c_str(), result.clockTrusted ? "trusted" : "not trusted", result.overheadMilliseconds, result.convergence.c_str());
+    std::printf("Clock: %s, %s; taking a time adds %.4f ms to a picture.\n%s\n", result.clock.c_str(),
+                result.clockTrusted ? "trusted" : "not trusted", result.overheadMilliseconds,
+                result.convergence.c_str());
     for (const std::string& sentence : {lawSentence(result), choiceSentence(exhibits, request, result)})
         if (!sentence.empty()) std::printf("%s\n", sentence.c_str());
 }
@@ -81,8 +86,10 @@ std::string chosenPreset(const Museum& museum, const Study& study)
     const std::size_t subject = study.request().subject;
     const std::string name = "Chosen by a study";
     for (const StudyAxis& axis : study.request().axes)
-        if (axis.exhibit != subject) return exhibitionText({name, namedValues(museum.exhibits(), look.values), look.camera});
-    return presetText(Preset{std::string(museum.exhibits()[subject]->name()), name, look.values[subject], std::nullopt});
+        if (axis.exhibit != subject)
+            return exhibitionText({name, namedValues(museum.exhibits(), look.values), look.camera});
+    return presetText(
+        Preset{std::string(museum.exhibits()[subject]->name()), name, look.values[subject], std::nullopt});
 }
 
 int runStudy(const StudyOptions& options)
@@ -100,7 +107,11 @@ int runStudy(const StudyOptions& options)
         while (study.step()) line.show(study.progress(), study.doing());
     }
     const render::gl::ContextInfo& gl = context.info();
-    const Json machine{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"software", gl.software}, {"processors", sysconf(_SC_NPROCESSORS_ONLN)}};
+    const Json machine{{"renderer", gl.renderer},
+                       {"vendor", gl.vendor},
+                       {"version", gl.version},
+                       {"software", gl.software},
+                       {"processors", sysconf(_SC_NPROCESSORS_ONLN)}};
     const std::string preset = chosenPreset(museum, study);
     writeStudyFolder(options.out, museum.exhibits(), study, machine, preset);
     printTable(museum.exhibits(), study.request(), study.result());
@@ -110,7 +121,8 @@ int runStudy(const StudyOptions& options)
         std::printf("The preset is %s/preset.json\n", options.out.c_str());
         return 0;
     }
-    std::fprintf(stderr, "vitrine: %s Nothing was chosen; allow more, or study other parameters.\n", choiceSentence(museum.exhibits(), study.request(), study.result()).c_str());
+    std::fprintf(stderr, "vitrine: %s Nothing was chosen; allow more, or study other parameters.\n",
+                 choiceSentence(museum.exhibits(), study.request(), study.result()).c_str());
     return static_cast<int>(Blame::check);
 }
 
@@ -118,7 +130,8 @@ int runStudy(const StudyOptions& options)
 
 void addStudyCommand(CLI::App& parser, Action& chosen)
 {
-    CLI::App* command = parser.add_subcommand("study", "Measure what accuracy costs: error over work and time, with pictures");
+    CLI::App* command =
+        parser.add_subcommand("study", "Measure what accuracy costs: error over work and time, with pictures");
     auto options = std::make_shared<StudyOptions>();
     addStudyOptions(*command, *options);
     command->callback([&chosen, options] { chosen = [options] { return runStudy(*options); }; });

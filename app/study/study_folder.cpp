@@ -6,8 +6,8 @@
 #include "render/files/atomic_write.h"
 #include "render/image/image_io.h"
 #include "render/measure/distance.h"
-#include "ui/study/study_chart.h"
 #include "ui/kit/theme.h"
+#include "ui/study/study_chart.h"
 
 #include <QApplication>
 #include <QBuffer>
@@ -33,7 +33,9 @@ public:
         part_ += ".part-" + std::to_string(getpid());
         std::error_code error;
         fs::create_directories(part_ / "pictures", error);
-        if (error) throw Failure(Blame::file, target_.string() + ": the folder cannot be made (" + error.message() + "); choose another with --out.");
+        if (error)
+            throw Failure(Blame::file, target_.string() + ": the folder cannot be made (" + error.message() +
+                                           "); choose another with --out.");
     }
     ~PartFolder()
     {
@@ -55,7 +57,8 @@ public:
         if (error) {
             std::error_code ignored;
             if (replaces && fs::exists(old, ignored)) fs::rename(old, target_, ignored);
-            throw Failure(Blame::file, target_.string() + ": the study cannot be put in place (" + error.message() + "); choose another folder with --out.");
+            throw Failure(Blame::file, target_.string() + ": the study cannot be put in place (" + error.message() +
+                                           "); choose another folder with --out.");
         }
         fs::remove_all(old, error);
     }
@@ -77,14 +80,16 @@ render::Image colorOf(const render::Image& picture)
 bool isShown(const StudyRequest& request, const StudyResult& result, std::size_t point)
 {
     if (request.axes.size() <= 2) return true;
-    return result.present == point || (result.choice && result.choice->point == point) || std::find(result.front.begin(), result.front.end(), point) != result.front.end();
+    return result.present == point || (result.choice && result.choice->point == point) ||
+           std::find(result.front.begin(), result.front.end(), point) != result.front.end();
 }
 
 std::vector<StudyPagePoint> writePictures(const fs::path& folder, Exhibits exhibits, const Study& study)
 {
     const StudyResult& result = study.result();
     for (std::size_t v = 0; v < result.references.size(); ++v)
-        render::writePicture(folder / ("reference-" + std::to_string(v + 1) + ".png"), colorOf(result.references[v]), render::PictureFormat::png8);
+        render::writePicture(folder / ("reference-" + std::to_string(v + 1) + ".png"), colorOf(result.references[v]),
+                             render::PictureFormat::png8);
     // One scale for all heat maps of a view, so that they can be compared.
     std::vector<StudyPagePoint> points;
     for (std::size_t v = 0; v < result.references.size(); ++v) {
@@ -92,17 +97,24 @@ std::vector<StudyPagePoint> writePictures(const fs::path& folder, Exhibits exhib
         double full = 0;
         for (std::size_t i = 0; i < result.points.size(); ++i) {
             if (!isShown(study.request(), result, i)) continue;
-            const std::optional<render::Image> errors = render::errorMap(study.request().metric, result.references[v], result.points[i].shots[v].picture, study.request().pixelsPerDegree);
+            const std::optional<render::Image> errors =
+                render::errorMap(study.request().metric, result.references[v], result.points[i].shots[v].picture,
+                                 study.request().pixelsPerDegree);
             maps[i] = errors ? *errors : render::differenceMap(result.references[v], result.points[i].shots[v].picture);
-            if (result.points[i].shots[v].errors.at(render::Metric::rmse) > 0) full = std::max(full, render::fullScale(study.request().metric, maps[i]));
+            if (result.points[i].shots[v].errors.at(render::Metric::rmse) > 0)
+                full = std::max(full, render::fullScale(study.request().metric, maps[i]));
         }
         for (const auto& [i, map] : maps) {
             const std::string name = "point-" + std::to_string(i + 1) + "-view-" + std::to_string(v + 1);
-            render::writePicture(folder / (name + ".png"), colorOf(result.points[i].shots[v].picture), render::PictureFormat::png8);
-            render::writePicture(folder / (name + "-heat.png"), render::heatMap(map, full > 0 ? full : 1), render::PictureFormat::png8);
+            render::writePicture(folder / (name + ".png"), colorOf(result.points[i].shots[v].picture),
+                                 render::PictureFormat::png8);
+            render::writePicture(folder / (name + "-heat.png"), render::heatMap(map, full > 0 ? full : 1),
+                                 render::PictureFormat::png8);
         }
     }
-    for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back({pointText(exhibits, study.request(), result.points[i]), isShown(study.request(), result, i), {}});
+    for (std::size_t i = 0; i < result.points.size(); ++i)
+        points.push_back(
+            {pointText(exhibits, study.request(), result.points[i]), isShown(study.request(), result, i), {}});
     return points;
 }
 
@@ -114,7 +126,8 @@ void ensureApplication()
     static char* arguments[] = {name, nullptr};
     if (QApplication::instance()) return;
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});  // What it says of a display concerns nobody here.
+    qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {
+    });  // What it says of a display concerns nobody here.
     static QApplication application(count, arguments);
     std::setlocale(LC_NUMERIC, "C");  // Qt brings the user's.
     ui::applyTheme(application, ui::lightTheme());
@@ -126,11 +139,15 @@ void requireStudyFolder(const fs::path& folder)
 {
     std::error_code error;
     if (!fs::exists(folder, error)) return;
-    if (!fs::is_directory(folder, error)) throw Failure(Blame::usage, "--out " + folder.string() + ": this is a file; name a folder.");
-    if (!fs::is_empty(folder, error) && !fs::exists(folder / "study.json", error)) throw Failure(Blame::usage, "--out " + folder.string() + ": this folder holds something else than a study; name another.");
+    if (!fs::is_directory(folder, error))
+        throw Failure(Blame::usage, "--out " + folder.string() + ": this is a file; name a folder.");
+    if (!fs::is_empty(folder, error) && !fs::exists(folder / "study.json", error))
+        throw Failure(Blame::usage,
+                      "--out " + folder.string() + ": this folder holds something else than a study; name another.");
 }
 
-void writeStudyFolder(const fs::path& folder, Exhibits exhibits, const Study& study, const render::Json& machine, const std::string& presetText)
+void writeStudyFolder(const fs::path& folder, Exhibits exhibits, const Study& study, const render::Json& machine,
+                      const std::string& presetText)
 {
     requireStudyFolder(folder);
     const StudyRequest& request = study.request();
@@ -140,7 +157,10 @@ void writeStudyFolder(const fs::path& folder, Exhibits exhibits, const Study& st
 
     ensureApplication();
     ui::StudyChart chart;
-    chart.setTitles(QString::fromStdString(costTitle(result.costName) + (result.costName == "ms" ? " of a frame, " + result.clock : " in all views")), QString::fromStdString(std::string(title(request.metric))));
+    chart.setTitles(
+        QString::fromStdString(costTitle(result.costName) +
+                               (result.costName == "ms" ? " of a frame, " + result.clock : " in all views")),
+        QString::fromStdString(std::string(title(request.metric))));
     chart.setPoints(ui::chartPoints(exhibits, request, result));
     const QImage png = chart.picture(chartSize, chartScale);
     const QByteArray svg = chart.svg(chartSize);
@@ -150,14 +170,19 @@ void writeStudyFolder(const fs::path& folder, Exhibits exhibits, const Study& st
     }
     QByteArray pngBytes;
     QBuffer buffer(&pngBytes);
-    if (!png.save(&buffer, "PNG")) throw Failure(Blame::file, folder.string() + ": the chart could not be drawn; check that Qt's offscreen platform and a font are installed.");
+    if (!png.save(&buffer, "PNG"))
+        throw Failure(
+            Blame::file,
+            folder.string() +
+                ": the chart could not be drawn; check that Qt's offscreen platform and a font are installed.");
 
     const render::Json json = studyJson(exhibits, request, result, machine);
     render::atomicWrite(part.path() / "study.json", render::writeJson(json));
     render::atomicWrite(part.path() / "study.csv", studyCsv(exhibits, request, result));
     render::atomicWrite(part.path() / "chart.svg", svg.toStdString());
     render::atomicWrite(part.path() / "chart.png", pngBytes.toStdString());
-    render::atomicWrite(part.path() / "index.html", studyPage(exhibits, request, result, svg.toStdString(), {chartSize.width(), chartSize.height()}, points));
+    render::atomicWrite(part.path() / "index.html", studyPage(exhibits, request, result, svg.toStdString(),
+                                                              {chartSize.width(), chartSize.height()}, points));
     if (!presetText.empty()) render::atomicWrite(part.path() / "preset.json", presetText);
     part.publish();
 }

@@ -15,7 +15,8 @@ namespace {
 std::string qualityNames(const Museum& museum, std::size_t exhibit)
 {
     std::string names;
-    for (const StudyAxis& axis : qualityAxes(museum.exhibits(), exhibit, 2)) names += (names.empty() ? "" : ", ") + std::string(rowOf(museum.exhibits(), axis).name);
+    for (const StudyAxis& axis : qualityAxes(museum.exhibits(), exhibit, 2))
+        names += (names.empty() ? "" : ", ") + std::string(rowOf(museum.exhibits(), axis).name);
     return names;
 }
 
@@ -25,13 +26,20 @@ StudyAxis axisNamed(const Museum& museum, std::size_t subject, const std::string
     std::string name = text;
     if (const std::size_t dot = text.find('.'); dot != std::string::npos) {
         const auto found = museum.find(text.substr(0, dot));
-        if (!found || (*found != 0 && *found != subject)) throw Failure(Blame::usage, "study " + text + ": a parameter is the exhibit's own or the hall's, as in hall.supersamples.");
+        if (!found || (*found != 0 && *found != subject))
+            throw Failure(Blame::usage,
+                          "study " + text +
+                              ": a parameter is the exhibit's own or the hall's, as in hall.supersamples.");
         exhibit = *found;
         name = text.substr(dot + 1);
     }
     const auto row = museum.exhibits()[exhibit]->parameters().find(name);
     const std::optional<StudyAxis> axis = row ? studyAxis(museum.exhibits(), exhibit, *row, points) : std::nullopt;
-    if (!axis) throw Failure(Blame::usage, "study " + text + ": " + std::string(museum.exhibits()[exhibit]->name()) + (row ? " has it, but accuracy does not depend on it" : " has no such parameter") + "; give one of " + qualityNames(museum, exhibit) + '.');
+    if (!axis)
+        throw Failure(Blame::usage,
+                      "study " + text + ": " + std::string(museum.exhibits()[exhibit]->name()) +
+                          (row ? " has it, but accuracy does not depend on it" : " has no such parameter") +
+                          "; give one of " + qualityNames(museum, exhibit) + '.');
     return *axis;
 }
 
@@ -43,12 +51,15 @@ void setValues(const Museum& museum, StudyAxis& axis, const std::string& text)
     for (std::string part; std::getline(parts, part, ',');) {
         const std::optional<Value> value = optionValue(row, part);
         const std::optional<Value> legal = value ? nearestLegal(row, *value) : std::nullopt;
-        if (!legal || *legal != *value) throw Failure(Blame::usage, "--values: \"" + part + "\" is no value for " + std::string(row.name) + "; give " + whatItTakes(row) + '.');
+        if (!legal || *legal != *value)
+            throw Failure(Blame::usage, "--values: \"" + part + "\" is no value for " + std::string(row.name) +
+                                            "; give " + whatItTakes(row) + '.');
         axis.values.push_back(std::get<double>(*legal));
     }
     std::sort(axis.values.begin(), axis.values.end());
     axis.values.erase(std::unique(axis.values.begin(), axis.values.end()), axis.values.end());
-    if (axis.values.empty()) throw Failure(Blame::usage, "--values: give values separated by commas, such as --values 16,64,256.");
+    if (axis.values.empty())
+        throw Failure(Blame::usage, "--values: give values separated by commas, such as --values 16,64,256.");
 }
 
 }  // namespace
@@ -64,21 +75,35 @@ render::Metric metricOption(const std::string& option, const std::string& name)
 void addStudyOptions(CLI::App& command, StudyOptions& o)
 {
     command.add_option("exhibit", o.subject, "An exhibit's name, or hall")->required();
-    command.add_option("parameters", o.parameters, "What to vary: one for a curve, two for a surface, none for the front over all; hall.supersamples and hall.resolutionScale go with every exhibit");
+    command.add_option("parameters", o.parameters,
+                       "What to vary: one for a curve, two for a surface, none for the front over all; "
+                       "hall.supersamples and hall.resolutionScale go with every exhibit");
     command.add_option("--values", o.values, "The values of the one parameter, separated by commas");
     command.add_option("--points", o.points, "About so many values of each parameter")->check(CLI::Range(2, 64));
-    command.add_option("--views", o.views, "How many of the exhibit's views")->capture_default_str()->check(CLI::Range(1, 64));
+    command.add_option("--views", o.views, "How many of the exhibit's views")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 64));
     command.add_option("--size", o.size, "Width x height in pixels")->capture_default_str();
-    command.add_option("--metric", o.metric, "What is called the error: rmse, max, beyond, flip, normal or depth")->capture_default_str();
-    command.add_option("--runs", o.runs, "Timed frames of each setting in each view")->capture_default_str()->check(CLI::Range(1, 1000));
-    command.add_option("--settings", o.settings, "At most so many settings over three parameters or more")->capture_default_str()->check(CLI::Range(2, 10000));
-    command.add_option("--pixels-per-degree", o.pixelsPerDegree, "For flip: how large a pixel looks")->capture_default_str()->check(CLI::Range(1.0, 1000.0));
+    command.add_option("--metric", o.metric, "What is called the error: rmse, max, beyond, flip, normal or depth")
+        ->capture_default_str();
+    command.add_option("--runs", o.runs, "Timed frames of each setting in each view")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000));
+    command.add_option("--settings", o.settings, "At most so many settings over three parameters or more")
+        ->capture_default_str()
+        ->check(CLI::Range(2, 10000));
+    command.add_option("--pixels-per-degree", o.pixelsPerDegree, "For flip: how large a pixel looks")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 1000.0));
     command.add_option("--preset", o.preset, "What the study starts from");
     command.add_option("--set", o.sets, "name=value, before the study starts")->take_all()->allow_extra_args(true);
-    command.add_flag("--alone", o.alone, "Without the hall, in the environment's light: quicker, but neither sun nor shadow");
+    command.add_flag("--alone", o.alone,
+                     "Without the hall, in the environment's light: quicker, but neither sun nor shadow");
     command.add_flag("--no-model-error", o.noModelError, "Leave out the comparison with everything at its most exact");
-    CLI::Option* error = command.add_option("--max-error", o.maxError, "Choose the cheapest setting with no larger error in any view");
-    command.add_option("--max-ms", o.maxMilliseconds, "Choose the most exact setting whose frame takes no longer")->excludes(error);
+    CLI::Option* error =
+        command.add_option("--max-error", o.maxError, "Choose the cheapest setting with no larger error in any view");
+    command.add_option("--max-ms", o.maxMilliseconds, "Choose the most exact setting whose frame takes no longer")
+        ->excludes(error);
     command.add_option("--out", o.out, "The folder for the study; one that holds a study is replaced")->required();
 }
 
@@ -108,16 +133,23 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     request.maxMilliseconds = options.maxMilliseconds;
     const bool one = options.parameters.size() == 1;
     const int points = options.points > 0 ? options.points : usualPoints(options.parameters.size());
-    for (const std::string& name : options.parameters) request.axes.push_back(axisNamed(museum, job.subject, name, points));
+    for (const std::string& name : options.parameters)
+        request.axes.push_back(axisNamed(museum, job.subject, name, points));
     for (std::size_t i = 0; i < request.axes.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (request.axes[i].exhibit == request.axes[j].exhibit && request.axes[i].row == request.axes[j].row) throw Failure(Blame::usage, "study " + options.parameters[i] + ": named twice; name each parameter once.");
+            if (request.axes[i].exhibit == request.axes[j].exhibit && request.axes[i].row == request.axes[j].row)
+                throw Failure(Blame::usage,
+                              "study " + options.parameters[i] + ": named twice; name each parameter once.");
     if (!options.values.empty()) {
         if (!one) throw Failure(Blame::usage, "--values: name exactly one parameter before it.");
         setValues(museum, request.axes.front(), options.values);
     }
     if (request.axes.empty()) request.axes = qualityAxes(museum.exhibits(), job.subject, options.points);
-    if (request.axes.empty()) throw Failure(Blame::usage, options.subject + " has no parameter on which accuracy depends; name one of the hall, such as hall.supersamples.");
+    if (request.axes.empty())
+        throw Failure(
+            Blame::usage,
+            options.subject +
+                " has no parameter on which accuracy depends; name one of the hall, such as hall.supersamples.");
     return request;
 }
 

@@ -21,8 +21,8 @@ namespace vitrine::app {
 struct StudyOptions {
     std::string subject;
     std::vector<std::string> parameters;
-    std::string values;                  ///< "16,64,256", for one parameter.
-    int points = 0;                      ///< 0: as many as `usualPoints` says.
+    std::string values;  ///< "16,64,256", for one parameter.
+    int points = 0;      ///< 0: as many as `usualPoints` says.
     int views = 3;
     std::string size = "320x180";
     std::string metric = "rmse";

@@ -89,11 +89,16 @@ std::string escaped(const std::string& text)
 {
     std::string result;
     for (const char c : text) {
-        if (c == '&') result += "&amp;";
-        else if (c == '<') result += "&lt;";
-        else if (c == '>') result += "&gt;";
-        else if (c == '"') result += "&quot;";
-        else result += c;
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
     }
     return result;
 }
@@ -114,7 +119,8 @@ std::string number(double x, int digits = 4)
 std::string numbersOf(const StudyShot& shot)
 {
     std::string text;
-    for (const auto& [metric, error] : shot.errors) text += (text.empty() ? "" : " · ") + std::string(toString(metric)) + ' ' + number(error, 3);
+    for (const auto& [metric, error] : shot.errors)
+        text += (text.empty() ? "" : " · ") + std::string(toString(metric)) + ' ' + number(error, 3);
     return text;
 }
 
@@ -122,25 +128,37 @@ std::string numbersOf(const StudyShot& shot)
 std::string scriptJson(const Json& json)
 {
     std::string text = json.dump();
-    for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3)) text.replace(at, 2, "<\\/");
+    for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
+        text.replace(at, 2, "<\\/");
     return text;
 }
 
 std::string table(const StudyRequest& request, const StudyResult& result, const std::vector<StudyPagePoint>& points)
 {
-    std::string text = "<div class=\"sheet scroll\"><table><thead><tr><th>setting</th><th>" + std::string(toString(request.metric)) + "</th><th>over the views</th>";
+    std::string text = "<div class=\"sheet scroll\"><table><thead><tr><th>setting</th><th>" +
+                       std::string(toString(request.metric)) + "</th><th>over the views</th>";
     if (request.modelError) text += "<th>against everything exact</th>";
     if (result.costName != "ms") text += "<th>" + escaped(costTitle(result.costName)) + "</th>";
     text += "<th>ms, median</th><th>interval of the median</th><th>spread</th><th></th></tr></thead><tbody>\n";
     for (std::size_t i = 0; i < points.size(); ++i) {
         const StudyPoint& p = result.points[i];
-        std::string row = "<tr tabindex=\"0\" data-point=\"" + std::to_string(i) + "\"" + (p.dominated ? " class=\"dominated\"" : "") + "><td>" + escaped(points[i].text) + "</td><td>" + number(p.error) + "</td><td>" + number(p.lowestError, 3) + " to " + number(p.worstError, 3) + "</td>";
+        std::string row = "<tr tabindex=\"0\" data-point=\"" + std::to_string(i) + "\"" +
+                          (p.dominated ? " class=\"dominated\"" : "") + "><td>" + escaped(points[i].text) +
+                          "</td><td>" + number(p.error) + "</td><td>" + number(p.lowestError, 3) + " to " +
+                          number(p.worstError, 3) + "</td>";
         if (request.modelError) row += "<td>" + number(p.modelError) + "</td>";
         if (result.costName != "ms") row += "<td>" + number(p.cost, 12) + "</td>";
-        if (p.time) row += "<td>" + number(p.time->median) + "</td><td>" + number(p.time->interval.low, 3) + " to " + number(p.time->interval.high, 3) + " (" + number(100 * p.time->interval.confidence, 3) + " %)</td><td>" + number(p.time->spread, 2) + "</td>";
-        else row += "<td>–</td><td>–</td><td>–</td>";
+        if (p.time)
+            row += "<td>" + number(p.time->median) + "</td><td>" + number(p.time->interval.low, 3) + " to " +
+                   number(p.time->interval.high, 3) + " (" + number(100 * p.time->interval.confidence, 3) +
+                   " %)</td><td>" + number(p.time->spread, 2) + "</td>";
+        else
+            row += "<td>–</td><td>–</td><td>–</td>";
         std::string marks;
-        for (const auto& [holds, mark] : {std::pair(result.choice && result.choice->point == i, "chosen"), std::pair(result.knee == i, "knee"), std::pair(result.present == i, "present"), std::pair(p.uncertain, "uncertain"), std::pair(p.dominated, "dominated")})
+        for (const auto& [holds, mark] :
+             {std::pair(result.choice && result.choice->point == i, "chosen"), std::pair(result.knee == i, "knee"),
+              std::pair(result.present == i, "present"), std::pair(p.uncertain, "uncertain"),
+              std::pair(p.dominated, "dominated")})
             if (holds) marks += (marks.empty() ? "" : ", ") + std::string(mark);
         text += row + "<td>" + marks + "</td></tr>\n";
     }
@@ -149,40 +167,60 @@ std::string table(const StudyRequest& request, const StudyResult& result, const 
 
 }  // namespace
 
-std::string studyPage(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, const std::string& chartSvg, glm::ivec2 chartSize, const std::vector<StudyPagePoint>& points)
+std::string studyPage(Exhibits exhibits, const StudyRequest& request, const StudyResult& result,
+                      const std::string& chartSvg, glm::ivec2 chartSize, const std::vector<StudyPagePoint>& points)
 {
     const Exhibit& exhibit = *exhibits[request.subject];
     std::string names;
-    for (const StudyAxis& axis : request.axes) names += (names.empty() ? "" : ", ") + axisName(exhibits, request.subject, axis);
-    const std::string title = std::string(exhibit.title()) + ": what " + (request.axes.size() > 2 ? std::string("accuracy") : names) + " costs";
+    for (const StudyAxis& axis : request.axes)
+        names += (names.empty() ? "" : ", ") + axisName(exhibits, request.subject, axis);
+    const std::string title = std::string(exhibit.title()) + ": what " +
+                              (request.axes.size() > 2 ? std::string("accuracy") : names) + " costs";
 
     std::string page = with(head, "@TITLE@", escaped(title));
     page += "<h1>" + escaped(title) + "</h1>\n";
-    page += "<p class=\"dim\">" + std::to_string(request.size.x) + " × " + std::to_string(request.size.y) + " pixels, " + std::to_string(result.views.size()) + (result.views.size() == 1 ? " view, " : " views, ") + (request.alone ? "alone" : "in the hall") + ", " + std::to_string(request.runs) +
-            " interleaved runs after one that was not timed. Clock: " + escaped(result.clock) + (result.clockTrusted ? ", trusted" : ", not trusted") + "; taking a time adds " + number(1000 * result.overheadMilliseconds, 2) + " µs to a picture.</p>\n";
+    page += "<p class=\"dim\">" + std::to_string(request.size.x) + " × " + std::to_string(request.size.y) +
+            " pixels, " + std::to_string(result.views.size()) + (result.views.size() == 1 ? " view, " : " views, ") +
+            (request.alone ? "alone" : "in the hall") + ", " + std::to_string(request.runs) +
+            " interleaved runs after one that was not timed. Clock: " + escaped(result.clock) +
+            (result.clockTrusted ? ", trusted" : ", not trusted") + "; taking a time adds " +
+            number(1000 * result.overheadMilliseconds, 2) + " µs to a picture.</p>\n";
     page += "<p class=\"dim\">" + escaped(result.convergence) + "</p>\n";
-    if (const std::string law = lawSentence(result); !law.empty()) page += "<p class=\"law\">" + escaped(law) + "</p>\n";
-    if (const std::string choice = choiceSentence(exhibits, request, result); !choice.empty()) page += "<p class=\"law\">" + escaped(choice) + "</p>\n";
+    if (const std::string law = lawSentence(result); !law.empty())
+        page += "<p class=\"law\">" + escaped(law) + "</p>\n";
+    if (const std::string choice = choiceSentence(exhibits, request, result); !choice.empty())
+        page += "<p class=\"law\">" + escaped(choice) + "</p>\n";
 
     // The drawing alone: within HTML there is no place for an XML declaration.
     const std::size_t start = chartSvg.find("<svg");
-    page += "<div class=\"sheet\"><div class=\"chart\">" + (start == std::string::npos ? std::string() : chartSvg.substr(start));
-    page += "<svg class=\"spots\" viewBox=\"0 0 " + std::to_string(chartSize.x) + ' ' + std::to_string(chartSize.y) + "\">";
+    page += "<div class=\"sheet\"><div class=\"chart\">" +
+            (start == std::string::npos ? std::string() : chartSvg.substr(start));
+    page +=
+        "<svg class=\"spots\" viewBox=\"0 0 " + std::to_string(chartSize.x) + ' ' + std::to_string(chartSize.y) + "\">";
     for (std::size_t i = 0; i < points.size(); ++i)
         if (std::isfinite(points[i].place.x) && std::isfinite(points[i].place.y))
-            page += "<circle data-point=\"" + std::to_string(i) + "\" cx=\"" + number(points[i].place.x, 6) + "\" cy=\"" + number(points[i].place.y, 6) + "\" r=\"11\"><title>" + escaped(points[i].text) + "</title></circle>";
+            page += "<circle data-point=\"" + std::to_string(i) + "\" cx=\"" + number(points[i].place.x, 6) +
+                    "\" cy=\"" + number(points[i].place.y, 6) + "\" r=\"11\"><title>" + escaped(points[i].text) +
+                    "</title></circle>";
     page += "</svg></div></div>\n<div class=\"sheet\"><nav>";
-    for (std::size_t v = 0; v < result.views.size(); ++v) page += "<button data-view=\"" + std::to_string(v) + "\">" + escaped(result.views[v]) + "</button>";
-    page += "</nav><div class=\"pictures\" id=\"pictures\"><figure><div class=\"wipe\" id=\"wipe\"><img id=\"picture\" alt=\"The setting\"><img id=\"reference\" class=\"over\" alt=\"The reference\"><i id=\"edge\"></i></div>"
+    for (std::size_t v = 0; v < result.views.size(); ++v)
+        page += "<button data-view=\"" + std::to_string(v) + "\">" + escaped(result.views[v]) + "</button>";
+    page += "</nav><div class=\"pictures\" id=\"pictures\"><figure><div class=\"wipe\" id=\"wipe\"><img id=\"picture\" "
+            "alt=\"The setting\"><img id=\"reference\" class=\"over\" alt=\"The reference\"><i id=\"edge\"></i></div>"
             "<figcaption>Left of the line: <b id=\"name\"></b>; right of it: the reference.</figcaption></figure>"
-            "<figure><img id=\"heat\" alt=\"Where they differ\"><figcaption>Where they differ, one scale for all settings of a view. <span id=\"numbers\"></span></figcaption></figure></div></div>\n";
+            "<figure><img id=\"heat\" alt=\"Where they differ\"><figcaption>Where they differ, one scale for all "
+            "settings of a view. <span id=\"numbers\"></span></figcaption></figure></div></div>\n";
     page += table(request, result, points);
 
-    Json data{{"first", result.choice ? result.choice->point : result.present.value_or(result.knee.value_or(result.front.empty() ? 0 : result.front.front()))}, {"points", Json::array()}};
+    Json data{{"first", result.choice ? result.choice->point
+                                      : result.present.value_or(
+                                            result.knee.value_or(result.front.empty() ? 0 : result.front.front()))},
+              {"points", Json::array()}};
     for (std::size_t i = 0; i < points.size(); ++i) {
         Json numbers = Json::array();
         for (const StudyShot& shot : result.points[i].shots) numbers.push_back(numbersOf(shot));
-        data["points"].push_back(Json{{"text", points[i].text}, {"pictures", points[i].hasPictures}, {"numbers", numbers}});
+        data["points"].push_back(
+            Json{{"text", points[i].text}, {"pictures", points[i].hasPictures}, {"numbers", numbers}});
     }
     return page + with(script, "@DATA@", scriptJson(data));
 }

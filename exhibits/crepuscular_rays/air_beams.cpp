@@ -6,12 +6,17 @@ namespace vitrine {
 
 void planMarch(const RaysScene& s, render::FramePlan& plan)
 {
-    plan.image({.name = "crepuscular_rays.scattered", .format = render::Format::rgba16f, .size = s.coarseSize, .nearest = true});
+    plan.image({.name = "crepuscular_rays.scattered",
+                .format = render::Format::rgba16f,
+                .size = s.coarseSize,
+                .nearest = true});
     render::Pass pass = s.pass("march", "the sun's beams are in view", "crepuscular_rays/march.frag");
     pass.stage = render::Stage::volume;
     pass.colors = {{"crepuscular_rays.scattered", render::Load::clear, {}, -1, 0}};
     s.context.surroundings.illuminate(pass);
-    std::erase_if(pass.inputs, [](const render::Input& input) { return input.unit != UNIT_SHADOW_HALL && input.unit != UNIT_SHADOW_EXHIBITS; });
+    std::erase_if(pass.inputs, [](const render::Input& input) {
+        return input.unit != UNIT_SHADOW_HALL && input.unit != UNIT_SHADOW_EXHIBITS;
+    });
     pass.inputs.push_back({UNIT_SOURCE, std::string(depthImage)});
     pass.inputs.push_back({UNIT_EXHIBIT_C, blueNoise()});
     const std::int64_t rays = static_cast<std::int64_t>(s.coarseSize.x) * s.coarseSize.y;

@@ -22,7 +22,8 @@ public:
             for (int x = 0; x < side; ++x) {
                 const double dx = std::min(x, side - x);
                 const double dy = std::min(y, side - y);
-                bump_[static_cast<std::size_t>(y * side + x)] = static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma)));
+                bump_[static_cast<std::size_t>(y * side + x)] =
+                    static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma)));
             }
         }
     }
@@ -36,7 +37,8 @@ public:
         for (int y = 0; y < side; ++y) {
             const int row = ((y - ay + side) % side) * side;
             for (int x = 0; x < side; ++x)
-                crowd_[static_cast<std::size_t>(y * side + x)] += sign * bump_[static_cast<std::size_t>(row + (x - ax + side) % side)];
+                crowd_[static_cast<std::size_t>(y * side + x)] +=
+                    sign * bump_[static_cast<std::size_t>(row + (x - ax + side) % side)];
         }
     }
 
@@ -47,7 +49,9 @@ public:
         for (int i = 0; i < count; ++i) {
             if (set_[static_cast<std::size_t>(i)] != set) continue;
             const float crowd = crowd_[static_cast<std::size_t>(i)];
-            if (best < 0 || (set ? crowd > crowd_[static_cast<std::size_t>(best)] : crowd < crowd_[static_cast<std::size_t>(best)])) best = i;
+            if (best < 0 ||
+                (set ? crowd > crowd_[static_cast<std::size_t>(best)] : crowd < crowd_[static_cast<std::size_t>(best)]))
+                best = i;
         }
         return best;
     }

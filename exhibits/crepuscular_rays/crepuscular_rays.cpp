@@ -13,12 +13,14 @@ namespace {
 constexpr int screenBit = static_cast<int>(RayTechnique::screen);
 constexpr int volumeBit = static_cast<int>(RayTechnique::volume);
 
-/// Whether a technique is drawn; otherwise its passes are listed with the reason. What is invisible may be drawn all the
-/// same, to prove that it is; what cannot be drawn may not: its bound says why where it is 0, else `cannot` does.
-bool isDrawn(bool asked, bool drawable, const render::Bound& bound, const char* cannot, std::initializer_list<const char*> passes, render::FramePlan& plan)
+/// Whether a technique is drawn; otherwise its passes are listed with the reason. What is invisible may be drawn all
+/// the same, to prove that it is; what cannot be drawn may not: its bound says why where it is 0, else `cannot` does.
+bool isDrawn(bool asked, bool drawable, const render::Bound& bound, const char* cannot,
+             std::initializer_list<const char*> passes, render::FramePlan& plan)
 {
     if (asked && drawable) return plan.needs(bound, passes);
-    for (const char* pass : passes) plan.skip(pass, !asked ? "no technique in use makes them" : bound.isZero() ? bound.whyNone : cannot);
+    for (const char* pass : passes)
+        plan.skip(pass, !asked ? "no technique in use makes them" : bound.isZero() ? bound.whyNone : cannot);
     return false;
 }
 
@@ -26,7 +28,9 @@ bool isDrawn(bool asked, bool drawable, const render::Bound& bound, const char* 
 void planComposite(const RaysScene& s, int shown, render::Bound bound, render::FramePlan& plan)
 {
     const RayView view = s.values[s.table.view];
-    render::Pass pass = s.pass("composite", view == RayView::picture ? "the beams lie over the picture" : "the view of the beams alone is on", "crepuscular_rays/composite.frag");
+    render::Pass pass = s.pass(
+        "composite", view == RayView::picture ? "the beams lie over the picture" : "the view of the beams alone is on",
+        "crepuscular_rays/composite.frag");
     pass.stage = render::Stage::volume;
     pass.bound = std::move(bound);
     pass.colors = {{radianceImage, render::Load::keep, {}, -1, 0}};
@@ -38,8 +42,12 @@ void planComposite(const RaysScene& s, int shown, render::Bound bound, render::F
     } else if ((shown & screenBit) != 0) {
         const bool polar = methodOf(s) == RayMethod::polar;
         pass.shader.defines.emplace_back(polar ? "POLAR" : "SCREEN");
-        pass.inputs.push_back({UNIT_EXHIBIT_A, std::string(polar ? "crepuscular_rays.polar" : "crepuscular_rays.rays")});
-        pass.counts["fetches"] = static_cast<std::int64_t>(plan.view.raster.drawn().x) * plan.view.raster.drawn().y * (polar ? 2 : s.block.grid.x > 1 ? 9 : 1);
+        pass.inputs.push_back(
+            {UNIT_EXHIBIT_A, std::string(polar ? "crepuscular_rays.polar" : "crepuscular_rays.rays")});
+        pass.counts["fetches"] = static_cast<std::int64_t>(plan.view.raster.drawn().x) * plan.view.raster.drawn().y *
+                                 (polar                ? 2
+                                  : s.block.grid.x > 1 ? 9
+                                                       : 1);
     }
     if (view != RayView::mask && (shown & volumeBit) != 0) {
         pass.shader.defines.emplace_back("VOLUME");
@@ -108,8 +116,11 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     const bool effect = view == RayView::picture;
     const render::Bound rays = effect ? screenRaysBound(s) : render::Bound{};
     const render::Bound air = effect ? airBound(s, plan.view) : render::Bound{};
-    const bool raysShown = isDrawn(s.uses(RayTechnique::screen) || maskShown, s.sun.inFront || maskShown, rays, "the sun is not in front of the camera", {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan);
-    const bool airShown = isDrawn(s.uses(RayTechnique::volume) && !maskShown, !s.beams.empty(), air, "the sun makes no beam", {"crepuscular_rays/march"}, plan);
+    const bool raysShown =
+        isDrawn(s.uses(RayTechnique::screen) || maskShown, s.sun.inFront || maskShown, rays,
+                "the sun is not in front of the camera", {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan);
+    const bool airShown = isDrawn(s.uses(RayTechnique::volume) && !maskShown, !s.beams.empty(), air,
+                                  "the sun makes no beam", {"crepuscular_rays/march"}, plan);
 
     if (raysShown) {
         planMask(s, plan);
@@ -119,8 +130,12 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     render::Bound both;
     if (effect) both = {airShown ? air.share : 0, (airShown ? air.radiance : 0) + (raysShown ? rays.radiance : 0), {}};
     const bool asked = s.uses(RayTechnique::screen) || s.uses(RayTechnique::volume);
-    if (raysShown || airShown || (!effect && asked)) planComposite(s, (raysShown ? screenBit : 0) | (airShown ? volumeBit : 0), std::move(both), plan);
-    else plan.skip("crepuscular_rays/composite", plan.findSkipped(s.uses(RayTechnique::volume) ? "crepuscular_rays/march" : "crepuscular_rays/mask")->reason);
+    if (raysShown || airShown || (!effect && asked))
+        planComposite(s, (raysShown ? screenBit : 0) | (airShown ? volumeBit : 0), std::move(both), plan);
+    else
+        plan.skip("crepuscular_rays/composite",
+                  plan.findSkipped(s.uses(RayTechnique::volume) ? "crepuscular_rays/march" : "crepuscular_rays/mask")
+                      ->reason);
 }
 
 }  // namespace vitrine

@@ -14,7 +14,10 @@ public:
 
     [[nodiscard]] std::string_view name() const override { return "crepuscular_rays"; }
     [[nodiscard]] std::string_view title() const override { return "Crepuscular Rays"; }
-    [[nodiscard]] std::string_view summary() const override { return "Sunbeams: smeared across the picture, or marched through the dust."; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "Sunbeams: smeared across the picture, or marched through the dust.";
+    }
     [[nodiscard]] std::string_view tryThis() const override { return "walk until the banner breaks the beam."; }
     [[nodiscard]] std::string_view buttonText() const override { return "let the mobile turn"; }
     [[nodiscard]] int place() const override { return 4; }

@@ -72,13 +72,15 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     const glm::dvec3 towardsSun = glm::normalize(glm::dvec3(light.sunDirection));
 
     // Mask pixels are picture pixels, unless a tile asks for the whole of a picture that is very large.
-    const double maskScale = s.tile ? std::min(1.0, static_cast<double>(largestMask) / std::max(raster.size.x, raster.size.y)) : 1.0;
+    const double maskScale =
+        s.tile ? std::min(1.0, static_cast<double>(largestMask) / std::max(raster.size.x, raster.size.y)) : 1.0;
     s.maskSize = glm::max(glm::ivec2(glm::round(glm::dvec2(raster.size) * maskScale)), glm::ivec2(1));
     s.wholeView = viewOfWhole(plan.view, s.maskSize);
     s.sun = sunInPicture(s.wholeView, towardsSun);
     // Dust is told only where the sun shines through it.
     if (glm::vec3(light.sunIrradiance) != glm::vec3(0))
-        s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, towardsSun) : beams(context.surroundings.openings, context.surroundings.room, towardsSun);
+        s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, towardsSun)
+                                : beams(context.surroundings.openings, context.surroundings.room, towardsSun);
 
     // Cells lie on the grid of the whole picture, so that tiles join.
     const int cell = cellSize(values[table.resolution]);
@@ -90,21 +92,25 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     const bool compare = values[table.compare];
     s.left = static_cast<int>(values[table.technique]);
     s.right = static_cast<int>(compare ? values[table.compareWith] : values[table.technique]);
-    b.sides = {s.left, s.right, compare ? std::round(values[table.wipe] * raster.size.x) : 1e9, static_cast<int>(values[table.view])};
+    b.sides = {s.left, s.right, compare ? std::round(values[table.wipe] * raster.size.x) : 1e9,
+               static_cast<int>(values[table.view])};
 
     const double height = s.maskSize.y;
     const double distance = glm::length(s.sun.pixel - 0.5 * glm::dvec2(s.maskSize)) / height;
     const bool plain = values[table.sum] == RaySum::plain;
     const double reach = plain ? 1 : std::max(distance / values[table.streak], 1.0);
-    b.source = glm::vec4(s.sun.pixel - s.wholeView.raster.jitter, glsl::shaftExponentAt(values[table.decay], reach), glsl::shaftDensity(values[table.density], reach));
+    b.source = glm::vec4(s.sun.pixel - s.wholeView.raster.jitter, glsl::shaftExponentAt(values[table.decay], reach),
+                         glsl::shaftDensity(values[table.density], reach));
     const glm::dvec3 sunLight(light.sunIrradiance);
     const glm::dvec3 sunColor = sunLight / std::max({sunLight.x, sunLight.y, sunLight.z, 1e-6});
     const double fade = plain ? (s.sun.inFront ? 1 : 0) : glsl::shaftEdgeFade(s.sun.beyond, values[table.edgeFade]);
-    // Strength is told in the light of the finished picture, whatever its exposure is, under the sun that the hall begins
-    // with; a weaker sun makes weaker rays.
-    const double strength = values[table.weight] * std::exp2(values[table.rayExposure]) * fade * context.surroundings.sunShare / std::max(static_cast<double>(light.probeHigh.w), 1e-9);
+    // Strength is told in the light of the finished picture, whatever its exposure is, under the sun that the hall
+    // begins with; a weaker sun makes weaker rays.
+    const double strength = values[table.weight] * std::exp2(values[table.rayExposure]) * fade *
+                            context.surroundings.sunShare / std::max(static_cast<double>(light.probeHigh.w), 1e-9);
     b.strength = glm::vec4(values[table.tint].value * sunColor * strength, 1 / std::max(light.probeHigh.w, 1e-9F));
-    b.mask = {values[table.threshold], values[table.lightSize], values[table.skyColor] ? 1 : 0, values[table.jitter] ? 1 : 0};
+    b.mask = {values[table.threshold], values[table.lightSize], values[table.skyColor] ? 1 : 0,
+              values[table.jitter] ? 1 : 0};
     fillBeams(s.beams, b);
     return s;
 }
@@ -115,22 +121,27 @@ render::Bound screenRaysBound(const RaysScene& s)
     const bool still = plain && s.block.source.w <= 0 && !(s.values[s.table.density] > 0);
     const auto& openings = s.context.surroundings.openings;
     const bool outside = !s.context.surroundings.room.contains(s.wholeView.eye);
-    const bool sky = s.context.alone || outside || std::any_of(openings.begin(), openings.end(), [&](const render::Box& opening) { return s.wholeView.mayContain(opening); });
+    const bool sky = s.context.alone || outside ||
+                     std::any_of(openings.begin(), openings.end(),
+                                 [&](const render::Box& opening) { return s.wholeView.mayContain(opening); });
     // The mask is at most 1, and so is its mean; the plain sum adds up all samples.
     const double samples = plain ? s.values[s.table.samples] : 1;
     const double strength = std::max({s.block.strength.x, s.block.strength.y, s.block.strength.z});
-    return render::boundOf(0, samples, {{s.values[s.table.weight] > 0 ? 1.0 : 0.0, "the weight of the rays is 0"},
-                                        {still ? 0.0 : 1.0, "the density of the rays is 0"},
-                                        {s.sun.inFront ? 1.0 : 0.0, "the sun is not in front of the camera"},
-                                        {strength, s.sun.beyond > 0 ? "the sun is too far beyond the picture's edge" : "the sun or the tint is black"},
-                                        {sky ? 1.0 : 0.0, "no sky is in view"}});
+    return render::boundOf(
+        0, samples,
+        {{s.values[s.table.weight] > 0 ? 1.0 : 0.0, "the weight of the rays is 0"},
+         {still ? 0.0 : 1.0, "the density of the rays is 0"},
+         {s.sun.inFront ? 1.0 : 0.0, "the sun is not in front of the camera"},
+         {strength, s.sun.beyond > 0 ? "the sun is too far beyond the picture's edge" : "the sun or the tint is black"},
+         {sky ? 1.0 : 0.0, "no sky is in view"}});
 }
 
 render::Bound airBound(const RaysScene& s, const render::View& view)
 {
     const auto largest = [](const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); };
     const Surroundings& around = s.context.surroundings;
-    double way = 0;  // No ray is longer in the air than its boxes are from corner to corner; the dust is densest on the floor.
+    double way =
+        0;  // No ray is longer in the air than its boxes are from corner to corner; the dust is densest on the floor.
     bool seen = false;
     for (const Beam& beam : s.beams) {
         way += 2 * glm::length(beam.box.halfSize());
@@ -140,12 +151,17 @@ render::Bound airBound(const RaysScene& s, const render::View& view)
     const double ahead = glsl::airPhase(1.0, std::abs(s.values[s.table.anisotropy]));
     const double sun = largest(glm::dvec3(around.light.sunIrradiance));
     const double drift = 1 + 1.5 * s.values[s.table.unevenness];
-    const double scattered = largest(s.values[s.table.airColor].value) *
-                             (s.values[s.table.ambient] * around.brightest + s.values[s.table.beamStrength] * sun * ahead * drift * static_cast<double>(s.beams.size()));
-    return render::boundOf(hidden, hidden * scattered, {{s.values[s.table.airDensity] > 0 ? 1.0 : 0.0, "the air is clear"},
-                                                        {sun > 0 ? 1.0 : 0.0, "the sun's strength is 0"},
-                                                        {s.beams.empty() ? 0.0 : 1.0, s.context.alone ? "the sun does not shine through the window" : "the sun shines neither through the window nor through the oculus"},
-                                                        {seen ? 1.0 : 0.0, "the beams are out of view"}});
+    const double scattered =
+        largest(s.values[s.table.airColor].value) *
+        (s.values[s.table.ambient] * around.brightest +
+         s.values[s.table.beamStrength] * sun * ahead * drift * static_cast<double>(s.beams.size()));
+    return render::boundOf(hidden, hidden * scattered,
+                           {{s.values[s.table.airDensity] > 0 ? 1.0 : 0.0, "the air is clear"},
+                            {sun > 0 ? 1.0 : 0.0, "the sun's strength is 0"},
+                            {s.beams.empty() ? 0.0 : 1.0,
+                             s.context.alone ? "the sun does not shine through the window"
+                                             : "the sun shines neither through the window nor through the oculus"},
+                            {seen ? 1.0 : 0.0, "the beams are out of view"}});
 }
 
 }  // namespace vitrine

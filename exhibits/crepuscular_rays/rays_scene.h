@@ -32,16 +32,19 @@ struct RaysScene {
     const CrepuscularRaysTable& table;
     const PlanContext& context;
     const ParameterValues& values;
-    render::View wholeView;        ///< Of the whole picture, also while a tile of it is drawn; in pixels of the mask.
-    bool tile = false;             ///< The frame is one tile of a larger picture.
+    render::View wholeView;  ///< Of the whole picture, also while a tile of it is drawn; in pixels of the mask.
+    bool tile = false;       ///< The frame is one tile of a larger picture.
     SunInPicture sun;
     std::vector<Beam> beams;
-    int left = 0, right = 0;       ///< Techniques on the two sides of the wipe: bit 0 screen space, bit 1 volume.
+    int left = 0, right = 0;  ///< Techniques on the two sides of the wipe: bit 0 screen space, bit 1 volume.
     glm::ivec2 maskSize{0};
-    glm::ivec2 coarseSize{0};      ///< Of the images before they are brought up.
+    glm::ivec2 coarseSize{0};  ///< Of the images before they are brought up.
     RaysBlock block;
 
-    [[nodiscard]] bool uses(RayTechnique technique) const { return ((left | right) & static_cast<int>(technique)) != 0; }
+    [[nodiscard]] bool uses(RayTechnique technique) const
+    {
+        return ((left | right) & static_cast<int>(technique)) != 0;
+    }
     /// A pass over the whole of an image, with the parameters and the block bound.
     [[nodiscard]] render::Pass pass(const char* name, std::string reason, std::string fragment) const;
 };

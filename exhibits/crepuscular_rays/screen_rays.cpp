@@ -25,7 +25,9 @@ std::int64_t pixels(glm::ivec2 size)
 bool isSolidMesh(const Pass& pass)
 {
     const auto& defines = pass.shader.defines;
-    return pass.shader.vertex == "hall/surface.vert" && std::none_of(defines.begin(), defines.end(), [](const std::string& d) { return d == "ALPHA_MASK" || d == "WIPE"; });
+    return pass.shader.vertex == "hall/surface.vert" &&
+           std::none_of(defines.begin(), defines.end(),
+                        [](const std::string& d) { return d == "ALPHA_MASK" || d == "WIPE"; });
 }
 
 /// Draws everything once more that hides the sky, seen in the whole picture: meshes in one pass by their positions
@@ -48,7 +50,8 @@ void planOccluders(const RaysScene& s, render::FramePlan& plan)
     std::set<std::string> renamed;
     const auto ownName = [&](const std::string& image) { return std::string(own) + '.' + image; };
     for (const Pass& drawn : seen.passes()) {
-        const bool hides = drawn.stage == render::Stage::opaque && drawn.depth && drawn.depth->image == depthImage && drawn.state.depthWrite;
+        const bool hides = drawn.stage == render::Stage::opaque && drawn.depth && drawn.depth->image == depthImage &&
+                           drawn.state.depthWrite;
         if (hides && isSolidMesh(drawn)) {
             pass.draws.insert(pass.draws.end(), drawn.draws.begin(), drawn.draws.end());
             continue;
@@ -73,13 +76,15 @@ void planOccluders(const RaysScene& s, render::FramePlan& plan)
             }
         }
         for (render::Input& input : copy.inputs)
-            if (auto* image = std::get_if<std::string>(&input.source); image && renamed.contains(*image)) *image = ownName(*image);
+            if (auto* image = std::get_if<std::string>(&input.source); image && renamed.contains(*image))
+                *image = ownName(*image);
         others.push_back(std::move(copy));
     }
     for (const std::string& image : renamed) {
         render::ImageInfo info = seen.images().at(image);
         info.name = ownName(image);
-        if (info.size == glm::ivec2(0)) info.size = glm::max(glm::ivec2(glm::dvec2(s.maskSize) * info.scale), glm::ivec2(1));
+        if (info.size == glm::ivec2(0))
+            info.size = glm::max(glm::ivec2(glm::dvec2(s.maskSize) * info.scale), glm::ivec2(1));
         plan.image(std::move(info));
     }
     for (render::Draw& draw : pass.draws) draw.inputs.clear();
@@ -93,11 +98,16 @@ void planLoop(const RaysScene& s, render::FramePlan& plan)
     // Without a way to go, one look tells all, and the mask comes through to the bit.
     const int samples = !plain && s.block.source.w <= 0 ? 1 : s.values[s.table.samples];
     const bool inPlaceOfPasses = s.tile && !plain && s.values[s.table.method] == RayMethod::threePasses;
-    Pass pass = s.pass("loop", inPlaceOfPasses ? "a tile cannot look into its neighbors' passes, so one loop takes their place" : "the sky shines into the picture", "crepuscular_rays/loop.frag");
+    Pass pass = s.pass("loop",
+                       inPlaceOfPasses ? "a tile cannot look into its neighbors' passes, so one loop takes their place"
+                                       : "the sky shines into the picture",
+                       "crepuscular_rays/loop.frag");
     pass.stage = render::Stage::volume;
     if (plain) pass.shader.defines.emplace_back("PLAIN_SUM");
     pass.colors = {{"crepuscular_rays.rays", Load::clear, {}, -1, 0}};
-    pass.inputs = {{UNIT_EXHIBIT_A, std::string("crepuscular_rays.mask")}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, std::string(depthImage)}};
+    pass.inputs = {{UNIT_EXHIBIT_A, std::string("crepuscular_rays.mask")},
+                   {UNIT_EXHIBIT_C, blueNoise()},
+                   {UNIT_SOURCE, std::string(depthImage)}};
     RaysBlock block = s.block;
     block.taps = {samples, static_cast<float>(s.values[s.table.decay]), 1, 0};
     pass.draws[0].object = render::bytesOf(block);
@@ -112,11 +122,14 @@ void planTaps(const RaysScene& s, render::FramePlan& plan)
     const char* names[passesOfTaps] = {"taps/1", "taps/2", "taps/3"};
     const char* images[passesOfTaps] = {"crepuscular_rays.near", "crepuscular_rays.middle", "crepuscular_rays.rays"};
     for (int i = 0; i < passesOfTaps; ++i) {
-        if (i < passesOfTaps - 1) plan.image({.name = images[i], .format = render::Format::rgba16f, .size = s.coarseSize});
+        if (i < passesOfTaps - 1)
+            plan.image({.name = images[i], .format = render::Format::rgba16f, .size = s.coarseSize});
         Pass pass = s.pass(names[i], "the sky shines into the picture", "crepuscular_rays/taps.frag");
         pass.stage = render::Stage::volume;
         pass.colors = {{images[i], Load::clear, {}, -1, 0}};
-        pass.inputs = {{UNIT_EXHIBIT_A, std::string(i == 0 ? "crepuscular_rays.mask" : images[i - 1])}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, std::string(depthImage)}};
+        pass.inputs = {{UNIT_EXHIBIT_A, std::string(i == 0 ? "crepuscular_rays.mask" : images[i - 1])},
+                       {UNIT_EXHIBIT_C, blueNoise()},
+                       {UNIT_SOURCE, std::string(depthImage)}};
         RaysBlock block = s.block;
         block.taps = {taps, std::pow(ratio, std::pow(taps, i)), i == 0 ? 1 : 0, 0};
         pass.draws[0].object = render::bytesOf(block);
@@ -132,7 +145,10 @@ void planPolar(RaysScene& s, render::FramePlan& plan)
     s.block.polar = {grid.firstAngle, grid.span, std::log(grid.firstRadius), span};
     s.block.polarSize = {grid.radii, grid.angles, std::exp(-s.block.source.z * span / grid.radii), 0};
     s.block.taps.z = grid.around ? 0 : 1;
-    plan.image({.name = "crepuscular_rays.polar", .format = render::Format::rgba16f, .size = {grid.radii, grid.angles}, .repeat = true});
+    plan.image({.name = "crepuscular_rays.polar",
+                .format = render::Format::rgba16f,
+                .size = {grid.radii, grid.angles},
+                .repeat = true});
     Pass pass = s.pass("polar", "the sky shines into the picture", "");
     pass.work = render::Work::compute;
     pass.stage = render::Stage::volume;
@@ -171,7 +187,9 @@ void planMask(const RaysScene& s, render::FramePlan& plan)
     if (alpha) pass.shader.defines.emplace_back("FROM_ALPHA");
     if (occluders) pass.view = s.wholeView;
     pass.colors = {{"crepuscular_rays.mask", Load::clear, {}, -1, 0}};
-    pass.inputs = {{UNIT_SOURCE, std::string(occluders ? "crepuscular_rays.occluders" : alpha ? radianceImage : depthImage)}};
+    pass.inputs = {{UNIT_SOURCE, std::string(occluders ? "crepuscular_rays.occluders"
+                                             : alpha   ? radianceImage
+                                                       : depthImage)}};
     pass.blocks[BLOCK_LIGHT] = render::bytesOf(s.context.surroundings.light);
     for (const render::Input& input : s.context.surroundings.inputs)
         if (input.unit == UNIT_ENVIRONMENT) pass.inputs.push_back(input);
@@ -184,8 +202,10 @@ void planGathering(RaysScene& s, render::FramePlan& plan)
     const RayMethod method = methodOf(s);
     if (method == RayMethod::polar) return planPolar(s, plan);
     plan.image({.name = "crepuscular_rays.rays", .format = render::Format::rgba16f, .size = s.coarseSize});
-    if (method == RayMethod::loop) planLoop(s, plan);
-    else planTaps(s, plan);
+    if (method == RayMethod::loop)
+        planLoop(s, plan);
+    else
+        planTaps(s, plan);
 }
 
 }  // namespace vitrine

@@ -43,12 +43,14 @@ Beam beamBehind(const render::Box& opening, const render::Box& room, const glm::
     for (int i = 0; i < 3; ++i) {
         if (i == axis || std::abs(along[i]) < 1e-9) continue;
         const double drift = along[i] * (reach > 0 ? 1 : -1);
-        const double way = drift > 0 ? (room.high[i] - opening.low[i]) / drift : (opening.high[i] - room.low[i]) / -drift;
+        const double way =
+            drift > 0 ? (room.high[i] - opening.low[i]) / drift : (opening.high[i] - room.low[i]) / -drift;
         if (way < std::abs(reach)) reach = std::copysign(std::max(way, 0.0), reach);
     }
     for (const double t : {0.0, reach}) {
         for (int corner = 0; corner < 8; ++corner) {
-            glm::dvec3 p((corner & 1) != 0 ? opening.high.x : opening.low.x, (corner & 2) != 0 ? opening.high.y : opening.low.y,
+            glm::dvec3 p((corner & 1) != 0 ? opening.high.x : opening.low.x,
+                         (corner & 2) != 0 ? opening.high.y : opening.low.y,
                          (corner & 4) != 0 ? opening.high.z : opening.low.z);
             p[axis] = beam.plane;
             beam.box.include(glm::clamp(p + along * t, room.low, room.high));

@@ -13,8 +13,10 @@ namespace vitrine {
 /// Where a light at infinity stands in a picture.
 struct SunInPicture {
     bool inFront = false;
-    glm::dvec2 pixel{0};  ///< Of the whole picture, from its lower left corner; may lie beyond its edges. Only when `inFront`.
-    /// max(|x|, |y|) - 1 in normalized device coordinates: negative inside; infinite on the camera's plane and behind it.
+    glm::dvec2 pixel{
+        0};  ///< Of the whole picture, from its lower left corner; may lie beyond its edges. Only when `inFront`.
+    /// max(|x|, |y|) - 1 in normalized device coordinates: negative inside; infinite on the camera's plane and behind
+    /// it.
     double beyond = std::numeric_limits<double>::infinity();
 };
 
@@ -24,10 +26,10 @@ struct SunInPicture {
 
 /// The log-polar grid around `source` that holds the rectangle from 0 to `size`: angles and radii in pixels.
 struct PolarGrid {
-    double firstAngle = 0, span = 0;           ///< Radians; the whole circle when the source is inside.
+    double firstAngle = 0, span = 0;  ///< Radians; the whole circle when the source is inside.
     double firstRadius = 0.5, lastRadius = 1;
     int radii = 1, angles = 1;
-    bool around = true;                        ///< The source is inside.
+    bool around = true;  ///< The source is inside.
 };
 [[nodiscard]] PolarGrid polarGrid(glm::dvec2 source, glm::dvec2 size, int samples);
 
@@ -35,12 +37,13 @@ struct PolarGrid {
 struct Beam {
     render::Box opening;  ///< Flat along `axis`.
     int axis = 2;
-    double plane = 0;     ///< Where on that axis the light enters the room.
-    render::Box box;      ///< That holds what is lit.
+    double plane = 0;  ///< Where on that axis the light enters the room.
+    render::Box box;   ///< That holds what is lit.
 };
 
 /// The beams of all openings that the sun shines through into the room; empty for a sun on the other side.
 /// A sliver of less than 30 cm, by which the sun misses the rim of a deep opening, is left out.
-[[nodiscard]] std::vector<Beam> beams(std::span<const render::Box> openings, const render::Box& room, const glm::dvec3& towardsSun);
+[[nodiscard]] std::vector<Beam> beams(std::span<const render::Box> openings, const render::Box& room,
+                                      const glm::dvec3& towardsSun);
 
 }  // namespace vitrine

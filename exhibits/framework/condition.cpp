@@ -16,8 +16,11 @@ Condition joined(Condition::Test test, Condition a, Condition b)
 {
     Condition both{test};
     for (Condition* one : {&a, &b}) {
-        if (one->test != test) both.parts.push_back(std::move(*one));
-        else both.parts.insert(both.parts.end(), std::make_move_iterator(one->parts.begin()), std::make_move_iterator(one->parts.end()));
+        if (one->test != test)
+            both.parts.push_back(std::move(*one));
+        else
+            both.parts.insert(both.parts.end(), std::make_move_iterator(one->parts.begin()),
+                              std::make_move_iterator(one->parts.end()));
     }
     return both;
 }
@@ -32,8 +35,10 @@ std::size_t rowNamed(const Parameters& table, std::string_view name)
 bool holds(const Condition& condition, const ParameterValues& values)
 {
     const auto part = [&](const Condition& one) { return holds(one, values); };
-    if (condition.test == Condition::Test::all) return std::all_of(condition.parts.begin(), condition.parts.end(), part);
-    if (condition.test == Condition::Test::any) return std::any_of(condition.parts.begin(), condition.parts.end(), part);
+    if (condition.test == Condition::Test::all)
+        return std::all_of(condition.parts.begin(), condition.parts.end(), part);
+    if (condition.test == Condition::Test::any)
+        return std::any_of(condition.parts.begin(), condition.parts.end(), part);
     const std::size_t row = rowNamed(values.table(), condition.row);
     if (!acts(values, row)) return false;
     if (condition.test == Condition::Test::given) return !std::get<std::string>(values.row(row)).empty();
@@ -71,9 +76,12 @@ std::string text(const Condition& condition, const Parameters& table, const Para
     const std::size_t index = rowNamed(table, condition.row);
     const ParameterInfo& row = table.rows()[index];
     std::string line = "“" + label(row) + "” ";
-    if (condition.test == Condition::Test::given) line += "names a file";
-    else if (condition.test == Condition::Test::above) line += "is above " + formatValue(row, condition.values.front());
-    else line += (condition.test == Condition::Test::differs ? "is not " : "is ") + alternatives(row, condition.values);
+    if (condition.test == Condition::Test::given)
+        line += "names a file";
+    else if (condition.test == Condition::Test::above)
+        line += "is above " + formatValue(row, condition.values.front());
+    else
+        line += (condition.test == Condition::Test::differs ? "is not " : "is ") + alternatives(row, condition.values);
     if (values && !acts(*values, index)) line += " (which acts when " + text(*row.actsWhen, table, values) + ")";
     return line;
 }

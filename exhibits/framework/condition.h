@@ -10,8 +10,8 @@ namespace vitrine {
 class Parameters;
 class ParameterValues;
 
-/// What must hold in other rows of a table for a row to act on anything that can be seen. Rows are told by their names, so
-/// that one may look at rows further down.
+/// What must hold in other rows of a table for a row to act on anything that can be seen. Rows are told by their names,
+/// so that one may look at rows further down.
 struct Condition {
     enum class Test : std::uint8_t {
         among,    ///< The row has one of `values`: numbers, indices of choices, 0 or 1 for toggles.
@@ -45,7 +45,8 @@ struct Condition {
 /// The same, and of every row in it that does not act itself, when that one does.
 [[nodiscard]] std::string actsWhen(const ParameterValues&, std::size_t row);
 
-/// The values with every row that does not act at its initial value: alike for two snapshots that differ in such rows alone.
+/// The values with every row that does not act at its initial value: alike for two snapshots that differ in such rows
+/// alone.
 [[nodiscard]] ParameterValues actingValues(const ParameterValues&);
 
 }  // namespace vitrine

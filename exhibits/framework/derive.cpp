@@ -87,9 +87,11 @@ std::string uniformBlock(const Parameters& table)
 {
     std::string fields;
     for (const ParameterInfo& row : table.rows())
-        if (row.kind != Kind::file) fields += "    " + std::string(glslType(row.kind)) + ' ' + std::string(row.name) + ";\n";
+        if (row.kind != Kind::file)
+            fields += "    " + std::string(glslType(row.kind)) + ' ' + std::string(row.name) + ";\n";
     if (fields.empty()) return {};
-    return enumerators(table) + "layout(std140, binding = " + std::to_string(BLOCK_PARAMETERS) + ") uniform Parameters {\n" + fields + "} parameters;\n";
+    return enumerators(table) + "layout(std140, binding = " + std::to_string(BLOCK_PARAMETERS) +
+           ") uniform Parameters {\n" + fields + "} parameters;\n";
 }
 
 render::Bytes uniformBytes(const ParameterValues& values)
@@ -98,9 +100,12 @@ render::Bytes uniformBytes(const ParameterValues& values)
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
         const ParameterInfo& row = values.rows()[i];
         if (row.kind == Kind::file) continue;
-        if (const auto* v = std::get_if<glm::dvec3>(&values.row(i))) put(bytes, glm::vec3(*v), 16);
-        else if (row.kind == Kind::real) put(bytes, static_cast<float>(std::get<double>(values.row(i))), 4);
-        else put(bytes, static_cast<std::int32_t>(std::get<double>(values.row(i))), 4);
+        if (const auto* v = std::get_if<glm::dvec3>(&values.row(i)))
+            put(bytes, glm::vec3(*v), 16);
+        else if (row.kind == Kind::real)
+            put(bytes, static_cast<float>(std::get<double>(values.row(i))), 4);
+        else
+            put(bytes, static_cast<std::int32_t>(std::get<double>(values.row(i))), 4);
     }
     return bytes;
 }
@@ -111,8 +116,11 @@ std::string manualTable(const Parameters& table)
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
         const ParameterInfo& row = table.rows()[i];
         std::string unit(info(row.unit).symbol);
-        text += "| `" + std::string(row.name) + "` | " + formatValue(row, row.initial) + " | " + rangeText(row) + " | " + unit + " | " + std::string(row.help);
-        if (row.qualityReference) text += (row.exactByMeaning ? " *Quality: exact at " : " *Quality: finest at ") + formatValue(row, *row.qualityReference) + ".*";
+        text += "| `" + std::string(row.name) + "` | " + formatValue(row, row.initial) + " | " + rangeText(row) +
+                " | " + unit + " | " + std::string(row.help);
+        if (row.qualityReference)
+            text += (row.exactByMeaning ? " *Quality: exact at " : " *Quality: finest at ") +
+                    formatValue(row, *row.qualityReference) + ".*";
         if (row.actsWhen) text += " *Acts when " + actsWhen(table, i) + ".*";
         text += " |\n";
     }
@@ -136,7 +144,8 @@ std::vector<double> sweep(const ParameterInfo& row, int points)
     for (int i = 0; i < points; ++i) {
         const double t = points > 1 ? static_cast<double>(i) / (points - 1) : 0.0;
         const double x = i == points - 1 && points > 1 ? softHigh
-                         : scale == Scale::logarithmic ? softLow * std::pow(softHigh / softLow, t) : softLow + (softHigh - softLow) * t;
+                         : scale == Scale::logarithmic ? softLow * std::pow(softHigh / softLow, t)
+                                                       : softLow + (softHigh - softLow) * t;
         values.push_back(row.kind == Kind::count ? std::round(x) : x);
     }
     std::sort(values.begin(), values.end());
@@ -149,9 +158,12 @@ void addToKey(render::Hash& key, const ParameterValues& values, std::optional<st
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
         if (i == except) continue;
         const Value& value = values.row(i);
-        if (const auto* x = std::get_if<double>(&value)) key.addValue(*x);
-        else if (const auto* v = std::get_if<glm::dvec3>(&value)) key.addValue(*v);
-        else key.add(std::get<std::string>(value)).addValue('\n');
+        if (const auto* x = std::get_if<double>(&value))
+            key.addValue(*x);
+        else if (const auto* v = std::get_if<glm::dvec3>(&value))
+            key.addValue(*v);
+        else
+            key.add(std::get<std::string>(value)).addValue('\n');
     }
 }
 
@@ -162,9 +174,12 @@ std::string keyOf(const ParameterValues& values, std::initializer_list<std::size
     for (const std::size_t row : rows) {
         key += ';' + std::string(values.rows()[row].name);
         const Value& value = values.row(row);
-        if (const auto* x = std::get_if<double>(&value)) add(*x);
-        else if (const auto* v = std::get_if<glm::dvec3>(&value)) for (int i = 0; i < 3; ++i) add((*v)[i]);
-        else key += '=' + std::get<std::string>(value);
+        if (const auto* x = std::get_if<double>(&value))
+            add(*x);
+        else if (const auto* v = std::get_if<glm::dvec3>(&value))
+            for (int i = 0; i < 3; ++i) add((*v)[i]);
+        else
+            key += '=' + std::get<std::string>(value);
     }
     return key;
 }

@@ -13,11 +13,12 @@
 // change here.
 namespace vitrine::derive {
 
-/// The enumerators of a table's choices, as GLSL: `const int shadowMethod_area = 5;` for "area" of the row "shadowMethod".
+/// The enumerators of a table's choices, as GLSL: `const int shadowMethod_area = 5;` for "area" of the row
+/// "shadowMethod".
 [[nodiscard]] std::string enumerators(const Parameters&);
 
-/// The std140 block of a table, as GLSL, after its `enumerators`: shaders read `parameters.shellCount`. Real is float, count
-/// and choice int, toggle bool, color and direction vec3; files have no field.
+/// The std140 block of a table, as GLSL, after its `enumerators`: shaders read `parameters.shellCount`. Real is float,
+/// count and choice int, toggle bool, color and direction vec3; files have no field.
 [[nodiscard]] std::string uniformBlock(const Parameters&);
 
 /// The bytes of that block.

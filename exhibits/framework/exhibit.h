@@ -39,13 +39,15 @@ inline constexpr const char* exhibitShadowImage = "shadow.exhibits";
 struct PlanContext {
     const ParameterValues& values;
     const Surroundings& surroundings;  ///< The light around it.
-    glm::dmat4 worldFromExhibit{1};  ///< Its place in the hall, or identity when alone, times the caller's scale and rotation.
-    double time = 0;                 ///< Seconds since the exhibit's clock started.
+    glm::dmat4 worldFromExhibit{
+        1};           ///< Its place in the hall, or identity when alone, times the caller's scale and rotation.
+    double time = 0;  ///< Seconds since the exhibit's clock started.
     Channels channels;
-    bool alone = false;              ///< No hall: the environment is the only light.
-    std::string hiddenBecause;       ///< Empty when its bounds may be visible from the camera.
-    std::string noShadowBecause;     ///< Empty when its shadow may be seen and the sun may reach its bounds.
-    double sinceOwnPress = std::numeric_limits<double>::infinity();  ///< Seconds since its button was pressed; infinity: never.
+    bool alone = false;           ///< No hall: the environment is the only light.
+    std::string hiddenBecause;    ///< Empty when its bounds may be visible from the camera.
+    std::string noShadowBecause;  ///< Empty when its shadow may be seen and the sun may reach its bounds.
+    double sinceOwnPress =
+        std::numeric_limits<double>::infinity();  ///< Seconds since its button was pressed; infinity: never.
     const PreparedPart* prepared = nullptr;  ///< What `prepare` made; null where neither it nor its shadow may be seen.
     /// What the hall and all exhibits plan for another view of the same frame, without shadows and what lies over the
     /// frame. Only while `planOverFrame` is called; unpruned.
@@ -57,7 +59,7 @@ struct PlanContext {
 struct StudyView {
     std::string name;
     render::Camera camera;
-    double time = 0;                       ///< Seconds.
+    double time = 0;  ///< Seconds.
     ParameterValues values;
 };
 
@@ -66,18 +68,21 @@ class Exhibit {
 public:
     virtual ~Exhibit() = default;
 
-    [[nodiscard]] virtual std::string_view name() const = 0;     ///< Of its folder, presets and flags.
-    [[nodiscard]] virtual std::string_view title() const = 0;    ///< Shown to visitors.
-    [[nodiscard]] virtual std::string_view summary() const = 0;  ///< One sentence.
-    [[nodiscard]] virtual std::string_view tryThis() const { return {}; }  ///< On the plaque: what to try.
+    [[nodiscard]] virtual std::string_view name() const = 0;                  ///< Of its folder, presets and flags.
+    [[nodiscard]] virtual std::string_view title() const = 0;                 ///< Shown to visitors.
+    [[nodiscard]] virtual std::string_view summary() const = 0;               ///< One sentence.
+    [[nodiscard]] virtual std::string_view tryThis() const { return {}; }     ///< On the plaque: what to try.
     [[nodiscard]] virtual std::string_view buttonText() const { return {}; }  ///< After "E – "; empty: no button.
-    [[nodiscard]] virtual int place() const = 0;                 ///< 1 to 9; 0 for the hall, 10 for the visitor's plinth.
+    [[nodiscard]] virtual int place() const = 0;  ///< 1 to 9; 0 for the hall, 10 for the visitor's plinth.
     [[nodiscard]] virtual const Parameters& parameters() const = 0;
 
     /// The space it may fill, in its own space: what is culled, framed and collided with.
     [[nodiscard]] virtual render::Box bounds(const ParameterValues&) const = 0;
     /// The same, `sinceOwnPress` seconds after its button was pressed (infinity: never).
-    [[nodiscard]] virtual render::Box boundsAfterPress(const ParameterValues& values, double /*sinceOwnPress*/) const { return bounds(values); }
+    [[nodiscard]] virtual render::Box boundsAfterPress(const ParameterValues& values, double /*sinceOwnPress*/) const
+    {
+        return bounds(values);
+    }
     /// Resolves what takes time or can fail, through the asset store: files, meshes, simulations. Null where it needs
     /// nothing. Any thread may call it, several at once; never throws for a file that cannot be read.
     [[nodiscard]] virtual std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const { return nullptr; }
@@ -95,7 +100,10 @@ public:
     /// Seconds until its picture next changes by itself: 0 while animated, infinity when still.
     [[nodiscard]] virtual double nextChange(const ParameterValues&, double time) const = 0;
     /// The same of what is prepared, its button included.
-    [[nodiscard]] virtual double nextChangeOf(const ExhibitState& state) const { return nextChange(state.values, state.time); }
+    [[nodiscard]] virtual double nextChangeOf(const ExhibitState& state) const
+    {
+        return nextChange(state.values, state.time);
+    }
     /// What pressing its button does to the values; returns whether anything changed.
     virtual bool press(ParameterValues&) const { return false; }
 
@@ -111,7 +119,11 @@ public:
     /// Whether it draws into the exhibits' shadow map; false for what is made of light alone.
     [[nodiscard]] virtual bool castsShadow() const { return true; }
     /// How far the hanging parts of its place have turned about their own upright axis, radians.
-    [[nodiscard]] virtual double turnOfHangings(const ParameterValues&, double time) const { (void)time; return 0; }
+    [[nodiscard]] virtual double turnOfHangings(const ParameterValues&, double time) const
+    {
+        (void)time;
+        return 0;
+    }
 };
 
 }  // namespace vitrine

@@ -27,7 +27,7 @@ struct Dimension {
 };
 
 struct Quantity {
-    Number value = 0;      // In SI when it has a dimension.
+    Number value = 0;  // In SI when it has a dimension.
     Dimension dimension;
 };
 
@@ -40,18 +40,29 @@ struct UnitWord {
 constexpr Number degree = std::numbers::pi_v<Number> / 180;
 
 constexpr std::array<UnitWord, 23> unitWords = {{
-    {"mm", 1e-3L, {Measure::length, 1}},    {"cm", 1e-2L, {Measure::length, 1}},
-    {"m", 1, {Measure::length, 1}},         {"um", 1e-6L, {Measure::length, 1}},
-    {"µm", 1e-6L, {Measure::length, 1}},    {"μm", 1e-6L, {Measure::length, 1}},  // Micro sign and Greek mu.
-    {"in", 0.0254L, {Measure::length, 1}},  {"deg", degree, {Measure::angle, 1}},
-    {"°", degree, {Measure::angle, 1}},     {"rad", 1, {Measure::angle, 1}},
+    {"mm", 1e-3L, {Measure::length, 1}},
+    {"cm", 1e-2L, {Measure::length, 1}},
+    {"m", 1, {Measure::length, 1}},
+    {"um", 1e-6L, {Measure::length, 1}},
+    {"µm", 1e-6L, {Measure::length, 1}},
+    {"μm", 1e-6L, {Measure::length, 1}},  // Micro sign and Greek mu.
+    {"in", 0.0254L, {Measure::length, 1}},
+    {"deg", degree, {Measure::angle, 1}},
+    {"°", degree, {Measure::angle, 1}},
+    {"rad", 1, {Measure::angle, 1}},
     {"turn", 360 * degree, {Measure::angle, 1}},
-    {"ms", 1e-3L, {Measure::time, 1}},      {"s", 1, {Measure::time, 1}},
-    {"min", 60, {Measure::time, 1}},        {"Hz", 1, {Measure::time, -1}},
-    {"kHz", 1e3L, {Measure::time, -1}},     {"px", 1, {Measure::pixel, 1}},
-    {"EV", 1, {Measure::stop, 1}},          {"stops", 1, {Measure::stop, 1}},
-    {"stop", 1, {Measure::stop, 1}},        {"%", 1e-2L, {Measure::ratio, 1}},
-    {"K", 1, {Measure::kelvin, 1}},         {"h", 1, {Measure::hour, 1}},  // Of the day: no length of time.
+    {"ms", 1e-3L, {Measure::time, 1}},
+    {"s", 1, {Measure::time, 1}},
+    {"min", 60, {Measure::time, 1}},
+    {"Hz", 1, {Measure::time, -1}},
+    {"kHz", 1e3L, {Measure::time, -1}},
+    {"px", 1, {Measure::pixel, 1}},
+    {"EV", 1, {Measure::stop, 1}},
+    {"stops", 1, {Measure::stop, 1}},
+    {"stop", 1, {Measure::stop, 1}},
+    {"%", 1e-2L, {Measure::ratio, 1}},
+    {"K", 1, {Measure::kelvin, 1}},
+    {"h", 1, {Measure::hour, 1}},  // Of the day: no length of time.
 }};
 
 Dimension dimensionOf(Unit unit)
@@ -90,10 +101,12 @@ public:
         if (!q || at_ != text_.size()) return std::nullopt;
         const Dimension wanted = dimensionOf(unit_);
         double x = 0;
-        if (q->dimension == Dimension{}) x = fromShown(q->value);
+        if (q->dimension == Dimension{})
+            x = fromShown(q->value);
         else if (q->dimension == wanted || (unit_ == Unit::none && q->dimension == Dimension{Measure::ratio, 1})) {
             x = static_cast<double>(q->value);
-        } else return std::nullopt;
+        } else
+            return std::nullopt;
         if (!std::isfinite(x)) return std::nullopt;
         return x;
     }
@@ -287,7 +300,9 @@ std::optional<double> evaluate(std::string_view text, Unit unit)
     constexpr std::size_t longest = 4096;
     if (text.size() > longest) return std::nullopt;
     // A number alone is the double nearest to it: by way of a wider number it would be rounded twice.
-    if (const std::optional<double> plain = render::parseNumber(text); plain && std::isfinite(*plain) && info(unit).shownPerStored == 1) return plain;
+    if (const std::optional<double> plain = render::parseNumber(text);
+        plain && std::isfinite(*plain) && info(unit).shownPerStored == 1)
+        return plain;
     // The reading that measures the right thing is meant: 1/(20 ms) in hertz, (1/50) s in seconds.
     const std::optional<double> x = Parser(text, unit, Parser::Suffix::divisor).result();
     return x ? x : Parser(text, unit, Parser::Suffix::quotient).result();

@@ -17,19 +17,20 @@ enum class AverageIn : std::uint8_t { display, radiance };
 struct FrameRequest {
     render::Camera camera;
     render::Raster raster;
-    double time = 0;              ///< Seconds.
+    double time = 0;  ///< Seconds.
     std::uint32_t seed = 1;
-    int sample = 0;               ///< This is sample number `sample` (from 0) ...
-    int samples = 1;              ///< ... of so many.
+    int sample = 0;   ///< This is sample number `sample` (from 0) ...
+    int samples = 1;  ///< ... of so many.
     AverageIn averageIn = AverageIn::display;
     Channels channels;
-    bool transparent = false;     ///< No sky or environment behind what is drawn: alpha 0 there.
-    std::optional<std::size_t> alone;  ///< Only this exhibit, in the environment's light.
+    bool transparent = false;           ///< No sky or environment behind what is drawn: alpha 0 there.
+    std::optional<std::size_t> alone;   ///< Only this exhibit, in the environment's light.
     std::optional<std::size_t> cutOut;  ///< Only this exhibit, where it stands, in the hall's light: alpha 0 around it.
-    glm::dmat4 exhibitTransform{1};    ///< For `alone` or `subject`: scale and rotation about its own origin.
+    glm::dmat4 exhibitTransform{1};     ///< For `alone` or `subject`: scale and rotation about its own origin.
     std::optional<std::size_t> subject;
     bool runEverything = false;
-    bool needsFiles = false;  ///< A file that the look names and that cannot be read is a Failure, not a complaint of the plan.
+    bool needsFiles =
+        false;  ///< A file that the look names and that cannot be read is a Failure, not a complaint of the plan.
     /// Seconds since each exhibit's button was pressed, in the order of Museum::exhibits(); may be shorter.
     std::vector<double> sincePressed;
 };

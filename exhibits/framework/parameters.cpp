@@ -56,7 +56,8 @@ std::string spelledOut(std::string_view name)
     for (const char c : name) {
         const bool upper = std::isupper(static_cast<unsigned char>(c)) != 0;
         if (upper && !text.empty()) text += ' ';
-        const int shownAs = text.empty() ? std::toupper(static_cast<unsigned char>(c)) : std::tolower(static_cast<unsigned char>(c));
+        const int shownAs =
+            text.empty() ? std::toupper(static_cast<unsigned char>(c)) : std::tolower(static_cast<unsigned char>(c));
         text += static_cast<char>(shownAs);
     }
     return text;
@@ -81,7 +82,9 @@ std::string labelInGroup(const ParameterInfo& row)
     for (std::size_t from = 0; from <= row.group.size();) {
         const std::size_t to = std::min(row.group.find(' ', from), row.group.size());
         const std::string_view word = row.group.substr(from, to - from);
-        if (std::equal(word.begin(), word.end(), first.begin(), first.end(), [&](char a, char b) { return lower(static_cast<unsigned char>(a)) == lower(static_cast<unsigned char>(b)); })) {
+        if (std::equal(word.begin(), word.end(), first.begin(), first.end(), [&](char a, char b) {
+                return lower(static_cast<unsigned char>(a)) == lower(static_cast<unsigned char>(b));
+            })) {
             text.erase(0, end + 1);
             text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
             return text;
@@ -204,7 +207,10 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
     return static_cast<std::uint16_t>(rows_.size() - 1);
 }
 
-ParameterValues::ParameterValues(const Parameters& table) : ParameterValues(std::shared_ptr<const Parameters>(std::shared_ptr<void>(), &table)) {}
+ParameterValues::ParameterValues(const Parameters& table)
+    : ParameterValues(std::shared_ptr<const Parameters>(std::shared_ptr<void>(), &table))
+{
+}
 
 ParameterValues::ParameterValues(std::shared_ptr<const Parameters> table) : table_(std::move(table))
 {
@@ -225,8 +231,9 @@ ParameterValues ParameterValues::under(std::shared_ptr<const Parameters> table) 
 bool ParameterValues::operator==(const ParameterValues& other) const
 {
     if (values_ != other.values_) return false;
-    return table_ == other.table_ || std::equal(rows().begin(), rows().end(), other.rows().begin(), other.rows().end(),
-                                                [](const ParameterInfo& a, const ParameterInfo& b) { return a.name == b.name; });
+    return table_ == other.table_ ||
+           std::equal(rows().begin(), rows().end(), other.rows().begin(), other.rows().end(),
+                      [](const ParameterInfo& a, const ParameterInfo& b) { return a.name == b.name; });
 }
 
 bool ParameterValues::setRow(std::size_t i, const Value& value)

@@ -64,9 +64,9 @@ struct ParameterInfo {
     Unit unit = Unit::none;  ///< How to show it; `range` and `initial` are in SI.
     Range range;
     Value initial;
-    std::vector<std::string_view> choices = {};  ///< Names, for Kind::choice only.
+    std::vector<std::string_view> choices = {};   ///< Names, for Kind::choice only.
     std::optional<double> qualityReference = {};  ///< The value that counts as exact, when accuracy costs time.
-    bool exactByMeaning = false;              ///< Nothing is approximated there; else that it is exact has to be checked.
+    bool exactByMeaning = false;  ///< Nothing is approximated there; else that it is exact has to be checked.
     std::optional<Condition> actsWhen = {};  ///< When it changes anything that can be seen; nothing: always.
     std::string_view called = {};            ///< Its label where `name` does not read as one.
     std::optional<Word> word = {};           ///< For a real or a count.
@@ -82,7 +82,8 @@ struct ParameterInfo {
 
 /// "Shell count" for "shellCount", or what the row is called.
 [[nodiscard]] std::string label(const ParameterInfo&);
-/// The label under the heading of its group, whose word it need not repeat: "Length" for "Ball length" in "Coat of the ball".
+/// The label under the heading of its group, whose word it need not repeat: "Length" for "Ball length" in "Coat of the
+/// ball".
 [[nodiscard]] std::string labelInGroup(const ParameterInfo&);
 
 /// The legal value nearest to `value`, or nothing when its type or a NaN leaves no nearest one.
@@ -95,8 +96,12 @@ template <typename T> struct Parameter {
 using Real = Parameter<double>;
 using Count = Parameter<int>;
 using Toggle = Parameter<bool>;
-struct ColorValue { glm::dvec3 value; };
-struct DirectionValue { glm::dvec3 value; };
+struct ColorValue {
+    glm::dvec3 value;
+};
+struct DirectionValue {
+    glm::dvec3 value;
+};
 using Color = Parameter<ColorValue>;
 using Direction = Parameter<DirectionValue>;
 using File = Parameter<std::string>;
@@ -114,7 +119,8 @@ class ParameterValues;
 ///             {"forward", "tetrahedron", "central"}, "How the normal is estimated.", quality(NormalMethod::central));
 ///     };
 ///
-/// A table copies every text that it is given, so it can be made of a file that is read at run time as well: `MadeTable`.
+/// A table copies every text that it is given, so it can be made of a file that is read at run time as well:
+/// `MadeTable`.
 class Parameters {
 public:
     Parameters(const Parameters&) = delete;  // Handles are only meaningful to their own table.
@@ -137,7 +143,8 @@ protected:
         std::string_view heading;
     };
 
-    /// Radians: for initial values and ranges of angles. The inverse of how `Unit::degree` shows them, to the last bit for most.
+    /// Radians: for initial values and ranges of angles. The inverse of how `Unit::degree` shows them, to the last bit
+    /// for most.
     [[nodiscard]] static constexpr double degrees(double angle) { return angle / (180 / std::numbers::pi); }
 
     // What may be said of a row after its help, in any order:
@@ -149,45 +156,75 @@ protected:
     [[nodiscard]] static Quality quality(double reference) { return {reference, false}; }
     /// The same, but at `reference` the row approximates nothing: a closed form, or an approximation that is off.
     [[nodiscard]] static Quality exactAt(double reference) { return {reference, true}; }
-    template <typename Enum> requires std::is_enum_v<Enum>
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
     [[nodiscard]] static Quality quality(Enum reference) { return quality(static_cast<double>(reference)); }
-    template <typename Enum> requires std::is_enum_v<Enum>
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
     [[nodiscard]] static Quality exactAt(Enum reference) { return exactAt(static_cast<double>(reference)); }
     /// Of the files that a file row reads, with blanks between: "glb gltf".
-    struct Endings { std::string_view text; };
+    struct Endings {
+        std::string_view text;
+    };
     [[nodiscard]] static Endings endings(std::string_view text) { return {text}; }
-    struct Called { std::string_view text; };
+    struct Called {
+        std::string_view text;
+    };
     [[nodiscard]] static Called called(std::string_view text) { return {text}; }
     /// `value` is shown and typed as this word.
     [[nodiscard]] static Word reads(double value, std::string_view word) { return {value, word}; }
     /// When the row acts: `when(...) && when(...)`, `when(...) || when(...)`.
-    [[nodiscard]] Condition when(Toggle row, bool on = true) const { return {Condition::Test::among, nameOf(row), {on ? 1.0 : 0.0}}; }
-    template <typename Enum> requires std::is_enum_v<Enum>
+    [[nodiscard]] Condition when(Toggle row, bool on = true) const
+    {
+        return {Condition::Test::among, nameOf(row), {on ? 1.0 : 0.0}};
+    }
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
     [[nodiscard]] Condition when(Choice<Enum> row, Enum value) const { return when(row, {value}); }
-    template <typename Enum> requires std::is_enum_v<Enum>
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
     [[nodiscard]] Condition when(Choice<Enum> row, std::initializer_list<Enum> values) const
     {
         Condition condition{Condition::Test::among, nameOf(row)};
         for (const Enum value : values) condition.values.push_back(static_cast<double>(value));
         return condition;
     }
-    template <typename Enum> requires std::is_enum_v<Enum>
-    [[nodiscard]] Condition whenNot(Choice<Enum> row, Enum value) const { return {Condition::Test::differs, nameOf(row), {static_cast<double>(value)}}; }
-    [[nodiscard]] Condition when(Real row, double value) const { return {Condition::Test::among, nameOf(row), {value}}; }
-    [[nodiscard]] Condition whenNot(Real row, double value) const { return {Condition::Test::differs, nameOf(row), {value}}; }
-    [[nodiscard]] Condition whenAbove(Real row, double value) const { return {Condition::Test::above, nameOf(row), {value}}; }
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
+    [[nodiscard]] Condition whenNot(Choice<Enum> row, Enum value) const
+    {
+        return {Condition::Test::differs, nameOf(row), {static_cast<double>(value)}};
+    }
+    [[nodiscard]] Condition when(Real row, double value) const
+    {
+        return {Condition::Test::among, nameOf(row), {value}};
+    }
+    [[nodiscard]] Condition whenNot(Real row, double value) const
+    {
+        return {Condition::Test::differs, nameOf(row), {value}};
+    }
+    [[nodiscard]] Condition whenAbove(Real row, double value) const
+    {
+        return {Condition::Test::above, nameOf(row), {value}};
+    }
     [[nodiscard]] Condition whenGiven(File row) const { return {Condition::Test::given, nameOf(row)}; }
     // Of a row further down, by its name and its value as a number:
-    [[nodiscard]] static Condition whenLater(std::string_view row, double value) { return {Condition::Test::among, row, {value}}; }
-    [[nodiscard]] static Condition whenLaterAbove(std::string_view row, double value) { return {Condition::Test::above, row, {value}}; }
+    [[nodiscard]] static Condition whenLater(std::string_view row, double value)
+    {
+        return {Condition::Test::among, row, {value}};
+    }
+    [[nodiscard]] static Condition whenLaterAbove(std::string_view row, double value)
+    {
+        return {Condition::Test::above, row, {value}};
+    }
 
     /// Heading of the rows that follow.
     Group group(std::string_view title);
     /// The same; the panel shows the group folded until someone opens it.
     Group foldedGroup(std::string_view title);
 
-    /// Groups with the same rows, one for each element: within `make(i)` a row "length" is "ballLength". Returns what `make`
-    /// returns, in the order of the elements.
+    /// Groups with the same rows, one for each element: within `make(i)` a row "length" is "ballLength". Returns what
+    /// `make` returns, in the order of the elements.
     template <typename Make> auto groups(std::string_view array, std::span<const Element> elements, const Make& make)
     {
         std::vector<decltype(make(std::size_t{0}))> made;
@@ -200,7 +237,8 @@ protected:
     }
 
     template <typename... Traits>
-    Real real(std::string_view name, double initial, Unit unit, Range range, std::string_view help, const Traits&... traits)
+    Real real(std::string_view name, double initial, Unit unit, Range range, std::string_view help,
+              const Traits&... traits)
     {
         return {append({name, group_, help, Kind::real, unit, range, initial}, traits...)};
     }
@@ -226,24 +264,33 @@ protected:
     {
         return {append({name, group_, help, Kind::direction, Unit::none, {-1, 1}, glm::normalize(initial)}, traits...)};
     }
-    template <typename... Traits>
-    File file(std::string_view name, std::string_view help, const Traits&... traits)
+    template <typename... Traits> File file(std::string_view name, std::string_view help, const Traits&... traits)
     {
         return {append({name, group_, help, Kind::file, Unit::none, {0, 0}, std::string()}, traits...)};
     }
     template <typename Enum, typename... Traits>
-    Choice<Enum> choice(std::string_view name, Enum initial, std::initializer_list<std::string_view> names, std::string_view help,
-                        const Traits&... traits)
+    Choice<Enum> choice(std::string_view name, Enum initial, std::initializer_list<std::string_view> names,
+                        std::string_view help, const Traits&... traits)
     {
         const double last = static_cast<double>(names.size()) - 1;
-        return {append({name, group_, help, Kind::choice, Unit::none, {0, last}, static_cast<double>(initial), names}, traits...)};
+        return {append({name, group_, help, Kind::choice, Unit::none, {0, last}, static_cast<double>(initial), names},
+                       traits...)};
     }
     /// For choices that are known at run time only; `initial` is an index, and there is at least one name.
     template <typename... Traits>
-    Choice<int> choice(std::string_view name, int initial, std::span<const std::string> names, std::string_view help, const Traits&... traits)
+    Choice<int> choice(std::string_view name, int initial, std::span<const std::string> names, std::string_view help,
+                       const Traits&... traits)
     {
         const double last = static_cast<double>(names.size()) - 1;
-        return {append({name, group_, help, Kind::choice, Unit::none, {0, last}, static_cast<double>(initial), {names.begin(), names.end()}}, traits...)};
+        return {append({name,
+                        group_,
+                        help,
+                        Kind::choice,
+                        Unit::none,
+                        {0, last},
+                        static_cast<double>(initial),
+                        {names.begin(), names.end()}},
+                       traits...)};
     }
 
 private:
@@ -281,11 +328,11 @@ private:
 /// A table whose rows are known at run time only: of a scene that a file describes.
 class MadeTable final : public Parameters {
 public:
-    using Parameters::Element;
     using Parameters::choice;
     using Parameters::color;
     using Parameters::count;
     using Parameters::direction;
+    using Parameters::Element;
     using Parameters::file;
     using Parameters::foldedGroup;
     using Parameters::group;
@@ -294,8 +341,8 @@ public:
     using Parameters::toggle;
 };
 
-/// Whether a row may have this name: letters and digits, a letter first, at most 64 of them, so that it is a key, a flag and
-/// a field of GLSL alike. (Words that GLSL reserves are not among the fields: `derive::uniformBlock`.)
+/// Whether a row may have this name: letters and digits, a letter first, at most 64 of them, so that it is a key, a
+/// flag and a field of GLSL alike. (Words that GLSL reserves are not among the fields: `derive::uniformBlock`.)
 [[nodiscard]] bool isRowName(std::string_view);
 
 /// A snapshot of one value per row of one table. Cheap to copy: presets, A/B comparisons, undo and
@@ -309,16 +356,21 @@ public:
 
     template <typename T> [[nodiscard]] T operator[](Parameter<T> p) const
     {
-        if constexpr (std::is_same_v<T, std::string>) return std::get<std::string>(values_[p.row]);
+        if constexpr (std::is_same_v<T, std::string>)
+            return std::get<std::string>(values_[p.row]);
         else if constexpr (std::is_same_v<T, ColorValue> || std::is_same_v<T, DirectionValue>)
             return T{std::get<glm::dvec3>(values_[p.row])};
-        else return static_cast<T>(std::get<double>(values_[p.row]));
+        else
+            return static_cast<T>(std::get<double>(values_[p.row]));
     }
     template <typename T> void set(Parameter<T> p, const T& value)
     {
-        if constexpr (std::is_same_v<T, std::string>) setRow(p.row, value);
-        else if constexpr (std::is_same_v<T, ColorValue> || std::is_same_v<T, DirectionValue>) setRow(p.row, value.value);
-        else setRow(p.row, static_cast<double>(value));
+        if constexpr (std::is_same_v<T, std::string>)
+            setRow(p.row, value);
+        else if constexpr (std::is_same_v<T, ColorValue> || std::is_same_v<T, DirectionValue>)
+            setRow(p.row, value.value);
+        else
+            setRow(p.row, static_cast<double>(value));
     }
 
     [[nodiscard]] const Parameters& table() const { return *table_; }
@@ -332,8 +384,8 @@ public:
     void resetRow(std::size_t i);
     [[nodiscard]] bool isInitial(std::size_t i) const;
 
-    /// These values under another table: rows of the same name and kind keep theirs, as near as is legal there; others are
-    /// initial.
+    /// These values under another table: rows of the same name and kind keep theirs, as near as is legal there; others
+    /// are initial.
     [[nodiscard]] ParameterValues under(std::shared_ptr<const Parameters>) const;
 
     /// Values of different tables are equal when their rows bear the same names.

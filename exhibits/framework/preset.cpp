@@ -94,8 +94,10 @@ void writeRows(const ParameterValues& values, const std::string& prefix, std::ma
         const ParameterInfo& row = values.rows()[i];
         std::string key = prefix;
         key += row.name;
-        if (values.isInitial(i)) out.erase(key);
-        else out[key] = jsonFromValue(row, values.row(i));
+        if (values.isInitial(i))
+            out.erase(key);
+        else
+            out[key] = jsonFromValue(row, values.row(i));
     }
 }
 

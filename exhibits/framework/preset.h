@@ -37,13 +37,13 @@ inline constexpr render::JsonLimits presetLimits{
 /// `values` holds only what differs from the initial values, sorted by key, in SI.
 struct Preset {
     std::string exhibit;
-    std::string name;                      ///< Any UTF-8 text without control characters.
+    std::string name;  ///< Any UTF-8 text without control characters.
     ParameterValues values;
     std::optional<render::Camera> camera;
 
-    int versionRead = presetVersion;       ///< Of the file it came from.
+    int versionRead = presetVersion;             ///< Of the file it came from.
     render::Json kept = render::Json::object();  ///< The file as read and migrated: its unknown keys are written again.
-    std::vector<std::string> notes;        ///< What reading changed or did not know, for people.
+    std::vector<std::string> notes;              ///< What reading changed or did not know, for people.
 };
 
 /// Reads a preset. Keys that this program does not know, at the top, in `values` and in `camera`, are kept

@@ -13,11 +13,11 @@ namespace vitrine {
 
 /// A preset as a list shows it.
 struct PresetEntry {
-    std::string name;                  ///< From the file, or the file's name where it has none.
+    std::string name;  ///< From the file, or the file's name where it has none.
     std::filesystem::path path;
-    bool shipped = false;              ///< Part of the program: read-only.
+    bool shipped = false;                            ///< Part of the program: read-only.
     std::optional<std::filesystem::path> thumbnail;  ///< The picture beside it, if there is one.
-    std::string problem;               ///< Why it cannot be opened; empty when its header is good.
+    std::string problem;                             ///< Why it cannot be opened; empty when its header is good.
 };
 
 /// What a file was when it was read, to notice that someone else has changed it.

@@ -108,7 +108,8 @@ std::string changeNote(const ParameterInfo& row, std::string_view shownName, con
     return (note += shortestNumber(row.range.high)) += ")";
 }
 
-/// Whether a number is a limit of its row but for rounding: 3.141593 where half a turn is the limit. Nobody has to hear of it.
+/// Whether a number is a limit of its row but for rounding: 3.141593 where half a turn is the limit. Nobody has to hear
+/// of it.
 bool isRoundedLimit(const ParameterInfo& row, const Value& value)
 {
     const auto* x = std::get_if<double>(&value);
@@ -155,7 +156,8 @@ Value valueFromJson(const ParameterInfo& row, const Json& json, const JsonPlace&
     const Value written = readValue(row, json, place);
     const std::optional<Value> legal = nearestLegal(row, written);
     if (!legal) throw place.failure("this direction has no length; give it one.");
-    if (*legal != written && !isRoundedLimit(row, written)) notes.push_back(changeNote(row, shownName, written, *legal));
+    if (*legal != written && !isRoundedLimit(row, written))
+        notes.push_back(changeNote(row, shownName, written, *legal));
     return *legal;
 }
 
@@ -182,8 +184,8 @@ render::Camera cameraFromJson(const Json& json, const JsonPlace& place, std::vec
         const glm::dvec3 written = threeAt(json[key], place.inside(key));
         into = glm::clamp(written, -render::farthestPlace, render::farthestPlace);
         if (into == written) return;
-        notes.push_back(std::string("camera.") + key + ' ' + textOf(written) + " -> " + textOf(into) + " (allowed -" + shortestNumber(render::farthestPlace) + " to " +
-                        shortestNumber(render::farthestPlace) + " m)");
+        notes.push_back(std::string("camera.") + key + ' ' + textOf(written) + " -> " + textOf(into) + " (allowed -" +
+                        shortestNumber(render::farthestPlace) + " to " + shortestNumber(render::farthestPlace) + " m)");
     };
     position("eye", camera.eye);
     position("target", camera.target);

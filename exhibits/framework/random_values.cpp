@@ -49,7 +49,8 @@ Value randomValue(const ParameterInfo& row, RandomNumbers& random, RandomReach r
     }
     case Kind::toggle: return static_cast<double>(random.index(2));
     case Kind::choice: return static_cast<double>(random.index(static_cast<int>(row.choices.size())));
-    case Kind::color: return random.chance(0.2) ? glm::round(random.point({}, glm::dvec3(1))) : random.point({}, glm::dvec3(1));
+    case Kind::color:
+        return random.chance(0.2) ? glm::round(random.point({}, glm::dvec3(1))) : random.point({}, glm::dvec3(1));
     case Kind::direction: return random.direction();
     case Kind::file: break;
     }

@@ -15,7 +15,10 @@ public:
     explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}
 
     /// In [low, high).
-    double number(double low, double high) { return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53); }
+    double number(double low, double high)
+    {
+        return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53);
+    }
     /// In [0, count), `count` > 0.
     int index(int count) { return static_cast<int>(number(0, count)); }
     bool chance(double probability) { return number(0, 1) < probability; }

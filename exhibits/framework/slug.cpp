@@ -14,8 +14,10 @@ std::string slugFor(std::string_view name)
     for (const QChar c : decomposed.toLower()) {
         const char16_t unit = c.unicode();
         const bool plain = (unit >= u'a' && unit <= u'z') || (unit >= u'0' && unit <= u'9');
-        if (plain) slug += static_cast<char>(unit);
-        else if (!c.isMark() && !slug.empty() && slug.back() != '-') slug += '-';
+        if (plain)
+            slug += static_cast<char>(unit);
+        else if (!c.isMark() && !slug.empty() && slug.back() != '-')
+            slug += '-';
         if (slug.size() == longest) break;
     }
     while (!slug.empty() && slug.back() == '-') slug.pop_back();

@@ -25,7 +25,9 @@ std::filesystem::path userPresetFolder()
 
 std::filesystem::path configFolder()
 {
-    return std::filesystem::path(QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation).toStdString()) / "vitrine";
+    return std::filesystem::path(
+               QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation).toStdString()) /
+           "vitrine";
 }
 
 }  // namespace vitrine

@@ -17,7 +17,8 @@ void Surroundings::illuminate(render::Pass& pass) const
 
 glm::mat4 shadowFromWorld(const render::View& view)
 {
-    const glm::dmat4 textureFromClip = glm::translate(glm::dmat4(1), glm::dvec3(0.5, 0.5, 0)) * glm::scale(glm::dmat4(1), glm::dvec3(0.5, 0.5, 1));
+    const glm::dmat4 textureFromClip =
+        glm::translate(glm::dmat4(1), glm::dvec3(0.5, 0.5, 0)) * glm::scale(glm::dmat4(1), glm::dvec3(0.5, 0.5, 1));
     return glm::mat4(textureFromClip * view.clipFromWorld);
 }
 
@@ -32,8 +33,9 @@ render::View lightView(const render::Box& box, const glm::dvec3& towardsLight, g
     // A texel of margin, so that filtering at the rim still sees the clear value.
     const glm::dvec2 extent = glm::dvec2(inLight.high - inLight.low);
     const glm::dvec2 margin = 4.0 * extent / glm::dvec2(size) + 1e-4;
-    view.clipFromView = render::reversedOrthographic(glm::dvec2(inLight.low) - margin, glm::dvec2(inLight.high) + margin,
-                                                     inLight.high.z + 0.05, inLight.low.z - reach);
+    view.clipFromView =
+        render::reversedOrthographic(glm::dvec2(inLight.low) - margin, glm::dvec2(inLight.high) + margin,
+                                     inLight.high.z + 0.05, inLight.low.z - reach);
     view.clipFromWorld = view.clipFromView * view.viewFromWorld;
     view.tanHalfFov = glm::dvec2(1e-3);
     view.raster.size = size;
@@ -53,7 +55,8 @@ render::View steadyLightView(const render::Box& box, const glm::dvec3& towardsLi
     const glm::dvec2 least = extent / glm::max(glm::dvec2(size) - 9.0, glm::dvec2(1));
     const double texel = 1e-3 * std::exp2(std::ceil(4 * std::log2(std::max({least.x, least.y, 1e-6}) / 1e-3)) / 4);
     const glm::dvec2 low = (glm::floor(glm::dvec2(inLight.low) / texel) - 4.0) * texel;
-    view.clipFromView = render::reversedOrthographic(low, low + texel * glm::dvec2(size), inLight.high.z + 0.05, inLight.low.z - reach);
+    view.clipFromView =
+        render::reversedOrthographic(low, low + texel * glm::dvec2(size), inLight.high.z + 0.05, inLight.low.z - reach);
     view.clipFromWorld = view.clipFromView * view.viewFromWorld;
     view.tanHalfFov = glm::dvec2(1e-3);
     view.raster.size = size;
@@ -74,7 +77,8 @@ glm::dvec3 blackBodyColor(double kelvin)
                                 : 3.0817580 * x3 - 5.87338670 * x2 + 3.75112997 * x - 0.37001483;
     const glm::dvec3 xyz(x / y, 1, (1 - x - y) / y);
     // CIE XYZ to linear Rec. 709 (IEC 61966-2-1).
-    const glm::dvec3 rgb(3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z, -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
+    const glm::dvec3 rgb(3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z,
+                         -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
                          0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z);
     const glm::dvec3 positive = glm::max(rgb, glm::dvec3(0));
     return positive / std::max({positive.x, positive.y, positive.z});

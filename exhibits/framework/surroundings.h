@@ -44,7 +44,8 @@ struct Surroundings {
     /// The sun's strength against the one that the hall's table begins with.
     double sunShare = 1;
 
-    /// The sun's view of walls and furniture, for their shadow map "shadow.hall". Meaningful while the sun throws shadows there.
+    /// The sun's view of walls and furniture, for their shadow map "shadow.hall". Meaningful while the sun throws
+    /// shadows there.
     render::View hallShadowView;
     /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while `castsShadows`.
     render::View exhibitShadowView;
@@ -62,11 +63,13 @@ struct Surroundings {
 
 /// An orthographic view along the light that holds `box`; receivers up to `reach` metres behind the box
 /// are still in its depth range. `towardsLight` is unit length; `size` is the map's, in texels.
-[[nodiscard]] render::View lightView(const render::Box& box, const glm::dvec3& towardsLight, glm::ivec2 size, double reach);
+[[nodiscard]] render::View lightView(const render::Box& box, const glm::dvec3& towardsLight, glm::ivec2 size,
+                                     double reach);
 
 /// The same, standing still while the box changes a little: texels are a power of 2^(1/4) millimetres wide and lie on
 /// one grid, whatever the box, so that shadows of what did not move do not swim.
-[[nodiscard]] render::View steadyLightView(const render::Box& box, const glm::dvec3& towardsLight, glm::ivec2 size, double reach);
+[[nodiscard]] render::View steadyLightView(const render::Box& box, const glm::dvec3& towardsLight, glm::ivec2 size,
+                                           double reach);
 
 /// Linear Rec. 709 color of a black body, its largest component 1; `kelvin` is clamped to [1000, 25000].
 /// Kim et al. 2002 (US patent 7,024,034) for the locus in CIE xy.

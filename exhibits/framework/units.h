@@ -8,7 +8,20 @@ namespace vitrine {
 /// How a value is shown to people. Values are stored, computed and uploaded in SI (metres, seconds,
 /// radians; hours of the day); only panels, the manual and typed input convert, through `shown` and `stored`.
 enum class Unit : std::uint8_t {
-    none, metre, centimetre, millimetre, micrometre, degree, second, hertz, pixel, stop, percent, kelvin, perMetre, hour
+    none,
+    metre,
+    centimetre,
+    millimetre,
+    micrometre,
+    degree,
+    second,
+    hertz,
+    pixel,
+    stop,
+    percent,
+    kelvin,
+    perMetre,
+    hour
 };
 
 struct UnitInfo {
@@ -19,7 +32,13 @@ struct UnitInfo {
 
 [[nodiscard]] UnitInfo info(Unit);
 
-[[nodiscard]] inline double shown(double stored, Unit unit) { return stored * info(unit).shownPerStored; }
-[[nodiscard]] inline double stored(double shown, Unit unit) { return shown / info(unit).shownPerStored; }
+[[nodiscard]] inline double shown(double stored, Unit unit)
+{
+    return stored * info(unit).shownPerStored;
+}
+[[nodiscard]] inline double stored(double shown, Unit unit)
+{
+    return shown / info(unit).shownPerStored;
+}
 
 }  // namespace vitrine

@@ -71,7 +71,8 @@ std::optional<double> parseClock(std::string_view text)
         const std::size_t colon = std::min(text.find(':'), text.size());
         int number = 0;
         const std::from_chars_result end = std::from_chars(text.data(), text.data() + colon, number);
-        if (end.ec != std::errc() || end.ptr != text.data() + colon || number < 0 || number >= (part == 0 ? 25 : 60)) return std::nullopt;
+        if (end.ec != std::errc() || end.ptr != text.data() + colon || number < 0 || number >= (part == 0 ? 25 : 60))
+            return std::nullopt;
         hours += number * each;
         if (colon == text.size()) return part > 0 ? std::optional(hours) : std::nullopt;
         text.remove_prefix(colon + 1);
@@ -147,7 +148,8 @@ std::optional<Value> parseValue(const ParameterInfo& row, std::string_view text)
     }
     default: {
         if (row.word && lower(text) == lower(row.word->text)) return row.word->value;
-        if (row.unit == Unit::hour && text.find(':') != std::string_view::npos) return parseClock(text) ? std::optional<Value>(*parseClock(text)) : std::nullopt;
+        if (row.unit == Unit::hour && text.find(':') != std::string_view::npos)
+            return parseClock(text) ? std::optional<Value>(*parseClock(text)) : std::nullopt;
         if (const std::optional<double> x = evaluate(text, row.unit)) return *x;
         return std::nullopt;
     }

@@ -14,17 +14,19 @@ namespace {
 const glm::dvec3 homes[furBodyCount] = {{-0.62, 0, -0.02}, {0.55, 0, 0.58}, {0.30, 0, -0.74}};
 constexpr double homeTurns[furBodyCount] = {0, 0.35, 0.2};
 
-constexpr double gravity = 9.81;        ///< m/s².
-constexpr double strandScale = 0.15;    ///< Metres of lag that count as one strand length: as long as a strand of the museum after which this exhibit is made.
+constexpr double gravity = 9.81;      ///< m/s².
+constexpr double strandScale = 0.15;  ///< Metres of lag that count as one strand length: as long as a strand of the
+                                      ///< museum after which this exhibit is made.
 // A throw: its mean speed is the table's jump; shares of it go up, more or less, and to the sides.
 constexpr double throwUp = 0.16, throwAside = 0.35;
-constexpr double landing = pitRadius + pitPadRadius;  ///< Metres from the axis: throws that would come down beyond are steeper.
-constexpr double homeStart = 1.5;       ///< Seconds after which bodies that lie elsewhere hop home.
+constexpr double landing =
+    pitRadius + pitPadRadius;      ///< Metres from the axis: throws that would come down beyond are steeper.
+constexpr double homeStart = 1.5;  ///< Seconds after which bodies that lie elsewhere hop home.
 constexpr double nearHome = 0.04, nearTurn = 0.12;  ///< Metres and radians: so near is there.
 constexpr double hopLeast = 0.02, hopMost = 0.6;    ///< Metres of height.
-constexpr double braking = 8;           ///< 1/s, of what slides and rolls on the ground then.
-constexpr double calm = 0.3;            ///< Seconds for which all have to lie.
-constexpr double settling = 0.5;        ///< Seconds in which the last millimetres go.
+constexpr double braking = 8;                       ///< 1/s, of what slides and rolls on the ground then.
+constexpr double calm = 0.3;                        ///< Seconds for which all have to lie.
+constexpr double settling = 0.5;                    ///< Seconds in which the last millimetres go.
 constexpr double dt = 1.0 / Bounce::stepsPerSecond;
 
 double skinRadius(int body)
@@ -41,7 +43,8 @@ double smooth(double low, double high, double x)
 /// Number `i` of a throw, in [-1, 1): integer hash (splitmix64, Steele et al. 2014).
 double throwOf(std::uint32_t toss, int i)
 {
-    std::uint64_t z = (static_cast<std::uint64_t>(toss) << 32U) + static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15ULL + 0x632BE59BD9B4E019ULL;
+    std::uint64_t z = (static_cast<std::uint64_t>(toss) << 32U) +
+                      static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15ULL + 0x632BE59BD9B4E019ULL;
     z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
     z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
     return static_cast<double>((z ^ (z >> 31U)) >> 11U) / static_cast<double>(1ULL << 52U) - 1;
@@ -77,7 +80,9 @@ double restHeight(const BounceSettings& s, int body, double grown)
 /// The same at most, whatever skin the third body has.
 double heightOfStart(const BounceSettings& s, int body)
 {
-    return s.cushion[body] + (body == furBall ? ballRadius * s.growth.largest() : body == furRoll ? rollRadius : ringRadius + ringTube);
+    return s.cushion[body] + (body == furBall   ? ballRadius * s.growth.largest()
+                              : body == furRoll ? rollRadius
+                                                : ringRadius + ringTube);
 }
 
 render::RigidShape shapeOf(const BounceSettings& s, int body)
@@ -90,7 +95,8 @@ render::RigidShape shapeOf(const BounceSettings& s, int body)
     hull.margin = s.cushion[body];
     // Bullet's hulls are for few points; a thousand of a large model show its shape well enough.
     const std::size_t stride = s.model->vertices.size() / 1000 + 1;
-    for (std::size_t i = 0; i < s.model->vertices.size(); i += stride) hull.points.emplace_back(s.model->vertices[i].position);
+    for (std::size_t i = 0; i < s.model->vertices.size(); i += stride)
+        hull.points.emplace_back(s.model->vertices[i].position);
     return hull;
 }
 
@@ -109,7 +115,8 @@ double Growth::largest() const
     return rate > 0 ? 1 + amount / ballRadius : 1;
 }
 
-BounceSettings bounceSettings(const FurTable& table, const ParameterValues& v, std::shared_ptr<const render::Mesh> model, double time)
+BounceSettings bounceSettings(const FurTable& table, const ParameterValues& v,
+                              std::shared_ptr<const render::Mesh> model, double time)
 {
     BounceSettings s;
     for (int i = 0; i < furBodyCount; ++i) s.cushion[i] = colliderRadius(table, v, i, 1) - skinRadius(i);
@@ -135,9 +142,12 @@ std::string keyOf(const BounceSettings& s)
     std::string key;
     const auto add = [&key](double x) { key += std::to_string(std::bit_cast<std::uint64_t>(x)) + ' '; };
     for (const double cushion : s.cushion) add(cushion);
-    for (const double x : {s.growth.amount, s.growth.rate, s.growth.start, s.spring.omega, s.spring.zeta, s.jump, s.inertia, s.gravity, s.airDrag, s.strength, s.displacementLimit, s.rotationLimit})
+    for (const double x : {s.growth.amount, s.growth.rate, s.growth.start, s.spring.omega, s.spring.zeta, s.jump,
+                           s.inertia, s.gravity, s.airDrag, s.strength, s.displacementLimit, s.rotationLimit})
         add(x);
-    for (const std::int64_t n : {std::int64_t{s.toss}, std::int64_t{s.growth.always}, std::int64_t{static_cast<int>(s.method)}, std::int64_t{s.springRate}}) key += std::to_string(n) + ' ';
+    for (const std::int64_t n : {std::int64_t{s.toss}, std::int64_t{s.growth.always},
+                                 std::int64_t{static_cast<int>(s.method)}, std::int64_t{s.springRate}})
+        key += std::to_string(n) + ' ';
     return key;
 }
 
@@ -153,7 +163,9 @@ render::Box bouncingSpace(const FurTable& table, const ParameterValues& values, 
     render::Box space;
     for (int i = 0; i < furBodyCount; ++i) {
         // Strands keep their length within 1 %.
-        const double reach = (i == furBall ? ballRadius * s.growth.largest() : i == furRoll ? rollRadius + rollHalfLength : ringRadius + ringTube) +
+        const double reach = (i == furBall   ? ballRadius * s.growth.largest()
+                              : i == furRoll ? rollRadius + rollHalfLength
+                                             : ringRadius + ringTube) +
                              1.02 * values[table.coats[static_cast<std::size_t>(i)].length] + 1e-3;
         const Flight flight = flightOf(s, i);
         space.include(homes[i] + glm::dvec3(-reach, 0, -reach));
@@ -184,7 +196,7 @@ struct Bounce::World {
     glm::dvec3 lastVelocity[furBodyCount] = {};
     glm::dvec3 lastSpin[furBodyCount] = {};
     double calmSince = 0;  ///< Seconds.
-    Moment asleep{};  ///< Where they came to lie.
+    Moment asleep{};       ///< Where they came to lie.
 };
 
 Bounce::Bounce(const BounceSettings& settings) : settings_(settings), world_(std::make_unique<World>())
@@ -196,7 +208,8 @@ Bounce::Bounce(const BounceSettings& settings) : settings_(settings), world_(std
         first.position[i] = state.position;
         first.turn[i] = state.turn;
         first.pull[i] = limited({{0, -settings_.gravity, 0}, {}}, settings_.displacementLimit);
-        const int body = world_->bodies.add(shapeOf(settings_, i), {state.position, state.turn}, i == furBall ? 2.2 : 2.0);
+        const int body =
+            world_->bodies.add(shapeOf(settings_, i), {state.position, state.turn}, i == furBall ? 2.2 : 2.0);
         const auto random = [&](int n) { return throwOf(settings_.toss, 16 * i + n); };
         const glm::dvec3 spin(random(3), 0.6 * random(4), random(5));
         world_->bodies.accelerate(body, throwVelocity(settings_, i), spin * (2.2 * settings_.jump));
@@ -235,9 +248,9 @@ void Bounce::hold()
     }
 }
 
-/// Brings the bodies back to where they lay, so that the next press begins where this one ends: whatever lies elsewhere,
-/// or on another side, hops there, over the rim where it must, and brakes where it comes down. Returns whether all lie
-/// where they should.
+/// Brings the bodies back to where they lay, so that the next press begins where this one ends: whatever lies
+/// elsewhere, or on another side, hops there, over the rim where it must, and brakes where it comes down. Returns
+/// whether all lie where they should.
 bool Bounce::home(double now)
 {
     bool all = true;
@@ -253,7 +266,9 @@ bool Bounce::home(double now)
         all = all && there && lies;
         if (now < homeStart) continue;
         if (!lies) {
-            if (world_->bodies.touches(i)) world_->bodies.accelerate(i, glm::dvec3(-velocity.x, 0, -velocity.z) * (braking * dt), -spin * (braking * dt));
+            if (world_->bodies.touches(i))
+                world_->bodies.accelerate(i, glm::dvec3(-velocity.x, 0, -velocity.z) * (braking * dt),
+                                          -spin * (braking * dt));
         } else if (!there && now >= world_->nextHop[i] && world_->bodies.touches(i)) {
             // As high as it is far, so that it comes over the rim and over what lies between.
             const double up = std::sqrt(2 * gravity * std::min(hopLeast + 0.4 * glm::length(away), hopMost));
@@ -280,7 +295,8 @@ bool Bounce::still(const Moment& m) const
 /// The steps of the bodies up to the next step of the springs, and that step.
 void Bounce::block()
 {
-    const int steps = std::max(static_cast<int>(std::lround(static_cast<double>(stepsPerSecond) / settings_.springRate)), 1);
+    const int steps =
+        std::max(static_cast<int>(std::lround(static_cast<double>(stepsPerSecond) / settings_.springRate)), 1);
     const std::size_t before = moments_.size() - 1;
     for (int n = 0; n < steps; ++n) {
         const double now = static_cast<double>(moments_.size()) * dt;
@@ -300,7 +316,8 @@ void Bounce::block()
                 landed_ = now;
                 world_->asleep = next;
                 const FurStates rest = restStates(settings_, now);
-                for (int i = 0; i < furBodyCount; ++i) slid_ = std::max(slid_, glm::length(rest[static_cast<std::size_t>(i)].position - next.position[i]));
+                for (int i = 0; i < furBodyCount; ++i)
+                    slid_ = std::max(slid_, glm::length(rest[static_cast<std::size_t>(i)].position - next.position[i]));
             }
         } else {
             const FurStates rest = restStates(settings_, now);
@@ -326,8 +343,10 @@ void Bounce::block()
         world_->lastVelocity[i] = velocity;
         world_->lastSpin[i] = spin;
         const glm::dvec3 trail = -settings_.airDrag * velocity - glm::dvec3(0, settings_.gravity, 0);
-        after.pull[i] = limited(advance(pull, trail, settings_.spring, h, settings_.method), settings_.displacementLimit);
-        after.lag[i] = limited(advance(lag, -0.25 * settings_.airDrag * spin, settings_.spring, h, settings_.method), settings_.rotationLimit);
+        after.pull[i] =
+            limited(advance(pull, trail, settings_.spring, h, settings_.method), settings_.displacementLimit);
+        after.lag[i] = limited(advance(lag, -0.25 * settings_.airDrag * spin, settings_.spring, h, settings_.method),
+                               settings_.rotationLimit);
         for (int n = 1; n < steps; ++n) {
             Moment& between = moments_[before + static_cast<std::size_t>(n)];
             const double share = static_cast<double>(n) / steps;

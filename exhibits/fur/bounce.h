@@ -14,10 +14,10 @@ namespace vitrine {
 
 /// How the size of the ball changes by itself.
 struct Growth {
-    double amount = 0;      ///< Metres of radius, up and down.
-    double rate = 0;        ///< Hertz.
-    bool always = false;    ///< Otherwise only while the bodies bounce.
-    double start = 0;       ///< Seconds on the exhibit's clock at which the button was pressed; for `always`.
+    double amount = 0;    ///< Metres of radius, up and down.
+    double rate = 0;      ///< Hertz.
+    bool always = false;  ///< Otherwise only while the bodies bounce.
+    double start = 0;     ///< Seconds on the exhibit's clock at which the button was pressed; for `always`.
 
     bool operator==(const Growth&) const = default;
     /// Skin over skin at rest, `since` seconds after the press.
@@ -28,24 +28,25 @@ struct Growth {
 
 /// Everything that the motion after a press depends on.
 struct BounceSettings {
-    double cushion[furBodyCount] = {};  ///< Metres of fur under each skin that the contact does not flatten.
+    double cushion[furBodyCount] = {};          ///< Metres of fur under each skin that the contact does not flatten.
     std::shared_ptr<const render::Mesh> model;  ///< In place of the ring.
-    double jump = 3;                    ///< Mean speed with which they leave the ground, m/s.
-    std::uint32_t toss = 1;             ///< Which of many throws.
+    double jump = 3;                            ///< Mean speed with which they leave the ground, m/s.
+    std::uint32_t toss = 1;                     ///< Which of many throws.
     Growth growth;
     Spring spring;
     FurSpring method = FurSpring::closedForm;
-    int springRate = 240;               ///< Spring steps a second.
+    int springRate = 240;  ///< Spring steps a second.
     double inertia = 1, gravity = 0.3, airDrag = 0, strength = 1;
-    double displacementLimit = 1;       ///< Strand lengths.
-    double rotationLimit = 1;           ///< Radians.
+    double displacementLimit = 1;  ///< Strand lengths.
+    double rotationLimit = 1;      ///< Radians.
 
     bool operator==(const BounceSettings&) const = default;
 };
 /// All of them but the model spelled out to the last bit.
 [[nodiscard]] std::string keyOf(const BounceSettings&);
 /// `time`: of the press, on the exhibit's clock.
-[[nodiscard]] BounceSettings bounceSettings(const FurTable&, const ParameterValues&, std::shared_ptr<const render::Mesh> model, double time);
+[[nodiscard]] BounceSettings bounceSettings(const FurTable&, const ParameterValues&,
+                                            std::shared_ptr<const render::Mesh> model, double time);
 
 /// How far the middle of a body gets while it jumps, whatever it meets: pit space, metres.
 struct Flight {
@@ -62,8 +63,8 @@ struct Flight {
 [[nodiscard]] FurStates restStates(const BounceSettings&, double since = 0);
 
 /// What happens after a press of the button: three bodies thrown up from rest, bouncing, then rolling back to
-/// where they lay (those that left the pit hop over its rim first), and their fur. Simulated in steps of 1/240 s as far as it is asked for, and kept: the state
-/// at a time is the same however, and in whatever order, one asks.
+/// where they lay (those that left the pit hop over its rim first), and their fur. Simulated in steps of 1/240 s as far
+/// as it is asked for, and kept: the state at a time is the same however, and in whatever order, one asks.
 class Bounce {
 public:
     static constexpr int stepsPerSecond = 240;
@@ -77,7 +78,8 @@ public:
     [[nodiscard]] FurStates at(double since);
     /// Seconds after the press at which all is at rest, when that is at or before `since`; else infinity.
     [[nodiscard]] double restedAt(double since);
-    /// Metres by which a body was put to rest beside its place, at most, and then moved there: as far as it was simulated.
+    /// Metres by which a body was put to rest beside its place, at most, and then moved there: as far as it was
+    /// simulated.
     [[nodiscard]] double slid() const { return slid_; }
     /// Steps that have been simulated so far.
     [[nodiscard]] std::int64_t steps() const;
@@ -114,8 +116,8 @@ public:
 
     struct Sample {
         FurStates states;
-        double rested = 0;      ///< As Bounce::restedAt.
-        std::int64_t steps = 0; ///< That lead from the press to here.
+        double rested = 0;       ///< As Bounce::restedAt.
+        std::int64_t steps = 0;  ///< That lead from the press to here.
     };
     [[nodiscard]] Sample at(double since) const;
     /// Steps that have been simulated so far, whoever asked for them.

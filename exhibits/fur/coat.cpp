@@ -24,7 +24,8 @@ glm::vec4 vec4Of(const glm::dquat& q)
 
 double colliderRadius(const FurTable& table, const ParameterValues& values, int body, double grown)
 {
-    return bodyRadius(body) * grown + (1 - values[table.flattening]) * values[table.coats[static_cast<std::size_t>(body)].length];
+    return bodyRadius(body) * grown +
+           (1 - values[table.flattening]) * values[table.coats[static_cast<std::size_t>(body)].length];
 }
 
 double shellsAtDistance(int wanted, double length, double distance, double pixelAngle)
@@ -43,7 +44,8 @@ glm::dvec3 Coats::spinePoint(int index, const glm::dvec3& p) const
     const FurState& state = states[static_cast<std::size_t>(index)];
     if (index == furBall || (index == furRing && modelRadius > 0)) return state.position;
     const glm::dvec3 local = glm::conjugate(state.turn) * (p - state.position);
-    if (index == furRoll) return state.position + state.turn * glm::dvec3(std::clamp(local.x, -rollHalfLength, rollHalfLength), 0, 0);
+    if (index == furRoll)
+        return state.position + state.turn * glm::dvec3(std::clamp(local.x, -rollHalfLength, rollHalfLength), 0, 0);
     glm::dvec3 flat(local.x, 0, local.z);
     const double length = glm::length(flat);
     flat = length > 1e-9 ? flat * (ringRadius / length) : glm::dvec3(ringRadius, 0, 0);
@@ -82,27 +84,37 @@ FurBody Coats::body(int index) const
     body.pull = glm::vec4(glm::vec3(bodyFromPit * state.pull), static_cast<float>(state.grown));
     body.turn = vec4Of(bodyFromPit * state.lag * state.turn);
     const double gusts = std::fmod(0.35 * time, 1.0) * 2 * std::numbers::pi;
-    body.wind = glm::vec4(glm::vec3(bodyFromPit * (values[table.windDirection].value * values[table.wind])), static_cast<float>(gusts));
+    body.wind = glm::vec4(glm::vec3(bodyFromPit * (values[table.windDirection].value * values[table.wind])),
+                          static_cast<float>(gusts));
 
     const double cell = 1 / std::sqrt(std::sqrt(3.0) * values[rows.density]);
-    body.coat = {static_cast<float>(length), static_cast<float>(cell), static_cast<float>(0.5 * values[rows.thickness]), static_cast<float>(values[rows.uniformity])};
+    body.coat = {static_cast<float>(length), static_cast<float>(cell), static_cast<float>(0.5 * values[rows.thickness]),
+                 static_cast<float>(values[rows.uniformity])};
     body.rootColor = glm::vec4(glm::vec3(values[rows.root].value), static_cast<float>(index + 1));
     body.tipColor = glm::vec4(glm::vec3(values[rows.tip].value), 0);
-    body.shells = {static_cast<float>(length > 0 ? values[table.shellCount] : 1),
-                   static_cast<float>(values[table.silhouette] == FurSilhouette::march ? values[table.samplesBetween] : 1),
-                   static_cast<float>((seed + 131U * static_cast<unsigned>(index)) % 65536U), values[table.drawOrder] == FurOrder::innerFirst ? 1.0F : 0.0F};
-    body.spine = {static_cast<float>(index == furRoll ? rollHalfLength : 0), static_cast<float>(index == furRing && !(modelRadius > 0) ? ringRadius : 0), static_cast<float>(radius(index)), 0};
+    body.shells = {
+        static_cast<float>(length > 0 ? values[table.shellCount] : 1),
+        static_cast<float>(values[table.silhouette] == FurSilhouette::march ? values[table.samplesBetween] : 1),
+        static_cast<float>((seed + 131U * static_cast<unsigned>(index)) % 65536U),
+        values[table.drawOrder] == FurOrder::innerFirst ? 1.0F : 0.0F};
+    body.spine = {static_cast<float>(index == furRoll ? rollHalfLength : 0),
+                  static_cast<float>(index == furRing && !(modelRadius > 0) ? ringRadius : 0),
+                  static_cast<float>(radius(index)), 0};
 
     int planes = 0;
     const auto press = [&](const glm::dvec3& normal, double distance) {
         // From pit space, where points p with dot(normal, p) > distance are free, to body space.
-        if (planes < 4) body.planes[planes++] = glm::vec4(glm::vec3(bodyFromPit * normal), static_cast<float>(distance - glm::dot(normal, state.position)));
+        if (planes < 4)
+            body.planes[planes++] = glm::vec4(glm::vec3(bodyFromPit * normal),
+                                              static_cast<float>(distance - glm::dot(normal, state.position)));
     };
     press({0, 1, 0}, 0);
     const double out = std::hypot(state.position.x, state.position.z);
     // Outside, the wall presses nothing, and the ground lies as high as the rim.
-    if (out > pitRadius) press({0, 1, 0}, pitRim);
-    else if (out > 0.3 && state.position.y < pitRim + 0.3) press(-glm::dvec3(state.position.x, 0, state.position.z) / out, -pitRadius);
+    if (out > pitRadius)
+        press({0, 1, 0}, pitRim);
+    else if (out > 0.3 && state.position.y < pitRim + 0.3)
+        press(-glm::dvec3(state.position.x, 0, state.position.z) / out, -pitRadius);
     for (int other = 0; other < furBodyCount; ++other) {
         if (other == index) continue;
         // Between the nearest points of two spines, found by going back and forth, the middle of the gap.

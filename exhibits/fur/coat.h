@@ -21,10 +21,10 @@ inline constexpr double pitPadRadius = 0.145, pitPadLift = 0.04;  ///< The leath
 /// Where a body is and how its fur hangs back, at one moment. Pit space: the middle of the pit's floor, y up.
 struct FurState {
     glm::dvec3 position{0};
-    glm::dquat turn{1, 0, 0, 0};   ///< Pit from body.
-    double grown = 1;              ///< Skin over skin at rest.
-    glm::dvec3 pull{0};            ///< Where the tips are drawn, strand lengths.
-    glm::dquat lag{1, 0, 0, 0};    ///< By how much the tips have turned less than the body.
+    glm::dquat turn{1, 0, 0, 0};  ///< Pit from body.
+    double grown = 1;             ///< Skin over skin at rest.
+    glm::dvec3 pull{0};           ///< Where the tips are drawn, strand lengths.
+    glm::dquat lag{1, 0, 0, 0};   ///< By how much the tips have turned less than the body.
 };
 using FurStates = std::array<FurState, furBodyCount>;
 
@@ -60,7 +60,8 @@ struct Coats {
     glm::dmat4 worldFromPit{1};
     double time = 0;
     std::uint32_t seed = 1;
-    double modelRadius = 0;  ///< Metres: of a ball that stands for the visitor's model in place of the ring; 0: there is none.
+    double modelRadius =
+        0;  ///< Metres: of a ball that stands for the visitor's model in place of the ring; 0: there is none.
 
     [[nodiscard]] FurBody body(int index) const;
     /// How thick a body is around its spine, metres.

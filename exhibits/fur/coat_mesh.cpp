@@ -36,7 +36,8 @@ void addGrid(Mesh& mesh, int columns, int rows, const std::function<Vertex(doubl
 {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i) mesh.vertices.push_back(at(static_cast<double>(i) / columns, static_cast<double>(j) / rows));
+        for (int i = 0; i <= columns; ++i)
+            mesh.vertices.push_back(at(static_cast<double>(i) / columns, static_cast<double>(j) / rows));
     const auto stride = static_cast<std::uint32_t>(columns + 1);
     for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(rows); ++j) {
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(columns); ++i) {
@@ -80,8 +81,10 @@ std::shared_ptr<const Mesh> rollSkin(double radius, double halfLength, int segme
         const bool onCap = row <= quarter || row >= quarter + straight;
         const double angle = row <= quarter ? 0.5 * pi * (1 - static_cast<double>(row) / quarter)
                                             : -0.5 * pi * std::max(row - quarter - straight, 0) / quarter;
-        const double along = row <= quarter ? -halfLength
-                                            : -halfLength + 2 * halfLength * std::min(static_cast<double>(row - quarter) / straight, 1.0);
+        const double along =
+            row <= quarter
+                ? -halfLength
+                : -halfLength + 2 * halfLength * std::min(static_cast<double>(row - quarter) / straight, 1.0);
         const double phi = 2 * pi * v;
         const bool pole = row == 0 || row == rows;
         const double ring = pole ? 0.0 : std::cos(angle);

@@ -23,9 +23,10 @@ namespace vitrine {
 
 /// The visitor's model as one skin, scaled to fit a sphere of `radius` around the origin: places merged,
 /// triangles without area left out, normals made anew from the faces around each place (weighted by their
-/// angle, Thürmer and Wüthrich 1998) and curvature from them, sides of mirrored parts turned back. What was left out or mended is said
-/// in `notes`, one sentence each. Throws Failure (Blame::file), naming `file`, when nothing is left.
-[[nodiscard]] std::shared_ptr<const render::Mesh> modelSkin(const render::Model&, const std::string& file, double radius, std::vector<std::string>& notes);
+/// angle, Thürmer and Wüthrich 1998) and curvature from them, sides of mirrored parts turned back. What was left out or
+/// mended is said in `notes`, one sentence each. Throws Failure (Blame::file), naming `file`, when nothing is left.
+[[nodiscard]] std::shared_ptr<const render::Mesh> modelSkin(const render::Model&, const std::string& file,
+                                                            double radius, std::vector<std::string>& notes);
 
 /// Mean distance of the corners from the origin: how large a ball stands for a model where its shape does not matter.
 [[nodiscard]] double meanRadius(const render::Mesh&);

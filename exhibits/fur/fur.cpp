@@ -70,16 +70,23 @@ std::shared_ptr<const render::Mesh> finsOn(const std::shared_ptr<const render::M
 {
     const int rows = finRows(*skin);
     if (rows == 0) return nullptr;
-    return assets.made<render::Mesh>("fur.fins", {}, [&] {
-        auto fins = finsOf(*skin, rows);
-        const std::uint64_t bytes = heldBytes(*fins);
-        return render::AssetStore::Made<render::Mesh>{std::move(fins), bytes};
-    }, skin).value;
+    return assets
+        .made<render::Mesh>(
+            "fur.fins", {},
+            [&] {
+                auto fins = finsOf(*skin, rows);
+                const std::uint64_t bytes = heldBytes(*fins);
+                return render::AssetStore::Made<render::Mesh>{std::move(fins), bytes};
+            },
+            skin)
+        .value;
 }
 
 std::string whyUnfinned(const std::shared_ptr<const render::Mesh>& skin)
 {
-    return finRows(*skin) == 0 ? "the model has more than 200,000 triangles, too many for fins; a march fills its silhouette as well" : "there is not enough memory for fins";
+    return finRows(*skin) == 0
+               ? "the model has more than 200,000 triangles, too many for fins; a march fills its silhouette as well"
+               : "there is not enough memory for fins";
 }
 
 }  // namespace
@@ -108,7 +115,10 @@ struct Fur::Prepared final : PreparedPart {
     std::int64_t steps = 0;  ///< Of the simulation, from the press to here.
 };
 
-Fur::Fur() : skins_{ballSkin(ballRadius, 8), rollSkin(rollRadius, rollHalfLength, 26), ringSkin(ringRadius, ringTube, 40)} {}
+Fur::Fur()
+    : skins_{ballSkin(ballRadius, 8), rollSkin(rollRadius, rollHalfLength, 26), ringSkin(ringRadius, ringTube, 40)}
+{
+}
 
 render::Box Fur::bounds(const ParameterValues& values) const
 {
@@ -118,7 +128,8 @@ render::Box Fur::bounds(const ParameterValues& values) const
 render::Box Fur::boundsAfterPress(const ParameterValues& values, double sinceOwnPress) const
 {
     const bool pressed = sinceOwnPress >= 0 && sinceOwnPress <= Bounce::longest;
-    const bool jumping = !values[table_.byHand] && (pressed || values[table_.frozenAt] > 0 || values[table_.bouncePeriod] > 0);
+    const bool jumping =
+        !values[table_.byHand] && (pressed || values[table_.frozenAt] > 0 || values[table_.bouncePeriod] > 0);
     render::Box space = bouncingSpace(table_, values, jumping);
     space.include({-pitRadius, 0, -pitRadius});
     space.include({pitRadius, 1.9, pitRadius});
@@ -134,7 +145,9 @@ std::shared_ptr<const PreparedPart> Fur::prepare(const PrepareContext& context) 
         made->model = std::move(found.value);
         made->filesId = found.id;
         if (!found.failure.empty())
-            made->unreadable.push_back({"fur/model", unreadableFile(values.rows()[table_.ringModel.row], title(), found.failure), "The ring is shown in its place until it can be read."});
+            made->unreadable.push_back({"fur/model",
+                                        unreadableFile(values.rows()[table_.ringModel.row], title(), found.failure),
+                                        "The ring is shown in its place until it can be read."});
     }
     made->skins = skins_;
     if (made->model) made->skins[furRing] = made->model->skin;
@@ -148,13 +161,17 @@ double Fur::firstHit(const ExhibitState& state, const render::Ray& ray) const
 {
     if (!state.prepared) return never;
     const auto& now = static_cast<const Prepared&>(*state.prepared);
-    const Coats coats{table_, state.values, now.states, glm::dmat4(1), state.time, 1, now.model ? now.model->radius : 0};
+    const Coats coats{
+        table_, state.values, now.states, glm::dmat4(1), state.time, 1, now.model ? now.model->radius : 0};
     double nearest = never;
     for (int i = 0; i < furBodyCount; ++i) {
         // The ellipsoid that touches the sides of the space the coat may fill.
         const render::Box space = coats.space(i, now.skins[static_cast<std::size_t>(i)]->bounds);
-        const glm::dmat4 bodyFromBall = glm::scale(glm::translate(glm::dmat4(1), space.center()), glm::max(space.halfSize(), 1e-6));
-        nearest = std::min(nearest, render::firstHit(ray.transformed(glm::inverse(coats.worldFromBody(i) * bodyFromBall)), glm::dvec3(0), 1));
+        const glm::dmat4 bodyFromBall =
+            glm::scale(glm::translate(glm::dmat4(1), space.center()), glm::max(space.halfSize(), 1e-6));
+        nearest =
+            std::min(nearest, render::firstHit(ray.transformed(glm::inverse(coats.worldFromBody(i) * bodyFromBall)),
+                                               glm::dvec3(0), 1));
     }
     // The floor of the pit is theirs, too.
     const double floor = render::firstHit(ray, {{-pitRadius, 0, -pitRadius}, {pitRadius, 0, pitRadius}});
@@ -170,7 +187,10 @@ render::Camera Fur::bestView(const ParameterValues&) const
 double Fur::nextChange(const ParameterValues& values, double) const
 {
     const bool gusts = values[table_.wind] > 0 && values[table_.gustiness] > 0;
-    return gusts || grows(table_, values) || (values[table_.bouncePeriod] > 0 && !(values[table_.frozenAt] > 0) && !values[table_.byHand]) ? 0 : never;
+    return gusts || grows(table_, values) ||
+                   (values[table_.bouncePeriod] > 0 && !(values[table_.frozenAt] > 0) && !values[table_.byHand])
+               ? 0
+               : never;
 }
 
 double Fur::nextChangeOf(const ExhibitState& state) const
@@ -221,16 +241,24 @@ void Fur::findMotion(const PrepareContext& context, Prepared& m) const
         if (values[table_.byHand]) lieByHand(table_, values, m.states);
         return;
     }
-    const auto jump = context.assets.made<RecordedJump>("fur.jump", keyOf(settings), [&] {
-        return render::AssetStore::Made<RecordedJump>{std::make_shared<RecordedJump>(settings), RecordedJump::mostBytes};
-    }, skin);
-    const RecordedJump::Sample sample = jump.value ? jump.value->at(since) : RecordedJump::Sample{restStates(settings, since), 0, 0};
+    const auto jump = context.assets.made<RecordedJump>(
+        "fur.jump", keyOf(settings),
+        [&] {
+            return render::AssetStore::Made<RecordedJump>{std::make_shared<RecordedJump>(settings),
+                                                          RecordedJump::mostBytes};
+        },
+        skin);
+    const RecordedJump::Sample sample =
+        jump.value ? jump.value->at(since) : RecordedJump::Sample{restStates(settings, since), 0, 0};
     m.states = sample.states;
     m.steps = sample.steps;
     m.moving = !frozen && (growing || byItself || sample.rested > since);
-    if (frozen) m.reason = "frozen " + seconds(since) + " after the jump";
-    else if (sample.rested <= since) m.reason = growing ? "the ball grows and shrinks" : "at rest since " + seconds(since - sample.rested);
-    else m.reason = (byItself ? "jumped by themselves " : "woken by the button ") + seconds(since) + " ago";
+    if (frozen)
+        m.reason = "frozen " + seconds(since) + " after the jump";
+    else if (sample.rested <= since)
+        m.reason = growing ? "the ball grows and shrinks" : "at rest since " + seconds(since - sample.rested);
+    else
+        m.reason = (byItself ? "jumped by themselves " : "woken by the button ") + seconds(since) + " ago";
 }
 
 void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
@@ -239,11 +267,16 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
     constexpr const char* motion = "fur/motion";
     const bool right = clockIsRight(context.time, context.sinceOwnPress);
     // Without a number, so that it stays one line in the log however the clock goes on.
-    if (!right) plan.complain("fur/clock", "the time is no number, or lies before the press of the button; the bodies are shown at rest until it is right", render::Work::simulation);
+    if (!right)
+        plan.complain("fur/clock",
+                      "the time is no number, or lies before the press of the button; the bodies are shown at rest "
+                      "until it is right",
+                      render::Work::simulation);
     if (!context.hiddenBecause.empty() && !context.noShadowBecause.empty()) {
         // Nobody sees where they are; when somebody does again, the jump is simulated up to then.
         plan.skip(motion, context.hiddenBecause, render::Work::simulation);
-        for (const char* name : {"fur/coat", "fur/fins", "fur/shade", "fur/floor"}) plan.skip(name, context.hiddenBecause);
+        for (const char* name : {"fur/coat", "fur/fins", "fur/shade", "fur/floor"})
+            plan.skip(name, context.hiddenBecause);
         plan.skip("fur/shadow", context.noShadowBecause);
         return;
     }
@@ -260,11 +293,16 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
     } else {
         plan.skip(motion, now.reason, render::Work::simulation);
     }
-    FurScene scene{context, {table_, values, now.states, context.worldFromExhibit, right ? context.time : 0, plan.seed, now.model ? now.model->radius : 0}, {}, {}};
+    FurScene scene{context,
+                   {table_, values, now.states, context.worldFromExhibit, right ? context.time : 0, plan.seed,
+                    now.model ? now.model->radius : 0},
+                   {},
+                   {}};
     for (std::size_t i = 0; i < furBodyCount; ++i) {
         scene.skins[i] = now.skins[i];
         scene.fins[i] = now.fins[i];
-        if (values[table_.silhouette] == FurSilhouette::fins && !now.fins[i]) plan.complain("fur/model fins", whyUnfinned(now.skins[i]));
+        if (values[table_.silhouette] == FurSilhouette::fins && !now.fins[i])
+            plan.complain("fur/model fins", whyUnfinned(now.skins[i]));
     }
     if (now.model && !now.model->notes.empty()) plan.complain("fur/model", joined(now.model->notes));
     planCoats(scene, plan);

@@ -19,8 +19,14 @@ public:
 
     [[nodiscard]] std::string_view name() const override { return "fur"; }
     [[nodiscard]] std::string_view title() const override { return "Fur with Physics"; }
-    [[nodiscard]] std::string_view summary() const override { return "No hair is stored anywhere: a skin drawn again and again, a little further out each time."; }
-    [[nodiscard]] std::string_view tryThis() const override { return "press the button, then look along the backs towards the window."; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "No hair is stored anywhere: a skin drawn again and again, a little further out each time.";
+    }
+    [[nodiscard]] std::string_view tryThis() const override
+    {
+        return "press the button, then look along the backs towards the window.";
+    }
     [[nodiscard]] std::string_view buttonText() const override { return "make them jump"; }
     [[nodiscard]] int place() const override { return 3; }
     [[nodiscard]] const Table& parameters() const override { return table_; }

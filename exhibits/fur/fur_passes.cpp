@@ -72,7 +72,10 @@ struct Planner {
         draw.object = render::bytesOf(body);
         return draw;
     }
-    [[nodiscard]] static int shellsOf(const FurBody& body) { return std::max(static_cast<int>(std::ceil(body.shells.x)), 1); }
+    [[nodiscard]] static int shellsOf(const FurBody& body)
+    {
+        return std::max(static_cast<int>(std::ceil(body.shells.x)), 1);
+    }
     [[nodiscard]] bool byAngle() const { return values()[table.silhouette] == FurSilhouette::byAngle; }
 
     [[nodiscard]] FurBody affordable(int i) const
@@ -112,9 +115,11 @@ struct Planner {
         FurBody body = affordable(i);
         if (!values()[table.levelOfDetail]) return body;
         const render::Box box = bounds(i);
-        const double distance = std::max(glm::length(plan.view.eye - box.center()) - glm::length(box.halfSize()) * 0.5, 0.1);
+        const double distance =
+            std::max(glm::length(plan.view.eye - box.center()) - glm::length(box.halfSize()) * 0.5, 0.1);
         const double angle = 2 * plan.view.tanHalfFov.y / plan.view.raster.size.y;
-        body.shells.x = static_cast<float>(shellsAtDistance(static_cast<int>(body.shells.x), body.coat.x, distance, angle));
+        body.shells.x =
+            static_cast<float>(shellsAtDistance(static_cast<int>(body.shells.x), body.coat.x, distance, angle));
         return body;
     }
 
@@ -127,7 +132,8 @@ struct Planner {
         for (int i = 0; i < furBodyCount; ++i) {
             if (!plan.runEverything && !plan.view.mayContain(bounds(i))) continue;
             const FurBody body = seen(i);
-            made.draws.push_back(draw(scene.skins[i], body, shellsOf(body) * (byAngle() && body.shells.x > 1 ? grazingShells : 1)));
+            made.draws.push_back(
+                draw(scene.skins[i], body, shellsOf(body) * (byAngle() && body.shells.x > 1 ? grazingShells : 1)));
             inView[i] = true;
             if (scene.fins[i]) fins.draws.push_back(draw(scene.fins[i], body, 1));
             made.counts["shells"] += made.draws.back().instances;
@@ -166,7 +172,8 @@ struct Planner {
     {
         Pass made = pass("fur/shade", "light on the strands that were found", "fur/shade.vert", "fur/shade.frag");
         made.colors = {{radianceImage, Load::keep, {}, -1, 0}};
-        // Far sides of boxes around the fur, where something is in front of them: few pixels without a strand are asked.
+        // Far sides of boxes around the fur, where something is in front of them: few pixels without a strand are
+        // asked.
         made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
         made.state = {.depthTest = render::DepthTest::farther, .cull = render::Cull::front, .depthClamp = true};
         scene.context.surroundings.illuminate(made);
@@ -189,10 +196,16 @@ struct Planner {
 
     void floor() const
     {
-        Pass made = pass("fur/floor", scene.context.alone ? "they stand on something" : "the bodies keep light off the floor", "fur/floor.vert", "fur/floor.frag");
+        Pass made =
+            pass("fur/floor", scene.context.alone ? "they stand on something" : "the bodies keep light off the floor",
+                 "fur/floor.vert", "fur/floor.frag");
         made.stage = render::Stage::transparent;
-        if (scene.context.alone) made.shader.defines.emplace_back("ALONE");
-        else made.bound = {1, values()[table.lamp] * 0.05 / std::numbers::pi, {}};  // As the shader: all light is kept off, and a dark felt is lit.
+        if (scene.context.alone)
+            made.shader.defines.emplace_back("ALONE");
+        else
+            made.bound = {1,
+                          values()[table.lamp] * 0.05 / std::numbers::pi,
+                          {}};  // As the shader: all light is kept off, and a dark felt is lit.
         made.colors = {{radianceImage, Load::keep, {}, -1, 0}};
         made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
         made.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};
@@ -212,7 +225,8 @@ void planCoats(const FurScene& scene, render::FramePlan& plan)
     Planner planner(scene, plan);
     planner.shadow();
     if (!scene.context.hiddenBecause.empty()) {
-        for (const char* name : {"fur/coat", "fur/fins", "fur/shade", "fur/floor"}) plan.skip(name, scene.context.hiddenBecause);
+        for (const char* name : {"fur/coat", "fur/fins", "fur/shade", "fur/floor"})
+            plan.skip(name, scene.context.hiddenBecause);
         return;
     }
     if (planner.coat()) planner.shade();

@@ -31,7 +31,8 @@ void bendIt(Mesh& mesh)
         const double area = glm::length(across);  // Twice the triangle's.
         if (!(area > 1e-14)) continue;
         double divergence = 0;
-        for (std::size_t k = 0; k < 3; ++k) divergence += glm::dot(glm::cross(across, at[(k + 2) % 3] - at[(k + 1) % 3]), normal[k]) / (area * area);
+        for (std::size_t k = 0; k < 3; ++k)
+            divergence += glm::dot(glm::cross(across, at[(k + 2) % 3] - at[(k + 1) % 3]), normal[k]) / (area * area);
         for (std::size_t k = 0; k < 3; ++k) {
             bend[mesh.indices[i + k]] += 0.5 * divergence * area;
             weight[mesh.indices[i + k]] += area;
@@ -43,11 +44,13 @@ void bendIt(Mesh& mesh)
 
 }  // namespace
 
-std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::string& file, double radius, std::vector<std::string>& notes)
+std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::string& file, double radius,
+                                      std::vector<std::string>& notes)
 {
     const glm::dvec3 center = model.bounds.empty() ? glm::dvec3(0) : model.bounds.center();
     const double extent = model.bounds.empty() ? 0 : glm::length(model.bounds.halfSize());
-    if (!(extent > 0)) throw Failure(Blame::file, file + " has no surface that could wear a coat. Give a model with triangles.");
+    if (!(extent > 0))
+        throw Failure(Blame::file, file + " has no surface that could wear a coat. Give a model with triangles.");
     auto mesh = std::make_shared<Mesh>();
     mesh->name = "model";
     std::map<std::array<std::int64_t, 3>, std::uint32_t> places;
@@ -56,7 +59,8 @@ std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::str
     const double grid = radius * 1e-5;  // Nearer than this is one place.
     std::size_t flat = 0;
     const auto place = [&](const glm::dvec3& p) {
-        const std::array<std::int64_t, 3> key{std::llround(p.x / grid), std::llround(p.y / grid), std::llround(p.z / grid)};
+        const std::array<std::int64_t, 3> key{std::llround(p.x / grid), std::llround(p.y / grid),
+                                              std::llround(p.z / grid)};
         const auto [found, fresh] = places.try_emplace(key, static_cast<std::uint32_t>(mesh->vertices.size()));
         if (fresh) {
             mesh->vertices.emplace_back().position = glm::vec3(p);
@@ -93,7 +97,9 @@ std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::str
             mesh->indices.insert(mesh->indices.end(), corner.begin(), corner.end());
         }
     }
-    if (mesh->indices.empty()) throw Failure(Blame::file, file + " has no triangle with an area that could wear a coat. Give a model with triangles.");
+    if (mesh->indices.empty())
+        throw Failure(Blame::file,
+                      file + " has no triangle with an area that could wear a coat. Give a model with triangles.");
     std::size_t without = 0;
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const double length = glm::length(normals[i]);
@@ -101,10 +107,16 @@ std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::str
         // Where faces cancel, as on both sides of a sheet, outwards is away from the middle.
         const glm::vec3& p = mesh->vertices[i].position;
         const double out = glm::length(glm::dvec3(p));
-        mesh->vertices[i].normal = length > 1e-9 ? glm::vec3(normals[i] / length) : out > 0 ? p / static_cast<float>(out) : glm::vec3(0, 1, 0);
+        mesh->vertices[i].normal = length > 1e-9 ? glm::vec3(normals[i] / length)
+                                   : out > 0     ? p / static_cast<float>(out)
+                                                 : glm::vec3(0, 1, 0);
     }
-    if (flat > 0) notes.push_back(flat == 1 ? "1 triangle without area was left out" : std::to_string(flat) + " triangles without area were left out");
-    if (without > 0) notes.push_back(without == 1 ? "1 place had no outward side and was given one" : std::to_string(without) + " places had no outward side and were given one");
+    if (flat > 0)
+        notes.push_back(flat == 1 ? "1 triangle without area was left out"
+                                  : std::to_string(flat) + " triangles without area were left out");
+    if (without > 0)
+        notes.push_back(without == 1 ? "1 place had no outward side and was given one"
+                                     : std::to_string(without) + " places had no outward side and were given one");
     for (const Vertex& v : mesh->vertices) mesh->bounds.include(glm::dvec3(v.position));
     bendIt(*mesh);
     return mesh;

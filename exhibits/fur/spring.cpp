@@ -36,13 +36,15 @@ Decay decay(const Spring& spring, double t)
 
 }  // namespace
 
-SpringState advance(const SpringState& state, const glm::dvec3& target, const Spring& spring, double seconds, FurSpring model)
+SpringState advance(const SpringState& state, const glm::dvec3& target, const Spring& spring, double seconds,
+                    FurSpring model)
 {
     if (!(seconds > 0) || !std::isfinite(seconds)) return state;
     const glm::dvec3 x = state.value - target;
     const double k = spring.omega * spring.omega;
     const double c = 2 * spring.zeta * spring.omega;
-    if (model == FurSpring::explicitEuler) return {state.value + state.rate * seconds, state.rate - (k * x + c * state.rate) * seconds};
+    if (model == FurSpring::explicitEuler)
+        return {state.value + state.rate * seconds, state.rate - (k * x + c * state.rate) * seconds};
     if (model == FurSpring::semiImplicit) {
         const glm::dvec3 rate = state.rate - (k * x + c * state.rate) * seconds;
         return {state.value + rate * seconds, rate};

@@ -27,7 +27,8 @@ struct SpringState {
 /// every step: one of an hour equals all the small ones in it, and no step can add energy. The other two are
 /// one step of the method that they name, and fail as it does.
 /// A step of 0, a negative, infinite or NaN one changes nothing.
-[[nodiscard]] SpringState advance(const SpringState&, const glm::dvec3& target, const Spring&, double seconds, FurSpring);
+[[nodiscard]] SpringState advance(const SpringState&, const glm::dvec3& target, const Spring&, double seconds,
+                                  FurSpring);
 
 /// Energy per unit mass about `target`: never grows under the closed form.
 [[nodiscard]] double energy(const SpringState&, const glm::dvec3& target, const Spring&);

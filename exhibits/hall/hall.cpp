@@ -84,7 +84,9 @@ std::shared_ptr<const PreparedPart> Hall::prepare(const PrepareContext& context)
     auto made = std::make_shared<PreparedHall>();
     render::Hash files;
     const auto complain = [&](const char* step, File row, const std::string& failure) {
-        if (!failure.empty()) made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), failure), "It is left out until it can be read."});
+        if (!failure.empty())
+            made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), failure),
+                                        "It is left out until it can be read."});
     };
     if (const std::string path = values[table_.environment]; !path.empty()) {
         const render::Asset<Panorama> found = context.assets.get<Panorama>("hall.environment", path, readPanorama);

@@ -6,7 +6,8 @@
 namespace vitrine {
 namespace {
 
-render::Pass fullscreen(std::string name, std::string fragment, std::string source, std::string target, std::string reason)
+render::Pass fullscreen(std::string name, std::string fragment, std::string source, std::string target,
+                        std::string reason)
 {
     render::Pass pass;
     pass.name = std::move(name);
@@ -25,13 +26,15 @@ void planDevelop(const Surroundings& surroundings, const FrameRequest& request, 
     const bool averaged = request.samples > 1;
     const bool toneMapped = request.averageIn == AverageIn::display;
     const bool exact = averaged || !toneMapped;
-    plan.image({.name = "frame", .format = exact ? render::Format::rgba32f : render::Format::rgba16f, .kept = averaged});
+    plan.image(
+        {.name = "frame", .format = exact ? render::Format::rgba32f : render::Format::rgba16f, .kept = averaged});
 
     std::string source = radianceImage;
     if (toneMapped) {
         const std::string target = averaged ? "display" : "frame";
         if (averaged) plan.image({.name = target, .format = render::Format::rgba16f});
-        render::Pass tone = fullscreen("tone", "lib/tonemap.frag", source, target, "the screen shows less than the eye sees");
+        render::Pass tone =
+            fullscreen("tone", "lib/tonemap.frag", source, target, "the screen shows less than the eye sees");
         tone.stage = render::Stage::resolve;
         tone.blocks[BLOCK_LIGHT] = render::bytesOf(surroundings.light);  // For the exposure alone: no map, no probe.
         tone.bound = {1, 1, {}};  // What is shown lies between 0 and 1, whatever the light.
@@ -46,9 +49,10 @@ void planDevelop(const Surroundings& surroundings, const FrameRequest& request, 
         plan.skip("average", "one sample per pixel");
         if (toneMapped) return;
     }
-    render::Pass average = fullscreen(averaged ? "average" : "copy", "lib/copy.frag", source, "frame",
-                                      averaged ? "sample " + std::to_string(request.sample + 1) + " of " + std::to_string(request.samples)
-                                               : "linear light is handed out as it is");
+    render::Pass average =
+        fullscreen(averaged ? "average" : "copy", "lib/copy.frag", source, "frame",
+                   averaged ? "sample " + std::to_string(request.sample + 1) + " of " + std::to_string(request.samples)
+                            : "linear light is handed out as it is");
     average.stage = render::Stage::present;
     if (averaged && request.sample > 0) {
         average.state.blend = render::Blend::mean;

@@ -41,7 +41,8 @@ bool passesThrough(const render::Box& box, const glm::dvec3& towardsLight, const
             high[i] = std::max(high[i], x);
         }
     }
-    return high[0] >= opening.low[axes[0]] && low[0] <= opening.high[axes[0]] && high[1] >= opening.low[axes[1]] && low[1] <= opening.high[axes[1]];
+    return high[0] >= opening.low[axes[0]] && low[0] <= opening.high[axes[0]] && high[1] >= opening.low[axes[1]] &&
+           low[1] <= opening.high[axes[1]];
 }
 
 /// A surface sends no more of the sun's light than its diffuse share and the peak that lib/surface.glsl stops at.
@@ -53,7 +54,8 @@ constexpr double brightestOfStudio = 14;
 
 render::Bound shadowBound(const Sun& sun)
 {
-    return render::boundOf(0, mostReflected, {{sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"}});
+    return render::boundOf(0, mostReflected,
+                           {{sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"}});
 }
 
 double largest(const glm::vec4& color)
@@ -68,7 +70,8 @@ double brightestAround(const HallScene& scene, const LightBlock& light)
     const double sky = std::max(largest(light.skyZenith), largest(light.skyHorizon));
     const double sun = largest(light.sunIrradiance);
     // Lightmaps hold 0 to 1 of these scales; around the sun the sky glows (lib/sky.glsl).
-    const double baked = sky * static_cast<double>(light.skyZenith.w) + sun * static_cast<double>(light.sunLightmap.x + light.sunLightmap.y + light.sunLightmap.z);
+    const double baked = sky * static_cast<double>(light.skyZenith.w) +
+                         sun * static_cast<double>(light.sunLightmap.x + light.sunLightmap.y + light.sunLightmap.z);
     return std::max(scene.environment ? scene.environmentBrightest : sky + 0.35 * sun, baked + mostReflected * sun);
 }
 
@@ -76,8 +79,10 @@ double brightestAround(const HallScene& scene, const LightBlock& light)
 glm::dvec3 lightmapWeights(const std::vector<SunLightmap>& maps, double elevation)
 {
     glm::dvec3 weights(0);
-    if (elevation <= maps[0].elevation) weights[0] = 1;
-    else if (elevation >= maps[2].elevation) weights[2] = 1;
+    if (elevation <= maps[0].elevation)
+        weights[0] = 1;
+    else if (elevation >= maps[2].elevation)
+        weights[2] = 1;
     else {
         const int i = elevation < maps[1].elevation ? 0 : 1;
         const auto lower = static_cast<std::size_t>(i);
@@ -125,11 +130,14 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
     light.sunDirection = glm::vec4(sun, 0);
     light.sunIrradiance = glm::vec4(sunColor, shadows ? 1 : 0);
     light.skyZenith = glm::vec4(skyColor * 0.8, scene.model.skyLightmapScale());
-    light.skyHorizon = glm::vec4(glm::mix(skyColor, sunColor / 9.0, 0.25) * 1.25, scene.environment ? 1 : scene.alone ? 2 : 0);
-    light.filtering = {static_cast<float>(static_cast<int>(values[table.shadowFilter])), 0, static_cast<float>(values[table.environmentTurn]),
-                       values[table.bakedLight] ? 1.0F : 0.0F};
+    light.skyHorizon = glm::vec4(glm::mix(skyColor, sunColor / 9.0, 0.25) * 1.25, scene.environment ? 1
+                                                                                  : scene.alone     ? 2
+                                                                                                    : 0);
+    light.filtering = {static_cast<float>(static_cast<int>(values[table.shadowFilter])), 0,
+                       static_cast<float>(values[table.environmentTurn]), values[table.bakedLight] ? 1.0F : 0.0F};
     light.disk = {std::tan(values[table.sunDisk] / 2), values[table.diskSamples], 0, 0};
-    light.probeHigh.w = static_cast<float>(baseExposure * std::exp2(values[table.exposure])) * (scene.alone ? 0.16F : 1.0F);
+    light.probeHigh.w =
+        static_cast<float>(baseExposure * std::exp2(values[table.exposure])) * (scene.alone ? 0.16F : 1.0F);
 
     if (shadows) {
         result.hallShadowView = lightView(scene.model.bounds(), sun, glm::ivec2(mapSize), 0.5);
@@ -141,7 +149,9 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
         result.openings = {windowOpening, oculusOpening};
         result.room = room;
         const glm::dvec3 weights = lightmapWeights(scene.model.sunLightmapInfo(), source.elevation);
-        for (int i = 0; i < 3; ++i) light.sunLightmap[i] = static_cast<float>(weights[i] * scene.model.sunLightmapInfo()[static_cast<std::size_t>(i)].scale);
+        for (int i = 0; i < 3; ++i)
+            light.sunLightmap[i] =
+                static_cast<float>(weights[i] * scene.model.sunLightmapInfo()[static_cast<std::size_t>(i)].scale);
     }
     result.sunShadow = shadowBound(source);
     result.sunShare = source.strength / std::get<double>(table.rows()[table.sunStrength.row].initial);
@@ -150,7 +160,8 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
     if (values[table.reflectionProbe] && (runEverything || !result.probeLight.isZero())) {
         light.probePosition = glm::vec4(probePosition(scene), 1);
         const int size = values[table.probeSize];
-        light.probeLow.w = static_cast<float>(std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(size))) - 3, 1));
+        light.probeLow.w =
+            static_cast<float>(std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(size))) - 3, 1));
         if (!scene.alone) {
             // The nave; niches are shallow enough to count as wall.
             light.probeLow = glm::vec4(-6, 0, -12, light.probeLow.w);
@@ -165,7 +176,8 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
 
 std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 {
-    if (render::Bound bound = shadowBound(sunOf(scene.table, scene.values)); bound.isZero()) return std::move(bound.whyNone);
+    if (render::Bound bound = shadowBound(sunOf(scene.table, scene.values)); bound.isZero())
+        return std::move(bound.whyNone);
     if (!scene.values[scene.table.sunShadows]) return "sun shadows are switched off";
     if (scene.alone) return {};
     const glm::dvec3 sun = towardsSun(scene);
@@ -179,7 +191,9 @@ std::uint64_t lightKey(const HallScene& scene)
     render::Hash hash;
     // How brightly and how finely the picture is developed is no light.
     ParameterValues lighting = scene.values;
-    for (const std::size_t row : {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.supersamples.row}, std::size_t{scene.table.resolutionScale.row}}) lighting.resetRow(row);
+    for (const std::size_t row : {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.supersamples.row},
+                                  std::size_t{scene.table.resolutionScale.row}})
+        lighting.resetRow(row);
     derive::addToKey(hash, lighting);
     hash.addValue(scene.alone).addValue(scene.filesId);
     for (const Guest& guest : scene.guests) hash.addValue(guest.place);

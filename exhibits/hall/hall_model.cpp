@@ -62,7 +62,8 @@ Json readAsset(const char* relative)
 }
 
 /// Joins pictures of one size into an array texture.
-std::shared_ptr<const render::Texture> joined(const std::vector<std::shared_ptr<const render::Texture>>& layers, const std::string& name)
+std::shared_ptr<const render::Texture> joined(const std::vector<std::shared_ptr<const render::Texture>>& layers,
+                                              const std::string& name)
 {
     auto array = std::make_shared<render::Texture>();
     array->name = name;
@@ -74,7 +75,9 @@ std::shared_ptr<const render::Texture> joined(const std::vector<std::shared_ptr<
     array->layers = static_cast<int>(layers.size());
     for (const auto& layer : layers) {
         if (layer->width != array->width || layer->height != array->height || layer->channels != array->channels)
-            throw Failure(Blame::file, name + ": the sun lightmaps differ in size or channels; bake them again with assets/models/hall.py.");
+            throw Failure(
+                Blame::file,
+                name + ": the sun lightmaps differ in size or channels; bake them again with assets/models/hall.py.");
         array->bytes.insert(array->bytes.end(), layer->bytes.begin(), layer->bytes.end());
     }
     return array;
@@ -88,7 +91,8 @@ HallModel::HallModel()
         readMaterials();
         readLightmaps();
     } catch (const Json::exception& error) {
-        throw Failure(Blame::file, "assets/models/materials.json or hall_light.json: " + std::string(error.what()) + "; reinstall the program, or write them anew with the scripts beside them.");
+        throw Failure(Blame::file, "assets/models/materials.json or hall_light.json: " + std::string(error.what()) +
+                                       "; reinstall the program, or write them anew with the scripts beside them.");
     }
     const render::Model model = render::loadGltf(render::asset("models/hall.glb"));
     sortParts(model);
@@ -105,7 +109,8 @@ void HallModel::readMaterials()
         entry.material.metalness = row.value("metalness", 0.0F);
         entry.material.roughness = row.value("roughness", 0.7F);
         if (const auto color = row.find("baseColor"); color != row.end())
-            entry.material.baseColor = {(*color)[0].get<float>(), (*color)[1].get<float>(), (*color)[2].get<float>(), 1.0F};
+            entry.material.baseColor = {(*color)[0].get<float>(), (*color)[1].get<float>(), (*color)[2].get<float>(),
+                                        1.0F};
         entry.material.baseColorMap = map(row, "color", true);
         entry.material.normalMap = map(row, "normal", false);
         entry.material.metallicRoughnessMap = map(row, "orm", false);
@@ -117,7 +122,8 @@ void HallModel::readLightmaps()
 {
     const Json table = readAsset("models/hall_light.json");
     const auto load = [](const Json& row) {
-        auto picture = std::make_shared<render::Texture>(*render::loadTexture(render::asset("models/" + row.at("file").get<std::string>()), false, false));
+        auto picture = std::make_shared<render::Texture>(
+            *render::loadTexture(render::asset("models/" + row.at("file").get<std::string>()), false, false));
         picture->mipmaps = false;
         return std::shared_ptr<const render::Texture>(picture);
     };
@@ -128,17 +134,24 @@ void HallModel::readLightmaps()
         layers.push_back(load(row));
         sunInfo_.push_back({row.at("elevation").get<double>() * std::numbers::pi / 180, row.at("scale").get<double>()});
     }
-    if (layers.size() != 3) throw Failure(Blame::file, "assets/models/hall_light.json: three sun lightmaps are expected under \"sun\"; bake them again.");
+    if (layers.size() != 3)
+        throw Failure(
+            Blame::file,
+            "assets/models/hall_light.json: three sun lightmaps are expected under \"sun\"; bake them again.");
     sunLightmaps_ = joined(layers, "assets/models/hall_light.json");
 }
 
 void HallModel::sortParts(const render::Model& model)
 {
     for (const render::Part& part : model.parts) {
-        if (const auto n = placeNumber(part.name, "cloth_")) places_[*n].cloth.push_back(part);
-        else if (const auto m = placeNumber(part.name, "stand_")) places_[*m].stand.push_back(part);
-        else if (const auto b = placeNumber(part.name, "banner_")) places_[*b].stand.push_back(part);
-        else if (const auto t = placeNumber(part.name, "mobile_")) places_[*t].turning.push_back(part);
+        if (const auto n = placeNumber(part.name, "cloth_"))
+            places_[*n].cloth.push_back(part);
+        else if (const auto m = placeNumber(part.name, "stand_"))
+            places_[*m].stand.push_back(part);
+        else if (const auto b = placeNumber(part.name, "banner_"))
+            places_[*b].stand.push_back(part);
+        else if (const auto t = placeNumber(part.name, "mobile_"))
+            places_[*t].turning.push_back(part);
         else if (part.name.rfind("hall_", 0) == 0) {
             walls_.push_back(withTangents(part, material(part.material ? part.material->name : std::string())));
             const render::Box box = part.mesh->bounds.transformed(part.modelFromPart);
@@ -152,12 +165,18 @@ void HallModel::sortMarkers(const render::Model& model)
 {
     for (const render::Marker& marker : model.markers) {
         const glm::dmat4& m = marker.modelFromMarker;
-        if (const auto n = placeNumber(marker.name, "place_")) places_[*n].worldFromPlace = rigid(m);
-        else if (const auto p = placeNumber(marker.name, "plaque_")) places_[*p].worldFromPlaque = rigid(m);
-        else if (const auto b = placeNumber(marker.name, "button_")) places_[*b].worldFromButton = rigid(m);
-        else if (marker.name.rfind("collider_box_", 0) == 0) colliders_.push_back({glm::inverse(rigid(m)), axisScale(m), false});
-        else if (marker.name.rfind("collider_cylinder_", 0) == 0) colliders_.push_back({glm::inverse(rigid(m)), axisScale(m), true});
-        else if (marker.name.rfind("occluder_", 0) == 0) occluders_.push_back({glm::dvec3(m[3]), glm::dvec3(m[0]), glm::dvec3(m[1])});
+        if (const auto n = placeNumber(marker.name, "place_"))
+            places_[*n].worldFromPlace = rigid(m);
+        else if (const auto p = placeNumber(marker.name, "plaque_"))
+            places_[*p].worldFromPlaque = rigid(m);
+        else if (const auto b = placeNumber(marker.name, "button_"))
+            places_[*b].worldFromButton = rigid(m);
+        else if (marker.name.rfind("collider_box_", 0) == 0)
+            colliders_.push_back({glm::inverse(rigid(m)), axisScale(m), false});
+        else if (marker.name.rfind("collider_cylinder_", 0) == 0)
+            colliders_.push_back({glm::inverse(rigid(m)), axisScale(m), true});
+        else if (marker.name.rfind("occluder_", 0) == 0)
+            occluders_.push_back({glm::dvec3(m[3]), glm::dvec3(m[0]), glm::dvec3(m[1])});
     }
     for (auto& [number, place] : places_) place.number = number;
 }

@@ -57,10 +57,12 @@ std::vector<Part> hanging(const HallScene& scene)
 glm::dmat4 worldFromSwept(const Part& part)
 {
     const render::Box& box = part.mesh->bounds;
-    const glm::dvec2 reach = glm::max(glm::abs(glm::dvec2(box.low.x, box.low.z)), glm::abs(glm::dvec2(box.high.x, box.high.z)));
+    const glm::dvec2 reach =
+        glm::max(glm::abs(glm::dvec2(box.low.x, box.low.z)), glm::abs(glm::dvec2(box.high.x, box.high.z)));
     const double radius = 1.01 * glm::length(reach);
     const double height = 0.5 * (box.high.y - box.low.y);
-    return glm::scale(glm::translate(part.modelFromPart, glm::dvec3(0, box.low.y + height, 0)), glm::dvec3(radius, 1.01 * height + 1e-3, radius));
+    return glm::scale(glm::translate(part.modelFromPart, glm::dvec3(0, box.low.y + height, 0)),
+                      glm::dvec3(radius, 1.01 * height + 1e-3, radius));
 }
 
 std::string materialName(const Part& part)
@@ -92,7 +94,8 @@ void drawInto(Pass& pass, const Channels& channels, Load load)
     pass.state.cull = render::Cull::back;
 }
 
-Pass surfacePass(std::string name, std::string reason, std::vector<std::string> defines, const Channels& channels, Load load)
+Pass surfacePass(std::string name, std::string reason, std::vector<std::string> defines, const Channels& channels,
+                 Load load)
 {
     Pass pass;
     pass.name = std::move(name);
@@ -115,7 +118,8 @@ const render::Material& buttonMaterial()
     return red;
 }
 
-void planButtons(const HallScene& scene, const Surroundings& light, const Channels& channels, std::span<const double> sincePressed, render::FramePlan& plan)
+void planButtons(const HallScene& scene, const Surroundings& light, const Channels& channels,
+                 std::span<const double> sincePressed, render::FramePlan& plan)
 {
     Pass pass = surfacePass("hall/buttons", "", {}, channels, Load::keep);
     int moving = 0;
@@ -152,7 +156,10 @@ void planPlaques(const HallScene& scene, const Surroundings& light, render::Fram
     pass.shader = {"hall/text.vert", "hall/text.frag", "", {}};
     pass.colors = {{radianceImage, Load::keep, {}, -1, 0}};
     pass.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
-    pass.state = {.depthTest = render::DepthTest::nearerOrEqual, .cull = render::Cull::back, .blend = render::Blend::premultiplied, .depthBias = {-1, -4}};
+    pass.state = {.depthTest = render::DepthTest::nearerOrEqual,
+                  .cull = render::Cull::back,
+                  .blend = render::Blend::premultiplied,
+                  .depthBias = {-1, -4}};
     for (const PlaqueText::Plaque& plaque : scene.text->plaques()) {
         if (!plan.view.mayContain(plaque.mesh->bounds.transformed(plaque.worldFromPlaque))) continue;
         SurfaceObject object = surfaceObject(plaque.worldFromPlaque, {});
@@ -172,13 +179,16 @@ void planPlaques(const HallScene& scene, const Surroundings& light, render::Fram
     plan.add(std::move(pass));
 }
 
-void planVisitorModel(const HallScene& scene, const Surroundings& light, const Channels& channels, render::FramePlan& plan)
+void planVisitorModel(const HallScene& scene, const Surroundings& light, const Channels& channels,
+                      render::FramePlan& plan)
 {
     if (!scene.visitorModel) {
         plan.skip("hall/visitor", "the free plinth is empty");
         return;
     }
-    Pass pass = surfacePass("hall/visitor", "an object stands on the free plinth", {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP", "EMISSIVE_MAP", "ALPHA_MASK"}, channels, Load::keep);
+    Pass pass =
+        surfacePass("hall/visitor", "an object stands on the free plinth",
+                    {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP", "EMISSIVE_MAP", "ALPHA_MASK"}, channels, Load::keep);
     pass.state.cull = render::Cull::none;
     Pass blended = pass;
     blended.name = "hall/visitor/blended";
@@ -195,13 +205,16 @@ void planVisitorModel(const HallScene& scene, const Surroundings& light, const C
     light.illuminate(pass);
     light.illuminate(blended);
     if (!pass.draws.empty()) plan.add(std::move(pass));
-    if (!blended.draws.empty()) plan.add(std::move(blended));
-    else plan.skip(blended.name, "nothing of the visitor's object is translucent");
+    if (!blended.draws.empty())
+        plan.add(std::move(blended));
+    else
+        plan.skip(blended.name, "nothing of the visitor's object is translucent");
 }
 
 /// The map of what stands still is drawn once; where hangings may be, it is put back whenever they have turned, and
 /// they are drawn over it.
-void planTurningShadow(const HallScene& scene, const Pass& still, const std::vector<Part>& turning, render::FramePlan& plan)
+void planTurningShadow(const HallScene& scene, const Pass& still, const std::vector<Part>& turning,
+                       render::FramePlan& plan)
 {
     const auto follow = [&](const char* name, const char* reason, Load load) {
         Pass pass;
@@ -211,7 +224,8 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
         pass.shader = {"hall/depth.vert", "hall/restore.frag", "", {}};
         pass.view = still.view;
         pass.depth = Attachment{"shadow.hall", load, glm::vec4(0), -1, 0};
-        pass.state = {.depthTest = render::DepthTest::none, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
+        pass.state = {
+            .depthTest = render::DepthTest::none, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
         pass.inputs = {{UNIT_SOURCE, std::string("shadow.hall.still")}};
         pass.key = still.key;
         pass.bound = still.bound;
@@ -269,9 +283,18 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
         return;
     }
     const int size = scene.values[scene.table.shadowMapSize];
-    plan.image({.name = "shadow.hall", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true, .comparison = true});
+    plan.image({.name = "shadow.hall",
+                .format = render::Format::depth32f,
+                .size = glm::ivec2(size),
+                .kept = true,
+                .comparison = true});
     const std::vector<Part> turning = hanging(scene);
-    if (!turning.empty()) plan.image({.name = "shadow.hall.still", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true, .nearest = true});
+    if (!turning.empty())
+        plan.image({.name = "shadow.hall.still",
+                    .format = render::Format::depth32f,
+                    .size = glm::ivec2(size),
+                    .kept = true,
+                    .nearest = true});
     Pass pass;
     pass.name = "hall/shadow";
     pass.reason = "the sun or the walls have changed";
@@ -279,20 +302,29 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
     pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
     pass.view = light.hallShadowView;
     pass.depth = Attachment{turning.empty() ? "shadow.hall" : "shadow.hall.still", Load::clear, glm::vec4(0), -1, 0};
-    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none, .depthBias = {1.5F, 2}, .depthClamp = true};
+    pass.state = {.depthTest = render::DepthTest::nearer,
+                  .depthWrite = true,
+                  .cull = render::Cull::none,
+                  .depthBias = {1.5F, 2},
+                  .depthClamp = true};
     pass.key = lightKey(scene);
     pass.bound = light.sunShadow;
     for (const Part& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
     for (const Part& part : standing(scene)) pass.draws.push_back(partDraw(scene, part));
     if (scene.visitorModel)
-        for (const Part& part : scene.visitorModel->parts) pass.draws.push_back(surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, {}));
-    if (!turning.empty()) planTurningShadow(scene, pass, turning, plan);
-    else plan.add(std::move(pass));
+        for (const Part& part : scene.visitorModel->parts)
+            pass.draws.push_back(surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, {}));
+    if (!turning.empty())
+        planTurningShadow(scene, pass, turning, plan);
+    else
+        plan.add(std::move(pass));
 }
 
-void planWalls(const HallScene& scene, const Surroundings& light, const Channels& channels, std::span<const double> sincePressed, render::FramePlan& plan)
+void planWalls(const HallScene& scene, const Surroundings& light, const Channels& channels,
+               std::span<const double> sincePressed, render::FramePlan& plan)
 {
-    Pass walls = surfacePass("hall/walls", "the hall is around the visitor", {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, channels, Load::clear);
+    Pass walls = surfacePass("hall/walls", "the hall is around the visitor",
+                             {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, channels, Load::clear);
     if (scene.values[scene.table.bakedLight]) {
         walls.shader.defines.emplace_back("LIGHTMAP");
         walls.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
@@ -302,14 +334,18 @@ void planWalls(const HallScene& scene, const Surroundings& light, const Channels
     light.illuminate(walls);
     plan.add(std::move(walls));
 
-    Pass props = surfacePass("hall/props", "cloths cover the empty places", {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, channels, Load::keep);
+    Pass props = surfacePass("hall/props", "cloths cover the empty places", {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"},
+                             channels, Load::keep);
     props.state.cull = render::Cull::none;
     for (const std::vector<Part>& parts : {standing(scene), hanging(scene)})
         for (const Part& part : parts)
-            if (plan.view.mayContain(part.mesh->bounds.transformed(part.modelFromPart))) props.draws.push_back(partDraw(scene, part));
+            if (plan.view.mayContain(part.mesh->bounds.transformed(part.modelFromPart)))
+                props.draws.push_back(partDraw(scene, part));
     light.illuminate(props);
-    if (props.draws.empty()) plan.skip(props.name, "no cloth or stand is in view");
-    else plan.add(std::move(props));
+    if (props.draws.empty())
+        plan.skip(props.name, "no cloth or stand is in view");
+    else
+        plan.add(std::move(props));
 
     planVisitorModel(scene, light, channels, plan);
     planButtons(scene, light, channels, sincePressed, plan);

@@ -33,14 +33,17 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
     return pass;
 }
 
-void planFace(const HallScene& scene, const Surroundings& light, int face, int size, std::uint64_t key, render::FramePlan& plan)
+void planFace(const HallScene& scene, const Surroundings& light, int face, int size, std::uint64_t key,
+              render::FramePlan& plan)
 {
     const glm::dvec3 eye = probePosition(scene);
     // The probe must not read itself while it is being made; and it holds the hall alone, for its key does not
     // tell where the exhibits' shadows lie.
     Surroundings hallLight = light;
     hallLight.light.sunLightmap.w = 0;
-    std::erase_if(hallLight.inputs, [](const render::Input& input) { return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS; });
+    std::erase_if(hallLight.inputs, [](const render::Input& input) {
+        return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS;
+    });
     Pass sky = capturePass("sky", face, eye, size, key);
     sky.shader = {"lib/fullscreen.vert", "hall/sky.frag", "", {"CAPTURE"}};
     sky.colors = {{"probe.captured", Load::keep, {}, face, 0}};
@@ -53,7 +56,8 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
 
     Pass walls = capturePass("walls", face, eye, size, key);
     walls.bound = light.probeLight;
-    walls.shader = {"hall/surface.vert", "hall/surface.frag", "", {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
+    walls.shader = {
+        "hall/surface.vert", "hall/surface.frag", "", {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
     walls.colors = {{"probe.captured", Load::keep, {}, face, 0}};
     walls.depth = Attachment{"probe.depth", Load::clear, glm::vec4(0), -1, 0};
     walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};
@@ -68,7 +72,8 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
     plan.add(std::move(walls));
 }
 
-void planLevel(int level, int levels, int size, int samples, const render::Bound& bound, std::uint64_t key, render::FramePlan& plan)
+void planLevel(int level, int levels, int size, int samples, const render::Bound& bound, std::uint64_t key,
+               render::FramePlan& plan)
 {
     const int side = std::max(size >> level, 1);
     const float t = levels > 1 ? static_cast<float>(level) / static_cast<float>(levels - 1) : 0.0F;
@@ -108,12 +113,25 @@ void planProbe(const HallScene& scene, const Surroundings& light, render::FrameP
     const int levels = levelCount(size);
     const std::uint64_t key = lightKey(scene);
     const int allLevels = static_cast<int>(std::bit_width(static_cast<unsigned>(size)));
-    plan.image({.name = "probe.captured", .format = render::Format::rgba16f, .type = render::TextureType::cube, .size = glm::ivec2(size), .levels = allLevels, .kept = true});
-    plan.image({.name = "probe", .format = render::Format::rgba16f, .type = render::TextureType::cube, .size = glm::ivec2(size), .levels = levels, .kept = true});
-    plan.image({.name = "probe.irradiance", .format = render::Format::rgba32f, .size = {9, 1}, .kept = true, .nearest = true});
-    if (!scene.alone) plan.image({.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true});
+    plan.image({.name = "probe.captured",
+                .format = render::Format::rgba16f,
+                .type = render::TextureType::cube,
+                .size = glm::ivec2(size),
+                .levels = allLevels,
+                .kept = true});
+    plan.image({.name = "probe",
+                .format = render::Format::rgba16f,
+                .type = render::TextureType::cube,
+                .size = glm::ivec2(size),
+                .levels = levels,
+                .kept = true});
+    plan.image(
+        {.name = "probe.irradiance", .format = render::Format::rgba32f, .size = {9, 1}, .kept = true, .nearest = true});
+    if (!scene.alone)
+        plan.image({.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true});
     for (int face = 0; face < 6; ++face) planFace(scene, light, face, size, key, plan);
-    for (int level = 0; level < levels; ++level) planLevel(level, levels, size, scene.values[scene.table.probeSamples], light.probeLight, key, plan);
+    for (int level = 0; level < levels; ++level)
+        planLevel(level, levels, size, scene.values[scene.table.probeSamples], light.probeLight, key, plan);
 
     // A level of 16 texels holds all that nine coefficients can tell.
     const int level = std::max(allLevels - 5, 0);

@@ -33,7 +33,7 @@ struct HallScene {
     const HallModel& model;
     const HallTable& table;
     const ParameterValues& values;
-    bool alone = false;  ///< No walls: an exhibit in the environment's light.
+    bool alone = false;                                  ///< No walls: an exhibit in the environment's light.
     std::shared_ptr<const render::Texture> environment;  ///< Null: the sky, or the studio when alone.
     double environmentBrightest = 0;                     ///< The panorama's largest value.
     std::shared_ptr<const render::Model> visitorModel;
@@ -69,7 +69,8 @@ struct HallScene {
 /// The sun's depth map of walls and furniture, kept while neither moves.
 void planHallShadow(const HallScene&, const Surroundings&, render::FramePlan&);
 /// Walls, furniture, cloths over empty places, the visitor's object, buttons and plaques.
-void planWalls(const HallScene&, const Surroundings&, const Channels&, std::span<const double> sincePressed, render::FramePlan&);
+void planWalls(const HallScene&, const Surroundings&, const Channels&, std::span<const double> sincePressed,
+               render::FramePlan&);
 /// What is behind everything: sky, panorama, or the studio of an exhibit alone.
 void planSky(const HallScene&, const Surroundings&, render::FramePlan&);
 

@@ -9,46 +9,93 @@ enum class ShadowFilter : int { hard, tent3, tent5, disk };
 
 /// What the hall is called; here, so that lists need not read the building itself.
 inline constexpr std::string_view hallTitle = "The hall";
-inline constexpr std::string_view hallSummary = "The museum itself: its sun, its sky, its reflections and the exposure of the picture.";
+inline constexpr std::string_view hallSummary =
+    "The museum itself: its sun, its sky, its reflections and the exposure of the picture.";
 
 /// What can be set about the building: light, reflections, and how the picture is developed.
 struct HallTable final : Parameters {
     Group picture = group("Picture");
-    Real exposure = real("exposure", 0.0, stop, Range{-16, 16}.soft(-4, 4), "Brightness of the whole picture: each stop doubles it.");
+    Real exposure = real("exposure", 0.0, stop, Range{-16, 16}.soft(-4, 4),
+                         "Brightness of the whole picture: each stop doubles it.");
 
-    Count supersamples = count("supersamples", 16, Range{1, 1024, logarithmic}.soft(1, 64), "Samples per pixel that a picture at rest is refined to: few leave stairs at edges, many take longer to settle.", quality(64));
-    Real resolutionScale = real("resolutionScale", 1.0, none, {0.25, 1}, "Sides of the drawn picture against the window's: less is quicker and blurred.", exactAt(1));
+    Count supersamples = count("supersamples", 16, Range{1, 1024, logarithmic}.soft(1, 64),
+                               "Samples per pixel that a picture at rest is refined to: few leave stairs at edges, "
+                               "many take longer to settle.",
+                               quality(64));
+    Real resolutionScale =
+        real("resolutionScale", 1.0, none, {0.25, 1},
+             "Sides of the drawn picture against the window's: less is quicker and blurred.", exactAt(1));
 
     Group sun = group("Sun");
-    Choice<SunBy> sunBy = choice("sunBy", SunBy::angles, {"angles", "time of day"}, "Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.", called("Set sun by"));
-    Real timeOfDay = real("timeOfDay", 16.1, hour, Range{0, 24}.soft(6, 18.5), "Hour of an equinox day, while the sun goes by it: the light comes through the window from three o'clock and sets at six.", when(sunBy, SunBy::hour));
-    Real sunElevation = real("sunElevation", degrees(19), degree, Range{degrees(2), degrees(88)}.soft(degrees(8), degrees(50)), "Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.", when(sunBy, SunBy::angles));
-    Real sunAzimuth = real("sunAzimuth", degrees(-3), degree, Range{degrees(-180), degrees(180)}.soft(degrees(-45), degrees(45)), "Where the sun stands, seen through the window: negative is to the left.", when(sunBy, SunBy::angles));
-    Real sunStrength = real("sunStrength", 3.6, none, Range{0, 1000}.soft(0, 30), "Light of the sun against that of the sky: 0 is an overcast day.");
-    Real sunTemperature = real("sunTemperature", 4700, kelvin, Range{1000, 20000}.soft(2000, 8000), "Color of the sunlight: low is the red of evening, high is bluish.", when(sunBy, SunBy::angles) && whenAbove(sunStrength, 0));
-    Toggle sunShadows = toggle("sunShadows", true, "Let walls and exhibits keep the sun off; without it, the sun shines through everything.");
-    Choice<ShadowFilter> shadowFilter = choice("shadowFilter", ShadowFilter::tent5, {"hard", "tent 3x3", "tent 5x5", "sun's disk"},
-        "How softly the edge of a shadow is drawn: by a fixed number of texels, or as wide as the sun's disk makes it over the distance.", quality(ShadowFilter::disk), when(sunShadows));
-    Real sunDisk = real("sunDisk", degrees(0.53), degree, Range{degrees(0.005), degrees(12)}.soft(degrees(0.1), degrees(1.7)), "How wide the sun looks to the shadows of the disk filter: the real one is about half a degree.", when(shadowFilter, ShadowFilter::disk));
-    Count diskSamples = count("diskSamples", 24, {1, 256, logarithmic}, "Comparisons over the sun's disk, where the disk filter finds a half-shadow.", quality(256), when(shadowFilter, ShadowFilter::disk));
-    Count shadowMapSize = count("shadowMapSize", 2048, {256, 8192, logarithmic}, "Texels along one side of the sun's depth map: fewer give coarser shadow edges.", quality(8192), when(sunShadows));
+    Choice<SunBy> sunBy =
+        choice("sunBy", SunBy::angles, {"angles", "time of day"},
+               "Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.",
+               called("Set sun by"));
+    Real timeOfDay = real("timeOfDay", 16.1, hour, Range{0, 24}.soft(6, 18.5),
+                          "Hour of an equinox day, while the sun goes by it: the light comes through the window from "
+                          "three o'clock and sets at six.",
+                          when(sunBy, SunBy::hour));
+    Real sunElevation =
+        real("sunElevation", degrees(19), degree, Range{degrees(2), degrees(88)}.soft(degrees(8), degrees(50)),
+             "Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.",
+             when(sunBy, SunBy::angles));
+    Real sunAzimuth =
+        real("sunAzimuth", degrees(-3), degree, Range{degrees(-180), degrees(180)}.soft(degrees(-45), degrees(45)),
+             "Where the sun stands, seen through the window: negative is to the left.", when(sunBy, SunBy::angles));
+    Real sunStrength = real("sunStrength", 3.6, none, Range{0, 1000}.soft(0, 30),
+                            "Light of the sun against that of the sky: 0 is an overcast day.");
+    Real sunTemperature = real("sunTemperature", 4700, kelvin, Range{1000, 20000}.soft(2000, 8000),
+                               "Color of the sunlight: low is the red of evening, high is bluish.",
+                               when(sunBy, SunBy::angles) && whenAbove(sunStrength, 0));
+    Toggle sunShadows = toggle(
+        "sunShadows", true, "Let walls and exhibits keep the sun off; without it, the sun shines through everything.");
+    Choice<ShadowFilter> shadowFilter =
+        choice("shadowFilter", ShadowFilter::tent5, {"hard", "tent 3x3", "tent 5x5", "sun's disk"},
+               "How softly the edge of a shadow is drawn: by a fixed number of texels, or as wide as the sun's disk "
+               "makes it over the distance.",
+               quality(ShadowFilter::disk), when(sunShadows));
+    Real sunDisk =
+        real("sunDisk", degrees(0.53), degree, Range{degrees(0.005), degrees(12)}.soft(degrees(0.1), degrees(1.7)),
+             "How wide the sun looks to the shadows of the disk filter: the real one is about half a degree.",
+             when(shadowFilter, ShadowFilter::disk));
+    Count diskSamples = count("diskSamples", 24, {1, 256, logarithmic},
+                              "Comparisons over the sun's disk, where the disk filter finds a half-shadow.",
+                              quality(256), when(shadowFilter, ShadowFilter::disk));
+    Count shadowMapSize = count("shadowMapSize", 2048, {256, 8192, logarithmic},
+                                "Texels along one side of the sun's depth map: fewer give coarser shadow edges.",
+                                quality(8192), when(sunShadows));
 
     Group sky = group("Sky");
-    Real skyStrength = real("skyStrength", 2.3, none, Range{0, 1000}.soft(0, 4), "Light of the sky through window and oculus.");
-    Real skyTemperature = real("skyTemperature", 9500, kelvin, Range{1000, 25000}.soft(5000, 20000), "Color of the sky's light: high is bluer.", whenAbove(skyStrength, 0));
-    Toggle bakedLight = toggle("bakedLight", true, "Light the walls with baked sky light and occlusion; without it, they get one even ambient light.");
-    File environment = file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.", endings("hdr exr jpg jpeg png tif tiff"));
-    Real environmentTurn = real("environmentTurn", 0.0, degree, {degrees(-180), degrees(180)}, "Turns the panorama around the vertical.", whenGiven(environment));
+    Real skyStrength =
+        real("skyStrength", 2.3, none, Range{0, 1000}.soft(0, 4), "Light of the sky through window and oculus.");
+    Real skyTemperature = real("skyTemperature", 9500, kelvin, Range{1000, 25000}.soft(5000, 20000),
+                               "Color of the sky's light: high is bluer.", whenAbove(skyStrength, 0));
+    Toggle bakedLight =
+        toggle("bakedLight", true,
+               "Light the walls with baked sky light and occlusion; without it, they get one even ambient light.");
+    File environment =
+        file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.",
+             endings("hdr exr jpg jpeg png tif tiff"));
+    Real environmentTurn = real("environmentTurn", 0.0, degree, {degrees(-180), degrees(180)},
+                                "Turns the panorama around the vertical.", whenGiven(environment));
 
     Group reflections = group("Reflections");
-    Toggle reflectionProbe = toggle("reflectionProbe", true, "Capture the hall once as a mirror image for everything in it; without it, nothing reflects.");
-    Count probeSize = count("probeSize", 256, {16, 1024, logarithmic}, "Texels along one face of the captured mirror image: fewer blur polished surfaces.", quality(1024), when(reflectionProbe));
-    Count probeSamples = count("probeSamples", 24, {1, 1024, logarithmic}, "Samples per texel when the mirror image is blurred for rough surfaces.", quality(1024), when(reflectionProbe));
+    Toggle reflectionProbe =
+        toggle("reflectionProbe", true,
+               "Capture the hall once as a mirror image for everything in it; without it, nothing reflects.");
+    Count probeSize = count("probeSize", 256, {16, 1024, logarithmic},
+                            "Texels along one face of the captured mirror image: fewer blur polished surfaces.",
+                            quality(1024), when(reflectionProbe));
+    Count probeSamples = count("probeSamples", 24, {1, 1024, logarithmic},
+                               "Samples per texel when the mirror image is blurred for rough surfaces.", quality(1024),
+                               when(reflectionProbe));
 
     Group visitor = group("Visitor's object");
     File model = file("model", "A glTF object (.glb or .gltf) on the free plinth.", endings("glb gltf"));
-    Real modelSize = real("modelSize", 0.8, metre, Range{0.01, 100, logarithmic}.soft(0.1, 3), "Largest side of the visitor's object as it stands on the plinth.", whenGiven(model));
-    Real modelTurn = real("modelTurn", 0.0, degree, {degrees(-180), degrees(180)}, "Turns the visitor's object around the vertical.", whenGiven(model));
+    Real modelSize = real("modelSize", 0.8, metre, Range{0.01, 100, logarithmic}.soft(0.1, 3),
+                          "Largest side of the visitor's object as it stands on the plinth.", whenGiven(model));
+    Real modelTurn = real("modelTurn", 0.0, degree, {degrees(-180), degrees(180)},
+                          "Turns the visitor's object around the vertical.", whenGiven(model));
 };
 
 }  // namespace vitrine

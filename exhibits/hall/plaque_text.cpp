@@ -26,7 +26,8 @@ std::u32string decodeUtf8(std::string_view text)
         const auto lead = static_cast<unsigned char>(text[i]);
         const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
         char32_t c = length == 1 ? lead : lead & (0xFFU >> (length + 1));
-        for (std::size_t k = 1; k < length && i + k < text.size(); ++k) c = (c << 6U) | (static_cast<unsigned char>(text[i + k]) & 0x3FU);
+        for (std::size_t k = 1; k < length && i + k < text.size(); ++k)
+            c = (c << 6U) | (static_cast<unsigned char>(text[i + k]) & 0x3FU);
         result.push_back(c);
         i += length;
     }
@@ -40,7 +41,8 @@ PlaqueText::PlaqueText(const HallModel& model, const std::vector<Guest>& guests)
     readFont();
     for (const auto& [number, place] : model.places()) {
         if (!place.worldFromPlaque) continue;
-        const auto guest = std::find_if(guests.begin(), guests.end(), [n = number](const Guest& g) { return g.place == n; });
+        const auto guest =
+            std::find_if(guests.begin(), guests.end(), [n = number](const Guest& g) { return g.place == n; });
         plaques_.push_back({*place.worldFromPlaque, set(number, guest == guests.end() ? nullptr : &*guest)});
     }
 }
@@ -48,7 +50,8 @@ PlaqueText::PlaqueText(const HallModel& model, const std::vector<Guest>& guests)
 void PlaqueText::readFont()
 {
     const render::Json font = render::readJson(render::asset("fonts/font_atlas.json")).root();
-    auto picture = std::make_shared<render::Texture>(*render::loadTexture(render::asset("fonts/font_atlas.png"), false, false));
+    auto picture =
+        std::make_shared<render::Texture>(*render::loadTexture(render::asset("fonts/font_atlas.png"), false, false));
     picture->mipmaps = true;
     atlas_ = picture;
     spread_ = font.value("spread", 6.0);
@@ -85,13 +88,17 @@ std::vector<std::u32string> PlaqueText::broken(const std::u32string& text, doubl
     const auto flush = [&] {
         if (word.empty()) return;
         std::u32string longer = lines.back().empty() ? word : lines.back() + U' ' + word;
-        if (widthOf(longer) > widest && !lines.back().empty()) lines.push_back(word);
-        else lines.back() = std::move(longer);
+        if (widthOf(longer) > widest && !lines.back().empty())
+            lines.push_back(word);
+        else
+            lines.back() = std::move(longer);
         word.clear();
     };
     for (const char32_t c : text) {
-        if (c == U' ') flush();
-        else word.push_back(c);
+        if (c == U' ')
+            flush();
+        else
+            word.push_back(c);
     }
     flush();
     return lines;
@@ -105,7 +112,9 @@ void PlaqueText::append(render::Mesh& mesh, const std::u32string& text, glm::dve
             const glm::vec2 low(pen + size * glm::dvec2(g.left, g.bottom));
             const glm::vec2 high(low + static_cast<float>(size) * glm::vec2(g.width, g.height));
             const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-            const auto corner = [&](float x, float y, float u, float v) { mesh.vertices.push_back({{x, y, static_cast<float>(lift)}, {0, 0, 1}, {1, 0, 0, 1}, {u, v}, {}}); };
+            const auto corner = [&](float x, float y, float u, float v) {
+                mesh.vertices.push_back({{x, y, static_cast<float>(lift)}, {0, 0, 1}, {1, 0, 0, 1}, {u, v}, {}});
+            };
             // Texture rows run downwards: v0 is the glyph's top.
             corner(low.x, low.y, g.uv0.x, g.uv1.y);
             corner(high.x, low.y, g.uv1.x, g.uv1.y);
@@ -136,11 +145,14 @@ std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const Guest* gue
     const std::string title = guest ? guest->title : number == 10 ? "Your own object" : "In preparation";
     line(decodeUtf8(title), titleSize, indent);
     y -= 0.008;
-    const std::string summary = guest ? guest->summary : number == 10 ? "Drop a glTF file on the window and it stands here." : "This place waits for an exhibit.";
+    const std::string summary = guest          ? guest->summary
+                                : number == 10 ? "Drop a glTF file on the window and it stands here."
+                                               : "This place waits for an exhibit.";
     for (const std::u32string& text : broken(decodeUtf8(summary), width / bodySize)) line(text, bodySize);
     if (guest && !guest->tryThis.empty()) {
         y -= 0.007;
-        for (const std::u32string& text : broken(decodeUtf8("Try: " + guest->tryThis), width / bodySize)) line(text, bodySize);
+        for (const std::u32string& text : broken(decodeUtf8("Try: " + guest->tryThis), width / bodySize))
+            line(text, bodySize);
     }
     return mesh;
 }

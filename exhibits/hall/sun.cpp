@@ -48,7 +48,8 @@ Sun sunOf(const HallTable& table, const ParameterValues& values)
         sun.strength *= values[table.sunStrength] / std::get<double>(table.rows()[table.sunStrength.row].initial);
         return sun;
     }
-    return {values[table.sunElevation], values[table.sunAzimuth], values[table.sunStrength], values[table.sunTemperature], 1};
+    return {values[table.sunElevation], values[table.sunAzimuth], values[table.sunStrength],
+            values[table.sunTemperature], 1};
 }
 
 }  // namespace vitrine

@@ -19,8 +19,10 @@ glm::dvec2 pushedOutOfBox(glm::dvec2 p, glm::dvec2 halfSize)
     if (distance >= visitorRadius) return p;
     if (distance > 1e-9) return nearest + away * (visitorRadius / distance);
     const glm::dvec2 toSide = halfSize + visitorRadius - glm::abs(p);
-    if (toSide.x < toSide.y) p.x = std::copysign(halfSize.x + visitorRadius, p.x);
-    else p.y = std::copysign(halfSize.y + visitorRadius, p.y);
+    if (toSide.x < toSide.y)
+        p.x = std::copysign(halfSize.x + visitorRadius, p.x);
+    else
+        p.y = std::copysign(halfSize.y + visitorRadius, p.y);
     return p;
 }
 
@@ -42,8 +44,9 @@ glm::dvec3 pushedOut(const Collider& collider, const glm::dvec3& eye)
     // What lies wholly overhead or underfoot (a step up to 5 cm) is no obstacle.
     if (local.y + visitorHeight < bottom || local.y + 0.05 > top) return eye;
     const glm::dvec2 flat(local.x, local.z);
-    const glm::dvec2 out = collider.cylinder ? pushedOutOfDisk(flat, collider.halfSize.x)
-                                             : pushedOutOfBox(flat, glm::dvec2(collider.halfSize.x, collider.halfSize.z));
+    const glm::dvec2 out = collider.cylinder
+                               ? pushedOutOfDisk(flat, collider.halfSize.x)
+                               : pushedOutOfBox(flat, glm::dvec2(collider.halfSize.x, collider.halfSize.z));
     if (out == flat) return eye;
     const glm::dvec3 moved = glm::dvec3(glm::inverse(collider.localFromWorld) * glm::dvec4(out.x, local.y, out.y, 1));
     return {moved.x, eye.y, moved.z};

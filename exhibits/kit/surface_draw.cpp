@@ -45,13 +45,16 @@ SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Mate
     object.baseColor = material.baseColor;
     // An occlusion map of its own is not read here; only the red channel beside roughness and metalness is.
     const bool packedOcclusion = material.occlusionMap && material.occlusionMap == material.metallicRoughnessMap;
-    object.material = {material.metalness, material.roughness, std::clamp(material.normalScale, -100.0F, 100.0F), packedOcclusion ? material.occlusionStrength : 0.0F};
-    object.emissive = glm::vec4(material.emissive, material.alphaMode == render::AlphaMode::mask ? material.alphaCutoff : -1.0F);
+    object.material = {material.metalness, material.roughness, std::clamp(material.normalScale, -100.0F, 100.0F),
+                       packedOcclusion ? material.occlusionStrength : 0.0F};
+    object.emissive =
+        glm::vec4(material.emissive, material.alphaMode == render::AlphaMode::mask ? material.alphaCutoff : -1.0F);
     object.tiling.x = static_cast<float>(1 / textureTile);
     return object;
 }
 
-render::Draw surfaceDraw(std::shared_ptr<const render::Mesh> mesh, const glm::dmat4& worldFromModel, const render::Material& material, double textureTile)
+render::Draw surfaceDraw(std::shared_ptr<const render::Mesh> mesh, const glm::dmat4& worldFromModel,
+                         const render::Material& material, double textureTile)
 {
     render::Draw draw;
     draw.mesh = std::move(mesh);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/scene/mesh.h"
 #include "render/plan/frame_plan.h"
+#include "render/scene/mesh.h"
 
 #include <glm/glm.hpp>
 
@@ -24,11 +24,12 @@ struct SurfaceObject {
 
 /// The block of a mesh that stands at `worldFromModel`; normals by `normalMatrix`, so that non-uniform scale and
 /// mirroring are right.
-[[nodiscard]] SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Material&, double textureTile = 1);
+[[nodiscard]] SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Material&,
+                                          double textureTile = 1);
 
 /// A draw with every map of the surface shaders bound; where the material has none, a neutral pixel is.
-[[nodiscard]] render::Draw surfaceDraw(std::shared_ptr<const render::Mesh>, const glm::dmat4& worldFromModel, const render::Material&,
-                                       double textureTile = 1);
+[[nodiscard]] render::Draw surfaceDraw(std::shared_ptr<const render::Mesh>, const glm::dmat4& worldFromModel,
+                                       const render::Material&, double textureTile = 1);
 
 /// Half a sphere of radius 1 on y = 0, dome up: a button.
 [[nodiscard]] std::shared_ptr<const render::Mesh> domeMesh();

@@ -40,12 +40,15 @@ void addFace(render::Mesh& mesh, double z, double forward, std::uint32_t count)
 {
     const std::uint32_t rim = addRing(mesh, {chamfer, z, 0, forward});
     const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.push_back({{0, 0, static_cast<float>(z)}, {0, 0, static_cast<float>(forward)}, {1, 0, 0, 1}, {0.5F, 0.5F}, {}});
+    mesh.vertices.push_back(
+        {{0, 0, static_cast<float>(z)}, {0, 0, static_cast<float>(forward)}, {1, 0, 0, 1}, {0.5F, 0.5F}, {}});
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t a = rim + i;
         const std::uint32_t b = rim + (i + 1) % count;
-        if (forward > 0) mesh.indices.insert(mesh.indices.end(), {middle, a, b});
-        else mesh.indices.insert(mesh.indices.end(), {middle, b, a});
+        if (forward > 0)
+            mesh.indices.insert(mesh.indices.end(), {middle, a, b});
+        else
+            mesh.indices.insert(mesh.indices.end(), {middle, b, a});
     }
 }
 

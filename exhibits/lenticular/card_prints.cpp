@@ -22,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double mostTexels = 40e6;    ///< Of all views together: 160 MB, and a third more for the smaller levels.
-constexpr int mostAcross = 16384;      ///< Pixels of a raster; every OpenGL 4.5 has textures of that side.
-constexpr int mostRows = 4096;         ///< With its halvings a raster has twice as many.
+constexpr double mostTexels = 40e6;  ///< Of all views together: 160 MB, and a third more for the smaller levels.
+constexpr int mostAcross = 16384;    ///< Pixels of a raster; every OpenGL 4.5 has textures of that side.
+constexpr int mostRows = 4096;       ///< With its halvings a raster has twice as many.
 
 /// The mean of blocks of `factor` x `factor` pixels.
 render::Image shrunk(const render::Image& image, int factor)
@@ -37,7 +37,8 @@ render::Image shrunk(const render::Image& image, int factor)
                 float sum = 0;
                 int count = 0;
                 for (int j = y * factor; j < std::min((y + 1) * factor, image.height); ++j)
-                    for (int i = x * factor; i < std::min((x + 1) * factor, image.width); ++i, ++count) sum += image.at(i, j, c);
+                    for (int i = x * factor; i < std::min((x + 1) * factor, image.width); ++i, ++count)
+                        sum += image.at(i, j, c);
                 small.at(x, y, c) = sum / static_cast<float>(std::max(count, 1));
             }
     return small;
@@ -54,7 +55,8 @@ CardViews codesOf(const printing::ViewSet& set)
         for (int y = 0; y < out.height; ++y) {
             const std::uint16_t* row = set.row(k, y);
             for (int x = 0; x < view.width; ++x)
-                for (int c = 0; c < 3; ++c) view.codes.push_back(render::srgb8FromLinear(static_cast<float>(row[4 * x + c]) / 65535));
+                for (int c = 0; c < 3; ++c)
+                    view.codes.push_back(render::srgb8FromLinear(static_cast<float>(row[4 * x + c]) / 65535));
         }
         out.views.push_back(std::move(view));
     }
@@ -81,7 +83,8 @@ void readInto(CardSource& source, const std::vector<fs::path>& files, int count)
 bool isPlainPicture(const fs::path& file)
 {
     std::error_code error;
-    return fs::is_regular_file(file, error) && !fs::exists(file.string() + ".json", error) && !render::embeddedPrint(file);
+    return fs::is_regular_file(file, error) && !fs::exists(file.string() + ".json", error) &&
+           !render::embeddedPrint(file);
 }
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why)
@@ -113,7 +116,9 @@ std::shared_ptr<const render::Texture> stacked(const render::Image& raster, glm:
                     if (mirror) column = raster.width - 1 - column;
                     sum += raster.at(column, lying ? x : r, gray ? 0 : c);
                 }
-                level[(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)) * 3 + static_cast<std::size_t>(c)] = sum / static_cast<float>(last - first);
+                level[(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)) *
+                          3 +
+                      static_cast<std::size_t>(c)] = sum / static_cast<float>(last - first);
             }
         }
     }
@@ -128,7 +133,8 @@ std::shared_ptr<const render::Texture> stacked(const render::Image& raster, glm:
         std::vector<float> half(row * static_cast<std::size_t>((height + 1) / 2));
         for (std::size_t y = 0; y < static_cast<std::size_t>((height + 1) / 2); ++y) {
             const std::size_t next = std::min(2 * y + 1, static_cast<std::size_t>(height - 1));
-            for (std::size_t i = 0; i < row; ++i) half[y * row + i] = 0.5F * (level[2 * y * row + i] + level[next * row + i]);
+            for (std::size_t i = 0; i < row; ++i)
+                half[y * row + i] = 0.5F * (level[2 * y * row + i] + level[next * row + i]);
         }
         level = std::move(half);
     }
@@ -141,12 +147,16 @@ void readRaster(CardSource& source, const fs::path& file)
     const printing::PrintLayout& layout = print.layout();
     source.print = layout.settings();
     source.lying = layout.lensesPerPixelX() == 0;
-    if (!source.lying && !layout.vertical()) refuse(file, "its lenses are slanted, and the card's are upright or level; look at it with vitrine proof.");
+    if (!source.lying && !layout.vertical())
+        refuse(file, "its lenses are slanted, and the card's are upright or level; look at it with vitrine proof.");
     const render::Image raster = print.image();
     const int acrossPixels = source.lying ? raster.height : raster.width;
-    if (acrossPixels > mostAcross) refuse(file, "it is " + std::to_string(acrossPixels) + " pixels wide across its lenses, and " + std::to_string(mostAcross) + " is the most.");
+    if (acrossPixels > mostAcross)
+        refuse(file, "it is " + std::to_string(acrossPixels) + " pixels wide across its lenses, and " +
+                         std::to_string(mostAcross) + " is the most.");
     source.rasterSize = {acrossPixels, std::min(source.lying ? raster.width : raster.height, mostRows)};
-    source.lenses = acrossPixels / (source.lying ? source.print.dpiY : source.print.dpiX) * printing::mmPerInch / source.print.sheet.pitch();
+    source.lenses = acrossPixels / (source.lying ? source.print.dpiY : source.print.dpiX) * printing::mmPerInch /
+                    source.print.sheet.pitch();
     source.aspect = (raster.width / source.print.dpiX) / (raster.height / source.print.dpiY);
     source.raster = stacked(raster, source.rasterSize, source.lying, source.print.mirror);
 }
@@ -169,21 +179,26 @@ render::AssetStore::Made<CardSource> readSource(const std::string& name, const s
 {
     auto source = std::make_shared<CardSource>();
     source->available = static_cast<int>(views.size());
-    if (views.empty()) readRaster(*source, name);
-    else readInto(*source, views, count);
+    if (views.empty())
+        readRaster(*source, name);
+    else
+        readInto(*source, views, count);
     std::uint64_t bytes = source->raster ? heldBytes(*source->raster) : 0;
     for (const CardViews::View& view : source->views.views) bytes += view.codes.size();
     return {std::move(source), bytes};
 }
 
 /// Where the files hold fewer views than are asked for, or a raster, all counts give the same source.
-render::Asset<CardSource> sourceOf(render::AssetStore& assets, const std::string& use, const std::string& name, int count)
+render::Asset<CardSource> sourceOf(render::AssetStore& assets, const std::string& use, const std::string& name,
+                                   int count)
 {
     const render::Asset<CardFiles> files = assets.get<CardFiles>(use + ", files", name, listFiles);
     if (!files.value) return {nullptr, files.failure};
     const std::vector<fs::path>& views = files.value->views;
     const int taken = views.empty() ? 0 : std::clamp(count, 1, static_cast<int>(views.size()));
-    return assets.get<CardSource>(use, name, [&](const std::string& file) { return readSource(file, views, taken); }, static_cast<std::uint64_t>(taken));
+    return assets.get<CardSource>(
+        use, name, [&](const std::string& file) { return readSource(file, views, taken); },
+        static_cast<std::uint64_t>(taken));
 }
 
 /// Where column `column` of `columns` lies in a picture of `texels` across, `lenses` of which span it.
@@ -207,7 +222,8 @@ std::shared_ptr<const render::Texture> viewsAsTexture(const CardViews& views, in
 {
     const int width = widest(views);
     std::array<double, 256> linear{};
-    for (std::size_t code = 0; code < linear.size(); ++code) linear[code] = render::linearFromSrgb(static_cast<double>(code) / 255);
+    for (std::size_t code = 0; code < linear.size(); ++code)
+        linear[code] = render::linearFromSrgb(static_cast<double>(code) / 255);
     auto texture = std::make_shared<render::Texture>();
     texture->name = "lenticular views";
     texture->width = lying || columns == 0 ? width : columns;
@@ -216,26 +232,32 @@ std::shared_ptr<const render::Texture> viewsAsTexture(const CardViews& views, in
     texture->layers = std::max(views.count(), 2);
     texture->sRgb = true;
     texture->repeat = false;
-    texture->bytes.reserve(static_cast<std::size_t>(texture->width) * static_cast<std::size_t>(texture->height) * 4 * static_cast<std::size_t>(texture->layers));
+    texture->bytes.reserve(static_cast<std::size_t>(texture->width) * static_cast<std::size_t>(texture->height) * 4 *
+                           static_cast<std::size_t>(texture->layers));
     for (int layer = 0; layer < texture->layers; ++layer) {
         const int k = std::min(layer, views.count() - 1);
         const auto& [ownWidth, codes] = views.views[static_cast<std::size_t>(k)];
         for (int y = 0; y < texture->height; ++y) {
-            const auto [top, bottom] = lying && columns > 0 ? spanOf(y, columns, lenses, views.height) : std::pair<double, double>(y, y + 1);
+            const auto [top, bottom] =
+                lying && columns > 0 ? spanOf(y, columns, lenses, views.height) : std::pair<double, double>(y, y + 1);
             for (int x = 0; x < texture->width; ++x) {
-                const auto [left, right] = !lying && columns > 0 ? spanOf(x, columns, lenses, ownWidth)
-                                                                 : std::pair<double, double>(static_cast<double>(x) * ownWidth / width, (x + 1.0) * ownWidth / width);
+                const auto [left, right] = !lying && columns > 0
+                                               ? spanOf(x, columns, lenses, ownWidth)
+                                               : std::pair<double, double>(static_cast<double>(x) * ownWidth / width,
+                                                                           (x + 1.0) * ownWidth / width);
                 double sum[3] = {0, 0, 0};
                 for (int j = static_cast<int>(top); j < bottom; ++j) {
                     const double high = std::min<double>(bottom, j + 1) - std::max<double>(top, j);
-                    const std::uint8_t* row = codes.data() + 3 * static_cast<std::size_t>(j) * static_cast<std::size_t>(ownWidth);
+                    const std::uint8_t* row =
+                        codes.data() + 3 * static_cast<std::size_t>(j) * static_cast<std::size_t>(ownWidth);
                     for (int i = static_cast<int>(left); i < right; ++i) {
                         const double share = high * (std::min<double>(right, i + 1) - std::max<double>(left, i));
                         for (int c = 0; c < 3; ++c) sum[c] += share * linear[row[3 * i + c]];
                     }
                 }
                 const double area = (bottom - top) * (right - left);
-                for (const double channel : sum) texture->bytes.push_back(render::srgb8FromLinear(static_cast<float>(channel / area)));
+                for (const double channel : sum)
+                    texture->bytes.push_back(render::srgb8FromLinear(static_cast<float>(channel / area)));
                 texture->bytes.push_back(255);
             }
         }
@@ -259,23 +281,32 @@ CardPrint cardPrint(render::AssetStore& assets, CardFace face, const std::string
         print = {std::move(found.value), std::move(found.failure)};
         if (print.source) return print;
     }
-    render::Asset<CardSource> shipped = sourceOf(assets, use + ", shipped", render::asset("frames").append(shippedViews(face)).string(), count);
+    render::Asset<CardSource> shipped =
+        sourceOf(assets, use + ", shipped", render::asset("frames").append(shippedViews(face)).string(), count);
     print.source = std::move(shipped.value);
     if (!print.source) print.failure = std::move(shipped.failure);
     return print;
 }
 
-std::shared_ptr<const render::Texture> viewTexture(render::AssetStore& assets, const std::shared_ptr<const CardSource>& source, int columns, double lenses, bool lying)
+std::shared_ptr<const render::Texture> viewTexture(render::AssetStore& assets,
+                                                   const std::shared_ptr<const CardSource>& source, int columns,
+                                                   double lenses, bool lying)
 {
     const int texels = lying ? source->views.height : widest(source->views);
     if (columns >= texels) columns = 0;
     if (columns == 0) lenses = 0;
-    const std::string key = std::to_string(columns) + ' ' + std::to_string(std::bit_cast<std::uint64_t>(lenses)) + (lying ? " lying" : "");
-    return assets.made<render::Texture>("lenticular.views", key, [&] {
-        auto texture = viewsAsTexture(source->views, columns, lenses, lying);
-        const std::uint64_t bytes = heldBytes(*texture);
-        return render::AssetStore::Made<render::Texture>{std::move(texture), bytes};
-    }, source).value;
+    const std::string key =
+        std::to_string(columns) + ' ' + std::to_string(std::bit_cast<std::uint64_t>(lenses)) + (lying ? " lying" : "");
+    return assets
+        .made<render::Texture>(
+            "lenticular.views", key,
+            [&] {
+                auto texture = viewsAsTexture(source->views, columns, lenses, lying);
+                const std::uint64_t bytes = heldBytes(*texture);
+                return render::AssetStore::Made<render::Texture>{std::move(texture), bytes};
+            },
+            source)
+        .value;
 }
 
 }  // namespace vitrine::lenticular

@@ -22,7 +22,8 @@ CardSheetFound feasible(Sheet sheet)
     const double shallow = 1.05 * printing::sag(sheet, half);
     if (sheet.thickness < shallow) {
         sheet.thickness = shallow;
-        note += std::string(note.empty() ? "its" : ", and its") + " thickness raised to " + printing::shortText(shallow) + " mm, as deep as its lenses are";
+        note += std::string(note.empty() ? "its" : ", and its") + " thickness raised to " +
+                printing::shortText(shallow) + " mm, as deep as its lenses are";
     }
     return {sheet, note};
 }
@@ -33,7 +34,8 @@ double across(const glm::dvec2& size, bool horizontalLenses)
     return horizontalLenses ? size.y : size.x;
 }
 
-CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& sheet, const std::shared_ptr<const CardSource>& found, render::AssetStore& assets)
+CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& sheet,
+                         const std::shared_ptr<const CardSource>& found, render::AssetStore& assets)
 {
     CardPicture result;
     const CardSource& source = *found;
@@ -51,7 +53,8 @@ CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& va
     const int texels = lying ? result.texture->height : result.texture->width;
     const bool byLens = flat && texels == columns;
     result.block.area = glm::vec4(half, source.views.count(), pitch);
-    result.block.strips = glm::vec4(ratio, values[table.phase], std::tan(values[table.rotation]), byLens ? 1.0 / columns : 1 / lenses);
+    result.block.strips =
+        glm::vec4(ratio, values[table.phase], std::tan(values[table.rotation]), byLens ? 1.0 / columns : 1 / lenses);
     result.block.size = glm::vec4(result.texture->width, result.texture->height, 0, 0);
     return result;
 }
@@ -64,7 +67,8 @@ CardPicture rasterPicture(const LenticularTable& table, const ParameterValues& v
     const glm::dvec2 half = pictureHalfSize(table, values, source.aspect);
     const double width = 2 * across(half, source.lying);
     result.block.area = glm::vec4(half, source.print.views, width / source.lenses);
-    result.block.strips = glm::vec4(1 / (1 + values[table.pitchError]), values[table.phase], std::tan(values[table.rotation]), source.rasterSize.x / source.lenses);
+    result.block.strips = glm::vec4(1 / (1 + values[table.pitchError]), values[table.phase],
+                                    std::tan(values[table.rotation]), source.rasterSize.x / source.lenses);
     result.block.size = glm::vec4(source.rasterSize, 0, 0);
     return result;
 }
@@ -76,12 +80,20 @@ CardSheetFound cardSheet(const LenticularTable& table, const ParameterValues& va
     const CardSheet kind = values[table.sheetKind];
     Sheet sheet;
     if (kind == CardSheet::custom) {
-        sheet = {"custom", values[table.customLpi], 0, values[table.radius] * 1e3, values[table.thickness] * 1e3, values[table.refractiveIndex], values[table.conic]};
+        sheet = {"custom",
+                 values[table.customLpi],
+                 0,
+                 values[table.radius] * 1e3,
+                 values[table.thickness] * 1e3,
+                 values[table.refractiveIndex],
+                 values[table.conic]};
     } else {
-        sheet = printing::knownSheet(std::string(values.rows()[table.sheetKind.row].choices[static_cast<std::size_t>(kind)]));
+        sheet = printing::knownSheet(
+            std::string(values.rows()[table.sheetKind.row].choices[static_cast<std::size_t>(kind)]));
     }
     if (const int slices = values[table.slices]; slices > 0) {
-        const double pitch = 2e3 * (values[table.axis] == CardAxis::vertical ? cardHalfSize.x : cardHalfSize.y) / slices;
+        const double pitch =
+            2e3 * (values[table.axis] == CardAxis::vertical ? cardHalfSize.x : cardHalfSize.y) / slices;
         const double scale = pitch / sheet.pitch();
         sheet.radius *= scale;
         sheet.thickness *= scale;
@@ -95,7 +107,9 @@ glm::dvec3 dispersedIndex(double index, double abbeNumber)
 {
     const auto inverseSquare = [](double micrometers) { return 1 / (micrometers * micrometers); };
     const double b = (index - 1) / abbeNumber / (inverseSquare(0.4861) - inverseSquare(0.6563));
-    const auto at = [&](double micrometers) { return std::max(1.001, index + b * (inverseSquare(micrometers) - inverseSquare(0.5876))); };
+    const auto at = [&](double micrometers) {
+        return std::max(1.001, index + b * (inverseSquare(micrometers) - inverseSquare(0.5876)));
+    };
     return {at(0.611), at(0.549), at(0.465)};
 }
 
@@ -121,16 +135,19 @@ bool horizontal(const LenticularTable& table, const ParameterValues& values, con
     return source.raster ? source.lying : values[table.axis] == CardAxis::horizontal;
 }
 
-CardPicture cardPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& chosen, const std::shared_ptr<const CardSource>& found, render::AssetStore& assets)
+CardPicture cardPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& chosen,
+                        const std::shared_ptr<const CardSource>& found, render::AssetStore& assets)
 {
     const CardSource& source = *found;
-    CardPicture picture = source.raster ? rasterPicture(table, values, source) : viewsPicture(table, values, chosen, found, assets);
+    CardPicture picture =
+        source.raster ? rasterPicture(table, values, source) : viewsPicture(table, values, chosen, found, assets);
     const Sheet& sheet = source.raster ? source.print.sheet : chosen;
     const double pitch = sheet.pitch();
     // A Gauss curve is replaced by the box of its variance.
     const double ink = std::sqrt(12.0) * values[table.inkSpread] * 1e3 / pitch;
     picture.block.shape = glm::vec4(sheet.radius / pitch, sheet.thickness / pitch, sheet.conic, ink);
-    picture.block.index = glm::vec4(values[table.dispersion] ? dispersedIndex(sheet.index, values[table.abbeNumber]) : glm::dvec3(sheet.index), 0);
+    picture.block.index = glm::vec4(
+        values[table.dispersion] ? dispersedIndex(sheet.index, values[table.abbeNumber]) : glm::dvec3(sheet.index), 0);
     return picture;
 }
 

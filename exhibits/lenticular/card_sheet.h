@@ -38,7 +38,8 @@ struct CardPicture {
     std::shared_ptr<const render::Texture> texture;  ///< Null where memory does not hold it.
     bool raster = false;
 };
-[[nodiscard]] CardPicture cardPicture(const LenticularTable&, const ParameterValues&, const Sheet&, const std::shared_ptr<const CardSource>&, render::AssetStore&);
+[[nodiscard]] CardPicture cardPicture(const LenticularTable&, const ParameterValues&, const Sheet&,
+                                      const std::shared_ptr<const CardSource>&, render::AssetStore&);
 
 /// The lenses of the print lie horizontally: as the table says, or the printed file.
 [[nodiscard]] bool horizontal(const LenticularTable&, const ParameterValues&, const CardSource&);

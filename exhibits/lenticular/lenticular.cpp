@@ -93,7 +93,11 @@ void planShadow(const Scene& s, render::FramePlan& plan)
     pass.key = s.context.surroundings.exhibitShadowKey;
     pass.bound = s.context.surroundings.sunShadow;
     pass.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
-    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none, .depthBias = {1.5F, 2}, .depthClamp = true};
+    pass.state = {.depthTest = render::DepthTest::nearer,
+                  .depthWrite = true,
+                  .cull = render::Cull::none,
+                  .depthBias = {1.5F, 2},
+                  .depthClamp = true};
     pass.draws = {s.draw()};
     pass.draws[0].object = render::bytesOf(surfaceObject(s.worldFromCard, {}));
     plan.add(std::move(pass));
@@ -111,8 +115,10 @@ CardObject cardObject(const Scene& s, const render::View& view, double roll)
     const double apart = eyes == CardEyes::off ? 0 : values[s.table.eyeDistance];
     const double left = eyes == CardEyes::right ? 0.5 : -0.5;
     const double other = eyes == CardEyes::left ? -0.5 : 0.5;
-    object.eyes[0] = glm::vec4(glm::dvec4(glm::dvec3(cardFromWorld * glm::dvec4(view.eye + right * (left * apart), 1)), 0));
-    object.eyes[1] = glm::vec4(glm::dvec4(glm::dvec3(cardFromWorld * glm::dvec4(view.eye + right * (other * apart), 1)), 0));
+    object.eyes[0] =
+        glm::vec4(glm::dvec4(glm::dvec3(cardFromWorld * glm::dvec4(view.eye + right * (left * apart), 1)), 0));
+    object.eyes[1] =
+        glm::vec4(glm::dvec4(glm::dvec3(cardFromWorld * glm::dvec4(view.eye + right * (other * apart), 1)), 0));
     object.card = glm::vec4(glm::dvec4(cardHalfSize, roll));
     return object;
 }
@@ -132,7 +138,8 @@ render::Bound dispersionBound(const Scene& s)
 {
     const Surroundings& around = s.context.surroundings;
     const glm::vec4& sun = around.light.sunIrradiance;
-    const double paper = around.probeLight.radiance + (std::max({sun.x, sun.y, sun.z}) + 1.3 * s.context.values[s.table.lamp]) / std::numbers::pi;
+    const double paper = around.probeLight.radiance +
+                         (std::max({sun.x, sun.y, sun.z}) + 1.3 * s.context.values[s.table.lamp]) / std::numbers::pi;
     return render::boundOf(0, 1, {{paper, "no light falls on the card"}});
 }
 
@@ -152,8 +159,10 @@ Pass cardPass(const Scene& s, const Moment& moment, const PreparedCard& prepared
         addPicture(pass, object, 1, prepared.face(otherFace(moment.first)).picture);
     }
     object.axes = lying ? glm::vec4(0, -1, 1, 0) : glm::vec4(1, 0, 0, 1);
-    if (!values[s.table.dispersion]) plan.skip("lenticular/dispersion", "dispersion is switched off");
-    else if (plan.needs(pass, {"lenticular/dispersion", dispersionBound(s)})) pass.shader.defines.emplace_back("DISPERSION");
+    if (!values[s.table.dispersion])
+        plan.skip("lenticular/dispersion", "dispersion is switched off");
+    else if (plan.needs(pass, {"lenticular/dispersion", dispersionBound(s)}))
+        pass.shader.defines.emplace_back("DISPERSION");
     if (values[s.table.strips] == CardStrips::squeezed) pass.shader.defines.emplace_back("SQUEEZED");
     if (values[s.table.eyes] == CardEyes::anaglyph) pass.shader.defines.emplace_back("ANAGLYPH");
     pass.draws = {s.draw()};
@@ -177,13 +186,17 @@ std::shared_ptr<const PreparedPart> Lenticular::prepare(const PrepareContext& co
         if (face != moment.first && moment.roll == 0) continue;
         const bool front = face == CardFace::front;
         const File row = front ? table_.frontPrint : table_.backPrint;
-        const lenticular::CardPrint print = lenticular::cardPrint(context.assets, face, values[row], values[table_.views]);
+        const lenticular::CardPrint print =
+            lenticular::cardPrint(context.assets, face, values[row], values[table_.views]);
         if (!print.failure.empty())
-            made->unreadable.push_back({front ? "lenticular/front print" : "lenticular/back print", unreadableFile(values.rows()[row.row], title(), print.failure),
-                                        print.source ? "Our own is shown in its place until it can be read." : "The card is left out until it can be read."});
+            made->unreadable.push_back({front ? "lenticular/front print" : "lenticular/back print",
+                                        unreadableFile(values.rows()[row.row], title(), print.failure),
+                                        print.source ? "Our own is shown in its place until it can be read."
+                                                     : "The card is left out until it can be read."});
         if (!print.source) continue;
-        made->faces[static_cast<std::size_t>(face)] = {lenticular::cardPicture(table_, values, found.sheet, print.source, context.assets),
-                                                       lenticular::horizontal(table_, values, *print.source)};
+        made->faces[static_cast<std::size_t>(face)] = {
+            lenticular::cardPicture(table_, values, found.sheet, print.source, context.assets),
+            lenticular::horizontal(table_, values, *print.source)};
     }
     return made;
 }
@@ -222,7 +235,8 @@ render::Camera Lenticular::bestView(const ParameterValues&) const
 
 double Lenticular::nextChange(const ParameterValues& values, double time) const
 {
-    return values[table_.scroll] ? scrollRest(time, values[table_.period], values[table_.hold]) : std::numeric_limits<double>::infinity();
+    return values[table_.scroll] ? scrollRest(time, values[table_.period], values[table_.hold])
+                                 : std::numeric_limits<double>::infinity();
 }
 
 double Lenticular::nextChangeOf(const ExhibitState& state) const
@@ -239,7 +253,9 @@ bool Lenticular::press(ParameterValues& values) const
 std::vector<StudyView> Lenticular::studyViews(const ParameterValues& values) const
 {
     const glm::dvec3 m = cardMiddle();
-    const auto view = [&](const char* name, const glm::dvec3& eye, double fov) { return StudyView{name, {m + eye, m, fov}, 0, values}; };
+    const auto view = [&](const char* name, const glm::dvec3& eye, double fov) {
+        return StudyView{name, {m + eye, m, fov}, 0, values};
+    };
     return {{"best view", bestView(values), 0, values},
             view("edge of the zone", {0.43, 0.1, 1.5}, 0.5),
             view("far away", {0.5, 0.35, 6}, 0.4),
@@ -257,7 +273,8 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
     }
     const auto& prepared = static_cast<const PreparedCard&>(*context.prepared);
     const Moment moment = momentAt(table_, context.values, context.time, context.sinceOwnPress);
-    if (!prepared.face(moment.first).picture.texture || (moment.roll > 0 && !prepared.face(otherFace(moment.first)).picture.texture)) {
+    if (!prepared.face(moment.first).picture.texture ||
+        (moment.roll > 0 && !prepared.face(otherFace(moment.first)).picture.texture)) {
         for (const char* pass : {"lenticular/card", "lenticular/count"}) plan.skip(pass, "its prints cannot be shown");
         return;
     }

@@ -16,8 +16,14 @@ public:
 
     [[nodiscard]] std::string_view name() const override { return "lenticular"; }
     [[nodiscard]] std::string_view title() const override { return "Lenticular Card"; }
-    [[nodiscard]] std::string_view summary() const override { return "Sixteen pictures in one print: the lenses choose, by where you stand."; }
-    [[nodiscard]] std::string_view tryThis() const override { return "walk past it, then go so near that you see its lenses."; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "Sixteen pictures in one print: the lenses choose, by where you stand.";
+    }
+    [[nodiscard]] std::string_view tryThis() const override
+    {
+        return "walk past it, then go so near that you see its lenses.";
+    }
     [[nodiscard]] std::string_view buttonText() const override { return "show the other print"; }
     [[nodiscard]] int place() const override { return 2; }
     [[nodiscard]] const Table& parameters() const override { return table_; }

@@ -7,12 +7,14 @@
 #include <algorithm>
 
 namespace vitrine {
-Museum::Museum(std::vector<std::unique_ptr<Exhibit>> guests) : model_(std::make_shared<const HallModel>()), assets_(std::make_unique<render::AssetStore>())
+Museum::Museum(std::vector<std::unique_ptr<Exhibit>> guests)
+    : model_(std::make_shared<const HallModel>()), assets_(std::make_unique<render::AssetStore>())
 {
     auto hall = std::make_unique<Hall>(model_);
     std::vector<Guest> plaques;
     for (const auto& guest : guests)
-        plaques.push_back({guest->place(), std::string(guest->title()), std::string(guest->summary()), std::string(guest->tryThis()), std::string(guest->buttonText())});
+        plaques.push_back({guest->place(), std::string(guest->title()), std::string(guest->summary()),
+                           std::string(guest->tryThis()), std::string(guest->buttonText())});
     hall->setGuests(std::move(plaques));
     hall_ = hall.get();
     exhibits_.push_back(std::move(hall));
@@ -39,8 +41,10 @@ Look Museum::initialLook() const
 PictureQuality pictureQuality(const ParameterValues& hall)
 {
     PictureQuality quality;
-    if (const auto row = hall.table().find(supersamplesRow)) quality.supersamples = static_cast<int>(std::get<double>(hall.row(*row)));
-    if (const auto row = hall.table().find(resolutionScaleRow)) quality.resolutionScale = std::get<double>(hall.row(*row));
+    if (const auto row = hall.table().find(supersamplesRow))
+        quality.supersamples = static_cast<int>(std::get<double>(hall.row(*row)));
+    if (const auto row = hall.table().find(resolutionScaleRow))
+        quality.resolutionScale = std::get<double>(hall.row(*row));
     return quality;
 }
 
@@ -68,7 +72,8 @@ std::vector<int> Museum::emptyPlaces() const
 {
     std::vector<int> empty;
     for (int number = 1; number <= 9; ++number)
-        if (std::none_of(exhibits_.begin() + 1, exhibits_.end(), [&](const auto& e) { return e->place() == number; })) empty.push_back(number);
+        if (std::none_of(exhibits_.begin() + 1, exhibits_.end(), [&](const auto& e) { return e->place() == number; }))
+            empty.push_back(number);
     return empty;
 }
 

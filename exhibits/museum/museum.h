@@ -21,12 +21,12 @@ struct LookedAt {
 
 /// What the visitor points at, and where going there leads.
 struct Pointed {
-    std::size_t exhibit = 0;   ///< 0: the hall; then it is the visitor's own object.
-    std::string name;          ///< "Torus to Mug", "Your object", "E – melt it".
-    double distance = 0;       ///< Metres from the eye.
-    bool button = false;       ///< It is the button of `exhibit` ...
-    bool inReach = false;      ///< ... and can be pressed from here.
-    render::Camera view;       ///< Its best view, in the world.
+    std::size_t exhibit = 0;  ///< 0: the hall; then it is the visitor's own object.
+    std::string name;         ///< "Torus to Mug", "Your object", "E – melt it".
+    double distance = 0;      ///< Metres from the eye.
+    bool button = false;      ///< It is the button of `exhibit` ...
+    bool inReach = false;     ///< ... and can be pressed from here.
+    render::Camera view;      ///< Its best view, in the world.
 };
 
 /// A rectangle of a picture, pixels from its lower left corner.
@@ -67,11 +67,12 @@ public:
     /// request needs files, throws Failure.
     [[nodiscard]] Prepared prepare(const Look&, const FrameRequest&) const;
 
-    // What follows only reads, opens no file and keeps nothing: any thread may call it, and the same is answered the same.
+    // What follows only reads, opens no file and keeps nothing: any thread may call it, and the same is answered the
+    // same.
 
-    /// Plans and prunes one picture of what was prepared, at its moment, for the same camera and exhibits; raster, samples
-    /// and channels may be others. Its outputs are the images "frame" (rgba16f, display-referred linear light, alpha not
-    /// premultiplied) and, as asked, "radiance", "depth", "normal", "evaluations".
+    /// Plans and prunes one picture of what was prepared, at its moment, for the same camera and exhibits; raster,
+    /// samples and channels may be others. Its outputs are the images "frame" (rgba16f, display-referred linear light,
+    /// alpha not premultiplied) and, as asked, "radiance", "depth", "normal", "evaluations".
     [[nodiscard]] render::FramePlan plan(const Prepared&, const FrameRequest&, const render::KeptKeys& = {}) const;
 
     /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: walls and furniture stop
@@ -89,9 +90,10 @@ public:
 
     /// Seconds until the picture next changes by itself; infinity: nothing to draw.
     [[nodiscard]] double nextChange(const Prepared&, const FrameRequest&) const;
-    /// Outside of this part of the picture nothing changes by itself, now or later. It begins at even numbers and ends there
-    /// or with the picture, so that a tile of it is filtered like the whole. Nothing when no such part is known: light in
-    /// the air or parts of the hall move, or what moves stands around the eye. Empty (0 x 0) when nothing moves at all.
+    /// Outside of this part of the picture nothing changes by itself, now or later. It begins at even numbers and ends
+    /// there or with the picture, so that a tile of it is filtered like the whole. Nothing when no such part is known:
+    /// light in the air or parts of the hall move, or what moves stands around the eye. Empty (0 x 0) when nothing
+    /// moves at all.
     [[nodiscard]] std::optional<PictureRegion> movingRegion(const Prepared&, const FrameRequest&) const;
 
 private:
@@ -100,7 +102,8 @@ private:
     struct Frame;
     [[nodiscard]] Seen firstSeen(const Prepared&, const render::Ray&) const;
     [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&, bool alone) const;
-    [[nodiscard]] std::vector<Present> presentIn(const Prepared&, const FrameRequest&, const HallScene&, const render::View&) const;
+    [[nodiscard]] std::vector<Present> presentIn(const Prepared&, const FrameRequest&, const HallScene&,
+                                                 const render::View&) const;
     [[nodiscard]] HallScene sceneOf(const Prepared&, bool alone) const;
 
     std::vector<std::unique_ptr<Exhibit>> exhibits_;

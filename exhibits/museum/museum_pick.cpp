@@ -11,9 +11,10 @@
 namespace vitrine {
 namespace {
 
-constexpr double reachOfButton = 2.0;   ///< Metres at which a button can be pressed .
-constexpr double radiusOfAim = 0.09;    ///< Metres around a button that still count as looking at it.
-constexpr double radiusOfPress = 0.05;  ///< Metres around a button's middle that count as clicking it: it is 0.035 wide.
+constexpr double reachOfButton = 2.0;  ///< Metres at which a button can be pressed .
+constexpr double radiusOfAim = 0.09;   ///< Metres around a button that still count as looking at it.
+constexpr double radiusOfPress =
+    0.05;  ///< Metres around a button's middle that count as clicking it: it is 0.035 wide.
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The visitor's own object from the front, all of it in the picture.
@@ -32,8 +33,8 @@ struct Museum::Seen {
     enum class What : std::uint8_t { nothing, building, guest, button, visitorsObject };
     What what = What::nothing;
     std::size_t exhibit = 0;
-    double distance = never;    ///< As the ray counts.
-    render::Box visitorsBox;    ///< Of the visitor's object, world space; empty where there is none.
+    double distance = never;  ///< As the ray counts.
+    render::Box visitorsBox;  ///< Of the visitor's object, world space; empty where there is none.
 
     void take(What w, std::size_t i, double d)
     {
@@ -49,17 +50,21 @@ Museum::Seen Museum::firstSeen(const Prepared& prepared, const render::Ray& ray)
     using enum Seen::What;
     Seen seen;
     const HallScene scene = sceneOf(prepared, false);
-    for (const render::Part& part : model_->walls()) seen.take(building, 0, render::firstHit(ray, part, render::Faces::front));
+    for (const render::Part& part : model_->walls())
+        seen.take(building, 0, render::firstHit(ray, part, render::Faces::front));
     if (scene.visitorModel) {
         seen.visitorsBox = scene.visitorModel->bounds.transformed(scene.worldFromVisitorModel);
         const render::Ray local = ray.transformed(glm::inverse(scene.worldFromVisitorModel));
-        for (const render::Part& part : scene.visitorModel->parts) seen.take(visitorsObject, 0, render::firstHit(local, part, render::Faces::both));
+        for (const render::Part& part : scene.visitorModel->parts)
+            seen.take(visitorsObject, 0, render::firstHit(local, part, render::Faces::both));
     }
     for (const auto& [number, place] : model_->places()) {
-        const auto here = std::find_if(exhibits_.begin() + 1, exhibits_.end(), [&, n = number](const auto& e) { return e->place() == n; });
+        const auto here = std::find_if(exhibits_.begin() + 1, exhibits_.end(),
+                                       [&, n = number](const auto& e) { return e->place() == n; });
         const bool empty = here == exhibits_.end();
         const auto i = empty ? std::size_t{0} : static_cast<std::size_t>(here - exhibits_.begin());
-        for (const render::Part& part : partsAt(scene, place)) seen.take(empty ? building : guest, i, render::firstHit(ray, part, render::Faces::both));
+        for (const render::Part& part : partsAt(scene, place))
+            seen.take(empty ? building : guest, i, render::firstHit(ray, part, render::Faces::both));
         if (empty) continue;
         const render::Ray own = ray.transformed(glm::inverse(worldFromExhibit(i)));
         seen.take(guest, i, (*here)->firstHit(prepared.state(i), own));
@@ -76,7 +81,12 @@ std::optional<Pointed> Museum::pick(const Prepared& prepared, const FrameRequest
     const render::Ray ray{view.eye, glm::normalize(view.direction(ndc))};
     const Seen seen = firstSeen(prepared, ray);
     if (seen.what == nothing || seen.what == building) return std::nullopt;
-    Pointed found{seen.exhibit, {}, seen.distance, seen.what == button, seen.what == button && seen.distance <= reachOfButton, {}};
+    Pointed found{seen.exhibit,
+                  {},
+                  seen.distance,
+                  seen.what == button,
+                  seen.what == button && seen.distance <= reachOfButton,
+                  {}};
     if (seen.what == visitorsObject) {
         found.name = "Your object";
         found.view = viewOf(seen.visitorsBox);

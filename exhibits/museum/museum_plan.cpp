@@ -122,18 +122,23 @@ std::string Museum::whyHidden(const render::Box& box, const render::View& view, 
 HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
 {
     HallScene scene = hall_->scene(prepared.look.values.front(), alone, prepared.exhibits.front().part.get());
-    for (std::size_t i = 1; i < exhibits_.size(); ++i) scene.turns.push_back(exhibits_[i]->turnOfHangings(prepared.look.values[i], prepared.time));
+    for (std::size_t i = 1; i < exhibits_.size(); ++i)
+        scene.turns.push_back(exhibits_[i]->turnOfHangings(prepared.look.values[i], prepared.time));
     return scene;
 }
 
-std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const FrameRequest& request, const HallScene& scene, const render::View& view) const
+std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const FrameRequest& request,
+                                               const HallScene& scene, const render::View& view) const
 {
     std::vector<Present> present;
     for (std::size_t i = 1; i < exhibits_.size(); ++i) {
         if ((request.alone && i != *request.alone) || (request.cutOut && i != *request.cutOut)) continue;
         Present p{i, scene.alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}, {}, {}};
-        if (request.subject == i || request.alone == i) p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
-        p.box = exhibits_[i]->boundsAfterPress(prepared.look.values[i], prepared.sincePress(i)).transformed(p.worldFromExhibit);
+        if (request.subject == i || request.alone == i)
+            p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
+        p.box = exhibits_[i]
+                    ->boundsAfterPress(prepared.look.values[i], prepared.sincePress(i))
+                    .transformed(p.worldFromExhibit);
         p.unlit = exhibits_[i]->castsShadow() ? whyUnlit(scene, p.box) : "it is made of light";
         p.hidden = request.runEverything ? std::string() : whyHidden(p.box, view, scene.alone);
         p.noShadow = !p.unlit.empty() || request.runEverything ? p.unlit : whyNoShadow(scene, p.box, view);
@@ -148,8 +153,10 @@ Prepared Museum::prepare(const Look& look, const FrameRequest& request) const
     const auto prepareOne = [&](std::size_t i) {
         PreparedExhibit& exhibit = made.exhibits[i];
         if (!exhibit.seen && !exhibit.shadowSeen) return;
-        exhibit.part = exhibits_[i]->prepare({made.look.values[i], made.time, made.sincePress(i), exhibit.seen, exhibit.shadowSeen, *assets_});
-        if (request.needsFiles && exhibit.part && !exhibit.part->unreadable.empty()) throw Failure(Blame::file, exhibit.part->unreadable.front().why);
+        exhibit.part = exhibits_[i]->prepare(
+            {made.look.values[i], made.time, made.sincePress(i), exhibit.seen, exhibit.shadowSeen, *assets_});
+        if (request.needsFiles && exhibit.part && !exhibit.part->unreadable.empty())
+            throw Failure(Blame::file, exhibit.part->unreadable.front().why);
     };
     made.exhibits.front().seen = true;
     prepareOne(0);
@@ -165,7 +172,8 @@ Prepared Museum::prepare(const Look& look, const FrameRequest& request) const
     return made;
 }
 
-render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& request, const render::KeptKeys& kept) const
+render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& request,
+                               const render::KeptKeys& kept) const
 {
     const bool alone = request.alone.has_value();
     Frame frame{*this, prepared, request, alone, sceneOf(prepared, alone), {}, {}, {}, {}};
@@ -209,7 +217,8 @@ void Museum::Frame::findPresent()
     }
     const auto complain = [&](std::size_t i) {
         if (!prepared.exhibits[i].part) return;
-        for (const UnreadableFile& file : prepared.exhibits[i].part->unreadable) plan.complainOfFile(file.step, file.why, file.instead);
+        for (const UnreadableFile& file : prepared.exhibits[i].part->unreadable)
+            plan.complainOfFile(file.step, file.why, file.instead);
     };
     complain(0);
     for (const Present& p : present)
@@ -248,7 +257,11 @@ void Museum::Frame::castShadows()
     light.light.filtering.y = static_cast<float>(2 / light.exhibitShadowView.clipFromView[0][0] / size);
     light.exhibitShadowKey = key.addValue(light.exhibitShadowView.clipFromWorld).value();
     light.inputs.push_back({UNIT_SHADOW_EXHIBITS, std::string(exhibitShadowImage)});
-    plan.image({.name = exhibitShadowImage, .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true, .comparison = true});
+    plan.image({.name = exhibitShadowImage,
+                .format = render::Format::depth32f,
+                .size = glm::ivec2(size),
+                .kept = true,
+                .comparison = true});
     render::Pass clear;
     clear.name = "exhibits/shadow";
     clear.reason = "an exhibit stands in the sun";
@@ -263,12 +276,16 @@ void Museum::Frame::castShadows()
 
 void Museum::Frame::planBuildingInto(render::FramePlan& into) const
 {
-    const std::span<const double> presses = std::span(prepared.sincePressed).subspan(std::min<std::size_t>(prepared.sincePressed.size(), 1));
+    const std::span<const double> presses =
+        std::span(prepared.sincePressed).subspan(std::min<std::size_t>(prepared.sincePressed.size(), 1));
     planHallShadow(scene, light, into);
     planProbe(scene, light, into);
-    if (alone) into.skip("hall/walls", "the exhibit is shown alone");
-    else if (request.cutOut) into.skip("hall/walls", "one exhibit is asked for without what is around it");
-    else planWalls(scene, light, request.channels, presses, into);
+    if (alone)
+        into.skip("hall/walls", "the exhibit is shown alone");
+    else if (request.cutOut)
+        into.skip("hall/walls", "one exhibit is asked for without what is around it");
+    else
+        planWalls(scene, light, request.channels, presses, into);
 }
 
 /// Walls, shadows of walls, and the probe; or an empty picture where there are none.
@@ -297,8 +314,16 @@ void Museum::Frame::planExhibits()
 {
     for (const Present& p : present) {
         const ExhibitState state = prepared.state(p.index);
-        contexts.push_back({.values = state.values, .surroundings = light, .worldFromExhibit = p.worldFromExhibit, .time = state.time, .channels = request.channels, .alone = alone,
-                            .hiddenBecause = p.hidden, .noShadowBecause = p.noShadow, .sinceOwnPress = state.sinceOwnPress, .prepared = state.prepared});
+        contexts.push_back({.values = state.values,
+                            .surroundings = light,
+                            .worldFromExhibit = p.worldFromExhibit,
+                            .time = state.time,
+                            .channels = request.channels,
+                            .alone = alone,
+                            .hiddenBecause = p.hidden,
+                            .noShadowBecause = p.noShadow,
+                            .sinceOwnPress = state.sinceOwnPress,
+                            .prepared = state.prepared});
     }
     for (std::size_t i = 0; i < present.size(); ++i) museum.exhibits_[present[i].index]->plan(contexts[i], plan);
     for (std::size_t i = 0; i < present.size(); ++i) {
@@ -321,7 +346,8 @@ render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
         PlanContext context = contexts[i];
         context.channels = {};
         context.hiddenBecause = museum.whyHidden(present[i].box, view, alone);
-        if (context.hiddenBecause.empty() && !prepared.exhibits[present[i].index].seen) context.hiddenBecause = present[i].hidden;
+        if (context.hiddenBecause.empty() && !prepared.exhibits[present[i].index].seen)
+            context.hiddenBecause = present[i].hidden;
         context.noShadowBecause = "the frame draws the shadows";
         museum.exhibits_[present[i].index]->plan(context, other);
     }
@@ -331,8 +357,10 @@ render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
 /// What is behind everything, the way the picture is developed, and what of all this is needed.
 void Museum::Frame::finish(const render::KeptKeys& kept)
 {
-    if (request.transparent || request.cutOut) plan.skip("sky", "a transparent background is asked for");
-    else planSky(scene, light, plan);
+    if (request.transparent || request.cutOut)
+        plan.skip("sky", "a transparent background is asked for");
+    else
+        planSky(scene, light, plan);
     planDevelop(light, request, plan);
     std::vector<std::string> outputs{"frame", depthImage};
     if (request.channels.normal) outputs.emplace_back(normalImage);
@@ -349,7 +377,8 @@ double Museum::nextChange(const Prepared& prepared, const FrameRequest& request)
     const HallScene scene = sceneOf(prepared, alone);
     // What is hidden may move unseen, and so may its shadow.
     for (const Present& p : presentIn(prepared, request, scene, wholeView(request)))
-        if (p.hidden.empty() || (!alone && p.noShadow.empty())) next = std::min(next, exhibits_[p.index]->nextChangeOf(prepared.state(p.index)));
+        if (p.hidden.empty() || (!alone && p.noShadow.empty()))
+            next = std::min(next, exhibits_[p.index]->nextChangeOf(prepared.state(p.index)));
     return next;
 }
 
@@ -374,7 +403,8 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
         const bool shadowSeen = !alone && p.noShadow.empty();
         if (!exhibit.castsShadow() && seen) lightInTheAir = true;
         if (!(exhibit.nextChangeOf(prepared.state(p.index)) < never) || (!seen && !shadowSeen)) continue;
-        if (!exhibit.castsShadow() || exhibit.turnOfHangings(values, 0) != exhibit.turnOfHangings(values, 1)) return std::nullopt;
+        if (!exhibit.castsShadow() || exhibit.turnOfHangings(values, 0) != exhibit.turnOfHangings(values, 1))
+            return std::nullopt;
         render::Box reach = p.box;
         if (shadowSeen) {
             shadowMoves = true;
@@ -390,7 +420,8 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
     if (shadowMoves && lightInTheAir) return std::nullopt;
     const glm::dvec2 size(request.raster.size);
     const glm::ivec2 first = glm::ivec2(glm::floor(glm::clamp(low - edge, glm::dvec2(0), size) / 2.0)) * 2;
-    const glm::ivec2 end = glm::min(glm::ivec2(glm::ceil(glm::clamp(high + edge, glm::dvec2(0), size) / 2.0)) * 2, request.raster.size);
+    const glm::ivec2 end =
+        glm::min(glm::ivec2(glm::ceil(glm::clamp(high + edge, glm::dvec2(0), size) / 2.0)) * 2, request.raster.size);
     if (end.x <= first.x || end.y <= first.y) return PictureRegion{};
     return PictureRegion{first, end - first};
 }

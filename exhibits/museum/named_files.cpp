@@ -19,7 +19,11 @@ void forEachFile(const Look& look, const std::function<void(const std::string&)>
 
 void addTo(render::Hash& hash, const render::FileState& state)
 {
-    hash.addValue(state.there).addValue(state.bytes).addValue(state.inode).addValue(state.modified).addValue(state.changed);
+    hash.addValue(state.there)
+        .addValue(state.bytes)
+        .addValue(state.inode)
+        .addValue(state.modified)
+        .addValue(state.changed);
 }
 
 }  // namespace

@@ -26,8 +26,10 @@ void requireMemory(const glm::ivec2& size, std::size_t channels)
     std::ostringstream text;
     text.imbue(std::locale::classic());
     text << std::fixed << std::setprecision(2 * wanted < 1e11 ? 1 : 0);
-    text << "A picture of " << size.x << " × " << size.y << " pixels takes " << 2 * wanted / 1e9 << " GB of memory while it is made and written, and this machine has "
-         << machine / 1e9 << " GB; ask for no more than " << std::max(1, static_cast<int>(size.x * shrink)) << " × " << std::max(1, static_cast<int>(size.y * shrink)) << '.';
+    text << "A picture of " << size.x << " × " << size.y << " pixels takes " << 2 * wanted / 1e9
+         << " GB of memory while it is made and written, and this machine has " << machine / 1e9
+         << " GB; ask for no more than " << std::max(1, static_cast<int>(size.x * shrink)) << " × "
+         << std::max(1, static_cast<int>(size.y * shrink)) << '.';
     throw Failure(Blame::usage, text.str());
 }
 
@@ -39,7 +41,9 @@ PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, Look 
     : museum_(museum), painter_(painter), look_(std::move(look)), request_(std::move(request))
 {
     const glm::ivec2 size = request_.frame.raster.size;
-    if (size.x < 1 || size.y < 1) throw Failure(Blame::usage, "A picture needs at least 1 × 1 pixels; " + std::to_string(size.x) + " × " + std::to_string(size.y) + " were asked for.");
+    if (size.x < 1 || size.y < 1)
+        throw Failure(Blame::usage, "A picture needs at least 1 × 1 pixels; " + std::to_string(size.x) + " × " +
+                                        std::to_string(size.y) + " were asked for.");
     std::vector<std::string> names{"R", "G", "B", "A"};
     if (request_.depth) names.emplace_back("depth.Z");
     if (request_.frame.channels.normal) names.insert(names.end(), {"normal.X", "normal.Y", "normal.Z"});
@@ -66,7 +70,8 @@ PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, Look 
 
 double PictureMaker::progress() const
 {
-    return static_cast<double>(stepsDone_) / static_cast<double>(tiles_.size() * static_cast<std::size_t>(request_.samples));
+    return static_cast<double>(stepsDone_) /
+           static_cast<double>(tiles_.size() * static_cast<std::size_t>(request_.samples));
 }
 
 bool PictureMaker::finished() const
@@ -101,7 +106,8 @@ void PictureMaker::takeChannels(const Tile& tile)
     if (request_.depth) {
         render::Image depth = painter_.read(depthImage);
         const double nearPlane = render::View{}.nearPlane;
-        for (float& d : depth.pixels) d = d > 0 ? static_cast<float>(nearPlane / d) : std::numeric_limits<float>::infinity();
+        for (float& d : depth.pixels)
+            d = d > 0 ? static_cast<float>(nearPlane / d) : std::numeric_limits<float>::infinity();
         copyChannels(depth, tile, 0, 1, next++);
     }
     if (request_.frame.channels.normal) {
@@ -123,7 +129,8 @@ void PictureMaker::copyChannels(const render::Image& from, const Tile& tile, int
     const int above = tile.drawnOffset.y + tile.drawnSize.y - tile.offset.y - tile.size.y;
     for (int y = 0; y < tile.size.y; ++y)
         for (int x = 0; x < tile.size.x; ++x)
-            for (int c = 0; c < count; ++c) picture_.at(tile.offset.x + x, top + y, to + c) = from.at(left + x, above + y, first + c);
+            for (int c = 0; c < count; ++c)
+                picture_.at(tile.offset.x + x, top + y, to + c) = from.at(left + x, above + y, first + c);
 }
 
 void PictureMaker::finish()

@@ -11,17 +11,18 @@ namespace vitrine {
 
 /// A finished picture to make: any size, any number of samples, by tiles where the size asks for it.
 struct PictureRequest {
-    FrameRequest frame;             ///< `raster.tile`, `raster.jitter` and `sample` are set here, not by the caller.
-    int samples = 1;                ///< Supersamples per pixel, averaged.
-    bool depth = false;             ///< Add the channel "depth.Z". Channels other than color are of the pixel's center.
-    int largestTile = 2048;         ///< Side in pixels, rounded down to a multiple of 8; never above what the painter can draw.
+    FrameRequest frame;  ///< `raster.tile`, `raster.jitter` and `sample` are set here, not by the caller.
+    int samples = 1;     ///< Supersamples per pixel, averaged.
+    bool depth = false;  ///< Add the channel "depth.Z". Channels other than color are of the pixel's center.
+    int largestTile =
+        2048;  ///< Side in pixels, rounded down to a multiple of 8; never above what the painter can draw.
 };
 
 /// Makes a picture step by step, so that a window can show progress and cancel between steps.
 class PictureMaker {
 public:
-    /// Look and request are copied; museum and painter must outlive it. Throws Failure (Blame::usage) for a size without
-    /// pixels, or whose pixels do not fit into half of the machine's memory.
+    /// Look and request are copied; museum and painter must outlive it. Throws Failure (Blame::usage) for a size
+    /// without pixels, or whose pixels do not fit into half of the machine's memory.
     PictureMaker(const Museum&, render::Painter&, Look, PictureRequest);
 
     /// Draws one sample of one tile; the first one prepares the picture. Returns false when it was already finished.

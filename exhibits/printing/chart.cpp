@@ -55,10 +55,10 @@ bool textCell(const std::string& text, int column, int row)
 
 namespace {
 
-constexpr double margin = 10;       ///< Millimeters of paper around the bands, for ruler, title and marks.
-constexpr double bandHeight = 8;    ///< Of which `gap` is paper that carries the band's value.
+constexpr double margin = 10;     ///< Millimeters of paper around the bands, for ruler, title and marks.
+constexpr double bandHeight = 8;  ///< Of which `gap` is paper that carries the band's value.
 constexpr double gap = 3;
-constexpr double cell = 0.25;       ///< Of a letter, millimeters: letters are 1.75 high.
+constexpr double cell = 0.25;  ///< Of a letter, millimeters: letters are 1.75 high.
 constexpr int pitchBands = 11;
 
 std::string fixed(double value, int digits)
@@ -101,10 +101,12 @@ Chart::Chart(const PrintLayout& layout, ChartKind kind, double span) : layout_(l
     upright_ = std::abs(s.direction) <= 45;
     along_ = upright_ ? s.height + 2 * s.bleed : s.width + 2 * s.bleed;
     across_ = upright_ ? s.width + 2 * s.bleed : s.height + 2 * s.bleed;
-    if (!(span > 0 && span < 0.5)) throw Failure(Blame::usage, "The span of a pitch chart must lie between 0 and 50 %.");
+    if (!(span > 0 && span < 0.5))
+        throw Failure(Blame::usage, "The span of a pitch chart must lie between 0 and 50 %.");
     const double room = along_ - 2 * margin;
     const int fit = static_cast<int>(room / bandHeight);
-    if (fit < 3 || across_ < 4 * margin) throw Failure(Blame::usage, "A chart needs at least 40 mm across the lenses and 44 mm along them.");
+    if (fit < 3 || across_ < 4 * margin)
+        throw Failure(Blame::usage, "A chart needs at least 40 mm across the lenses and 44 mm along them.");
     const auto add = [&](double from, double to, PrintLayout own, std::vector<double> levels, std::string label) {
         bands_.push_back({margin + from, margin + to, std::move(own), std::move(levels), std::move(label)});
     };
@@ -113,7 +115,9 @@ Chart::Chart(const PrintLayout& layout, ChartKind kind, double span) : layout_(l
         levels[levels.size() / 2] = 0;
         add(0, room, changed(layout, layout.printLpi(), s.phase, static_cast<int>(levels.size())), levels, "ROTATION");
     } else {
-        int count = std::min(fit, kind == ChartKind::pitch ? pitchBands : kind == ChartKind::phase ? 16 : std::max(s.views, 2) - 1);
+        int count = std::min(fit, kind == ChartKind::pitch   ? pitchBands
+                                  : kind == ChartKind::phase ? 16
+                                                             : std::max(s.views, 2) - 1);
         if (kind == ChartKind::pitch && count % 2 == 0) --count;  // One band has the sheet's own pitch.
         for (int i = 0; i < count; ++i) {
             const double from = i * bandHeight + gap;
@@ -128,7 +132,8 @@ Chart::Chart(const PrintLayout& layout, ChartKind kind, double span) : layout_(l
             } else {
                 std::vector<double> levels(static_cast<std::size_t>(i + 2), 0.0);
                 levels[levels.size() / 2] = 1;
-                add(from, to, changed(layout, layout.printLpi(), s.phase, i + 2), levels, std::to_string(i + 2) + " VIEWS");
+                add(from, to, changed(layout, layout.printLpi(), s.phase, i + 2), levels,
+                    std::to_string(i + 2) + " VIEWS");
             }
         }
     }
@@ -143,7 +148,9 @@ bool Chart::inked(double along, double across) const
     if (rulerInk(across - margin, along) && across < across_ - margin) return true;
     if (rulerInk(along - margin, across) && along < along_ - margin) return true;
     if (textInk(title_, across - margin, along - (along_ - 8))) return true;
-    if (textInk(upright_ ? "LENSES UP - FEED: TOP / SIDE" : "LENSES ACROSS - FEED: TOP / SIDE", across - margin, along - (along_ - 5))) return true;
+    if (textInk(upright_ ? "LENSES UP - FEED: TOP / SIDE" : "LENSES ACROSS - FEED: TOP / SIDE", across - margin,
+                along - (along_ - 5)))
+        return true;
     for (const Band& band : bands_) {
         const double y = along - (band.from - gap + 0.6);
         if (y < 0 || y > 7 * cell) continue;
@@ -180,14 +187,23 @@ template <typename Code> void Chart::fillCodes(const Region& region, Code* out) 
     for (std::int64_t y = region.y0; y < region.y1; ++y) {
         for (std::int64_t x = region.x0; x < region.x1; ++x, out += 3) {
             const std::int64_t front = layout_.settings().mirror ? layout_.width() - 1 - x : x;
-            const auto linear = static_cast<float>(level(static_cast<double>(front) + 0.5, static_cast<double>(y) + 0.5, taps));
-            if constexpr (sizeof(Code) == 1) out[0] = out[1] = out[2] = render::srgb8FromLinear(linear);
-            else out[0] = out[1] = out[2] = render::srgb16FromLinear(linear);
+            const auto linear =
+                static_cast<float>(level(static_cast<double>(front) + 0.5, static_cast<double>(y) + 0.5, taps));
+            if constexpr (sizeof(Code) == 1)
+                out[0] = out[1] = out[2] = render::srgb8FromLinear(linear);
+            else
+                out[0] = out[1] = out[2] = render::srgb16FromLinear(linear);
         }
     }
 }
 
-void Chart::fill(const Region& region, std::uint8_t* out) const { fillCodes(region, out); }
-void Chart::fill(const Region& region, std::uint16_t* out) const { fillCodes(region, out); }
+void Chart::fill(const Region& region, std::uint8_t* out) const
+{
+    fillCodes(region, out);
+}
+void Chart::fill(const Region& region, std::uint16_t* out) const
+{
+    fillCodes(region, out);
+}
 
 }  // namespace vitrine::printing

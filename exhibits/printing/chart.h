@@ -33,9 +33,9 @@ public:
     void fill(const Region&, std::uint16_t* out) const;
 
     struct Band {
-        double from = 0, to = 0;     ///< Along the lenses, in millimeters from the print's top or left edge.
+        double from = 0, to = 0;  ///< Along the lenses, in millimeters from the print's top or left edge.
         PrintLayout layout;
-        std::vector<double> views;   ///< The linear level of each.
+        std::vector<double> views;  ///< The linear level of each.
         std::string label{};
     };
     [[nodiscard]] const std::vector<Band>& bands() const { return bands_; }

@@ -13,7 +13,7 @@ namespace vitrine::printing {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int places = 64;         ///< On the print, at which its pixels lie differently under the lens.
+constexpr int places = 64;  ///< On the print, at which its pixels lie differently under the lens.
 constexpr int apertureParts = 128;
 
 double fraction(double x)
@@ -24,7 +24,8 @@ double fraction(double x)
 /// Evenly spread over 0 to 1, in a different order for each `stream` (Kronecker sequences of square roots of primes).
 double spread(int stream, double index)
 {
-    constexpr std::array<double, 5> roots{1.4142135623730951, 1.7320508075688772, 2.2360679774997898, 2.6457513110645907, 3.3166247903554};
+    constexpr std::array<double, 5> roots{1.4142135623730951, 1.7320508075688772, 2.2360679774997898,
+                                          2.6457513110645907, 3.3166247903554};
     return fraction(0.5 + index * roots.at(static_cast<std::size_t>(stream)));
 }
 
@@ -71,8 +72,10 @@ ViewMatrix viewMixing(const PrintLayout& layout)
             double index = place;
             for (const Aperture::Part& part : seen.parts) {
                 index += places;
-                const double ink = s.inkSpread * std::sqrt(-2 * std::log(std::max(spread(3, index), 1e-9))) * std::cos(2 * pi * spread(4, index));
-                const double at = toAxis + (part.from + (part.to - part.from) * spread(2, index) + ink) / s.sheet.pitch();
+                const double ink = s.inkSpread * std::sqrt(-2 * std::log(std::max(spread(3, index), 1e-9))) *
+                                   std::cos(2 * pi * spread(4, index));
+                const double at =
+                    toAxis + (part.from + (part.to - part.from) * spread(2, index) + ink) / s.sheet.pitch();
                 tapsAt(layout, std::floor(x + at * pixelsX) + 0.5, std::floor(y + at * pixelsY) + 0.5, taps);
                 for (const Tap& tap : taps) mixing.at(i, tap.view) += part.share * tap.weight;
                 sum += part.share;

@@ -13,8 +13,14 @@ struct ViewMatrix {
     int views = 0;
     std::vector<double> weights{};  ///< Row by row; empty stands for "as they are".
 
-    [[nodiscard]] double at(int i, int k) const { return weights[static_cast<std::size_t>(i) * static_cast<std::size_t>(views) + static_cast<std::size_t>(k)]; }
-    [[nodiscard]] double& at(int i, int k) { return weights[static_cast<std::size_t>(i) * static_cast<std::size_t>(views) + static_cast<std::size_t>(k)]; }
+    [[nodiscard]] double at(int i, int k) const
+    {
+        return weights[static_cast<std::size_t>(i) * static_cast<std::size_t>(views) + static_cast<std::size_t>(k)];
+    }
+    [[nodiscard]] double& at(int i, int k)
+    {
+        return weights[static_cast<std::size_t>(i) * static_cast<std::size_t>(views) + static_cast<std::size_t>(k)];
+    }
 };
 
 /// What an eye at the angle of each view sees of all views: the exact optics of the lens, the print's own pixels, as

@@ -22,7 +22,8 @@ struct Point {
 /// What lenses show, for directions from one edge of the print to the other.
 class SightTable {
 public:
-    SightTable(const Sheet& sheet, double from, double to, double beta) : from_(from), perAngle_(to > from ? (sights - 1) / (to - from) : 0)
+    SightTable(const Sheet& sheet, double from, double to, double beta)
+        : from_(from), perAngle_(to > from ? (sights - 1) / (to - from) : 0)
     {
         const int count = to > from ? sights : 1;
         for (int i = 0; i < count; ++i) {
@@ -48,7 +49,8 @@ const std::array<float, 256>& linearOfCode()
 {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> made{};
-        for (std::size_t i = 0; i < made.size(); ++i) made[i] = static_cast<float>(render::linearFromSrgb(static_cast<double>(i) / 255.0));
+        for (std::size_t i = 0; i < made.size(); ++i)
+            made[i] = static_cast<float>(render::linearFromSrgb(static_cast<double>(i) / 255.0));
         return made;
     }();
     return table;
@@ -63,7 +65,8 @@ EyeLines::EyeLines(const PrintLayout& layout, const Interlacer& interlacer, int 
     const std::size_t line = static_cast<std::size_t>(acrossPixels()) * 3;
     codes_.resize(line * static_cast<std::size_t>(lines_));
     for (int i = 0; i < lines_; ++i) {
-        std::int64_t at = (2 * static_cast<std::int64_t>(i) + 1) * alongPixels() / (2 * static_cast<std::int64_t>(lines_));
+        std::int64_t at =
+            (2 * static_cast<std::int64_t>(i) + 1) * alongPixels() / (2 * static_cast<std::int64_t>(lines_));
         // Lines are kept as they are seen from the front.
         if (!upright_ && layout.settings().mirror) at = layout.width() - 1 - at;
         const Region region = upright_ ? Region{0, at, layout.width(), at + 1} : Region{at, 0, at + 1, layout.height()};
@@ -86,7 +89,9 @@ CodedPicture EyeLines::seen(const Eye& eye, int side) const
     const double towardsY = upright_ ? -std::tan(eye.angleAlong) : std::tan(eye.angle);
     const double cosine = layout_.cosine();
     const double sine = layout_.sine();
-    const auto slope = [&](double x, double y) { return (towardsX - x / eye.distance) * cosine + (towardsY - y / eye.distance) * sine; };
+    const auto slope = [&](double x, double y) {
+        return (towardsX - x / eye.distance) * cosine + (towardsY - y / eye.distance) * sine;
+    };
     double from = 2;
     double to = -2;
     for (const double x : {-width / 2, width / 2}) {
@@ -114,7 +119,8 @@ CodedPicture EyeLines::seen(const Eye& eye, int side) const
             const double off = std::floor(across / pitch + 0.5) * pitch - across;
             const double start = (upright_ ? x : y) * perMm + middlePixel;
             const double alongPart = upright_ ? (row + 0.5) / picture.height : (column + 0.5) / picture.width;
-            const auto line = std::min(static_cast<std::size_t>(alongPart * lines_), static_cast<std::size_t>(lines_ - 1));
+            const auto line =
+                std::min(static_cast<std::size_t>(alongPart * lines_), static_cast<std::size_t>(lines_ - 1));
             const std::uint8_t* codes = codes_.data() + line * static_cast<std::size_t>(acrossPixels()) * 3;
             std::array<float, 3> sum{};
             for (const Point& point : table.at(std::atan(slope(x, y)))) {
@@ -123,8 +129,10 @@ CodedPicture EyeLines::seen(const Eye& eye, int side) const
                     for (float& channel : sum) channel += point.share;  // Paper beyond the print.
                     continue;
                 }
-                const auto pixel = flip ? acrossPixels() - 1 - static_cast<std::int64_t>(at) : static_cast<std::int64_t>(at);
-                for (std::size_t c = 0; c < 3; ++c) sum[c] += point.share * linear[codes[pixel * 3 + static_cast<std::int64_t>(c)]];
+                const auto pixel =
+                    flip ? acrossPixels() - 1 - static_cast<std::int64_t>(at) : static_cast<std::int64_t>(at);
+                for (std::size_t c = 0; c < 3; ++c)
+                    sum[c] += point.share * linear[codes[pixel * 3 + static_cast<std::int64_t>(c)]];
             }
             for (std::size_t c = 0; c < 3; ++c) out[c] = render::srgb8FromLinear(sum[c]);
         }

@@ -21,7 +21,7 @@ constexpr double whole = 65536;  // Weight 1 of kernels::blendAndEncode.
 /// Which rows of the views a printed row shows.
 struct RowBlend {
     int first = 0;
-    int count = 1;      ///< 1 or 2 rows when enlarging; more when the views have more rows than the print.
+    int count = 1;           ///< 1 or 2 rows when enlarging; more when the views have more rows than the print.
     std::uint16_t part = 0;  ///< Of the second row, when there are two.
     double from = 0, to = 0;
 };
@@ -64,14 +64,16 @@ std::uint32_t pattern(std::uint32_t along)
 /// Channels are far apart in the pattern, so that their grains do not add up to gray ones.
 std::uint32_t placeOf(std::int64_t x, std::int64_t y, int channel)
 {
-    return alongX * static_cast<std::uint32_t>(x + 47 * channel) + alongY * static_cast<std::uint32_t>(y + 17 * channel);
+    return alongX * static_cast<std::uint32_t>(x + 47 * channel) +
+           alongY * static_cast<std::uint32_t>(y + 17 * channel);
 }
 
 /// Samples views around places of a raster whose lenses are not vertical: over one lens across them, one pixel along.
 class SlantedSampler {
 public:
     SlantedSampler(const PrintLayout& layout, const ViewSet& views)
-        : views_(views), width_(static_cast<double>(layout.width())), scaleY_(views.height() / static_cast<double>(layout.height()))
+        : views_(views), width_(static_cast<double>(layout.width())),
+          scaleY_(views.height() / static_cast<double>(layout.height()))
     {
         const bool acrossX = std::abs(layout.lensesPerPixelX()) >= std::abs(layout.lensesPerPixelY());
         boxX_ = acrossX ? 1 / std::abs(layout.lensesPerPixelX()) : 1;
@@ -85,7 +87,8 @@ public:
         boxTaps(x * scaleX, boxX_ * scaleX, views_.view(k).width, columns_);
         boxTaps(y * scaleY_, boxY_ * scaleY_, views_.height(), rows_);
         for (std::size_t r = 0; r < rows_.weights.size(); ++r) {
-            const std::uint16_t* at = views_.row(k, rows_.first + static_cast<int>(r)) + static_cast<std::size_t>(columns_.first) * 4;
+            const std::uint16_t* at =
+                views_.row(k, rows_.first + static_cast<int>(r)) + static_cast<std::size_t>(columns_.first) * 4;
             const float rowWeight = weight * rows_.weights[r];
             for (const float columnWeight : columns_.weights) {
                 for (std::size_t c = 0; c < 3; ++c) sum[c] += rowWeight * columnWeight * static_cast<float>(at[c]);
@@ -125,8 +128,8 @@ Interlacer::Interlacer(const PrintLayout& layout, const ViewSet& views)
     : layout_(layout.withoutBorder()), borderX_(layout.borderX()), borderY_(layout.borderY()), views_(views)
 {
     if (views.count() != layout.settings().views) {
-        throw Failure(Blame::usage, "The print is laid out for " + std::to_string(layout.settings().views) + " views, and there are " +
-                                        std::to_string(views.count()) + ".");
+        throw Failure(Blame::usage, "The print is laid out for " + std::to_string(layout.settings().views) +
+                                        " views, and there are " + std::to_string(views.count()) + ".");
     }
     if (layout.settings().compensate) compensation_ = compensation(viewMixing(layout_));
     if (layout_.vertical()) prepareVertical();
@@ -159,7 +162,8 @@ void Interlacer::prepareVertical()
         const double columns = scale / layout_.lensesPerPixelX();
         const int longest = columns <= 1 ? 2 : 2 * ((static_cast<int>(std::ceil(columns)) + 2) / 2);
         for (std::int64_t lens = firstLens; lens <= lastLens; ++lens) {
-            const double axis = (static_cast<double>(lens) - layout_.settings().phase) / layout_.lensesPerPixelX() + printWidth / 2;
+            const double axis =
+                (static_cast<double>(lens) - layout_.settings().phase) / layout_.lensesPerPixelX() + printWidth / 2;
             boxTaps(axis * scale, scale / layout_.lensesPerPixelX(), viewWidth, box);
             if (viewWidth >= longest && static_cast<int>(box.weights.size()) <= longest) {
                 const int back = std::max(0, box.first + longest - viewWidth);
@@ -168,7 +172,8 @@ void Interlacer::prepareVertical()
                 box.weights.resize(std::max(box.weights.size(), static_cast<std::size_t>(longest)), 0.0F);
             }
             if (box.weights.size() % 2 != 0) box.weights.push_back(0);
-            spans_.push_back({box.first, static_cast<int>(box.weights.size() / 2), static_cast<std::uint32_t>(weights_.size())});
+            spans_.push_back(
+                {box.first, static_cast<int>(box.weights.size() / 2), static_cast<std::uint32_t>(weights_.size())});
             for (const float weight : box.weights) weights_.insert(weights_.end(), 4, weight);
         }
     }
@@ -179,7 +184,8 @@ void Interlacer::prepareVertical()
         tapsAt(layout_, static_cast<double>(front) + 0.5, 0, taps);
         for (const Tap& tap : taps) {
             const std::int64_t lens = std::clamp(tap.lens, firstLens, lastLens) - firstLens;
-            taps_.push_back({static_cast<std::uint32_t>(static_cast<std::size_t>(tap.view) * lensCount_ + static_cast<std::size_t>(lens)),
+            taps_.push_back({static_cast<std::uint32_t>(static_cast<std::size_t>(tap.view) * lensCount_ +
+                                                        static_cast<std::size_t>(lens)),
                              static_cast<float>(tap.weight)});
         }
         columnStart_.push_back(static_cast<std::uint32_t>(taps_.size()));
@@ -190,24 +196,29 @@ void Interlacer::interlaceViewRow(int row, const Region& region, Workplace& plac
 {
     for (int k = 0; k < views_.count(); ++k) {
         const std::size_t slot = static_cast<std::size_t>(k) * lensCount_;
-        kernels::filterLenses(views_.row(k, row), spans_.data() + spanStart_[static_cast<std::size_t>(k)], lensCount_, weights_.data(), place.lenses.data() + slot * 4);
+        kernels::filterLenses(views_.row(k, row), spans_.data() + spanStart_[static_cast<std::size_t>(k)], lensCount_,
+                              weights_.data(), place.lenses.data() + slot * 4);
     }
     views_.rowIsRead(row);
     const float* lenses = place.lenses.data();
     if (!compensation_.weights.empty()) {
-        kernels::combineViews(lenses, compensation_.weights.data(), static_cast<std::size_t>(views_.count()), lensCount_, place.compensated.data());
+        kernels::combineViews(lenses, compensation_.weights.data(), static_cast<std::size_t>(views_.count()),
+                              lensCount_, place.compensated.data());
         lenses = place.compensated.data();
     }
-    kernels::mixColumns(lenses, taps_.data(), columnStart_.data() + region.x0, static_cast<std::size_t>(region.x1 - region.x0), out);
+    kernels::mixColumns(lenses, taps_.data(), columnStart_.data() + region.x0,
+                        static_cast<std::size_t>(region.x1 - region.x0), out);
 }
 
 template <typename Code> void Interlacer::fillVertical(const Region& region, Code* out) const
 {
     const std::size_t samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
     const std::size_t lensSamples = lensCount_ * static_cast<std::size_t>(views_.count()) * 4;
-    Workplace place{std::vector<float>(lensSamples), std::vector<float>(compensation_.weights.empty() ? 0 : lensSamples)};
+    Workplace place{std::vector<float>(lensSamples),
+                    std::vector<float>(compensation_.weights.empty() ? 0 : lensSamples)};
     // The two rows of the views that were interlaced last; printed rows come in order, so two are enough.
-    std::array<std::vector<std::uint16_t>, 2> kept{std::vector<std::uint16_t>(samples + 4), std::vector<std::uint16_t>(samples + 4)};
+    std::array<std::vector<std::uint16_t>, 2> kept{std::vector<std::uint16_t>(samples + 4),
+                                                   std::vector<std::uint16_t>(samples + 4)};
     std::array<int, 2> keptRow{-1, -1};
     const auto interlaced = [&](int row) -> const std::uint16_t* {
         const auto slot = static_cast<std::size_t>(row % 2);
@@ -220,7 +231,8 @@ template <typename Code> void Interlacer::fillVertical(const Region& region, Cod
     std::vector<float> sum;
     RowBlend before{-1, 0};
     for (std::int64_t y = region.y0; y < region.y1; ++y, out += samples) {
-        const RowBlend rows = rowBlend(y, layout_.height(), views_.height(), layout_.settings().method == Method::nearest);
+        const RowBlend rows =
+            rowBlend(y, layout_.height(), views_.height(), layout_.settings().method == Method::nearest);
         if (rows.count == 1 && before.count == 1 && rows.first == before.first) {
             std::memcpy(out, out - samples, samples * sizeof(Code));
         } else if (rows.count <= 2 && rows.to == 0) {
@@ -231,7 +243,8 @@ template <typename Code> void Interlacer::fillVertical(const Region& region, Cod
             sum.assign(samples, 0.5F);
             for (int r = rows.first; r < rows.first + rows.count; ++r) {
                 const std::uint16_t* a = interlaced(r);
-                const auto weight = static_cast<float>((std::min<double>(rows.to, r + 1) - std::max<double>(rows.from, r)) / (rows.to - rows.from));
+                const auto weight = static_cast<float>(
+                    (std::min<double>(rows.to, r + 1) - std::max<double>(rows.from, r)) / (rows.to - rows.from));
                 for (std::size_t i = 0; i < samples; ++i) sum[i] += weight * static_cast<float>(a[i]);
             }
             std::vector<std::uint16_t> mean(samples);
@@ -247,7 +260,8 @@ template <typename Code> void Interlacer::fillSlanted(const Region& region, Code
     constexpr std::int64_t rowsBetween = 8;  // Of letting go of rows on disk.
     constexpr double negligible = 1e-5;      // Of a view's weight in another.
     const PrintSettings& settings = layout_.settings();
-    const double pixelsX = layout_.printPitch() * settings.dpiX / mmPerInch * layout_.cosine();  // From lens to lens, across.
+    const double pixelsX =
+        layout_.printPitch() * settings.dpiX / mmPerInch * layout_.cosine();  // From lens to lens, across.
     const double pixelsY = layout_.printPitch() * settings.dpiY / mmPerInch * layout_.sine();
     const std::size_t samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
     std::vector<std::uint16_t> linear(samples);
@@ -300,8 +314,10 @@ template <typename Code> void Interlacer::fillInner(const Region& region, Code* 
             return;
         }
     }
-    if (layout_.vertical()) fillVertical(region, out);
-    else fillSlanted(region, out);
+    if (layout_.vertical())
+        fillVertical(region, out);
+    else
+        fillSlanted(region, out);
 }
 
 template <typename Code> void Interlacer::fillPart(const Region& region, Code* out) const
@@ -310,27 +326,31 @@ template <typename Code> void Interlacer::fillPart(const Region& region, Code* o
     const std::size_t stride = static_cast<std::size_t>(region.x1 - region.x0) * 3;
     std::fill_n(out, stride * static_cast<std::size_t>(region.y1 - region.y0), std::numeric_limits<Code>::max());
     const Region inner{std::max(region.x0 - borderX_, std::int64_t{0}), std::max(region.y0 - borderY_, std::int64_t{0}),
-                       std::min(region.x1 - borderX_, layout_.width()), std::min(region.y1 - borderY_, layout_.height())};
+                       std::min(region.x1 - borderX_, layout_.width()),
+                       std::min(region.y1 - borderY_, layout_.height())};
     if (inner.x0 >= inner.x1 || inner.y0 >= inner.y1) return;
     const std::size_t samples = static_cast<std::size_t>(inner.x1 - inner.x0) * 3;
     std::vector<Code> filled(samples * static_cast<std::size_t>(inner.y1 - inner.y0));
     fillInner(inner, filled.data());
     for (std::int64_t y = inner.y0; y < inner.y1; ++y) {
-        Code* to = out + static_cast<std::size_t>(y + borderY_ - region.y0) * stride + static_cast<std::size_t>(inner.x0 + borderX_ - region.x0) * 3;
+        Code* to = out + static_cast<std::size_t>(y + borderY_ - region.y0) * stride +
+                   static_cast<std::size_t>(inner.x0 + borderX_ - region.x0) * 3;
         std::copy_n(filled.data() + static_cast<std::size_t>(y - inner.y0) * samples, samples, to);
     }
 }
 
 template <typename Code> void Interlacer::fillThreaded(const Region& region, Code* out, int threads) const
 {
-    assert(region.x0 >= 0 && region.y0 >= 0 && region.x1 <= layout_.width() + 2 * borderX_ && region.y1 <= layout_.height() + 2 * borderY_);
+    assert(region.x0 >= 0 && region.y0 >= 0 && region.x1 <= layout_.width() + 2 * borderX_ &&
+           region.y1 <= layout_.height() + 2 * borderY_);
     const std::int64_t rows = region.y1 - region.y0;
     const std::int64_t parts = std::clamp<std::int64_t>(threads, 1, std::max<std::int64_t>(rows, 1));
     const auto work = [&](std::int64_t part) {
         Region own = region;
         own.y0 = region.y0 + rows * part / parts;
         own.y1 = region.y0 + rows * (part + 1) / parts;
-        Code* at = out + static_cast<std::size_t>(own.y0 - region.y0) * static_cast<std::size_t>(region.x1 - region.x0) * 3;
+        Code* at =
+            out + static_cast<std::size_t>(own.y0 - region.y0) * static_cast<std::size_t>(region.x1 - region.x0) * 3;
         fillPart(own, at);
     };
     std::vector<std::jthread> others;

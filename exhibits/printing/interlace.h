@@ -58,15 +58,15 @@ private:
     struct Workplace;
     void interlaceViewRow(int row, const Region&, Workplace&, std::uint16_t* out) const;
 
-    PrintLayout layout_;             ///< Without the border.
+    PrintLayout layout_;  ///< Without the border.
     std::int64_t borderX_, borderY_;
     const ViewSet& views_;
     ViewMatrix compensation_;
     std::size_t lensCount_ = 0;
     std::vector<std::uint32_t> columnStart_;  ///< Into taps_, one more than there are columns.
     std::vector<ColumnTap> taps_;
-    std::vector<LensSpan> spans_;             ///< Per lens, for every width that views have.
-    std::vector<std::size_t> spanStart_;      ///< Per view, into spans_.
+    std::vector<LensSpan> spans_;         ///< Per lens, for every width that views have.
+    std::vector<std::size_t> spanStart_;  ///< Per view, into spans_.
     std::vector<float> weights_;
 };
 

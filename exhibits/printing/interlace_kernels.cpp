@@ -39,7 +39,8 @@ constexpr std::size_t ahead = 4096;
 
 /// `pairs` is that of every span, or 0 when they differ: a known count needs no guessing of branches.
 template <int pairs>
-void filterLensesPlain(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count, const float* weights, float* lenses)
+void filterLensesPlain(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count,
+                       const float* weights, float* lenses)
 {
     for (std::size_t i = 0; i < count; ++i) {
         const Interlacer::LensSpan span = spans[i];
@@ -61,7 +62,8 @@ void filterLensesPlain(const std::uint16_t* row, const Interlacer::LensSpan* spa
 #if defined(VITRINE_AVX2)
 /// By hand: the compiler takes vectors of eight apart before it knows that there are such.
 template <int pairs>
-VITRINE_AVX2 void filterLensesAvx2(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count, const float* weights, float* lenses)
+VITRINE_AVX2 void filterLensesAvx2(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count,
+                                   const float* weights, float* lenses)
 {
     for (std::size_t i = 0; i < count; ++i) {
         const Interlacer::LensSpan span = spans[i];
@@ -81,7 +83,8 @@ const bool avx2 = __builtin_cpu_supports("avx2") != 0;
 #endif
 
 template <int pairs>
-void filterLensesOf(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count, const float* weights, float* lenses)
+void filterLensesOf(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count,
+                    const float* weights, float* lenses)
 {
 #if defined(VITRINE_AVX2)
     if (avx2) return filterLensesAvx2<pairs>(row, spans, count, weights, lenses);
@@ -89,8 +92,8 @@ void filterLensesOf(const std::uint16_t* row, const Interlacer::LensSpan* spans,
     filterLensesPlain<pairs>(row, spans, count, weights, lenses);
 }
 
-[[gnu::always_inline]] inline void mixColumnsBody(const float* lenses, const Interlacer::ColumnTap* taps, const std::uint32_t* start,
-                                                  std::size_t columns, std::uint16_t* out)
+[[gnu::always_inline]] inline void mixColumnsBody(const float* lenses, const Interlacer::ColumnTap* taps,
+                                                  const std::uint32_t* start, std::size_t columns, std::uint16_t* out)
 {
     for (std::size_t x = 0; x < columns; ++x) {
         const Interlacer::ColumnTap* tap = taps + start[x];
@@ -106,7 +109,8 @@ constexpr std::size_t chunk = 512;
 
 /// The samples of a + (b - a) part / 65536, rounded towards a so that equal samples stay as they are, without
 /// their lowest `drop` bits.
-void blend(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, int drop, std::size_t count, std::uint16_t* out)
+void blend(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, int drop, std::size_t count,
+           std::uint16_t* out)
 {
     std::size_t i = 0;
 #if defined(__x86_64__)
@@ -124,7 +128,8 @@ void blend(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, i
     for (; i < count; ++i) {
         const std::uint32_t from = a[i];
         const std::uint32_t to = b[i];
-        const std::uint32_t mixed = to > from ? from + (((to - from) * part) >> 16U) : from - (((from - to) * part) >> 16U);
+        const std::uint32_t mixed =
+            to > from ? from + (((to - from) * part) >> 16U) : from - (((from - to) * part) >> 16U);
         out[i] = static_cast<std::uint16_t>(mixed >> static_cast<unsigned>(drop));
     }
 }
@@ -137,7 +142,8 @@ const Codes8& codes8()
 {
     static const auto table = [] {
         Codes8 t{};
-        for (std::size_t i = 0; i < t.size(); ++i) t.at(i) = render::srgb8FromLinear(static_cast<float>((static_cast<double>(i << dropped) + 3.5) / 65535));
+        for (std::size_t i = 0; i < t.size(); ++i)
+            t.at(i) = render::srgb8FromLinear(static_cast<float>((static_cast<double>(i << dropped) + 3.5) / 65535));
         return t;
     }();
     return table;
@@ -147,13 +153,16 @@ const std::array<std::uint16_t, 65536>& codes16()
 {
     static const auto table = [] {
         auto t = std::make_unique<std::array<std::uint16_t, 65536>>();
-        for (std::size_t i = 0; i < t->size(); ++i) t->at(i) = render::srgb16FromLinear(static_cast<float>(static_cast<double>(i) / 65535));
+        for (std::size_t i = 0; i < t->size(); ++i)
+            t->at(i) = render::srgb16FromLinear(static_cast<float>(static_cast<double>(i) / 65535));
         return t;
     }();
     return *table;
 }
 
-template <typename Code> void blendAndLookUp(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, int drop, const Code* table, std::size_t count, Code* out)
+template <typename Code>
+void blendAndLookUp(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, int drop, const Code* table,
+                    std::size_t count, Code* out)
 {
     std::array<std::uint16_t, chunk> mixed;
     for (std::size_t at = 0; at < count; at += chunk) {
@@ -169,7 +178,8 @@ template <typename Code> void blendAndLookUp(const std::uint16_t* a, const std::
 }
 
 #if defined(VITRINE_AVX2)
-VITRINE_AVX2 void mixColumnsAvx2(const float* lenses, const Interlacer::ColumnTap* taps, const std::uint32_t* start, std::size_t columns, std::uint16_t* out)
+VITRINE_AVX2 void mixColumnsAvx2(const float* lenses, const Interlacer::ColumnTap* taps, const std::uint32_t* start,
+                                 std::size_t columns, std::uint16_t* out)
 {
     mixColumnsBody(lenses, taps, start, columns, out);
 }
@@ -177,7 +187,8 @@ VITRINE_AVX2 void mixColumnsAvx2(const float* lenses, const Interlacer::ColumnTa
 
 }  // namespace
 
-void filterLenses(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count, const float* weights, float* lenses)
+void filterLenses(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count, const float* weights,
+                  float* lenses)
 {
     bool alike = true;
     for (std::size_t i = 1; i < count; ++i) alike = alike && spans[i].pairs == spans[0].pairs;
@@ -204,7 +215,8 @@ void combineViews(const float* lenses, const double* matrix, std::size_t views, 
     }
 }
 
-void mixColumns(const float* lenses, const Interlacer::ColumnTap* taps, const std::uint32_t* start, std::size_t columns, std::uint16_t* out)
+void mixColumns(const float* lenses, const Interlacer::ColumnTap* taps, const std::uint32_t* start, std::size_t columns,
+                std::uint16_t* out)
 {
 #if defined(VITRINE_AVX2)
     if (avx2) return mixColumnsAvx2(lenses, taps, start, columns, out);
@@ -212,12 +224,14 @@ void mixColumns(const float* lenses, const Interlacer::ColumnTap* taps, const st
     mixColumnsBody(lenses, taps, start, columns, out);
 }
 
-void blendAndEncode(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count, std::uint8_t* out)
+void blendAndEncode(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count,
+                    std::uint8_t* out)
 {
     blendAndLookUp(a, b, part, dropped, codes8().data(), count, out);
 }
 
-void blendAndEncode(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count, std::uint16_t* out)
+void blendAndEncode(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count,
+                    std::uint16_t* out)
 {
     blendAndLookUp(a, b, part, 0, codes16().data(), count, out);
 }

@@ -20,8 +20,8 @@ std::int64_t stripRows(std::int64_t width)
 }
 
 template <typename Code>
-void writeColumns(const PrintLayout& layout, const std::function<void(const Region&, Code*)>& make, const PrintFile& file, std::int64_t x0,
-                  std::int64_t x1, render::PictureStream& out)
+void writeColumns(const PrintLayout& layout, const std::function<void(const Region&, Code*)>& make,
+                  const PrintFile& file, std::int64_t x0, std::int64_t x1, render::PictureStream& out)
 {
     const std::int64_t height = layout.height();
     const std::int64_t rows = std::min(stripRows(x1 - x0), height);
@@ -33,14 +33,18 @@ void writeColumns(const PrintLayout& layout, const std::function<void(const Regi
         const std::int64_t end = std::min(y + rows, height);
         std::future<void> making;
         if (end < height) {
-            making = std::async(std::launch::async, [&, end] { make({x0, end, x1, std::min(end + rows, height)}, next.data()); });
+            making = std::async(std::launch::async, [&, end] {
+                make({x0, end, x1, std::min(end + rows, height)}, next.data());
+            });
         }
         out.write(written.data(), end - y);
         if (making.valid()) making.get();
         std::swap(written, next);
-        const double share = (static_cast<double>(x0) + static_cast<double>(x1 - x0) * static_cast<double>(end) / static_cast<double>(height)) /
+        const double share = (static_cast<double>(x0) +
+                              static_cast<double>(x1 - x0) * static_cast<double>(end) / static_cast<double>(height)) /
                              static_cast<double>(layout.width());
-        if (file.progress && !file.progress(share)) throw Failure(Blame::usage, "Writing " + file.path.string() + " was stopped; nothing was changed.");
+        if (file.progress && !file.progress(share))
+            throw Failure(Blame::usage, "Writing " + file.path.string() + " was stopped; nothing was changed.");
     }
     out.finish();
 }
@@ -65,21 +69,25 @@ std::vector<std::int64_t> tileCuts(const PrintLayout& layout, double tileWidth)
     if (!layout.vertical()) throw Failure(Blame::usage, "Only prints with vertical lenses can be cut into tiles.");
     const double lenses = tileWidth / layout.printPitch();
     if (!(lenses >= 1) || !std::isfinite(lenses)) {
-        throw Failure(Blame::usage, "Tiles of " + shortText(tileWidth) + " mm are narrower than a lens, " + shortText(layout.printPitch()) + " mm.");
+        throw Failure(Blame::usage, "Tiles of " + shortText(tileWidth) + " mm are narrower than a lens, " +
+                                        shortText(layout.printPitch()) + " mm.");
     }
     std::vector<std::int64_t> cuts{0};
     const double tile = tileWidth / mmPerInch * layout.settings().dpiX;
     for (double at = tile; at < static_cast<double>(layout.width()); at += tile) {
         const double cusp = std::round(layout.lensAt(at, 0));
         const double x = (cusp - layout.lensAt(0, 0)) / layout.lensesPerPixelX();
-        const std::int64_t column = layout.settings().mirror ? layout.width() - std::llround(static_cast<double>(layout.width()) - x) : std::llround(x);
+        const std::int64_t column = layout.settings().mirror
+                                        ? layout.width() - std::llround(static_cast<double>(layout.width()) - x)
+                                        : std::llround(x);
         if (column > cuts.back() && column < layout.width()) cuts.push_back(column);
     }
     cuts.push_back(layout.width());
     return cuts;
 }
 
-std::vector<std::filesystem::path> writeRaster(const PrintLayout& layout, const RasterSource& source, const PrintFile& file)
+std::vector<std::filesystem::path> writeRaster(const PrintLayout& layout, const RasterSource& source,
+                                               const PrintFile& file)
 {
     const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
     const PrintSettings& settings = layout.settings();
@@ -87,11 +95,14 @@ std::vector<std::filesystem::path> writeRaster(const PrintLayout& layout, const 
     std::vector<std::unique_ptr<render::PictureStream>> streams;
     for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile) {
         paths.push_back(cuts.size() == 2 ? file.path : tilePath(file.path, tile));
-        const render::StreamSpec spec{cuts[tile + 1] - cuts[tile], layout.height(), file.bits, settings.dpiX, settings.dpiY, file.compression,
-                                      layout.vertical(), file.json, file.profile};
+        const render::StreamSpec spec{
+            cuts[tile + 1] - cuts[tile], layout.height(), file.bits,   settings.dpiX, settings.dpiY, file.compression,
+            layout.vertical(),           file.json,       file.profile};
         streams.push_back(std::make_unique<render::PictureStream>(paths.back(), spec));
-        if (file.bits == 16) writeColumns<std::uint16_t>(layout, source.sixteen, file, cuts[tile], cuts[tile + 1], *streams.back());
-        else writeColumns<std::uint8_t>(layout, source.eight, file, cuts[tile], cuts[tile + 1], *streams.back());
+        if (file.bits == 16)
+            writeColumns<std::uint16_t>(layout, source.sixteen, file, cuts[tile], cuts[tile + 1], *streams.back());
+        else
+            writeColumns<std::uint8_t>(layout, source.eight, file, cuts[tile], cuts[tile + 1], *streams.back());
     }
     for (const auto& stream : streams) stream->publish();
     if (!file.json.empty())

@@ -14,10 +14,10 @@ namespace vitrine::printing {
 /// Where and how a raster is written.
 struct PrintFile {
     std::filesystem::path path{};
-    int bits = 8;                 ///< 8 or 16.
+    int bits = 8;  ///< 8 or 16.
     render::StreamCompression compression = render::StreamCompression::none;
-    double tileWidth = 0;         ///< In millimeters: cut into files of about this width at cusps; 0: one file.
-    std::string profile{};        ///< ICC profile of the views.
+    double tileWidth = 0;   ///< In millimeters: cut into files of about this width at cusps; 0: one file.
+    std::string profile{};  ///< ICC profile of the views.
     std::string json{};
     int threads = 1;
     std::function<bool(double)> progress{};  ///< Told the part that is done, 0 to 1; false stops.

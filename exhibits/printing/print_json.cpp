@@ -28,12 +28,18 @@ public:
         const Json& root = document_.root();
         const auto outer = root.is_object() ? root.find(group) : root.end();
         if (!root.is_object() || outer == root.end() || !outer->is_object() || !outer->contains(key)) {
-            throw document_.failure(group, "\"" + key + "\" is missing: this does not describe a lenticular print; give a print, or the JSON beside it.");
+            throw document_.failure(
+                group,
+                "\"" + key +
+                    "\" is missing: this does not describe a lenticular print; give a print, or the JSON beside it.");
         }
         return (*outer)[key];
     }
     /// Of a group that `at` has found.
-    [[nodiscard]] bool has(const std::string& group, const std::string& key) const { return document_.root()[group].contains(key); }
+    [[nodiscard]] bool has(const std::string& group, const std::string& key) const
+    {
+        return document_.root()[group].contains(key);
+    }
     [[nodiscard]] double number(const std::string& group, const std::string& key) const
     {
         const Json& value = at(group, key);
@@ -43,7 +49,8 @@ public:
     [[nodiscard]] bool flag(const std::string& group, const std::string& key) const
     {
         const Json& value = at(group, key);
-        if (!value.is_boolean()) throw document_.failure(group + "." + key, "this must be true or false; correct it there.");
+        if (!value.is_boolean())
+            throw document_.failure(group + "." + key, "this must be true or false; correct it there.");
         return value.get<bool>();
     }
 
@@ -55,8 +62,9 @@ private:
 bool samePrint(const PrintSettings& a, const PrintSettings& b)
 {
     const auto all = [](const PrintSettings& s) {
-        return std::tuple(s.dpiX, s.dpiY, s.width, s.height, s.bleed, s.distance, s.visualLpi, s.phase, s.direction, s.reverse, s.mirror, s.views, s.method,
-                          s.guard, s.border, s.dither, s.compensate, s.inkSpread);
+        return std::tuple(s.dpiX, s.dpiY, s.width, s.height, s.bleed, s.distance, s.visualLpi, s.phase, s.direction,
+                          s.reverse, s.mirror, s.views, s.method, s.guard, s.border, s.dither, s.compensate,
+                          s.inkSpread);
     };
     return all(a) == all(b);
 }
@@ -68,7 +76,8 @@ void addValues(const render::JsonDocument& document, SavedSettings& settings)
     const render::Json& root = document.root();
     if (!root.is_object() || !root.contains("desk")) return;
     const render::Json& desk = root["desk"];
-    if (!desk.is_object() || !desk.contains("values") || !desk["values"].is_object()) throw document.failure("desk", "this must be an object with \"values\"; correct it there.");
+    if (!desk.is_object() || !desk.contains("values") || !desk["values"].is_object())
+        throw document.failure("desk", "this must be an object with \"values\"; correct it there.");
     for (const auto& [key, json] : desk["values"].items()) {
         const auto row = table.find(key);
         if (!row) {
@@ -79,9 +88,11 @@ void addValues(const render::JsonDocument& document, SavedSettings& settings)
         settings.values.setRow(*row, valueFromJson(table.rows()[*row], json, place, key, settings.notes));
     }
     if (!desk.contains("files")) return;
-    if (!desk["files"].is_array()) throw document.failure("desk.files", "this must be a list of file names; correct it there.");
+    if (!desk["files"].is_array())
+        throw document.failure("desk.files", "this must be a list of file names; correct it there.");
     for (const render::Json& file : desk["files"]) {
-        if (!file.is_string()) throw document.failure("desk.files", "this must be a list of file names; correct it there.");
+        if (!file.is_string())
+            throw document.failure("desk.files", "this must be a list of file names; correct it there.");
         settings.sources.push_back(file.get<std::string>());
     }
 }
@@ -94,8 +105,10 @@ Json printJson(const PrintLayout& layout, double storedDpiX, const std::vector<s
     const PrintNumbers numbers = numbersOf(layout, storedDpiX);
     Json json;
     json["vitrinePrint"] = version;
-    json["sheet"] = {{"name", s.sheet.name},     {"nominalLpi", s.sheet.nominalLpi}, {"effectiveLpi", s.sheet.effectiveLpi}, {"radius", s.sheet.radius},
-                     {"thickness", s.sheet.thickness}, {"index", s.sheet.index},   {"conic", s.sheet.conic}};
+    json["sheet"] = {
+        {"name", s.sheet.name},     {"nominalLpi", s.sheet.nominalLpi}, {"effectiveLpi", s.sheet.effectiveLpi},
+        {"radius", s.sheet.radius}, {"thickness", s.sheet.thickness},   {"index", s.sheet.index},
+        {"conic", s.sheet.conic}};
     json["print"] = {{"dpiX", s.dpiX},
                      {"dpiY", s.dpiY},
                      {"width", s.width},
@@ -152,14 +165,16 @@ PrintSettings settingsFromJson(const render::JsonDocument& document)
     s.width = read.number("print", "width");
     s.height = read.number("print", "height");
     s.bleed = read.number("print", "bleed");
-    s.distance = read.at("print", "distance").is_null() ? std::numeric_limits<double>::infinity() : read.number("print", "distance");
+    s.distance = read.at("print", "distance").is_null() ? std::numeric_limits<double>::infinity()
+                                                        : read.number("print", "distance");
     s.visualLpi = read.number("print", "visualLpi");
     s.phase = read.number("print", "phase");
     s.direction = read.number("print", "direction");
     s.reverse = read.flag("print", "reverse");
     s.mirror = read.flag("print", "mirror");
     const double views = read.number("print", "views");
-    if (!(views >= 1 && views <= mostViews)) throw document.failure("print.views", "this must be 1 to 256; correct it there.");
+    if (!(views >= 1 && views <= mostViews))
+        throw document.failure("print.views", "this must be 1 to 256; correct it there.");
     s.views = static_cast<int>(views);
     const Json& method = read.at("print", "method");
     for (const Method known : {Method::nearest, Method::area, Method::guard})
@@ -177,7 +192,8 @@ Json valuesJson(const ParameterValues& values, const std::vector<std::string>& s
 {
     Json changed = Json::object();
     for (std::size_t i = 0; i < values.rows().size(); ++i)
-        if (!values.isInitial(i)) changed[std::string(values.rows()[i].name)] = jsonFromValue(values.rows()[i], values.row(i));
+        if (!values.isInitial(i))
+            changed[std::string(values.rows()[i].name)] = jsonFromValue(values.rows()[i], values.row(i));
     return {{"values", changed}, {"files", sources}};
 }
 
@@ -188,7 +204,8 @@ std::string settingsText(const ParameterValues& values, const std::vector<std::s
         const PrintLayout layout(printSettings(values, values[printTable().views]));
         json = printJson(layout, layout.settings().dpiX, sources);
     } catch (const Failure&) {
-        json["vitrinePrint"] = version;  // Settings that cannot be are kept all the same: someone is in the middle of them.
+        json["vitrinePrint"] =
+            version;  // Settings that cannot be are kept all the same: someone is in the middle of them.
     }
     json["desk"] = valuesJson(values, sources);
     return render::writeJson(json);
@@ -198,7 +215,9 @@ SavedSettings savedSettings(const std::string& text, const std::string& fileName
 {
     const render::JsonDocument document = render::parseJson(text, fileName, {.bytes = mostJsonBytes});
     if (!document.root().is_object() || document.root().value("vitrinePrint", Json()) != version) {
-        throw document.failure("vitrinePrint", "this does not describe a lenticular print of version 1; give a print, or the JSON beside it.");
+        throw document.failure(
+            "vitrinePrint",
+            "this does not describe a lenticular print of version 1; give a print, or the JSON beside it.");
     }
     SavedSettings settings{printTable().initial(), {}, {}};
     addValues(document, settings);

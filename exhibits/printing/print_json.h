@@ -20,8 +20,8 @@ namespace vitrine::printing {
 /// The settings in such a text, which comes from a file. Throws Failure naming line and key.
 [[nodiscard]] PrintSettings settingsFromJson(const render::JsonDocument&);
 
-/// The values that differ from the initial ones, by name, and where the views came from: under "desk" in a print's JSON,
-/// so that a print brings back everything that was set.
+/// The values that differ from the initial ones, by name, and where the views came from: under "desk" in a print's
+/// JSON, so that a print brings back everything that was set.
 [[nodiscard]] render::Json valuesJson(const ParameterValues&, const std::vector<std::string>& sources);
 
 /// Everything that is set, as a print's own JSON has it.

@@ -20,37 +20,47 @@ constexpr double mostPixels = 2147483647;  // Per side; PNG and TIFF end there.
 
 void requirePositive(double value, const char* what)
 {
-    if (!(value > 0) || !std::isfinite(value)) refuse(std::string(what) + " is " + shortText(value) + "; give a positive number");
+    if (!(value > 0) || !std::isfinite(value))
+        refuse(std::string(what) + " is " + shortText(value) + "; give a positive number");
 }
 
 std::int64_t pixels(double mm, double dpi, const char* what)
 {
     const double count = std::round(mm / mmPerInch * dpi);
     if (count < 1) refuse(std::string("the ") + what + " is less than a pixel");
-    if (count > mostPixels) refuse(std::string("the ") + what + " is " + shortText(count) + " pixels; picture files end at 2147483647");
+    if (count > mostPixels)
+        refuse(std::string("the ") + what + " is " + shortText(count) + " pixels; picture files end at 2147483647");
     return static_cast<std::int64_t>(count);
 }
 
 void checkSettings(const PrintSettings& s)
 {
     if (s.views < 1) refuse("there are no views");
-    if (s.views > mostViews) refuse("there are " + std::to_string(s.views) + " views, and " + std::to_string(mostViews) + " is the most");
+    if (s.views > mostViews)
+        refuse("there are " + std::to_string(s.views) + " views, and " + std::to_string(mostViews) + " is the most");
     check(s.sheet);
     requirePositive(s.dpiX, "dpi");
     requirePositive(s.dpiY, "dpi-y");
     requirePositive(s.width, "the width");
     requirePositive(s.height, "the height");
     if (!(s.bleed >= 0) || !std::isfinite(s.bleed)) refuse("the bleed is " + shortText(s.bleed) + "; give 0 or more");
-    if (!(s.border >= 0) || !std::isfinite(s.border)) refuse("the border is " + shortText(s.border) + "; give 0 or more");
-    if (!(s.inkSpread >= 0) || !std::isfinite(s.inkSpread)) refuse("the ink's spread is " + shortText(s.inkSpread) + "; give 0 or more");
+    if (!(s.border >= 0) || !std::isfinite(s.border))
+        refuse("the border is " + shortText(s.border) + "; give 0 or more");
+    if (!(s.inkSpread >= 0) || !std::isfinite(s.inkSpread))
+        refuse("the ink's spread is " + shortText(s.inkSpread) + "; give 0 or more");
     if (std::isnan(s.distance) || s.distance <= s.sheet.thickness) {
-        refuse("the viewing distance is " + shortText(s.distance) + " mm; the eye must be farther away than the sheet is thick, " +
-               shortText(s.sheet.thickness) + " mm");
+        refuse("the viewing distance is " + shortText(s.distance) +
+               " mm; the eye must be farther away than the sheet is thick, " + shortText(s.sheet.thickness) + " mm");
     }
-    if (!(s.visualLpi >= 0) || !std::isfinite(s.visualLpi)) refuse("the visual LPI is " + shortText(s.visualLpi) + "; give lenses per inch, or 0 to let the viewing distance decide");
-    if (!std::isfinite(s.phase) || std::abs(s.phase) > 1e6) refuse("the phase is " + shortText(s.phase) + "; give a part of a lens, 0 to 1");
-    if (!(std::abs(s.direction) <= 90)) refuse("the direction is " + shortText(s.direction) + " degrees; give -90 to 90");
-    if (!(s.guard >= 0 && s.guard <= 1)) refuse("the guard is " + shortText(s.guard) + "; give a part of a strip, 0 to 1");
+    if (!(s.visualLpi >= 0) || !std::isfinite(s.visualLpi))
+        refuse("the visual LPI is " + shortText(s.visualLpi) +
+               "; give lenses per inch, or 0 to let the viewing distance decide");
+    if (!std::isfinite(s.phase) || std::abs(s.phase) > 1e6)
+        refuse("the phase is " + shortText(s.phase) + "; give a part of a lens, 0 to 1");
+    if (!(std::abs(s.direction) <= 90))
+        refuse("the direction is " + shortText(s.direction) + " degrees; give -90 to 90");
+    if (!(s.guard >= 0 && s.guard <= 1))
+        refuse("the guard is " + shortText(s.guard) + "; give a part of a strip, 0 to 1");
 }
 
 }  // namespace
@@ -81,8 +91,10 @@ PrintLayout::PrintLayout(const PrintSettings& settings) : settings_(settings)
     borderY_ = std::llround(std::min(settings_.border / mmPerInch * settings_.dpiY, mostPixels));
     width_ += 2 * borderX_;
     height_ += 2 * borderY_;
-    if (static_cast<double>(std::max(width_, height_)) > mostPixels) refuse("with its border it has more than 2147483647 pixels on a side");
-    pitch_ = settings_.visualLpi > 0 ? mmPerInch / settings_.visualLpi : vitrine::printing::printPitch(settings_.sheet, settings_.distance);
+    if (static_cast<double>(std::max(width_, height_)) > mostPixels)
+        refuse("with its border it has more than 2147483647 pixels on a side");
+    pitch_ = settings_.visualLpi > 0 ? mmPerInch / settings_.visualLpi
+                                     : vitrine::printing::printPitch(settings_.sheet, settings_.distance);
     // The two directions that nearly all prints have are exact: no 6e-17 where 0 is meant.
     const bool horizontal = std::abs(settings_.direction) == 90;
     cos_ = horizontal ? 0 : std::cos(settings_.direction * radiansPerDegree);
@@ -136,12 +148,14 @@ std::vector<std::string> warningsOf(const PrintLayout& layout)
     if (perLens < 2) {
         warnings.push_back("With " + shortText(perLens) + " pixels per lens the printer cannot separate views.");
     } else if (s.views > perLens) {
-        warnings.push_back(std::to_string(s.views) + " views share " + shortText(perLens) + " pixels per lens: no more than " +
-                           shortText(std::floor(perLens)) + " of them can be told apart.");
+        warnings.push_back(std::to_string(s.views) + " views share " + shortText(perLens) +
+                           " pixels per lens: no more than " + shortText(std::floor(perLens)) +
+                           " of them can be told apart.");
     }
     if (s.views == 1) warnings.push_back("With one view the print shows the same picture from everywhere.");
     if (s.visualLpi > 0 && std::abs(s.visualLpi / s.sheet.lpi() - 1) > 0.02) {
-        warnings.push_back("The visual LPI " + shortText(s.visualLpi) + " is far from the sheet's " + shortText(s.sheet.lpi()) + ".");
+        warnings.push_back("The visual LPI " + shortText(s.visualLpi) + " is far from the sheet's " +
+                           shortText(s.sheet.lpi()) + ".");
     }
     return warnings;
 }

@@ -25,18 +25,18 @@ struct PrintSettings {
     double width = 100, height = 100;  ///< After trimming.
     double bleed = 0;                  ///< Beyond the trim on every side; lenses and views go on there.
     double distance = std::numeric_limits<double>::infinity();  ///< From the lens tops to the eye.
-    double visualLpi = 0;   ///< Lenses per inch read from a pitch chart at that distance; 0: follows from the distance.
-    double phase = 0;       ///< Of the strips under the lenses, in lenses.
-    double direction = 0;   ///< Of the lenses: 0 vertical, 90 horizontal, between them slanted, in degrees.
-    bool reverse = false;   ///< The first view on the left under each lens instead of on the right.
-    bool mirror = false;    ///< For printing on the sheet's back.
+    double visualLpi = 0;  ///< Lenses per inch read from a pitch chart at that distance; 0: follows from the distance.
+    double phase = 0;      ///< Of the strips under the lenses, in lenses.
+    double direction = 0;  ///< Of the lenses: 0 vertical, 90 horizontal, between them slanted, in degrees.
+    bool reverse = false;  ///< The first view on the left under each lens instead of on the right.
+    bool mirror = false;   ///< For printing on the sheet's back.
     int views = 1;
     Method method = Method::area;
-    double guard = 0.25;    ///< Share of a strip that its two blended edges take (method guard).
-    double border = 0;      ///< White paper around trim and bleed, on every side.
-    bool dither = false;    ///< Of 8-bit prints; 16 bits need none.
+    double guard = 0.25;      ///< Share of a strip that its two blended edges take (method guard).
+    double border = 0;        ///< White paper around trim and bleed, on every side.
+    bool dither = false;      ///< Of 8-bit prints; 16 bits need none.
     bool compensate = false;  ///< For the cross-talk of the sheet, see `compensation`.
-    double inkSpread = 0;   ///< Standard deviation of a printed point, for cross-talk.
+    double inkSpread = 0;     ///< Standard deviation of a printed point, for cross-talk.
 };
 
 constexpr int mostViews = 256;
@@ -51,21 +51,22 @@ public:
     explicit PrintLayout(const PrintSettings&);
 
     [[nodiscard]] const PrintSettings& settings() const { return settings_; }
-    [[nodiscard]] std::int64_t width() const { return width_; }    ///< Pixels, bleed and border included.
+    [[nodiscard]] std::int64_t width() const { return width_; }  ///< Pixels, bleed and border included.
     [[nodiscard]] std::int64_t height() const { return height_; }
     [[nodiscard]] std::int64_t borderX() const { return borderX_; }  ///< Pixels of white on the left, and on the right.
     [[nodiscard]] std::int64_t borderY() const { return borderY_; }
     /// The same print, cut along its border: its pixel (x, y) is (x + borderX, y + borderY) of this one.
     [[nodiscard]] PrintLayout withoutBorder() const;
-    [[nodiscard]] double printPitch() const { return pitch_; }     ///< Millimeters between strips of the same view.
+    [[nodiscard]] double printPitch() const { return pitch_; }  ///< Millimeters between strips of the same view.
     [[nodiscard]] double printLpi() const { return 25.4 / pitch_; }
-    [[nodiscard]] double pixelsPerLens() const;                    ///< Along the row or column, whichever crosses more lenses.
+    [[nodiscard]] double pixelsPerLens() const;  ///< Along the row or column, whichever crosses more lenses.
 
     /// Lenses at a place on the raster, in pixels from its top left corner: the integer part counts lenses, the
     /// fraction says where under the lens, 0.5 on its axis. A lens axis runs through the middle of the print.
     [[nodiscard]] double lensAt(double x, double y) const
     {
-        return (x - 0.5 * static_cast<double>(width_)) * perX_ + (y - 0.5 * static_cast<double>(height_)) * perY_ + 0.5 + settings_.phase;
+        return (x - 0.5 * static_cast<double>(width_)) * perX_ + (y - 0.5 * static_cast<double>(height_)) * perY_ +
+               0.5 + settings_.phase;
     }
     [[nodiscard]] double lensesPerPixelX() const { return perX_; }  ///< Exactly 0 for horizontal lenses.
     [[nodiscard]] double lensesPerPixelY() const { return perY_; }  ///< Exactly 0 for vertical lenses.
@@ -95,11 +96,11 @@ private:
 /// What a printer and a visitor want to know.
 struct PrintNumbers {
     double pixelsPerLens = 0;
-    double effectiveLpi = 0;      ///< Of the strips, with the dpi that the file stores.
-    double effectiveViews = 0;    ///< No more than pixels per lens.
-    double zoneDegrees = 0;       ///< Exact, by the mean over the lens.
-    double depthBudget = 0;       ///< Millimeters before and behind the print without doubled contours, together.
-    std::vector<double> ownShare; ///< Per view, at its own angle: the rest is cross-talk. Optics, pixels and ink.
+    double effectiveLpi = 0;       ///< Of the strips, with the dpi that the file stores.
+    double effectiveViews = 0;     ///< No more than pixels per lens.
+    double zoneDegrees = 0;        ///< Exact, by the mean over the lens.
+    double depthBudget = 0;        ///< Millimeters before and behind the print without doubled contours, together.
+    std::vector<double> ownShare;  ///< Per view, at its own angle: the rest is cross-talk. Optics, pixels and ink.
 };
 /// `storedDpi` is the resolution along the row as the file will say it.
 [[nodiscard]] PrintNumbers numbersOf(const PrintLayout&, double storedDpi);

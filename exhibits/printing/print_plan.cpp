@@ -35,26 +35,32 @@ Chart chartOf(const ParameterValues& values, const PrintLayout& layout)
 /// In millimeters; 0: one file.
 double tileWidth(const ParameterValues& values)
 {
-    return values[printTable().direction] == 0 ? values[printTable().tileWidth] * 1000 : 0;  // Only upright lenses can be cut between.
+    return values[printTable().direction] == 0 ? values[printTable().tileWidth] * 1000
+                                               : 0;  // Only upright lenses can be cut between.
 }
 
 }  // namespace
 
-PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, bool chart, const std::filesystem::path& path)
+PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, bool chart,
+                    const std::filesystem::path& path)
 {
     PrintPlan plan;
     try {
         const PrintLayout layout = chart ? chartLayout(values) : layoutOf(values, views);
-        if (chart) static_cast<void>(chartOf(values, layout));
-        else static_cast<void>(tileCuts(layout, tileWidth(values)));
+        if (chart)
+            static_cast<void>(chartOf(values, layout));
+        else
+            static_cast<void>(tileCuts(layout, tileWidth(values)));
         plan.numbers = numbersOf(layout, render::storedDpi(path, layout.settings().dpiX));
         plan.warnings = warningsOf(layout);
         const bool upright = std::abs(values[printTable().direction]) < std::numbers::pi / 4;
         if (!chart && upright && plan.numbers.zoneDegrees > flipZone)
-            plan.warnings.emplace_back("This sheet is made for flips, and its lenses stand upright: each eye sees another picture. For a flip, lay them across (direction 90°).");
+            plan.warnings.emplace_back("This sheet is made for flips, and its lenses stand upright: each eye sees "
+                                       "another picture. For a flip, lay them across (direction 90°).");
         const std::string stretched = !chart && views ? stretchWarning(layout, views->full()) : std::string();
         if (!stretched.empty()) plan.warnings.push_back(stretched);
-        plan.bytes = static_cast<double>(layout.width()) * static_cast<double>(layout.height()) * 3 * (values[printTable().bits] == 0 ? 1 : 2);
+        plan.bytes = static_cast<double>(layout.width()) * static_cast<double>(layout.height()) * 3 *
+                     (values[printTable().bits] == 0 ? 1 : 2);
         plan.layout = layout;
     } catch (const Failure& failure) {
         plan = {};
@@ -73,7 +79,8 @@ std::shared_ptr<const PrintPreview> printPreview(const ParameterValues& values, 
     return std::make_shared<PrintPreview>(layout, chartOf(values, layout));
 }
 
-std::vector<std::filesystem::path> exportPrint(const ParameterValues& values, const PrintViews* views, const std::vector<std::string>& sources,
+std::vector<std::filesystem::path> exportPrint(const ParameterValues& values, const PrintViews* views,
+                                               const std::vector<std::string>& sources,
                                                const std::filesystem::path& path, const Progress& progress)
 {
     const PrintTable& table = printTable();
@@ -87,7 +94,8 @@ std::vector<std::filesystem::path> exportPrint(const ParameterValues& values, co
     file.progress = progress;
     render::Json json = printJson(layout, render::storedDpi(path, layout.settings().dpiX), sources);
     json["desk"] = valuesJson(values, sources);
-    if (views && !views->look().empty()) json["scene"] = {{"preset", render::parseJson(views->look(), "the look").root()}};
+    if (views && !views->look().empty())
+        json["scene"] = {{"preset", render::parseJson(views->look(), "the look").root()}};
     file.json = render::writeJson(json);
     if (!views) return writeChart(layout, chartOf(values, layout), file);
     file.profile = views->profile();

@@ -25,11 +25,13 @@ struct PrintPlan {
 [[nodiscard]] PrintPlan printPlan(const ParameterValues&, const PrintViews*, bool chart, const std::filesystem::path&);
 
 /// Throws Failure as `printPlan` refuses. Without views, a preview of the chart.
-[[nodiscard]] std::shared_ptr<const PrintPreview> printPreview(const ParameterValues&, std::shared_ptr<const PrintViews>);
+[[nodiscard]] std::shared_ptr<const PrintPreview> printPreview(const ParameterValues&,
+                                                               std::shared_ptr<const PrintViews>);
 
-/// Writes the print, or without views the chart, and its JSON beside it. Returns the picture files. Throws Failure naming
-/// file and cause, also when it was stopped; then nothing is left behind and old files stand.
-std::vector<std::filesystem::path> exportPrint(const ParameterValues&, const PrintViews*, const std::vector<std::string>& sources,
-                                               const std::filesystem::path&, const Progress&);
+/// Writes the print, or without views the chart, and its JSON beside it. Returns the picture files. Throws Failure
+/// naming file and cause, also when it was stopped; then nothing is left behind and old files stand.
+std::vector<std::filesystem::path> exportPrint(const ParameterValues&, const PrintViews*,
+                                               const std::vector<std::string>& sources, const std::filesystem::path&,
+                                               const Progress&);
 
 }  // namespace vitrine::printing

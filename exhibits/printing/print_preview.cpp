@@ -10,7 +10,8 @@ constexpr int eyeLines = 360;  // As many as a preview is high, on a large scree
 
 }  // namespace
 
-PrintPreview::PrintPreview(const PrintLayout& layout, std::shared_ptr<const PrintViews> views) : layout_(layout), views_(std::move(views))
+PrintPreview::PrintPreview(const PrintLayout& layout, std::shared_ptr<const PrintViews> views)
+    : layout_(layout), views_(std::move(views))
 {
     interlacer_.emplace(layout_, views_->full());
 }
@@ -29,11 +30,14 @@ LensGrid PrintPreview::lenses() const
 
 CodedPicture PrintPreview::raster(const Region& region) const
 {
-    assert(region.x0 >= 0 && region.y0 >= 0 && region.x0 < region.x1 && region.y0 < region.y1 && region.x1 <= width() && region.y1 <= height());
+    assert(region.x0 >= 0 && region.y0 >= 0 && region.x0 < region.x1 && region.y0 < region.y1 && region.x1 <= width() &&
+           region.y1 <= height());
     CodedPicture picture{static_cast<int>(region.x1 - region.x0), static_cast<int>(region.y1 - region.y0)};
     picture.rgb.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 3);
-    if (chart_) chart_->fill(region, picture.rgb.data());
-    else interlacer_->fill(region, picture.rgb.data());
+    if (chart_)
+        chart_->fill(region, picture.rgb.data());
+    else
+        interlacer_->fill(region, picture.rgb.data());
     return picture;
 }
 

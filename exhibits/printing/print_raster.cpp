@@ -20,7 +20,9 @@ bool splitTile(const fs::path& path, std::string& stem)
 {
     stem = path.stem().string();
     const std::size_t dash = stem.find_last_of('-');
-    if (dash == std::string::npos || dash + 1 == stem.size() || stem.find_first_not_of("0123456789", dash + 1) != std::string::npos) return false;
+    if (dash == std::string::npos || dash + 1 == stem.size() ||
+        stem.find_first_not_of("0123456789", dash + 1) != std::string::npos)
+        return false;
     stem.resize(dash);
     return true;
 }
@@ -45,9 +47,10 @@ PrintRaster::PrintRaster(const PrintLayout& layout, const std::vector<fs::path>&
         if (height != layout.height()) break;
     }
     if (width != layout.width() || height != layout.height()) {
-        throw Failure(Blame::file, "The print " + tiles.front().string() + " has " + std::to_string(width) + " x " + std::to_string(height) +
-                                       " pixels, and its description says " + std::to_string(layout.width()) + " x " +
-                                       std::to_string(layout.height()) + "; look at the unscaled, uncut file, or at all its tiles.");
+        throw Failure(Blame::file, "The print " + tiles.front().string() + " has " + std::to_string(width) + " x " +
+                                       std::to_string(height) + " pixels, and its description says " +
+                                       std::to_string(layout.width()) + " x " + std::to_string(layout.height()) +
+                                       "; look at the unscaled, uncut file, or at all its tiles.");
     }
     // Three lenses high, to begin with.
     const double lens = layout.printPitch() * layout.settings().dpiY / 25.4;
@@ -57,7 +60,8 @@ PrintRaster::PrintRaster(const PrintLayout& layout, const std::vector<fs::path>&
 
 void PrintRaster::load(std::int64_t y)
 {
-    std::uint16_t* to = rows_.data() + static_cast<std::size_t>(y % capacity_) * static_cast<std::size_t>(layout_.width()) * 3;
+    std::uint16_t* to =
+        rows_.data() + static_cast<std::size_t>(y % capacity_) * static_cast<std::size_t>(layout_.width()) * 3;
     for (render::PictureRows& tile : tiles_) {
         tile.read(y, 1, to);
         to += static_cast<std::size_t>(tile.width()) * 3;
@@ -82,15 +86,17 @@ const std::uint16_t* PrintRaster::row(std::int64_t y)
 render::Image PrintRaster::image()
 {
     if (layout_.width() * layout_.height() > mostImagePixels) {
-        throw Failure(Blame::file, "A print of " + std::to_string(layout_.width()) + " x " + std::to_string(layout_.height()) +
-                                       " pixels is too large to be held at once; choose one of up to 67 million pixels.");
+        throw Failure(Blame::file,
+                      "A print of " + std::to_string(layout_.width()) + " x " + std::to_string(layout_.height()) +
+                          " pixels is too large to be held at once; choose one of up to 67 million pixels.");
     }
     render::Image image(static_cast<int>(layout_.width()), static_cast<int>(layout_.height()), 3);
     const std::size_t samples = static_cast<std::size_t>(layout_.width()) * 3;
     for (std::int64_t y = 0; y < layout_.height(); ++y) {
         const std::uint16_t* codes = row(y);
         float* out = image.pixels.data() + static_cast<std::size_t>(y) * samples;
-        for (std::size_t i = 0; i < samples; ++i) out[i] = static_cast<float>(render::linearFromSrgb(codes[i] / 65535.0));
+        for (std::size_t i = 0; i < samples; ++i)
+            out[i] = static_cast<float>(render::linearFromSrgb(codes[i] / 65535.0));
     }
     return image;
 }
@@ -101,7 +107,8 @@ render::JsonDocument printDescription(const fs::path& print)
     const std::string beside = print.string() + ".json";
     if (fs::exists(beside, error)) return render::readJson(beside);
     if (const auto text = render::embeddedPrint(print)) return render::parseJson(*text, print.string());
-    throw Failure(Blame::file, "Cannot look at " + print.string() + ": it carries no description of its sheet, and there is no " + beside +
+    throw Failure(Blame::file, "Cannot look at " + print.string() +
+                                   ": it carries no description of its sheet, and there is no " + beside +
                                    " beside it; choose a file that vitrine print wrote.");
 }
 
@@ -116,7 +123,8 @@ PrintRaster readPrint(const fs::path& path)
     if (render::PictureRows(named).width() < layout.width() && splitTile(named, stem)) {
         tiles.clear();
         std::int64_t width = 0;
-        for (std::size_t number = 1; width < layout.width() && fs::exists(tileOf(named, stem, number), error); ++number) {
+        for (std::size_t number = 1; width < layout.width() && fs::exists(tileOf(named, stem, number), error);
+             ++number) {
             tiles.push_back(tileOf(named, stem, number));
             width += render::PictureRows(tiles.back()).width();
         }

@@ -34,9 +34,9 @@ private:
     PrintLayout layout_;
     std::vector<render::PictureRows> tiles_;
     std::int64_t capacity_ = 0;
-    std::int64_t begin_ = 0, end_ = 0;   ///< Of the rows in memory; row y lies at y modulo capacity.
+    std::int64_t begin_ = 0, end_ = 0;  ///< Of the rows in memory; row y lies at y modulo capacity.
     std::vector<std::uint16_t> rows_;
-    std::vector<std::uint16_t> part_;    ///< A tile's row.
+    std::vector<std::uint16_t> part_;  ///< A tile's row.
 };
 
 /// The description beside a print or, without one, inside it. Throws Failure naming the file when there is none.

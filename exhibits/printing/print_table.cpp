@@ -36,8 +36,11 @@ bool rowActs(const ParameterInfo& row, const ParameterValues& values, bool chart
     const auto is = [&](auto parameter) { return row.name == table.rows()[parameter.row].name; };
     const ViewOrigin from = values[table.origin];
     if (row.group == "Views") {
-        if (chart) return is(table.views) && values[table.chart] != ChartKind::pitch && values[table.chart] != ChartKind::phase;
-        if (is(table.viewWidth) || is(table.samples) || is(table.baselineScale) || is(table.convergence)) return from == ViewOrigin::shown;
+        if (chart)
+            return is(table.views) && values[table.chart] != ChartKind::pitch &&
+                   values[table.chart] != ChartKind::phase;
+        if (is(table.viewWidth) || is(table.samples) || is(table.baselineScale) || is(table.convergence))
+            return from == ViewOrigin::shown;
         if (is(table.quiltColumns) || is(table.quiltRows)) return from == ViewOrigin::quilt;
         if (is(table.views)) return from != ViewOrigin::quilt;
         return !is(table.origin);  // It has a place of its own, beside the files.
@@ -61,8 +64,9 @@ bool sameViews(const ParameterValues& a, const ParameterValues& b)
     const auto decides = [&](const ParameterInfo& row) {
         if (row.group == "Views") return row.name == table.rows()[table.origin.row].name || rowActs(row, b, false);
         // The cameras stand as the lenses show, and frame what the print's shape takes.
-        return rendered && (row.group == "Sheet" || row.name == "width" || row.name == "height" || row.name == "bleed" || row.name == "direction" ||
-                            row.name == "distance" || row.name == "infiniteDistance" || row.name == "visualPerInch");
+        return rendered && (row.group == "Sheet" || row.name == "width" || row.name == "height" ||
+                            row.name == "bleed" || row.name == "direction" || row.name == "distance" ||
+                            row.name == "infiniteDistance" || row.name == "visualPerInch");
     };
     for (std::size_t i = 0; i < a.rows().size(); ++i)
         if (a.row(i) != b.row(i) && decides(a.rows()[i])) return false;
@@ -71,7 +75,8 @@ bool sameViews(const ParameterValues& a, const ParameterValues& b)
 
 double viewingDistance(const ParameterValues& values)
 {
-    return values[printTable().infiniteDistance] ? std::numeric_limits<double>::infinity() : values[printTable().distance] * 1000;
+    return values[printTable().infiniteDistance] ? std::numeric_limits<double>::infinity()
+                                                 : values[printTable().distance] * 1000;
 }
 
 Sheet sheetOf(const ParameterValues& values)
@@ -79,10 +84,17 @@ Sheet sheetOf(const ParameterValues& values)
     const PrintTable& table = printTable();
     Sheet sheet;
     if (values[table.lens] == LensShape::derived) {
-        sheet = derivedSheet("", values[table.lensesPerInch], degrees(values[table.zone]), values[table.refractiveIndex]);
+        sheet =
+            derivedSheet("", values[table.lensesPerInch], degrees(values[table.zone]), values[table.refractiveIndex]);
         sheet.conic = values[table.conic];
     } else {
-        sheet = {"", values[table.lensesPerInch], 0, mm(values[table.radius]), mm(values[table.thickness]), values[table.refractiveIndex], values[table.conic]};
+        sheet = {"",
+                 values[table.lensesPerInch],
+                 0,
+                 mm(values[table.radius]),
+                 mm(values[table.thickness]),
+                 values[table.refractiveIndex],
+                 values[table.conic]};
     }
     sheet.effectiveLpi = values[table.measuredPerInch];
     check(sheet);
@@ -101,7 +113,8 @@ ParameterValues withSheet(ParameterValues values, const Sheet& sheet)
     // The zone that a lens focused on its back would have; kept where the sheet is that lens.
     const double zone = 2 * std::atan(sheet.index * (25.4 / sheet.nominalLpi) / (2 * sheet.thickness));
     values.set(table.zone, degrees(zone) * radiansPerDegree);
-    values.set(table.lens, same(sheet.radius, sheet.thickness * (sheet.index - 1) / sheet.index) ? LensShape::derived : LensShape::given);
+    values.set(table.lens, same(sheet.radius, sheet.thickness * (sheet.index - 1) / sheet.index) ? LensShape::derived
+                                                                                                 : LensShape::given);
     return values;
 }
 

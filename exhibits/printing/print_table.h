@@ -22,57 +22,98 @@ enum class LensShape : int { derived, given };
 struct PrintTable final : Parameters {
     Group viewGroup = group("Views");
     Choice<ViewOrigin> origin = choice("origin", ViewOrigin::shown, {"what is shown", "files", "quilt"},
-        "Where the views come from: rendered from the picture in the window, read from pictures, or cut from a grid of views.");
-    Count views = count("views", 12, Range{1, mostViews, logarithmic}.soft(2, 48), "How many views to render, or to take from the files, spread evenly.");
-    Count viewWidth = count("viewWidth", 960, Range{64, 8192, logarithmic}.soft(256, 4096), "Pixels across a rendered view; more than two for each lens are lost.");
-    Count samples = count("samples", 16, {1, 256, logarithmic}, "Samples per pixel of a rendered view, each view with noise of its own.", quality(256));
-    Real baselineScale = real("baselineScale", 1, none, Range{0, 4}.soft(0, 2), "How far apart the cameras of rendered views stand: 0 is flat, 1 true to scale for the viewing distance, above 1 deeper than life.");
-    Real convergence = real("convergence", 0, metre, Range{0, 1000}.soft(0, 20), "Distance in the scene that will lie in the print's plane; 0 is what the camera looks at.", reads(0, "auto"));
+                                       "Where the views come from: rendered from the picture in the window, read from "
+                                       "pictures, or cut from a grid of views.");
+    Count views = count("views", 12, Range{1, mostViews, logarithmic}.soft(2, 48),
+                        "How many views to render, or to take from the files, spread evenly.");
+    Count viewWidth = count("viewWidth", 960, Range{64, 8192, logarithmic}.soft(256, 4096),
+                            "Pixels across a rendered view; more than two for each lens are lost.");
+    Count samples = count("samples", 16, {1, 256, logarithmic},
+                          "Samples per pixel of a rendered view, each view with noise of its own.", quality(256));
+    Real baselineScale = real("baselineScale", 1, none, Range{0, 4}.soft(0, 2),
+                              "How far apart the cameras of rendered views stand: 0 is flat, 1 true to scale for the "
+                              "viewing distance, above 1 deeper than life.");
+    Real convergence = real("convergence", 0, metre, Range{0, 1000}.soft(0, 20),
+                            "Distance in the scene that will lie in the print's plane; 0 is what the camera looks at.",
+                            reads(0, "auto"));
     Count quiltColumns = count("quiltColumns", 4, {1, 64}, "Views side by side in a quilt.");
     Count quiltRows = count("quiltRows", 4, {1, 64}, "Rows of views in a quilt, the first at the bottom.");
 
     Group chartGroup = group("Chart");
     Choice<ChartKind> chart = choice("chart", ChartKind::pitch, {"pitch", "phase", "views", "rotation"},
-        "Pitch finds the LPI that printer and sheet agree on; phase where the strips lie; views how many can be told apart; rotation whether the sheet is straight.");
-    Real chartSpan = real("chartSpan", 0.01, percent, Range{0.0001, 0.2, logarithmic}.soft(0.001, 0.05), "How far a pitch chart goes each way: 1 % is coarse, 0.1 % fine.");
+                                     "Pitch finds the LPI that printer and sheet agree on; phase where the strips lie; "
+                                     "views how many can be told apart; rotation whether the sheet is straight.");
+    Real chartSpan = real("chartSpan", 0.01, percent, Range{0.0001, 0.2, logarithmic}.soft(0.001, 0.05),
+                          "How far a pitch chart goes each way: 1 % is coarse, 0.1 % fine.");
 
     Group sheetGroup = group("Sheet");
-    Real lensesPerInch = real("lensesPerInch", 60, none, Range{1, 1000, logarithmic}.soft(10, 200), "LPI that the sheet is sold as.");
-    Real measuredPerInch = real("measuredPerInch", 0, none, Range{0, 1000}.soft(0, 200), "LPI as a pitch chart showed it with this printer; 0: not measured, the one above counts.", reads(0, "auto"));
-    Choice<LensShape> lens = choice("lens", LensShape::derived, {"from the zone", "as given"},
+    Real lensesPerInch =
+        real("lensesPerInch", 60, none, Range{1, 1000, logarithmic}.soft(10, 200), "LPI that the sheet is sold as.");
+    Real measuredPerInch = real(
+        "measuredPerInch", 0, none, Range{0, 1000}.soft(0, 200),
+        "LPI as a pitch chart showed it with this printer; 0: not measured, the one above counts.", reads(0, "auto"));
+    Choice<LensShape> lens = choice(
+        "lens", LensShape::derived, {"from the zone", "as given"},
         "Whether radius and thickness follow from LPI, zone and index, focused on the back, or are as given below.");
-    Real zone = real("zone", degrees(30), degree, Range{degrees(0.5), degrees(115)}.soft(degrees(11), degrees(63)), "Angle in which all views are seen once: about 30° for depth, 50° for flips.");
-    Real radius = real("radius", 0.000442, micrometre, Range{1e-6, 0.1, logarithmic}.soft(5e-5, 0.005), "Of curvature, at the lens top.");
-    Real thickness = real("thickness", 0.00123, micrometre, Range{1e-6, 0.1, logarithmic}.soft(1e-4, 0.01), "From lens top to print.");
-    Real refractiveIndex = real("refractiveIndex", 1.56, none, Range{1, 3}.soft(1.45, 1.65), "Of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.");
-    Real conic = real("conic", 0, none, Range{-4, 4}.soft(-1, 1), "0 is a circle; -1/n² the ellipse without spherical aberration.");
+    Real zone = real("zone", degrees(30), degree, Range{degrees(0.5), degrees(115)}.soft(degrees(11), degrees(63)),
+                     "Angle in which all views are seen once: about 30° for depth, 50° for flips.");
+    Real radius = real("radius", 0.000442, micrometre, Range{1e-6, 0.1, logarithmic}.soft(5e-5, 0.005),
+                       "Of curvature, at the lens top.");
+    Real thickness = real("thickness", 0.00123, micrometre, Range{1e-6, 0.1, logarithmic}.soft(1e-4, 0.01),
+                          "From lens top to print.");
+    Real refractiveIndex = real("refractiveIndex", 1.56, none, Range{1, 3}.soft(1.45, 1.65),
+                                "Of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.");
+    Real conic = real("conic", 0, none, Range{-4, 4}.soft(-1, 1),
+                      "0 is a circle; -1/n² the ellipse without spherical aberration.");
 
     Group printGroup = group("Print");
     Real width = real("width", 0.148, millimetre, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "After trimming.");
     Real height = real("height", 0.105, millimetre, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "After trimming.");
-    Real bleed = real("bleed", 0, millimetre, Range{0, 1}.soft(0, 0.02), "Beyond the trim on every side; lenses and views go on there.");
-    Real border = real("border", 0, millimetre, Range{0, 1}.soft(0, 0.05), "White paper around trim and bleed, on every side.");
-    Real dotsPerInch = real("dotsPerInch", 720, none, Range{1, 100000, logarithmic}.soft(150, 5760), "Of the printer, across; its native resolution or a whole fraction of it.");
-    Real dotsDown = real("dotsDown", 0, none, Range{0, 100000}.soft(0, 2880), "Dots per inch the other way, when they differ; 0: the same.", reads(0, "auto"), called("Dots per inch, vertical"));
-    Toggle infiniteDistance = toggle("infiniteDistance", false, "For no distance in particular: strips lie exactly at lens pitch.");
-    Real distance = real("distance", 0.4, centimetre, Range{0.0001, 1000, logarithmic}.soft(0.1, 10), "From which it is looked at; the strips' pitch follows from it.");
-    Real visualPerInch = real("visualPerInch", 0, none, Range{0, 1000}.soft(0, 200), "LPI read from a pitch chart at that distance, in place of the one that follows from it; 0: not measured.", reads(0, "auto"));
-    Real phase = real("phase", 0, none, Range{-1e6, 1e6}.soft(-0.5, 0.5), "Moves the strips under the lenses, in lenses; a phase chart tells.");
-    Real direction = real("direction", 0.0, degree, {degrees(-90), degrees(90)}, "Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.");
-    Toggle reverse = toggle("reverse", false, "The first view on the left under each lens: turns depth inside out, or a reversed sequence right.");
+    Real bleed = real("bleed", 0, millimetre, Range{0, 1}.soft(0, 0.02),
+                      "Beyond the trim on every side; lenses and views go on there.");
+    Real border =
+        real("border", 0, millimetre, Range{0, 1}.soft(0, 0.05), "White paper around trim and bleed, on every side.");
+    Real dotsPerInch = real("dotsPerInch", 720, none, Range{1, 100000, logarithmic}.soft(150, 5760),
+                            "Of the printer, across; its native resolution or a whole fraction of it.");
+    Real dotsDown = real("dotsDown", 0, none, Range{0, 100000}.soft(0, 2880),
+                         "Dots per inch the other way, when they differ; 0: the same.", reads(0, "auto"),
+                         called("Dots per inch, vertical"));
+    Toggle infiniteDistance =
+        toggle("infiniteDistance", false, "For no distance in particular: strips lie exactly at lens pitch.");
+    Real distance = real("distance", 0.4, centimetre, Range{0.0001, 1000, logarithmic}.soft(0.1, 10),
+                         "From which it is looked at; the strips' pitch follows from it.");
+    Real visualPerInch =
+        real("visualPerInch", 0, none, Range{0, 1000}.soft(0, 200),
+             "LPI read from a pitch chart at that distance, in place of the one that follows from it; 0: not measured.",
+             reads(0, "auto"));
+    Real phase = real("phase", 0, none, Range{-1e6, 1e6}.soft(-0.5, 0.5),
+                      "Moves the strips under the lenses, in lenses; a phase chart tells.");
+    Real direction = real("direction", 0.0, degree, {degrees(-90), degrees(90)},
+                          "Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.");
+    Toggle reverse =
+        toggle("reverse", false,
+               "The first view on the left under each lens: turns depth inside out, or a reversed sequence right.");
     Toggle mirror = toggle("mirror", false, "For printing on the sheet's back.");
     Choice<Method> method = choice("method", Method::area, {"nearest", "area", "guard"},
-        "How a printed dot chooses among the views under it: the one at its middle, all by area, or by area with blended strip edges.");
-    Real inkSpread = real("inkSpread", 0, micrometre, Range{0, 0.001}.soft(0, 0.00006), "How far a printed point spreads (standard deviation): counts as cross-talk; 10 to 40 µm are usual.");
-    Toggle compensate = toggle("compensate", false, "Change the views so that the sheet's mixing of them shows less; costs contrast.", called("Compensate cross-talk"));
+                                   "How a printed dot chooses among the views under it: the one at its middle, all by "
+                                   "area, or by area with blended strip edges.");
+    Real inkSpread =
+        real("inkSpread", 0, micrometre, Range{0, 0.001}.soft(0, 0.00006),
+             "How far a printed point spreads (standard deviation): counts as cross-talk; 10 to 40 µm are usual.");
+    Toggle compensate =
+        toggle("compensate", false, "Change the views so that the sheet's mixing of them shows less; costs contrast.",
+               called("Compensate cross-talk"));
     Real guard = real("guard", 0.25, percent, {0, 1}, "Part of a strip that its two blended edges take.");
 
     Group outputGroup = group("Output");
     Choice<int> bits = choice("bits", 0, {"8", "16"}, "Bits per channel.");
     Toggle dither = toggle("dither", false, "Spread what 8 bits cannot say over neighboring dots.");
-    Choice<render::StreamCompression> compression = choice("compression", render::StreamCompression::none, {"none", "deflate", "zstd"},
-        "Of TIFF: none is what every print shop reads. PNG is always compressed.");
-    Real tileWidth = real("tileWidth", 0, millimetre, Range{0, 100}.soft(0, 1), "Cuts the print into files of about this width, between lenses; 0: one file.", reads(0, "auto"));
+    Choice<render::StreamCompression> compression =
+        choice("compression", render::StreamCompression::none, {"none", "deflate", "zstd"},
+               "Of TIFF: none is what every print shop reads. PNG is always compressed.");
+    Real tileWidth =
+        real("tileWidth", 0, millimetre, Range{0, 100}.soft(0, 1),
+             "Cuts the print into files of about this width, between lenses; 0: one file.", reads(0, "auto"));
 };
 
 /// The one that all values below belong to.

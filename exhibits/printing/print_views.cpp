@@ -48,7 +48,10 @@ glm::ivec2 viewSize(const PrintLayout& layout, int width)
 ViewRig rigOf(const PrintLayout& layout, const ParameterValues& values, const Look& look)
 {
     const PrintTable& table = printTable();
-    return {layout, look.camera, viewSize(layout, values[table.viewWidth]), {values[table.baselineScale], values[table.convergence]}};
+    return {layout,
+            look.camera,
+            viewSize(layout, values[table.viewWidth]),
+            {values[table.baselineScale], values[table.convergence]}};
 }
 
 /// `progress`, or Failure where it stops the work.
@@ -57,7 +60,8 @@ void require(const Progress& progress, double part)
     if (progress && !progress(part)) throw Failure(Blame::usage, "Reading the views was stopped; nothing was changed.");
 }
 
-std::shared_ptr<const PrintViews> readQuilt(const ParameterValues& values, const std::vector<std::string>& files, const Progress& progress)
+std::shared_ptr<const PrintViews> readQuilt(const ParameterValues& values, const std::vector<std::string>& files,
+                                            const Progress& progress)
 {
     if (files.empty()) throw Failure(Blame::usage, "There is no quilt; choose a picture with a grid of views.");
     auto views = std::make_shared<PrintViews>();
@@ -81,13 +85,15 @@ void PrintViews::add(const render::Image& image)
     small_.add(shrunk(image, smallSide));
 }
 
-std::shared_ptr<const PrintViews> readViews(const ParameterValues& values, const std::vector<std::string>& names, const Progress& progress)
+std::shared_ptr<const PrintViews> readViews(const ParameterValues& values, const std::vector<std::string>& names,
+                                            const Progress& progress)
 {
     if (values[printTable().origin] == ViewOrigin::quilt) return readQuilt(values, names, progress);
     if (names.empty()) throw Failure(Blame::usage, "There are no views; choose a folder or pictures.");
     auto views = std::make_shared<PrintViews>();
     const std::vector<std::filesystem::path> files = viewFiles(names);
-    const std::vector<std::size_t> chosen = chosenViews(files.size(), {1, false, std::min(values[printTable().views], static_cast<int>(files.size()))});
+    const std::vector<std::size_t> chosen =
+        chosenViews(files.size(), {1, false, std::min(values[printTable().views], static_cast<int>(files.size()))});
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         require(progress, static_cast<double>(i) / static_cast<double>(chosen.size()));
         views->add(render::readImage(files[chosen[i]]));
@@ -102,7 +108,8 @@ std::vector<ViewShot> printShots(const ParameterValues& values, const Look& look
     const PrintLayout layout(printSettings(values, values[table.views]));
     ViewShot base{look, {}};
     base.request.frame = frame;
-    base.request.frame.raster.size = viewSize(layout, draft ? std::min(values[table.viewWidth], draftWidth) : values[table.viewWidth]);
+    base.request.frame.raster.size =
+        viewSize(layout, draft ? std::min(values[table.viewWidth], draftWidth) : values[table.viewWidth]);
     base.request.samples = draft ? 1 : values[table.samples];
     return shotsOf(rigOf(layout, values, look), base);
 }
@@ -113,7 +120,8 @@ SceneDepth sceneDepth(const ParameterValues& values, const Look& look, const ren
     const ViewRig rig = rigOf(PrintLayout(printSettings(values, values[table.views])), values, look);
     const DepthRange scene = depthRange(picture);
     SceneDepth depth{scene, rig.budget(), std::min(1.0, rig.strengthThatHolds(scene)), warningsOf(rig, scene)};
-    if (values[table.reverse] && rig.baseline() > 0) depth.warnings.emplace_back("In reverse order the depth of rendered views is inside out.");
+    if (values[table.reverse] && rig.baseline() > 0)
+        depth.warnings.emplace_back("In reverse order the depth of rendered views is inside out.");
     return depth;
 }
 

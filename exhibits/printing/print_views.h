@@ -35,13 +35,15 @@ private:
 /// Called with the part that is done, 0 to 1; false stops the work, which then throws Failure.
 using Progress = std::function<bool(double)>;
 
-/// Reads what the values ask for: pictures, spread evenly, or the views of a quilt. Throws Failure naming the file, also
-/// when it was stopped.
-[[nodiscard]] std::shared_ptr<const PrintViews> readViews(const ParameterValues&, const std::vector<std::string>& files, const Progress&);
+/// Reads what the values ask for: pictures, spread evenly, or the views of a quilt. Throws Failure naming the file,
+/// also when it was stopped.
+[[nodiscard]] std::shared_ptr<const PrintViews> readViews(const ParameterValues&, const std::vector<std::string>& files,
+                                                          const Progress&);
 
 /// What to render, from left to right, with the look's camera in the middle. `draft`: small and quick, to look at while
 /// setting up. `frame` gives all but camera, size and seed. Throws Failure where no such print can be made.
-[[nodiscard]] std::vector<ViewShot> printShots(const ParameterValues&, const Look&, const FrameRequest& frame, bool draft);
+[[nodiscard]] std::vector<ViewShot> printShots(const ParameterValues&, const Look&, const FrameRequest& frame,
+                                               bool draft);
 
 /// How far the scene reaches from the camera, and from where to where the print holds it.
 struct SceneDepth {

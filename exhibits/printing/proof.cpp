@@ -63,12 +63,15 @@ private:
 
 void check(const PrintLayout& layout, const Eye& eye)
 {
-    if (!(std::abs(eye.angle) < 1.5) || !(std::abs(eye.angleAlong) < 1.5)) throw Failure(Blame::usage, "The eye's angle must lie between -85 and 85 degrees.");
-    if (!(eye.distance > layout.settings().sheet.thickness)) throw Failure(Blame::usage, "The eye must be farther away than the sheet is thick.");
+    if (!(std::abs(eye.angle) < 1.5) || !(std::abs(eye.angleAlong) < 1.5))
+        throw Failure(Blame::usage, "The eye's angle must lie between -85 and 85 degrees.");
+    if (!(eye.distance > layout.settings().sheet.thickness))
+        throw Failure(Blame::usage, "The eye must be farther away than the sheet is thick.");
 }
 
 /// `pixelAt(x, y)` gives three linear samples of the raster.
-template <typename PixelAt> render::Image lookThroughOf(const PrintLayout& layout, const Eye& eye, int apertureParts, const PixelAt& pixelAt)
+template <typename PixelAt>
+render::Image lookThroughOf(const PrintLayout& layout, const Eye& eye, int apertureParts, const PixelAt& pixelAt)
 {
     check(layout, eye);
     const PrintSettings& s = layout.settings();
@@ -77,7 +80,9 @@ template <typename PixelAt> render::Image lookThroughOf(const PrintLayout& layou
     const double perMmY = s.dpiY / mmPerInch;
     const auto width = static_cast<double>(layout.width());
     const auto height = static_cast<double>(layout.height());
-    const auto cells = [&](double pixels, double perMm) { return static_cast<int>(std::max(1.0, std::round(pixels / perMm / pitch))); };
+    const auto cells = [&](double pixels, double perMm) {
+        return static_cast<int>(std::max(1.0, std::round(pixels / perMm / pitch)));
+    };
     render::Image seen(cells(width, perMmX), cells(height, perMmY), 3);
     const Viewer viewer(layout, eye);
     const double finest = std::max(perMmX, perMmY);
@@ -100,18 +105,22 @@ template <typename PixelAt> render::Image lookThroughOf(const PrintLayout& layou
                 const double slide = ((step + 0.5) / alongSteps - 0.5) * pitch;
                 for (const Sight::Point& point : sight.points) {
                     const double along = slide + point.along;
-                    const double px = (x + point.across * layout.cosine() - along * layout.sine()) * perMmX + 0.5 * width;
-                    const double py = (y + point.across * layout.sine() + along * layout.cosine()) * perMmY + 0.5 * height;
+                    const double px =
+                        (x + point.across * layout.cosine() - along * layout.sine()) * perMmX + 0.5 * width;
+                    const double py =
+                        (y + point.across * layout.sine() + along * layout.cosine()) * perMmY + 0.5 * height;
                     if (!(px >= 0 && px < width && py >= 0 && py < height)) {
                         for (double& channel : sum) channel += static_cast<double>(point.share);
                         continue;
                     }
                     const auto from = static_cast<std::int64_t>(px);
-                    const std::array<float, 3> pixel = pixelAt(s.mirror ? layout.width() - 1 - from : from, static_cast<std::int64_t>(py));
+                    const std::array<float, 3> pixel =
+                        pixelAt(s.mirror ? layout.width() - 1 - from : from, static_cast<std::int64_t>(py));
                     for (std::size_t c = 0; c < 3; ++c) sum[c] += static_cast<double>(point.share * pixel[c]);
                 }
             }
-            for (int c = 0; c < 3; ++c) seen.at(column, row, c) = static_cast<float>(sum[static_cast<std::size_t>(c)] / alongSteps);
+            for (int c = 0; c < 3; ++c)
+                seen.at(column, row, c) = static_cast<float>(sum[static_cast<std::size_t>(c)] / alongSteps);
         }
     }
     return seen;
@@ -122,9 +131,10 @@ template <typename PixelAt> render::Image lookThroughOf(const PrintLayout& layou
 render::Image lookThrough(const PrintLayout& layout, const render::Image& raster, const Eye& eye, int apertureParts)
 {
     if (raster.width != layout.width() || raster.height != layout.height()) {
-        throw Failure(Blame::file, "The print has " + std::to_string(raster.width) + " x " + std::to_string(raster.height) +
-                                       " pixels, and its description says " + std::to_string(layout.width()) + " x " +
-                                       std::to_string(layout.height()) + "; look at the unscaled, uncut file.");
+        throw Failure(Blame::file, "The print has " + std::to_string(raster.width) + " x " +
+                                       std::to_string(raster.height) + " pixels, and its description says " +
+                                       std::to_string(layout.width()) + " x " + std::to_string(layout.height()) +
+                                       "; look at the unscaled, uncut file.");
     }
     const std::size_t second = raster.channels < 3 ? 0 : 1;
     return lookThroughOf(layout, eye, apertureParts, [&](std::int64_t x, std::int64_t y) {
@@ -137,7 +147,8 @@ render::Image lookThrough(PrintRaster& raster, const Eye& eye, int apertureParts
 {
     static const std::vector<float> linear = [] {
         std::vector<float> table(65536);
-        for (std::size_t i = 0; i < table.size(); ++i) table[i] = static_cast<float>(render::linearFromSrgb(static_cast<double>(i) / 65535));
+        for (std::size_t i = 0; i < table.size(); ++i)
+            table[i] = static_cast<float>(render::linearFromSrgb(static_cast<double>(i) / 65535));
         return table;
     }();
     return lookThroughOf(raster.layout(), eye, apertureParts, [&](std::int64_t x, std::int64_t y) {

@@ -21,7 +21,8 @@ struct Eye {
 /// mean over its aperture, by exact refraction. A ray that leaves its own strip shows what is printed under the
 /// neighboring lens: at the edge of the zone the views start again. Beyond the print there is white paper.
 /// The sheet lies with a lens axis through the middle of the print. Throws Failure when the sizes differ.
-[[nodiscard]] render::Image lookThrough(const PrintLayout&, const render::Image& raster, const Eye&, int apertureParts = 128);
+[[nodiscard]] render::Image lookThrough(const PrintLayout&, const render::Image& raster, const Eye&,
+                                        int apertureParts = 128);
 
 /// The same of a print in a file, of any size; memory holds a few lenses' rows of it.
 [[nodiscard]] render::Image lookThrough(PrintRaster&, const Eye&, int apertureParts = 128);

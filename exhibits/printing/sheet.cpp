@@ -10,12 +10,14 @@ namespace {
 
 [[noreturn]] void refuse(const Sheet& sheet, const std::string& why)
 {
-    throw Failure(Blame::usage, "The sheet" + (sheet.name.empty() ? "" : " \"" + sheet.name + "\"") + " cannot be: " + why + ".");
+    throw Failure(Blame::usage,
+                  "The sheet" + (sheet.name.empty() ? "" : " \"" + sheet.name + "\"") + " cannot be: " + why + ".");
 }
 
 void requirePositive(const Sheet& sheet, double value, const char* what)
 {
-    if (!(value > 0) || !std::isfinite(value)) refuse(sheet, std::string(what) + " is " + shortText(value) + "; give a positive number");
+    if (!(value > 0) || !std::isfinite(value))
+        refuse(sheet, std::string(what) + " is " + shortText(value) + "; give a positive number");
 }
 
 std::vector<Sheet> makeKnownSheets()
@@ -35,7 +37,8 @@ std::vector<Sheet> makeKnownSheets()
 void check(const Sheet& sheet)
 {
     if (!(sheet.index > 1) || !std::isfinite(sheet.index)) {
-        refuse(sheet, "the refractive index is " + shortText(sheet.index) + "; plastics have 1.49 to 1.6, and it must be above 1");
+        refuse(sheet, "the refractive index is " + shortText(sheet.index) +
+                          "; plastics have 1.49 to 1.6, and it must be above 1");
     }
     requirePositive(sheet, sheet.lpi(), "LPI");
     requirePositive(sheet, sheet.radius, "the radius");
@@ -46,20 +49,22 @@ void check(const Sheet& sheet)
     if (!(reach > 0)) {
         const double least = half * std::sqrt(1 + sheet.conic);
         refuse(sheet, "lenses of " + shortText(sheet.pitch()) + " mm need a radius above " + shortText(least) +
-                          " mm, and it is " + shortText(sheet.radius) + " mm; focused on its back the sheet is then at least " +
+                          " mm, and it is " + shortText(sheet.radius) +
+                          " mm; focused on its back the sheet is then at least " +
                           shortText(sheet.index * least / (sheet.index - 1)) + " mm thick");
     }
     const double sag = half * half / (sheet.radius * (1 + std::sqrt(reach)));
     if (sheet.thickness <= sag) {
-        refuse(sheet, "its lenses are " + shortText(sag) + " mm deep, and the thickness is only " + shortText(sheet.thickness) + " mm");
+        refuse(sheet, "its lenses are " + shortText(sag) + " mm deep, and the thickness is only " +
+                          shortText(sheet.thickness) + " mm");
     }
 }
 
 bool sameLens(const Sheet& a, const Sheet& b)
 {
     const auto near = [](double x, double y) { return std::abs(x - y) <= 1e-6 * std::max(std::abs(x), std::abs(y)); };
-    return near(a.nominalLpi, b.nominalLpi) && near(a.effectiveLpi, b.effectiveLpi) && near(a.radius, b.radius) && near(a.thickness, b.thickness) &&
-           near(a.index, b.index) && near(a.conic, b.conic);
+    return near(a.nominalLpi, b.nominalLpi) && near(a.effectiveLpi, b.effectiveLpi) && near(a.radius, b.radius) &&
+           near(a.thickness, b.thickness) && near(a.index, b.index) && near(a.conic, b.conic);
 }
 
 Sheet derivedSheet(const std::string& name, double lpi, double zoneDegrees, double index)

@@ -18,12 +18,24 @@ Sheet sheetFrom(const render::JsonDocument& document, std::size_t i)
 {
     const std::string place = "sheets[" + std::to_string(i) + "]";
     const Json& json = document.root()["sheets"][i];
-    if (!json.is_object() || !json.contains("name") || !json["name"].is_string()) throw document.failure(place, "this must be a sheet with a name; correct it there, or move the file away, and a new list is begun.");
+    if (!json.is_object() || !json.contains("name") || !json["name"].is_string())
+        throw document.failure(
+            place,
+            "this must be a sheet with a name; correct it there, or move the file away, and a new list is begun.");
     const auto number = [&](const char* key) {
-        if (!json.contains(key) || !json[key].is_number()) throw document.failure(place, std::string("\"") + key + "\" must be there and be a number; correct it there, or move the file away, and a new list is begun.");
+        if (!json.contains(key) || !json[key].is_number())
+            throw document.failure(place, std::string("\"") + key +
+                                              "\" must be there and be a number; correct it there, or move the file "
+                                              "away, and a new list is begun.");
         return json[key].get<double>();
     };
-    Sheet sheet{json["name"].get<std::string>(), number("nominalLpi"), number("effectiveLpi"), number("radius"), number("thickness"), number("index"), number("conic")};
+    Sheet sheet{json["name"].get<std::string>(),
+                number("nominalLpi"),
+                number("effectiveLpi"),
+                number("radius"),
+                number("thickness"),
+                number("index"),
+                number("conic")};
     try {
         check(sheet);
     } catch (const Failure& failure) {
@@ -73,9 +85,10 @@ std::vector<Sheet> SheetList::own() const
     if (!std::filesystem::exists(path_, error)) return {};
     const render::JsonDocument document = render::readJson(path_, limits);
     const Json& root = document.root();
-    if (!root.is_object() || root.value("format", Json()) != "vitrine-sheets" || root.value("version", Json()) != 1 || !root.contains("sheets") ||
-        !root["sheets"].is_array()) {
-        throw document.failure("", "this is no list of lens sheets of version 1; move it away, and a new one is begun.");
+    if (!root.is_object() || root.value("format", Json()) != "vitrine-sheets" || root.value("version", Json()) != 1 ||
+        !root.contains("sheets") || !root["sheets"].is_array()) {
+        throw document.failure("",
+                               "this is no list of lens sheets of version 1; move it away, and a new one is begun.");
     }
     std::vector<Sheet> sheets;
     for (std::size_t i = 0; i < root["sheets"].size(); ++i) sheets.push_back(sheetFrom(document, i));
@@ -88,12 +101,15 @@ void SheetList::save(const Sheet& sheet) const
     if (sheet.name.empty()) throw Failure(Blame::usage, "A sheet needs a name to be saved under.");
     const auto named = [&](const Sheet& other) { return other.name == sheet.name; };
     if (std::any_of(knownSheets().begin(), knownSheets().end(), named)) {
-        throw Failure(Blame::usage, "\"" + sheet.name + "\" is one of the sheets that come with the program; choose another name.");
+        throw Failure(Blame::usage,
+                      "\"" + sheet.name + "\" is one of the sheets that come with the program; choose another name.");
     }
     std::vector<Sheet> sheets = own();
     const auto old = std::find_if(sheets.begin(), sheets.end(), named);
-    if (old == sheets.end()) sheets.push_back(sheet);
-    else *old = sheet;
+    if (old == sheets.end())
+        sheets.push_back(sheet);
+    else
+        *old = sheet;
     write(sheets);
 }
 
@@ -108,8 +124,13 @@ void SheetList::write(const std::vector<Sheet>& sheets) const
 {
     Json list = Json::array();
     for (const Sheet& s : sheets) {
-        list.push_back({{"name", s.name}, {"nominalLpi", s.nominalLpi}, {"effectiveLpi", s.effectiveLpi}, {"radius", s.radius},
-                        {"thickness", s.thickness}, {"index", s.index}, {"conic", s.conic}});
+        list.push_back({{"name", s.name},
+                        {"nominalLpi", s.nominalLpi},
+                        {"effectiveLpi", s.effectiveLpi},
+                        {"radius", s.radius},
+                        {"thickness", s.thickness},
+                        {"index", s.index},
+                        {"conic", s.conic}});
     }
     const Json json{{"format", "vitrine-sheets"}, {"version", 1}, {"sheets", list}};
     savePresetBytes(path_, render::writeJson(json));

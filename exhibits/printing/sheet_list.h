@@ -7,8 +7,8 @@
 
 namespace vitrine::printing {
 
-/// The sheets to choose from: those that come with the program, and the user's own, a small file of JSON that can also be
-/// edited by hand, lengths in millimeters:
+/// The sheets to choose from: those that come with the program, and the user's own, a small file of JSON that can also
+/// be edited by hand, lengths in millimeters:
 ///
 ///     {"format": "vitrine-sheets", "version": 1, "sheets": [{"name": "...", "nominalLpi": 60, ...}]}
 ///

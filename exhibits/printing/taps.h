@@ -55,7 +55,8 @@ inline void boxTaps(double center, double width, int count, BoxTaps& taps)
     }
     taps.first = std::min(static_cast<int>(from), count - 1);
     for (int i = taps.first; i < to && i < count; ++i) {
-        taps.weights.push_back(static_cast<float>((std::min<double>(to, i + 1) - std::max<double>(from, i)) / (to - from)));
+        taps.weights.push_back(
+            static_cast<float>((std::min<double>(to, i + 1) - std::max<double>(from, i)) / (to - from)));
     }
 }
 

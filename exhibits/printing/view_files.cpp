@@ -54,9 +54,12 @@ std::vector<fs::path> picturesIn(const fs::path& folder)
     std::error_code error;
     std::vector<fs::path> files;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-        if (at->is_regular_file(error) && looksLikePicture(at->path()) && at->path().filename().string()[0] != '.') files.push_back(at->path());
+        if (at->is_regular_file(error) && looksLikePicture(at->path()) && at->path().filename().string()[0] != '.')
+            files.push_back(at->path());
     if (error) throw Failure(Blame::file, "Cannot read the folder " + folder.string() + ": " + error.message() + ".");
-    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) { return beforeByNumber(a.filename().string(), b.filename().string()); });
+    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+        return beforeByNumber(a.filename().string(), b.filename().string());
+    });
     return files;
 }
 
@@ -67,7 +70,9 @@ std::vector<fs::path> viewFiles(const std::vector<std::string>& names)
         std::error_code error;
         if (fs::is_directory(name, error)) {
             std::vector<fs::path> found = picturesIn(name);
-            if (found.empty()) throw Failure(Blame::file, "There are no pictures in " + name + "; give a folder with the views as PNG, JPEG, TIFF, EXR or HDR.");
+            if (found.empty())
+                throw Failure(Blame::file, "There are no pictures in " + name +
+                                               "; give a folder with the views as PNG, JPEG, TIFF, EXR or HDR.");
             for (fs::path& file : found) files.push_back(std::move(file));
         } else {
             files.emplace_back(name);
@@ -80,36 +85,45 @@ std::vector<fs::path> viewFiles(const std::vector<std::string>& names)
 render::Image viewOfQuilt(const render::Image& image, int columns, int rows, int k, QuiltOrder order)
 {
     if (columns < 1 || rows < 1 || image.width % columns != 0 || image.height % rows != 0) {
-        throw Failure(Blame::usage, "A quilt of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels does not divide into " +
-                                        std::to_string(columns) + " x " + std::to_string(rows) + " views.");
+        throw Failure(Blame::usage, "A quilt of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                                        " pixels does not divide into " + std::to_string(columns) + " x " +
+                                        std::to_string(rows) + " views.");
     }
     render::Image view(image.width / columns, image.height / rows, image.channels);
     const int left = k % columns * view.width;
     const int row = order == QuiltOrder::topLeft ? k / columns : rows - 1 - k / columns;
     for (int y = 0; y < view.height; ++y) {
         const float* from = image.pixels.data() + image.index(left, row * view.height + y);
-        std::copy_n(from, static_cast<std::size_t>(view.width) * static_cast<std::size_t>(image.channels), view.pixels.data() + view.index(0, y));
+        std::copy_n(from, static_cast<std::size_t>(view.width) * static_cast<std::size_t>(image.channels),
+                    view.pixels.data() + view.index(0, y));
     }
     return view;
 }
 
 std::vector<std::size_t> chosenViews(std::size_t available, const SequenceSettings& settings)
 {
-    if (settings.every < 1) throw Failure(Blame::usage, "--every " + std::to_string(settings.every) + ": give 1 or more.");
+    if (settings.every < 1)
+        throw Failure(Blame::usage, "--every " + std::to_string(settings.every) + ": give 1 or more.");
     std::vector<std::size_t> row;
     for (std::size_t i = 0; i < available; i += static_cast<std::size_t>(settings.every)) row.push_back(i);
-    if (row.empty()) throw Failure(Blame::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");
+    if (row.empty())
+        throw Failure(Blame::usage, "There are no views; give pictures with --views or --quilt, or an --exhibit.");
     if (settings.pingPong)
         for (std::size_t i = row.size() - 1; i-- > 1;) row.push_back(row[i]);
 
     if (settings.count < 0 || static_cast<std::size_t>(settings.count) > row.size()) {
-        throw Failure(Blame::usage, "--count " + std::to_string(settings.count) + ": there are " + std::to_string(row.size()) + " views; give 1 to " + std::to_string(row.size()) + ", or leave it out for all.");
+        throw Failure(Blame::usage, "--count " + std::to_string(settings.count) + ": there are " +
+                                        std::to_string(row.size()) + " views; give 1 to " + std::to_string(row.size()) +
+                                        ", or leave it out for all.");
     }
     const auto most = static_cast<std::size_t>(mostViews);
     const std::size_t count = settings.count == 0 ? row.size() : static_cast<std::size_t>(settings.count);
     if (count > most) {
-        throw Failure(Blame::usage, "There are " + std::to_string(count) + " views, and " + std::to_string(mostViews) + " is the most; take fewer with --every " +
-                                        std::to_string((row.size() + most - 1) / most * static_cast<std::size_t>(settings.every)) + " or --count " + std::to_string(mostViews) + ".");
+        throw Failure(Blame::usage,
+                      "There are " + std::to_string(count) + " views, and " + std::to_string(mostViews) +
+                          " is the most; take fewer with --every " +
+                          std::to_string((row.size() + most - 1) / most * static_cast<std::size_t>(settings.every)) +
+                          " or --count " + std::to_string(mostViews) + ".");
     }
     std::vector<std::size_t> chosen;
     const std::size_t last = row.size() - 1;

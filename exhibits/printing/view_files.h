@@ -23,7 +23,8 @@ enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };
 
 /// View `k` (0 to columns * rows - 1) of a grid of views of one size. Throws Failure (Blame::usage) when the
 /// picture does not divide into the grid.
-[[nodiscard]] render::Image viewOfQuilt(const render::Image&, int columns, int rows, int k, QuiltOrder = QuiltOrder::bottomLeft);
+[[nodiscard]] render::Image viewOfQuilt(const render::Image&, int columns, int rows, int k,
+                                        QuiltOrder = QuiltOrder::bottomLeft);
 
 /// What a print takes of a row of pictures.
 struct SequenceSettings {

@@ -19,7 +19,8 @@ std::optional<Value> between(const ParameterInfo& row, const Value& from, const 
         if (row.range.scale == Scale::logarithmic && a > 0 && b > 0) return a * std::pow(b / a, part);
         return a + (b - a) * part;
     }
-    if (row.kind == Kind::color || row.kind == Kind::direction) return glm::mix(std::get<glm::dvec3>(from), std::get<glm::dvec3>(to), part);
+    if (row.kind == Kind::color || row.kind == Kind::direction)
+        return glm::mix(std::get<glm::dvec3>(from), std::get<glm::dvec3>(to), part);
     return std::nullopt;
 }
 
@@ -45,7 +46,8 @@ void turn(std::vector<ViewShot>& shots, double angle)
         if (!frame.subject && !frame.alone) throw Failure(Blame::usage, "The hall cannot be turned; name an exhibit.");
         // Walking to the right shows what a turn to the left, seen from above, would show.
         const double part = (static_cast<double>(k) + 0.5) / count - 0.5;
-        frame.exhibitTransform = glm::rotate(glm::dmat4(1), -part * angle, glm::dvec3(0, 1, 0)) * frame.exhibitTransform;
+        frame.exhibitTransform =
+            glm::rotate(glm::dmat4(1), -part * angle, glm::dvec3(0, 1, 0)) * frame.exhibitTransform;
     }
 }
 
@@ -59,14 +61,20 @@ void sweep(std::vector<ViewShot>& shots, const Look& from, const Look& to)
             if (a.row(row) == b.row(row)) continue;
             anything = true;
             for (std::size_t k = 0; k < shots.size(); ++k) {
-                const double part = shots.size() == 1 ? 0.5 : static_cast<double>(k) / static_cast<double>(shots.size() - 1);
+                const double part =
+                    shots.size() == 1 ? 0.5 : static_cast<double>(k) / static_cast<double>(shots.size() - 1);
                 const std::optional<Value> value = between(a.rows()[row], a.row(row), b.row(row), part);
-                if (!value) throw Failure(Blame::usage, std::string(a.rows()[row].name) + " has no values between two others; let a number, a color or a direction run.");
+                if (!value)
+                    throw Failure(Blame::usage,
+                                  std::string(a.rows()[row].name) +
+                                      " has no values between two others; let a number, a color or a direction run.");
                 shots[k].look.values[exhibit].setRow(row, *value);
             }
         }
     }
-    if (!anything) throw Failure(Blame::usage, "Both ends of the sweep are the same: all views would be; give two different values.");
+    if (!anything)
+        throw Failure(Blame::usage,
+                      "Both ends of the sweep are the same: all views would be; give two different values.");
 }
 
 ViewMaker::ViewMaker(const Museum& museum, render::Painter& painter, std::vector<ViewShot> shots, Take take)
@@ -76,7 +84,8 @@ ViewMaker::ViewMaker(const Museum& museum, render::Painter& painter, std::vector
 
 double ViewMaker::progress() const
 {
-    return (static_cast<double>(next_) + (maker_ ? maker_->progress() : 0)) / static_cast<double>(std::max<std::size_t>(shots_.size(), 1));
+    return (static_cast<double>(next_) + (maker_ ? maker_->progress() : 0)) /
+           static_cast<double>(std::max<std::size_t>(shots_.size(), 1));
 }
 
 bool ViewMaker::step()
@@ -95,7 +104,8 @@ ViewShot depthShot(ViewShot shot, int width)
 {
     PictureRequest& request = shot.request;
     const glm::dvec2 size(request.frame.raster.size);
-    request.frame.raster.size = glm::max(glm::ivec2(glm::round(size * (std::min<double>(width, size.x) / size.x))), glm::ivec2(1));
+    request.frame.raster.size =
+        glm::max(glm::ivec2(glm::round(size * (std::min<double>(width, size.x) / size.x))), glm::ivec2(1));
     request.frame.channels = {};
     request.samples = 1;
     request.depth = true;
@@ -106,7 +116,8 @@ DepthRange measuredDepth(const Museum& museum, render::Painter& painter, const V
 {
     const ViewShot quick = depthShot(shot);
     PictureMaker maker(museum, painter, quick.look, quick.request);
-    while (maker.step()) {}
+    while (maker.step()) {
+    }
     return depthRange(maker.picture());
 }
 

@@ -10,19 +10,25 @@
 
 namespace vitrine::printing {
 
-ViewRig::ViewRig(const PrintLayout& layout, const render::Camera& middle, glm::ivec2 viewSize, const RigSettings& settings)
+ViewRig::ViewRig(const PrintLayout& layout, const render::Camera& middle, glm::ivec2 viewSize,
+                 const RigSettings& settings)
     : middle_(middle), count_(layout.settings().views), strength_(settings.strength)
 {
     const PrintSettings& s = layout.settings();
-    if (!(strength_ >= 0) || !std::isfinite(strength_)) throw Failure(Blame::usage, "The baseline's scale is " + shortText(strength_) + "; give 0 or more, 1 for depth in its true measure.");
+    if (!(strength_ >= 0) || !std::isfinite(strength_))
+        throw Failure(Blame::usage, "The baseline's scale is " + shortText(strength_) +
+                                        "; give 0 or more, 1 for depth in its true measure.");
     convergence_ = settings.convergence == 0 ? glm::length(middle.target - middle.eye) : settings.convergence;
     const render::View view = render::makeView(middle, {.size = viewSize});
     if (!(convergence_ > view.nearPlane) || !std::isfinite(convergence_)) {
-        throw Failure(Blame::usage, "The convergence plane is at " + shortText(convergence_) + " m; it must lie in front of the camera, farther than " + shortText(view.nearPlane) + " m.");
+        throw Failure(Blame::usage, "The convergence plane is at " + shortText(convergence_) +
+                                        " m; it must lie in front of the camera, farther than " +
+                                        shortText(view.nearPlane) + " m.");
     }
     const double lever = s.sheet.thickness - s.sheet.radius;
     if (!(lever > 0)) {
-        throw Failure(Blame::usage, "The sheet " + s.sheet.name + " is " + shortText(s.sheet.thickness) + " mm thick and its lenses have a radius of " + shortText(s.sheet.radius) +
+        throw Failure(Blame::usage, "The sheet " + s.sheet.name + " is " + shortText(s.sheet.thickness) +
+                                        " mm thick and its lenses have a radius of " + shortText(s.sheet.radius) +
                                         " mm: it cannot show views to different directions; choose a thicker sheet.");
     }
 
@@ -74,8 +80,10 @@ DepthRange depthRange(const render::Image& image, double share)
     if (channel == image.channelNames.end()) throw std::out_of_range("a picture without the channel depth.Z");
     const auto at = static_cast<std::size_t>(channel - image.channelNames.begin());
     std::vector<float> depths;
-    for (std::size_t i = at; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels)) depths.push_back(image.pixels[i]);
-    const auto left = static_cast<std::size_t>(static_cast<double>(depths.size()) * std::clamp(1 - share, 0.0, 1.0) / 2);
+    for (std::size_t i = at; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels))
+        depths.push_back(image.pixels[i]);
+    const auto left =
+        static_cast<std::size_t>(static_cast<double>(depths.size()) * std::clamp(1 - share, 0.0, 1.0) / 2);
     const auto pick = [&](std::size_t n) {
         std::nth_element(depths.begin(), depths.begin() + static_cast<std::ptrdiff_t>(n), depths.end());
         return static_cast<double>(depths[n]);
@@ -88,10 +96,14 @@ std::vector<std::string> warningsOf(const ViewRig& rig, const DepthRange& scene)
 {
     const DepthRange budget = rig.budget();
     if (scene.nearest >= budget.nearest && scene.farthest <= budget.farthest) return {};
-    const auto meters = [](double d) { return std::isinf(d) ? std::string("the horizon") : shortText(std::round(d * 1000) / 1000) + " m"; };
+    const auto meters = [](double d) {
+        return std::isinf(d) ? std::string("the horizon") : shortText(std::round(d * 1000) / 1000) + " m";
+    };
     const double holds = rig.strengthThatHolds(scene);
-    return {"The scene reaches from " + meters(scene.nearest) + " to " + meters(scene.farthest) + ", and the print holds " + meters(budget.nearest) + " to " + meters(budget.farthest) +
-            " without doubled contours: what lies beyond will show steps. A baseline scale of " + shortText(std::floor(holds * 1000) / 1000) + " holds all of it."};
+    return {"The scene reaches from " + meters(scene.nearest) + " to " + meters(scene.farthest) +
+            ", and the print holds " + meters(budget.nearest) + " to " + meters(budget.farthest) +
+            " without doubled contours: what lies beyond will show steps. A baseline scale of " +
+            shortText(std::floor(holds * 1000) / 1000) + " holds all of it."};
 }
 
 }  // namespace vitrine::printing

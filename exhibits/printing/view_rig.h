@@ -17,8 +17,9 @@ struct DepthRange {
 
 /// How the cameras of a rig stand.
 struct RigSettings {
-    double strength = 1;     ///< Baseline against the one that shows depth in its true measure; 0: all in one place.
-    double convergence = 0;  ///< Metres along the view axis to what lies in the plane of the print; 0: to the camera's target.
+    double strength = 1;  ///< Baseline against the one that shows depth in its true measure; 0: all in one place.
+    double convergence =
+        0;  ///< Metres along the view axis to what lies in the plane of the print; 0: to the camera's target.
 };
 
 /// The cameras that take a print's views: on a line across the lenses, all looking the same way, with shifted
@@ -60,8 +61,8 @@ private:
     glm::dvec2 shift_{1, 0};    ///< The same in the picture, right and up.
     int count_ = 1;
     double convergence_ = 1, strength_ = 1, scale_ = 1;
-    double step_ = 0;           ///< Of tan(theta) from view to view, at strength 1, along the line.
-    double freeDepth_ = 0;      ///< Of the print, each way, at strength 1, in millimeters: N (t - r).
+    double step_ = 0;       ///< Of tan(theta) from view to view, at strength 1, along the line.
+    double freeDepth_ = 0;  ///< Of the print, each way, at strength 1, in millimeters: N (t - r).
 };
 
 /// The distances that hold `share` of the pixels of the channel "depth.Z", as many left out at either end. Throws

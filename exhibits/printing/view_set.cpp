@@ -36,14 +36,16 @@ void resampledRow(const render::Image& image, int y, int height, std::vector<dou
     }
     const double from = y * scale;
     const double to = from + scale;
-    for (int r = static_cast<int>(from); r < to && r < image.height; ++r) add(r, (std::min<double>(to, r + 1) - std::max<double>(from, r)) / scale);
+    for (int r = static_cast<int>(from); r < to && r < image.height; ++r)
+        add(r, (std::min<double>(to, r + 1) - std::max<double>(from, r)) / scale);
 }
 
 }  // namespace
 
 void ViewSet::add(const render::Image& image)
 {
-    if (image.width < 1 || image.height < 1 || image.channels < 1) throw Failure(Blame::file, "A view is empty; choose another picture.");
+    if (image.width < 1 || image.height < 1 || image.channels < 1)
+        throw Failure(Blame::file, "A view is empty; choose another picture.");
     if (height_ == 0) height_ = image.height;
     const auto channels = static_cast<std::size_t>(image.channels);
     const std::size_t rowSamples = static_cast<std::size_t>(image.width) * 4;
@@ -78,14 +80,16 @@ void ViewSet::add(const render::Image& image)
     scratch_->append(behind.data(), sizeof behind);
     scratch_->align();
     const auto* mapped = static_cast<const std::uint16_t*>(scratch_->map(begin, samples * 2));
-    views_.push_back({image.width, {mapped, [samples](const std::uint16_t* at) { render::unmapPages(at, samples * 2); }}});
+    views_.push_back(
+        {image.width, {mapped, [samples](const std::uint16_t* at) { render::unmapPages(at, samples * 2); }}});
 }
 
 void ViewSet::rowIsRead(int y) const
 {
     for (std::size_t k = firstOnDisk_; k < views_.size(); ++k) {
         const std::size_t row = static_cast<std::size_t>(views_[k].width) * 8;
-        render::releasePages(views_[k].samples.get(), row * static_cast<std::size_t>(height_), row * static_cast<std::size_t>(y), row);
+        render::releasePages(views_[k].samples.get(), row * static_cast<std::size_t>(height_),
+                             row * static_cast<std::size_t>(y), row);
     }
 }
 
@@ -103,7 +107,8 @@ std::string stretchWarning(const PrintLayout& layout, const ViewSet& views)
     const double wanted = (s.width + 2 * s.bleed) / (s.height + 2 * s.bleed);
     for (int k = 0; k < views.count(); ++k) {
         const double shape = static_cast<double>(views.view(k).width) / views.height();
-        if (shape / wanted > 1.02 || shape / wanted < 0.98) return "The views are not shaped as the print is and are stretched to it.";
+        if (shape / wanted > 1.02 || shape / wanted < 0.98)
+            return "The views are not shaped as the print is and are stretched to it.";
     }
     return {};
 }

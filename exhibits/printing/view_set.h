@@ -18,8 +18,8 @@ namespace vitrine::printing {
 /// Views that do not fit into its share of memory lie in a scratch file and come into memory by rows.
 class ViewSet {
 public:
-    /// Beside it, decoding pictures and writing the largest prints take some 165 MB: together they stay below 300. What lies
-    /// in the scratch file instead is interlaced three times more slowly.
+    /// Beside it, decoding pictures and writing the largest prints take some 165 MB: together they stay below 300. What
+    /// lies in the scratch file instead is interlaced three times more slowly.
     static constexpr std::size_t usualMemory = 128U << 20U;
 
     /// `memory`: bytes of samples that are kept in memory.
@@ -27,7 +27,8 @@ public:
 
     struct View {
         int width = 0;
-        std::shared_ptr<const std::uint16_t> samples{};  ///< width * height * 4, and one unused pixel behind: columns are read two by two.
+        std::shared_ptr<const std::uint16_t>
+            samples{};  ///< width * height * 4, and one unused pixel behind: columns are read two by two.
     };
 
     /// Adds a picture of linear light with 1 to 4 channels, over white where it is transparent. A picture of
@@ -60,7 +61,8 @@ private:
     std::shared_ptr<render::ScratchFile> scratch_;
 };
 
-/// "The views are not shaped as the print is and are stretched to it." where one is by more than two percent, else empty.
+/// "The views are not shaped as the print is and are stretched to it." where one is by more than two percent, else
+/// empty.
 [[nodiscard]] std::string stretchWarning(const PrintLayout&, const ViewSet&);
 
 }  // namespace vitrine::printing

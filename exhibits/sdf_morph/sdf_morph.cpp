@@ -18,7 +18,8 @@ using render::Attachment;
 using render::Load;
 using render::Pass;
 
-constexpr int blockOfCone = 8;  ///< Pixels along a side of the block that one cone covers; shaders/sdf_morph/cone.frag agrees.
+constexpr int blockOfCone =
+    8;  ///< Pixels along a side of the block that one cone covers; shaders/sdf_morph/cone.frag agrees.
 
 struct PreparedMesh final : PreparedPart {
     render::Asset<render::Mesh> mesh;
@@ -30,7 +31,7 @@ struct Scene {
     const PlanContext& context;
     ParameterValues values;  ///< With the morph as animated.
     SdfMoment moment;
-    render::Box box;         ///< The rays are marched in it.
+    render::Box box;  ///< The rays are marched in it.
     SdfObject object;
 
     [[nodiscard]] render::Draw proxy() const
@@ -59,13 +60,15 @@ void planShadow(const Scene& s, render::FramePlan& plan)
         plan.skip("sdf_morph/shadow", s.context.noShadowBecause);
         return;
     }
-    Pass pass = s.pass("shadow", "the sun reaches it and its shadow may be seen", "sdf_morph/proxy.vert", "sdf_morph/shadow.frag");
+    Pass pass = s.pass("shadow", "the sun reaches it and its shadow may be seen", "sdf_morph/proxy.vert",
+                       "sdf_morph/shadow.frag");
     pass.stage = render::Stage::shadow;
     pass.view = s.context.surroundings.exhibitShadowView;
     pass.key = s.context.surroundings.exhibitShadowKey;
     pass.bound = s.context.surroundings.sunShadow;
     pass.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
-    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
+    pass.state = {
+        .depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
     pass.draws = {s.proxy()};
     plan.add(std::move(pass));
 }
@@ -79,8 +82,12 @@ void planCone(const Scene& s, render::FramePlan& plan)
     // Blocks lie on the grid of the whole picture, so that tiles join to the bit: a tile may begin within one.
     const render::Raster& raster = plan.view.raster;
     const glm::ivec2 blocks = (raster.offset % blockOfCone + raster.drawn() + blockOfCone - 1) / blockOfCone;
-    plan.image({.name = "sdf_morph.cone", .format = render::Format::rgba32f, .size = glm::max(blocks, glm::ivec2(1)), .nearest = true});
-    Pass pass = s.pass("cone", "it saves every ray the way to the object", "lib/fullscreen.vert", "sdf_morph/cone.frag");
+    plan.image({.name = "sdf_morph.cone",
+                .format = render::Format::rgba32f,
+                .size = glm::max(blocks, glm::ivec2(1)),
+                .nearest = true});
+    Pass pass =
+        s.pass("cone", "it saves every ray the way to the object", "lib/fullscreen.vert", "sdf_morph/cone.frag");
     pass.stage = render::Stage::prepare;
     pass.colors = {{"sdf_morph.cone", Load::clear, {}, -1, 0}};
     pass.draws = {render::Draw{}};
@@ -99,17 +106,26 @@ void planEffects(const Scene& s, Pass& pass, ParameterValues& values, render::Fr
     const double any = heat ? std::numeric_limits<double>::infinity() : 1;
     const int bounces = values[table.bounces];
 
-    if (!values[table.ambientOcclusion]) plan.skip("sdf_morph/occlusion", "ambient occlusion is switched off");
-    else if (!plan.needs(pass, {"sdf_morph/occlusion", render::boundOf(any, 0, {{glass && !heat ? 0.0 : 1.0, "glass scatters nothing of the room's light"}})}))
+    if (!values[table.ambientOcclusion])
+        plan.skip("sdf_morph/occlusion", "ambient occlusion is switched off");
+    else if (!plan.needs(
+                 pass, {"sdf_morph/occlusion",
+                        render::boundOf(any, 0,
+                                        {{glass && !heat ? 0.0 : 1.0, "glass scatters nothing of the room's light"}})}))
         values.set(table.ambientOcclusion, false);
 
-    if (values[table.shadowMethod] == SdfShadow::none) plan.skip("sdf_morph/self-shadow", "the shadow method is none");
-    else if (!plan.needs(pass, {"sdf_morph/self-shadow", render::boundOf(0, any * (1 + bounces), {{around.sunShadow.radiance, around.sunShadow.whyNone}})}))
+    if (values[table.shadowMethod] == SdfShadow::none)
+        plan.skip("sdf_morph/self-shadow", "the shadow method is none");
+    else if (!plan.needs(pass, {"sdf_morph/self-shadow",
+                                render::boundOf(0, any * (1 + bounces),
+                                                {{around.sunShadow.radiance, around.sunShadow.whyNone}})}))
         values.set(table.shadowMethod, SdfShadow::none);
 
     // Beyond the first surface, each one adds its own light, and the last one the room's.
     const double reflected = around.probeLight.radiance + bounces * around.sunShadow.radiance;
-    (void)plan.needs(pass, {"sdf_morph/bounces", render::boundOf(0, any, {{bounces > 0 ? 1.0 : 0.0, "no bounce is asked for"}, {reflected, "there is no light to reflect"}})});
+    (void)plan.needs(pass, {"sdf_morph/bounces", render::boundOf(0, any,
+                                                                 {{bounces > 0 ? 1.0 : 0.0, "no bounce is asked for"},
+                                                                  {reflected, "there is no light to reflect"}})});
     pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
 }
 
@@ -118,7 +134,8 @@ Pass marchPass(const Scene& s, const char* name, std::string reason, render::Fra
     Pass pass = s.pass(name, std::move(reason), "sdf_morph/proxy.vert", "sdf_morph/march.frag");
     pass.draws = {s.proxy()};
     // Back faces: they are there even when the camera is inside the box.
-    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
+    pass.state = {
+        .depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
     if (s.values[s.table.conePrepass]) {
         pass.shader.defines.emplace_back("CONE_PREPASS");
         pass.inputs.push_back({UNIT_EXHIBIT_A, std::string("sdf_morph.cone")});
@@ -127,8 +144,10 @@ Pass marchPass(const Scene& s, const char* name, std::string reason, render::Fra
     if (s.values[s.table.heatMap] != SdfHeatMap::none) pass.shader.defines.emplace_back("HEAT_MAP");
     s.context.surroundings.illuminate(pass);
     // It shades itself by rays of its own; the exhibits' shadow map is for what others keep from it.
-    if (s.context.alone) std::erase_if(pass.inputs, [](const render::Input& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
-    else pass.shader.defines.emplace_back("OTHERS_SHADOWS");
+    if (s.context.alone)
+        std::erase_if(pass.inputs, [](const render::Input& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
+    else
+        pass.shader.defines.emplace_back("OTHERS_SHADOWS");
     ParameterValues values = s.values;
     planEffects(s, pass, values, plan);
     return pass;
@@ -219,7 +238,8 @@ void planOverlay(const Scene& s, render::FramePlan& plan)
             size[axis] = half[axis] + thickness;
             center[(axis + 1) % 3] = (corner & 1) != 0 ? half[(axis + 1) % 3] : -half[(axis + 1) % 3];
             center[(axis + 2) % 3] = (corner & 2) != 0 ? half[(axis + 2) % 3] : -half[(axis + 2) % 3];
-            const glm::dmat4 world = s.context.worldFromExhibit * glm::scale(glm::translate(glm::dmat4(1), s.box.center() + center), size);
+            const glm::dmat4 world =
+                s.context.worldFromExhibit * glm::scale(glm::translate(glm::dmat4(1), s.box.center() + center), size);
             pass.draws.push_back(surfaceDraw(boxMesh(), world, glow));
         }
     }
@@ -255,8 +275,9 @@ std::shared_ptr<const PreparedPart> SdfMorph::prepare(const PrepareContext& cont
     if (!context.seen || !context.values[table_.compareMesh]) return nullptr;
     const ParameterValues values = melted(context.values, context.time);
     const auto& t = table_;
-    const std::string key = derive::keyOf(values, {t.morph.row, t.majorRadius.row, t.minorRadius.row, t.mugRadius.row, t.mugHeight.row, t.wallThickness.row,
-                                                   t.handleRadius.row, t.handleThickness.row, t.blend.row, t.tessellation.row});
+    const std::string key = derive::keyOf(values, {t.morph.row, t.majorRadius.row, t.minorRadius.row, t.mugRadius.row,
+                                                   t.mugHeight.row, t.wallThickness.row, t.handleRadius.row,
+                                                   t.handleThickness.row, t.blend.row, t.tessellation.row});
     auto part = std::make_shared<PreparedMesh>();
     part->mesh = context.assets.made<render::Mesh>("sdf_morph.mesh", key, [&] {
         auto mesh = meshOf({table_, values, values[t.morph]}, values[t.tessellation]);
@@ -299,7 +320,9 @@ std::vector<StudyView> SdfMorph::studyViews(const ParameterValues& values) const
     torus.set(table_.morph, 0.0);
     const render::Camera best = bestView(values);
     const double size = glm::length(best.eye);
-    const auto from = [&](glm::dvec3 direction, double distance) { return render::Camera{best.target + glm::normalize(direction) * (size * distance), best.target, best.fovY}; };
+    const auto from = [&](glm::dvec3 direction, double distance) {
+        return render::Camera{best.target + glm::normalize(direction) * (size * distance), best.target, best.fovY};
+    };
     // Rays that graze the lip and the inside of the wall take the most steps; a torus edge-on hides its hole.
     return {{"best view", best, 0, still},
             {"into the mug, along its wall", from({0.25, 0.62, 0.45}, 0.75), 0, mug},
@@ -313,11 +336,14 @@ void SdfMorph::plan(const PlanContext& context, render::FramePlan& plan) const
     const ParameterValues values = melted(context.values, context.time);
     const SdfMoment moment{table_, values, values[table_.morph]};
     const render::Box box = resized(momentaryBox(moment), values[table_.boxSize]);
-    Scene scene{table_, context, values, {table_, values, values[table_.morph]}, box, sdfObject(moment, box, context.worldFromExhibit)};
+    Scene scene{table_, context,
+                values, {table_, values, values[table_.morph]},
+                box,    sdfObject(moment, box, context.worldFromExhibit)};
 
     planShadow(scene, plan);
     if (!context.hiddenBecause.empty()) {
-        for (const char* pass : {"sdf_morph/cone", "sdf_morph/march", "sdf_morph/mesh", "sdf_morph/box"}) plan.skip(pass, context.hiddenBecause);
+        for (const char* pass : {"sdf_morph/cone", "sdf_morph/march", "sdf_morph/mesh", "sdf_morph/box"})
+            plan.skip(pass, context.hiddenBecause);
         return;
     }
     const bool compare = values[table_.compareMesh];
@@ -325,8 +351,10 @@ void SdfMorph::plan(const PlanContext& context, render::FramePlan& plan) const
     if (compare) {
         scene.object.wipe.x = wipe;
         const render::Asset<render::Mesh>& found = static_cast<const PreparedMesh&>(*context.prepared).mesh;
-        if (found.value) planMesh(scene, found.value, wipe, plan);
-        else plan.complain("sdf_morph/mesh", found.failure);
+        if (found.value)
+            planMesh(scene, found.value, wipe, plan);
+        else
+            plan.complain("sdf_morph/mesh", found.failure);
     } else {
         plan.skip("sdf_morph/mesh", "the comparison is switched off");
     }

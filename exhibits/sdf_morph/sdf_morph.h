@@ -16,7 +16,10 @@ public:
 
     [[nodiscard]] std::string_view name() const override { return "sdf_morph"; }
     [[nodiscard]] std::string_view title() const override { return "Torus to Mug"; }
-    [[nodiscard]] std::string_view summary() const override { return "One body with one hole: a distance field, found anew by every ray."; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "One body with one hole: a distance field, found anew by every ray.";
+    }
     [[nodiscard]] std::string_view tryThis() const override { return "melt it, then look for the window in its side."; }
     [[nodiscard]] std::string_view buttonText() const override { return "let it melt"; }
     [[nodiscard]] int place() const override { return 1; }

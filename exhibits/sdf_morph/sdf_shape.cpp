@@ -17,8 +17,15 @@ namespace {
 glsl::TorusMug torusMug(const SdfMoment& m)
 {
     const auto& [table, values, morph] = m;
-    return {morph, values[table.majorRadius], values[table.minorRadius], values[table.mugRadius], values[table.mugHeight],
-            values[table.wallThickness], values[table.handleRadius], values[table.handleThickness], values[table.blend]};
+    return {morph,
+            values[table.majorRadius],
+            values[table.minorRadius],
+            values[table.mugRadius],
+            values[table.mugHeight],
+            values[table.wallThickness],
+            values[table.handleRadius],
+            values[table.handleThickness],
+            values[table.blend]};
 }
 
 render::Box boxOf(const glsl::TorusMugBox& box)
@@ -47,7 +54,9 @@ struct Grid {
 
     [[nodiscard]] std::size_t index(glm::ivec3 p) const
     {
-        return (static_cast<std::size_t>(p.z) * static_cast<std::size_t>(points.y) + static_cast<std::size_t>(p.y)) * static_cast<std::size_t>(points.x) + static_cast<std::size_t>(p.x);
+        return (static_cast<std::size_t>(p.z) * static_cast<std::size_t>(points.y) + static_cast<std::size_t>(p.y)) *
+                   static_cast<std::size_t>(points.x) +
+               static_cast<std::size_t>(p.x);
     }
     [[nodiscard]] double at(glm::ivec3 p) const { return values[index(p)]; }
     [[nodiscard]] glm::dvec3 position(glm::dvec3 p) const { return low + cell * p; }
@@ -60,10 +69,13 @@ Grid sampled(const glsl::TorusMugShape& shape, const render::Box& box, int cells
     grid.cell = std::max({extent.x, extent.y, extent.z}) / cells;
     grid.points = glm::ivec3(glm::ceil(extent / grid.cell)) + 3;
     grid.low = box.center() - 0.5 * grid.cell * glm::dvec3(grid.points - 1);
-    grid.values.resize(static_cast<std::size_t>(grid.points.x) * static_cast<std::size_t>(grid.points.y) * static_cast<std::size_t>(grid.points.z));
+    grid.values.resize(static_cast<std::size_t>(grid.points.x) * static_cast<std::size_t>(grid.points.y) *
+                       static_cast<std::size_t>(grid.points.z));
     for (int z = 0; z < grid.points.z; ++z)
         for (int y = 0; y < grid.points.y; ++y)
-            for (int x = 0; x < grid.points.x; ++x) grid.values[grid.index({x, y, z})] = static_cast<float>(glsl::sdfTorusMug(grid.position({x, y, z}), shape));
+            for (int x = 0; x < grid.points.x; ++x)
+                grid.values[grid.index({x, y, z})] =
+                    static_cast<float>(glsl::sdfTorusMug(grid.position({x, y, z}), shape));
     return grid;
 }
 
@@ -148,9 +160,10 @@ std::shared_ptr<const render::Mesh> meshOf(const SdfMoment& m, int cells)
     mesh->name = "torus-mug mesh";
     const double h = 1e-4;
     const auto gradient = [&](const glm::dvec3& p) {
-        return glm::dvec3(glsl::sdfTorusMug(p + glm::dvec3(h, 0, 0), shape) - glsl::sdfTorusMug(p - glm::dvec3(h, 0, 0), shape),
-                          glsl::sdfTorusMug(p + glm::dvec3(0, h, 0), shape) - glsl::sdfTorusMug(p - glm::dvec3(0, h, 0), shape),
-                          glsl::sdfTorusMug(p + glm::dvec3(0, 0, h), shape) - glsl::sdfTorusMug(p - glm::dvec3(0, 0, h), shape));
+        return glm::dvec3(
+            glsl::sdfTorusMug(p + glm::dvec3(h, 0, 0), shape) - glsl::sdfTorusMug(p - glm::dvec3(h, 0, 0), shape),
+            glsl::sdfTorusMug(p + glm::dvec3(0, h, 0), shape) - glsl::sdfTorusMug(p - glm::dvec3(0, h, 0), shape),
+            glsl::sdfTorusMug(p + glm::dvec3(0, 0, h), shape) - glsl::sdfTorusMug(p - glm::dvec3(0, 0, h), shape));
     };
     std::map<std::size_t, std::uint32_t> vertexOfCell;
     for (int z = 0; z + 1 < grid.points.z; ++z) {
@@ -189,8 +202,10 @@ std::shared_ptr<const render::Mesh> meshOf(const SdfMoment& m, int cells)
                     const std::uint32_t b = vertexOfCell.at(grid.index(here - v));
                     const std::uint32_t c = vertexOfCell.at(grid.index(here));
                     const std::uint32_t d = vertexOfCell.at(grid.index(here - u));
-                    if (inside) mesh->indices.insert(mesh->indices.end(), {a, b, c, a, c, d});
-                    else mesh->indices.insert(mesh->indices.end(), {a, c, b, a, d, c});
+                    if (inside)
+                        mesh->indices.insert(mesh->indices.end(), {a, b, c, a, c, d});
+                    else
+                        mesh->indices.insert(mesh->indices.end(), {a, c, b, a, d, c});
                 }
             }
         }

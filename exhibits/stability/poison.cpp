@@ -17,7 +17,8 @@ std::set<std::string> writtenBy(const render::FramePlan& plan)
 
 std::string at(const std::string& image, int x, int y, int channel, const std::string& what)
 {
-    return image + ": " + what + " at pixel " + std::to_string(x) + ',' + std::to_string(y) + ", channel " + std::to_string(channel);
+    return image + ": " + what + " at pixel " + std::to_string(x) + ',' + std::to_string(y) + ", channel " +
+           std::to_string(channel);
 }
 
 /// Calls `fault(x, y, channel)` for every value; returns the first that is not empty.
@@ -60,7 +61,9 @@ std::string faultOfNormals(const std::string& name, const render::Image& image)
     return firstFault(image, [&](int x, int y, int c) {
         if (std::string fault = faultOfValue(name, x, y, c, image.at(x, y, c)); !fault.empty() || c != 2) return fault;
         const double length = std::hypot(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2));
-        return length == 0 || std::abs(length - 1) < 1e-2 ? std::string() : at(name, x, y, c, "a normal of length " + std::to_string(length));
+        return length == 0 || std::abs(length - 1) < 1e-2
+                   ? std::string()
+                   : at(name, x, y, c, "a normal of length " + std::to_string(length));
     });
 }
 
@@ -75,7 +78,8 @@ std::string faultOfImages(const render::FramePlan& plan, render::Painter& painte
         if (std::string fault = faultOfNormals(normalImage, painter.read(normalImage)); !fault.empty()) return fault;
     }
     if (channels.evaluations) {
-        if (std::string fault = faultOfLight(evaluationsImage, painter.read(evaluationsImage)); !fault.empty()) return fault;
+        if (std::string fault = faultOfLight(evaluationsImage, painter.read(evaluationsImage)); !fault.empty())
+            return fault;
     }
     for (const std::string& name : writtenBy(plan)) {
         const auto info = plan.images().find(name);
@@ -83,7 +87,9 @@ std::string faultOfImages(const render::FramePlan& plan, render::Painter& painte
         const render::Image image = painter.read(name);
         std::string fault = info->second.format == render::Format::depth32f
                                 ? faultOfDepth(name, image, false)
-                                : firstFault(image, [&](int x, int y, int c) { return faultOfValue(name, x, y, c, image.at(x, y, c)); });
+                                : firstFault(image, [&](int x, int y, int c) {
+                                      return faultOfValue(name, x, y, c, image.at(x, y, c));
+                                  });
         if (!fault.empty()) return fault;
     }
     return {};
@@ -112,16 +118,21 @@ render::FramePlan poisoned(const render::FramePlan& plan, const Poison& poison)
             fill.reason = "to see who reads what nobody wrote";
             fill.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
             const bool depth = info.format == render::Format::depth32f;
-            const render::Attachment target{name, render::Load::clear, depth ? glm::vec4(poison.depth) : poison.color, -1, level};
-            if (depth) fill.depth = target;
-            else fill.colors = {target};
+            const render::Attachment target{name, render::Load::clear, depth ? glm::vec4(poison.depth) : poison.color,
+                                            -1, level};
+            if (depth)
+                fill.depth = target;
+            else
+                fill.colors = {target};
             result.add(std::move(fill));
         }
     }
     for (const render::Pass& pass : plan.passes()) result.add(pass);
     for (const render::Skipped& skipped : plan.skipped()) {
-        if (skipped.complaint) result.complain(skipped.name, skipped.reason, skipped.work);
-        else result.skip(skipped.name, skipped.reason, skipped.work);
+        if (skipped.complaint)
+            result.complain(skipped.name, skipped.reason, skipped.work);
+        else
+            result.skip(skipped.name, skipped.reason, skipped.work);
     }
     return result;
 }

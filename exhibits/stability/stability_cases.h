@@ -11,12 +11,12 @@ namespace vitrine {
 
 /// One line of the table that `vitrine doctor --stability` prints.
 struct StabilityResult {
-    std::string number;    ///< Of the hard case, as in tests/stability/README.md; empty for what has none.
-    std::string what;      ///< "A smooth union of width zero".
+    std::string number;  ///< Of the hard case, as in tests/stability/README.md; empty for what has none.
+    std::string what;    ///< "A smooth union of width zero".
     bool passed = false;
-    double value = 0;      ///< What was measured: the largest error, or how many of the things that may not be.
-    double limit = 0;      ///< Passed where `value` is not above it.
-    std::string detail;    ///< For people: where the value was found, what plain code gives on this driver.
+    double value = 0;    ///< What was measured: the largest error, or how many of the things that may not be.
+    double limit = 0;    ///< Passed where `value` is not above it.
+    std::string detail;  ///< For people: where the value was found, what plain code gives on this driver.
 };
 
 /// The shader library on the painter's GPU against itself at float64: at the inputs that break plain code, and at
@@ -30,6 +30,7 @@ struct StabilityResult {
 /// The scan of one exhibit (see stability_scan.h) with `count` seeds from `first` on: `value` is how many pictures
 /// had a fault, `detail` the first of them with its seed and what it takes to bring it about. Stops at the third.
 /// `progress` (may be empty) is told after each picture how many were drawn.
-[[nodiscard]] StabilityResult scanExhibit(const Museum&, render::Painter&, std::size_t exhibit, std::uint64_t first, int count, const std::function<void(int)>& progress = {});
+[[nodiscard]] StabilityResult scanExhibit(const Museum&, render::Painter&, std::size_t exhibit, std::uint64_t first,
+                                          int count, const std::function<void(int)>& progress = {});
 
 }  // namespace vitrine

@@ -45,20 +45,23 @@ Still still(const Museum& museum, std::size_t i)
 render::Image picture(const Museum& museum, render::Painter& painter, const Still& s)
 {
     PictureMaker maker(museum, painter, s.look, s.request);
-    while (maker.step()) {}
+    while (maker.step()) {
+    }
     return maker.picture();
 }
 
 /// The frame, over memory that holds `poison`.
 render::Image over(const Poison& poison, const Museum& museum, render::Painter& painter, const Still& s)
 {
-    (void)painter.draw(poisoned(museum.plan(museum.prepare(s.look, s.request.frame), s.request.frame, painter.kept()), poison));
+    (void)painter.draw(
+        poisoned(museum.plan(museum.prepare(s.look, s.request.frame), s.request.frame, painter.kept()), poison));
     return painter.read("frame");
 }
 
 /// Asks every exhibit for a difference that may not be above `limit`, and keeps the largest.
 template <typename Difference>
-StabilityResult overExhibits(const Museum& museum, std::string number, std::string what, double limit, const Difference& differenceOf)
+StabilityResult overExhibits(const Museum& museum, std::string number, std::string what, double limit,
+                             const Difference& differenceOf)
 {
     StabilityResult result{std::move(number), std::move(what), true, 0, limit, {}};
     for (std::size_t i = 1; i < museum.exhibits().size(); ++i) {
@@ -102,9 +105,12 @@ StabilityResult meanOfThousands(render::Painter& painter)
         plan.add(std::move(average));
     }
     (void)painter.draw(plan);
-    StabilityResult result{"H115", "Mean of 4096 samples of one", false, std::abs(1.0 - static_cast<double>(painter.read("mean").at(0, 0, 0))), 1e-6, {}};
+    StabilityResult result{"H115", "Mean of 4096 samples of one",
+                           false,  std::abs(1.0 - static_cast<double>(painter.read("mean").at(0, 0, 0))),
+                           1e-6,   {}};
     result.passed = result.value <= result.limit;
-    result.detail = "a sum in half precision ends at " + std::to_string(static_cast<int>(painter.read("sum").at(0, 0, 0))) + " here";
+    result.detail = "a sum in half precision ends at " +
+                    std::to_string(static_cast<int>(painter.read("sum").at(0, 0, 0))) + " here";
     return result;
 }
 
@@ -139,9 +145,16 @@ std::vector<StabilityResult> pictureCases(const Museum& museum, render::Painter&
     return results;
 }
 
-StabilityResult scanExhibit(const Museum& museum, render::Painter& painter, std::size_t exhibit, std::uint64_t first, int count, const std::function<void(int)>& progress)
+StabilityResult scanExhibit(const Museum& museum, render::Painter& painter, std::size_t exhibit, std::uint64_t first,
+                            int count, const std::function<void(int)>& progress)
 {
-    StabilityResult result{"", std::string(museum.exhibits()[exhibit]->name()) + ": NaN, infinity or unwritten texels in " + std::to_string(count) + " pictures", true, 0, 0, {}};
+    StabilityResult result{"",
+                           std::string(museum.exhibits()[exhibit]->name()) + ": NaN, infinity or unwritten texels in " +
+                               std::to_string(count) + " pictures",
+                           true,
+                           0,
+                           0,
+                           {}};
     for (int i = 0; i < count && result.value < 3; ++i) {
         const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
         const ScanCase c = scanCase(museum, exhibit, seed);

@@ -58,13 +58,16 @@ render::Camera randomCamera(const Exhibit& exhibit, const ParameterValues& value
 
 double randomTime(RandomNumbers& random)
 {
-    const std::array<double, 8> hostile{0, 0, 1e6, 1e9, 1e6 + 1.0 / 3, -3.5, 1e300, std::numeric_limits<double>::quiet_NaN()};
-    return random.chance(0.5) ? hostile[static_cast<std::size_t>(random.index(static_cast<int>(hostile.size())))] : random.number(0, 60);
+    const std::array<double, 8> hostile{
+        0, 0, 1e6, 1e9, 1e6 + 1.0 / 3, -3.5, 1e300, std::numeric_limits<double>::quiet_NaN()};
+    return random.chance(0.5) ? hostile[static_cast<std::size_t>(random.index(static_cast<int>(hostile.size())))]
+                              : random.number(0, 60);
 }
 
 glm::ivec2 randomSize(RandomNumbers& random)
 {
-    const std::array<glm::ivec2, 6> odd{glm::ivec2(1, 1), glm::ivec2(3, 2), glm::ivec2(17, 5), glm::ivec2(1, 31), glm::ivec2(33, 1), glm::ivec2(7, 9)};
+    const std::array<glm::ivec2, 6> odd{glm::ivec2(1, 1),  glm::ivec2(3, 2),  glm::ivec2(17, 5),
+                                        glm::ivec2(1, 31), glm::ivec2(33, 1), glm::ivec2(7, 9)};
     return random.chance(0.3) ? odd[static_cast<std::size_t>(random.index(static_cast<int>(odd.size())))] : plainSize;
 }
 
@@ -76,7 +79,9 @@ glm::dmat4 randomPlace(RandomNumbers& random)
     case 0: return glm::translate(glm::dmat4(1), random.direction() * farAway);
     case 1: return glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1));
     case 2: return glm::scale(glm::dmat4(1), glm::dvec3(random.chance(0.5) ? 1e3 : 1e-3));
-    default: return glm::scale(glm::rotate(glm::dmat4(1), random.number(0, 6), random.direction()), random.point(glm::dvec3(0.2), glm::dvec3(3)));
+    default:
+        return glm::scale(glm::rotate(glm::dmat4(1), random.number(0, 6), random.direction()),
+                          random.point(glm::dvec3(0.2), glm::dvec3(3)));
     }
 }
 
@@ -128,8 +133,10 @@ ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
     RandomNumbers shared(seed / sharedBy);
     const bool inHall = exhibit == 0 || shared.chance(0.15);
     if (exhibit != 0 && shared.chance(0.5)) c.look.values.front() = randomLight(museum, shared);
-    if (exhibit == 0) c.look.values.front() = randomLight(museum, random);
-    else c.look.values[exhibit] = randomValues(subject.parameters(), random, random.chance(0.5) ? 0.5 : 1);
+    if (exhibit == 0)
+        c.look.values.front() = randomLight(museum, random);
+    else
+        c.look.values[exhibit] = randomValues(subject.parameters(), random, random.chance(0.5) ? 0.5 : 1);
     if (exhibit != 0) {
         c.frame.subject = exhibit;
         if (!inHall) c.frame.alone = exhibit;
@@ -166,26 +173,32 @@ std::vector<std::string> causesOf(const Museum& museum, render::Painter& painter
     const auto tryPlain = [&](const std::string& name, const std::function<void(ScanCase&)>& setBack) {
         ScanCase plain = c;
         setBack(plain);
-        if (faultOf(museum, painter, plain).empty()) causes.push_back(name);
-        else c = std::move(plain);
+        if (faultOf(museum, painter, plain).empty())
+            causes.push_back(name);
+        else
+            c = std::move(plain);
     };
     if (c.frame.raster.size != plainSize)
-        tryPlain("size " + std::to_string(c.frame.raster.size.x) + 'x' + std::to_string(c.frame.raster.size.y), [](ScanCase& s) { s.frame.raster.size = plainSize; });
-    if (c.frame.time != 0) tryPlain("time " + std::to_string(c.frame.time) + " s", [](ScanCase& s) { s.frame.time = 0; });
+        tryPlain("size " + std::to_string(c.frame.raster.size.x) + 'x' + std::to_string(c.frame.raster.size.y),
+                 [](ScanCase& s) { s.frame.raster.size = plainSize; });
+    if (c.frame.time != 0)
+        tryPlain("time " + std::to_string(c.frame.time) + " s", [](ScanCase& s) { s.frame.time = 0; });
     if (c.frame.exhibitTransform != glm::dmat4(1)) {
         tryPlain("an exhibit that is moved, turned or scaled", [&](ScanCase& s) {
             s.frame.exhibitTransform = glm::dmat4(1);
             s.frame.camera = placed(museum, s, subject.bestView(s.look.values[s.exhibit]));
         });
     }
-    tryPlain("the camera", [&](ScanCase& s) { s.frame.camera = placed(museum, s, subject.bestView(s.look.values[s.exhibit])); });
+    tryPlain("the camera",
+             [&](ScanCase& s) { s.frame.camera = placed(museum, s, subject.bestView(s.look.values[s.exhibit])); });
     tryPlain("the channels", [&](ScanCase& s) { s.frame.channels = {}; });
     const Look plain = plainLook(museum);
     for (const std::size_t table : std::set<std::size_t>{0, c.exhibit}) {
         for (std::size_t row = 0; row < c.look.values[table].rows().size(); ++row) {
             const Value& value = plain.values[table].row(row);
             if (c.look.values[table].row(row) == value) continue;
-            const std::string name = std::string(museum.exhibits()[table]->name()) + '.' + settingText(c.look.values[table], row);
+            const std::string name =
+                std::string(museum.exhibits()[table]->name()) + '.' + settingText(c.look.values[table], row);
             tryPlain(name, [&](ScanCase& s) { s.look.values[table].setRow(row, value); });
         }
     }

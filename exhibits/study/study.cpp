@@ -59,12 +59,17 @@ render::Image resampled(const render::Image& from, glm::ivec2 size)
     to.channelNames = {"R", "G", "B", "A"};
     for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
-            const glm::dvec2 at = (glm::dvec2(x, y) + 0.5) * glm::dvec2(from.width, from.height) / glm::dvec2(size) - 0.5;
+            const glm::dvec2 at =
+                (glm::dvec2(x, y) + 0.5) * glm::dvec2(from.width, from.height) / glm::dvec2(size) - 0.5;
             const glm::ivec2 low = glm::ivec2(glm::floor(at));
             const glm::dvec2 t = at - glm::dvec2(low);
             for (int c = 0; c < 4; ++c) {
-                const auto texel = [&](int dx, int dy) { return static_cast<double>(from.at(std::clamp(low.x + dx, 0, from.width - 1), std::clamp(low.y + dy, 0, from.height - 1), c)); };
-                to.at(x, y, c) = static_cast<float>(glm::mix(glm::mix(texel(0, 0), texel(1, 0), t.x), glm::mix(texel(0, 1), texel(1, 1), t.x), t.y));
+                const auto texel = [&](int dx, int dy) {
+                    return static_cast<double>(from.at(std::clamp(low.x + dx, 0, from.width - 1),
+                                                       std::clamp(low.y + dy, 0, from.height - 1), c));
+                };
+                to.at(x, y, c) = static_cast<float>(
+                    glm::mix(glm::mix(texel(0, 0), texel(1, 0), t.x), glm::mix(texel(0, 1), texel(1, 1), t.x), t.y));
             }
         }
     }
@@ -73,16 +78,23 @@ render::Image resampled(const render::Image& from, glm::ivec2 size)
 
 }  // namespace
 
-Study::Study(const Museum& museum, render::Painter& painter, StudyRequest request) : museum_(museum), painter_(painter), request_(std::move(request)),
-      judge_(museum.exhibits(), request_),
-      search_(museum.exhibits(), request_, result_, [this](const Setting& setting) { addSetting(setting); }, [this] { judge(); })
+Study::Study(const Museum& museum, render::Painter& painter, StudyRequest request)
+    : museum_(museum), painter_(painter), request_(std::move(request)), judge_(museum.exhibits(), request_),
+      search_(
+          museum.exhibits(), request_, result_, [this](const Setting& setting) { addSetting(setting); },
+          [this] { judge(); })
 {
-    if (request_.axes.empty()) throw Failure(Blame::usage, "A study needs a parameter that is marked as quality; `vitrine list --json` names them.");
-    if (request_.metric == render::Metric::psnr) throw Failure(Blame::usage, "A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.");
+    if (request_.axes.empty())
+        throw Failure(Blame::usage,
+                      "A study needs a parameter that is marked as quality; `vitrine list --json` names them.");
+    if (request_.metric == render::Metric::psnr)
+        throw Failure(Blame::usage,
+                      "A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.");
     request_.runs = std::max(request_.runs, 1);
     if (request_.subject == 0) request_.alone = false;
     addViews();
-    for (const StudyAxis& axis : request_.axes) result_.exact.push_back(exactness(rowOf(museum_.exhibits(), axis)).exact);
+    for (const StudyAxis& axis : request_.axes)
+        result_.exact.push_back(exactness(rowOf(museum_.exhibits(), axis)).exact);
     findDependentPasses();
     for (std::size_t view = 0; view < views_.size(); ++view) addReference(view, true);
     if (request_.axes.size() > 2) {
@@ -106,20 +118,25 @@ Study::~Study() = default;
 
 void Study::addViews()
 {
-    const std::vector<StudyView> all = museum_.exhibits()[request_.subject]->studyViews(request_.look.values[request_.subject]);
-    for (const std::size_t i : spread(all.size(), static_cast<std::size_t>(std::max(request_.views, 1)))) views_.push_back({all[i], {}, {}, {}, false});
+    const std::vector<StudyView> all =
+        museum_.exhibits()[request_.subject]->studyViews(request_.look.values[request_.subject]);
+    for (const std::size_t i : spread(all.size(), static_cast<std::size_t>(std::max(request_.views, 1))))
+        views_.push_back({all[i], {}, {}, {}, false});
     for (const View& view : views_) result_.views.push_back(view.view.name);
     result_.references.resize(views_.size());
     if (!request_.maxError && !request_.maxMilliseconds) return;
     const std::vector<View> used = views_;
     for (const StudyView& view : all)
-        if (std::none_of(used.begin(), used.end(), [&](const View& v) { return v.view.name == view.name; })) views_.push_back({view, {}, {}, {}, true});
+        if (std::none_of(used.begin(), used.end(), [&](const View& v) { return v.view.name == view.name; }))
+            views_.push_back({view, {}, {}, {}, true});
     if (views_.size() > used.size()) return;
     for (View turned : used) {
         // An exhibit that names no more views is looked at from aside, and a little later.
         const double angle = 0.44;
         const glm::dvec3 arm = turned.view.camera.eye - turned.view.camera.target;
-        turned.view.camera.eye = turned.view.camera.target + glm::dvec3(std::cos(angle) * arm.x + std::sin(angle) * arm.z, arm.y, std::cos(angle) * arm.z - std::sin(angle) * arm.x);
+        turned.view.camera.eye =
+            turned.view.camera.target + glm::dvec3(std::cos(angle) * arm.x + std::sin(angle) * arm.z, arm.y,
+                                                   std::cos(angle) * arm.z - std::sin(angle) * arm.x);
         turned.view.time += 0.37;
         turned.view.name += ", from aside";
         turned.heldOut = true;
@@ -131,7 +148,8 @@ Look Study::lookAt(const std::vector<double>& axisValues, std::size_t view) cons
 {
     Look look = request_.look;
     look.values[request_.subject] = views_[view].view.values;
-    for (std::size_t i = 0; i < request_.axes.size(); ++i) look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, axisValues[i]);
+    for (std::size_t i = 0; i < request_.axes.size(); ++i)
+        look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, axisValues[i]);
     look.camera = views_[view].view.camera;
     if (!request_.alone && request_.subject != 0) {
         const glm::dmat4 world = museum_.worldFromExhibit(request_.subject);
@@ -145,7 +163,8 @@ Look Study::lookOf(const StudyPoint& point) const
 {
     Look look = request_.look;
     const std::vector<double> values = valuesOf(point.setting);
-    for (std::size_t i = 0; i < request_.axes.size(); ++i) look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, values[i]);
+    for (std::size_t i = 0; i < request_.axes.size(); ++i)
+        look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, values[i]);
     return look;
 }
 
@@ -160,14 +179,19 @@ PictureRequest Study::pictureRequest(const Look& look, std::size_t view) const
 {
     PictureRequest request;
     const PictureQuality quality = pictureQuality(look.values.front());
-    const bool supersampled = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& a) { return a.exhibit == 0 && rowOf(museum_.exhibits(), a).name == supersamplesRow; });
+    const bool supersampled = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& a) {
+        return a.exhibit == 0 && rowOf(museum_.exhibits(), a).name == supersamplesRow;
+    });
     request.samples = supersampled ? quality.supersamples : 1;
-    request.frame.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(request_.size) * quality.resolutionScale)), glm::ivec2(1));
+    request.frame.raster.size =
+        glm::max(glm::ivec2(glm::round(glm::dvec2(request_.size) * quality.resolutionScale)), glm::ivec2(1));
     request.frame.camera = look.camera;
     request.frame.time = views_[view].view.time;
     request.frame.needsFiles = request_.needsFiles;
-    if (request_.alone) request.frame.alone = request_.subject;
-    else if (request_.subject != 0) request.frame.subject = request_.subject;
+    if (request_.alone)
+        request.frame.alone = request_.subject;
+    else if (request_.subject != 0)
+        request.frame.subject = request_.subject;
     request.frame.channels = {.normal = true, .evaluations = true};
     request.depth = true;
     request.largestTile = request_.largestTile;
@@ -204,8 +228,11 @@ void Study::addPicture(std::string name, Look look, std::size_t view, std::funct
 {
     // Made when its turn comes: it holds the whole picture.
     std::shared_ptr<PictureMaker> none;
-    jobs_.push_back({std::move(name), [this, look = std::move(look), view, maker = std::move(none), take = std::move(take)]() mutable {
-                         if (!maker) maker = std::make_shared<PictureMaker>(museum_, painter_, look, pictureRequest(look, view));
+    jobs_.push_back({std::move(name),
+                     [this, look = std::move(look), view, maker = std::move(none), take = std::move(take)]() mutable {
+                         if (!maker)
+                             maker =
+                                 std::make_shared<PictureMaker>(museum_, painter_, look, pictureRequest(look, view));
                          maker->step();
                          if (!maker->finished()) return false;
                          const render::Image& picture = maker->picture();
@@ -218,13 +245,15 @@ void Study::addPicture(std::string name, Look look, std::size_t view, std::funct
 void Study::addReference(std::size_t view, bool withNeighbors)
 {
     if (views_[view].heldOut && phase_ != Phase::choice) return;
-    addPicture("reference of " + views_[view].view.name, lookAt(result_.exact, view), view, [this, view](render::Image picture) {
-        if (!views_[view].heldOut) result_.references[view] = picture;
-        views_[view].reference = std::move(picture);
-    });
+    addPicture("reference of " + views_[view].view.name, lookAt(result_.exact, view), view,
+               [this, view](render::Image picture) {
+                   if (!views_[view].heldOut) result_.references[view] = picture;
+                   views_[view].reference = std::move(picture);
+               });
     if (!withNeighbors) return;
     for (const std::vector<double>& neighbor : neighborsOf(museum_.exhibits(), request_.axes, doublings_))
-        addPicture("check of the reference, " + views_[view].view.name, lookAt(neighbor, view), view, [this, view](render::Image picture) { views_[view].neighbors.push_back(std::move(picture)); });
+        addPicture("check of the reference, " + views_[view].view.name, lookAt(neighbor, view), view,
+                   [this, view](render::Image picture) { views_[view].neighbors.push_back(std::move(picture)); });
 }
 
 void Study::addSetting(const Setting& setting)
@@ -236,22 +265,26 @@ void Study::addSetting(const Setting& setting)
     result_.points.back().shots.resize(result_.views.size());
     for (std::size_t view = 0; view < result_.views.size(); ++view) {
         const Look look = lookAt(valuesOf(setting), view);
-        addPicture("setting " + std::to_string(point + 1) + ", " + views_[view].view.name, look, view, [this, point, view, look](render::Image picture) {
-            StudyShot& shot = result_.points[point].shots[view];
-            const int samples = pictureRequest(look, view).samples;
-            const render::FrameReport report = drawTimed(look, view);
-            shot.counters = report.counters;
-            for (const char* name : stateCounters) shot.counters.erase(name);
-            if (const std::int64_t evaluations = totalOf(picture, "evaluations"); evaluations > 0) shot.counters["evaluations"] = evaluations;
-            const glm::ivec2 drawn = pictureRequest(look, view).frame.raster.size;
-            shot.counters["pixels"] = static_cast<std::int64_t>(drawn.x) * drawn.y;
-            for (auto& [name, count] : shot.counters) count *= samples;
-            shot.firstMilliseconds = report.milliseconds * samples;
-            shot.errors = judge_.errorsOf(views_[view].reference, picture);
-            // A search keeps many pictures: of those, the colors are enough, unless it goes by something else.
-            shot.picture = request_.axes.size() > 2 && goesByColor(request_.metric) ? colorsOf(picture) : std::move(picture);
-            if (view + 1 == result_.views.size()) judge();
-        });
+        addPicture("setting " + std::to_string(point + 1) + ", " + views_[view].view.name, look, view,
+                   [this, point, view, look](render::Image picture) {
+                       StudyShot& shot = result_.points[point].shots[view];
+                       const int samples = pictureRequest(look, view).samples;
+                       const render::FrameReport report = drawTimed(look, view);
+                       shot.counters = report.counters;
+                       for (const char* name : stateCounters) shot.counters.erase(name);
+                       if (const std::int64_t evaluations = totalOf(picture, "evaluations"); evaluations > 0)
+                           shot.counters["evaluations"] = evaluations;
+                       const glm::ivec2 drawn = pictureRequest(look, view).frame.raster.size;
+                       shot.counters["pixels"] = static_cast<std::int64_t>(drawn.x) * drawn.y;
+                       for (auto& [name, count] : shot.counters) count *= samples;
+                       shot.firstMilliseconds = report.milliseconds * samples;
+                       shot.errors = judge_.errorsOf(views_[view].reference, picture);
+                       // A search keeps many pictures: of those, the colors are enough, unless it goes by something
+                       // else.
+                       shot.picture = request_.axes.size() > 2 && goesByColor(request_.metric) ? colorsOf(picture)
+                                                                                               : std::move(picture);
+                       if (view + 1 == result_.views.size()) judge();
+                   });
     }
 }
 
@@ -280,15 +313,19 @@ void Study::addTimes()
             if (result_.present == i) return false;
             const bool onFront = std::find(result_.front.begin(), result_.front.end(), i) != result_.front.end();
             if (request_.maxError && result_.points[i].worstError > *request_.maxError && !onFront) return true;
-            return std::any_of(result_.points.begin(), result_.points.end(), [&](const StudyPoint& other) { return other.error <= result_.points[i].error && other.cost * 1.3 < result_.points[i].cost; });
+            return std::any_of(result_.points.begin(), result_.points.end(), [&](const StudyPoint& other) {
+                return other.error <= result_.points[i].error && other.cost * 1.3 < result_.points[i].cost;
+            });
         });
     }
     for (std::size_t run = 0; run < static_cast<std::size_t>(request_.runs); ++run) {
         for (const std::size_t i : render::interleaved(timed.size(), run)) {
             const std::size_t point = timed[i];
-            jobs_.push_back({"run " + std::to_string(run + 1) + " of " + std::to_string(request_.runs), [this, point, view = std::size_t{0}]() mutable {
+            jobs_.push_back({"run " + std::to_string(run + 1) + " of " + std::to_string(request_.runs),
+                             [this, point, view = std::size_t{0}]() mutable {
                                  const Look look = lookAt(valuesOf(result_.points[point].setting), view);
-                                 result_.points[point].shots[view].milliseconds.push_back(drawTimed(look, view).milliseconds * pictureRequest(look, view).samples);
+                                 result_.points[point].shots[view].milliseconds.push_back(
+                                     drawTimed(look, view).milliseconds * pictureRequest(look, view).samples);
                                  return ++view == result_.views.size();
                              }});
         }
@@ -299,17 +336,20 @@ void Study::renewErrors()
 {
     for (StudyPoint& point : result_.points)
         for (std::size_t view = 0; view < point.shots.size(); ++view)
-            if (!point.shots[view].picture.empty()) point.shots[view].errors = judge_.errorsOf(views_[view].reference, point.shots[view].picture);
+            if (!point.shots[view].picture.empty())
+                point.shots[view].errors = judge_.errorsOf(views_[view].reference, point.shots[view].picture);
 }
 
 bool Study::refineReference()
 {
     renewErrors();
     judge();
-    const bool tellsAll = std::none_of(result_.points.begin(), result_.points.end(), [](const StudyPoint& point) { return point.uncertain; });
+    const bool tellsAll = std::none_of(result_.points.begin(), result_.points.end(),
+                                       [](const StudyPoint& point) { return point.uncertain; });
     if (tellsAll || doublings_ >= mostDoublings) return false;
     std::vector<double> doubled;
-    for (const StudyAxis& axis : request_.axes) doubled.push_back(exactness(rowOf(museum_.exhibits(), axis), doublings_ + 1).exact);
+    for (const StudyAxis& axis : request_.axes)
+        doubled.push_back(exactness(rowOf(museum_.exhibits(), axis), doublings_ + 1).exact);
     if (doubled == result_.exact) return false;
     ++doublings_;
     result_.exact = doubled;
@@ -328,8 +368,10 @@ double Study::uncertainty() const
         if (v.reference.empty()) continue;
         for (std::size_t i = 0; i < v.neighbors.size(); ++i) {
             const double change = judge_.errorsOf(v.reference, v.neighbors[i])[request_.metric];
-            if (i == 0) uncertainties.push_back(change);
-            else uncertainties.back() = std::max(uncertainties.back(), change);
+            if (i == 0)
+                uncertainties.push_back(change);
+            else
+                uncertainties.back() = std::max(uncertainties.back(), change);
         }
     }
     return judge_.pooled(uncertainties);
@@ -356,7 +398,8 @@ void Study::tryCandidate()
             if (request_.maxError) choice.holds = choice.holds && error <= *request_.maxError;
             if (!request_.maxMilliseconds) return;
             std::vector<double> times;
-            for (int run = 0; run < heldOutRuns; ++run) times.push_back(drawTimed(look, view).milliseconds * pictureRequest(look, view).samples);
+            for (int run = 0; run < heldOutRuns; ++run)
+                times.push_back(drawTimed(look, view).milliseconds * pictureRequest(look, view).samples);
             const double median = render::quantile(times, 0.5);
             choice.heldOutMilliseconds = std::max(choice.heldOutMilliseconds, median);
             choice.holds = choice.holds && median <= *request_.maxMilliseconds;
@@ -375,10 +418,13 @@ void Study::nextPhase()
         for (std::size_t view = 0; view < result_.views.size(); ++view) {
             Look look = lookAt(result_.exact, view);
             look.values[request_.subject] = atReference(look.values[request_.subject]);
-            for (std::size_t i = 0; i < request_.axes.size(); ++i) look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, result_.exact[i]);
+            for (std::size_t i = 0; i < request_.axes.size(); ++i)
+                look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, result_.exact[i]);
             addPicture("everything exact, " + views_[view].view.name, look, view, [this, view](render::Image picture) {
                 views_[view].exact = std::move(picture);
-                for (StudyPoint& point : result_.points) point.shots[view].modelError = judge_.errorsOf(views_[view].exact, point.shots[view].picture)[request_.metric];
+                for (StudyPoint& point : result_.points)
+                    point.shots[view].modelError =
+                        judge_.errorsOf(views_[view].exact, point.shots[view].picture)[request_.metric];
             });
         }
         return;
@@ -397,8 +443,10 @@ void Study::nextPhase()
         tryCandidate();
         return;
     case Phase::choice:
-        if (result_.choice->holds || candidates_.empty()) phase_ = Phase::done;
-        else tryCandidate();
+        if (result_.choice->holds || candidates_.empty())
+            phase_ = Phase::done;
+        else
+            tryCandidate();
         return;
     case Phase::done: return;
     }
@@ -441,7 +489,8 @@ double Study::progress() const
 {
     if (finished()) return 1;
     std::size_t ahead = jobs_.size();
-    if (phase_ == Phase::pictures) ahead += result_.views.size() + result_.points.size() * static_cast<std::size_t>(request_.runs);
+    if (phase_ == Phase::pictures)
+        ahead += result_.views.size() + result_.points.size() * static_cast<std::size_t>(request_.runs);
     return static_cast<double>(jobsDone_) / static_cast<double>(std::max<std::size_t>(jobsDone_ + ahead, 1));
 }
 

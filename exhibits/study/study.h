@@ -80,7 +80,7 @@ private:
     std::deque<Job> jobs_;
     std::size_t jobsDone_ = 0;
     std::string doing_;
-    std::vector<View> views_;                ///< Those of the study, then those held out.
+    std::vector<View> views_;  ///< Those of the study, then those held out.
     int doublings_ = 0;
     std::map<Setting, std::size_t> known_;
     std::set<std::string> dependentPasses_;  ///< Kept passes that the axes change: their work counts.

@@ -51,7 +51,9 @@ std::optional<StudyAxis> studyAxis(Exhibits exhibits, std::size_t exhibit, std::
 std::vector<StudyAxis> qualityAxes(Exhibits exhibits, std::size_t exhibit, int points)
 {
     const auto& rows = exhibits[exhibit]->parameters().rows();
-    if (points == 0) points = usualPoints(static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); })));
+    if (points == 0)
+        points = usualPoints(static_cast<std::size_t>(std::count_if(
+            rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); })));
     std::vector<StudyAxis> axes;
     for (std::size_t row = 0; row < rows.size(); ++row)
         if (auto axis = studyAxis(exhibits, exhibit, row, points)) axes.push_back(std::move(*axis));
@@ -88,7 +90,8 @@ Exactness exactness(const ParameterInfo& row, int doublings)
     }
     const bool more = result.exact > initial;
     if (byFactors) {
-        for (int i = 0; i < doublings && legal(moved(result.exact, more)); ++i) result.exact = moved(result.exact, more);
+        for (int i = 0; i < doublings && legal(moved(result.exact, more)); ++i)
+            result.exact = moved(result.exact, more);
         if (const double to = moved(result.exact, more); legal(to)) result.beyond = to;
     }
     check(!more);

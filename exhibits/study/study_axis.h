@@ -39,7 +39,10 @@ using Setting = std::vector<std::size_t>;
 
 /// How many values each axis is given where nobody says: few of a surface, many of a curve, and most where a search
 /// among three axes or more measures only those that matter.
-[[nodiscard]] constexpr int usualPoints(std::size_t axes) { return axes == 1 ? 8 : axes == 2 ? 5 : 17; }
+[[nodiscard]] constexpr int usualPoints(std::size_t axes)
+{
+    return axes == 1 ? 8 : axes == 2 ? 5 : 17;
+}
 
 /// One axis for every quality row of the exhibit; of `usualPoints` values where `points` is 0.
 [[nodiscard]] std::vector<StudyAxis> qualityAxes(Exhibits, std::size_t exhibit, int points = 0);
@@ -50,9 +53,9 @@ using Setting = std::vector<std::size_t>;
 /// Where a row counts as exact, and what tells how sure that is.
 struct Exactness {
     double exact = 0;
-    /// Values whose pictures the exact one's is checked against: half or double on a logarithmic scale, one less or more of
-    /// a count; towards the initial value, or both ways from a value that is the initial one. Empty for a row that is
-    /// exact by its meaning, and for one that nothing can check: a choice, a number on a linear scale.
+    /// Values whose pictures the exact one's is checked against: half or double on a logarithmic scale, one less or
+    /// more of a count; towards the initial value, or both ways from a value that is the initial one. Empty for a row
+    /// that is exact by its meaning, and for one that nothing can check: a choice, a number on a linear scale.
     std::vector<double> neighbors;
     bool byMeaning = false;        ///< Its row says so: nothing is approximated there.
     std::optional<double> beyond;  ///< As far away from the initial value, while legal.

@@ -11,7 +11,8 @@ std::vector<std::size_t> choiceCandidates(const StudyRequest& request, const Stu
     for (std::size_t i = 0; i < result.points.size(); ++i) {
         const StudyPoint& point = result.points[i];
         if (!point.time) continue;
-        const bool keeps = request.maxError ? point.worstError <= *request.maxError : point.time->interval.high <= *request.maxMilliseconds;
+        const bool keeps = request.maxError ? point.worstError <= *request.maxError
+                                            : point.time->interval.high <= *request.maxMilliseconds;
         if (keeps) candidates.push_back(i);
     }
     if (candidates.empty()) return candidates;
@@ -20,7 +21,8 @@ std::vector<std::size_t> choiceCandidates(const StudyRequest& request, const Stu
         return request.maxError ? std::pair(p.cost, p.worstError) : std::pair(p.worstError, p.cost);
     };
     // Best last, by the median of the time or by the worst error; of equal ones, the better in the other.
-    std::sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) { return badness(a) > badness(b); });
+    std::sort(candidates.begin(), candidates.end(),
+              [&](std::size_t a, std::size_t b) { return badness(a) > badness(b); });
     if (!result.present) return candidates;
     // Those that cannot be told from the best one: of them, the one that changes the fewest parameters, and of these
     // the most exact.

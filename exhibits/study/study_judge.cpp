@@ -21,7 +21,8 @@ constexpr double leastRatio = 1.15;
 
 bool isDrawn(const StudyPoint& point)
 {
-    return std::all_of(point.shots.begin(), point.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); });
+    return std::all_of(point.shots.begin(), point.shots.end(),
+                       [](const StudyShot& shot) { return !shot.picture.empty(); });
 }
 
 /// Those whose reference counts as exact although neither its meaning nor another value says so.
@@ -29,7 +30,8 @@ std::vector<StudyAxis> uncheckedAxes(Exhibits exhibits, const std::vector<StudyA
 {
     std::vector<StudyAxis> found;
     for (const StudyAxis& axis : axes)
-        if (const Exactness e = exactness(rowOf(exhibits, axis)); !e.byMeaning && e.neighbors.empty()) found.push_back(axis);
+        if (const Exactness e = exactness(rowOf(exhibits, axis)); !e.byMeaning && e.neighbors.empty())
+            found.push_back(axis);
     return found;
 }
 
@@ -47,7 +49,9 @@ std::string mostTelling(const std::vector<StudyPoint>& points)
         }
     }
     for (const char* name : {"pixels", "evaluations", "fetches", "marchSteps", "samples"})
-        if (const auto known = ranges.find(name); known != ranges.end() && known->second.first > 0 && known->second.second > leastRatio * known->second.first) return name;
+        if (const auto known = ranges.find(name);
+            known != ranges.end() && known->second.first > 0 && known->second.second > leastRatio * known->second.first)
+            return name;
     std::string best;
     double largest = leastRatio;
     for (const auto& [name, range] : ranges) {
@@ -68,7 +72,8 @@ std::optional<render::Summary> timeOf(const StudyPoint& point)
     for (const StudyShot& shot : point.shots) runs = std::min(runs, shot.milliseconds.size());
     std::vector<double> means(runs, 0.0);
     for (std::size_t run = 0; run < runs; ++run)
-        for (const StudyShot& shot : point.shots) means[run] += shot.milliseconds[run] / static_cast<double>(point.shots.size());
+        for (const StudyShot& shot : point.shots)
+            means[run] += shot.milliseconds[run] / static_cast<double>(point.shots.size());
     return means.empty() ? std::nullopt : std::optional(render::summarize(means));
 }
 
@@ -77,9 +82,13 @@ std::optional<render::Summary> timeOf(const StudyPoint& point)
 Errors StudyJudge::errorsOf(const render::Image& reference, const render::Image& picture) const
 {
     const render::ColorDifference color = render::colorDifference(reference, picture);
-    Errors errors{{Metric::rmse, color.rmse}, {Metric::psnr, color.psnr()}, {Metric::max, color.max}, {Metric::beyond, color.beyond}};
+    Errors errors{{Metric::rmse, color.rmse},
+                  {Metric::psnr, color.psnr()},
+                  {Metric::max, color.max},
+                  {Metric::beyond, color.beyond}};
     for (const Metric metric : {Metric::flip, Metric::normal, Metric::depth})
-        if (const auto distance = render::distance(metric, reference, picture, request_.pixelsPerDegree)) errors[metric] = *distance;
+        if (const auto distance = render::distance(metric, reference, picture, request_.pixelsPerDegree))
+            errors[metric] = *distance;
     return errors;
 }
 
@@ -112,10 +121,14 @@ void StudyJudge::judge(StudyResult& result, int doublings) const
     }
     result.converged = uncertain == 0 && uncheckedAxes(exhibits_, request_.axes).empty();
     result.convergence = convergenceSentence(result, uncertain, smallest, doublings);
-    if (std::isinf(smallest) && result.points.size() > 1 && std::all_of(result.points.begin(), result.points.end(), isDrawn)) {
+    if (std::isinf(smallest) && result.points.size() > 1 &&
+        std::all_of(result.points.begin(), result.points.end(), isDrawn)) {
         std::string names;
-        for (const StudyAxis& axis : request_.axes) names += (names.empty() ? "" : " or ") + axisName(exhibits_, request_.subject, axis);
-        result.convergence = "Nothing depends on " + names + " at present: every setting gives the same picture. Switch on what it acts on, and study again.";
+        for (const StudyAxis& axis : request_.axes)
+            names += (names.empty() ? "" : " or ") + axisName(exhibits_, request_.subject, axis);
+        result.convergence =
+            "Nothing depends on " + names +
+            " at present: every setting gives the same picture. Switch on what it acts on, and study again.";
     }
     judgeCosts(result);
 }
@@ -126,7 +139,8 @@ void StudyJudge::judgePoint(StudyPoint& point, double uncertainty) const
     std::vector<double> modelErrors;
     point.counters.clear();
     for (StudyShot& shot : point.shots) {
-        errors.push_back(shot.errors.contains(request_.metric) ? shot.errors.at(request_.metric) : std::numeric_limits<double>::quiet_NaN());
+        errors.push_back(shot.errors.contains(request_.metric) ? shot.errors.at(request_.metric)
+                                                               : std::numeric_limits<double>::quiet_NaN());
         modelErrors.push_back(shot.modelError);
         for (const auto& [name, count] : shot.counters) point.counters[name] += count;
     }
@@ -141,35 +155,47 @@ bool StudyJudge::isPresent(const StudyPoint& point) const
 {
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
-        if (std::get<double>(request_.look.values[axis.exhibit].row(axis.row)) != axis.values[point.setting[a]]) return false;
+        if (std::get<double>(request_.look.values[axis.exhibit].row(axis.row)) != axis.values[point.setting[a]])
+            return false;
     }
     return true;
 }
 
-std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size_t uncertainErrors, double smallestError, int doublings) const
+std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size_t uncertainErrors,
+                                            double smallestError, int doublings) const
 {
     const auto listed = [&](const std::vector<StudyAxis>& axes, const std::vector<double>& values) {
         std::string text;
-        for (std::size_t i = 0; i < axes.size(); ++i) text += (text.empty() ? "" : ", ") + axisName(exhibits_, request_.subject, axes[i]) + ' ' + axisValueText(exhibits_, axes[i], values[i]);
+        for (std::size_t i = 0; i < axes.size(); ++i)
+            text += (text.empty() ? "" : ", ") + axisName(exhibits_, request_.subject, axes[i]) + ' ' +
+                    axisValueText(exhibits_, axes[i], values[i]);
         return text;
     };
     const std::vector<StudyAxis> unchecked = uncheckedAxes(exhibits_, request_.axes);
     std::vector<double> takenFor;
     for (const StudyAxis& axis : unchecked) takenFor.push_back(exactness(rowOf(exhibits_, axis)).exact);
-    const std::string onTrust = unchecked.empty() ? "" : "What counts as exact is not checked: " + listed(unchecked, takenFor) + '.';
+    const std::string onTrust =
+        unchecked.empty() ? "" : "What counts as exact is not checked: " + listed(unchecked, takenFor) + '.';
     const auto neighbors = neighborsOf(exhibits_, request_.axes);
     if (neighbors.empty()) return onTrust.empty() ? "The reference is exact by the meaning of the parameter." : onTrust;
 
     std::string text;
     const std::string change = shortNumber(result.uncertainty);
     if (doublings > 0) {
-        text = "The reference was made twice as exact " + std::to_string(doublings) + (doublings == 1 ? " time" : " times") + ", the last time changing it by " + change;
+        text = "The reference was made twice as exact " + std::to_string(doublings) +
+               (doublings == 1 ? " time" : " times") + ", the last time changing it by " + change;
     } else {
-        for (const std::vector<double>& neighbor : neighbors) text += (text.empty() ? "At " : ", or at ") + listed(request_.axes, neighbor);
+        for (const std::vector<double>& neighbor : neighbors)
+            text += (text.empty() ? "At " : ", or at ") + listed(request_.axes, neighbor);
         text += " the reference changes by " + change;
     }
-    if (uncertainErrors > 0) text += ": " + std::to_string(uncertainErrors) + (uncertainErrors == 1 ? " error is" : " errors are") + " under four times that, and uncertain.";
-    else text += std::isfinite(smallestError) ? ", less than a quarter of the smallest error, " + shortNumber(smallestError) + '.' : ".";
+    if (uncertainErrors > 0)
+        text += ": " + std::to_string(uncertainErrors) + (uncertainErrors == 1 ? " error is" : " errors are") +
+                " under four times that, and uncertain.";
+    else
+        text += std::isfinite(smallestError)
+                    ? ", less than a quarter of the smallest error, " + shortNumber(smallestError) + '.'
+                    : ".";
     return text + (onTrust.empty() ? "" : ' ' + onTrust);
 }
 
@@ -181,17 +207,22 @@ void StudyJudge::judgeCosts(StudyResult& result) const
     result.costName = counter.empty() ? "ms" : counter;
 
     std::vector<render::CostAndError> measured;
-    const bool anyTimed = std::any_of(result.points.begin(), result.points.end(), [](const StudyPoint& p) { return p.time.has_value(); });
+    const bool anyTimed =
+        std::any_of(result.points.begin(), result.points.end(), [](const StudyPoint& p) { return p.time.has_value(); });
     for (StudyPoint& point : result.points) {
         double first = 0;
-        for (const StudyShot& shot : point.shots) first += shot.firstMilliseconds / static_cast<double>(point.shots.size());
-        point.cost = !counter.empty() ? static_cast<double>(point.counters[counter]) : point.time ? point.time->median : first;
+        for (const StudyShot& shot : point.shots)
+            first += shot.firstMilliseconds / static_cast<double>(point.shots.size());
+        point.cost = !counter.empty() ? static_cast<double>(point.counters[counter])
+                     : point.time     ? point.time->median
+                                      : first;
         const bool counts = isDrawn(point) && (!counter.empty() || point.time || !anyTimed);
         measured.push_back({counts ? point.cost : std::numeric_limits<double>::infinity(), point.error});
     }
     result.front = render::paretoFront(measured);
     for (std::size_t i = 0; i < result.points.size(); ++i)
-        result.points[i].dominated = isDrawn(result.points[i]) && std::find(result.front.begin(), result.front.end(), i) == result.front.end();
+        result.points[i].dominated =
+            isDrawn(result.points[i]) && std::find(result.front.begin(), result.front.end(), i) == result.front.end();
     const auto place = render::knee(measured, result.front);
     result.knee = place ? std::optional(result.front[*place]) : std::nullopt;
     fitLaw(result, measured);
@@ -200,7 +231,8 @@ void StudyJudge::judgeCosts(StudyResult& result) const
 void StudyJudge::fitLaw(StudyResult& result, std::span<const render::CostAndError> measured) const
 {
     result.law.reset();
-    const bool numeric = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& axis) { return rowOf(exhibits_, axis).isNumeric(); });
+    const bool numeric = std::any_of(request_.axes.begin(), request_.axes.end(),
+                                     [&](const StudyAxis& axis) { return rowOf(exhibits_, axis).isNumeric(); });
     if (request_.axes.size() > 2 || !numeric) return;
     std::vector<double> errors;
     std::vector<double> costs;

@@ -25,7 +25,8 @@ public:
 private:
     void judgePoint(StudyPoint&, double uncertainty) const;
     [[nodiscard]] bool isPresent(const StudyPoint&) const;
-    [[nodiscard]] std::string convergenceSentence(const StudyResult&, std::size_t uncertainErrors, double smallestError, int doublings) const;
+    [[nodiscard]] std::string convergenceSentence(const StudyResult&, std::size_t uncertainErrors, double smallestError,
+                                                  int doublings) const;
     void judgeCosts(StudyResult&) const;
     void fitLaw(StudyResult&, std::span<const render::CostAndError>) const;
 

@@ -16,18 +16,19 @@ namespace vitrine {
 /// What to measure.
 struct StudyRequest {
     std::size_t subject = 1;
-    Look look;                      ///< Everything that is not varied stays as it is here.
-    std::vector<StudyAxis> axes;    ///< One: a curve. Two: a surface. More: the front is searched for.
+    Look look;                    ///< Everything that is not varied stays as it is here.
+    std::vector<StudyAxis> axes;  ///< One: a curve. Two: a surface. More: the front is searched for.
     glm::ivec2 size{320, 180};
-    int views = 3;                  ///< At most; spread over those that the exhibit names.
-    int runs = 7;                   ///< Timed frames of each setting in each view, after one that is not timed.
-    render::Metric metric = render::Metric::rmse;  ///< What fronts and choices go by; never psnr, which is rmse in decibels.
-    double pixelsPerDegree = 67;    ///< For FLIP.
-    bool alone = false;             ///< Without the hall, in the environment's light. The hall itself is never without.
-    bool needsFiles = false;        ///< As FrameRequest's.
-    bool modelError = true;         ///< Measure against everything at its best, too.
-    int largestTile = 2048;         ///< Side in pixels: smaller ones make shorter steps.
-    int settings = 60;              ///< At most, of a search over three axes or more.
+    int views = 3;  ///< At most; spread over those that the exhibit names.
+    int runs = 7;   ///< Timed frames of each setting in each view, after one that is not timed.
+    render::Metric metric =
+        render::Metric::rmse;     ///< What fronts and choices go by; never psnr, which is rmse in decibels.
+    double pixelsPerDegree = 67;  ///< For FLIP.
+    bool alone = false;           ///< Without the hall, in the environment's light. The hall itself is never without.
+    bool needsFiles = false;      ///< As FrameRequest's.
+    bool modelError = true;       ///< Measure against everything at its best, too.
+    int largestTile = 2048;       ///< Side in pixels: smaller ones make shorter steps.
+    int settings = 60;            ///< At most, of a search over three axes or more.
     /// Choose: the cheapest setting with an error up to this in every view, or the most exact one whose frame takes
     /// no longer than that. At most one of them.
     std::optional<double> maxError, maxMilliseconds;
@@ -40,11 +41,12 @@ using Errors = std::map<render::Metric, double>;
 struct StudyShot {
     /// As PictureMaker makes it; empty until drawn. Once the study is finished, color only, unless it goes by more.
     render::Image picture;
-    Errors errors;                                 ///< Against the same model with the studied parameters exact.
-    double modelError = 0;                         ///< By the request's metric, against everything exact.
-    std::map<std::string, std::int64_t> counters;  ///< Of one picture, and "pixels": samples drawn; the machine's state left out.
-    double firstMilliseconds = 0;                  ///< Of the picture that was not timed: a first guess.
-    std::vector<double> milliseconds;              ///< Of one picture, run by run.
+    Errors errors;          ///< Against the same model with the studied parameters exact.
+    double modelError = 0;  ///< By the request's metric, against everything exact.
+    std::map<std::string, std::int64_t>
+        counters;                      ///< Of one picture, and "pixels": samples drawn; the machine's state left out.
+    double firstMilliseconds = 0;      ///< Of the picture that was not timed: a first guess.
+    std::vector<double> milliseconds;  ///< Of one picture, run by run.
 };
 
 /// One setting.
@@ -53,44 +55,45 @@ struct StudyPoint {
     std::vector<StudyShot> shots;  ///< By view.
 
     // Over all views; the error by the request's metric.
-    double error = 0;              ///< Root mean square of the views' RMS errors, largest of maxima, else the mean.
+    double error = 0;  ///< Root mean square of the views' RMS errors, largest of maxima, else the mean.
     double lowestError = 0, worstError = 0;
     double modelError = 0;
     std::map<std::string, std::int64_t> counters;  ///< Summed.
     std::optional<render::Summary> time;           ///< Milliseconds of one picture, the mean of the views in each run.
-    double cost = 0;               ///< By StudyResult::costName.
+    double cost = 0;                               ///< By StudyResult::costName.
     bool dominated = false;
-    bool uncertain = false;        ///< Its error is under four times the reference's own uncertainty.
+    bool uncertain = false;  ///< Its error is under four times the reference's own uncertainty.
 };
 
 /// What was chosen, and whether it holds where it was not chosen for.
 struct StudyChoice {
     std::size_t point = 0;
-    double heldOutError = 0;             ///< Worst over the held-out views.
-    double heldOutMilliseconds = 0;      ///< Slowest of them; measured when a time was the limit.
+    double heldOutError = 0;         ///< Worst over the held-out views.
+    double heldOutMilliseconds = 0;  ///< Slowest of them; measured when a time was the limit.
     std::vector<std::string> heldOutViews;
-    bool holds = false;                  ///< The limit is kept in all of them.
+    bool holds = false;  ///< The limit is kept in all of them.
 };
 
 /// What a study found so far; everything is filled in by the time that it is finished.
 struct StudyResult {
     std::vector<std::string> views;
-    std::vector<render::Image> references;       ///< By view.
-    std::vector<double> exact;                   ///< Of the reference, by axis.
-    double uncertainty = 0;                      ///< How far the reference is from one half as exact (or twice as exact, where it was doubled).
-    bool converged = true;                       ///< No error that is not 0 is under four times that.
-    std::string convergence;                     ///< The same as a sentence.
+    std::vector<render::Image> references;  ///< By view.
+    std::vector<double> exact;              ///< Of the reference, by axis.
+    double uncertainty =
+        0;  ///< How far the reference is from one half as exact (or twice as exact, where it was doubled).
+    bool converged = true;    ///< No error that is not 0 is under four times that.
+    std::string convergence;  ///< The same as a sentence.
     std::vector<StudyPoint> points;
-    std::string costName;                        ///< A counter, or "ms".
-    std::vector<std::size_t> front;              ///< Points by growing cost.
-    std::optional<std::size_t> knee;             ///< A point.
-    std::optional<std::size_t> present;          ///< The point with the look's own values.
-    std::optional<render::PowerLaw> law;         ///< Cost over error along the front of one or two axes, one of them numeric.
-    std::optional<StudyChoice> choice;           ///< When one was asked for and any setting keeps the limit.
-    bool complete = false;                       ///< Everything that was asked for was measured.
+    std::string costName;                 ///< A counter, or "ms".
+    std::vector<std::size_t> front;       ///< Points by growing cost.
+    std::optional<std::size_t> knee;      ///< A point.
+    std::optional<std::size_t> present;   ///< The point with the look's own values.
+    std::optional<render::PowerLaw> law;  ///< Cost over error along the front of one or two axes, one of them numeric.
+    std::optional<StudyChoice> choice;    ///< When one was asked for and any setting keeps the limit.
+    bool complete = false;                ///< Everything that was asked for was measured.
     std::string clock;
     bool clockTrusted = false;
-    double overheadMilliseconds = 0;             ///< What timing adds to one picture.
+    double overheadMilliseconds = 0;  ///< What timing adds to one picture.
 
     /// Whether the two did the same work, or cost the same as far as their times can tell.
     [[nodiscard]] bool costsTheSame(const StudyPoint&, const StudyPoint&) const;

@@ -14,7 +14,8 @@ constexpr double noise = 1.04;
 constexpr double nextToNothing = 0.002;
 /// What is dearer than this many times the present setting is predicted, not measured.
 constexpr double dearest = 16;
-/// A numeric axis with more values than this is first looked at in as many places; the search fills in where it matters.
+/// A numeric axis with more values than this is first looked at in as many places; the search fills in where it
+/// matters.
 constexpr std::size_t coarseValues = 5;
 /// In each round of the search, the settings around so many of the front's points are measured.
 constexpr std::size_t pointsLookedAround = 4;
@@ -23,7 +24,8 @@ constexpr std::size_t pointsLookedAround = 4;
 bool isCoarse(const StudyAxis& axis, const ParameterInfo& row, std::size_t i)
 {
     const std::size_t count = axis.values.size();
-    const std::size_t stride = row.isNumeric() && count > coarseValues ? (count - 1 + coarseValues - 2) / (coarseValues - 1) : 1;
+    const std::size_t stride =
+        row.isNumeric() && count > coarseValues ? (count - 1 + coarseValues - 2) / (coarseValues - 1) : 1;
     return i % stride == 0 || i + 1 == count;
 }
 
@@ -70,7 +72,8 @@ void StudySearch::addEachAlone()
 {
     // Each parameter alone: what it gives and what it costs.
     Setting present;
-    for (const StudyAxis& axis : request_.axes) present.push_back(nearest(axis.values, std::get<double>(request_.look.values[axis.exhibit].row(axis.row))));
+    for (const StudyAxis& axis : request_.axes)
+        present.push_back(nearest(axis.values, std::get<double>(request_.look.values[axis.exhibit].row(axis.row))));
     add_(present);
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
@@ -92,7 +95,8 @@ void StudySearch::addAroundFront()
             for (const int direction : {-1, 1}) {
                 Setting setting = result_.points[f].setting;
                 const std::size_t moved = setting[a] + static_cast<std::size_t>(direction);
-                if (moved >= request_.axes[a].values.size() || steps_[a][moved] == steps_[a][setting[a]] || !hasRoom()) continue;
+                if (moved >= request_.axes[a].values.size() || steps_[a][moved] == steps_[a][setting[a]] || !hasRoom())
+                    continue;
                 setting[a] = moved;
                 add_(setting);
             }
@@ -133,7 +137,8 @@ void StudySearch::measureSteps()
         const auto pointAt = [&](std::size_t i) -> const StudyPoint* {
             Setting setting = present.setting;
             setting[a] = i;
-            const auto found = std::find_if(result_.points.begin(), result_.points.end(), [&](const StudyPoint& point) { return point.setting == setting; });
+            const auto found = std::find_if(result_.points.begin(), result_.points.end(),
+                                            [&](const StudyPoint& point) { return point.setting == setting; });
             return found == result_.points.end() ? nullptr : &*found;
         };
         const StudyPoint& exact = *pointAt(nearest(axis.values, result_.exact[a]));
@@ -143,12 +148,15 @@ void StudySearch::measureSteps()
             const StudyPoint* point = pointAt(i);
             if (!point) continue;
             std::vector<double> errors;
-            for (std::size_t view = 0; view < exact.shots.size(); ++view) errors.push_back(errors_.errorsOf(exact.shots[view].picture, point->shots[view].picture)[request_.metric]);
+            for (std::size_t view = 0; view < exact.shots.size(); ++view)
+                errors.push_back(
+                    errors_.errorsOf(exact.shots[view].picture, point->shots[view].picture)[request_.metric]);
             steps[i] = {errors_.pooled(errors), searchedCost(*point, cost) / cost};
             // What lies between two that were measured is taken to, until it is measured.
             for (std::size_t j = last + 1; j < i; ++j) {
                 const double t = static_cast<double>(j - last) / static_cast<double>(i - last);
-                steps[j] = {std::lerp(steps[last].error, steps[i].error, t), std::pow(steps[last].ratio, 1 - t) * std::pow(steps[i].ratio, t)};
+                steps[j] = {std::lerp(steps[last].error, steps[i].error, t),
+                            std::pow(steps[last].ratio, 1 - t) * std::pow(steps[i].ratio, t)};
             }
             last = i;
         }
@@ -159,7 +167,8 @@ void StudySearch::measureSteps()
         for (const Step& step : steps) largest = std::max(largest, step.error);
     for (std::size_t a = 0; a < steps_.size(); ++a)
         for (Step& step : steps_[a])
-            if (std::abs(step.error - steps_[a][present.setting[a]].error) < largest * nextToNothing) step.error = steps_[a][present.setting[a]].error;
+            if (std::abs(step.error - steps_[a][present.setting[a]].error) < largest * nextToNothing)
+                step.error = steps_[a][present.setting[a]].error;
 }
 
 std::vector<Setting> StudySearch::predictedFront() const
@@ -209,12 +218,14 @@ std::vector<Setting> StudySearch::predictedFront() const
         if (!best) break;
         ++place[*best];
     }
-    std::stable_sort(path.begin(), path.end(), [](const Predicted& a, const Predicted& b) { return a.fromLimit < b.fromLimit; });
+    std::stable_sort(path.begin(), path.end(),
+                     [](const Predicted& a, const Predicted& b) { return a.fromLimit < b.fromLimit; });
     std::vector<Setting> settings;
     if (request_.maxError) {
         // Everything exact, so that something keeps the limit even where what one parameter gives hangs on another.
         settings.emplace_back();
-        for (std::size_t a = 0; a < request_.axes.size(); ++a) settings.back().push_back(nearest(request_.axes[a].values, result_.exact[a]));
+        for (std::size_t a = 0; a < request_.axes.size(); ++a)
+            settings.back().push_back(nearest(request_.axes[a].values, result_.exact[a]));
     }
     for (Predicted& p : path) settings.push_back(std::move(p.setting));
     return settings;
@@ -229,7 +240,8 @@ std::vector<std::size_t> StudySearch::searchedFront()
     std::vector<std::size_t> front = render::paretoFront(measured);
     if (!request_.maxError && !request_.maxMilliseconds) return front;
     std::stable_sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
-        return fromLimit(result_.points[a].worstError, measured[a].cost) < fromLimit(result_.points[b].worstError, measured[b].cost);
+        return fromLimit(result_.points[a].worstError, measured[a].cost) <
+               fromLimit(result_.points[b].worstError, measured[b].cost);
     });
     front.resize(std::min(front.size(), pointsLookedAround));
     return front;

@@ -12,10 +12,12 @@ class StudySearch {
 public:
     using Add = std::function<void(const Setting&)>;
 
-    /// All must outlive it. `add` makes a point of a setting that is new, to be measured; `judge` brings the result up to
-    /// date with what was measured.
-    StudySearch(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, Add add, std::function<void()> judge)
-        : exhibits_(exhibits), request_(request), result_(result), errors_(exhibits, request), add_(std::move(add)), judge_(std::move(judge))
+    /// All must outlive it. `add` makes a point of a setting that is new, to be measured; `judge` brings the result up
+    /// to date with what was measured.
+    StudySearch(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, Add add,
+                std::function<void()> judge)
+        : exhibits_(exhibits), request_(request), result_(result), errors_(exhibits, request), add_(std::move(add)),
+          judge_(std::move(judge))
     {
     }
 

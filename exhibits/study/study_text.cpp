@@ -37,7 +37,11 @@ Json shotJson(const std::string& view, const StudyShot& shot)
 {
     Json milliseconds = Json::array();
     for (const double ms : shot.milliseconds) milliseconds.push_back(ms);
-    return Json{{"view", view}, {"errors", errorsJson(shot.errors)}, {"modelError", number(shot.modelError)}, {"counters", countersJson(shot.counters)}, {"ms", milliseconds}};
+    return Json{{"view", view},
+                {"errors", errorsJson(shot.errors)},
+                {"modelError", number(shot.modelError)},
+                {"counters", countersJson(shot.counters)},
+                {"ms", milliseconds}};
 }
 
 Json pointJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, std::size_t i)
@@ -46,7 +50,8 @@ Json pointJson(Exhibits exhibits, const StudyRequest& request, const StudyResult
     Json values = Json::object();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        values[axisName(exhibits, request.subject, axis)] = jsonFromValue(rowOf(exhibits, axis), axis.values[point.setting[a]]);
+        values[axisName(exhibits, request.subject, axis)] =
+            jsonFromValue(rowOf(exhibits, axis), axis.values[point.setting[a]]);
     }
     Json json{{"values", values},
               {"error", number(point.error)},
@@ -60,7 +65,13 @@ Json pointJson(Exhibits exhibits, const StudyRequest& request, const StudyResult
     if (request.modelError) json["modelError"] = number(point.modelError);
     if (point.time) {
         const render::Summary& t = *point.time;
-        json["ms"] = Json{{"median", t.median}, {"spread", t.spread}, {"low", t.low}, {"high", t.high}, {"interval", Json::array({t.interval.low, t.interval.high})}, {"confidence", t.interval.confidence}, {"runs", t.runs}};
+        json["ms"] = Json{{"median", t.median},
+                          {"spread", t.spread},
+                          {"low", t.low},
+                          {"high", t.high},
+                          {"interval", Json::array({t.interval.low, t.interval.high})},
+                          {"confidence", t.interval.confidence},
+                          {"runs", t.runs}};
     }
     Json views = Json::array();
     for (std::size_t v = 0; v < point.shots.size(); ++v) views.push_back(shotJson(result.views[v], point.shots[v]));
@@ -90,7 +101,8 @@ std::string besidePresent(const StudyResult& result, const StudyPoint& chosen)
     if (present.cost <= 0 || chosen.cost <= 0) return {};
     if (result.costsTheSame(present, chosen)) return ", as cheap as at present as far as can be told";
     const double ratio = present.cost / chosen.cost;
-    return ratio > 1 ? ", " + shortNumber(ratio) + " times cheaper than at present" : ", " + shortNumber(1 / ratio) + " times the cost of the present setting";
+    return ratio > 1 ? ", " + shortNumber(ratio) + " times cheaper than at present"
+                     : ", " + shortNumber(1 / ratio) + " times the cost of the present setting";
 }
 
 }  // namespace
@@ -100,9 +112,11 @@ std::string pointText(Exhibits exhibits, const StudyRequest& request, const Stud
     std::string text;
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        const bool asAtPresent = std::get<double>(request.look.values[axis.exhibit].row(axis.row)) == axis.values[point.setting[a]];
+        const bool asAtPresent =
+            std::get<double>(request.look.values[axis.exhibit].row(axis.row)) == axis.values[point.setting[a]];
         if (asAtPresent && request.axes.size() > 2) continue;
-        text += (text.empty() ? "" : ", ") + axisName(exhibits, request.subject, axis) + ' ' + axisValueText(exhibits, axis, axis.values[point.setting[a]]);
+        text += (text.empty() ? "" : ", ") + axisName(exhibits, request.subject, axis) + ' ' +
+                axisValueText(exhibits, axis, axis.values[point.setting[a]]);
     }
     return text.empty() ? "as at present" : text;
 }
@@ -127,24 +141,38 @@ std::string lawSentence(const StudyResult& result)
     if (!result.law) return {};
     const auto factor = [](double slope) { return std::pow(2.0, -slope); };
     const bool surface = !result.points.empty() && result.points.front().setting.size() > 1;
-    std::string text = std::string(surface ? "With the best of the settings, halving" : "Halving") + " the error costs " + shortNumber(factor(result.law->slope)) + " times the " + costTitle(result.costName);
+    std::string text = std::string(surface ? "With the best of the settings, halving" : "Halving") +
+                       " the error costs " + shortNumber(factor(result.law->slope)) + " times the " +
+                       costTitle(result.costName);
     const render::Interval& interval = result.law->slopeInterval;
-    if (std::isfinite(interval.low) && std::isfinite(interval.high)) text += " (" + shortNumber(factor(interval.high)) + " to " + shortNumber(factor(interval.low)) + " with 95 % confidence)";
+    if (std::isfinite(interval.low) && std::isfinite(interval.high))
+        text += " (" + shortNumber(factor(interval.high)) + " to " + shortNumber(factor(interval.low)) +
+                " with 95 % confidence)";
     return text + '.';
 }
 
 std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
 {
     if (!result.complete || (!request.maxError && !request.maxMilliseconds)) return {};
-    const std::string limit = request.maxError ? std::string(toString(request.metric)) + " " + shortNumber(*request.maxError) : shortNumber(*request.maxMilliseconds) + " ms";
+    const std::string limit = request.maxError
+                                  ? std::string(toString(request.metric)) + " " + shortNumber(*request.maxError)
+                                  : shortNumber(*request.maxMilliseconds) + " ms";
     if (!result.choice) return "No setting that was measured stays within " + limit + '.';
     const StudyPoint& point = result.points[result.choice->point];
-    std::string text = std::string(request.maxError ? "Cheapest" : "Best") + " within " + limit + ": " + pointText(exhibits, request, point) + "; error " + shortNumber(point.worstError) + " at worst, " +
-                       (point.time ? shortNumber(point.time->median) + " ms a frame" : shortNumber(point.cost) + ' ' + costTitle(result.costName));
+    std::string text = std::string(request.maxError ? "Cheapest" : "Best") + " within " + limit + ": " +
+                       pointText(exhibits, request, point) + "; error " + shortNumber(point.worstError) +
+                       " at worst, " +
+                       (point.time ? shortNumber(point.time->median) + " ms a frame"
+                                   : shortNumber(point.cost) + ' ' + costTitle(result.costName));
     text += besidePresent(result, point);
-    text += ". In " + std::to_string(result.choice->heldOutViews.size()) + " held-out view" + (result.choice->heldOutViews.size() == 1 ? "" : "s") + ": error " + shortNumber(result.choice->heldOutError);
+    text += ". In " + std::to_string(result.choice->heldOutViews.size()) + " held-out view" +
+            (result.choice->heldOutViews.size() == 1 ? "" : "s") + ": error " +
+            shortNumber(result.choice->heldOutError);
     if (request.maxMilliseconds) text += ", " + shortNumber(result.choice->heldOutMilliseconds) + " ms";
-    return text + (result.choice->holds ? ", within the limit." : ", beyond the limit, and so is every other setting that was measured: study more of the views.");
+    return text +
+           (result.choice->holds
+                ? ", within the limit."
+                : ", beyond the limit, and so is every other setting that was measured: study more of the views.");
 }
 
 Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, Json machine)
@@ -155,7 +183,10 @@ Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult
         const ParameterInfo& row = rowOf(exhibits, axis);
         Json values = Json::array();
         for (const double value : axis.values) values.push_back(jsonFromValue(row, value));
-        axes.push_back(Json{{"name", axisName(exhibits, request.subject, axis)}, {"unit", std::string(info(row.unit).storedSymbol)}, {"values", values}, {"reference", jsonFromValue(row, result.exact[a])}});
+        axes.push_back(Json{{"name", axisName(exhibits, request.subject, axis)},
+                            {"unit", std::string(info(row.unit).storedSymbol)},
+                            {"values", values},
+                            {"reference", jsonFromValue(row, result.exact[a])}});
     }
     Json points = Json::array();
     for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back(pointJson(exhibits, request, result, i));
@@ -164,32 +195,44 @@ Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult
     Json views = Json::array();
     for (const std::string& view : result.views) views.push_back(view);
 
-    Json json{{"format", "vitrine-study"},
-              {"version", 1},
-              {"app", VITRINE_VERSION},
-              {"exhibit", std::string(exhibits[request.subject]->name())},
-              {"alone", request.alone},
-              {"size", Json::array({request.size.x, request.size.y})},
-              {"views", views},
-              {"parameters", axes},
-              {"metric", std::string(toString(request.metric))},
-              {"errorsAreOf", "display-referred linear light, one sample at each pixel's center unless supersamples are studied"},
-              {"pixelsPerDegree", request.pixelsPerDegree},
-              {"cost", result.costName},
-              {"timing", Json{{"warmUpFrames", 1}, {"runs", request.runs}, {"interleaved", true}}},
-              {"clock", Json{{"method", result.clock}, {"trusted", result.clockTrusted}, {"overheadMs", result.overheadMilliseconds}}},
-              {"machine", std::move(machine)},
-              {"reference", Json{{"uncertainty", number(result.uncertainty)}, {"converged", result.converged}, {"why", result.convergence}}},
-              {"front", front},
-              {"points", points}};
+    Json json{
+        {"format", "vitrine-study"},
+        {"version", 1},
+        {"app", VITRINE_VERSION},
+        {"exhibit", std::string(exhibits[request.subject]->name())},
+        {"alone", request.alone},
+        {"size", Json::array({request.size.x, request.size.y})},
+        {"views", views},
+        {"parameters", axes},
+        {"metric", std::string(toString(request.metric))},
+        {"errorsAreOf",
+         "display-referred linear light, one sample at each pixel's center unless supersamples are studied"},
+        {"pixelsPerDegree", request.pixelsPerDegree},
+        {"cost", result.costName},
+        {"timing", Json{{"warmUpFrames", 1}, {"runs", request.runs}, {"interleaved", true}}},
+        {"clock",
+         Json{{"method", result.clock}, {"trusted", result.clockTrusted}, {"overheadMs", result.overheadMilliseconds}}},
+        {"machine", std::move(machine)},
+        {"reference", Json{{"uncertainty", number(result.uncertainty)},
+                           {"converged", result.converged},
+                           {"why", result.convergence}}},
+        {"front", front},
+        {"points", points}};
     if (result.law) {
         const render::Interval& interval = result.law->slopeInterval;
-        json["law"] = Json{{"costOverErrorExponent", result.law->slope}, {"interval", Json::array({number(interval.low), number(interval.high)})}, {"confidence", interval.confidence}, {"sentence", lawSentence(result)}};
+        json["law"] = Json{{"costOverErrorExponent", result.law->slope},
+                           {"interval", Json::array({number(interval.low), number(interval.high)})},
+                           {"confidence", interval.confidence},
+                           {"sentence", lawSentence(result)}};
     }
     if (result.choice) {
         Json heldOut = Json::array();
         for (const std::string& view : result.choice->heldOutViews) heldOut.push_back(view);
-        json["choice"] = Json{{"point", result.choice->point}, {"heldOutViews", heldOut}, {"heldOutError", number(result.choice->heldOutError)}, {"holds", result.choice->holds}, {"sentence", choiceSentence(exhibits, request, result)}};
+        json["choice"] = Json{{"point", result.choice->point},
+                              {"heldOutViews", heldOut},
+                              {"heldOutError", number(result.choice->heldOutError)},
+                              {"holds", result.choice->holds},
+                              {"sentence", choiceSentence(exhibits, request, result)}};
     }
     return json;
 }
@@ -214,11 +257,17 @@ std::string studyCsv(Exhibits exhibits, const StudyRequest& request, const Study
     for (const StudyPoint& point : result.points) {
         for (std::size_t v = 0; v < point.shots.size(); ++v) {
             const StudyShot& shot = point.shots[v];
-            for (std::size_t a = 0; a < request.axes.size(); ++a) text += quoted(formatValue(rowOf(exhibits, request.axes[a]), request.axes[a].values[point.setting[a]])) + ',';
+            for (std::size_t a = 0; a < request.axes.size(); ++a)
+                text +=
+                    quoted(formatValue(rowOf(exhibits, request.axes[a]), request.axes[a].values[point.setting[a]])) +
+                    ',';
             text += quoted(result.views[v]);
-            for (const render::Metric metric : metrics) text += ',' + (shot.errors.contains(metric) ? numberText(shot.errors.at(metric)) : std::string());
+            for (const render::Metric metric : metrics)
+                text += ',' + (shot.errors.contains(metric) ? numberText(shot.errors.at(metric)) : std::string());
             if (request.modelError) text += ',' + numberText(shot.modelError);
-            for (const std::string& name : counters) text += ',' + (shot.counters.contains(name) ? std::to_string(shot.counters.at(name)) : std::string("0"));
+            for (const std::string& name : counters)
+                text +=
+                    ',' + (shot.counters.contains(name) ? std::to_string(shot.counters.at(name)) : std::string("0"));
             if (shot.milliseconds.empty()) {
                 text += ",,,,,0,";
             } else {

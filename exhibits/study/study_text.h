@@ -17,8 +17,8 @@ namespace vitrine {
 /// "Halving the error costs 1.9 times the evaluations (1.7 to 2.2 with 95 % confidence)."; empty without a law.
 [[nodiscard]] std::string lawSentence(const StudyResult&);
 
-/// What was chosen and whether it held, with its numbers; or that nothing keeps the limit. Empty when no limit was set, and until
-/// everything is measured.
+/// What was chosen and whether it held, with its numbers; or that nothing keeps the limit. Empty when no limit was set,
+/// and until everything is measured.
 [[nodiscard]] std::string choiceSentence(Exhibits, const StudyRequest&, const StudyResult&);
 
 /// Everything that was measured but the pictures; `machine` is put beside it as it is.

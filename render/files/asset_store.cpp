@@ -25,7 +25,8 @@ FileState fileState(const std::filesystem::path& path) noexcept
 {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) return {};
-    return {true, static_cast<std::uint64_t>(status.st_size), static_cast<std::uint64_t>(status.st_ino), nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
+    return {true, static_cast<std::uint64_t>(status.st_size), static_cast<std::uint64_t>(status.st_ino),
+            nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
 }
 
 FileState folderState(const std::filesystem::path& path) noexcept
@@ -50,29 +51,41 @@ struct AssetStore::Entry {
     std::mutex making;  ///< Held by the one who makes it. Taken before the store's, never after it.
     // Under the store's mutex:
     bool made = false;
-    std::shared_ptr<const void> value{};   ///< Null while only others hold it ...
-    std::weak_ptr<const void> held{};      ///< ... and it lives as long as they do.
+    std::shared_ptr<const void> value{};  ///< Null while only others hold it ...
+    std::weak_ptr<const void> held{};     ///< ... and it lives as long as they do.
     std::uint64_t bytes = 0;
     std::string failure{};
 
     Entry(const Request& r, const FileState& ofTheFile, const FileState& ofItsFolder)
-        : use(r.use), key(r.key), variant(r.variant), type(r.type), ofFile(r.ofFile), source(r.source), hasSource(r.source != nullptr), file(ofTheFile), folder(ofItsFolder)
+        : use(r.use), key(r.key), variant(r.variant), type(r.type), ofFile(r.ofFile), source(r.source),
+          hasSource(r.source != nullptr), file(ofTheFile), folder(ofItsFolder)
     {
     }
 
     [[nodiscard]] bool answers(const Request& r) const
     {
         const bool sameSource = hasSource ? source.lock() == r.source : r.source == nullptr;
-        return use == r.use && key == r.key && variant == r.variant && type == r.type && ofFile == r.ofFile && sameSource;
+        return use == r.use && key == r.key && variant == r.variant && type == r.type && ofFile == r.ofFile &&
+               sameSource;
     }
     [[nodiscard]] std::uint64_t id() const
     {
         Hash hash;
-        hash.add(use).addValue('\n').add(key).addValue(variant).addValue(file.bytes).addValue(file.inode).addValue(file.modified).addValue(file.changed);
+        hash.add(use)
+            .addValue('\n')
+            .add(key)
+            .addValue(variant)
+            .addValue(file.bytes)
+            .addValue(file.inode)
+            .addValue(file.modified)
+            .addValue(file.changed);
         return hash.value();
     }
     /// Nobody can ask for it again, or it would have to be made anew.
-    [[nodiscard]] bool lost() const { return (hasSource && source.expired()) || (made && failure.empty() && !value && held.expired()); }
+    [[nodiscard]] bool lost() const
+    {
+        return (hasSource && source.expired()) || (made && failure.empty() && !value && held.expired());
+    }
 };
 
 Asset<void> AssetStore::find(Request request, const std::function<Anything()>& make)
@@ -97,7 +110,8 @@ std::shared_ptr<AssetStore::Entry> AssetStore::entryOf(const Request& request)
     const FileState file = request.ofFile ? fileState(request.key) : FileState{};
     const FileState folder = request.ofFile ? folderState(request.key) : FileState{};
     const std::lock_guard lock(mutex_);
-    const auto same = std::find_if(entries_.begin(), entries_.end(), [&](const auto& e) { return e->answers(request); });
+    const auto same =
+        std::find_if(entries_.begin(), entries_.end(), [&](const auto& e) { return e->answers(request); });
     if (same != entries_.end()) {
         Entry& entry = **same;
         const bool fresh = entry.file == file && (entry.failure.empty() || entry.folder == folder);
@@ -119,7 +133,8 @@ Asset<void> AssetStore::build(Entry& entry, const std::function<Anything()>& mak
     try {
         made = make();
     } catch (const std::bad_alloc&) {
-        failure = (entry.ofFile ? "Cannot read " + entry.key : "Cannot make " + entry.use) + ": there is not enough memory for it; choose a smaller one.";
+        failure = (entry.ofFile ? "Cannot read " + entry.key : "Cannot make " + entry.use) +
+                  ": there is not enough memory for it; choose a smaller one.";
     } catch (const std::exception& thrown) {
         failure = thrown.what();
     }
@@ -170,7 +185,8 @@ void AssetStore::trim()
         Entry& entry = **e;
         if (entry.lost()) continue;
         const bool last = uses.insert(entry.use).second;
-        const bool tooMuch = !last && entry.made && ((entry.bytes > 0 && kept + entry.bytes > mostBytes_) || count >= mostEntries);
+        const bool tooMuch =
+            !last && entry.made && ((entry.bytes > 0 && kept + entry.bytes > mostBytes_) || count >= mostEntries);
         if (tooMuch) {
             entry.value.reset();
             if (entry.held.expired()) continue;

@@ -32,7 +32,8 @@ struct FileState {
 template <typename T> struct Asset {
     std::shared_ptr<const T> value{};
     std::string failure{};  ///< One full sentence; of a file, it names the file. Empty when there is a value.
-    std::uint64_t id = 0;   ///< Of what it was made of: another one when the file is another or changed, on any run. 0: no value.
+    std::uint64_t id =
+        0;  ///< Of what it was made of: another one when the file is another or changed, on any run. 0: no value.
 };
 
 /// What users' files and parameters became, made once for all who ask: a file is read again only when it changed, what
@@ -54,17 +55,21 @@ public:
     /// What `make` makes of the file or folder at `path`; it throws when it cannot. `use` says for what
     /// ("hall.environment"), `variant` tells apart different things that one use makes of one file. Never throws.
     template <typename T>
-    [[nodiscard]] Asset<T> get(std::string_view use, const std::string& path, const std::function<Made<T>(const std::string&)>& make, std::uint64_t variant = 0)
+    [[nodiscard]] Asset<T> get(std::string_view use, const std::string& path,
+                               const std::function<Made<T>(const std::string&)>& make, std::uint64_t variant = 0)
     {
-        return as<T>(find({std::string(use), path, variant, typeid(T), true, {}}, [&] { return Anything(make(path)); }));
+        return as<T>(
+            find({std::string(use), path, variant, typeid(T), true, {}}, [&] { return Anything(make(path)); }));
     }
 
     /// What `make` makes of parameters, which `key` spells out, and of `source`, an asset that it is made from (null:
     /// of parameters alone). Never throws.
     template <typename T>
-    [[nodiscard]] Asset<T> made(std::string_view use, std::string key, const std::function<Made<T>()>& make, std::shared_ptr<const void> source = {})
+    [[nodiscard]] Asset<T> made(std::string_view use, std::string key, const std::function<Made<T>()>& make,
+                                std::shared_ptr<const void> source = {})
     {
-        return as<T>(find({std::string(use), std::move(key), 0, typeid(T), false, std::move(source)}, [&] { return Anything(make()); }));
+        return as<T>(find({std::string(use), std::move(key), 0, typeid(T), false, std::move(source)},
+                          [&] { return Anything(make()); }));
     }
 
     /// Of all entries together.
@@ -98,7 +103,7 @@ private:
     void trim();
 
     std::uint64_t mostBytes_;
-    mutable std::mutex mutex_;  ///< Of what follows, but for the making of an entry.
+    mutable std::mutex mutex_;                     ///< Of what follows, but for the making of an entry.
     std::vector<std::shared_ptr<Entry>> entries_;  ///< The one used last is the last.
     std::map<std::string, std::int64_t, std::less<>> builds_;
 };

@@ -10,15 +10,42 @@
 
 namespace vitrine::render {
 
-int FileOps::open(const char* path, int flags, mode_t mode) { return ::open(path, flags, mode); }
-ssize_t FileOps::write(int fd, const void* bytes, std::size_t size) { return ::write(fd, bytes, size); }
-ssize_t FileOps::read(int fd, void* bytes, std::size_t size) { return ::read(fd, bytes, size); }
-int FileOps::fchmod(int fd, mode_t mode) { return ::fchmod(fd, mode); }
-int FileOps::fstat(int fd, struct stat* status) { return ::fstat(fd, status); }
-int FileOps::fsync(int fd) { return ::fsync(fd); }
-int FileOps::close(int fd) { return ::close(fd); }
-int FileOps::rename(const char* from, const char* to) { return ::rename(from, to); }
-int FileOps::unlink(const char* path) { return ::unlink(path); }
+int FileOps::open(const char* path, int flags, mode_t mode)
+{
+    return ::open(path, flags, mode);
+}
+ssize_t FileOps::write(int fd, const void* bytes, std::size_t size)
+{
+    return ::write(fd, bytes, size);
+}
+ssize_t FileOps::read(int fd, void* bytes, std::size_t size)
+{
+    return ::read(fd, bytes, size);
+}
+int FileOps::fchmod(int fd, mode_t mode)
+{
+    return ::fchmod(fd, mode);
+}
+int FileOps::fstat(int fd, struct stat* status)
+{
+    return ::fstat(fd, status);
+}
+int FileOps::fsync(int fd)
+{
+    return ::fsync(fd);
+}
+int FileOps::close(int fd)
+{
+    return ::close(fd);
+}
+int FileOps::rename(const char* from, const char* to)
+{
+    return ::rename(from, to);
+}
+int FileOps::unlink(const char* path)
+{
+    return ::unlink(path);
+}
 
 unsigned long long FileOps::freeBytes(const char* folder)
 {

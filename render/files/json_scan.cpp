@@ -42,8 +42,8 @@ private:
 struct Level {
     bool isObject = false;
     std::unordered_set<std::string> keys;
-    std::string key;         // The one last seen.
-    std::size_t index = 0;   // Of the next array element.
+    std::string key;        // The one last seen.
+    std::size_t index = 0;  // Of the next array element.
 };
 
 class Handler final : public nlohmann::json_sax<Json> {

@@ -18,7 +18,8 @@ std::string shortestNumber(double x)
 std::string shortNumber(double x)
 {
     std::array<char, 32> text{};
-    const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 3);
+    const std::to_chars_result end =
+        std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 3);
     return std::string(text.data(), end.ptr);
 }
 

@@ -33,7 +33,7 @@ std::string readAll(const Descriptor& file, const std::string& name, std::uint64
     const std::uint64_t size = static_cast<std::uint64_t>(status.st_size);
     if (size > mostBytes) {
         failReading(name, "it has " + std::to_string(size) + " bytes, more than the " + std::to_string(mostBytes) +
-                       " allowed here; choose a smaller file.");
+                              " allowed here; choose a smaller file.");
     }
     std::string bytes(size, '\0');
     std::size_t done = 0;

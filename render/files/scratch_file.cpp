@@ -18,7 +18,9 @@ ScratchFile::ScratchFile()
 {
     std::error_code error;
     folder_ = std::filesystem::temp_directory_path(error);
-    if (error) throw Failure(Blame::file, "There is no folder for temporary files (" + error.message() + "); let TMPDIR name one that you may write to.");
+    if (error)
+        throw Failure(Blame::file, "There is no folder for temporary files (" + error.message() +
+                                       "); let TMPDIR name one that you may write to.");
     std::string name = (folder_ / "vitrine-XXXXXX").string();
     file_ = Descriptor(::mkostemp(name.data(), O_CLOEXEC));
     if (!file_.open()) fail("creating a file there");
@@ -27,7 +29,8 @@ ScratchFile::ScratchFile()
 
 void ScratchFile::fail(const char* doing) const
 {
-    throw Failure(Blame::file, "Cannot keep the views in " + folder_.string() + ": " + doing + " failed (" + std::strerror(errno) +
+    throw Failure(Blame::file, "Cannot keep the views in " + folder_.string() + ": " + doing + " failed (" +
+                                   std::strerror(errno) +
                                    "); free some space there, or let TMPDIR name a folder with more.");
 }
 
@@ -64,7 +67,9 @@ void releasePages(const void* mapped, std::size_t mappedCount, std::size_t offse
     // Never beyond the mapping: what lies there is somebody else's.
     const auto begin = reinterpret_cast<std::uintptr_t>(mapped);
     const std::uintptr_t from = std::max((begin + offset) / ScratchFile::mapUnit * ScratchFile::mapUnit, begin);
-    const std::uintptr_t to = std::min((begin + offset + count + ScratchFile::mapUnit - 1) / ScratchFile::mapUnit * ScratchFile::mapUnit, begin + mappedCount);
+    const std::uintptr_t to =
+        std::min((begin + offset + count + ScratchFile::mapUnit - 1) / ScratchFile::mapUnit * ScratchFile::mapUnit,
+                 begin + mappedCount);
     ::madvise(reinterpret_cast<void*>(from), to - from, MADV_DONTNEED);
 }
 

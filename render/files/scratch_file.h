@@ -35,9 +35,9 @@ private:
     std::uint64_t size_ = 0;
 };
 
-/// Gives `count` bytes from `offset` on, of memory that `ScratchFile::map` returned, back to the system, and those around
-/// them up to multiples of `mapUnit`, without forgetting their content: they are read again when they are wanted. At
-/// any time, from any thread.
+/// Gives `count` bytes from `offset` on, of memory that `ScratchFile::map` returned, back to the system, and those
+/// around them up to multiples of `mapUnit`, without forgetting their content: they are read again when they are
+/// wanted. At any time, from any thread.
 void releasePages(const void* mapped, std::size_t mappedCount, std::size_t offset, std::size_t count);
 
 /// Ends a mapping.

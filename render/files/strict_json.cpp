@@ -28,7 +28,8 @@ public:
         Open& parent = open_.back();
         if (parent.value.is_array()) parent.value.get_ref<Json::array_t&>().push_back(std::move(v));
         // The scanner has refused duplicates; ordered_map's own insertion would compare with every key.
-        else parent.value.get_ref<Json::object_t&>().emplace_back(std::move(parent.key), std::move(v));
+        else
+            parent.value.get_ref<Json::object_t&>().emplace_back(std::move(parent.key), std::move(v));
     }
 
     Json root;

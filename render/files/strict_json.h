@@ -16,10 +16,10 @@ using Json = nlohmann::ordered_json;
 
 /// What a JSON text may be at most; the reader refuses anything beyond.
 struct JsonLimits {
-    std::size_t bytes = 32U << 20U;        ///< Of the whole text.
-    std::size_t depth = 64;                ///< Objects and arrays inside one another.
-    std::size_t nodes = 4'000'000;         ///< Values of all kinds.
-    std::size_t stringBytes = 1U << 20U;   ///< Of one string or key.
+    std::size_t bytes = 32U << 20U;       ///< Of the whole text.
+    std::size_t depth = 64;               ///< Objects and arrays inside one another.
+    std::size_t nodes = 4'000'000;        ///< Values of all kinds.
+    std::size_t stringBytes = 1U << 20U;  ///< Of one string or key.
 };
 
 /// A JSON text that was read, and that can still say where each of its keys stands.
@@ -31,7 +31,7 @@ public:
     }
 
     [[nodiscard]] const Json& root() const { return root_; }
-    [[nodiscard]] Json& root() { return root_; }  ///< Lines go on to be those of the text.
+    [[nodiscard]] Json& root() { return root_; }                     ///< Lines go on to be those of the text.
     [[nodiscard]] const std::string& name() const { return name_; }  ///< Of the file, as messages show it.
     [[nodiscard]] const std::string& text() const { return text_; }
 

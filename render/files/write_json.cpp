@@ -24,8 +24,11 @@ bool nextCodePoint(std::string_view text, std::size_t& i, std::uint32_t& point)
 {
     const auto byte = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[k])); };
     const std::uint32_t lead = byte(i);
-    const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3
-                                             : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+    const std::size_t length = lead < 0x80                   ? 1
+                               : lead >= 0xC2 && lead < 0xE0 ? 2
+                               : lead >= 0xE0 && lead < 0xF0 ? 3
+                               : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                             : 0;
     if (length == 0 || i + length > text.size()) return false;
     point = length == 1 ? lead : lead & (0xFFU >> (length + 1));
     for (std::size_t k = 1; k < length; ++k) {
@@ -125,11 +128,16 @@ private:
             const std::size_t start = i;
             std::uint32_t point = 0;
             if (!nextCodePoint(text, i, point)) fail("holds text that is not UTF-8; retype it.");
-            if (point == '"' || point == '\\') (out += '\\') += static_cast<char>(point);
-            else if (point == '\n') out += "\\n";
-            else if (point == '\t') out += "\\t";
-            else if (point < 0x20 || point == 0x7F) appendUnit(out, point);
-            else out.append(text, start, i - start);
+            if (point == '"' || point == '\\')
+                (out += '\\') += static_cast<char>(point);
+            else if (point == '\n')
+                out += "\\n";
+            else if (point == '\t')
+                out += "\\t";
+            else if (point < 0x20 || point == 0x7F)
+                appendUnit(out, point);
+            else
+                out.append(text, start, i - start);
         }
         out += '"';
     }

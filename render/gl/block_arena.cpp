@@ -31,7 +31,8 @@ void BlockArena::upload()
 
 void BlockArena::bind(int binding, Range range) const
 {
-    if (range.size > 0) glBindBufferRange(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer_.name(), range.offset, range.size);
+    if (range.size > 0)
+        glBindBufferRange(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer_.name(), range.offset, range.size);
 }
 
 }  // namespace vitrine::render::gl

@@ -60,11 +60,17 @@ EGLContext makeContext(EGLDisplay display, bool debug, EGLContext sharedWith = E
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display, wanted, &config, 1, &count) || count < 1) config = EGL_NO_CONFIG_KHR;
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_CONTEXT_OPENGL_DEBUG, debug ? EGL_TRUE : EGL_FALSE, EGL_NONE};
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 4,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 5,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 EGL_CONTEXT_OPENGL_DEBUG,
+                                 debug ? EGL_TRUE : EGL_FALSE,
+                                 EGL_NONE};
     const EGLContext context = eglCreateContext(display, config, sharedWith, attributes);
-    if (context == EGL_NO_CONTEXT || sharedWith != EGL_NO_CONTEXT)
-        return context;
+    if (context == EGL_NO_CONTEXT || sharedWith != EGL_NO_CONTEXT) return context;
     if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return context;
     eglDestroyContext(display, context);
     return EGL_NO_CONTEXT;
@@ -102,7 +108,8 @@ ContextInfo currentContextInfo()
     GLint profile = 0;
     glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     info.core = (profile & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
-    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"}) info.software = info.software || contains(info.renderer, name);
+    for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"})
+        info.software = info.software || contains(info.renderer, name);
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.maxTextureSize);
     glGetIntegerv(GL_MAX_SAMPLES, &info.maxSamples);
     glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &info.maxUniformBlockSize);
@@ -111,10 +118,13 @@ ContextInfo currentContextInfo()
 
 std::string whyUnusable(const ContextInfo& info)
 {
-    if (info.version.empty()) return "No OpenGL was found; OpenGL 4.5 is needed: install a graphics driver, or Mesa's software one (libgl1-mesa-dri).";
+    if (info.version.empty())
+        return "No OpenGL was found; OpenGL 4.5 is needed: install a graphics driver, or Mesa's software one "
+               "(libgl1-mesa-dri).";
     if (info.major * 10 + info.minor >= 45) return {};
     return "OpenGL " + std::to_string(info.major) + '.' + std::to_string(info.minor) + " found (" + info.renderer +
-           "), OpenGL 4.5 needed: update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw with Mesa's software renderer.";
+           "), OpenGL 4.5 needed: update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw with Mesa's "
+           "software renderer.";
 }
 
 HeadlessContext::HeadlessContext(bool debug) : state_(std::make_unique<State>())

@@ -14,16 +14,18 @@
 namespace vitrine::render::gl {
 namespace {
 
-constexpr int side = 256;               // 16 of llvmpipe's tiles: a query that sees only the last one shows.
-constexpr double smallestLoad = 0.7e-3; // Seconds: far above what starting and reading a clock takes.
-constexpr int mostRounds = 16000;       // Four times that stays under llvmpipe's limit of 65,535 per invocation.
+constexpr int side = 256;                // 16 of llvmpipe's tiles: a query that sees only the last one shows.
+constexpr double smallestLoad = 0.7e-3;  // Seconds: far above what starting and reading a clock takes.
+constexpr int mostRounds = 16000;        // Four times that stays under llvmpipe's limit of 65,535 per invocation.
 constexpr int repetitions = 3;
-constexpr int attempts = 3;             // A busy machine may spoil one.
+constexpr int attempts = 3;  // A busy machine may spoil one.
 
 /// The load and everything it needs, with nothing left behind.
 class KnownLoad {
 public:
-    KnownLoad() : target_({.name = "clock", .format = Format::rgba8}, {side, side}), program_(buildProgram(ShaderSource(), {"lib/fullscreen.vert", "lib/clock_load.frag", "", {}}))
+    KnownLoad()
+        : target_({.name = "clock", .format = Format::rgba8}, {side, side}),
+          program_(buildProgram(ShaderSource(), {"lib/fullscreen.vert", "lib/clock_load.frag", "", {}}))
     {
         GLuint name = 0;
         glCreateVertexArrays(1, &name);
@@ -67,7 +69,8 @@ public:
         glDrawArrays(GL_TRIANGLES, 0, 3);
         query.mark();
         glFinish();
-        ClockSample sample{.load = static_cast<double>(load), .wall = wallSeconds() - wall, .cpu = processCpuSeconds() - cpu};
+        ClockSample sample{
+            .load = static_cast<double>(load), .wall = wallSeconds() - wall, .cpu = processCpuSeconds() - cpu};
         sample.query = query.seconds().front();
         return sample;
     }

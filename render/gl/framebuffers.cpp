@@ -25,8 +25,7 @@ FramebufferName makeFramebuffer(const std::vector<TargetImage>& colors, const Ta
         attach(name, point, color);
         buffers.push_back(point);
     }
-    if (depth.texture)
-        attach(name, GL_DEPTH_ATTACHMENT, depth);
+    if (depth.texture) attach(name, GL_DEPTH_ATTACHMENT, depth);
     if (buffers.empty())
         glNamedFramebufferDrawBuffer(name, GL_NONE);
     else
@@ -40,8 +39,7 @@ FramebufferName makeFramebuffer(const std::vector<TargetImage>& colors, const Ta
 GLuint Framebuffers::use(const std::vector<TargetImage>& colors, const TargetImage& depth)
 {
     std::vector<Point> key;
-    for (const TargetImage& color : colors)
-        key.emplace_back(color.texture->name(), color.layer, color.level);
+    for (const TargetImage& color : colors) key.emplace_back(color.texture->name(), color.layer, color.level);
     key.emplace_back(depth.texture ? depth.texture->name() : 0, depth.layer, depth.level);  // Always the last one.
     auto found = framebuffers_.find(key);
     if (found == framebuffers_.end()) {
@@ -61,8 +59,7 @@ void Framebuffers::forget(const Texture& texture)
 
 void Framebuffers::abandon()
 {
-    for (auto& [key, framebuffer] : framebuffers_)
-        framebuffer.abandon();
+    for (auto& [key, framebuffer] : framebuffers_) framebuffer.abandon();
 }
 
 }  // namespace vitrine::render::gl

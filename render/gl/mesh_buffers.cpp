@@ -28,7 +28,8 @@ MeshBuffers::MeshBuffers(const Mesh& mesh)
     vertices_ = store(mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
     indices_ = store(mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
     indexCount_ = static_cast<GLsizei>(mesh.indices.size());
-    bytes_ = static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t));
+    bytes_ =
+        static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t));
     GLuint array = 0;
     glCreateVertexArrays(1, &array);
     array_ = VertexArrayName(array);

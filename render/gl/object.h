@@ -48,13 +48,34 @@ private:
     GLuint name_ = 0;
 };
 
-inline void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
-inline void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
-inline void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
-inline void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
-inline void deleteQuery(GLuint name) { glDeleteQueries(1, &name); }
-inline void deleteProgram(GLuint name) { glDeleteProgram(name); }
-inline void deleteShader(GLuint name) { glDeleteShader(name); }
+inline void deleteTexture(GLuint name)
+{
+    glDeleteTextures(1, &name);
+}
+inline void deleteBuffer(GLuint name)
+{
+    glDeleteBuffers(1, &name);
+}
+inline void deleteVertexArray(GLuint name)
+{
+    glDeleteVertexArrays(1, &name);
+}
+inline void deleteFramebuffer(GLuint name)
+{
+    glDeleteFramebuffers(1, &name);
+}
+inline void deleteQuery(GLuint name)
+{
+    glDeleteQueries(1, &name);
+}
+inline void deleteProgram(GLuint name)
+{
+    glDeleteProgram(name);
+}
+inline void deleteShader(GLuint name)
+{
+    glDeleteShader(name);
+}
 
 using TextureName = Object<deleteTexture>;
 using BufferName = Object<deleteBuffer>;

@@ -44,20 +44,19 @@ void bindTarget(const Pass& pass, Resources& resources, bool clears)
 {
     const GLuint name = resources.framebuffer(pass);
     glm::ivec2 size(1);
-    for (const Attachment& color : pass.colors)
-        size = resources.target(color.image).size(color.level);
-    if (pass.depth)
-        size = resources.target(pass.depth->image).size(pass.depth->level);
+    for (const Attachment& color : pass.colors) size = resources.target(color.image).size(color.level);
+    if (pass.depth) size = resources.target(pass.depth->image).size(pass.depth->level);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, name);
     glViewport(0, 0, size.x, size.y);
 
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
-    if (!clears)
-        return;
+    if (!clears) return;
     for (std::size_t i = 0; i < pass.colors.size(); ++i)
-        if (pass.colors[i].load == Load::clear) glClearNamedFramebufferfv(name, GL_COLOR, static_cast<GLint>(i), glm::value_ptr(pass.colors[i].clear));
-    if (pass.depth && pass.depth->load == Load::clear) glClearNamedFramebufferfv(name, GL_DEPTH, 0, &pass.depth->clear.x);
+        if (pass.colors[i].load == Load::clear)
+            glClearNamedFramebufferfv(name, GL_COLOR, static_cast<GLint>(i), glm::value_ptr(pass.colors[i].clear));
+    if (pass.depth && pass.depth->load == Load::clear)
+        glClearNamedFramebufferfv(name, GL_DEPTH, 0, &pass.depth->clear.x);
 }
 
 void applyState(const RasterState& state)
@@ -82,10 +81,12 @@ void dispatch(const Pass& pass, const Resources& resources)
     for (std::size_t i = 0; i < pass.storage.size(); ++i) {
         const Attachment& target = pass.storage[i];
         const Texture& texture = resources.target(target.image);
-        glBindImageTexture(static_cast<GLuint>(i), texture.name(), target.level, static_cast<GLboolean>(target.layer < 0),
-                           target.layer < 0 ? 0 : target.layer, GL_READ_WRITE, internalFormat(texture.format()));
+        glBindImageTexture(static_cast<GLuint>(i), texture.name(), target.level,
+                           static_cast<GLboolean>(target.layer < 0), target.layer < 0 ? 0 : target.layer, GL_READ_WRITE,
+                           internalFormat(texture.format()));
     }
-    glDispatchCompute(static_cast<GLuint>(pass.groups.x), static_cast<GLuint>(pass.groups.y), static_cast<GLuint>(pass.groups.z));
+    glDispatchCompute(static_cast<GLuint>(pass.groups.x), static_cast<GLuint>(pass.groups.y),
+                      static_cast<GLuint>(pass.groups.z));
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
 

@@ -15,7 +15,8 @@ std::string infoLog(GLuint name, bool program)
     program ? glGetProgramiv(name, GL_INFO_LOG_LENGTH, &length) : glGetShaderiv(name, GL_INFO_LOG_LENGTH, &length);
     std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
     GLsizei written = 0;
-    program ? glGetProgramInfoLog(name, length, &written, log.data()) : glGetShaderInfoLog(name, length, &written, log.data());
+    program ? glGetProgramInfoLog(name, length, &written, log.data())
+            : glGetShaderInfoLog(name, length, &written, log.data());
     log.resize(static_cast<std::size_t>(written));
     return log;
 }
@@ -41,8 +42,7 @@ PendingProgram::PendingProgram(const ShaderSource& source, const ShaderKey& key)
     std::vector<std::pair<GLenum, ShaderText>> texts;
     try {
         const auto add = [&](GLenum type, const std::string& file) {
-            if (!file.empty())
-                texts.emplace_back(type, source.load(file, key.defines, key.prelude, key.sources.get()));
+            if (!file.empty()) texts.emplace_back(type, source.load(file, key.defines, key.prelude, key.sources.get()));
         };
         add(GL_VERTEX_SHADER, key.vertex);
         add(GL_FRAGMENT_SHADER, key.fragment);
@@ -77,23 +77,19 @@ PendingProgram::PendingProgram(const ShaderSource& source, const ShaderKey& key)
 
 bool PendingProgram::done() const
 {
-    if (!program_)
-        return true;
+    if (!program_) return true;
     GLint complete = GL_TRUE;
-    if (buildsInParallel())
-        glGetProgramiv(program_.name(), GL_COMPLETION_STATUS_KHR, &complete);
+    if (buildsInParallel()) glGetProgramiv(program_.name(), GL_COMPLETION_STATUS_KHR, &complete);
     return complete == GL_TRUE;
 }
 
 BuiltProgram PendingProgram::take()
 {
-    if (!program_)
-        return std::move(built_);
+    if (!program_) return std::move(built_);
     for (const Stage& stage : stages_) {
         GLint good = GL_FALSE;
         glGetShaderiv(stage.shader.name(), GL_COMPILE_STATUS, &good);
-        if (good == GL_TRUE)
-            continue;
+        if (good == GL_TRUE) continue;
         built_.problem = firstError(infoLog(stage.shader.name(), false), stage.source.files);
         return std::move(built_);
     }
@@ -103,8 +99,7 @@ BuiltProgram PendingProgram::take()
         built_.problem = firstError(infoLog(program_.name(), true), stages_.back().source.files);
         return std::move(built_);
     }
-    for (const Stage& stage : stages_)
-        glDetachShader(program_.name(), stage.shader.name());
+    for (const Stage& stage : stages_) glDetachShader(program_.name(), stage.shader.name());
     saveProgramBinary(program_.name(), everything_);
     built_.program = std::move(program_);
     return std::move(built_);
@@ -114,8 +109,7 @@ void PendingProgram::abandon()
 {
     program_.abandon();
     built_.program.abandon();
-    for (Stage& stage : stages_)
-        stage.shader.abandon();
+    for (Stage& stage : stages_) stage.shader.abandon();
 }
 
 BuiltProgram buildProgram(const ShaderSource& source, const ShaderKey& key)

@@ -25,8 +25,10 @@ std::optional<fs::path> cacheFolder()
     GLint formats = 0;
     glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
     if (formats == 0) return std::nullopt;
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) return fs::path(cache) / "vitrine" / "programs";
-    if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "vitrine" / "programs";
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
+        return fs::path(cache) / "vitrine" / "programs";
+    if (const char* home = std::getenv("HOME"); home && *home)
+        return fs::path(home) / ".cache" / "vitrine" / "programs";
     return std::nullopt;
 }
 
@@ -59,7 +61,8 @@ bool loadProgramBinary(GLuint program, std::string_view source)
     glProgramBinary(program, format, bytes.data() + sizeof format, static_cast<GLsizei>(bytes.size() - sizeof format));
     GLint good = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &good);
-    while (glGetError() != GL_NO_ERROR) {}
+    while (glGetError() != GL_NO_ERROR) {
+    }
     return good == GL_TRUE;
 }
 
@@ -97,14 +100,11 @@ void dropOldBinaries(const fs::path& folder, std::size_t most)
     std::vector<std::pair<fs::file_time_type, fs::path>> stored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
         const fs::file_time_type time = entry.last_write_time(error);
-        if (!error && entry.path().extension() == ".bin")
-            stored.emplace_back(time, entry.path());
+        if (!error && entry.path().extension() == ".bin") stored.emplace_back(time, entry.path());
     }
-    if (stored.size() <= most)
-        return;
+    if (stored.size() <= most) return;
     std::sort(stored.begin(), stored.end());
-    for (std::size_t i = 0; i < stored.size() - most; ++i)
-        fs::remove(stored[i].second, error);
+    for (std::size_t i = 0; i < stored.size() - most; ++i) fs::remove(stored[i].second, error);
 }
 
 }  // namespace vitrine::render::gl

@@ -34,16 +34,14 @@ void ProgramBuilder::cancel(const std::string& id)
     const std::lock_guard lock(mutex_);
     std::erase_if(waiting_, [&](const Job& job) { return job.id == id; });
     finished_.erase(id);
-    if (building_ == id)
-        building_.clear();
+    if (building_ == id) building_.clear();
 }
 
 std::optional<BuiltProgram> ProgramBuilder::take(const std::string& id)
 {
     const std::lock_guard lock(mutex_);
     auto node = finished_.extract(id);
-    if (node.empty())
-        return std::nullopt;
+    if (node.empty()) return std::nullopt;
     return std::move(node.mapped());
 }
 
@@ -53,8 +51,7 @@ void ProgramBuilder::run()
     std::unique_lock lock(mutex_);
     for (;;) {
         wake_.wait(lock, [&] { return stop_ || !waiting_.empty(); });
-        if (stop_)
-            break;
+        if (stop_) break;
         const Job job = std::move(waiting_.front());
         waiting_.pop_front();
         building_ = job.id;
@@ -62,8 +59,7 @@ void ProgramBuilder::run()
         BuiltProgram built = buildProgram(source_, job.key);
         glFinish();  // So that the other context finds it whole.
         lock.lock();
-        if (building_ == job.id)
-            finished_.insert_or_assign(job.id, std::move(built));
+        if (building_ == job.id) finished_.insert_or_assign(job.id, std::move(built));
         building_.clear();
     }
     lock.unlock();

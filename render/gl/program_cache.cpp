@@ -49,8 +49,7 @@ ProgramInUse ProgramCache::use(const ShaderKey& key)
         }
         return {entry.build.program.name()};
     }
-    if (std::optional<ProgramInUse> other = standIn(entry))
-        return *other;
+    if (std::optional<ProgramInUse> other = standIn(entry)) return *other;
     const std::string problem = placeOf(key, entry.build.problem);
     programs_.erase(found);
     throw Failure(Blame::shader,
@@ -59,8 +58,7 @@ ProgramInUse ProgramCache::use(const ShaderKey& key)
 
 bool ProgramCache::canWait(const ShaderKey& key) const
 {
-    if (key.slot.empty() || (!builder_ && !buildsInParallel()))
-        return false;
+    if (key.slot.empty() || (!builder_ && !buildsInParallel())) return false;
     return key.meanwhile || (lastGood_.contains(key.slot) && programs_.contains(lastGood_.at(key.slot)));
 }
 
@@ -78,27 +76,22 @@ void ProgramCache::beginInBackground(const std::string& id, Entry& entry)
 void ProgramCache::giveUpOthers(const std::string& slot, const std::string& id)
 {
     std::erase_if(programs_, [&](const auto& entry) {
-        if (entry.first == id || !entry.second.building || entry.second.key.slot != slot)
-            return false;
-        if (builder_)
-            builder_->cancel(entry.first);
+        if (entry.first == id || !entry.second.building || entry.second.key.slot != slot) return false;
+        if (builder_) builder_->cancel(entry.first);
         return true;
     });
 }
 
 void ProgramCache::takeWhatIsFinished(const std::string& id, Entry& entry)
 {
-    if (!entry.building)
-        return;
+    if (!entry.building) return;
     std::optional<BuiltProgram> finished;
     if (entry.pending) {
-        if (entry.pending->done())
-            finished = entry.pending->take();
+        if (entry.pending->done()) finished = entry.pending->take();
     } else {
         finished = builder_->take(id);
     }
-    if (!finished)
-        return;
+    if (!finished) return;
     entry.building = false;
     entry.pending.reset();
     take(entry, std::move(*finished));
@@ -107,8 +100,7 @@ void ProgramCache::takeWhatIsFinished(const std::string& id, Entry& entry)
 std::optional<ProgramInUse> ProgramCache::standIn(const Entry& entry)
 {
     const ShaderKey& key = entry.key;
-    if (key.slot.empty())
-        return std::nullopt;
+    if (key.slot.empty()) return std::nullopt;
     const std::string why = entry.building
                                 ? "while the new program is being built"
                                 : "because the new program does not build: " + placeOf(key, entry.build.problem);
@@ -118,8 +110,7 @@ std::optional<ProgramInUse> ProgramCache::standIn(const Entry& entry)
                             building};
     const auto last = lastGood_.find(key.slot);
     const auto good = last == lastGood_.end() ? programs_.end() : programs_.find(last->second);
-    if (good == programs_.end() || !good->second.build.program)
-        return std::nullopt;
+    if (good == programs_.end() || !good->second.build.program) return std::nullopt;
     good->second.lastUse = frame_;
     return ProgramInUse{good->second.build.program.name(), "drawn with the last good program " + why, building};
 }
@@ -128,8 +119,7 @@ void ProgramCache::dropIdle()
 {
     std::vector<std::pair<std::uint64_t, std::string>> idle;
     for (const auto& [id, entry] : programs_)
-        if (entry.lastUse != frame_ && !entry.building)
-            idle.emplace_back(entry.lastUse, id);
+        if (entry.lastUse != frame_ && !entry.building) idle.emplace_back(entry.lastUse, id);
     if (idle.size() <= mostIdle) return;
     std::sort(idle.begin(), idle.end());
     for (std::size_t i = 0; i < idle.size() - mostIdle; ++i) programs_.erase(idle[i].second);
@@ -146,11 +136,9 @@ void ProgramCache::take(Entry& entry, BuiltProgram fresh)
     entry.newest = newestFile(fresh.files.empty() ? entry.build.files : fresh.files);
     built_ += fresh.fromCache ? 0 : 1;
     const std::string& slot = entry.key.slot;
-    if (!slot.empty())
-        std::erase_if(problems_, [&](const ShaderProblem& problem) { return problem.slot == slot; });
+    if (!slot.empty()) std::erase_if(problems_, [&](const ShaderProblem& problem) { return problem.slot == slot; });
     const bool kept = !fresh.program && (entry.build.program || !slot.empty());
-    if (kept)
-        problems_.push_back({fresh.problem.file, fresh.problem.line, fresh.problem.text, slot});
+    if (kept) problems_.push_back({fresh.problem.file, fresh.problem.line, fresh.problem.text, slot});
     if (fresh.program || !entry.build.program)
         entry.build = std::move(fresh);
     else
@@ -187,8 +175,7 @@ void ProgramCache::abandon()
     builder_.reset();
     for (auto& [id, entry] : programs_) {
         entry.build.program.abandon();
-        if (entry.pending)
-            entry.pending->abandon();
+        if (entry.pending) entry.pending->abandon();
     }
 }
 

@@ -8,6 +8,7 @@
 #include "render/gl/pass_state.h"
 #include "render/gl/program_cache.h"
 #include "render/gl/resources.h"
+#include "render/gl/screen.h"
 #include "render/gl/uploads.h"
 #include "render/measure/clock.h"
 #include "shaders/lib/bindings.glsl"
@@ -97,11 +98,10 @@ struct Renderer::State {
     bool timeSteps = false;
     std::thread::id thread = std::this_thread::get_id();
     std::function<bool()> unwanted;
-    TextureName screen;  ///< What `screenPixels` draws into.
-    FramebufferName screenBuffer;
-    glm::ivec2 screenSize{0};
+    Screen screen;  ///< What `screenPixels` draws into.
 
-    explicit State(std::shared_ptr<Shared> common) : shared(std::move(common)), programs(shared->programs), uploads(shared->uploads)
+    explicit State(std::shared_ptr<Shared> common)
+        : shared(std::move(common)), programs(shared->programs), uploads(shared->uploads)
     {
         GLuint name = 0;
         glCreateVertexArrays(1, &name);
@@ -116,8 +116,7 @@ struct Renderer::State {
             if (const auto image = plan.images().find(name);
                 image != plan.images().end() && image->second.hasOwnPixels())
                 own = &image->second;
-        if (!pass.view && !own)
-            return planFrame;
+        if (!pass.view && !own) return planFrame;
         const View view = pass.view ? *pass.view : viewOfOwnPixels(plan.view, *own);
         const FrameBlock block = frameBlock(view, plan.time, own ? 0 : plan.sample, plan.seed);
         return arena.add(&block, sizeof block);
@@ -145,7 +144,9 @@ struct Renderer::State {
         }
         for (const auto& [binding, bytes] : pass.blocks)
             if (!bytes.empty()) ranges.blocks.emplace_back(binding, arena.add(bytes.data(), bytes.size()));
-        for (const Draw& draw : pass.draws) ranges.objects.push_back(draw.object.empty() ? BlockArena::Range{} : arena.add(draw.object.data(), draw.object.size()));
+        for (const Draw& draw : pass.draws)
+            ranges.objects.push_back(draw.object.empty() ? BlockArena::Range{}
+                                                         : arena.add(draw.object.data(), draw.object.size()));
         return ranges;
     }
 
@@ -156,8 +157,7 @@ struct Renderer::State {
         const FrameBlock frame = frameBlock(plan.view, plan.time, plan.sample, plan.seed);
         const BlockArena::Range planFrame = arena.add(&frame, sizeof frame);
         std::vector<PassRanges> ranges;
-        for (const Pass& pass : plan.passes())
-            ranges.push_back(gather(pass, plan, planFrame, lost));
+        for (const Pass& pass : plan.passes()) ranges.push_back(gather(pass, plan, planFrame, lost));
         arena.upload();
         return ranges;
     }
@@ -192,8 +192,10 @@ struct Renderer::State {
     void bindInputs(const std::vector<Input>& inputs)
     {
         for (const Input& input : inputs) {
-            if (const auto* name = std::get_if<std::string>(&input.source)) resources.image(*name).bind(input.unit);
-            else uploads.texture(std::get<std::shared_ptr<const render::Texture>>(input.source)).bind(input.unit);
+            if (const auto* name = std::get_if<std::string>(&input.source))
+                resources.image(*name).bind(input.unit);
+            else
+                uploads.texture(std::get<std::shared_ptr<const render::Texture>>(input.source)).bind(input.unit);
         }
     }
 
@@ -218,12 +220,10 @@ struct Renderer::State {
         if (std::any_of(pass.buffers.begin(), pass.buffers.end(),
                         [](const BufferUse& use) { return use.access != Access::read; }))
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-        for (const std::string& name : pass.mipmaps)
-            resources.target(name).makeMipmaps();
+        for (const std::string& name : pass.mipmaps) resources.target(name).makeMipmaps();
         // A part that another program drew is drawn again by the right one.
         if (pass.parts == 1 || (pass.past.endPart == pass.parts && used.standIn.empty()))
-            for (const std::string& name : outputsOf(pass))
-                resources.finished(name);
+            for (const std::string& name : outputsOf(pass)) resources.finished(name);
         return used;
     }
 
@@ -231,8 +231,7 @@ struct Renderer::State {
     {
         bindTarget(pass, resources, clears);
         applyState(pass.state);
-        if (ranges.clips)
-            glEnable(GL_CLIP_DISTANCE0);
+        if (ranges.clips) glEnable(GL_CLIP_DISTANCE0);
         for (std::size_t i = 0; i < pass.draws.size(); ++i) {
             const Draw& draw = pass.draws[i];
             bindInputs(draw.inputs);
@@ -246,8 +245,7 @@ struct Renderer::State {
                 glDrawArraysInstanced(GL_TRIANGLES, 0, 3, draw.instances);
             }
         }
-        if (ranges.clips)
-            glDisable(GL_CLIP_DISTANCE0);
+        if (ranges.clips) glDisable(GL_CLIP_DISTANCE0);
     }
 
     /// What was written into these images is not there any more.
@@ -276,7 +274,8 @@ struct Renderer::State {
     [[nodiscard]] bool abandoned() const
     {
         if (!unwanted) return false;
-        // A software renderer draws when it is waited for: without that, all of the frame would lie ahead at the last question.
+        // A software renderer draws when it is waited for: without that, all of the frame would lie ahead at the last
+        // question.
         if (info.software) glFinish();
         return unwanted();
     }
@@ -292,8 +291,7 @@ struct Renderer::State {
             if (const auto state = plan.histories().find(image); state != plan.histories().end())
                 kept.histories[image] = recordOf(state->second.history, plan);
         if (!pass.key) return;
-        for (const std::string& image : written)
-            writersOfKept[image].insert(pass.name);
+        for (const std::string& image : written) writersOfKept[image].insert(pass.name);
         const bool complete = pass.past.endPart == pass.parts;
         if (pass.parts > 1) {
             PartProgress& progress = kept.parts[pass.name];
@@ -332,7 +330,8 @@ std::vector<Stored> Renderer::stored() const
 FrameReport Renderer::draw(const FramePlan& plan)
 {
     State& s = *state_;
-    if (std::this_thread::get_id() != s.thread) throw std::logic_error("a renderer draws on the thread that made it, and on no other");
+    if (std::this_thread::get_id() != s.thread)
+        throw std::logic_error("a renderer draws on the thread that made it, and on no other");
     FrameReport report;
     report.unfinished = plan.unfinished();
     report.skipped = plan.skipped();
@@ -442,31 +441,14 @@ ScreenPixels Renderer::screenPixels(const std::string& image, glm::ivec2 screen,
 {
     State& s = *state_;
     if (part.x <= 0 || part.y <= 0 || !s.resources.has(image)) return {};
-    if (s.screenSize != screen) {
-        GLuint name = 0;
-        glCreateTextures(GL_TEXTURE_2D, 1, &name);
-        s.screen = TextureName(name);
-        glTextureStorage2D(name, 1, GL_RGBA8, screen.x, screen.y);
-        glCreateFramebuffers(1, &name);
-        s.screenBuffer = FramebufferName(name);
-        glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, s.screen.name(), 0);
-        s.screenSize = screen;
-    }
-    glBindFramebuffer(GL_FRAMEBUFFER, s.screenBuffer.name());
-    glViewport(offset.x, offset.y, part.x, part.y);
+    s.screen.bind(screen, offset, part);
     applyState(RasterState{});
     glUseProgram(s.programs.use({"lib/fullscreen.vert", "lib/present.frag", "", {}}).program);
     s.resources.image(image).bind(UNIT_SOURCE);
     glBindVertexArray(s.noVertices.name());
     glFrontFace(GL_CCW);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    ScreenPixels pixels{part.x, part.y, std::vector<std::uint8_t>(static_cast<std::size_t>(part.x) * static_cast<std::size_t>(part.y) * 4)};
-    std::vector<std::uint8_t> fromBelow(pixels.rgba.size());
-    glReadPixels(offset.x, offset.y, part.x, part.y, GL_RGBA, GL_UNSIGNED_BYTE, fromBelow.data());
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    const auto row = static_cast<std::ptrdiff_t>(part.x) * 4;
-    for (std::ptrdiff_t y = 0; y < part.y; ++y) std::copy_n(fromBelow.begin() + (part.y - 1 - y) * row, row, pixels.rgba.begin() + y * row);
-    return pixels;
+    return s.screen.read(offset, part);
 }
 
 void Renderer::buildInBackground(std::shared_ptr<SharedContext> context)
@@ -497,7 +479,6 @@ void Renderer::abandon()
     state_->arena.abandon();
     state_->noVertices.abandon();
     state_->screen.abandon();
-    state_->screenBuffer.abandon();
 }
 
 }  // namespace vitrine::render::gl

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/gl/screen_pixels.h"
 #include "render/gl/shared_context.h"
 #include "render/gl/stored.h"
 #include "render/plan/painter.h"
@@ -19,13 +20,6 @@ public:
     [[nodiscard]] const char* what() const noexcept override { return "the picture was abandoned"; }
 };
 
-/// A picture as a screen shows it: sRGB, 8 bits each of red, green, blue and 255, row 0 at the top, without gaps.
-struct ScreenPixels {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> rgba;
-};
-
 /// A shader that did not build: what to show over the last good picture.
 struct ShaderProblem {
     std::string file;
@@ -34,9 +28,9 @@ struct ShaderProblem {
     std::string slot = {};  ///< Of a program that takes its place in a slot (ShaderKey::slot).
 };
 
-/// Executes frame plans on the OpenGL 4.5 core context that is current, at construction and at every call, on one thread:
-/// drawing on another one is a std::logic_error. Images are kept while frames declare or use them, meshes and pictures while their originals live, programs while they are among
-/// the last ones used (ProgramCache::mostIdle).
+/// Executes frame plans on the OpenGL 4.5 core context that is current, at construction and at every call, on one
+/// thread: drawing on another one is a std::logic_error. Images are kept while frames declare or use them, meshes and
+/// pictures while their originals live, programs while they are among the last ones used (ProgramCache::mostIdle).
 class Renderer final : public Painter {
 public:
     Renderer();
@@ -57,7 +51,8 @@ public:
     /// An image of the last frame as a screen of `screen` pixels shows it, scaled with a smooth filter where the sizes
     /// differ. The image covers the part of the screen that begins at `offset` from the lower left corner and is `part`
     /// pixels large; only that part is returned.
-    [[nodiscard]] ScreenPixels screenPixels(const std::string& image, glm::ivec2 screen, glm::ivec2 offset, glm::ivec2 part);
+    [[nodiscard]] ScreenPixels screenPixels(const std::string& image, glm::ivec2 screen, glm::ivec2 offset,
+                                            glm::ivec2 part);
 
     /// Times each step, too, with a glFinish after each where no timer query can be trusted: slower, so only
     /// while the ledger is open.

@@ -11,20 +11,15 @@ std::set<std::string> namesUsed(const FramePlan& plan)
 {
     std::set<std::string> used;
     for (const Pass& pass : plan.passes()) {
-        for (std::string& name : inputsOf(pass))
-            used.insert(std::move(name));
-        for (std::string& name : outputsOf(pass))
-            used.insert(std::move(name));
+        for (std::string& name : inputsOf(pass)) used.insert(std::move(name));
+        for (std::string& name : outputsOf(pass)) used.insert(std::move(name));
     }
     for (const auto& [name, info] : plan.images())
-        if (info.kept)
-            used.insert(name);
+        if (info.kept) used.insert(name);
     for (const auto& [name, info] : plan.buffers())
-        if (info.kept)
-            used.insert(name);
+        if (info.kept) used.insert(name);
     for (const auto& [name, state] : plan.histories())
-        if (used.contains(previous(name)))
-            used.insert(name);
+        if (used.contains(previous(name))) used.insert(name);
     return used;
 }
 
@@ -55,18 +50,15 @@ std::vector<std::string> Resources::prepare(const FramePlan& plan)
     prepareImages(plan, used, lost);
     prepareBuffers(plan, used, lost);
     historyOf_.clear();
-    for (const auto& [name, state] : plan.histories())
-        historyOf_[previous(name)] = name;
+    for (const auto& [name, state] : plan.histories()) historyOf_[previous(name)] = name;
     return lost;
 }
 
 void Resources::prepareImages(const FramePlan& plan, const std::set<std::string>& used, std::vector<std::string>& lost)
 {
     std::erase_if(images_, [&](const auto& entry) {
-        if (used.contains(entry.first))
-            return false;
-        if (entry.second.info.kept)
-            lost.push_back(entry.first);
+        if (used.contains(entry.first)) return false;
+        if (entry.second.info.kept) lost.push_back(entry.first);
         forget(entry.second);
         return true;
     });
@@ -105,24 +97,20 @@ void Resources::prepareBuffers(const FramePlan& plan, const std::set<std::string
         const auto declared = plan.buffers().find(entry.first);
         if (used.contains(entry.first) && declared != plan.buffers().end() && declared->second == entry.second.info)
             return false;
-        if (entry.second.info.kept)
-            lost.push_back(entry.first);
+        if (entry.second.info.kept) lost.push_back(entry.first);
         return true;
     });
     for (const auto& [name, info] : plan.buffers()) {
-        if (!used.contains(name) || buffers_.contains(name))
-            continue;
+        if (!used.contains(name) || buffers_.contains(name)) continue;
         buffers_.emplace(name, StoredBuffer{info, makeBuffer(info)});
-        if (info.kept)
-            lost.push_back(name);
+        if (info.kept) lost.push_back(name);
     }
 }
 
 void Resources::forget(const StoredImage& stored)
 {
     framebuffers_.forget(stored.texture);
-    if (stored.other)
-        framebuffers_.forget(*stored.other);
+    if (stored.other) framebuffers_.forget(*stored.other);
 }
 
 const Texture& Resources::image(const std::string& name) const
@@ -143,19 +131,16 @@ GLuint Resources::framebuffer(const Pass& pass)
         return TargetImage{&target(attachment.image), attachment.layer, attachment.level};
     };
     std::vector<TargetImage> colors;
-    for (const Attachment& color : pass.colors)
-        colors.push_back(targetOf(color));
+    for (const Attachment& color : pass.colors) colors.push_back(targetOf(color));
     return framebuffers_.use(colors, pass.depth ? targetOf(*pass.depth) : TargetImage{});
 }
 
 void Resources::finished(const std::string& name)
 {
     const auto stored = images_.find(name);
-    if (stored == images_.end())
-        return;
+    if (stored == images_.end()) return;
     stored->second.written = true;
-    if (stored->second.pair == Pair::parts)
-        std::swap(stored->second.texture, *stored->second.other);
+    if (stored->second.pair == Pair::parts) std::swap(stored->second.texture, *stored->second.other);
 }
 
 std::vector<Stored> Resources::stored() const
@@ -163,12 +148,10 @@ std::vector<Stored> Resources::stored() const
     Stored images{"images"};
     for (const auto& [name, image] : images_) {
         images.add(image.texture.bytes());
-        if (image.other)
-            images.add(image.other->bytes());
+        if (image.other) images.add(image.other->bytes());
     }
     Stored buffers{"buffers"};
-    for (const auto& [name, stored] : buffers_)
-        buffers.add(stored.info.bytes);
+    for (const auto& [name, stored] : buffers_) buffers.add(stored.info.bytes);
     return {images, buffers};
 }
 
@@ -177,11 +160,9 @@ void Resources::abandon()
     framebuffers_.abandon();
     for (auto& [name, stored] : images_) {
         stored.texture.abandon();
-        if (stored.other)
-            stored.other->abandon();
+        if (stored.other) stored.other->abandon();
     }
-    for (auto& [name, stored] : buffers_)
-        stored.buffer.abandon();
+    for (auto& [name, stored] : buffers_) stored.buffer.abandon();
 }
 
 }  // namespace vitrine::render::gl

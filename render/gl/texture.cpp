@@ -12,14 +12,10 @@ namespace {
 GLenum targetOf(TextureType type)
 {
     switch (type) {
-    case TextureType::flat:
-        return GL_TEXTURE_2D;
-    case TextureType::array:
-        return GL_TEXTURE_2D_ARRAY;
-    case TextureType::cube:
-        return GL_TEXTURE_CUBE_MAP;
-    case TextureType::volume:
-        return GL_TEXTURE_3D;
+    case TextureType::flat: return GL_TEXTURE_2D;
+    case TextureType::array: return GL_TEXTURE_2D_ARRAY;
+    case TextureType::cube: return GL_TEXTURE_CUBE_MAP;
+    case TextureType::volume: return GL_TEXTURE_3D;
     }
     return GL_TEXTURE_2D;
 }
@@ -44,7 +40,8 @@ PixelFormat pixelFormat(const render::Texture& picture)
 {
     const bool floats = !picture.floats.empty();
     switch (picture.channels) {
-    case 1: return {floats ? GLenum(GL_R16F) : GLenum(GL_R8), GL_RED, floats ? GLenum(GL_FLOAT) : GLenum(GL_UNSIGNED_BYTE)};
+    case 1:
+        return {floats ? GLenum(GL_R16F) : GLenum(GL_R8), GL_RED, floats ? GLenum(GL_FLOAT) : GLenum(GL_UNSIGNED_BYTE)};
     case 3:
         if (floats) return {GL_RGB16F, GL_RGB, GL_FLOAT};
         return {picture.sRgb ? GLenum(GL_SRGB8) : GLenum(GL_RGB8), GL_RGB, GL_UNSIGNED_BYTE};
@@ -61,8 +58,7 @@ int bytesOfTexel(Format format)
     case Format::rgba16f: return 8;
     case Format::rgba32f: return 16;
     case Format::rg16f: return 4;
-    case Format::r8:
-        return 1;
+    case Format::r8: return 1;
     case Format::r16f: return 2;
     case Format::r32f: return 4;
     case Format::depth32f: return 4;
@@ -84,8 +80,7 @@ GLenum internalFormat(Format format)
     case Format::rgba16f: return GL_RGBA16F;
     case Format::rgba32f: return GL_RGBA32F;
     case Format::rg16f: return GL_RG16F;
-    case Format::r8:
-        return GL_R8;
+    case Format::r8: return GL_R8;
     case Format::r16f: return GL_R16F;
     case Format::r32f: return GL_R32F;
     case Format::depth32f: return GL_DEPTH_COMPONENT32F;
@@ -99,13 +94,16 @@ Texture::Texture(const ImageInfo& info, glm::ivec2 size)
       format_(info.format)
 {
     const GLuint name = name_.name();
-    while (glGetError() != GL_NO_ERROR) {}
+    while (glGetError() != GL_NO_ERROR) {
+    }
     if (info.type == TextureType::array || volume_)
         glTextureStorage3D(name, info.levels, internalFormat(info.format), size.x, size.y, info.layers);
-    else glTextureStorage2D(name, info.levels, internalFormat(info.format), size.x, size.y);
+    else
+        glTextureStorage2D(name, info.levels, internalFormat(info.format), size.x, size.y);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-        throw Failure(Blame::openGl, "The graphics driver cannot store the image \"" + info.name + "\" of " + std::to_string(size.x) + " × " +
-                                         std::to_string(size.y) + " pixels; choose a smaller size.");
+        throw Failure(Blame::openGl, "The graphics driver cannot store the image \"" + info.name + "\" of " +
+                                         std::to_string(size.x) + " × " + std::to_string(size.y) +
+                                         " pixels; choose a smaller size.");
     }
     const bool mipped = info.levels > 1;
     const bool nearest = info.nearest || info.hasOwnPixels();
@@ -124,8 +122,9 @@ Texture::Texture(const ImageInfo& info, glm::ivec2 size)
 }
 
 Texture::Texture(const render::Texture& picture)
-    : name_(create(picture.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D)), size_(picture.width, picture.height), layers_(picture.layers),
-      levels_(picture.mipmaps ? mipLevels(picture.width, picture.height) : 1), texelBytes_((picture.channels == 1 ? 1 : 4) * (picture.floats.empty() ? 1 : 2))
+    : name_(create(picture.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D)), size_(picture.width, picture.height),
+      layers_(picture.layers), levels_(picture.mipmaps ? mipLevels(picture.width, picture.height) : 1),
+      texelBytes_((picture.channels == 1 ? 1 : 4) * (picture.floats.empty() ? 1 : 2))
 {
     const GLuint name = name_.name();
     const PixelFormat format = pixelFormat(picture);
@@ -134,7 +133,8 @@ Texture::Texture(const render::Texture& picture)
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (picture.layers > 1) {
         glTextureStorage3D(name, levels, format.internal, picture.width, picture.height, picture.layers);
-        glTextureSubImage3D(name, 0, 0, 0, 0, picture.width, picture.height, picture.layers, format.external, format.type, data);
+        glTextureSubImage3D(name, 0, 0, 0, 0, picture.width, picture.height, picture.layers, format.external,
+                            format.type, data);
     } else {
         glTextureStorage2D(name, levels, format.internal, picture.width, picture.height);
         glTextureSubImage2D(name, 0, 0, 0, picture.width, picture.height, format.external, format.type, data);

@@ -18,7 +18,9 @@ const Texture& Uploads::texture(const std::shared_ptr<const render::Texture>& pi
 {
     auto found = textures_.find(picture.get());
     if (found == textures_.end() || found->second.source.expired())
-        found = textures_.insert_or_assign(picture.get(), Uploaded<render::Texture, Texture>{picture, Texture(*picture)}).first;
+        found =
+            textures_.insert_or_assign(picture.get(), Uploaded<render::Texture, Texture>{picture, Texture(*picture)})
+                .first;
     return found->second.buffers;
 }
 
@@ -53,8 +55,7 @@ std::vector<Stored> Uploads::stored() const
     for (const auto& [key, uploaded] : textures_) pictures.add(uploaded.buffers.bytes());
     for (const auto& [key, uploaded] : meshes_) meshes.add(uploaded.buffers.bytes());
     Stored constants{"constant buffers"};
-    for (const auto& [key, uploaded] : bytes_)
-        constants.add(uploaded.buffers.bytes);
+    for (const auto& [key, uploaded] : bytes_) constants.add(uploaded.buffers.bytes);
     return {pictures, meshes, constants};
 }
 
@@ -62,14 +63,13 @@ void Uploads::abandon()
 {
     for (auto& [key, uploaded] : textures_) uploaded.buffers.abandon();
     for (auto& [key, uploaded] : meshes_) uploaded.buffers.abandon();
-    for (auto& [key, uploaded] : bytes_)
-        uploaded.buffers.buffer.abandon();
+    for (auto& [key, uploaded] : bytes_) uploaded.buffers.buffer.abandon();
 }
 
 int liveGlNames()
 {
-    return TextureName::live() + BufferName::live() + VertexArrayName::live() + FramebufferName::live() + QueryName::live() +
-           ProgramName::live() + ShaderName::live();
+    return TextureName::live() + BufferName::live() + VertexArrayName::live() + FramebufferName::live() +
+           QueryName::live() + ProgramName::live() + ShaderName::live();
 }
 
 }  // namespace vitrine::render::gl

@@ -27,9 +27,14 @@ public:
     void append(const std::string& file, const std::string& from, int depth)
     {
         if (!seen_.insert(file).second) return;
-        if (depth > 16) throw Failure(Blame::shader, "shaders/" + file + ": #include is nested deeper than 16 files; break the circle.");
+        if (depth > 16)
+            throw Failure(Blame::shader,
+                          "shaders/" + file + ": #include is nested deeper than 16 files; break the circle.");
         const std::optional<std::string> text = read(file);
-        if (!text) throw Failure(Blame::shader, "shaders/" + file + " is missing" + (from.empty() ? "" : ", included from shaders/" + from) + "; restore it or correct the path.");
+        if (!text)
+            throw Failure(Blame::shader, "shaders/" + file + " is missing" +
+                                             (from.empty() ? "" : ", included from shaders/" + from) +
+                                             "; restore it or correct the path.");
         const std::size_t index = result_.files.size();
         result_.files.push_back(file);
         line(1, index);
@@ -70,7 +75,8 @@ private:
 
     void line(int number, std::size_t index)
     {
-        result_.text += "#line " + std::to_string(static_cast<int>(index) * linesPerFile + number) + ' ' + std::to_string(index) + '\n';
+        result_.text += "#line " + std::to_string(static_cast<int>(index) * linesPerFile + number) + ' ' +
+                        std::to_string(index) + '\n';
     }
 
     const ShaderSource& source_;
@@ -94,7 +100,8 @@ std::optional<std::string> ShaderSource::read(std::string_view file) const
 {
     if (!folder_) {
         const auto all = embeddedShaders();
-        const auto found = std::find_if(all.begin(), all.end(), [&](const EmbeddedShader& s) { return s.file == file; });
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const EmbeddedShader& s) { return s.file == file; });
         if (found == all.end()) return std::nullopt;
         return std::string(found->text);
     }
@@ -137,9 +144,12 @@ ShaderMessage firstError(std::string_view log, const std::vector<std::string>& f
     for (std::string line; std::getline(lines, line);) {
         if (first.empty()) first = line;
         std::smatch match;
-        if (!std::regex_search(line, match, intel) && !std::regex_search(line, match, mesa) && !std::regex_search(line, match, nvidia)) continue;
+        if (!std::regex_search(line, match, intel) && !std::regex_search(line, match, mesa) &&
+            !std::regex_search(line, match, nvidia))
+            continue;
         const int number = std::stoi(match[2]);
-        const auto index = number >= linesPerFile ? static_cast<std::size_t>(number / linesPerFile) : static_cast<std::size_t>(std::stoul(match[1]));
+        const auto index = number >= linesPerFile ? static_cast<std::size_t>(number / linesPerFile)
+                                                  : static_cast<std::size_t>(std::stoul(match[1]));
         return {index < files.size() ? files[index] : std::string(), number % linesPerFile, match[3]};
     }
     return {files.empty() ? std::string() : files.front(), 0, first};

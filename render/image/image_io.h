@@ -17,8 +17,8 @@ namespace vitrine::render {
 
 struct ReadOptions {
     ImageLimits limits{};
-    bool raw = false;                  ///< Keep stored values: no sRGB decoding, codes divided by 255 or 65535.
-    std::function<bool()> cancelled{}; ///< Asked between rows, from the calling thread; true stops with a Failure.
+    bool raw = false;                   ///< Keep stored values: no sRGB decoding, codes divided by 255 or 65535.
+    std::function<bool()> cancelled{};  ///< Asked between rows, from the calling thread; true stops with a Failure.
 };
 
 /// Reads PNG, JPEG, TIFF, OpenEXR or Radiance HDR; the first bytes decide which, and must agree with the

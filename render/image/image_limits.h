@@ -11,8 +11,8 @@ namespace vitrine::render {
 /// What a picture file may be at most. Checked against the file's header, before anything is allocated.
 struct ImageLimits {
     std::uint64_t fileBytes = 512ULL << 20U;
-    std::uint64_t side = 32768;             ///< Of width and of height, in pixels.
-    std::uint64_t pixels = 268'435'456;     ///< 2^28.
+    std::uint64_t side = 32768;          ///< Of width and of height, in pixels.
+    std::uint64_t pixels = 268'435'456;  ///< 2^28.
     std::uint64_t decodedBytes = 2ULL << 30U;
     std::uint64_t channels = 4;
     std::uint64_t exrChannels = 16;

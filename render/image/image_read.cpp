@@ -101,8 +101,10 @@ std::vector<float> floatsOf(StoredPicture& picture, ImageFormat format, bool raw
         return out;
     }
     out.resize(picture.sampleCount());
-    if (const auto* bytes = std::get_if<0>(&picture.samples)) decodeCodes(*bytes, roles, raw, out);
-    else decodeCodes(std::get<1>(picture.samples), roles, raw, out);
+    if (const auto* bytes = std::get_if<0>(&picture.samples))
+        decodeCodes(*bytes, roles, raw, out);
+    else
+        decodeCodes(std::get<1>(picture.samples), roles, raw, out);
     return out;
 }
 
@@ -190,7 +192,8 @@ StoredPicture decodePicture(std::string_view bytes, ImageFormat format, const st
                             const ImageLimits& limits, const std::function<bool()>& cancelled)
 {
     if (format == ImageFormat::png) return decodePng(bytes, name, limits, cancelled);
-    if (format == ImageFormat::jpeg && !jpegIsWhole(bytes)) fail(name, "it is cut short: the file ends within the picture");
+    if (format == ImageFormat::jpeg && !jpegIsWhole(bytes))
+        fail(name, "it is cut short: the file ends within the picture");
     StoredPicture picture;
     if (const std::string why = oiioCodec().decode(bytes, format, limits, cancelled, picture); !why.empty())
         fail(name, why);

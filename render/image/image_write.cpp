@@ -46,8 +46,7 @@ StoredPicture emptyLike(const Image& image)
     return picture;
 }
 
-template <typename Code>
-StoredPicture encoded(const Image& image, Code (*color)(float), Code (*alpha)(float))
+template <typename Code> StoredPicture encoded(const Image& image, Code (*color)(float), Code (*alpha)(float))
 {
     StoredPicture picture = emptyLike(image);
     std::vector<Code> codes(image.pixels.size());

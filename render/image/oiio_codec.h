@@ -15,10 +15,10 @@ namespace vitrine::render {
 /// How a file is written by OpenImageIO.
 struct OiioTarget {
     std::string path;
-    ImageFormat format = ImageFormat::exr;                      ///< exr, tiff or jpeg.
-    bool halfColor = false;                                     ///< EXR: R, G, B and A as 16-bit float.
-    std::vector<std::pair<std::string, std::string>> texts;     ///< Attributes.
-    double pixelsPerInch = 0;                                   ///< 0: not said.
+    ImageFormat format = ImageFormat::exr;                   ///< exr, tiff or jpeg.
+    bool halfColor = false;                                  ///< EXR: R, G, B and A as 16-bit float.
+    std::vector<std::pair<std::string, std::string>> texts;  ///< Attributes.
+    double pixelsPerInch = 0;                                ///< 0: not said.
 };
 
 /// A TIFF that is written a few rows at a time: RGB, 8 or 16 bits, sRGB-encoded.
@@ -93,7 +93,8 @@ public:
                                                std::string& out) noexcept = 0;
 
     /// Opens a TIFF of any size, to read it by rows.
-    [[nodiscard]] virtual std::string openRowReader(const std::string& path, std::unique_ptr<OiioRowReader>& out) noexcept = 0;
+    [[nodiscard]] virtual std::string openRowReader(const std::string& path,
+                                                    std::unique_ptr<OiioRowReader>& out) noexcept = 0;
 
     /// "2.4.7.1", of the OpenImageIO that runs.
     [[nodiscard]] virtual const char* libraryVersion() const noexcept = 0;

@@ -14,7 +14,8 @@ PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
 {
     std::array<char, 16> bytes{};
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) throw Failure(Blame::file, "Cannot read " + path.string() + ": there is no such file.");
+    if (!std::filesystem::is_regular_file(path, error))
+        throw Failure(Blame::file, "Cannot read " + path.string() + ": there is no such file.");
     std::ifstream file(path, std::ios::binary);
     file.read(bytes.data(), bytes.size());
     const auto format = sniffImage({bytes.data(), static_cast<std::size_t>(file.gcount())});
@@ -60,8 +61,10 @@ void PictureRows::readRow(std::int64_t row, std::uint16_t* out)
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t at = x * channels_ + (gray ? 0 : c);
             std::uint16_t code = 0;
-            if (bits_ == 16) std::memcpy(&code, stored_.data() + at * 2, 2);
-            else code = static_cast<std::uint16_t>(static_cast<unsigned char>(stored_[at]) * 257U);
+            if (bits_ == 16)
+                std::memcpy(&code, stored_.data() + at * 2, 2);
+            else
+                code = static_cast<std::uint16_t>(static_cast<unsigned char>(stored_[at]) * 257U);
             *out++ = code;
         }
     }
@@ -69,7 +72,8 @@ void PictureRows::readRow(std::int64_t row, std::uint16_t* out)
 
 void PictureRows::read(std::int64_t first, std::int64_t count, std::uint16_t* out)
 {
-    for (std::int64_t row = first; row < first + count; ++row, out += static_cast<std::size_t>(width_) * 3) readRow(row, out);
+    for (std::int64_t row = first; row < first + count; ++row, out += static_cast<std::size_t>(width_) * 3)
+        readRow(row, out);
 }
 
 }  // namespace vitrine::render

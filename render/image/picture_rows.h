@@ -19,7 +19,8 @@ public:
 
     [[nodiscard]] std::int64_t width() const { return width_; }
     [[nodiscard]] std::int64_t height() const { return height_; }
-    /// What `PictureStream` wrote about the print; empty when there is nothing. Text from a file: parse it as untrusted.
+    /// What `PictureStream` wrote about the print; empty when there is nothing. Text from a file: parse it as
+    /// untrusted.
     [[nodiscard]] const std::string& json() const { return json_; }
 
     /// RGB codes of 16 bits (8-bit ones times 257) of `count` rows from row `first`; `out` holds width * count * 3.
@@ -38,8 +39,8 @@ private:
     int bits_ = 8;
     std::size_t channels_ = 3;
     std::string json_;
-    std::vector<char> stored_;   ///< One row as in the file.
-    std::int64_t next_ = 0;      ///< Of a PNG: the row that comes next.
+    std::vector<char> stored_;  ///< One row as in the file.
+    std::int64_t next_ = 0;     ///< Of a PNG: the row that comes next.
 };
 
 }  // namespace vitrine::render

@@ -16,7 +16,10 @@ namespace {
 constexpr std::int64_t tiffSide = 1 << 20;  // OpenImageIO reads no TIFF beyond this.
 constexpr std::int64_t keptRows = 16;
 
-bool isPng(const std::filesystem::path& path) { return lowerExtension(path) == ".png"; }
+bool isPng(const std::filesystem::path& path)
+{
+    return lowerExtension(path) == ".png";
+}
 bool isTiff(const std::filesystem::path& path)
 {
     const std::string extension = lowerExtension(path);
@@ -35,42 +38,58 @@ const char* nameOf(StreamCompression compression)
 
 }  // namespace
 
-PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec& spec, FileOps& ops) : path_(path), spec_(spec), part_(path, ops)
+PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec& spec, FileOps& ops)
+    : path_(path), spec_(spec), part_(path, ops)
 {
-    if (!isPng(path) && !isTiff(path)) throw Failure(Blame::usage, "Cannot write " + path.string() + ": give a name that ends in .tif, .tiff or .png.");
+    if (!isPng(path) && !isTiff(path))
+        throw Failure(Blame::usage,
+                      "Cannot write " + path.string() + ": give a name that ends in .tif, .tiff or .png.");
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     std::error_code error;
-    if (!std::filesystem::is_directory(folder, error)) throw Failure(Blame::file, "Cannot write " + path.string() + ": there is no folder " + folder.string() + "; create it first.");
+    if (!std::filesystem::is_directory(folder, error))
+        throw Failure(Blame::file, "Cannot write " + path.string() + ": there is no folder " + folder.string() +
+                                       "; create it first.");
     const std::int64_t most = isPng(path) ? 2147483647 : tiffSide;
     if (spec.width > most || spec.height > most) {
-        throw Failure(Blame::usage, "Cannot write " + path.string() + ": " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
+        throw Failure(Blame::usage, "Cannot write " + path.string() + ": " + std::to_string(spec.width) + " x " +
+                                        std::to_string(spec.height) +
                                         " pixels are too many for this format, which ends at " + std::to_string(most) +
                                         " per side; print it in parts.");
     }
-    const auto bytes = static_cast<unsigned long long>(spec.width) * static_cast<unsigned long long>(spec.height) * 3ULL *
-                       static_cast<unsigned long long>(spec.bits / 8);
+    const auto bytes = static_cast<unsigned long long>(spec.width) * static_cast<unsigned long long>(spec.height) *
+                       3ULL * static_cast<unsigned long long>(spec.bits / 8);
     const bool packed = isPng(path) || spec.compression != StreamCompression::none;
     requireSpace(path, packed ? bytes / 4 : bytes, ops);
     if (isPng(path)) {
-        pngRows_ = std::make_unique<PngRows>(PngRowTarget{part_.path().string(), spec.width, spec.height, spec.bits, spec.dpiX, spec.dpiY,
-                                                          spec.likeRowAbove, printKey, spec.json, spec.profile},
-                                             ops);
+        pngRows_ =
+            std::make_unique<PngRows>(PngRowTarget{part_.path().string(), spec.width, spec.height, spec.bits, spec.dpiX,
+                                                   spec.dpiY, spec.likeRowAbove, printKey, spec.json, spec.profile},
+                                      ops);
         if (const std::string why = pngRows_->begin(); !why.empty()) refuse(why);
         return;
     }
-    tiff_ = {part_.path().string(), static_cast<int>(spec.width), static_cast<int>(spec.height), spec.bits, nameOf(spec.compression),
-             spec.dpiX, spec.dpiY, asciiJson(spec.json), spec.profile};
+    tiff_ = {part_.path().string(),
+             static_cast<int>(spec.width),
+             static_cast<int>(spec.height),
+             spec.bits,
+             nameOf(spec.compression),
+             spec.dpiX,
+             spec.dpiY,
+             asciiJson(spec.json),
+             spec.profile};
     if (const std::string why = oiioCodec().openRows(tiff_, tiffRows_); !why.empty()) refuse(why);
 }
 
 void PictureStream::refuse(const std::string& why) const
 {
-    throw Failure(Blame::file, "Cannot write " + path_.string() + ": " + why + "; the old content is untouched; free some space or choose another disk.");
+    throw Failure(Blame::file, "Cannot write " + path_.string() + ": " + why +
+                                   "; the old content is untouched; free some space or choose another disk.");
 }
 
 void PictureStream::write(const void* rows, std::int64_t count)
 {
-    const std::string why = pngRows_ ? pngRows_->write(rows, count) : tiffRows_->write(rows, static_cast<int>(done_), static_cast<int>(count));
+    const std::string why = pngRows_ ? pngRows_->write(rows, count)
+                                     : tiffRows_->write(rows, static_cast<int>(done_), static_cast<int>(count));
     if (!why.empty()) refuse(why);
     if (tiffRows_) {
         // Rows spread over the picture, the last one included: a full disk cuts off the end.
@@ -79,7 +98,9 @@ void PictureStream::write(const void* rows, std::int64_t count)
         for (std::int64_t y = 0; y < count; ++y) {
             const std::int64_t row = done_ + y;
             if (row % step != 0 && row != spec_.height - 1) continue;
-            kept_.push_back({static_cast<int>(row), std::string(static_cast<const char*>(rows) + static_cast<std::size_t>(y) * stride, stride)});
+            kept_.push_back(
+                {static_cast<int>(row),
+                 std::string(static_cast<const char*>(rows) + static_cast<std::size_t>(y) * stride, stride)});
         }
     }
     done_ += count;

@@ -25,9 +25,9 @@ struct StreamSpec {
     int bits = 8;
     double dpiX = 0, dpiY = 0;
     StreamCompression compression = StreamCompression::none;  ///< Of TIFF; PNG is always deflated.
-    bool likeRowAbove = true;   ///< Rows resemble the one above (for PNG's filter).
-    std::string json{};         ///< What made it: TIFF's ImageDescription, PNG's text "vitrine:print".
-    std::string profile{};      ///< ICC profile; none when empty.
+    bool likeRowAbove = true;                                 ///< Rows resemble the one above (for PNG's filter).
+    std::string json{};     ///< What made it: TIFF's ImageDescription, PNG's text "vitrine:print".
+    std::string profile{};  ///< ICC profile; none when empty.
 };
 
 /// Writes a TIFF (BigTIFF by itself beyond 4000 MiB) or PNG row by row, beside its target; memory does not
@@ -61,7 +61,8 @@ private:
 /// The resolution that a file of this name will say: TIFF has 24 bits of it, PNG whole dots per meter.
 [[nodiscard]] double storedDpi(const std::filesystem::path&, double dpi);
 
-/// The JSON that a stream wrote into a TIFF or PNG of any size, or nothing. It is text from a file: parse it as untrusted.
+/// The JSON that a stream wrote into a TIFF or PNG of any size, or nothing. It is text from a file: parse it as
+/// untrusted.
 [[nodiscard]] std::optional<std::string> embeddedPrint(const std::filesystem::path&);
 
 /// The ICC profile in a picture file; empty when there is none.

@@ -81,7 +81,8 @@ std::string PngRowReader::begin()
     s.bits = s.bits == 16 ? 16 : 8;
     if (s.bits == 16 && std::endian::native == std::endian::little) png_set_swap(s.png);
     png_read_update_info(s.png, s.info);
-    if (png_get_rowbytes(s.png, s.info) != static_cast<std::size_t>(s.width) * 3 * static_cast<std::size_t>(s.bits / 8)) return "its pixels are of an unknown kind";
+    if (png_get_rowbytes(s.png, s.info) != static_cast<std::size_t>(s.width) * 3 * static_cast<std::size_t>(s.bits / 8))
+        return "its pixels are of an unknown kind";
     return {};
 }
 
@@ -95,9 +96,18 @@ std::string PngRowReader::read(void* rows, std::int64_t count)
     return {};
 }
 
-std::int64_t PngRowReader::width() const { return state_->width; }
-std::int64_t PngRowReader::height() const { return state_->height; }
-int PngRowReader::bits() const { return state_->bits; }
+std::int64_t PngRowReader::width() const
+{
+    return state_->width;
+}
+std::int64_t PngRowReader::height() const
+{
+    return state_->height;
+}
+int PngRowReader::bits() const
+{
+    return state_->bits;
+}
 
 std::string PngRowReader::text(const char* key) const
 {

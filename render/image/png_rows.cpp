@@ -78,12 +78,14 @@ std::string PngRows::begin()
     // Beyond level 1 interlaced prints shrink little and take eight times as long.
     png_set_compression_level(s.png, 1);
     png_set_filter(s.png, PNG_FILTER_TYPE_BASE, s.target.likeRowAbove ? PNG_FILTER_UP : PNG_FILTER_SUB);
-    png_set_IHDR(s.png, s.info, static_cast<png_uint_32>(s.target.width), static_cast<png_uint_32>(s.target.height), s.target.bits,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(s.png, s.info, static_cast<png_uint_32>(s.target.width), static_cast<png_uint_32>(s.target.height),
+                 s.target.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
     if (s.target.profile.empty()) {
         png_set_sRGB_gAMA_and_cHRM(s.png, s.info, PNG_sRGB_INTENT_PERCEPTUAL);
     } else {
-        png_set_iCCP(s.png, s.info, "ICC profile", PNG_COMPRESSION_TYPE_BASE, reinterpret_cast<png_const_bytep>(s.target.profile.data()),
+        png_set_iCCP(s.png, s.info, "ICC profile", PNG_COMPRESSION_TYPE_BASE,
+                     reinterpret_cast<png_const_bytep>(s.target.profile.data()),
                      static_cast<png_uint_32>(s.target.profile.size()));
     }
     png_set_pHYs(s.png, s.info, meterX, meterY, PNG_RESOLUTION_METER);
@@ -96,7 +98,8 @@ std::string PngRows::begin()
 std::string PngRows::write(const void* rows, std::int64_t count)
 {
     State& s = *state_;
-    const std::size_t stride = static_cast<std::size_t>(s.target.width) * 3 * static_cast<std::size_t>(s.target.bits / 8);
+    const std::size_t stride =
+        static_cast<std::size_t>(s.target.width) * 3 * static_cast<std::size_t>(s.target.bits / 8);
     const auto* at = static_cast<png_const_bytep>(rows);
     if (setjmp(png_jmpbuf(s.png))) return said(s.problem);  // NOLINT(cert-err52-cpp)
     for (std::int64_t y = 0; y < count; ++y) png_write_row(s.png, at + static_cast<std::size_t>(y) * stride);

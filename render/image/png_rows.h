@@ -15,10 +15,10 @@ struct PngRowTarget {
     std::int64_t width = 0;
     std::int64_t height = 0;
     int bits = 8;
-    double dpiX = 0, dpiY = 0;     ///< Rounded to whole dots per meter: the format has no fractions.
-    bool likeRowAbove = true;      ///< Filter Up; otherwise Sub.
-    std::string textKey{}, text{}; ///< An iTXt chunk, when there is text.
-    std::string profile{};         ///< ICC profile; an sRGB chunk when empty.
+    double dpiX = 0, dpiY = 0;      ///< Rounded to whole dots per meter: the format has no fractions.
+    bool likeRowAbove = true;       ///< Filter Up; otherwise Sub.
+    std::string textKey{}, text{};  ///< An iTXt chunk, when there is text.
+    std::string profile{};          ///< ICC profile; an sRGB chunk when empty.
 };
 
 class PngRows {

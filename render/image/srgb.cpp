@@ -39,7 +39,8 @@ std::uint8_t srgb8FromLinear(float linear)
     static const std::array<std::uint8_t, cells + 1> first = [] {
         std::array<std::uint8_t, cells + 1> table{};
         for (std::size_t i = 0; i < table.size(); ++i)
-            table.at(i) = static_cast<std::uint8_t>(std::upper_bound(halfway.begin(), halfway.end(), static_cast<double>(i) / cells) - halfway.begin());
+            table.at(i) = static_cast<std::uint8_t>(
+                std::upper_bound(halfway.begin(), halfway.end(), static_cast<double>(i) / cells) - halfway.begin());
         return table;
     }();
     const double x = unit(linear);

@@ -44,7 +44,9 @@ bool scales(const Times& times, double ClockSample::*clock)
 {
     if (times.size() < 2) return false;
     const ClockSample& first = times.begin()->second;
-    return std::all_of(times.begin(), times.end(), [&](const auto& entry) { return nearOne(entry.second.*clock / (first.*clock) / (entry.first / first.load)); });
+    return std::all_of(times.begin(), times.end(), [&](const auto& entry) {
+        return nearOne(entry.second.*clock / (first.*clock) / (entry.first / first.load));
+    });
 }
 
 /// The query over the wall clock, where it is furthest from it.
@@ -77,13 +79,19 @@ ClockChoice chooseClock(std::span<const ClockSample> samples, bool softwareRende
         const double agreement = worstAgreement(times);
         const bool queryTrue = nearOne(agreement) && scales(times, &ClockSample::query);
         choice.method = softwareRenderer ? ClockMethod::cpu : queryTrue ? ClockMethod::query : ClockMethod::wall;
-        const auto clock = choice.method == ClockMethod::cpu ? &ClockSample::cpu : choice.method == ClockMethod::query ? &ClockSample::query : &ClockSample::wall;
+        const auto clock = choice.method == ClockMethod::cpu     ? &ClockSample::cpu
+                           : choice.method == ClockMethod::query ? &ClockSample::query
+                                                                 : &ClockSample::wall;
         choice.trusted = scales(times, clock);
         const double load = times.rbegin()->first / times.begin()->first;
-        choice.why = rounded(load) + " times the work takes " + rounded(load * growth(times, clock)) + " times as long by this clock";
-        choice.why += "; a timer query shows " + rounded(agreement) + " of the wall clock's time" + (queryTrue ? "" : ", so it is not used");
+        choice.why = rounded(load) + " times the work takes " + rounded(load * growth(times, clock)) +
+                     " times as long by this clock";
+        choice.why += "; a timer query shows " + rounded(agreement) + " of the wall clock's time" +
+                      (queryTrue ? "" : ", so it is not used");
     }
-    choice.name = choice.method == ClockMethod::query ? "GPU timer query" : choice.method == ClockMethod::cpu ? "process CPU time around glFinish" : "wall time around glFinish";
+    choice.name = choice.method == ClockMethod::query ? "GPU timer query"
+                  : choice.method == ClockMethod::cpu ? "process CPU time around glFinish"
+                                                      : "wall time around glFinish";
     return choice;
 }
 

@@ -7,10 +7,10 @@ namespace vitrine::render {
 
 /// One drawing of a known load, timed in every way at once. Seconds.
 struct ClockSample {
-    double load = 1;    ///< In units of the smallest load.
-    double query = 0;   ///< By a GL timer query.
-    double wall = 0;    ///< By the wall clock around glFinish.
-    double cpu = 0;     ///< Of the process, on all its threads, around glFinish.
+    double load = 1;   ///< In units of the smallest load.
+    double query = 0;  ///< By a GL timer query.
+    double wall = 0;   ///< By the wall clock around glFinish.
+    double cpu = 0;    ///< Of the process, on all its threads, around glFinish.
 };
 
 enum class ClockMethod : unsigned char { query, cpu, wall };
@@ -19,9 +19,9 @@ enum class ClockMethod : unsigned char { query, cpu, wall };
 struct ClockChoice {
     ClockMethod method = ClockMethod::wall;
     bool trusted = false;
-    std::string name;              ///< "process CPU time around glFinish".
-    std::string why;               ///< One sentence with the numbers that decided.
-    double overheadSeconds = 0;    ///< What taking one time costs.
+    std::string name;            ///< "process CPU time around glFinish".
+    std::string why;             ///< One sentence with the numbers that decided.
+    double overheadSeconds = 0;  ///< What taking one time costs.
 };
 
 /// Chooses a clock from samples of several loads, each several times. A timer query is used on hardware when for

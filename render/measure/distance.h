@@ -9,11 +9,13 @@ namespace vitrine::render {
 
 /// Distance of two pictures of one size by any metric; nothing when they lack the channels that it compares
 /// ("normal.X" to "normal.Z" in both, "depth.Z" in both).
-[[nodiscard]] std::optional<double> distance(Metric, const Image& reference, const Image& test, double pixelsPerDegree = flipPixelsPerDegree);
+[[nodiscard]] std::optional<double> distance(Metric, const Image& reference, const Image& test,
+                                             double pixelsPerDegree = flipPixelsPerDegree);
 
 /// Where they differ, one channel: by FLIP for Metric::flip, degrees for normals, metres for depth, and for all
 /// others `differenceMap`. What only one of the pictures has is infinite. Nothing as `distance`.
-[[nodiscard]] std::optional<Image> errorMap(Metric, const Image& reference, const Image& test, double pixelsPerDegree = flipPixelsPerDegree);
+[[nodiscard]] std::optional<Image> errorMap(Metric, const Image& reference, const Image& test,
+                                            double pixelsPerDegree = flipPixelsPerDegree);
 
 /// The value that a heat map of these errors shows white: 1 for FLIP, else the largest finite error (1 when
 /// there is none).

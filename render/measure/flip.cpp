@@ -18,7 +18,10 @@ using Kernel = std::vector<double>;  // Odd length, its middle at the pixel.
 
 struct Size {
     int width, height;
-    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+    [[nodiscard]] std::size_t count() const
+    {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
 };
 
 // Rec. 709 primaries, D65 with five digits (0.31271, 0.32902), as rows: XYZ = M rgb.
@@ -80,9 +83,12 @@ Plane filteredAlong(const Plane& plane, Size size, const Kernel& kernel, bool al
             for (int k = -radius; k <= radius; ++k) {
                 const int sx = alongX ? std::clamp(x + k, 0, size.width - 1) : x;
                 const int sy = alongX ? y : std::clamp(y + k, 0, size.height - 1);
-                sum += kernel[static_cast<std::size_t>(k + radius)] * plane[static_cast<std::size_t>(sy) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(sx)];
+                sum += kernel[static_cast<std::size_t>(k + radius)] *
+                       plane[static_cast<std::size_t>(sy) * static_cast<std::size_t>(size.width) +
+                             static_cast<std::size_t>(sx)];
             }
-            result[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)] = sum;
+            result[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)] =
+                sum;
         }
     }
     return result;
@@ -121,7 +127,8 @@ Plane seen(const Plane& plane, Size size, const Sensitivity& s, double pixelsPer
 {
     const int radius = static_cast<int>(std::ceil(3 * std::sqrt(blueYellow.b1 / (2 * pi * pi)) * pixelsPerDegree));
     const auto gaussian = [&](double b) {
-        return kernelOf(radius, [&](double k) { return std::exp(-pi * pi * k * k / (pixelsPerDegree * pixelsPerDegree * b)); });
+        return kernelOf(radius,
+                        [&](double k) { return std::exp(-pi * pi * k * k / (pixelsPerDegree * pixelsPerDegree * b)); });
     };
     const Kernel g1 = gaussian(s.b1);
     const Kernel g2 = gaussian(s.b2);
@@ -188,7 +195,8 @@ Seen look(const Image& image, double pixelsPerDegree)
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x, ++i) {
             const bool isGray = image.channels < 3;
-            const double alpha = image.channels == 2 || image.channels >= 4 ? static_cast<double>(image.at(x, y, isGray ? 1 : 3)) : 1.0;
+            const double alpha =
+                image.channels == 2 || image.channels >= 4 ? static_cast<double>(image.at(x, y, isGray ? 1 : 3)) : 1.0;
             glm::dvec3 rgb(0);
             for (int c = 0; c < 3; ++c) {
                 const double v = static_cast<double>(image.at(x, y, isGray ? 0 : c)) * alpha;
@@ -230,7 +238,8 @@ Image flipMap(const Image& reference, const Image& test, double pixelsPerDegree)
     const Seen b = look(test, pixelsPerDegree);
     Image map(reference.width, reference.height, 1);
     for (std::size_t i = 0; i < map.pixels.size(); ++i) {
-        const double feature = std::max(std::abs(a.features.edges[i] - b.features.edges[i]), std::abs(a.features.points[i] - b.features.points[i]));
+        const double feature = std::max(std::abs(a.features.edges[i] - b.features.edges[i]),
+                                        std::abs(a.features.points[i] - b.features.points[i]));
         const double noticed = std::sqrt(std::min(feature / std::numbers::sqrt2, 1.0));
         map.pixels[i] = static_cast<float>(std::pow(colorError(hyab(a.lab[i], b.lab[i])), 1 - noticed));
     }

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-
 /// The color of a pixel over black: one channel is gray, a second of two and a fourth is alpha.
 glm::dvec3 colorAt(const Image& image, int x, int y)
 {
@@ -45,7 +44,8 @@ bool differsVisibly(const glm::dvec3& p, const glm::dvec3& q)
 {
     for (int c = 0; c < 3; ++c) {
         // Not the rounded codes: one rounding apart is not a difference.
-        const double d = distance(srgbFromLinear(std::clamp(p[c], 0.0, 1.0)), srgbFromLinear(std::clamp(q[c], 0.0, 1.0)));
+        const double d =
+            distance(srgbFromLinear(std::clamp(p[c], 0.0, 1.0)), srgbFromLinear(std::clamp(q[c], 0.0, 1.0)));
         if (d > 1.0 / 255 || std::isfinite(p[c]) != std::isfinite(q[c])) return true;
     }
     return false;
@@ -99,7 +99,8 @@ std::string_view title(Metric metric)
 
 std::optional<Metric> metricNamed(std::string_view name)
 {
-    const auto found = std::find_if(allMetrics.begin(), allMetrics.end(), [&](Metric m) { return toString(m) == name; });
+    const auto found =
+        std::find_if(allMetrics.begin(), allMetrics.end(), [&](Metric m) { return toString(m) == name; });
     return found == allMetrics.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -132,7 +133,9 @@ NormalDifference normalDifference(const Image& a, const Image& b, int first)
     NormalDifference result;
     double both = 0;
     double either = 0;
-    const auto normal = [first](const Image& image, int x, int y) { return glm::dvec3(image.at(x, y, first), image.at(x, y, first + 1), image.at(x, y, first + 2)); };
+    const auto normal = [first](const Image& image, int x, int y) {
+        return glm::dvec3(image.at(x, y, first), image.at(x, y, first + 1), image.at(x, y, first + 2));
+    };
     eachPixel(a, [&](int x, int y) {
         const glm::dvec3 p = normal(a, x, y);
         const glm::dvec3 q = normal(b, x, y);
@@ -186,8 +189,9 @@ Image differenceMap(const Image& a, const Image& b)
 Image heatMap(const Image& errors, double full)
 {
     // Stations of even lightness steps, sRGB-encoded.
-    static const std::array<glm::dvec3, 6> stations{glm::dvec3(0.02, 0.02, 0.04), glm::dvec3(0.24, 0.07, 0.42), glm::dvec3(0.57, 0.16, 0.43),
-                                                    glm::dvec3(0.87, 0.33, 0.23), glm::dvec3(0.98, 0.65, 0.18), glm::dvec3(1.0, 0.99, 0.90)};
+    static const std::array<glm::dvec3, 6> stations{glm::dvec3(0.02, 0.02, 0.04), glm::dvec3(0.24, 0.07, 0.42),
+                                                    glm::dvec3(0.57, 0.16, 0.43), glm::dvec3(0.87, 0.33, 0.23),
+                                                    glm::dvec3(0.98, 0.65, 0.18), glm::dvec3(1.0, 0.99, 0.90)};
     Image picture(errors.width, errors.height, 3);
     eachPixel(errors, [&](int x, int y) {
         const double error = errors.at(x, y);

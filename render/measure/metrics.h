@@ -11,7 +11,8 @@ namespace vitrine::render {
 /// How the distance of a picture from its reference is counted. All are 0 for equal pictures and grow with
 /// the difference, but for `psnr`, which falls and is infinite for equal ones.
 enum class Metric : std::uint8_t { rmse, psnr, max, beyond, flip, normal, depth };
-inline constexpr std::array<Metric, 7> allMetrics{Metric::rmse, Metric::psnr, Metric::max, Metric::beyond, Metric::flip, Metric::normal, Metric::depth};
+inline constexpr std::array<Metric, 7> allMetrics{Metric::rmse, Metric::psnr,   Metric::max,  Metric::beyond,
+                                                  Metric::flip, Metric::normal, Metric::depth};
 
 /// "rmse", "psnr", ... as options and files spell it.
 [[nodiscard]] std::string_view toString(Metric);
@@ -36,9 +37,9 @@ struct ColorDifference {
 
 /// Distance of two pictures of unit normals (three channels from `first`); a pixel of length under 1/2 has none.
 struct NormalDifference {
-    double mean = 0;      ///< Degrees, over the pixels that have a normal in both.
-    double max = 0;       ///< Degrees.
-    double missing = 0;   ///< Share of pixels that have one in only one of them, of those that have one in either.
+    double mean = 0;     ///< Degrees, over the pixels that have a normal in both.
+    double max = 0;      ///< Degrees.
+    double missing = 0;  ///< Share of pixels that have one in only one of them, of those that have one in either.
 };
 [[nodiscard]] NormalDifference normalDifference(const Image& a, const Image& b, int first);
 

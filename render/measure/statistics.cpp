@@ -28,10 +28,13 @@ double quantileOfSorted(const std::vector<double>& values, double share)
 /// Probability that at most `k` of `n` tosses of a fair coin show heads.
 double coinDistribution(std::size_t n, std::size_t k)
 {
-    const auto logChoose = [](double a, double b) { return std::lgamma(a + 1) - std::lgamma(b + 1) - std::lgamma(a - b + 1); };
+    const auto logChoose = [](double a, double b) {
+        return std::lgamma(a + 1) - std::lgamma(b + 1) - std::lgamma(a - b + 1);
+    };
     double sum = 0;
     for (std::size_t i = 0; i <= k; ++i)
-        sum += std::exp(logChoose(static_cast<double>(n), static_cast<double>(i)) - static_cast<double>(n) * std::numbers::ln2);
+        sum += std::exp(logChoose(static_cast<double>(n), static_cast<double>(i)) -
+                        static_cast<double>(n) * std::numbers::ln2);
     return sum;
 }
 
@@ -138,7 +141,9 @@ double studentQuantile(double probability, double degrees)
     if (y > 0.05 + a) {
         // The normal quantile, Beasley and Springer's range served by Newton's method on erfc.
         x = 0;
-        for (int i = 0; i < 60; ++i) x -= (0.5 * std::erfc(x / std::numbers::sqrt2) - p / 2) / (-std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi));
+        for (int i = 0; i < 60; ++i)
+            x -= (0.5 * std::erfc(x / std::numbers::sqrt2) - p / 2) /
+                 (-std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi));
         x = -x;
         y = x * x;
         if (n < 5) c += 0.3 * (n - 4.5) * (x + 0.6);
@@ -147,7 +152,9 @@ double studentQuantile(double probability, double degrees)
         y = a * y * y;
         y = y > 0.002 ? std::expm1(y) : 0.5 * y * y + y;
     } else {
-        y = ((1 / (((n + 6) / (n * y) - 0.089 * d - 0.822) * (n + 2) * 3) + 0.5 / (n + 4)) * y - 1) * (n + 1) / (n + 2) + 1 / y;
+        y = ((1 / (((n + 6) / (n * y) - 0.089 * d - 0.822) * (n + 2) * 3) + 0.5 / (n + 4)) * y - 1) * (n + 1) /
+                (n + 2) +
+            1 / y;
     }
     return std::sqrt(n * y);
 }

@@ -8,8 +8,8 @@
 namespace vitrine::render {
 
 /// The most that an effect changes of any channel of any pixel of the image "radiance": `share` of what the pixel is
-/// without the effect, plus `radiance` in scene-linear light before exposure. An effect that others read (a shadow map, a
-/// probe) states what it changes on a surface that it falls on; what is made of it elsewhere is bounded there.
+/// without the effect, plus `radiance` in scene-linear light before exposure. An effect that others read (a shadow map,
+/// a probe) states what it changes on a surface that it falls on; what is made of it elsewhere is bounded there.
 struct Bound {
     double share = 0;
     double radiance = std::numeric_limits<double>::infinity();  ///< Infinite: nobody knows, or it is the thing itself.
@@ -18,10 +18,14 @@ struct Bound {
     /// Nothing is changed, so that the effect can be left out.
     [[nodiscard]] bool isZero() const { return share == 0 && radiance == 0; }
     /// Whether something finite is promised.
-    [[nodiscard]] bool isKnown() const { return share < std::numeric_limits<double>::infinity() && radiance < std::numeric_limits<double>::infinity(); }
+    [[nodiscard]] bool isKnown() const
+    {
+        return share < std::numeric_limits<double>::infinity() && radiance < std::numeric_limits<double>::infinity();
+    }
 };
 
-/// A number that an effect is in proportion to, or 1 and 0 for whether it can be seen, and what a visitor is told of its 0.
+/// A number that an effect is in proportion to, or 1 and 0 for whether it can be seen, and what a visitor is told of
+/// its 0.
 struct Factor {
     double value = 1;  ///< NaN counts as infinite, negative as 0.
     std::string_view whenZero;
@@ -31,8 +35,8 @@ struct Factor {
 /// changes nothing, whatever it would.
 [[nodiscard]] Bound boundOf(double share, double radiance, std::initializer_list<Factor> factors);
 
-/// "changes a pixel by at most 40 % of its light and 0.3 of the light of white"; "may change any pixel" from a bound of 1
-/// on, which leaves a pixel every value; "changes nothing"; empty when nothing is promised.
+/// "changes a pixel by at most 40 % of its light and 0.3 of the light of white"; "may change any pixel" from a bound of
+/// 1 on, which leaves a pixel every value; "changes nothing"; empty when nothing is promised.
 [[nodiscard]] std::string toString(const Bound&);
 
 }  // namespace vitrine::render

@@ -12,8 +12,7 @@ namespace {
 /// Whether a view of its own sees another content in what the pass writes.
 bool dependsOnView(const Pass& pass)
 {
-    if (pass.stage == Stage::simulate || pass.stage == Stage::shadow || pass.stage == Stage::probe)
-        return false;
+    if (pass.stage == Stage::simulate || pass.stage == Stage::shadow || pass.stage == Stage::probe) return false;
     return !pass.key && !(pass.colors.empty() && !pass.depth && pass.storage.empty());
 }
 
@@ -25,24 +24,20 @@ public:
     void add(const std::string& image) { names_.emplace(image, elsewhere_.name + '.' + image); }
     void rename(std::string& image) const
     {
-        if (const auto found = names_.find(image); found != names_.end())
-            image = found->second;
+        if (const auto found = names_.find(image); found != names_.end()) image = found->second;
         for (const auto& [name, state] : seen_.histories())
-            if (image == previous(name) && names_.contains(name))
-                image = previous(names_.at(name));
+            if (image == previous(name) && names_.contains(name)) image = previous(names_.at(name));
     }
     void rename(std::vector<Input>& inputs) const
     {
         for (Input& input : inputs)
-            if (auto* image = std::get_if<std::string>(&input.source))
-                rename(*image);
+            if (auto* image = std::get_if<std::string>(&input.source)) rename(*image);
     }
     void declareIn(FramePlan& plan) const
     {
         for (const auto& [old, name] : names_) {
             const auto declared = seen_.images().find(old);
-            if (declared == seen_.images().end())
-                continue;
+            if (declared == seen_.images().end()) continue;
             ImageInfo info = declared->second;
             info.ownPixels = info.hasOwnPixels();
             info.size = sizeOf(info, elsewhere_.view.raster);
@@ -69,8 +64,7 @@ private:
 
 View viewOf(const Pass& pass, const FramePlan& seen, const Elsewhere& elsewhere)
 {
-    if (pass.view)
-        return *pass.view;
+    if (pass.view) return *pass.view;
     for (const std::string& image : outputsOf(pass))
         if (const auto info = seen.images().find(image); info != seen.images().end() && info->second.hasOwnPixels())
             return viewOfOwnPixels(elsewhere.view, info->second);
@@ -95,28 +89,22 @@ std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan
     std::vector<Pass> passes;
     for (const Pass& pass : seen.passes()) {
         Pass copy = pass;
-        if (dependsOnView(pass) && (!elsewhere.take || elsewhere.take(copy)))
-            passes.push_back(std::move(copy));
+        if (dependsOnView(pass) && (!elsewhere.take || elsewhere.take(copy))) passes.push_back(std::move(copy));
     }
     std::stable_sort(passes.begin(), passes.end(), [](const Pass& a, const Pass& b) { return a.stage < b.stage; });
     Renamed renamed(seen, elsewhere);
     for (const Pass& pass : passes)
         for (const std::string& image : outputsOf(pass))
-            if (!seen.buffers().contains(image))
-                renamed.add(image);
+            if (!seen.buffers().contains(image)) renamed.add(image);
     for (Pass& pass : passes) {
         pass.view = viewOf(pass, seen, elsewhere);
         pass.name = elsewhere.name + '/' + pass.name;
         pass.reason = elsewhere.reason;
         pass.stage = elsewhere.stage;
-        for (Attachment& color : pass.colors)
-            renamed.rename(color.image);
-        if (pass.depth)
-            renamed.rename(pass.depth->image);
-        for (Attachment& storage : pass.storage)
-            renamed.rename(storage.image);
-        for (std::string& image : pass.mipmaps)
-            renamed.rename(image);
+        for (Attachment& color : pass.colors) renamed.rename(color.image);
+        if (pass.depth) renamed.rename(pass.depth->image);
+        for (Attachment& storage : pass.storage) renamed.rename(storage.image);
+        for (std::string& image : pass.mipmaps) renamed.rename(image);
         renamed.rename(pass.inputs);
         for (Draw& draw : pass.draws) {
             renamed.rename(draw.inputs);
@@ -124,8 +112,7 @@ std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan
         }
     }
     renamed.declareIn(plan);
-    for (Pass& pass : passes)
-        plan.add(std::move(pass));
+    for (Pass& pass : passes) plan.add(std::move(pass));
     return renamed.names();
 }
 
@@ -133,8 +120,7 @@ View mirroredView(const View& view, const glm::dvec4& plane)
 {
     const glm::dvec3 normal(plane);
     glm::dmat4 reflection(1);
-    for (int column = 0; column < 3; ++column)
-        reflection[column] -= glm::dvec4(2 * normal[column] * normal, 0);
+    for (int column = 0; column < 3; ++column) reflection[column] -= glm::dvec4(2 * normal[column] * normal, 0);
     reflection[3] = glm::dvec4(-2 * plane.w * normal, 1);
     const bool eyeInFront = glm::dot(plane, glm::dvec4(view.eye, 1)) >= 0;
     return moved(view, reflection, reflection, eyeInFront ? plane : -plane);  // A reflection is its own inverse.

@@ -34,8 +34,7 @@ std::vector<std::string> imagesOf(const Pass& pass)
 {
     std::vector<std::string> names = pass.mipmaps;
     collectInputs(pass.inputs, names);
-    for (const Draw& draw : pass.draws)
-        collectInputs(draw.inputs, names);
+    for (const Draw& draw : pass.draws) collectInputs(draw.inputs, names);
     forEachAttachment(pass, [&](const Attachment& a) { names.push_back(a.image); });
     return names;
 }
@@ -45,12 +44,10 @@ std::vector<std::string> buffersOf(const Pass& pass)
     std::vector<std::string> names;
     const auto collect = [&](const std::vector<BufferUse>& uses) {
         for (const BufferUse& use : uses)
-            if (const auto* buffer = std::get_if<std::string>(&use.source))
-                names.push_back(*buffer);
+            if (const auto* buffer = std::get_if<std::string>(&use.source)) names.push_back(*buffer);
     };
     collect(pass.buffers);
-    for (const Draw& draw : pass.draws)
-        collect(draw.buffers);
+    for (const Draw& draw : pass.draws) collect(draw.buffers);
     return names;
 }
 
@@ -59,8 +56,7 @@ std::string partsText(const Pass& pass)
 {
     const std::string first = std::to_string(pass.past.firstPart + 1);
     const std::string of = " of " + std::to_string(pass.parts);
-    if (pass.past.endPart == pass.past.firstPart + 1)
-        return ", part " + first + of;
+    if (pass.past.endPart == pass.past.firstPart + 1) return ", part " + first + of;
     return ", parts " + first + " to " + std::to_string(pass.past.endPart) + of;
 }
 
@@ -126,13 +122,15 @@ void FramePlan::add(Pass pass)
 {
     assert(!find(pass.name) && "two passes share a name");
     if (pass.bound.isZero() && !runEverything) {
-        skipped_.push_back({.name = std::move(pass.name), .reason = std::move(pass.bound.whyNone), .work = pass.work, .boundIsZero = true});
+        skipped_.push_back({.name = std::move(pass.name),
+                            .reason = std::move(pass.bound.whyNone),
+                            .work = pass.work,
+                            .boundIsZero = true});
         return;
     }
     if (pass.parts > 1) {
         assert(pass.key && "work for several frames needs a key");
-        for (std::string& name : outputsOf(pass))
-            imagesInParts_.insert(std::move(name));
+        for (std::string& name : outputsOf(pass)) imagesInParts_.insert(std::move(name));
     }
     passes_.push_back(std::move(pass));
 }
@@ -140,14 +138,19 @@ void FramePlan::add(Pass pass)
 bool FramePlan::needs(const Bound& bound, std::initializer_list<const char*> passes)
 {
     if (!bound.isZero() || runEverything) return true;
-    for (const char* pass : passes) skipped_.push_back({.name = pass, .reason = bound.whyNone, .work = Work::raster, .boundIsZero = true});
+    for (const char* pass : passes)
+        skipped_.push_back({.name = pass, .reason = bound.whyNone, .work = Work::raster, .boundIsZero = true});
     return false;
 }
 
 bool FramePlan::needs(Pass& pass, Effect effect)
 {
     if (effect.bound.isZero() && !runEverything) {
-        if (!findSkipped(effect.name)) skipped_.push_back({.name = std::move(effect.name), .reason = std::move(effect.bound.whyNone), .work = pass.work, .boundIsZero = true});
+        if (!findSkipped(effect.name))
+            skipped_.push_back({.name = std::move(effect.name),
+                                .reason = std::move(effect.bound.whyNone),
+                                .work = pass.work,
+                                .boundIsZero = true});
         return false;
     }
     pass.effects.push_back(std::move(effect));
@@ -167,34 +170,28 @@ void FramePlan::complain(std::string name, std::string reason, Work work)
 void FramePlan::complainOfFile(std::string name, std::string unreadable, const std::string& instead)
 {
     std::string reason = unreadable + ' ' + instead;
-    skipped_.push_back({.name = std::move(name), .reason = std::move(reason), .complaint = true, .unreadable = std::move(unreadable)});
+    skipped_.push_back(
+        {.name = std::move(name), .reason = std::move(reason), .complaint = true, .unreadable = std::move(unreadable)});
 }
 
 void FramePlan::prune(const std::vector<std::string>& outputs, const KeptKeys& kept)
 {
     std::stable_sort(passes_.begin(), passes_.end(), [](const Pass& a, const Pass& b) { return a.stage < b.stage; });
-    for (auto& [name, info] : images_)
-        info.kept = info.kept || imagesInParts_.contains(name);
-    for (auto& [name, info] : buffers_)
-        info.kept = info.kept || imagesInParts_.contains(name);
-    if (!runEverything)
-        drop(outputs, kept);
-    for (Pass& pass : passes_)
-        takePart(pass, kept);
+    for (auto& [name, info] : images_) info.kept = info.kept || imagesInParts_.contains(name);
+    for (auto& [name, info] : buffers_) info.kept = info.kept || imagesInParts_.contains(name);
+    if (!runEverything) drop(outputs, kept);
+    for (Pass& pass : passes_) takePart(pass, kept);
     lookBack(kept);
 }
 
 bool FramePlan::isUnchanged(const Pass& pass, const KeptKeys& kept) const
 {
-    if (!pass.key)
-        return false;
+    if (!pass.key) return false;
     const auto last = kept.passes.find(pass.name);
-    if (last == kept.passes.end() || last->second != *pass.key)
-        return false;
+    if (last == kept.passes.end() || last->second != *pass.key) return false;
     const std::vector<std::string> written = outputsOf(pass);
     return std::all_of(written.begin(), written.end(), [&](const std::string& name) {
-        if (const auto buffer = buffers_.find(name); buffer != buffers_.end())
-            return buffer->second.kept;
+        if (const auto buffer = buffers_.find(name); buffer != buffers_.end()) return buffer->second.kept;
         const auto info = images_.find(name);
         return info == images_.end() || info->second.kept;
     });
@@ -218,29 +215,24 @@ std::vector<bool> FramePlan::calledFor(const std::vector<std::string>& outputs,
                 continue;
             called[i] = true;
             forEachAttachment(pass, [&](const Attachment& a) {
-                if (a.load == Load::clear && a.layer < 0 && a.level == 0)
-                    wanted.erase(a.image);
+                if (a.load == Load::clear && a.layer < 0 && a.level == 0) wanted.erase(a.image);
             });
             for (const BufferUse& use : pass.buffers)
                 if (const auto* buffer = std::get_if<std::string>(&use.source); buffer && use.access == Access::write)
                     wanted.erase(*buffer);
-            for (const std::string& name : inputsOf(pass))
-                wanted.insert(name);
+            for (const std::string& name : inputsOf(pass)) wanted.insert(name);
         }
         const std::size_t before = always.size();
         for (const auto& [name, state] : histories_)
-            if (wanted.contains(previous(name)))
-                always.insert(name);
-        if (always.size() == before)
-            return called;
+            if (wanted.contains(previous(name))) always.insert(name);
+        if (always.size() == before) return called;
     }
 }
 
 void FramePlan::drop(const std::vector<std::string>& outputs, const KeptKeys& kept)
 {
     std::vector<bool> unchanged;
-    for (const Pass& pass : passes_)
-        unchanged.push_back(isUnchanged(pass, kept));
+    for (const Pass& pass : passes_) unchanged.push_back(isUnchanged(pass, kept));
     const std::vector<bool> called = calledFor(outputs, unchanged);
     std::vector<Pass> surviving;
     for (std::size_t i = passes_.size(); i-- > 0;) {
@@ -260,8 +252,7 @@ void FramePlan::drop(const std::vector<std::string>& outputs, const KeptKeys& ke
 void FramePlan::takePart(Pass& pass, const KeptKeys& kept) const
 {
     pass.past = {.lastView = view};
-    if (pass.parts <= 1)
-        return;
+    if (pass.parts <= 1) return;
     const auto progress = kept.parts.find(pass.name);
     const bool begun = progress != kept.parts.end() && progress->second.hash == pass.key.value_or(0) &&
                        progress->second.done < pass.parts;
@@ -269,12 +260,9 @@ void FramePlan::takePart(Pass& pass, const KeptKeys& kept) const
     pass.past.firstPart = begun ? progress->second.done : 0;
     pass.past.endPart = allParts || runEverything ? pass.parts : pass.past.firstPart + 1;
     pass.reason += partsText(pass);
-    if (pass.past.firstPart == 0)
-        return;
-    for (Attachment& a : pass.colors)
-        a.load = Load::keep;
-    if (pass.depth)
-        pass.depth->load = Load::keep;
+    if (pass.past.firstPart == 0) return;
+    for (Attachment& a : pass.colors) a.load = Load::keep;
+    if (pass.depth) pass.depth->load = Load::keep;
 }
 
 void FramePlan::lookBack(const KeptKeys& kept)
@@ -301,16 +289,14 @@ void FramePlan::lookBack(const KeptKeys& kept)
                     pass.reason += ", its history starts again: " + state->second->reset;
                 pass.past.valid = pass.past.valid && state->second->valid;
             }
-            if (!imagesInParts_.contains(name) || (pass.parts > 1 && writes(name)))
-                continue;
+            if (!imagesInParts_.contains(name) || (pass.parts > 1 && writes(name))) continue;
             pass.past.used = true;
             pass.past.provisional = pass.past.provisional || unfinishedImages.contains(name);
             pass.past.valid = pass.past.valid && !emptyImages.contains(name);
         }
         if (pass.past.provisional || pass.past.endPart < pass.parts)
             unfinishedImages.insert(written.begin(), written.end());
-        if (pass.past.endPart >= pass.parts)
-            continue;
+        if (pass.past.endPart >= pass.parts) continue;
         const auto progress = kept.parts.find(pass.name);
         if (progress == kept.parts.end() || !progress->second.completedOnce)
             emptyImages.insert(written.begin(), written.end());
@@ -339,8 +325,7 @@ std::vector<std::string> FramePlan::errors() const
                 found.push_back(pass.name + " uses the buffer \"" + name + "\", which the plan does not declare");
     }
     for (const auto& [name, info] : buffers_)
-        if (images_.contains(name))
-            found.push_back("\"" + name + "\" is the name of an image and of a buffer");
+        if (images_.contains(name)) found.push_back("\"" + name + "\" is the name of an image and of a buffer");
     return found;
 }
 

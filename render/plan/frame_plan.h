@@ -81,8 +81,8 @@ struct RasterState {
     bool depthWrite = false;
     Cull cull = Cull::none;
     Blend blend = Blend::none;
-    float meanWeight = 1;              ///< For Blend::mean: result = mix(old, new, meanWeight).
-    glm::vec2 depthBias{0};            ///< Slope-scaled and constant, away from the light or eye.
+    float meanWeight = 1;    ///< For Blend::mean: result = mix(old, new, meanWeight).
+    glm::vec2 depthBias{0};  ///< Slope-scaled and constant, away from the light or eye.
     bool depthClamp = false;
 };
 
@@ -123,25 +123,25 @@ struct Pass {
 
     ShaderKey shader;
     RasterState state;
-    std::vector<Attachment> colors;       ///< Color outputs by location.
+    std::vector<Attachment> colors;  ///< Color outputs by location.
     std::optional<Attachment> depth;
-    std::vector<Attachment> storage;      ///< Compute: writable images by binding.
+    std::vector<Attachment> storage;  ///< Compute: writable images by binding.
     std::vector<Input> inputs;
     std::vector<BufferUse> buffers;
-    std::vector<std::string> reads;       ///< Simulation states read, besides the images of `inputs`.
-    std::vector<std::string> writes;      ///< Simulation states written, besides the attachments.
-    std::map<int, Bytes> blocks;          ///< std140 blocks by BLOCK_ binding; FRAME is the renderer's.
-    std::optional<View> view;             ///< In place of the plan's: a light, a face of a probe.
+    std::vector<std::string> reads;   ///< Simulation states read, besides the images of `inputs`.
+    std::vector<std::string> writes;  ///< Simulation states written, besides the attachments.
+    std::map<int, Bytes> blocks;      ///< std140 blocks by BLOCK_ binding; FRAME is the renderer's.
+    std::optional<View> view;         ///< In place of the plan's: a light, a face of a probe.
     std::vector<Draw> draws;
-    glm::ivec3 groups{1};                 ///< Compute.
-    std::vector<std::string> mipmaps;     ///< Images whose lower levels are made from level 0 afterwards.
+    glm::ivec3 groups{1};              ///< Compute.
+    std::vector<std::string> mipmaps;  ///< Images whose lower levels are made from level 0 afterwards.
     /// Work that the plan knows this pass does, by counter name ("fetches", "marchSteps"): added to the
     /// report's counters when it runs.
     std::map<std::string, std::int64_t> counts;
-    bool countSamples = false;            ///< Raster: samples that pass the depth test go to the counter "samples".
+    bool countSamples = false;  ///< Raster: samples that pass the depth test go to the counter "samples".
 
-    Bound bound;                   ///< What it changes: 0 for what is provably invisible, which is then skipped.
-    std::vector<Effect> effects;   ///< In its shader; FramePlan::needs says which of them belong here.
+    Bound bound;                  ///< What it changes: 0 for what is provably invisible, which is then skipped.
+    std::vector<Effect> effects;  ///< In its shader; FramePlan::needs says which of them belong here.
 
     /// When set and all outputs are kept images last written under the same key, the pass is skipped
     /// as unchanged. It must cover everything that the output depends on.
@@ -157,8 +157,8 @@ struct Pass {
         int firstPart = 0;  ///< Runs parts `firstPart` + 1 to `endPart`.
         int endPart = 1;
         bool used = false;  ///< It reads histories or results of parts, or is such a part: lib/temporal.glsl is filled.
-        bool valid = true;         ///< All that it reads of these holds something that it can use.
-        View lastView;             ///< Of the frame that drew the histories.
+        bool valid = true;  ///< All that it reads of these holds something that it can use.
+        View lastView;      ///< Of the frame that drew the histories.
         bool provisional = false;  ///< It read what is not finished, so that it must run again, `key` or not.
     } past = {};
 };
@@ -167,19 +167,20 @@ struct Skipped {
     std::string name;
     std::string reason;
     Work work = Work::raster;
-    bool complaint = false;  ///< Its input was bad: a line in the log, besides the ledger's.
+    bool complaint = false;    ///< Its input was bad: a line in the log, besides the ledger's.
     bool boundIsZero = false;  ///< It could be drawn, and would change nothing.
-    std::string unreadable = {};  ///< Of a complaint about a file that the look names: which parameter, which file, and why.
+    std::string unreadable =
+        {};  ///< Of a complaint about a file that the look names: which parameter, which file, and why.
 };
 
 /// What a frame will do, and what it will not do and why. Plain data: built, pruned and tested
 /// without a GL context.
 class FramePlan {
 public:
-    View view;            ///< Of the picture.
-    double time = 0;      ///< Seconds; exhibits wrap it per period before it becomes a float.
+    View view;        ///< Of the picture.
+    double time = 0;  ///< Seconds; exhibits wrap it per period before it becomes a float.
     std::uint32_t seed = 1;
-    int sample = 0;       ///< Index of the supersample being drawn.
+    int sample = 0;              ///< Index of the supersample being drawn.
     bool runEverything = false;  ///< The ledger's switch: nothing is pruned or skipped as unchanged.
     bool cut = false;            ///< This frame has nothing to do with the last one: histories start again.
     bool allParts = false;       ///< Work for several frames is done in this one: for pictures that are not redrawn.

@@ -8,43 +8,33 @@ namespace {
 
 std::string whyCameraLost(const History& history, const View& now, const View& last)
 {
-    if (now.raster.size != last.raster.size)
-        return "the size of the picture changed";
+    if (now.raster.size != last.raster.size) return "the size of the picture changed";
     if (!history.image.hasOwnPixels() &&
         (now.raster.offset != last.raster.offset || now.raster.drawn() != last.raster.drawn()))
         return "another tile is drawn";
-    if (!(glm::distance(now.eye, last.eye) <= history.cutMeters))
-        return "the camera jumped";
+    if (!(glm::distance(now.eye, last.eye) <= history.cutMeters)) return "the camera jumped";
     const glm::dvec3 forward = now.direction(-now.tanShift / now.tanHalfFov);
     const glm::dvec3 lastForward = last.direction(-last.tanShift / last.tanHalfFov);
     const double turned = std::atan2(glm::length(glm::cross(forward, lastForward)), glm::dot(forward, lastForward));
-    if (!(turned <= history.cutRadians))
-        return "the camera turned too far";
-    if (now.tanHalfFov != last.tanHalfFov || now.tanShift != last.tanShift)
-        return "the field of view changed";
+    if (!(turned <= history.cutRadians)) return "the camera turned too far";
+    if (now.tanHalfFov != last.tanHalfFov || now.tanShift != last.tanShift) return "the field of view changed";
     return {};
 }
 
 std::string whyLost(const History& history, const View& now, double time, bool cut, const HistoryRecord* last)
 {
-    if (!last)
-        return "nothing was drawn before";
-    if (cut)
-        return "the picture was cut";
-    if (!sameStorage(history.image, last->image))
-        return "the image has another form";
-    if (std::string why = whyCameraLost(history, now, last->view); !why.empty())
-        return why;
+    if (!last) return "nothing was drawn before";
+    if (cut) return "the picture was cut";
+    if (!sameStorage(history.image, last->image)) return "the image has another form";
+    if (std::string why = whyCameraLost(history, now, last->view); !why.empty()) return why;
     const bool clockRuns = time >= last->time && time - last->time <= history.cutSeconds;
-    if (!clockRuns && std::isfinite(history.cutSeconds))
-        return "the clock jumped";
+    if (!clockRuns && std::isfinite(history.cutSeconds)) return "the clock jumped";
     for (const HistoryDependency& dependency : history.dependencies) {
         const bool same =
             std::any_of(last->dependencies.begin(), last->dependencies.end(), [&](const HistoryDependency& d) {
                 return d.whyLost == dependency.whyLost && d.hash == dependency.hash;
             });
-        if (!same)
-            return dependency.whyLost;
+        if (!same) return dependency.whyLost;
     }
     return {};
 }
@@ -60,10 +50,8 @@ HistoryState historyState(const History& history, const View& now, double time, 
 {
     HistoryState state{history, false, whyLost(history, now, time, cut, last), now};
     state.valid = state.reset.empty();
-    if (state.valid)
-        state.lastView = last->view;
-    if (history.image.hasOwnPixels())
-        state.lastView = viewOfOwnPixels(state.lastView, history.image);
+    if (state.valid) state.lastView = last->view;
+    if (history.image.hasOwnPixels()) state.lastView = viewOfOwnPixels(state.lastView, history.image);
     return state;
 }
 

@@ -13,10 +13,8 @@ bool sameStorage(const ImageInfo& a, const ImageInfo& b)
 
 glm::ivec2 sizeOf(const ImageInfo& info, const Raster& picture)
 {
-    if (info.size.x > 0 && info.size.y > 0)
-        return info.size;
-    if (info.divisor > 0)
-        return glm::max((picture.size + info.divisor - 1) / info.divisor, glm::ivec2(1));
+    if (info.size.x > 0 && info.size.y > 0) return info.size;
+    if (info.divisor > 0) return glm::max((picture.size + info.divisor - 1) / info.divisor, glm::ivec2(1));
     const glm::ivec2 scaled(glm::ceil(glm::dvec2(picture.drawn()) * info.scale));
     return glm::max(scaled, glm::ivec2(1));
 }

@@ -28,9 +28,9 @@ struct FrameReport {
     double milliseconds = 0;                       ///< The whole frame, by the clock named by `clock`.
     double wallMilliseconds = 0;                   ///< The same by the wall clock: what a visitor waits.
     bool unfinished = false;  ///< Another frame is called for: parts are left, or a program is being built.
-    std::string clock;                             ///< "process CPU time around glFinish", ...
+    std::string clock;        ///< "process CPU time around glFinish", ...
     bool clockTrusted = false;
-    double overheadMilliseconds = 0;               ///< What taking the times cost; part of `milliseconds`.
+    double overheadMilliseconds = 0;  ///< What taking the times cost; part of `milliseconds`.
 };
 
 /// Draws frame plans. The renderer implements it with OpenGL; tests replace it.

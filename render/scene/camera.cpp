@@ -62,7 +62,8 @@ View makeView(const Camera& camera, const Raster& raster)
     const glm::dvec3 toTarget = insideTheWorld(camera.target) - view.eye;
     const double distance = glm::length(toTarget);
     const glm::dvec3 forward = distance > 1e-9 ? toTarget / distance : glm::dvec3(0, 0, -1);
-    const glm::dvec3 up = std::abs(forward.y) > 0.99999 ? glm::dvec3(0, 0, forward.y > 0 ? 1 : -1) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 up =
+        std::abs(forward.y) > 0.99999 ? glm::dvec3(0, 0, forward.y > 0 ? 1 : -1) : glm::dvec3(0, 1, 0);
     // Not from a point one metre ahead, as lookAt wants it: far from the origin that is where the eye is.
     const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
     const glm::dmat3 viewFromWorld = glm::transpose(glm::dmat3(right, glm::cross(right, forward), -forward));
@@ -74,7 +75,8 @@ View makeView(const Camera& camera, const Raster& raster)
     const glm::dvec2 size = glm::max(raster.size, glm::ivec2(1));
     view.tanHalfFov = std::tan(fov / 2) * glm::dvec2(size.x / size.y, 1);
 
-    view.tanShift = {std::isfinite(camera.lensShift.x) ? camera.lensShift.x : 0, std::isfinite(camera.lensShift.y) ? camera.lensShift.y : 0};
+    view.tanShift = {std::isfinite(camera.lensShift.x) ? camera.lensShift.x : 0,
+                     std::isfinite(camera.lensShift.y) ? camera.lensShift.y : 0};
 
     return withRaster(view, raster);
 }

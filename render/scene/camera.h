@@ -26,10 +26,10 @@ struct Camera {
 
 /// Which part of a picture is being drawn, and where inside its pixels.
 struct Raster {
-    glm::ivec2 size{640, 360};    ///< Of the whole picture, in pixels.
-    glm::ivec2 offset{0};         ///< Lower left corner of the tile in the whole picture.
-    glm::ivec2 tile{0};           ///< Size of the tile; (0, 0) means the whole picture.
-    glm::dvec2 jitter{0};         ///< Sample position relative to the pixel's center, in pixels, inside ±0.5.
+    glm::ivec2 size{640, 360};  ///< Of the whole picture, in pixels.
+    glm::ivec2 offset{0};       ///< Lower left corner of the tile in the whole picture.
+    glm::ivec2 tile{0};         ///< Size of the tile; (0, 0) means the whole picture.
+    glm::dvec2 jitter{0};       ///< Sample position relative to the pixel's center, in pixels, inside ±0.5.
 
     [[nodiscard]] glm::ivec2 drawn() const { return tile.x > 0 && tile.y > 0 ? tile : size; }
 };
@@ -40,9 +40,9 @@ struct View {
     glm::dmat4 clipFromView{1};  ///< Of the tile, jitter included.
     glm::dmat4 clipFromWorld{1};
     glm::dvec3 eye{0};
-    glm::dvec2 tanHalfFov{1};    ///< Of the whole picture, horizontal and vertical.
-    glm::dvec2 tanShift{0};      ///< Of the middle of the whole picture, off the view axis.
-    double nearPlane = 0.02;     ///< Metres.
+    glm::dvec2 tanHalfFov{1};  ///< Of the whole picture, horizontal and vertical.
+    glm::dvec2 tanShift{0};    ///< Of the middle of the whole picture, off the view axis.
+    double nearPlane = 0.02;   ///< Metres.
     Raster raster;
     /// World space: only points p with dot(plane, (p, 1)) >= 0 are drawn, in what lies behind a mirror or a portal.
     std::optional<glm::dvec4> clipPlane;
@@ -63,11 +63,13 @@ struct View {
 
 /// Reversed infinite perspective: near plane at depth 1, infinity at 0. `tanHalfFov` > 0, `nearPlane` > 0;
 /// `tanShift` is where its middle looks, off the axis.
-[[nodiscard]] glm::dmat4 reversedPerspective(glm::dvec2 tanHalfFov, double nearPlane, glm::dvec2 tanShift = glm::dvec2(0));
+[[nodiscard]] glm::dmat4 reversedPerspective(glm::dvec2 tanHalfFov, double nearPlane,
+                                             glm::dvec2 tanShift = glm::dvec2(0));
 
 /// Reversed orthographic projection of a box in light space: z = `nearest` gives depth 1, `farthest` 0
 /// (both are view-space z, negative in front).
-[[nodiscard]] glm::dmat4 reversedOrthographic(const glm::dvec2& low, const glm::dvec2& high, double nearest, double farthest);
+[[nodiscard]] glm::dmat4 reversedOrthographic(const glm::dvec2& low, const glm::dvec2& high, double nearest,
+                                              double farthest);
 
 /// Position `i` of `n` inside a pixel, in ±0.5: sample 0 is the center, the rest follow the R2 sequence
 /// (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"), in steps of 1/512: added to a

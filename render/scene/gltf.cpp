@@ -36,8 +36,10 @@ Json drawnPart(const Json& json, bool inMaterial)
 std::string textForTinygltf(const Json& root)
 {
     Json out = Json::object();
-    for (const char* key : {"asset", "extensionsUsed", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "textures", "samplers", "materials"})
-        if (const auto at = root.find(key); at != root.end()) out[key] = drawnPart(*at, std::string_view(key) == "materials");
+    for (const char* key : {"asset", "extensionsUsed", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews",
+                            "textures", "samplers", "materials"})
+        if (const auto at = root.find(key); at != root.end())
+            out[key] = drawnPart(*at, std::string_view(key) == "materials");
     // tinygltf refuses indices without a view, which are zeros: they get one for as long as it reads.
     Json& views = out["bufferViews"];
     const std::size_t none = views.size();
@@ -58,7 +60,8 @@ tinygltf::Model parse(const JsonDocument& document)
     bool good = false;
     try {
         // At most limits.jsonBytes, below 2^32.
-        good = loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned int>(text.size()), "");
+        good = loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned int>(text.size()),
+                                          "");
     } catch (const std::exception& e) {
         error = e.what();
     } catch (...) {
@@ -66,8 +69,8 @@ tinygltf::Model parse(const JsonDocument& document)
     }
     if (!good) {
         while (!error.empty() && (error.back() == '\n' || error.back() == '.')) error.pop_back();
-        throw Failure(Blame::file, "Cannot read " + document.name() + ": " + (error.empty() ? "it is not glTF" : error) +
-                                       "; export it again.");
+        throw Failure(Blame::file, "Cannot read " + document.name() + ": " +
+                                       (error.empty() ? "it is not glTF" : error) + "; export it again.");
     }
     model.bufferViews.pop_back();
     for (std::size_t i = 0; i < model.accessors.size(); ++i)

@@ -11,18 +11,18 @@ namespace vitrine::render {
 
 /// What a glTF file may hold at most.
 struct GltfLimits {
-    std::uint64_t fileBytes = 512ULL << 20U;     ///< Of the file, and of each file it names.
+    std::uint64_t fileBytes = 512ULL << 20U;  ///< Of the file, and of each file it names.
     std::uint64_t jsonBytes = 32ULL << 20U;
-    std::uint64_t bufferBytes = 1ULL << 30U;     ///< Of all buffers together; the same again for packed images.
-    std::uint64_t zeroBytes = 64ULL << 20U;      ///< Of buffers and accessors that the file gives no data for.
+    std::uint64_t bufferBytes = 1ULL << 30U;  ///< Of all buffers together; the same again for packed images.
+    std::uint64_t zeroBytes = 64ULL << 20U;   ///< Of buffers and accessors that the file gives no data for.
     std::uint64_t nodes = 100'000;
     std::uint64_t nodeDepth = 256;
     std::uint64_t primitives = 100'000;
     std::uint64_t vertices = 20'000'000;
     std::uint64_t indices = 60'000'000;
     std::uint64_t images = 256;
-    std::uint64_t textureBytes = 2ULL << 30U;    ///< Once unpacked; counted before each picture is unpacked.
-    std::uint64_t stringBytes = 4096;            ///< Of one name or reference; data: URIs are counted as JSON.
+    std::uint64_t textureBytes = 2ULL << 30U;  ///< Once unpacked; counted before each picture is unpacked.
+    std::uint64_t stringBytes = 4096;          ///< Of one name or reference; data: URIs are counted as JSON.
 };
 
 /// Reads a glTF 2.0 file, .glb or .gltf, as untrusted input: the container, the JSON, every index, range,

@@ -23,7 +23,8 @@ template <typename Stored> Stored load(const unsigned char* at)
 
 template <typename Stored> float toFloat(Stored x, bool normalized)
 {
-    if constexpr (std::is_floating_point_v<Stored>) return static_cast<float>(x);
+    if constexpr (std::is_floating_point_v<Stored>)
+        return static_cast<float>(x);
     else {
         const float value = static_cast<float>(x);
         if (!normalized) return value;

@@ -227,12 +227,16 @@ private:
 
     static void store(Vertex& vertex, const std::string& attribute, const float* x)
     {
-        if (attribute == "POSITION") vertex.position = glm::make_vec3(x);
-        else if (attribute == "NORMAL") vertex.normal = unit(glm::make_vec3(x), glm::vec3(0, 1, 0));
+        if (attribute == "POSITION")
+            vertex.position = glm::make_vec3(x);
+        else if (attribute == "NORMAL")
+            vertex.normal = unit(glm::make_vec3(x), glm::vec3(0, 1, 0));
         else if (attribute == "TANGENT")
             vertex.tangent = glm::vec4(unit(glm::make_vec3(x), glm::vec3(1, 0, 0)), x[3] < 0 ? -1.0F : 1.0F);
-        else if (attribute == "TEXCOORD_0") vertex.uv = glm::make_vec2(x);
-        else vertex.lightmapUv = glm::make_vec2(x);
+        else if (attribute == "TEXCOORD_0")
+            vertex.uv = glm::make_vec2(x);
+        else
+            vertex.lightmapUv = glm::make_vec2(x);
     }
 
     /// `v` at unit length, unchanged when it already is; `fallback` when it has no direction.

@@ -31,7 +31,8 @@ struct Chunk {
     std::uint64_t type = 0, first = 0, length = 0;
 };
 
-/// The chunks of a container whose lengths all agree. Those after the first two, and of unknown type, are for extensions.
+/// The chunks of a container whose lengths all agree. Those after the first two, and of unknown type, are for
+/// extensions.
 std::vector<Chunk> chunksOf(const std::string& bytes, const std::string& name)
 {
     const std::uint64_t size = bytes.size();
@@ -40,11 +41,17 @@ std::vector<Chunk> chunksOf(const std::string& bytes, const std::string& name)
     if (littleEndian32(bytes, 8) != size) fail(name, "its header gives another length than the file has");
     std::vector<Chunk> chunks;
     for (std::uint64_t next = 12; next < size;) {
-        const std::string after = chunks.empty() ? "its header" : chunks.size() == 1 ? "its JSON" : chunks[1].type == binChunk ? "its BIN chunk" : "its second chunk";
+        const std::string after = chunks.empty()               ? "its header"
+                                  : chunks.size() == 1         ? "its JSON"
+                                  : chunks[1].type == binChunk ? "its BIN chunk"
+                                                               : "its second chunk";
         if (next + 8 > size) fail(name, "something follows " + after + " that is no chunk");
         const Chunk chunk{littleEndian32(bytes, next + 4), next + 8, littleEndian32(bytes, next)};
-        const std::string self = chunk.type == jsonChunk ? "JSON chunk" : chunk.type == binChunk ? "BIN chunk" : "chunk number " + std::to_string(chunks.size() + 1);
-        if (chunk.first + chunk.length > size || chunk.length % 4 != 0) fail(name, "its " + self + " does not fit the file");
+        const std::string self = chunk.type == jsonChunk  ? "JSON chunk"
+                                 : chunk.type == binChunk ? "BIN chunk"
+                                                          : "chunk number " + std::to_string(chunks.size() + 1);
+        if (chunk.first + chunk.length > size || chunk.length % 4 != 0)
+            fail(name, "its " + self + " does not fit the file");
         chunks.push_back(chunk);
         next = chunk.first + chunk.length;
     }
@@ -90,8 +97,8 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
         // One at a time: the sum of two numbers below 2^31 cannot overflow.
         if (length > limits.bufferBytes || (total += length) > limits.bufferBytes) {
             throw document.failure(elementPath("buffers", i, "byteLength"), "the buffers together are larger than " +
-                                                                            std::to_string(limits.bufferBytes) +
-                                                                            " bytes; simplify the model.");
+                                                                                std::to_string(limits.bufferBytes) +
+                                                                                " bytes; simplify the model.");
         }
         lengths.push_back(length);
     }
@@ -108,7 +115,8 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
             throw document.failure(elementPath("bufferViews", i, "byteLength"), "this view reaches beyond its buffer.");
         }
         if (stride < 4 || stride > 252 || stride % 4 != 0)
-            throw document.failure(elementPath("bufferViews", i, "byteStride"), "a stride is a multiple of 4 from 4 to 252; export the file again.");
+            throw document.failure(elementPath("bufferViews", i, "byteStride"),
+                                   "a stride is a multiple of 4 from 4 to 252; export the file again.");
     }
 }
 
@@ -121,14 +129,20 @@ void checkAccessors(const JsonDocument& document, const GltfLimits& limits)
     const Json& accessors = arrayAt(document, "accessors");
     for (std::size_t i = 0; i < accessors.size(); ++i) {
         const Json& accessor = accessors[i];
-        const auto isOneOf = [](const auto& all, const auto& one) { return std::find(all.begin(), all.end(), one) != all.end(); };
-        if (!isOneOf(componentTypes, sizeAt(accessor, "componentType")) || !isOneOf(types, accessor.at("type").get<std::string>()))
-            throw document.failure(elementPath("accessors", i, "componentType"), "its type or component type is none of glTF's; export the file again.");
+        const auto isOneOf = [](const auto& all, const auto& one) {
+            return std::find(all.begin(), all.end(), one) != all.end();
+        };
+        if (!isOneOf(componentTypes, sizeAt(accessor, "componentType")) ||
+            !isOneOf(types, accessor.at("type").get<std::string>()))
+            throw document.failure(elementPath("accessors", i, "componentType"),
+                                   "its type or component type is none of glTF's; export the file again.");
         if (accessor.contains("bufferView")) continue;
         const std::uint64_t mostElements = limits.zeroBytes / (16 * sizeof(float));
         const std::uint64_t count = sizeAt(accessor, "count");
         if (count > mostElements || (zeros += count) > mostElements)
-            throw document.failure(elementPath("accessors", i, "count"), "accessors without data have more than " + std::to_string(mostElements) + " elements; give them a bufferView.");
+            throw document.failure(elementPath("accessors", i, "count"), "accessors without data have more than " +
+                                                                             std::to_string(mostElements) +
+                                                                             " elements; give them a bufferView.");
     }
 }
 
@@ -213,7 +227,8 @@ JsonDocument guardGltf(const std::string& bytes, const std::string& name, const 
     makeWholeNumbersIntegers(document.root());
     checkGltfSchema(document);
     if (const auto version = document.root()["asset"]["version"].get<std::string>(); !version.starts_with("2."))
-        throw document.failure("asset.version", "this is glTF " + version + ", and version 2 is read; export it as glTF 2.0.");
+        throw document.failure("asset.version",
+                               "this is glTF " + version + ", and version 2 is read; export it as glTF 2.0.");
     checkExtensions(document);
     checkCount(document, "nodes", limits.nodes);
     checkCount(document, "images", limits.images);

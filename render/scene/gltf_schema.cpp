@@ -175,9 +175,11 @@ private:
     {
         if (rest.empty()) {
             if (!isOf(json, rule_->kind))
-                throw document_.failure(path, std::string("this must be ") + nameOf(rule_->kind) + "; export the file again.");
+                throw document_.failure(path, std::string("this must be ") + nameOf(rule_->kind) +
+                                                  "; export the file again.");
         } else if (rest.starts_with("[]")) {
-            for (std::size_t i = 0; i < json.size(); ++i) walk(json[i], rest.substr(2), path + "[" + std::to_string(i) + "]");
+            for (std::size_t i = 0; i < json.size(); ++i)
+                walk(json[i], rest.substr(2), path + "[" + std::to_string(i) + "]");
         } else if (rest.starts_with("{}")) {
             for (const auto& [key, value] : json.items()) walk(value, rest.substr(2), path + "." + key);
         } else {
@@ -186,7 +188,8 @@ private:
             const std::string key(rest.substr(0, end));
             const auto at = json.find(key);
             const std::string next = path.empty() ? key : path + "." + key;
-            if (at != json.end()) walk(*at, rest.substr(end), next);
+            if (at != json.end())
+                walk(*at, rest.substr(end), next);
             else if (end == rest.size() && rule_->need == Need::required)
                 throw document_.failure(next, "this is required and missing; export the file again.");
         }

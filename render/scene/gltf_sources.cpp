@@ -1,5 +1,5 @@
-#include "render/scene/gltf_schema.h"
 #include "render/scene/gltf_sources.h"
+#include "render/scene/gltf_schema.h"
 
 #include "render/failure.h"
 #include "render/files/read_file.h"
@@ -80,8 +80,9 @@ Bytes fileOf(const std::string& uri, const std::filesystem::path& folder, const 
 Bytes ofLength(const JsonDocument& document, const std::string& path, Bytes bytes, std::size_t length)
 {
     if (bytes.size() < length) {
-        throw document.failure(path, "the buffer has " + std::to_string(bytes.size()) + " bytes, fewer than its byteLength of " +
-                                         std::to_string(length) + "; export the file again.");
+        throw document.failure(path, "the buffer has " + std::to_string(bytes.size()) +
+                                         " bytes, fewer than its byteLength of " + std::to_string(length) +
+                                         "; export the file again.");
     }
     bytes.resize(length);
     return bytes;
@@ -130,8 +131,8 @@ std::vector<tinygltf::Buffer> readBuffers(const JsonDocument& document, std::str
             data = ofLength(document, path, Bytes(bin.begin(), bin.end()), length);
         } else {
             if ((zeros += length) > limits.zeroBytes) {
-                throw document.failure(path, "the buffers without data are larger than " + std::to_string(limits.zeroBytes) +
-                                                 " bytes; give them a uri.");
+                throw document.failure(path, "the buffers without data are larger than " +
+                                                 std::to_string(limits.zeroBytes) + " bytes; give them a uri.");
             }
             data.resize(length);
             warnings.push_back("Buffer " + std::to_string(i) + " names no data; it is zeros.");
@@ -167,7 +168,8 @@ std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std:
             }
         }
         if ((total += image.image.size()) > limits.bufferBytes)
-            throw document.failure(path, "the pictures together are larger than " + std::to_string(limits.bufferBytes) + " bytes; simplify the model.");
+            throw document.failure(path, "the pictures together are larger than " + std::to_string(limits.bufferBytes) +
+                                             " bytes; simplify the model.");
     }
     return images;
 }

@@ -20,8 +20,8 @@ namespace vitrine::render {
                                                         std::vector<std::string>& warnings);
 
 /// The packed bytes of every picture that is not in a buffer, from the same kinds of source, and the names and views of
-/// all. A picture whose file cannot be read stays empty. Throws Failure when a picture has no source or two, a data: URI
-/// is broken, or when all together are larger than `limits` allow.
+/// all. A picture whose file cannot be read stays empty. Throws Failure when a picture has no source or two, a data:
+/// URI is broken, or when all together are larger than `limits` allow.
 [[nodiscard]] std::vector<tinygltf::Image> readImages(const JsonDocument&, const std::filesystem::path& folder,
                                                       const GltfLimits& limits);
 

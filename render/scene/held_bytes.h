@@ -29,7 +29,9 @@ namespace vitrine::render {
     for (const Part& part : model.parts) {
         add(part.mesh);
         if (!part.material) continue;
-        for (const auto* map : {&part.material->baseColorMap, &part.material->metallicRoughnessMap, &part.material->normalMap, &part.material->occlusionMap, &part.material->emissiveMap}) add(*map);
+        for (const auto* map : {&part.material->baseColorMap, &part.material->metallicRoughnessMap,
+                                &part.material->normalMap, &part.material->occlusionMap, &part.material->emissiveMap})
+            add(*map);
     }
     return sum;
 }

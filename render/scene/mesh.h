@@ -54,13 +54,13 @@ struct Texture {
     std::string name;
     int width = 0;
     int height = 0;
-    int channels = 4;                  ///< 1, 3 or 4.
-    bool sRgb = false;                 ///< 8-bit values are sRGB-encoded color.
-    bool repeat = true;                ///< Otherwise clamp to edge.
+    int channels = 4;    ///< 1, 3 or 4.
+    bool sRgb = false;   ///< 8-bit values are sRGB-encoded color.
+    bool repeat = true;  ///< Otherwise clamp to edge.
     bool mipmaps = true;
-    std::vector<std::uint8_t> bytes;   ///< Row 0 is texture coordinate v = 0. Empty when `floats` is used.
+    std::vector<std::uint8_t> bytes;  ///< Row 0 is texture coordinate v = 0. Empty when `floats` is used.
     std::vector<float> floats;
-    int layers = 1;                    ///< More than one: a 2-D array, layers stored one after another.
+    int layers = 1;  ///< More than one: a 2-D array, layers stored one after another.
 };
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
@@ -99,8 +99,8 @@ struct Marker {
 struct Model {
     std::vector<Part> parts;
     std::vector<Marker> markers;
-    Box bounds;                          ///< Of all parts, in model space.
-    std::vector<std::string> warnings;   ///< What the file asks for and this program does not support.
+    Box bounds;                         ///< Of all parts, in model space.
+    std::vector<std::string> warnings;  ///< What the file asks for and this program does not support.
 };
 
 }  // namespace vitrine::render

@@ -17,7 +17,8 @@ struct Ray {
     [[nodiscard]] Ray transformed(const glm::dmat4& transform) const;
 };
 
-/// Where a ray is inside a box: enters at `enter` (0 when it starts inside) and leaves at `exit`; `enter > exit`: never.
+/// Where a ray is inside a box: enters at `enter` (0 when it starts inside) and leaves at `exit`; `enter > exit`:
+/// never.
 struct Stretch {
     double enter = 0, exit = 0;
 };

@@ -24,7 +24,8 @@ glm::dvec3 glmOf(const btVector3& v)
 btTransform bulletOf(const RigidPose& pose)
 {
     const auto s = [](double x) { return static_cast<btScalar>(x); };
-    return btTransform(btQuaternion(s(pose.turn.x), s(pose.turn.y), s(pose.turn.z), s(pose.turn.w)), bulletOf(pose.position));
+    return btTransform(btQuaternion(s(pose.turn.x), s(pose.turn.y), s(pose.turn.z), s(pose.turn.w)),
+                       bulletOf(pose.position));
 }
 
 constexpr double restitutionOfPad = 0.4;  ///< Soft, against 0.9 of floor and wall.
@@ -36,7 +37,8 @@ std::unique_ptr<btCollisionShape> makeShape(const RigidShape& shape, Shapes& par
 {
     const auto s = [](double x) { return static_cast<btScalar>(x); };
     if (const auto* ball = std::get_if<BallShape>(&shape)) return std::make_unique<btSphereShape>(s(ball->radius));
-    if (const auto* roll = std::get_if<RollShape>(&shape)) return std::make_unique<btCapsuleShapeX>(s(roll->radius), s(2 * roll->halfLength));
+    if (const auto* roll = std::get_if<RollShape>(&shape))
+        return std::make_unique<btCapsuleShapeX>(s(roll->radius), s(2 * roll->halfLength));
     if (const auto* hull = std::get_if<HullShape>(&shape)) {
         auto result = std::make_unique<btConvexHullShape>();
         for (const glm::dvec3& p : hull->points) result->addPoint(bulletOf(p), false);
@@ -50,7 +52,8 @@ std::unique_ptr<btCollisionShape> makeShape(const RigidShape& shape, Shapes& par
     for (int i = 0; i < balls; ++i) {
         const double phi = 2 * std::numbers::pi * i / balls;
         parts.push_back(std::make_unique<btSphereShape>(s(ring.tube)));
-        compound->addChildShape(bulletOf(RigidPose{{ring.radius * std::cos(phi), 0, ring.radius * std::sin(phi)}}), parts.back().get());
+        compound->addChildShape(bulletOf(RigidPose{{ring.radius * std::cos(phi), 0, ring.radius * std::sin(phi)}}),
+                                parts.back().get());
     }
     return compound;
 }
@@ -103,7 +106,8 @@ RigidBodies::RigidBodies(const RigidPit& pit) : world_(std::make_unique<World>()
         const double phi = 2 * std::numbers::pi * i / sides;
         const glm::dvec3 out(std::cos(phi), 0, std::sin(phi));
         const btQuaternion turn({0, 1, 0}, s(-phi));
-        w.wall(std::make_unique<btBoxShape>(btVector3(s(ground / 2), s(pit.depth / 2), s(std::numbers::pi * (pit.radius + ground) / sides))),
+        w.wall(std::make_unique<btBoxShape>(
+                   btVector3(s(ground / 2), s(pit.depth / 2), s(std::numbers::pi * (pit.radius + ground) / sides))),
                btTransform(turn, bulletOf(out * (pit.radius + ground / 2) + glm::dvec3(0, pit.depth / 2, 0))));
         const double middle = pit.radius + pit.padRadius;
         w.wall(std::make_unique<btCapsuleShapeZ>(s(pit.padRadius), s(2 * std::numbers::pi * middle / sides)),

@@ -37,10 +37,10 @@ struct RigidPose {
 /// metres.
 struct RigidPit {
     double radius = 1;
-    double depth = 1;           ///< Of the floor below the ground outside.
-    double padRadius = 0.15;    ///< Of the padded tube that lies on the edge; it begins where the wall ends.
-    double padLift = 0;         ///< Of the tube's middle above the ground.
-    double gravity = 9.81;      ///< m/s², downwards.
+    double depth = 1;         ///< Of the floor below the ground outside.
+    double padRadius = 0.15;  ///< Of the padded tube that lies on the edge; it begins where the wall ends.
+    double padLift = 0;       ///< Of the tube's middle above the ground.
+    double gravity = 9.81;    ///< m/s², downwards.
 };
 
 /// Rigid bodies that fall, bounce and roll in a pit (Bullet). The same calls give the same motion.

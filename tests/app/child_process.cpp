@@ -18,7 +18,8 @@ Ended vitrine(const std::vector<std::string>& arguments, const Environment& chan
     const pid_t child = ::fork();
     if (child == 0) {
         for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY"}) ::unsetenv(display);
-        for (const auto& [name, value] : changes) value.empty() ? ::unsetenv(name.c_str()) : ::setenv(name.c_str(), value.c_str(), 1);
+        for (const auto& [name, value] : changes)
+            value.empty() ? ::unsetenv(name.c_str()) : ::setenv(name.c_str(), value.c_str(), 1);
         ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT, 0600), 1);
         ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT, 0600), 2);
         std::vector<std::string> words{VITRINE_PROGRAM};
@@ -40,7 +41,8 @@ void expectOneSentence(const Ended& ended, const std::vector<std::string>& parts
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
     EXPECT_EQ(ended.err.rfind("vitrine: ", 0), 0U) << ended.err;
     EXPECT_TRUE(ended.err.size() > 2 && ended.err[ended.err.size() - 2] == '.') << ended.err;
-    for (const std::string& part : parts) EXPECT_NE(ended.err.find(part), std::string::npos) << part << " is missing in: " << ended.err;
+    for (const std::string& part : parts)
+        EXPECT_NE(ended.err.find(part), std::string::npos) << part << " is missing in: " << ended.err;
 }
 
 }  // namespace vitrine::test

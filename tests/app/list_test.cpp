@@ -42,7 +42,10 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
         EXPECT_EQ(keysOf(exhibit), (std::set<std::string>{"name", "title", "summary", "parameters"}));
         for (const Json& row : exhibit["parameters"]) {
             ++rows;
-            EXPECT_EQ(keysOf(row), (std::set<std::string>{"name", "label", "group", "kind", "unit", "low", "high", "softLow", "softHigh", "scale", "initial", "help", "choices", "quality", "actsWhen"})) << row["name"];
+            EXPECT_EQ(keysOf(row),
+                      (std::set<std::string>{"name", "label", "group", "kind", "unit", "low", "high", "softLow",
+                                             "softHigh", "scale", "initial", "help", "choices", "quality", "actsWhen"}))
+                << row["name"];
             EXPECT_TRUE(kinds.contains(row["kind"].get<std::string>())) << row["kind"];
             EXPECT_TRUE(row["scale"] == "linear" || row["scale"] == "logarithmic");
             EXPECT_TRUE(row["choices"].is_array());
@@ -55,7 +58,9 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
                 ++conditions;
                 const Json& when = row["actsWhen"];
                 const bool ofParts = when["test"] == "all" || when["test"] == "any";
-                EXPECT_EQ(keysOf(when), ofParts ? (std::set<std::string>{"test", "parts"}) : (std::set<std::string>{"test", "row", "values"})) << row["name"];
+                EXPECT_EQ(keysOf(when), ofParts ? (std::set<std::string>{"test", "parts"})
+                                                : (std::set<std::string>{"test", "row", "values"}))
+                    << row["name"];
             }
             if (row["name"] == "timeOfDay") {
                 EXPECT_EQ(row["actsWhen"], (Json{{"test", "among"}, {"row", "sunBy"}, {"values", {"time of day"}}}));
@@ -94,8 +99,10 @@ TEST(Doctor, SaysWhatThisMachineCanDo)
     EXPECT_FALSE(report["clock"]["method"].get<std::string>().empty());
     EXPECT_FALSE(report["clock"]["why"].get<std::string>().empty());
     const std::regex version(R"(\d+(\.\d+)+.*)");
-    for (const char* library : {"Bullet", "CLI11", "GLM", "OpenImageIO", "QCustomPlot", "Qt", "libepoxy", "libpng", "nlohmann-json", "tinygltf"})
-        EXPECT_TRUE(std::regex_match(report["libraries"].value(library, ""), version)) << library << " " << report["libraries"].value(library, "is missing");
+    for (const char* library : {"Bullet", "CLI11", "GLM", "OpenImageIO", "QCustomPlot", "Qt", "libepoxy", "libpng",
+                                "nlohmann-json", "tinygltf"})
+        EXPECT_TRUE(std::regex_match(report["libraries"].value(library, ""), version))
+            << library << " " << report["libraries"].value(library, "is missing");
     EXPECT_NE(test::vitrine({"doctor"}).out.find(report["opengl"]["renderer"].get<std::string>()), std::string::npos);
 }
 
@@ -112,7 +119,8 @@ TEST(Doctor, TriesTheHardCasesOnTheDriver)
         EXPECT_LE(line["value"].get<double>(), line["limit"].get<double>()) << line.dump();
     }
     const std::string table = test::vitrine({"doctor", "--stability", "--presets", "1"}).out;
-    for (const char* part : {"renderer  ", "H22 ", "sdf_morph: ", "holds", "Everything holds."}) EXPECT_NE(table.find(part), std::string::npos) << part << '\n' << table;
+    for (const char* part : {"renderer  ", "H22 ", "sdf_morph: ", "holds", "Everything holds."})
+        EXPECT_NE(table.find(part), std::string::npos) << part << '\n' << table;
     EXPECT_EQ(test::vitrine({"doctor", "--stability", "--presets", "0"}).code, 2);
 }
 

@@ -1,7 +1,7 @@
 // Prints of exhibits, quilts and sequences, as users make them.
-#include "exhibits/printing/sheet.h"
 #include "exhibits/printing/print_json.h"
 #include "exhibits/printing/proof.h"
+#include "exhibits/printing/sheet.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
 #include "tests/app/child_process.h"
@@ -35,10 +35,14 @@ Words operator+(Words a, const Words& b)
 /// A print of 61 x 41 lenses, each of which shows exactly one pixel of a view of 61 x 41.
 Words printing(const std::string& out, const Words& more = {})
 {
-    return Words{"print", "--lpi", "40", "--dpi", "600", "--width-mm", "38.735", "--height-mm", "26.035", "--out", out} + more;
+    return Words{"print",  "--lpi",       "40",     "--dpi", "600", "--width-mm",
+                 "38.735", "--height-mm", "26.035", "--out", out} +
+           more;
 }
 
-const Words theMug{"--exhibit", "sdf_morph", "--set", "hall.probeSize=32", "--set", "hall.shadowMapSize=512", "--samples", "1", "--view-size", "61x41"};
+const Words theMug{
+    "--exhibit", "sdf_morph",   "--set", "hall.probeSize=32", "--set", "hall.shadowMapSize=512", "--samples",
+    "1",         "--view-size", "61x41"};
 
 /// Mean over pixels and colors, of linear light.
 double difference(const render::Image& a, const render::Image& b)
@@ -48,7 +52,8 @@ double difference(const render::Image& a, const render::Image& b)
     double sum = 0;
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x)
-            for (int c = 0; c < 3; ++c) sum += std::abs(static_cast<double>(a.at(x, y, c)) - static_cast<double>(b.at(x, y, c)));
+            for (int c = 0; c < 3; ++c)
+                sum += std::abs(static_cast<double>(a.at(x, y, c)) - static_cast<double>(b.at(x, y, c)));
     return sum / (3.0 * a.width * a.height);
 }
 
@@ -60,13 +65,17 @@ std::string viewName(int k)
 TEST(PrintExhibit, LooksThroughItsSheetLikeTheViewThatWasRenderedForThatAngle)
 {
     const TemporaryFolder folder;
-    const Ended ended = test::vitrine(printing(folder / "p.tif", theMug + Words{"--count", "4", "--turn", "160", "--save-views", folder / "views"}));
+    const Ended ended = test::vitrine(
+        printing(folder / "p.tif", theMug + Words{"--count", "4", "--turn", "160", "--save-views", folder / "views"}));
     ASSERT_EQ(ended.code, 0) << ended.err;
     const printing::PrintLayout layout(printing::settingsFromJson(render::readJson(folder / "p.tif.json")));
     ASSERT_EQ(layout.settings().views, 4);
     for (const int k : {0, 2}) {
         const double degrees = printing::angleOfView(layout, k) / printing::radiansPerDegree;
-        ASSERT_EQ(test::vitrine({"proof", folder / "p.tif", "--angle=" + std::to_string(degrees), "--out", folder / "seen.png"}).code, 0);
+        ASSERT_EQ(test::vitrine(
+                      {"proof", folder / "p.tif", "--angle=" + std::to_string(degrees), "--out", folder / "seen.png"})
+                      .code,
+                  0);
         const render::Image seen = render::readImage(folder / "seen.png");
         // Rows of the print are interpolated between rows of the view, which softens it along the lens; the views'
         // cross-talk and two roundings to 8 bits are small beside that.
@@ -74,7 +83,8 @@ TEST(PrintExhibit, LooksThroughItsSheetLikeTheViewThatWasRenderedForThatAngle)
         EXPECT_LT(own, 0.02) << k;
         for (int other = 0; other < 4; ++other) {
             if (other == k) continue;
-            EXPECT_GT(difference(seen, render::readImage(folder / viewName(other))), 2 * own) << k << " against " << other;
+            EXPECT_GT(difference(seen, render::readImage(folder / viewName(other))), 2 * own)
+                << k << " against " << other;
         }
     }
 }
@@ -82,7 +92,9 @@ TEST(PrintExhibit, LooksThroughItsSheetLikeTheViewThatWasRenderedForThatAngle)
 TEST(PrintExhibit, CarriesWhatBringsItsViewsBack)
 {
     const TemporaryFolder folder;
-    const Ended ended = test::vitrine(printing(folder / "p.png", theMug + Words{"--count", "3", "--baseline-scale", "fit", "--save-views", folder / "views", "--sweep", "morph=0..1", "--seed", "5"}));
+    const Ended ended = test::vitrine(
+        printing(folder / "p.png", theMug + Words{"--count", "3", "--baseline-scale", "fit", "--save-views",
+                                                  folder / "views", "--sweep", "morph=0..1", "--seed", "5"}));
     ASSERT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(ended.err, "");  // What fits needs no warning.
     const render::JsonDocument description = render::readJson(folder / "p.png.json");
@@ -109,7 +121,8 @@ TEST(PrintExhibit, WarnsOfDepthThatThePrintCannotHold)
     EXPECT_NE(ended.err.find("without doubled contours"), std::string::npos) << ended.err;
     EXPECT_NE(ended.err.find("A baseline scale of"), std::string::npos) << ended.err;
     EXPECT_NE(ended.out.find("2 cameras over"), std::string::npos) << ended.out;
-    const Ended reversed = test::vitrine(printing(folder / "p.tif", theMug + Words{"--count", "2", "--order", "reverse"}));
+    const Ended reversed =
+        test::vitrine(printing(folder / "p.tif", theMug + Words{"--count", "2", "--order", "reverse"}));
     EXPECT_NE(reversed.err.find("inside out"), std::string::npos) << reversed.err;
 }
 
@@ -153,11 +166,13 @@ TEST(PrintExhibit, RefusesInOneSentenceAndLeavesNothing)
     for (const Bad& b : bad) {
         const Ended ended = test::vitrine(printing(folder / "p.tif", b.more));
         EXPECT_EQ(ended.code, b.code) << ended.err << ::testing::PrintToString(b.more);
-        for (const std::string& part : b.parts) EXPECT_NE(ended.err.find(part), std::string::npos) << part << " is missing in: " << ended.err;
+        for (const std::string& part : b.parts)
+            EXPECT_NE(ended.err.find(part), std::string::npos) << part << " is missing in: " << ended.err;
         EXPECT_EQ(folder.files().size(), before) << ended.err;
         EXPECT_FALSE(std::filesystem::exists(views)) << ended.err;
     }
-    for (const char* out : {"p.jpg", "p"}) test::expectOneSentence(test::vitrine(printing(folder / out, mug)), {".tif or .png"});
+    for (const char* out : {"p.jpg", "p"})
+        test::expectOneSentence(test::vitrine(printing(folder / out, mug)), {".tif or .png"});
     test::expectOneSentence(test::vitrine(printing(folder / "missing/p.tif", mug)), {"missing"});
     EXPECT_FALSE(std::filesystem::exists(views));
 }
@@ -166,7 +181,8 @@ TEST(PrintExhibit, StoppedByCtrlCLeavesNothing)
 {
     const TemporaryFolder folder;
     const std::string views = folder / "views";
-    const Words words = printing(folder / "p.tif", {"--exhibit", "sdf_morph", "--count", "4", "--samples", "4096", "--view-size", "900x600", "--save-views", views});
+    const Words words = printing(folder / "p.tif", {"--exhibit", "sdf_morph", "--count", "4", "--samples", "4096",
+                                                    "--view-size", "900x600", "--save-views", views});
     const pid_t child = ::fork();
     if (child == 0) {
         std::vector<char*> pointers{const_cast<char*>(VITRINE_PROGRAM)};
@@ -179,7 +195,8 @@ TEST(PrintExhibit, StoppedByCtrlCLeavesNothing)
         ::_exit(127);
     }
     // It has begun when the folder is there; 16000 samples are left then.
-    for (int i = 0; i < 6000 && !std::filesystem::exists(views); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    for (int i = 0; i < 6000 && !std::filesystem::exists(views); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ASSERT_TRUE(std::filesystem::exists(views));
     ::kill(child, SIGINT);
     int status = 0;
@@ -201,7 +218,10 @@ double viewShown(const TemporaryFolder& folder, int k, int count)
 {
     const printing::PrintLayout layout(printing::settingsFromJson(render::readJson(folder / "p.tif.json")));
     const double degrees = printing::angleOfView(layout, k) / printing::radiansPerDegree;
-    EXPECT_EQ(test::vitrine({"proof", folder / "p.tif", "--angle=" + std::to_string(degrees), "--out", folder / "seen.png"}).code, 0);
+    EXPECT_EQ(
+        test::vitrine({"proof", folder / "p.tif", "--angle=" + std::to_string(degrees), "--out", folder / "seen.png"})
+            .code,
+        0);
     const render::Image seen = render::readImage(folder / "seen.png");
     return static_cast<double>(seen.at(seen.width / 2, seen.height / 2, 0)) * (count + 1) - 1;
 }
@@ -240,9 +260,12 @@ TEST(PrintPictures, TakesASequenceBackAndForthInTheOrderOfItsNumbers)
 {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "clip");
-    for (int k = 0; k < 12; ++k) render::writePicture(folder / ("clip/frame_" + std::to_string(k) + ".png"), level(k, 12), render::PictureFormat::png16);
+    for (int k = 0; k < 12; ++k)
+        render::writePicture(folder / ("clip/frame_" + std::to_string(k) + ".png"), level(k, 12),
+                             render::PictureFormat::png16);
     const Words clip{"--views", folder / "clip"};
-    ASSERT_EQ(test::vitrine(printing(folder / "p.tif", clip + Words{"--every", "4", "--ping-pong"})).code, 0);  // 0 4 8 4
+    ASSERT_EQ(test::vitrine(printing(folder / "p.tif", clip + Words{"--every", "4", "--ping-pong"})).code,
+              0);  // 0 4 8 4
     EXPECT_NEAR(viewShown(folder, 0, 12), 0, 0.5);
     EXPECT_NEAR(viewShown(folder, 1, 12), 4, 0.5);
     EXPECT_NEAR(viewShown(folder, 2, 12), 8, 0.5);
@@ -271,7 +294,9 @@ TEST(PrintPictures, RefusesACutFileAndTooLongASequence)
     render::Image noise(64, 64, 3);
     for (float& level : noise.pixels) level = static_cast<float>(random() % 1000) / 1000.0F;
     for (const std::string extension : {"png", "jpg", "tif"}) {
-        const auto format = extension == "png" ? render::PictureFormat::png8 : extension == "jpg" ? render::PictureFormat::jpeg : render::PictureFormat::tiff8;
+        const auto format = extension == "png"   ? render::PictureFormat::png8
+                            : extension == "jpg" ? render::PictureFormat::jpeg
+                                                 : render::PictureFormat::tiff8;
         render::writePicture(folder / ("whole." + extension), noise, format);
         const std::string file = folder / ("cut." + extension);
         const std::string whole = test::bytesOf(folder / ("whole." + extension));

@@ -21,7 +21,12 @@ using Words = std::vector<std::string>;
 
 Words rendering(const std::string& exhibit, const std::string& out, const Words& more = {})
 {
-    Words words{"render", exhibit, "--size", "48x27", "--samples", "1", "--set", "hall.probeSize=32", "--set", "hall.shadowMapSize=512", "--out", out};
+    Words words{"render",    exhibit,
+                "--size",    "48x27",
+                "--samples", "1",
+                "--set",     "hall.probeSize=32",
+                "--set",     "hall.shadowMapSize=512",
+                "--out",     out};
     words.insert(words.end(), more.begin(), more.end());
     return words;
 }
@@ -46,8 +51,12 @@ TEST(RenderCommand, AnOpenExrCarriesTheChannelsAskedFor)
     EXPECT_EQ(image.width, 48);
     EXPECT_EQ(image.height, 27);
     const std::set<std::string> names(image.channelNames.begin(), image.channelNames.end());
-    EXPECT_EQ(names, (std::set<std::string>{"R", "G", "B", "A", "depth.Z", "normal.X", "normal.Y", "normal.Z", "evaluations"}));
-    const auto channel = [&](const char* name) { return static_cast<int>(std::find(image.channelNames.begin(), image.channelNames.end(), name) - image.channelNames.begin()); };
+    EXPECT_EQ(names, (std::set<std::string>{"R", "G", "B", "A", "depth.Z", "normal.X", "normal.Y", "normal.Z",
+                                            "evaluations"}));
+    const auto channel = [&](const char* name) {
+        return static_cast<int>(std::find(image.channelNames.begin(), image.channelNames.end(), name) -
+                                image.channelNames.begin());
+    };
     int hits = 0, counted = 0;
     double evaluations = 0;
     for (int y = 0; y < image.height; ++y)
@@ -59,7 +68,9 @@ TEST(RenderCommand, AnOpenExrCarriesTheChannelsAskedFor)
             if (hit) {
                 EXPECT_GT(image.at(x, y, channel("depth.Z")), 0.5F);
                 EXPECT_LT(image.at(x, y, channel("depth.Z")), 5.0F);
-                EXPECT_NEAR(std::hypot(image.at(x, y, channel("normal.X")), image.at(x, y, channel("normal.Y")), image.at(x, y, channel("normal.Z"))), 1, 1e-3);
+                EXPECT_NEAR(std::hypot(image.at(x, y, channel("normal.X")), image.at(x, y, channel("normal.Y")),
+                                       image.at(x, y, channel("normal.Z"))),
+                            1, 1e-3);
                 EXPECT_GT(image.at(x, y, channel("evaluations")), 0);
             }
         }
@@ -68,7 +79,9 @@ TEST(RenderCommand, AnOpenExrCarriesTheChannelsAskedFor)
     const Json report = render::readJson(folder / "r.json").root();
     EXPECT_NEAR(report["counters"]["evaluations"].get<double>(), evaluations, 1 + 1e-4 * evaluations);
     const Json& skipped = report["skipped"];
-    EXPECT_TRUE(std::any_of(skipped.begin(), skipped.end(), [](const Json& step) { return step["name"] == "hall/walls" && step["reason"] == "the exhibit is shown alone"; }));
+    EXPECT_TRUE(std::any_of(skipped.begin(), skipped.end(), [](const Json& step) {
+        return step["name"] == "hall/walls" && step["reason"] == "the exhibit is shown alone";
+    }));
 }
 
 TEST(RenderCommand, TheReportSaysWhatRanWhatWasSkippedAndWhatItCost)
@@ -81,8 +94,10 @@ TEST(RenderCommand, TheReportSaysWhatRanWhatWasSkippedAndWhatItCost)
     const Json report = render::readJson(folder / "report.json").root();
     std::set<std::string> keys;
     for (const auto& [key, value] : report.items()) keys.insert(key);
-    EXPECT_EQ(keys, (std::set<std::string>{"exhibit", "size", "renderer", "clock", "ran", "skipped", "counters", "memory", "ms"}));
-    for (const char* owner : {"images", "pictures", "meshes", "programs"}) EXPECT_GT(report.at("memory").at(owner).at("count").get<int>(), 0) << owner;
+    EXPECT_EQ(keys, (std::set<std::string>{"exhibit", "size", "renderer", "clock", "ran", "skipped", "counters",
+                                           "memory", "ms"}));
+    for (const char* owner : {"images", "pictures", "meshes", "programs"})
+        EXPECT_GT(report.at("memory").at(owner).at("count").get<int>(), 0) << owner;
     EXPECT_EQ(report["exhibit"], "sdf_morph");
     EXPECT_EQ(report["size"], Json::array({48, 27}));
     EXPECT_FALSE(report["renderer"].get<std::string>().empty());
@@ -102,7 +117,8 @@ TEST(RenderCommand, TheReportSaysWhatRanWhatWasSkippedAndWhatItCost)
         EXPECT_TRUE(step.contains("kind"));
         EXPECT_FALSE(ran.contains(step["name"].get<std::string>())) << step["name"];
     }
-    for (const char* counter : {"draws", "triangles", "passes", "evaluations"}) EXPECT_GT(report["counters"][counter].get<std::int64_t>(), 0) << counter;
+    for (const char* counter : {"draws", "triangles", "passes", "evaluations"})
+        EXPECT_GT(report["counters"][counter].get<std::int64_t>(), 0) << counter;
     const Json& ms = report["ms"];
     EXPECT_GT(ms["runs"].get<int>(), 2);
     EXPECT_GT(ms["low"].get<double>(), 0);
@@ -115,7 +131,10 @@ TEST(RenderCommand, CountersDoNotDependOnTheRun)
     const TemporaryFolder folder;
     Json counters[2];
     for (Json& c : counters) {
-        ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "x.exr", {"--alone", "--transparent", "--report", folder / "r.json"})).code, 0);
+        ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "x.exr",
+                                          {"--alone", "--transparent", "--report", folder / "r.json"}))
+                      .code,
+                  0);
         c = render::readJson(folder / "r.json").root()["counters"];
     }
     EXPECT_EQ(counters[0], counters[1]);
@@ -124,13 +143,17 @@ TEST(RenderCommand, CountersDoNotDependOnTheRun)
 TEST(RenderCommand, TheSameInputsGiveTheSameBytes)
 {
     const TemporaryFolder folder;
-    for (const char* name : {"a.png", "b.png"}) ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / name, {"--time", "3.5", "--set", "animate=on"})).code, 0);
+    for (const char* name : {"a.png", "b.png"})
+        ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / name, {"--time", "3.5", "--set", "animate=on"})).code,
+                  0);
     EXPECT_TRUE(sameBytes(folder / "a.png", folder / "b.png"));
-    for (const char* name : {"a.exr", "b.exr"}) ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / name, everyChannel)).code, 0);
+    for (const char* name : {"a.exr", "b.exr"})
+        ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / name, everyChannel)).code, 0);
     EXPECT_TRUE(sameBytes(folder / "a.exr", folder / "b.exr"));
     for (const char* name : {"a.tif", "b.tif"}) ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / name)).code, 0);
     EXPECT_TRUE(sameBytes(folder / "a.tif", folder / "b.tif"));
-    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "c.png", {"--time", "4.5", "--set", "animate=on"})).code, 0);
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "c.png", {"--time", "4.5", "--set", "animate=on"})).code,
+              0);
     EXPECT_FALSE(sameBytes(folder / "a.png", folder / "c.png"));
 }
 
@@ -139,11 +162,13 @@ TEST(RenderCommand, EveryLocaleAndThreadCountGivesTheSameBytes)
     const TemporaryFolder folder;
     const Words setting{"--alone", "--set", "morph=0.35", "--eye", "0.5,0.4,1.7", "--report", folder / "r.json"};
     ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "plain.exr", setting), {{"LC_ALL", "C"}}).code, 0);
-    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "threads.exr", setting), {{"LP_NUM_THREADS", "0"}}).code, 0);
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "threads.exr", setting), {{"LP_NUM_THREADS", "0"}}).code,
+              0);
     EXPECT_TRUE(sameBytes(folder / "plain.exr", folder / "threads.exr"));
     const test::GermanLocale german;
     if (!german.active()) GTEST_SKIP() << "there is no German locale here";
-    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "german.exr", setting), {{"LC_ALL", "de_DE.UTF-8"}}).code, 0);
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "german.exr", setting), {{"LC_ALL", "de_DE.UTF-8"}}).code,
+              0);
     EXPECT_TRUE(sameBytes(folder / "plain.exr", folder / "german.exr"));
 }
 
@@ -153,7 +178,9 @@ TEST(RenderCommand, APictureBringsItsLookBack)
     for (const char* extension : {".png", ".exr"}) {
         const std::string first = folder / (std::string("first") + extension);
         const std::string again = folder / (std::string("again") + extension);
-        const Ended made = test::vitrine(rendering("sdf_morph", first, {"--set", "morph=0.2", "--set", "baseColor=#c08040", "--eye", "0.4,1.9,1.6", "--target", "0,1.4,0"}));
+        const Ended made = test::vitrine(rendering(
+            "sdf_morph", first,
+            {"--set", "morph=0.2", "--set", "baseColor=#c08040", "--eye", "0.4,1.9,1.6", "--target", "0,1.4,0"}));
         ASSERT_EQ(made.code, 0) << made.err;
         const Ended ended = test::vitrine(rendering("sdf_morph", again, {"--preset", first}));
         ASSERT_EQ(ended.code, 0) << ended.err;
@@ -186,7 +213,8 @@ TEST(RenderCommand, ScaleAndRotationTurnTheExhibit)
 {
     const TemporaryFolder folder;
     std::set<std::string> pictures;
-    for (const Words& more : {Words{}, Words{"--scale", "1,2,0.5"}, Words{"--scale", "-1,1,1"}, Words{"--rotate", "0,90,0"}}) {
+    for (const Words& more :
+         {Words{}, Words{"--scale", "1,2,0.5"}, Words{"--scale", "-1,1,1"}, Words{"--rotate", "0,90,0"}}) {
         Words words = rendering("sdf_morph", folder / "x.exr", {"--alone", "--transparent", "--set", "morph=1"});
         words.insert(words.end(), more.begin(), more.end());
         ASSERT_EQ(test::vitrine(words).code, 0);
@@ -205,7 +233,8 @@ TEST(RenderCommand, WhatCannotBeWrittenIsExit5AndNothingIsLeft)
     const Ended device = test::vitrine(rendering("sdf_morph", "/dev/full/x.png", {"--alone"}));
     EXPECT_EQ(device.code, 5);
     // The report cannot be written: said, too.
-    const Ended report = test::vitrine(rendering("sdf_morph", folder / "x.png", {"--alone", "--report", folder / "no/r.json"}));
+    const Ended report =
+        test::vitrine(rendering("sdf_morph", folder / "x.png", {"--alone", "--report", folder / "no/r.json"}));
     EXPECT_EQ(report.code, 5);
     test::expectOneSentence(report, {"r.json"});
 }
@@ -215,14 +244,16 @@ TEST(RenderCommand, WhatCannotBeReadIsExit5)
     const TemporaryFolder folder;
     test::writeBytes(folder / "broken.json", "{\"format\": ");
     test::writeBytes(folder / "broken.glb", "glTF but not really");
-    for (const Words& more : {Words{"--preset", folder / "none.json"}, Words{"--preset", folder / "broken.json"}, Words{"--environment", folder / "none.hdr"}, Words{"--model", folder / "broken.glb"}}) {
+    for (const Words& more : {Words{"--preset", folder / "none.json"}, Words{"--preset", folder / "broken.json"},
+                              Words{"--environment", folder / "none.hdr"}, Words{"--model", folder / "broken.glb"}}) {
         const Ended ended = test::vitrine(rendering("hall", folder / "x.png", more));
         EXPECT_EQ(ended.code, 5) << more[1];
         test::expectOneSentence(ended, {std::filesystem::path(more[1]).filename().string()});
     }
     // Nor is an exhibit drawn without the file that it is to show.
     for (const auto& [exhibit, row] : {std::pair{"fur", "ringModel"}, {"lenticular", "frontPrint"}}) {
-        const Ended ended = test::vitrine(rendering(exhibit, folder / "x.png", {"--set", std::string(row) + "=" + (folder / "broken.glb").string()}));
+        const Ended ended = test::vitrine(
+            rendering(exhibit, folder / "x.png", {"--set", std::string(row) + "=" + (folder / "broken.glb").string()}));
         EXPECT_EQ(ended.code, 5) << row;
         test::expectOneSentence(ended, {"broken.glb"});
     }
@@ -233,14 +264,17 @@ TEST(RenderCommand, WithoutAssetsSaysWhatToDo)
 {
     const TemporaryFolder folder;
     test::writeBytes(folder / "models/materials.json", "{");
-    const Ended ended = test::vitrine(rendering("sdf_morph", folder / "x.png"), {{"VITRINE_ASSETS", folder.path().string()}});
+    const Ended ended =
+        test::vitrine(rendering("sdf_morph", folder / "x.png"), {{"VITRINE_ASSETS", folder.path().string()}});
     EXPECT_EQ(ended.code, 5);
     test::expectOneSentence(ended, {"materials.json"});
 }
 
 std::string preset(const std::string& values)
 {
-    return "{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"sdf_morph\", \"name\": \"Test\", \"values\": {" + values + "}}";
+    return "{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"sdf_morph\", \"name\": \"Test\", "
+           "\"values\": {" +
+           values + "}}";
 }
 
 TEST(PresetCheck, TellsGoodFilesFromBad)
@@ -251,7 +285,10 @@ TEST(PresetCheck, TellsGoodFilesFromBad)
     EXPECT_EQ(good.code, 0) << good.err;
     EXPECT_NE(good.out.find("good"), std::string::npos);
 
-    const std::vector<std::pair<std::string, std::string>> bad{{"type", preset("\"morph\": \"soup\"")}, {"duplicate", preset("\"morph\": 0.1, \"morph\": 0.2")}, {"nan", preset("\"morph\": NaN")}, {"torn", preset("").substr(0, 40)}};
+    const std::vector<std::pair<std::string, std::string>> bad{{"type", preset("\"morph\": \"soup\"")},
+                                                               {"duplicate", preset("\"morph\": 0.1, \"morph\": 0.2")},
+                                                               {"nan", preset("\"morph\": NaN")},
+                                                               {"torn", preset("").substr(0, 40)}};
     for (const auto& [name, text] : bad) {
         test::writeBytes(folder / (name + ".json"), text);
         const Ended ended = test::vitrine({"preset", "check", folder / (name + ".json")});

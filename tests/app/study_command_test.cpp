@@ -27,7 +27,8 @@ std::string textOf(const std::string& file)
 /// A small study that takes a second or two.
 Ended study(const std::string& out, std::vector<std::string> more)
 {
-    std::vector<std::string> words{"study", "sdf_morph", "--size", "48x27", "--views", "2", "--runs", "3", "--no-model-error", "--alone", "--out", out};
+    std::vector<std::string> words{"study",  "sdf_morph", "--size",           "48x27",   "--views", "2",
+                                   "--runs", "3",         "--no-model-error", "--alone", "--out",   out};
     words.insert(words.begin() + 2, more.begin(), more.end());
     return test::vitrine(words);
 }
@@ -69,10 +70,12 @@ TEST(StudyCommand, WritesWhatItMeasuredAndAPageThatShowsIt)
     EXPECT_NE(textOf(out + "/chart.svg").find("<svg"), std::string::npos);
     EXPECT_EQ(render::readImage(out + "/pictures/point-3-view-2-heat.png").width, 48);
     const std::string page = textOf(out + "/index.html");
-    for (const char* part : {"<svg", "pictures/reference-", "data-point=\"2\"", "hitTolerance"}) EXPECT_NE(page.find(part), std::string::npos) << part;
+    for (const char* part : {"<svg", "pictures/reference-", "data-point=\"2\"", "hitTolerance"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
     for (const char* network : {"http://", "https://", "//cdn", "@import"}) {
         // Names of XML vocabularies are no addresses that a page opens.
-        for (std::size_t at = page.find(network); at != std::string::npos; at = page.find(network, at + 1)) EXPECT_EQ(page.substr(at, 18), "http://www.w3.org/") << page.substr(at, 60);
+        for (std::size_t at = page.find(network); at != std::string::npos; at = page.find(network, at + 1))
+            EXPECT_EQ(page.substr(at, 18), "http://www.w3.org/") << page.substr(at, 60);
     }
 }
 

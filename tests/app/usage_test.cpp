@@ -16,16 +16,19 @@ using test::expectOneSentence;
 TEST(Usage, HelpNeedsNeitherDisplayNorOpenGl)
 {
     // With a driver that does not exist, anything that touches OpenGL would fail.
-    const test::Environment noGl{{"GALLIUM_DRIVER", "none"}, {"MESA_LOADER_DRIVER_OVERRIDE", "none"}, {"QT_QPA_PLATFORM", "none"}};
+    const test::Environment noGl{
+        {"GALLIUM_DRIVER", "none"}, {"MESA_LOADER_DRIVER_OVERRIDE", "none"}, {"QT_QPA_PLATFORM", "none"}};
     const Ended help = test::vitrine({"--help"}, noGl);
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* command : {"list", "render", "study", "compare", "preset", "doctor"}) EXPECT_NE(help.out.find(command), std::string::npos) << command;
+    for (const char* command : {"list", "render", "study", "compare", "preset", "doctor"})
+        EXPECT_NE(help.out.find(command), std::string::npos) << command;
     EXPECT_NE(help.out.find("Exit codes"), std::string::npos);
     const Ended render = test::vitrine({"render", "--help"}, noGl);
     EXPECT_EQ(render.code, 0);
-    for (const char* option : {"--out", "--size", "--preset", "--set", "--time", "--seed", "--eye", "--target", "--fov", "--scale", "--rotate", "--alone", "--samples", "--transparent", "--channels",
-                               "--environment", "--model", "--report"})
+    for (const char* option :
+         {"--out", "--size", "--preset", "--set", "--time", "--seed", "--eye", "--target", "--fov", "--scale",
+          "--rotate", "--alone", "--samples", "--transparent", "--channels", "--environment", "--model", "--report"})
         EXPECT_NE(render.out.find(option), std::string::npos) << option;
     EXPECT_EQ(test::vitrine({"list"}, noGl).code, 0);
 }
@@ -39,7 +42,13 @@ TEST(Usage, VersionIsANumber)
 
 TEST(Usage, WhatIsUnknownIsUsage)
 {
-    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"--no-such-option"}, {"no-such-command"}, {"list", "--xml"}, {"render"}, {"render", "sdf_morph"}, {"preset"}, {"preset", "check"}}) {
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"--no-such-option"},
+                                                                                       {"no-such-command"},
+                                                                                       {"list", "--xml"},
+                                                                                       {"render"},
+                                                                                       {"render", "sdf_morph"},
+                                                                                       {"preset"},
+                                                                                       {"preset", "check"}}) {
         const Ended ended = test::vitrine(words);
         EXPECT_EQ(ended.code, 2) << words.front();
         EXPECT_EQ(ended.out, "") << words.front();
@@ -86,10 +95,13 @@ TEST(Usage, ABadSettingNamesItsKeyAndWhatItTakes)
 
 TEST(Usage, BadNumbersNameTheirOption)
 {
-    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{{{"--size", "0x9"}, "--size"},   {{"--size", "9"}, "--size"},          {{"--size", "1e9x3"}, "--size"},
-                                                                            {{"--eye", "1,2"}, "--eye"},      {{"--target", "a,b,c"}, "--target"},   {{"--fov", "500"}, "--fov"},
-                                                                            {{"--scale", "1,0,1"}, "--scale"}, {{"--rotate", "nan,0,0"}, "--rotate"}, {{"--samples", "0"}, "--samples"},
-                                                                            {{"--time", "inf"}, "--time"},     {{"--channels", "depth"}, "--channels"}, {{"--channels", "colour"}, "--channels"}};
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"--size", "0x9"}, "--size"},           {{"--size", "9"}, "--size"},
+        {{"--size", "1e9x3"}, "--size"},         {{"--eye", "1,2"}, "--eye"},
+        {{"--target", "a,b,c"}, "--target"},     {{"--fov", "500"}, "--fov"},
+        {{"--scale", "1,0,1"}, "--scale"},       {{"--rotate", "nan,0,0"}, "--rotate"},
+        {{"--samples", "0"}, "--samples"},       {{"--time", "inf"}, "--time"},
+        {{"--channels", "depth"}, "--channels"}, {{"--channels", "colour"}, "--channels"}};
     for (const auto& [words, option] : cases) {
         const Ended ended = refused(words);
         EXPECT_EQ(ended.code, 2) << words[1];
@@ -131,7 +143,8 @@ TEST(Usage, TheHallCannotBeAlone)
 TEST(OldMachine, WithoutOpenGl45OneSentenceAndExit3)
 {
     const test::TemporaryFolder folder;
-    const Ended ended = test::vitrine({"render", "sdf_morph", "--size", "8x8", "--out", folder / "x.png"}, {{"MESA_GL_VERSION_OVERRIDE", "3.3"}});
+    const Ended ended = test::vitrine({"render", "sdf_morph", "--size", "8x8", "--out", folder / "x.png"},
+                                      {{"MESA_GL_VERSION_OVERRIDE", "3.3"}});
     EXPECT_EQ(ended.code, 3);
     expectOneSentence(ended, {"OpenGL 3.3 found", "4.5 needed"});
     EXPECT_TRUE(folder.files().empty());
@@ -140,7 +153,8 @@ TEST(OldMachine, WithoutOpenGl45OneSentenceAndExit3)
 TEST(OldMachine, SaysWhichVersionWasFound)
 {
     const test::TemporaryFolder folder;
-    const Ended ended = test::vitrine({"render", "sdf_morph", "--size", "8x8", "--out", folder / "x.png"}, {{"GALLIUM_DRIVER", "softpipe"}});
+    const Ended ended = test::vitrine({"render", "sdf_morph", "--size", "8x8", "--out", folder / "x.png"},
+                                      {{"GALLIUM_DRIVER", "softpipe"}});
     EXPECT_EQ(ended.code, 3);
     expectOneSentence(ended, {"3.3", "4.5"});
 }

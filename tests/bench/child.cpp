@@ -12,7 +12,8 @@
 
 namespace vitrine::bench {
 
-Run runProgram(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& changes, double longest)
+Run runProgram(const std::vector<std::string>& arguments, const std::map<std::string, std::string>& changes,
+               double longest)
 {
     Run run;
     std::array<int, 2> pipe{};
@@ -33,13 +34,16 @@ Run runProgram(const std::vector<std::string>& arguments, const std::map<std::st
     }
     ::close(pipe[1]);
     std::array<char, 4096> bytes{};
-    for (ssize_t got = 0; (got = ::read(pipe[0], bytes.data(), bytes.size())) > 0;) run.out.append(bytes.data(), static_cast<std::size_t>(got));
+    for (ssize_t got = 0; (got = ::read(pipe[0], bytes.data(), bytes.size())) > 0;)
+        run.out.append(bytes.data(), static_cast<std::size_t>(got));
     ::close(pipe[0]);
     int status = 0;
     rusage used{};
     ::wait4(child, &status, 0, &used);
     run.wallSeconds = render::wallSeconds() - run.started;
-    const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
     run.cpuSeconds = seconds(used.ru_utime) + seconds(used.ru_stime);
     run.peakMegabytes = static_cast<double>(used.ru_maxrss) * 1024 / 1e6;
     run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;

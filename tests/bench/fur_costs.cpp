@@ -31,7 +31,8 @@ struct Row {
     std::vector<double> coat, shade, frame;
     render::FrameReport last;
     double error = 0;
-    double outline = 0;  ///< Share of the pixels that only this picture or only the reference covers, of all that it covers.
+    double outline =
+        0;  ///< Share of the pixels that only this picture or only the reference covers, of all that it covers.
 };
 
 double median(std::vector<double> values)
@@ -81,9 +82,14 @@ public:
         request_.raster.size = size;
         request_.transparent = true;
         renderer_.timeSteps(true);
-        std::printf("Picture: %d x %d, %d rounds in turn after 2 warm-up frames; times are medians of process CPU time.\n", size.x, size.y, rounds);
+        std::printf(
+            "Picture: %d x %d, %d rounds in turn after 2 warm-up frames; times are medians of process CPU time.\n",
+            size.x, size.y, rounds);
     }
-    [[nodiscard]] const FurTable& table() const { return static_cast<const Fur&>(*museum_.exhibits()[fur_]).parameters(); }
+    [[nodiscard]] const FurTable& table() const
+    {
+        return static_cast<const Fur&>(*museum_.exhibits()[fur_]).parameters();
+    }
     [[nodiscard]] Row row(std::string name, const std::function<void(ParameterValues&)>& change) const
     {
         Row row{std::move(name), museum_.initialLook().values[fur_], {}, {}, {}, {}, 0};
@@ -113,11 +119,14 @@ public:
                 row.frame.push_back(row.last.milliseconds);
             }
         }
-        std::printf("\n### %s\n\n| what | shells drawn | samples passed | coat, ms | light, ms | coat and light, ms | frame, ms | error, 16 samples | outline wrong, %% |\n|---|---|---|---|---|---|---|---|---|\n", title);
+        std::printf("\n### %s\n\n| what | shells drawn | samples passed | coat, ms | light, ms | coat and light, ms | "
+                    "frame, ms | error, 16 samples | outline wrong, %% |\n|---|---|---|---|---|---|---|---|---|\n",
+                    title);
         for (const Row& row : rows)
-            std::printf("| %s | %lld | %lld | %.1f | %.1f | %.1f | %.1f | %.4f | %.2f |\n", row.name.c_str(), static_cast<long long>(row.last.counters.at("shells")),
-                        static_cast<long long>(row.last.counters.at("samples")), median(row.coat), median(row.shade), median(row.coat) + median(row.shade),
-                        median(row.frame), row.error, 100 * row.outline);
+            std::printf("| %s | %lld | %lld | %.1f | %.1f | %.1f | %.1f | %.4f | %.2f |\n", row.name.c_str(),
+                        static_cast<long long>(row.last.counters.at("shells")),
+                        static_cast<long long>(row.last.counters.at("samples")), median(row.coat), median(row.shade),
+                        median(row.coat) + median(row.shade), median(row.frame), row.error, 100 * row.outline);
         std::fflush(stdout);
         return rows;
     }
@@ -146,12 +155,14 @@ public:
                 times.push_back(1e6 * (render::wallSeconds() - start));
             }
             const char* const names[] = {"explicit Euler", "semi-implicit", "closed form"};
-            std::printf("| two springs each of 1000 bodies, %s | %.1f |\n", names[static_cast<int>(method)], median(times));
+            std::printf("| two springs each of 1000 bodies, %s | %.1f |\n", names[static_cast<int>(method)],
+                        median(times));
         }
         SpringState s{{1, 0, 0}, {0, 9, 0}};
         const double start = render::wallSeconds();
         s = advance(s, {}, {14, 0.3}, 3600, FurSpring::closedForm);
-        std::printf("| an hour asleep, caught up (value left: %g) | %.2f |\n", s.value.x, 1e6 * (render::wallSeconds() - start));
+        std::printf("| an hour asleep, caught up (value left: %g) | %.2f |\n", s.value.x,
+                    1e6 * (render::wallSeconds() - start));
     }
     /// One instanced draw for each body against one draw for each shell: the same picture.
     void calls()
@@ -186,13 +197,15 @@ public:
                 draws[k++] = plan->find("fur/coat")->draws.size();
             }
         }
-        std::printf("| one instanced draw for each body | %zu | %.1f |\n| one draw for each shell | %zu | %.1f |\n", draws[0], median(times[0]), draws[1], median(times[1]));
+        std::printf("| one instanced draw for each body | %zu | %.1f |\n| one draw for each shell | %zu | %.1f |\n",
+                    draws[0], median(times[0]), draws[1], median(times[1]));
         look_ = museum_.initialLook();
     }
     /// What each body costs as it stands in the best view, without the other two.
     void bodies()
     {
-        std::printf("\n### Cost of each body, as it stands\n\n| body | shells | coat, ms | light, ms |\n|---|---|---|---|\n");
+        std::printf(
+            "\n### Cost of each body, as it stands\n\n| body | shells | coat, ms | light, ms |\n|---|---|---|---|\n");
         const render::FramePlan all = test::planned(museum_, look_, request_, renderer_.kept());
         const char* const names[] = {"ball", "roll", "ring", "all three"};
         std::vector<double> coat[4], light[4];
@@ -211,7 +224,8 @@ public:
                 light[i].push_back(millisecondsOf(report, "fur/shade"));
             }
         }
-        for (std::size_t i = 0; i < 4; ++i) std::printf("| %s | %d | %.1f | %.1f |\n", names[i], shells[i], median(coat[i]), median(light[i]));
+        for (std::size_t i = 0; i < 4; ++i)
+            std::printf("| %s | %d | %.1f | %.1f |\n", names[i], shells[i], median(coat[i]), median(light[i]));
     }
 
 private:
@@ -273,15 +287,20 @@ int main(int argc, char** argv)
     if (wanted("motion")) bench.motion();
     if (wanted("calls")) bench.calls();
     if (wanted("bodies")) bench.bodies();
-    const Row reference = bench.row("", [&](ParameterValues& v) { set(v, 256, FurSilhouette::march, FurOrder::outerFirst, false); v.set(t.samplesBetween, 32); });
+    const Row reference = bench.row("", [&](ParameterValues& v) {
+        set(v, 256, FurSilhouette::march, FurOrder::outerFirst, false);
+        v.set(t.samplesBetween, 32);
+    });
 
     std::vector<Row> between{bench.row("as it stands", [](ParameterValues&) {})};
     for (const int shells : {8, 12, 16}) {
         for (const int samples : {1, 3, 5, 8}) {
-            between.push_back(bench.row(std::to_string(shells) + " shells, up to " + std::to_string(samples) + " samples between", [&](ParameterValues& v) {
-                set(v, shells, FurSilhouette::march, FurOrder::outerFirst, false);
-                v.set(t.samplesBetween, samples);
-            }));
+            between.push_back(
+                bench.row(std::to_string(shells) + " shells, up to " + std::to_string(samples) + " samples between",
+                          [&](ParameterValues& v) {
+                              set(v, shells, FurSilhouette::march, FurOrder::outerFirst, false);
+                              v.set(t.samplesBetween, samples);
+                          }));
         }
     }
     if (wanted("samples")) (void)bench.run("Samples between shells", between, reference.values);
@@ -289,28 +308,42 @@ int main(int argc, char** argv)
     std::vector<Row> counts{bench.row("as it stands", [](ParameterValues&) {})};
     for (const int shells : {8, 10, 16, 32, 64, 128, 256}) {
         const std::string name = std::to_string(shells) + " shells";
-        counts.push_back(bench.row(name + ", inner first", [&](ParameterValues& v) { set(v, shells, FurSilhouette::none, FurOrder::innerFirst, false); }));
-        counts.push_back(bench.row(name + ", outer first", [&](ParameterValues& v) { set(v, shells, FurSilhouette::none, FurOrder::outerFirst, false); }));
-        counts.push_back(bench.row(name + ", outer first, marched between", [&](ParameterValues& v) { set(v, shells, FurSilhouette::march, FurOrder::outerFirst, false); }));
+        counts.push_back(bench.row(name + ", inner first", [&](ParameterValues& v) {
+            set(v, shells, FurSilhouette::none, FurOrder::innerFirst, false);
+        }));
+        counts.push_back(bench.row(name + ", outer first", [&](ParameterValues& v) {
+            set(v, shells, FurSilhouette::none, FurOrder::outerFirst, false);
+        }));
+        counts.push_back(bench.row(name + ", outer first, marched between", [&](ParameterValues& v) {
+            set(v, shells, FurSilhouette::march, FurOrder::outerFirst, false);
+        }));
     }
     if (wanted("counts")) {
         const std::vector<Row> rows = bench.run("Shell count, order, march", counts, reference.values);
         const Row& now = rows.front();
-        const Row& bare = *std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.name == "64 shells, inner first"; });
+        const Row& bare = *std::find_if(rows.begin(), rows.end(),
+                                        [](const Row& row) { return row.name == "64 shells, inner first"; });
         const auto samples = [](const Row& row) { return static_cast<double>(row.last.counters.at("samples")); };
         const auto time = [](const Row& row) { return median(row.coat) + median(row.shade); };
-        std::printf("\nAs it stands, finding the strands of the three coats takes %.0f ms and lighting them %.0f ms (goal: 60 together), with an error of %.3f. "
-                    "64 bare shells drawn from inside out pass %.1f times the samples, take %.1f times as long, and err by %.3f.\n",
-                    median(now.coat), median(now.shade), now.error, samples(bare) / samples(now), time(bare) / time(now), bare.error);
+        std::printf("\nAs it stands, finding the strands of the three coats takes %.0f ms and lighting them %.0f ms "
+                    "(goal: 60 together), with an error of %.3f. "
+                    "64 bare shells drawn from inside out pass %.1f times the samples, take %.1f times as long, and "
+                    "err by %.3f.\n",
+                    median(now.coat), median(now.shade), now.error, samples(bare) / samples(now),
+                    time(bare) / time(now), bare.error);
     }
 
     std::vector<Row> fringe;
     const char* const silhouettes[] = {"nothing", "fins", "shells by angle", "march"};
     for (const int shells : {10, 32})
-        for (const FurSilhouette silhouette : {FurSilhouette::none, FurSilhouette::fins, FurSilhouette::byAngle, FurSilhouette::march})
-            fringe.push_back(bench.row(std::to_string(shells) + " shells, gaps filled with " + silhouettes[static_cast<int>(silhouette)],
-                                       [&](ParameterValues& v) { set(v, shells, silhouette, FurOrder::outerFirst, false); }));
-    fringe.push_back(bench.row("40 shells, gaps filled with nothing", [&](ParameterValues& v) { set(v, 40, FurSilhouette::none, FurOrder::outerFirst, false); }));
+        for (const FurSilhouette silhouette :
+             {FurSilhouette::none, FurSilhouette::fins, FurSilhouette::byAngle, FurSilhouette::march})
+            fringe.push_back(bench.row(
+                std::to_string(shells) + " shells, gaps filled with " + silhouettes[static_cast<int>(silhouette)],
+                [&](ParameterValues& v) { set(v, shells, silhouette, FurOrder::outerFirst, false); }));
+    fringe.push_back(bench.row("40 shells, gaps filled with nothing", [&](ParameterValues& v) {
+        set(v, 40, FurSilhouette::none, FurOrder::outerFirst, false);
+    }));
     if (wanted("gaps")) {
         (void)bench.run("Gaps between shells, best view", fringe, reference.values);
         bench.see({{-1.05, 0.75, 1.1}, {-1.0, 0.62, 0}, 0.42});
@@ -320,7 +353,8 @@ int main(int argc, char** argv)
     std::vector<Row> far;
     bench.see({{-0.3, 2.4, 8}, {0, 0.3, 0}, 0.62});
     for (const bool lod : {false, true})
-        far.push_back(bench.row(lod ? "8 m away, level of detail" : "8 m away, all shells", [&](ParameterValues& v) { v.set(t.levelOfDetail, lod); }));
+        far.push_back(bench.row(lod ? "8 m away, level of detail" : "8 m away, all shells",
+                                [&](ParameterValues& v) { v.set(t.levelOfDetail, lod); }));
     if (wanted("distance")) (void)bench.run("Level of detail", far, reference.values);
     return 0;
 }

@@ -50,11 +50,15 @@ void measure(std::vector<Row>& rows, int rounds)
 
 void print(const char* title, const std::vector<Row>& rows)
 {
-    std::printf("\n### %s\n\n| what | passes | draws | triangles | ms (clock) | lowest to highest | ms (wall) | against the first row |\n|---|---|---|---|---|---|---|---|\n", title);
+    std::printf("\n### %s\n\n| what | passes | draws | triangles | ms (clock) | lowest to highest | ms (wall) | "
+                "against the first row |\n|---|---|---|---|---|---|---|---|\n",
+                title);
     for (const Row& row : rows) {
         const auto [low, high] = std::minmax_element(row.cpu.begin(), row.cpu.end());
-        std::printf("| %s | %lld | %lld | %lld | %.2f | %.2f to %.2f | %.2f | %.3f |\n", row.name.c_str(), static_cast<long long>(row.last.counters.at("passes")),
-                    static_cast<long long>(row.last.counters.at("draws")), static_cast<long long>(row.last.counters.at("triangles")), median(row.cpu), *low, *high,
+        std::printf("| %s | %lld | %lld | %lld | %.2f | %.2f to %.2f | %.2f | %.3f |\n", row.name.c_str(),
+                    static_cast<long long>(row.last.counters.at("passes")),
+                    static_cast<long long>(row.last.counters.at("draws")),
+                    static_cast<long long>(row.last.counters.at("triangles")), median(row.cpu), *low, *high,
                     median(row.wall), median(row.cpu) / median(rows.front().cpu));
     }
 }
@@ -84,9 +88,13 @@ int main(int argc, char** argv)
     const render::FrameReport first = renderer.draw(test::planned(museum, look, entrance, renderer.kept()));
     const double firstReady = render::wallSeconds();
 
-    std::printf("Clock: %s\nSize: %d x %d, %d rounds in turn after 3 warm-up frames, medians\n", first.clock.c_str(), size.x, size.y, rounds);
-    std::printf("\n### Start to first frame, without a window, programs as the cache has them\n\n| step | ms (wall) |\n|---|---|\n| OpenGL context | %.0f |\n| reading the hall | %.0f |\n| first frame: programs, uploads, shadow, probe, picture | %.0f |\n| together | %.0f |\n",
-                1e3 * (contextReady - start), 1e3 * (museumReady - contextReady), 1e3 * (firstReady - museumReady), 1e3 * (firstReady - start));
+    std::printf("Clock: %s\nSize: %d x %d, %d rounds in turn after 3 warm-up frames, medians\n", first.clock.c_str(),
+                size.x, size.y, rounds);
+    std::printf("\n### Start to first frame, without a window, programs as the cache has them\n\n| step | ms (wall) "
+                "|\n|---|---|\n| OpenGL context | %.0f |\n| reading the hall | %.0f |\n| first frame: programs, "
+                "uploads, shadow, probe, picture | %.0f |\n| together | %.0f |\n",
+                1e3 * (contextReady - start), 1e3 * (museumReady - contextReady), 1e3 * (firstReady - museumReady),
+                1e3 * (firstReady - start));
 
     // The empty hall has a renderer of its own, so that neither disturbs what the other keeps.
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
@@ -95,51 +103,80 @@ int main(int argc, char** argv)
     FrameRequest away = entrance;
     away.camera = {{0.5, 1.65, 9}, {0.5, 1.2, 12}, 0.959931};  // The exhibits and their shadows are out of view.
     FrameRequest intoTheBeam = away;
-    intoTheBeam.camera.target.y = 3.2;  // Up there, the beam of the oculus is in view: it is marched and laid over the picture.
+    intoTheBeam.camera.target.y =
+        3.2;  // Up there, the beam of the oculus is in view: it is marched and laid over the picture.
     const std::size_t sdf = *museum.find("sdf_morph");
     FrameRequest near = entrance;
     near.camera = museum.bestView(sdf, look.values[sdf]);
     FrameRequest alone = entrance;
     alone.alone = sdf;
     alone.camera = museum.exhibits()[sdf]->bestView(look.values[sdf]);
-    const auto draw = [&](const FrameRequest& request) { return [&museum, &renderer, &look, request] { return renderer.draw(test::planned(museum, look, request, renderer.kept())); }; };
-    const auto drawEmpty = [&](const FrameRequest& request) { return [&empty, &emptyRenderer, &emptyLook, request] { return emptyRenderer.draw(test::planned(empty, emptyLook, request, emptyRenderer.kept())); }; };
+    const auto draw = [&](const FrameRequest& request) {
+        return [&museum, &renderer, &look, request] {
+            return renderer.draw(test::planned(museum, look, request, renderer.kept()));
+        };
+    };
+    const auto drawEmpty = [&](const FrameRequest& request) {
+        return [&empty, &emptyRenderer, &emptyLook, request] {
+            return emptyRenderer.draw(test::planned(empty, emptyLook, request, emptyRenderer.kept()));
+        };
+    };
     std::vector<Row> rows;
     rows.push_back({"empty hall, towards the door", drawEmpty(away), {}, {}, {}});
     rows.push_back({"hall with all exhibits out of view, towards the door", draw(away), {}, {}, {}});
     rows.push_back({"empty hall, above the door", drawEmpty(intoTheBeam), {}, {}, {}});
-    rows.push_back({"hall with the exhibits out of view but for a beam in the air, above the door", draw(intoTheBeam), {}, {}, {}});
+    rows.push_back({"hall with the exhibits out of view but for a beam in the air, above the door",
+                    draw(intoTheBeam),
+                    {},
+                    {},
+                    {}});
     rows.push_back({"empty hall, from the entrance", drawEmpty(entrance), {}, {}, {}});
     rows.push_back({"hall with the exhibit in view, from the entrance", draw(entrance), {}, {}, {}});
     rows.push_back({"hall, before the exhibit", draw(near), {}, {}, {}});
     measure(rows, rounds);
     print("Cost of the hall", rows);
     const auto passes = [](const Row& row) { return static_cast<long long>(row.last.counters.at("passes")); };
-    std::printf("\nWith the exhibits out of view, the hall takes %lld passes, the empty hall %lld; its time is %.2f times that of the empty hall.\n", passes(rows[1]), passes(rows[0]), median(rows[1].cpu) / median(rows[0].cpu));
+    std::printf("\nWith the exhibits out of view, the hall takes %lld passes, the empty hall %lld; its time is %.2f "
+                "times that of the empty hall.\n",
+                passes(rows[1]), passes(rows[0]), median(rows[1].cpu) / median(rows[0].cpu));
 
     std::vector<Row> sliders;
     const auto& table = static_cast<const SdfMorph&>(*museum.exhibits()[sdf]).parameters();
     double morph = 0;
     render::gl::Renderer morphRenderer;
     sliders.push_back({"exhibit before the visitor: nothing moved", draw(near), {}, {}, {}});
-    sliders.push_back({"exhibit's slider (morph)", [&] {
+    sliders.push_back({"exhibit's slider (morph)",
+                       [&] {
                            Look changed = look;
                            changed.values[sdf].set(table.morph, morph = morph < 0.9 ? morph + 0.05 : 0.0);
                            return morphRenderer.draw(test::planned(museum, changed, near, morphRenderer.kept()));
-                       }, {}, {}, {}});
+                       },
+                       {},
+                       {},
+                       {}});
     double exposure = 0;
-    sliders.push_back({"hall's slider that develops only (exposure)", [&] {
+    sliders.push_back({"hall's slider that develops only (exposure)",
+                       [&] {
                            Look changed = look;
-                           changed.values[0].setRow(*changed.values[0].table().find("exposure"), exposure = exposure < 1 ? exposure + 0.1 : -1.0);
+                           changed.values[0].setRow(*changed.values[0].table().find("exposure"),
+                                                    exposure = exposure < 1 ? exposure + 0.1 : -1.0);
                            return renderer.draw(test::planned(museum, changed, near, renderer.kept()));
-                       }, {}, {}, {}});
+                       },
+                       {},
+                       {},
+                       {}});
     double elevation = 0.3;
     render::gl::Renderer sunRenderer;  // Of its own: a moving sun leaves nothing to keep.
-    sliders.push_back({"hall's slider that lights anew (sun elevation)", [&] {
+    sliders.push_back({"hall's slider that lights anew (sun elevation)",
+                       [&] {
                            Look changed = look;
-                           changed.values[0].setRow(*changed.values[0].table().find("sunElevation"), elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
+                           changed.values[0].setRow(*changed.values[0].table().find("sunElevation"),
+                                                    elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
                            return sunRenderer.draw(test::planned(museum, changed, near, sunRenderer.kept()));
-                       }, {}, {}, {}});
+                       },
+                       {},
+                       {},
+                       {}});
     measure(sliders, rounds);
     print("From a slider's change to the finished frame", sliders);
 
@@ -151,24 +188,42 @@ int main(int argc, char** argv)
     Look turning = look;
     turning.values[rays].setRow(*turning.values[rays].table().find("animate"), 1.0);
     FrameRequest later = entrance;
-    mobile.push_back({"mobile at rest", [&] { return stillRenderer.draw(test::planned(museum, look, entrance, stillRenderer.kept())); }, {}, {}, {}});
-    mobile.push_back({"mobile turning: its part of the sun's map anew in each frame", [&] {
+    mobile.push_back({"mobile at rest",
+                      [&] { return stillRenderer.draw(test::planned(museum, look, entrance, stillRenderer.kept())); },
+                      {},
+                      {},
+                      {}});
+    mobile.push_back({"mobile turning: its part of the sun's map anew in each frame",
+                      [&] {
                           later.time += 1.0 / 30;
                           return turningRenderer.draw(test::planned(museum, turning, later, turningRenderer.kept()));
-                      }, {}, {}, {}});
+                      },
+                      {},
+                      {},
+                      {}});
     measure(mobile, rounds);
     print("The turning mobile", mobile);
-    std::printf("\nA frame with the mobile turning takes %.2f times as long as one with it at rest.\n", median(mobile[1].cpu) / median(mobile[0].cpu));
+    std::printf("\nA frame with the mobile turning takes %.2f times as long as one with it at rest.\n",
+                median(mobile[1].cpu) / median(mobile[0].cpu));
 
     std::vector<Row> variants;
     const auto variant = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
         Look changed = look;
         change(changed.values[sdf]);
-        variants.push_back({name, [&museum, &aloneRenderer, alone, changed] { return aloneRenderer.draw(test::planned(museum, changed, alone, aloneRenderer.kept())); }, {}, {}, {}});
+        variants.push_back({name,
+                            [&museum, &aloneRenderer, alone, changed] {
+                                return aloneRenderer.draw(test::planned(museum, changed, alone, aloneRenderer.kept()));
+                            },
+                            {},
+                            {},
+                            {}});
     };
     variant("as it stands", [](ParameterValues&) {});
     variant("without cone pre-pass", [&](ParameterValues& v) { v.set(table.conePrepass, false); });
-    variant("without cone pre-pass and relaxation", [&](ParameterValues& v) { v.set(table.conePrepass, false); v.set(table.relaxation, SdfRelaxation::none); });
+    variant("without cone pre-pass and relaxation", [&](ParameterValues& v) {
+        v.set(table.conePrepass, false);
+        v.set(table.relaxation, SdfRelaxation::none);
+    });
     variant("no bounces", [&](ParameterValues& v) { v.set(table.bounces, 0); });
     variant("four bounces", [&](ParameterValues& v) { v.set(table.bounces, 4); });
     variant("glass", [&](ParameterValues& v) { v.set(table.material, SdfMaterial::glass); });

@@ -63,7 +63,8 @@ double report(const char* name, double pixels, const std::function<void()>& work
     }
     std::sort(times.begin(), times.end());
     const double best = times.front();
-    std::printf("| %-46s | %8.2f | %8.2f | %8.0f | %8.1f |\n", name, 1e3 * best, 1e3 * times[times.size() / 2], pixels / best / 1e6, best / copyTime);
+    std::printf("| %-46s | %8.2f | %8.2f | %8.0f | %8.1f |\n", name, 1e3 * best, 1e3 * times[times.size() / 2],
+                pixels / best / 1e6, best / copyTime);
     return best;
 }
 
@@ -78,9 +79,11 @@ void plainLoop(const PrintLayout& layout, const ViewSet& views, std::vector<std:
             tapsAt(layout, static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5, taps);
             double sum[3] = {0, 0, 0};
             for (const Tap& tap : taps) {
-                const double axis = static_cast<double>(tap.lens) / layout.lensesPerPixelX() + static_cast<double>(layout.width()) / 2;
+                const double axis =
+                    static_cast<double>(tap.lens) / layout.lensesPerPixelX() + static_cast<double>(layout.width()) / 2;
                 const int width = views.view(tap.view).width;
-                const int column = std::clamp(static_cast<int>(axis * width / static_cast<double>(layout.width())), 0, width - 1);
+                const int column =
+                    std::clamp(static_cast<int>(axis * width / static_cast<double>(layout.width())), 0, width - 1);
                 const std::uint16_t* pixel = views.row(tap.view, row) + static_cast<std::size_t>(column) * 4;
                 for (int c = 0; c < 3; ++c) sum[c] += tap.weight * pixel[c];
             }
@@ -95,14 +98,21 @@ void toFiles(const ViewSet& views, const Interlacer& maker, const PrintLayout& l
     const auto pixels = static_cast<double>(layout.width() * layout.height());
     for (const char* name : {"vitrine-bench.tif", "vitrine-bench.png"}) {
         const std::filesystem::path path = std::filesystem::temp_directory_path() / name;
-        report((std::string(name) + ", made, then written").c_str(), pixels, [&] {
-            maker.fill({0, 0, layout.width(), layout.height()}, out.data(), 1);
-            const auto stride = static_cast<std::size_t>(layout.width()) * 3;
-            (void)writeRaster(layout, {[&](const Region& region, std::uint8_t* rows) {
-                                  std::memcpy(rows, out.data() + static_cast<std::size_t>(region.y0) * stride, static_cast<std::size_t>(region.y1 - region.y0) * stride);
-                              }, {}}, {.path = path});
-        }, fileRuns);
-        report((std::string(name) + ", made while written").c_str(), pixels, [&] { (void)writePrint(layout, views, {.path = path}); }, fileRuns);
+        report((std::string(name) + ", made, then written").c_str(), pixels,
+               [&] {
+                   maker.fill({0, 0, layout.width(), layout.height()}, out.data(), 1);
+                   const auto stride = static_cast<std::size_t>(layout.width()) * 3;
+                   (void)writeRaster(layout,
+                                     {[&](const Region& region, std::uint8_t* rows) {
+                                          std::memcpy(rows, out.data() + static_cast<std::size_t>(region.y0) * stride,
+                                                      static_cast<std::size_t>(region.y1 - region.y0) * stride);
+                                      },
+                                      {}},
+                                     {.path = path});
+               },
+               fileRuns);
+        report((std::string(name) + ", made while written").c_str(), pixels,
+               [&] { (void)writePrint(layout, views, {.path = path}); }, fileRuns);
         std::filesystem::remove(path);
     }
 }
@@ -121,10 +131,13 @@ int main(int argc, char** argv)
     const auto pixels = static_cast<double>(area.width() * area.height());
     std::vector<std::uint8_t> out(bytes);
     std::vector<std::uint8_t> copy(bytes);
-    std::printf("%d views of 1200 x 800 into %lld x %lld, 8 bits, %.2f pixels per lens; the columns are prepared once.\n", viewCount,
-                static_cast<long long>(area.width()), static_cast<long long>(area.height()), area.pixelsPerLens());
-    std::printf("%u threads of hardware; best and median of %d runs; times of a memcpy in the same run.\n\n", std::thread::hardware_concurrency(), runs);
-    std::printf("| %-46s | %8s | %8s | %8s | %8s |\n|---|---|---|---|---|\n", "what", "best ms", "median", "MPixel/s", "memcpys");
+    std::printf(
+        "%d views of 1200 x 800 into %lld x %lld, 8 bits, %.2f pixels per lens; the columns are prepared once.\n",
+        viewCount, static_cast<long long>(area.width()), static_cast<long long>(area.height()), area.pixelsPerLens());
+    std::printf("%u threads of hardware; best and median of %d runs; times of a memcpy in the same run.\n\n",
+                std::thread::hardware_concurrency(), runs);
+    std::printf("| %-46s | %8s | %8s | %8s | %8s |\n|---|---|---|---|---|\n", "what", "best ms", "median", "MPixel/s",
+                "memcpys");
     const auto copying = [&] { std::memcpy(copy.data(), out.data(), bytes); };
     for (int i = 0; i < runs; ++i) {
         const auto start = std::chrono::steady_clock::now();
@@ -141,8 +154,10 @@ int main(int argc, char** argv)
     double areaRate = 0;
     for (const int threads : {1, 2}) {
         const std::string suffix = threads == 1 ? ", 1 thread" : ", 2 threads";
-        const double near = report(("nearest" + suffix).c_str(), pixels, [&] { nearestMaker.fill(whole, out.data(), threads); });
-        const double mixed = report(("area, linear light" + suffix).c_str(), pixels, [&] { areaMaker.fill(whole, out.data(), threads); });
+        const double near =
+            report(("nearest" + suffix).c_str(), pixels, [&] { nearestMaker.fill(whole, out.data(), threads); });
+        const double mixed = report(("area, linear light" + suffix).c_str(), pixels,
+                                    [&] { areaMaker.fill(whole, out.data(), threads); });
         if (threads > 1) continue;
         nearestRate = pixels / near / 1e6;
         areaRate = pixels / mixed / 1e6;
@@ -150,7 +165,10 @@ int main(int argc, char** argv)
     report("area, cross-talk compensated, 1 thread", pixels, [&] { compensatedMaker.fill(whole, out.data(), 1); });
     report("area, dithered, 1 thread", pixels, [&] { ditheredMaker.fill(whole, out.data(), 1); });
     report("preparing the columns (area)", pixels, [&] { const Interlacer again(area, views); });
-    report("straightforward loop (area), 1 thread", pixels, [&] { plainLoop(area, views, out); }, 1);
+    report(
+        "straightforward loop (area), 1 thread", pixels, [&] { plainLoop(area, views, out); }, 1);
     toFiles(views, areaMaker, area, out);
-    std::printf("\nOne thread interlaces %.0f MPixel/s with the nearest view (goal: 1000) and %.0f with areas in linear light (goal: 500).\n", nearestRate, areaRate);
+    std::printf("\nOne thread interlaces %.0f MPixel/s with the nearest view (goal: 1000) and %.0f with areas in "
+                "linear light (goal: 500).\n",
+                nearestRate, areaRate);
 }

@@ -1,6 +1,6 @@
-// A print of 40,000 x 36,000 pixels, 1.7 x 1.5 m at 600 dpi, by `vitrine print` from files: its time and its peak of memory, which
-// is held to 300 MB, though the print has 4.3 GB and the views alone 390 MB. Needs 5 GB below TMPDIR, /tmp by default.
-// Prints a table; passes or fails nothing.
+// A print of 40,000 x 36,000 pixels, 1.7 x 1.5 m at 600 dpi, by `vitrine print` from files: its time and its peak of
+// memory, which is held to 300 MB, though the print has 4.3 GB and the views alone 390 MB. Needs 5 GB below TMPDIR,
+// /tmp by default. Prints a table; passes or fails nothing.
 //   bench_large_print [--scale 1] [--compression none]    a scale of 0.1 is a tenth of the size; or deflate, or zstd
 
 #include "render/image/image_io.h"
@@ -30,7 +30,9 @@ void writeViews(const std::string& folder)
     for (int k = 0; k < viewCount; ++k) {
         for (int y = 0; y < viewHeight; ++y)
             for (int x = 0; x < viewWidth; ++x)
-                for (int c = 0; c < 3; ++c) image.at(x, y, c) = static_cast<float>(0.5 + 0.5 * std::sin(0.01 * (c + 1) * x + 0.013 * y + 0.4 * k));
+                for (int c = 0; c < 3; ++c)
+                    image.at(x, y, c) =
+                        static_cast<float>(0.5 + 0.5 * std::sin(0.01 * (c + 1) * x + 0.013 * y + 0.4 * k));
         char name[32];
         std::snprintf(name, sizeof name, "/view-%02d.png", k);
         render::writePicture(folder + name, image, render::PictureFormat::png8);
@@ -53,17 +55,22 @@ int main(int argc, char** argv)
     const auto height = static_cast<long long>(36000 * scale);
     const auto millimeters = [](long long pixels) { return std::to_string(static_cast<double>(pixels) / 600 * 25.4); };
     const double pixels = static_cast<double>(width) * static_cast<double>(height);
-    std::printf("%d views of %d x %d, PNG, into %lld x %lld at 600 dpi and 40 LPI, 8 bits; `vitrine print` as a process of its own.\n\n", viewCount, viewWidth, viewHeight, width, height);
+    std::printf("%d views of %d x %d, PNG, into %lld x %lld at 600 dpi and 40 LPI, 8 bits; `vitrine print` as a "
+                "process of its own.\n\n",
+                viewCount, viewWidth, viewHeight, width, height);
     std::printf("| file | MB | s (wall) | s (CPU) | MPixel/s | peak of memory, MB |\n|---|---|---|---|---|---|\n");
     const std::string out = folder / "print.tif";
-    const bench::Run run = bench::runProgram({"print", "--views", folder / "views", "--lpi", "40", "--dpi", "600", "--width-mm", millimeters(width), "--height-mm", millimeters(height),
+    const bench::Run run = bench::runProgram({"print", "--views", folder / "views", "--lpi", "40", "--dpi", "600",
+                                              "--width-mm", millimeters(width), "--height-mm", millimeters(height),
                                               "--compression", compression, "--out", out});
     if (run.code != 0) {
         std::fprintf(stderr, "bench_large_print: vitrine print ended with %d.\n", run.code);
         return 1;
     }
-    std::printf("| TIFF, compression %s | %.0f | %.1f | %.1f | %.0f | %.0f |\n", compression.c_str(), static_cast<double>(std::filesystem::file_size(out)) / 1e6, run.wallSeconds, run.cpuSeconds,
+    std::printf("| TIFF, compression %s | %.0f | %.1f | %.1f | %.0f | %.0f |\n", compression.c_str(),
+                static_cast<double>(std::filesystem::file_size(out)) / 1e6, run.wallSeconds, run.cpuSeconds,
                 pixels / run.wallSeconds / 1e6, run.peakMegabytes);
-    std::printf("\nA print of %lld x %lld takes %.0f MB of memory at most (goal: 300).\n", width, height, run.peakMegabytes);
+    std::printf("\nA print of %lld x %lld takes %.0f MB of memory at most (goal: 300).\n", width, height,
+                run.peakMegabytes);
     return 0;
 }

@@ -43,7 +43,8 @@ double tracesOf(const Museum& museum, render::gl::Renderer& renderer, const Row&
     request.frame = row.request;
     request.frame.channels.evaluations = true;
     PictureMaker maker(museum, renderer, row.look, request);
-    while (maker.step()) {}
+    while (maker.step()) {
+    }
     const render::Image& image = maker.picture();
     double sum = 0;
     double pixels = 0;
@@ -79,10 +80,13 @@ int main(int argc, char** argv)
     };
     const glm::dvec3 m = cardMiddle();
     // The card fills the picture: from a meter lenses are smaller than a pixel, from 12 cm each is 15 pixels wide.
-    const View views[] = {{"filling the picture, lenses smaller than a pixel", {m + glm::dvec3(0.1, 0.05, 1.0), m, 0.4}},
-                          {"close up, a lens over many pixels", {m + glm::dvec3(0.02, 0.01, 0.12), m, 0.4}}};
+    const View views[] = {
+        {"filling the picture, lenses smaller than a pixel", {m + glm::dvec3(0.1, 0.05, 1.0), m, 0.4}},
+        {"close up, a lens over many pixels", {m + glm::dvec3(0.02, 0.01, 0.12), m, 0.4}}};
     render::FrameReport report;
-    std::printf("Size: %d x %d, alone, %d rounds in turn after 2 warm-up frames, medians. The whole frame is counted, the passes around the card too;\ntraces are exact and do not depend on the machine.\n", size.x, size.y, rounds);
+    std::printf("Size: %d x %d, alone, %d rounds in turn after 2 warm-up frames, medians. The whole frame is counted, "
+                "the passes around the card too;\ntraces are exact and do not depend on the machine.\n",
+                size.x, size.y, rounds);
     for (const View& view : views) {
         std::vector<Row> rows;
         const auto add = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
@@ -105,22 +109,30 @@ int main(int argc, char** argv)
         add("exact, both eyes in red and cyan", [&](ParameterValues& v) { v.set(t.eyes, CardEyes::anaglyph); });
         add("exact, gloss of 1 normal", [&](ParameterValues& v) { v.set(t.glossSamples, 1); });
         add("exact, gloss of 16 normals", [&](ParameterValues& v) { v.set(t.glossSamples, 16); });
-        add("exact, rolling", [&](ParameterValues& v) { v.set(t.hold, 0.0); v.set(t.period, 10.0); });
+        add("exact, rolling", [&](ParameterValues& v) {
+            v.set(t.hold, 0.0);
+            v.set(t.period, 10.0);
+        });
         rows.back().request.time = 5;
         for (Row& row : rows) {
-            for (int warm = 0; warm < 2; ++warm) report = renderer.draw(test::planned(museum, row.look, row.request, renderer.kept()));
+            for (int warm = 0; warm < 2; ++warm)
+                report = renderer.draw(test::planned(museum, row.look, row.request, renderer.kept()));
             row.traces = tracesOf(museum, renderer, row);
         }
         for (int round = 0; round < rounds; ++round)
             for (Row& row : rows) {
                 // The second in a row: what the first had to make is kept.
-                for (int i = 0; i < 2; ++i) report = renderer.draw(test::planned(museum, row.look, row.request, renderer.kept()));
+                for (int i = 0; i < 2; ++i)
+                    report = renderer.draw(test::planned(museum, row.look, row.request, renderer.kept()));
                 row.cpu.push_back(report.milliseconds);
             }
-        std::printf("\n### The card %s\n\n| model | traces per pixel | ms (%s) | lowest to highest | against the first row |\n|---|---|---|---|---|\n", view.name, report.clock.c_str());
+        std::printf("\n### The card %s\n\n| model | traces per pixel | ms (%s) | lowest to highest | against the first "
+                    "row |\n|---|---|---|---|---|\n",
+                    view.name, report.clock.c_str());
         for (const Row& row : rows) {
             const auto [low, high] = std::minmax_element(row.cpu.begin(), row.cpu.end());
-            std::printf("| %s | %.1f | %.2f | %.2f to %.2f | %.2f |\n", row.name.c_str(), row.traces, median(row.cpu), *low, *high, median(row.cpu) / median(rows.front().cpu));
+            std::printf("| %s | %.1f | %.2f | %.2f to %.2f | %.2f |\n", row.name.c_str(), row.traces, median(row.cpu),
+                        *low, *high, median(row.cpu) / median(rows.front().cpu));
         }
     }
     return 0;

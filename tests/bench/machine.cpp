@@ -26,8 +26,8 @@ std::string processorEntry(const std::string& key)
     return "unknown";
 }
 
-/// Bytes copied per second by one thread, in 1e9, median of 15 copies of more than the caches hold: how fast the machine is
-/// just now, with whatever else it does.
+/// Bytes copied per second by one thread, in 1e9, median of 15 copies of more than the caches hold: how fast the
+/// machine is just now, with whatever else it does.
 double memcpyGigabytes()
 {
     constexpr std::size_t bytes = std::size_t{128} << 20;
@@ -37,7 +37,8 @@ double memcpyGigabytes()
     for (int run = 0; run < 15; ++run) {
         const auto start = std::chrono::steady_clock::now();
         std::memcpy(to.data(), from.data(), bytes);
-        rates.push_back(static_cast<double>(bytes) / std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / 1e9);
+        rates.push_back(static_cast<double>(bytes) /
+                        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / 1e9);
         if (to[static_cast<std::size_t>(run)] != 1) return 0;  // So that the copy is used.
     }
     std::sort(rates.begin(), rates.end());
@@ -53,7 +54,8 @@ int main(int argc, char** argv)
         std::ifstream("/proc/loadavg") >> load;  // Over the last minute, before anything is done here.
         const render::gl::HeadlessContext context;
         std::printf("renderer\t%s, %s\n", context.info().renderer.c_str(), context.info().version.c_str());
-        std::printf("processor\t%s, %u threads\n", processorEntry("model name").c_str(), std::thread::hardware_concurrency());
+        std::printf("processor\t%s, %u threads\n", processorEntry("model name").c_str(),
+                    std::thread::hardware_concurrency());
         std::printf("load\t%s\n", load.c_str());
     }
     std::printf("memcpy\t%.1f\n", memcpyGigabytes());

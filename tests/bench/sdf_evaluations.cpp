@@ -24,7 +24,8 @@ constexpr double tanHalfFovY = 0.26;  // 29 degrees
 constexpr double farthest = 20;       // Metres: how far a ray without a box has to look.
 constexpr double pixelCone = tanHalfFovY / height;
 
-/// From a step away, so that the object takes a fifth of the frame: slightly from above, slightly from the handle's side.
+/// From a step away, so that the object takes a fifth of the frame: slightly from above, slightly from the handle's
+/// side.
 struct View {
     glm::dvec3 eye{1.05, 0.75, 2.05};
     glm::dvec3 forward = glm::normalize(glm::dvec3(0, -0.05, 0) - eye);
@@ -94,8 +95,7 @@ Found measure(const View& view, double morph, const std::vector<bool>& truth, co
     const glm::vec3 eye(view.eye);
 
     auto settings = tracer.marchSettings(0, farthest, variant.absoluteTolerance > 0 ? 0.0F : float(pixelCone));
-    if (variant.absoluteTolerance > 0)
-        settings.toleranceFloor = float(variant.absoluteTolerance);
+    if (variant.absoluteTolerance > 0) settings.toleranceFloor = float(variant.absoluteTolerance);
     settings.stepLimit = 1000;
     settings.relaxation = variant.relaxation;
     settings.omega = float(variant.omega);
@@ -114,8 +114,7 @@ Found measure(const View& view, double morph, const std::vector<bool>& truth, co
                     chord = std::max(chord, tracer.coneChord(axis, glm::vec3(view.ray(bx + block * (corner & 1),
                                                                                       by + block * (corner >> 1)))));
                 chord *= 1.0001F;  // The rounding of the directions themselves.
-                if (variant.box)
-                    blockSpan = tracer.coneBox(eye, axis, chord, low, high);
+                if (variant.box) blockSpan = tracer.coneBox(eye, axis, chord, low, high);
                 auto coneSettings = settings;
                 coneSettings.tMin = blockSpan.x;
                 coneSettings.tMax = blockSpan.y;
@@ -127,8 +126,7 @@ Found measure(const View& view, double morph, const std::vector<bool>& truth, co
                 for (int x = bx; x < bx + block; ++x) {
                     const glm::vec3 direction(view.ray(x + 0.5, y + 0.5));
                     glm::vec2 span(0, farthest);
-                    if (variant.box)
-                        span = tracer.rayBox(eye, direction, low, high);
+                    if (variant.box) span = tracer.rayBox(eye, direction, low, high);
                     settings.tMin = std::max(span.x, blockSpan.x);
                     settings.tMax = span.y;
                     const auto march = tracer.sphereTrace(eye, direction, settings);
@@ -166,12 +164,10 @@ void shadows(const View& view, double morph)
         for (int x = 0; x < width; x += 3) {
             const glm::dvec3 ray = view.ray(x + 0.5, y + 0.5);
             const auto march = tracer.sphereTrace(view.eye, ray, tracer.marchSettings(0, 6, pixelCone));
-            if (!march.hit)
-                continue;
+            if (!march.hit) continue;
             const glm::dvec3 at = view.eye + ray * march.t;
             const glm::dvec3 normal = tracer.fieldNormal(at, 3e-4, tracer.NORMAL_CENTRAL, -ray);
-            if (glm::dot(normal, toLight) <= 0.1)
-                continue;
+            if (glm::dot(normal, toLight) <= 0.1) continue;
             const glm::dvec3 p = at + normal * 0.004;
             const double start = 0.004;
             const double end = 4;
@@ -192,8 +188,7 @@ void shadows(const View& view, double morph)
             for (std::size_t i = 0; i < rows.size(); ++i) {
                 const double error = found[i].visibility - truth;
                 rows[i].squares += error * error;
-                if (partly)
-                    rows[i].penumbraSquares += error * error;
+                if (partly) rows[i].penumbraSquares += error * error;
                 rows[i].evaluations += found[i].evaluations;
             }
         }
@@ -218,8 +213,7 @@ void normals(const View& view)
         for (int x = 0; x < width; x += 2) {
             const glm::dvec3 ray = view.ray(x + 0.5, y + 0.5);
             const auto march = truth.sphereTrace(view.eye, ray, truth.marchSettings(0, 6, pixelCone));
-            if (!march.hit)
-                continue;
+            if (!march.hit) continue;
             const glm::dvec3 p(glm::vec3(view.eye + ray * march.t));
             points.emplace_back(p, truth.fieldNormal(p, 1e-6, truth.NORMAL_CENTRAL, -ray));
         }
@@ -277,10 +271,12 @@ int main()
             if (&variant == &variants[std::size(variants) - 1]) best.push_back(found);
         }
     }
-    std::printf("\nBox, cones and automatic relaxation find torus, half melted and mug with %.2f, %.2f and %.2f field evaluations per pixel of "
-                "the frame at half-pixel tolerance and miss %d pixels; classic sphere tracing takes %.2f, %.2f and %.2f.\n",
-                best[0].evaluations, best[1].evaluations, best[2].evaluations, best[0].missed + best[1].missed + best[2].missed, plain[0].evaluations,
-                plain[1].evaluations, plain[2].evaluations);
+    std::printf(
+        "\nBox, cones and automatic relaxation find torus, half melted and mug with %.2f, %.2f and %.2f field "
+        "evaluations per pixel of "
+        "the frame at half-pixel tolerance and miss %d pixels; classic sphere tracing takes %.2f, %.2f and %.2f.\n",
+        best[0].evaluations, best[1].evaluations, best[2].evaluations, best[0].missed + best[1].missed + best[2].missed,
+        plain[0].evaluations, plain[1].evaluations, plain[2].evaluations);
     shadows(view, 1);
     normals(view);
     return 0;

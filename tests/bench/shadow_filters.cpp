@@ -57,14 +57,16 @@ struct Bench {
     render::Image draw()
     {
         PictureMaker maker(museum, renderer, look, {.frame = frame});
-        while (maker.step()) {}
+        while (maker.step()) {
+        }
         return maker.picture();
     }
     /// Milliseconds of a frame whose shadow maps are up to date, median of seven.
     double time()
     {
         std::vector<double> times;
-        for (int run = 0; run < 7; ++run) times.push_back(renderer.draw(test::planned(museum, look, frame, renderer.kept())).milliseconds);
+        for (int run = 0; run < 7; ++run)
+            times.push_back(renderer.draw(test::planned(museum, look, frame, renderer.kept())).milliseconds);
         std::sort(times.begin(), times.end());
         return times[3];
     }
@@ -82,7 +84,8 @@ struct Bench {
             hall().set(table.sunAzimuth, before[table.sunAzimuth] + radius * std::cos(angle) / std::cos(elevation));
             const render::Image one = draw();
             if (i == 0) mean = render::Image(one.width, one.height, one.channels);
-            for (std::size_t p = 0; p < mean.pixels.size(); ++p) mean.pixels[p] += one.pixels[p] / static_cast<float>(suns);
+            for (std::size_t p = 0; p < mean.pixels.size(); ++p)
+                mean.pixels[p] += one.pixels[p] / static_cast<float>(suns);
         }
         hall() = before;
         return mean;
@@ -94,7 +97,8 @@ double errorOf(const render::Image& picture, const render::Image& truth, double 
 {
     double sum = 0;
     for (int y = 0; y < truth.height; ++y)
-        for (int x = 0; x < truth.width; ++x) sum += std::pow(static_cast<double>(picture.at(x, y, 1)) - static_cast<double>(truth.at(x, y, 1)), 2);
+        for (int x = 0; x < truth.width; ++x)
+            sum += std::pow(static_cast<double>(picture.at(x, y, 1)) - static_cast<double>(truth.at(x, y, 1)), 2);
     return std::sqrt(sum / (static_cast<double>(truth.width) * truth.height)) / sunlight;
 }
 
@@ -119,7 +123,8 @@ void study(Bench& bench, const render::Image& truth)
         bench.hall().set(table.shadowMapSize, size);
         bench.hall().set(table.diskSamples, comparisons);
         const double error = errorOf(bench.draw(), truth, sunlight);
-        std::printf("| %s | %d | %d | %.4f | %.1f |\n", filters[static_cast<int>(filter)], size, comparisons, error, bench.time());
+        std::printf("| %s | %d | %d | %.4f | %.1f |\n", filters[static_cast<int>(filter)], size, comparisons, error,
+                    bench.time());
         std::fflush(stdout);
         return error;
     };
@@ -140,8 +145,10 @@ void study(Bench& bench, const render::Image& truth)
     for (double& error : errors) error = std::sqrt(std::max(error * error - rest * rest, 0.0));
     const render::PowerLaw law = render::fitPowerLaw(errors, comparisons);
     if (law.points >= 3)
-        std::printf("\nWith the sun's disk, halving what too few comparisons are wrong by costs %.2f times the comparisons (%.2f to %.2f with 95 %% confidence); %.4f stay however many there are.\n",
-                    std::pow(2, -law.slope), std::pow(2, -law.slopeInterval.high), std::pow(2, -law.slopeInterval.low), rest);
+        std::printf("\nWith the sun's disk, halving what too few comparisons are wrong by costs %.2f times the "
+                    "comparisons (%.2f to %.2f with 95 %% confidence); %.4f stay however many there are.\n",
+                    std::pow(2, -law.slope), std::pow(2, -law.slopeInterval.high), std::pow(2, -law.slopeInterval.low),
+                    rest);
     bench.hall() = before;
 }
 
@@ -151,8 +158,10 @@ int main(int argc, char** argv)
 {
     if (argc == 3 && std::strcmp(argv[1], "--suns") == 0) suns = std::max(std::atoi(argv[2]), 1);
     Bench bench;
-    std::printf("%d × %d. The error is the root mean square, of the light of the whole sun, against the mean of %d hard shadows of\n"
-                "suns spread over the disk; the map's size is in texels along a side (8192 would be exact), the comparisons are those over the disk or the tent. "
+    std::printf("%d × %d. The error is the root mean square, of the light of the whole sun, against the mean of %d "
+                "hard shadows of\n"
+                "suns spread over the disk; the map's size is in texels along a side (8192 would be exact), the "
+                "comparisons are those over the disk or the tent. "
                 "Time is that of a frame of floor and walls, median of seven.\n",
                 bench.frame.raster.size.x, bench.frame.raster.size.y, suns);
     for (const View& view : views) {

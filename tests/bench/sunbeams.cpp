@@ -52,18 +52,22 @@ struct Bench {
         frame.raster.size = size;
         frame.averageIn = AverageIn::radiance;
         PictureMaker maker(museum, renderer, look, {.frame = frame});
-        while (maker.step()) {}
+        while (maker.step()) {
+        }
         Measured result{maker.picture()};
         const double pixels = static_cast<double>(size.x) * size.y;
         const auto& counters = maker.report().counters;
-        if (const auto found = counters.find("fetches"); found != counters.end()) result.fetchesPerPixel = static_cast<double>(found->second) / pixels;
-        if (const auto found = counters.find("marchSteps"); found != counters.end()) result.stepsPerPixel = static_cast<double>(found->second) / pixels;
+        if (const auto found = counters.find("fetches"); found != counters.end())
+            result.fetchesPerPixel = static_cast<double>(found->second) / pixels;
+        if (const auto found = counters.find("marchSteps"); found != counters.end())
+            result.stepsPerPixel = static_cast<double>(found->second) / pixels;
         if (!timed) return result;
         renderer.timeSteps(true);
         std::vector<double> times;
         for (int run = 0; run < 5; ++run) {
             double sum = 0;
-            for (const render::StepReport& step : renderer.draw(test::planned(museum, look, frame, renderer.kept())).ran)
+            for (const render::StepReport& step :
+                 renderer.draw(test::planned(museum, look, frame, renderer.kept())).ran)
                 if (step.name.rfind("crepuscular_rays/", 0) == 0) sum += step.milliseconds;
             times.push_back(sum);
         }
@@ -107,7 +111,8 @@ std::optional<Point> atError(const std::vector<Point>& curve, double error)
         const Point& b = curve[i];
         if (error > a.error || error < b.error) continue;
         const double t = std::log(error / a.error) / std::log(b.error / a.error);
-        return Point{error, a.looks * std::pow(b.looks / a.looks, t), a.milliseconds * std::pow(b.milliseconds / a.milliseconds, t)};
+        return Point{error, a.looks * std::pow(b.looks / a.looks, t),
+                     a.milliseconds * std::pow(b.milliseconds / a.milliseconds, t)};
     }
     return std::nullopt;
 }
@@ -132,21 +137,28 @@ void screenRays(Bench& bench)
         return bench.measure(timed);
     };
     const Measured truth = run(RayMethod::loop, 4096, RayResolution::full, false);
-    std::printf("| method | samples | resolution | looks per pixel | RMSE | largest error | ms | the loop at that RMSE: looks | ms | looks saved |\n|---|---|---|---|---|---|---|---|---|---|\n");
+    std::printf("| method | samples | resolution | looks per pixel | RMSE | largest error | ms | the loop at that "
+                "RMSE: looks | ms | looks saved |\n|---|---|---|---|---|---|---|---|---|---|\n");
     std::vector<Point> loop;
     std::map<RayMethod, Point> withinGoal;
     const auto line = [&](RayMethod method, int samples, RayResolution resolution) {
         const Measured m = run(method, samples, resolution, true);
         const Error e = difference(m.picture, truth.picture);
         const char* names[] = {"full", "half", "quarter"};
-        std::printf("| %s | %d | %s | %.1f | %.5f | %.4f | %.1f |", methodNames[static_cast<int>(method)], samples, names[static_cast<int>(resolution)], m.fetchesPerPixel, e.rootMeanSquare, e.largest, m.milliseconds);
+        std::printf("| %s | %d | %s | %.1f | %.5f | %.4f | %.1f |", methodNames[static_cast<int>(method)], samples,
+                    names[static_cast<int>(resolution)], m.fetchesPerPixel, e.rootMeanSquare, e.largest,
+                    m.milliseconds);
         const Point point{e.rootMeanSquare, m.fetchesPerPixel, m.milliseconds};
         const bool plain = method == RayMethod::loop && resolution == RayResolution::full;
         if (plain) loop.push_back(point);
         const std::optional<Point> same = plain ? std::nullopt : atError(loop, e.rootMeanSquare);
-        if (same) std::printf(" %.1f | %.1f | %.1f times |\n", same->looks, same->milliseconds, same->looks / point.looks);
-        else std::printf("  |  |  |\n");
-        if (resolution == RayResolution::full && point.error <= goal && (!withinGoal.contains(method) || point.looks < withinGoal[method].looks)) withinGoal[method] = point;
+        if (same)
+            std::printf(" %.1f | %.1f | %.1f times |\n", same->looks, same->milliseconds, same->looks / point.looks);
+        else
+            std::printf("  |  |  |\n");
+        if (resolution == RayResolution::full && point.error <= goal &&
+            (!withinGoal.contains(method) || point.looks < withinGoal[method].looks))
+            withinGoal[method] = point;
         std::fflush(stdout);
     };
     for (const int samples : {8, 16, 32, 64, 128, 216}) line(RayMethod::loop, samples, RayResolution::full);
@@ -159,7 +171,9 @@ void screenRays(Bench& bench)
     if (!needed) return;
     std::printf("\nFor an RMSE of %.3f the loop needs %.0f looks per pixel.", goal, needed->looks);
     for (const auto& [method, point] : withinGoal)
-        if (method != RayMethod::loop) std::printf(" With %s, %.1f looks are within it (%.5f): %.1f times fewer.", methodNames[static_cast<int>(method)], point.looks, point.error, needed->looks / point.looks);
+        if (method != RayMethod::loop)
+            std::printf(" With %s, %.1f looks are within it (%.5f): %.1f times fewer.",
+                        methodNames[static_cast<int>(method)], point.looks, point.error, needed->looks / point.looks);
     std::printf("\n");
 }
 
@@ -180,7 +194,8 @@ void volume(Bench& bench)
     for (int y = 0; y < truth.picture.height; ++y)
         for (int x = 0; x < truth.picture.width; ++x) mean += static_cast<double>(truth.picture.at(x, y, 0));
     mean /= static_cast<double>(truth.picture.width) * truth.picture.height;
-    std::printf("| steps | blue noise | resolution | steps per pixel, at most | RMSE over the mean | ms |\n|---|---|---|---|---|---|\n");
+    std::printf("| steps | blue noise | resolution | steps per pixel, at most | RMSE over the mean | ms "
+                "|\n|---|---|---|---|---|---|\n");
     for (const RayResolution resolution : {RayResolution::full, RayResolution::half, RayResolution::quarter}) {
         for (const bool jitter : {false, true}) {
             for (const int steps : {2, 4, 8, 16, 32, 64}) {
@@ -188,7 +203,9 @@ void volume(Bench& bench)
                 if (bench.size.x > 640 && (resolution == RayResolution::quarter || steps < 8)) continue;
                 const Measured m = run(steps, resolution, jitter, true);
                 const char* names[] = {"full", "half", "quarter"};
-                std::printf("| %d | %s | %s | %.1f | %.4f | %.1f |\n", steps, jitter ? "on" : "off", names[static_cast<int>(resolution)], m.stepsPerPixel, difference(m.picture, truth.picture).rootMeanSquare / mean, m.milliseconds);
+                std::printf("| %d | %s | %s | %.1f | %.4f | %.1f |\n", steps, jitter ? "on" : "off",
+                            names[static_cast<int>(resolution)], m.stepsPerPixel,
+                            difference(m.picture, truth.picture).rootMeanSquare / mean, m.milliseconds);
                 std::fflush(stdout);
             }
         }
@@ -205,13 +222,15 @@ void entrance(Bench& bench)
     std::map<std::string, std::vector<double>> times;
     for (int run = 0; run < 7; ++run) {
         std::map<std::string, double> once;
-        for (const render::StepReport& step : bench.renderer.draw(test::planned(bench.museum, bench.look, frame, bench.renderer.kept())).ran)
+        for (const render::StepReport& step :
+             bench.renderer.draw(test::planned(bench.museum, bench.look, frame, bench.renderer.kept())).ran)
             once[step.name.rfind("crepuscular_rays/", 0) == 0 ? step.name : "everything else"] += step.milliseconds;
         if (run < 2) continue;  // Shadow maps, probe and programs are made once.
         for (const auto& [name, milliseconds] : once) times[name].push_back(milliseconds);
     }
     bench.renderer.timeSteps(false);
-    std::printf("\n## The beams in the hall, from the entrance, %d × %d\n\n| step | ms |\n|---|---|\n", bench.size.x, bench.size.y);
+    std::printf("\n## The beams in the hall, from the entrance, %d × %d\n\n| step | ms |\n|---|---|\n", bench.size.x,
+                bench.size.y);
     for (auto& [name, values] : times) {
         std::sort(values.begin(), values.end());
         std::printf("| %s | %.0f |\n", name.c_str(), values[values.size() / 2]);
@@ -262,7 +281,8 @@ int main(int argc, char** argv)
         std::sscanf(argv[2], "%dx%d", &sizes[0].x, &sizes[0].y);
     }
     Bench bench;
-    std::printf("Time is that of the exhibit's own passes, median of five, by the process's CPU time around glFinish.\n");
+    std::printf(
+        "Time is that of the exhibit's own passes, median of five, by the process's CPU time around glFinish.\n");
     bench.size = sizes.back();
     entrance(bench);
     const Exhibit& exhibit = *bench.museum.exhibits()[bench.exhibit];
@@ -273,7 +293,8 @@ int main(int argc, char** argv)
         bench.camera.target = glm::dvec3(world * glm::dvec4(view.camera.target, 1));
     };
     const std::vector<StudyView> views = exhibit.studyViews(exhibit.parameters().initial());
-    std::printf("\n## Model: what of the converged volume's light the screen does not explain, with the best gain\n\n| view | decay 0.98 | 0.99 | 0.994 | 0.998 | 1 |\n|---|---|---|---|---|---|\n");
+    std::printf("\n## Model: what of the converged volume's light the screen does not explain, with the best gain\n\n| "
+                "view | decay 0.98 | 0.99 | 0.994 | 0.998 | 1 |\n|---|---|---|---|---|---|\n");
     bench.size = {320, 180};
     for (const StudyView& view : views) {
         look(view);
@@ -285,7 +306,9 @@ int main(int argc, char** argv)
         for (const StudyView& view : views) {
             if (view.name != "best view" && (view.name != "window ahead" || size.x > 640)) continue;
             look(view);
-            std::printf("\n## Screen space, %s, %d × %d\n\nAgainst the loop with 4096 samples; a white mask gives 1.\n\n", view.name.c_str(), size.x, size.y);
+            std::printf(
+                "\n## Screen space, %s, %d × %d\n\nAgainst the loop with 4096 samples; a white mask gives 1.\n\n",
+                view.name.c_str(), size.x, size.y);
             screenRays(bench);
             if (view.name == "best view") {
                 std::printf("\n## Volume, %s, %d × %d\n\nAgainst 1024 steps.\n\n", view.name.c_str(), size.x, size.y);

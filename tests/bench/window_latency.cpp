@@ -1,6 +1,6 @@
-// How long the window takes to answer a hand, and what it costs while nobody touches it. The program itself is started on
-// the display, real events are sent (XTEST), and the screen is read until it shows the answer. Prints tables; passes or
-// fails nothing. Another build of the program can be measured beside this one:
+// How long the window takes to answer a hand, and what it costs while nobody touches it. The program itself is started
+// on the display, real events are sent (XTEST), and the screen is read until it shows the answer. Prints tables; passes
+// or fails nothing. Another build of the program can be measured beside this one:
 //   xvfb-run -a -s "-screen 0 1600x1000x24" bench_window_latency [--runs 8] [--idle-only] [--program NAME=PATH]...
 
 #include "render/measure/clock.h"
@@ -59,9 +59,22 @@ public:
     }
     [[nodiscard]] bool ready() const { return motion_ && button_ && key_; }
     [[nodiscard]] Display* display() const { return display_; }
-    void move(int x, int y) const { motion_(display_, -1, x, y, 0); XFlush(display_); }
-    void button(bool down) const { button_(display_, 1, down ? True : False, 0); XFlush(display_); }
-    void click(int x, int y) const { move(x, y); button(true); button(false); }
+    void move(int x, int y) const
+    {
+        motion_(display_, -1, x, y, 0);
+        XFlush(display_);
+    }
+    void button(bool down) const
+    {
+        button_(display_, 1, down ? True : False, 0);
+        XFlush(display_);
+    }
+    void click(int x, int y) const
+    {
+        move(x, y);
+        button(true);
+        button(false);
+    }
     void key(KeySym symbol, std::vector<KeySym> held = {}) const
     {
         for (const KeySym each : held) key_(display_, XKeysymToKeycode(display_, each), True, 0);
@@ -77,9 +90,11 @@ public:
     /// The bytes of this part of the screen.
     [[nodiscard]] std::string look(const Rect& at) const
     {
-        XImage* image = XGetImage(display_, DefaultRootWindow(display_), at.x, at.y, static_cast<unsigned>(at.width), static_cast<unsigned>(at.height), AllPlanes, ZPixmap);
+        XImage* image = XGetImage(display_, DefaultRootWindow(display_), at.x, at.y, static_cast<unsigned>(at.width),
+                                  static_cast<unsigned>(at.height), AllPlanes, ZPixmap);
         if (!image) return {};
-        std::string bytes(image->data, static_cast<std::size_t>(image->bytes_per_line) * static_cast<std::size_t>(image->height));
+        std::string bytes(image->data,
+                          static_cast<std::size_t>(image->bytes_per_line) * static_cast<std::size_t>(image->height));
         XDestroyImage(image);
         return bytes;
     }
@@ -113,8 +128,11 @@ public:
     {
         child_ = ::fork();
         if (child_ == 0) {
-            const std::map<std::string, std::string> changes{{"QT_QPA_PLATFORM", "xcb"}, {"QT_FONT_DPI", "96"}, {"XDG_CACHE_HOME", cache}, {"HOME", home_ / "home"},
-                                                             {"XDG_STATE_HOME", home_ / "state"}, {"XDG_CONFIG_HOME", home_ / "config"}, {"XDG_DATA_HOME", home_ / "data"}};
+            const std::map<std::string, std::string> changes{
+                {"QT_QPA_PLATFORM", "xcb"},          {"QT_FONT_DPI", "96"},
+                {"XDG_CACHE_HOME", cache},           {"HOME", home_ / "home"},
+                {"XDG_STATE_HOME", home_ / "state"}, {"XDG_CONFIG_HOME", home_ / "config"},
+                {"XDG_DATA_HOME", home_ / "data"}};
             for (const auto& [name, value] : changes) ::setenv(name.c_str(), value.c_str(), 1);
             ::execl(path.c_str(), path.c_str(), nullptr);
             ::_exit(127);
@@ -143,7 +161,8 @@ public:
     /// The keyboard goes to the main window, whatever dialog is open.
     void focus() const
     {
-        if (const std::optional<Window> window = largest()) XSetInputFocus(hands_.display(), *window, RevertToParent, CurrentTime);
+        if (const std::optional<Window> window = largest())
+            XSetInputFocus(hands_.display(), *window, RevertToParent, CurrentTime);
         XSync(hands_.display(), False);
     }
     /// Of all its threads.
@@ -180,7 +199,9 @@ private:
         XQueryTree(hands_.display(), DefaultRootWindow(hands_.display()), &root, &parent, &children, &count);
         for (unsigned i = 0; i < count; ++i) {
             XWindowAttributes about;
-            if (!XGetWindowAttributes(hands_.display(), children[i], &about) || about.map_state != IsViewable || about.width * about.height <= area) continue;
+            if (!XGetWindowAttributes(hands_.display(), children[i], &about) || about.map_state != IsViewable ||
+                about.width * about.height <= area)
+                continue;
             area = about.width * about.height;
             found = children[i];
         }
@@ -207,7 +228,7 @@ std::string spread(std::vector<double> times)
 namespace {
 
 constexpr Rect otherTab{1350, 52, 54, 16};
-constexpr Rect typed{1314, 84, 7, 18};      // Right of the filter's text "exposure" and its caret.
+constexpr Rect typed{1314, 84, 7, 18};  // Right of the filter's text "exposure" and its caret.
 constexpr Rect slider{1395, 150, 96, 12};
 constexpr Rect number{1508, 148, 50, 16};
 constexpr Rect measure{450, 646, 66, 16};
@@ -286,7 +307,8 @@ void command(const Hands& hands, const char* name)
 
 void printRow(const std::string& program, const char* state, const Answers& answers)
 {
-    std::printf("| %s | %s | %s | %s | %s |\n", program.c_str(), state, spread(answers.menu).c_str(), spread(answers.key).c_str(), spread(answers.number).c_str());
+    std::printf("| %s | %s | %s | %s | %s |\n", program.c_str(), state, spread(answers.menu).c_str(),
+                spread(answers.key).c_str(), spread(answers.number).c_str());
     std::fflush(stdout);
 }
 
@@ -301,10 +323,14 @@ bool openAtTheMug(const Hands& hands, const Program& program)
     return true;
 }
 
-bool measureAnswers(const Hands& hands, const std::string& name, const std::string& path, const std::string& cache, int runs)
+bool measureAnswers(const Hands& hands, const std::string& name, const std::string& path, const std::string& cache,
+                    int runs)
 {
     const auto nothing = [] {};
-    const auto afresh = [&] { (void)drag(hands, 9); wait(0.6); };  // Refinement begins when all was still for a moment.
+    const auto afresh = [&] {
+        (void)drag(hands, 9);
+        wait(0.6);
+    };  // Refinement begins when all was still for a moment.
     struct State {
         const char* name;
         std::function<void(const Program&)> enter;
@@ -312,11 +338,36 @@ bool measureAnswers(const Hands& hands, const std::string& name, const std::stri
     };
     const std::vector<State> states{
         {"still", [](const Program& p) { p.rest(90); }, nothing},
-        {"moving", [&](const Program&) { hands.key(XK_2, {XK_Alt_L}); wait(2); showExposure(hands); }, nothing},
+        {"moving",
+         [&](const Program&) {
+             hands.key(XK_2, {XK_Alt_L});
+             wait(2);
+             showExposure(hands);
+         },
+         nothing},
         {"refining", [](const Program&) {}, afresh},
-        {"studying", [&](const Program& p) { command(hands, "Study"); p.focus(); clickOn(hands, measure); wait(2); }, nothing},
-        {"exporting a picture", [&](const Program&) { hands.key(XK_e, {XK_Control_L, XK_Shift_L}); wait(2); hands.key(XK_Return); wait(1); }, nothing},
-        {"rendering a print's views", [&](const Program&) { hands.key(XK_p, {XK_Control_L}); wait(4); }, nothing},
+        {"studying",
+         [&](const Program& p) {
+             command(hands, "Study");
+             p.focus();
+             clickOn(hands, measure);
+             wait(2);
+         },
+         nothing},
+        {"exporting a picture",
+         [&](const Program&) {
+             hands.key(XK_e, {XK_Control_L, XK_Shift_L});
+             wait(2);
+             hands.key(XK_Return);
+             wait(1);
+         },
+         nothing},
+        {"rendering a print's views",
+         [&](const Program&) {
+             hands.key(XK_p, {XK_Control_L});
+             wait(4);
+         },
+         nothing},
     };
     for (const State& state : states) {
         const Program program(hands, path, cache);
@@ -327,7 +378,8 @@ bool measureAnswers(const Hands& hands, const std::string& name, const std::stri
     return true;
 }
 
-bool measureIdle(const Hands& hands, const std::string& name, const std::string& path, const std::string& cache, double settle)
+bool measureIdle(const Hands& hands, const std::string& name, const std::string& path, const std::string& cache,
+                 double settle)
 {
     std::printf("| %s |", name.c_str());
     for (const KeySym key : {KeySym{0}, KeySym{XK_1}, KeySym{XK_2}, KeySym{XK_3}, KeySym{XK_4}}) {
@@ -355,9 +407,12 @@ int main(int argc, char** argv)
     std::vector<std::pair<std::string, std::string>> programs{{"this commit", VITRINE_PROGRAM}};
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "--idle-only") answers = false;
-        else if (word == "--runs" && i + 1 < argc) runs = std::max(std::atoi(argv[++i]), 1);
-        else if (word == "--settle" && i + 1 < argc) settle = std::atof(argv[++i]);
+        if (word == "--idle-only")
+            answers = false;
+        else if (word == "--runs" && i + 1 < argc)
+            runs = std::max(std::atoi(argv[++i]), 1);
+        else if (word == "--settle" && i + 1 < argc)
+            settle = std::atof(argv[++i]);
         else if (word == "--program" && i + 1 < argc) {
             const std::string pair = argv[++i];
             const std::size_t equals = std::min(pair.find('='), pair.size() - 1);
@@ -372,11 +427,17 @@ int main(int argc, char** argv)
     const test::TemporaryFolder cache;
     bool shown = true;
     if (answers) {
-        std::printf("Milliseconds from an event to its answer on the screen, window of 1600 x 1000 pixels: median (to the longest) of %d. Goal: 100.\n\n", runs);
-        std::printf("| program | while | click on File to its menu | key to the filter | slider to its number |\n|---|---|---|---|---|\n");
-        for (const auto& [name, path] : programs) shown = shown && measureAnswers(hands, name, path, cache / "cache", runs);
+        std::printf("Milliseconds from an event to its answer on the screen, window of 1600 x 1000 pixels: median (to "
+                    "the longest) of %d. Goal: 100.\n\n",
+                    runs);
+        std::printf("| program | while | click on File to its menu | key to the filter | slider to its number "
+                    "|\n|---|---|---|---|---|\n");
+        for (const auto& [name, path] : programs)
+            shown = shown && measureAnswers(hands, name, path, cache / "cache", runs);
     }
-    std::printf("\nSeconds of processor time in ten seconds in which nobody touches the window, by default values, after %.0f s at most.\n\n", settle);
+    std::printf("\nSeconds of processor time in ten seconds in which nobody touches the window, by default values, "
+                "after %.0f s at most.\n\n",
+                settle);
     std::printf("| program | entrance | place 1 | place 2 | place 3 | place 4 |\n|---|---|---|---|---|---|\n");
     for (const auto& [name, path] : programs) shown = shown && measureIdle(hands, name, path, cache / "cache", settle);
     if (!shown) std::fprintf(stderr, "bench_window_latency: no window came.\n");

@@ -1,6 +1,6 @@
 // From the start of the process to the first picture that the window shows, as a user meets it: the program itself is
-// started with a display, says when its first picture was on the screen, and closes. Once with the programs (shaders) in the
-// cache and once without, in turn. Prints a table; passes or fails nothing.
+// started with a display, says when its first picture was on the screen, and closes. Once with the programs (shaders)
+// in the cache and once without, in turn. Prints a table; passes or fails nothing.
 //   xvfb-run -a bench_window_start [--runs 5]
 
 #include "tests/bench/child.h"
@@ -27,11 +27,18 @@ struct Start {
 std::optional<Start> start(const std::string& cache)
 {
     const test::TemporaryFolder home;
-    const bench::Run run = bench::runProgram({}, {{"VITRINE_FIRST_PICTURE", "1"}, {"QT_QPA_PLATFORM", "xcb"}, {"XDG_CACHE_HOME", cache}, {"XDG_STATE_HOME", home / "state"},
-                                                  {"XDG_CONFIG_HOME", home / "config"}, {"XDG_DATA_HOME", home / "data"}}, 120);
+    const bench::Run run = bench::runProgram({},
+                                             {{"VITRINE_FIRST_PICTURE", "1"},
+                                              {"QT_QPA_PLATFORM", "xcb"},
+                                              {"XDG_CACHE_HOME", cache},
+                                              {"XDG_STATE_HOME", home / "state"},
+                                              {"XDG_CONFIG_HOME", home / "config"},
+                                              {"XDG_DATA_HOME", home / "data"}},
+                                             120);
     double shown = 0;
     char size[64] = "";
-    if (run.code != 0 || std::sscanf(run.out.c_str(), "first picture at %lf s, %63s", &shown, size) != 2) return std::nullopt;
+    if (run.code != 0 || std::sscanf(run.out.c_str(), "first picture at %lf s, %63s", &shown, size) != 2)
+        return std::nullopt;
     shownSize = size;
     return Start{shown - run.started, run.cpuSeconds};
 }
@@ -47,7 +54,8 @@ double row(const char* name, const std::vector<Start>& starts)
     std::sort(wall.begin(), wall.end());
     std::sort(cpu.begin(), cpu.end());
     const double median = wall[wall.size() / 2];
-    std::printf("| %s | %.0f | %.0f to %.0f | %.0f | %zu |\n", name, 1e3 * median, 1e3 * wall.front(), 1e3 * wall.back(), 1e3 * cpu[cpu.size() / 2], starts.size());
+    std::printf("| %s | %.0f | %.0f to %.0f | %.0f | %zu |\n", name, 1e3 * median, 1e3 * wall.front(),
+                1e3 * wall.back(), 1e3 * cpu[cpu.size() / 2], starts.size());
     return median;
 }
 
@@ -70,10 +78,15 @@ int main(int argc, char** argv)
         cold.push_back(*first);
         warm.push_back(*again);
     }
-    std::printf("From just before the process is started until the window's first picture of %s pixels is on the screen; wall clock, medians.\n\n", shownSize.c_str());
-    std::printf("| programs | ms | lowest to highest | ms of CPU until it has closed | runs |\n|---|---|---|---|---|\n");
+    std::printf("From just before the process is started until the window's first picture of %s pixels is on the "
+                "screen; wall clock, medians.\n\n",
+                shownSize.c_str());
+    std::printf(
+        "| programs | ms | lowest to highest | ms of CPU until it has closed | runs |\n|---|---|---|---|---|\n");
     const double cached = row("cached", warm);
     const double compiled = row("compiled, as after installation or a change of driver", cold);
-    std::printf("\nFrom the start of the process to the window's first picture: %.1f s with the programs cached (goal: 1.5 s), %.1f s when they are compiled.\n", cached, compiled);
+    std::printf("\nFrom the start of the process to the window's first picture: %.1f s with the programs cached (goal: "
+                "1.5 s), %.1f s when they are compiled.\n",
+                cached, compiled);
     return 0;
 }

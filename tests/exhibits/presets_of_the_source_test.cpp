@@ -27,7 +27,8 @@ ParameterValues preset(const std::string& exhibit, const std::string& file, cons
     return read.values;
 }
 
-/// Strands that `side` cells along each side of a unit square of texture coordinates leave on a square metre of the ball.
+/// Strands that `side` cells along each side of a unit square of texture coordinates leave on a square metre of the
+/// ball.
 double strandsPerArea(double side)
 {
     return side * side / (4 * std::numbers::pi * ballRadius * ballRadius);
@@ -38,17 +39,17 @@ TEST(PresetOfTheSource, OfTheFurHasItsExportedDefaults)
     const FurTable t;
     const ParameterValues v = preset("fur", "as-in-the-source", t);
     EXPECT_EQ(v[t.shellCount], 16);
-    EXPECT_EQ(v[t.distanceAttenuation], 1);    // distance_shell_density_attenuation
+    EXPECT_EQ(v[t.distanceAttenuation], 1);  // distance_shell_density_attenuation
     EXPECT_EQ(v[t.strandRoundness], 0);
     EXPECT_EQ(v[t.occlusionAttenuation], 1);
-    EXPECT_EQ(v[t.strength], 0.1);             // displacement_strength
+    EXPECT_EQ(v[t.strength], 0.1);  // displacement_strength
     EXPECT_EQ(v[t.curvature], 1);
-    EXPECT_EQ(v[t.displacementLimit], 3);      // max_displacement
+    EXPECT_EQ(v[t.displacementLimit], 3);                 // max_displacement
     EXPECT_NEAR(v[t.rotationLimit], 30 * degree, 1e-12);  // max_rotation_displacement_degrees
     EXPECT_EQ(v[t.inertia], 1);
-    EXPECT_EQ(v[t.gravity], 10);               // (0, -10, 0), towards which the displacement settles
-    EXPECT_EQ(v[t.airDrag], 5);                // displacement -= 5 x the way moved, over inertia
-    EXPECT_EQ(v[t.growth], 0.1);               // radius + 0.1 sin(time)
+    EXPECT_EQ(v[t.gravity], 10);  // (0, -10, 0), towards which the displacement settles
+    EXPECT_EQ(v[t.airDrag], 5);   // displacement -= 5 x the way moved, over inertia
+    EXPECT_EQ(v[t.growth], 0.1);  // radius + 0.1 sin(time)
     EXPECT_NEAR(v[t.growthRate], 1 / (2 * std::numbers::pi), 1e-6);
     EXPECT_TRUE(v[t.growing]);
     EXPECT_EQ(v[t.thicknessVariation], 0);
@@ -58,9 +59,10 @@ TEST(PresetOfTheSource, OfTheFurHasItsExportedDefaults)
     for (int body = 0; body < furBodyCount; ++body) {
         const CoatRows rows = t.coats[static_cast<std::size_t>(body)];
         EXPECT_EQ(v[rows.length], 0.15);
-        EXPECT_EQ(v[rows.uniformity], 0);      // length_uniformity
+        EXPECT_EQ(v[rows.uniformity], 0);                              // length_uniformity
         EXPECT_NEAR(v[rows.density] / strandsPerArea(100), 1, 0.005);  // density 100: cells along a side of the texture
-        // thickness 5: a strand is five half cells wide at its root, which its cell cuts off at one: as wide as the cell.
+        // thickness 5: a strand is five half cells wide at its root, which its cell cuts off at one: as wide as the
+        // cell.
         EXPECT_NEAR(v[rows.thickness] * std::sqrt(v[rows.density]), 1, 0.03);
     }
 }
@@ -72,9 +74,9 @@ TEST(PresetOfTheSource, OfTheReferenceVideoHasItsScenesValues)
     EXPECT_EQ(v[t.shellCount], 256);
     EXPECT_EQ(v[t.distanceAttenuation], 1);
     EXPECT_EQ(v[t.curvature], 1);
-    EXPECT_EQ(v[t.strength], 0.1);             // displacementStrength
-    EXPECT_EQ(v[t.displacementLimit], 1);      // |D| <= 1
-    EXPECT_EQ(v[t.gravity], 10);               // D.y -= 10 dt
+    EXPECT_EQ(v[t.strength], 0.1);         // displacementStrength
+    EXPECT_EQ(v[t.displacementLimit], 1);  // |D| <= 1
+    EXPECT_EQ(v[t.gravity], 10);           // D.y -= 10 dt
     EXPECT_EQ(v[t.occlusionAttenuation], 2.04);
     EXPECT_EQ(v[t.occlusionBias], 0);
     // shellColor (0.753, 0.542, 0.439), coded in sRGB.
@@ -83,7 +85,7 @@ TEST(PresetOfTheSource, OfTheReferenceVideoHasItsScenesValues)
     for (int body = 0; body < furBodyCount; ++body) {
         const CoatRows rows = t.coats[static_cast<std::size_t>(body)];
         EXPECT_EQ(v[rows.length], 0.15);
-        EXPECT_EQ(v[rows.uniformity], 0);      // noiseMin 0, noiseMax 1
+        EXPECT_EQ(v[rows.uniformity], 0);  // noiseMin 0, noiseMax 1
         EXPECT_NEAR(v[rows.density] / strandsPerArea(366), 1, 0.005);
         EXPECT_LT(glm::length(v[rows.root].value - color), 2e-3);
         EXPECT_LT(glm::length(v[rows.tip].value - color), 2e-3);
@@ -94,17 +96,17 @@ TEST(PresetOfTheSource, OfTheBeamsHasItsDefaults)
 {
     const CrepuscularRaysTable t;
     const ParameterValues v = preset("crepuscular_rays", "as-in-the-source", t);
-    EXPECT_EQ(v[t.samples], 128);              // NUM_SAMPLES
+    EXPECT_EQ(v[t.samples], 128);  // NUM_SAMPLES
     EXPECT_EQ(v[t.decay], 0.5);
     EXPECT_EQ(v[t.weight], 0.1);
-    EXPECT_EQ(v[t.density], 1);                // the whole way
-    EXPECT_EQ(v[t.rayExposure], 0);            // no exposure
-    EXPECT_EQ(v[t.sum], RaySum::plain);        // not divided by the samples
+    EXPECT_EQ(v[t.density], 1);          // the whole way
+    EXPECT_EQ(v[t.rayExposure], 0);      // no exposure
+    EXPECT_EQ(v[t.sum], RaySum::plain);  // not divided by the samples
     EXPECT_EQ(v[t.method], RayMethod::loop);
     EXPECT_EQ(v[t.technique], RayTechnique::screen);
     EXPECT_EQ(v[t.resolution], RayResolution::full);
     EXPECT_EQ(v[t.mask], RayMask::depth);
-    EXPECT_EQ(v[t.threshold], 0);              // a mask of 0 and 1
+    EXPECT_EQ(v[t.threshold], 0);  // a mask of 0 and 1
     EXPECT_FALSE(v[t.skyColor]);
     EXPECT_FALSE(v[t.jitter]);
     EXPECT_EQ(v[t.tint].value, glm::dvec3(1));
@@ -114,9 +116,9 @@ TEST(PresetOfTheSource, OfTheCardHasItsUniforms)
 {
     const LenticularTable t;
     const ParameterValues v = preset("lenticular", "as-in-the-source", t);
-    EXPECT_EQ(v[t.views], 16);                 // IMAGE_COUNT
+    EXPECT_EQ(v[t.views], 16);  // IMAGE_COUNT
     EXPECT_EQ(v[t.slices], 10);
-    EXPECT_EQ(v[t.magnification], 1);          // lenticular_magnification
+    EXPECT_EQ(v[t.magnification], 1);                        // lenticular_magnification
     EXPECT_NEAR(std::tan(v[t.intendedMaxAngle]), 1, 1e-12);  // intended_max_angle 1, a tangent
     EXPECT_EQ(v[t.model], CardModel::linear);
     EXPECT_EQ(v[t.strips], CardStrips::squeezed);
@@ -131,15 +133,15 @@ TEST(PresetOfTheSource, OfTheTorusMugHasItsConstants)
 {
     const SdfMorphTable t;
     const ParameterValues v = preset("sdf_morph", "as-in-the-source", t);
-    EXPECT_EQ(v[t.morph], 0);                  // morph_progress
-    EXPECT_EQ(v[t.stepLimit], 100);            // MAX_STEPS
-    EXPECT_EQ(v[t.normalStep], 0.0005);        // GRADIENT_DT
+    EXPECT_EQ(v[t.morph], 0);            // morph_progress
+    EXPECT_EQ(v[t.stepLimit], 100);      // MAX_STEPS
+    EXPECT_EQ(v[t.normalStep], 0.0005);  // GRADIENT_DT
     EXPECT_EQ(v[t.normalMethod], SdfNormal::central);
     EXPECT_EQ(v[t.relaxation], SdfRelaxation::none);
-    EXPECT_EQ(v[t.bounces], 0);                // it cannot mirror itself
+    EXPECT_EQ(v[t.bounces], 0);  // it cannot mirror itself
     EXPECT_EQ(v[t.shadowMethod], SdfShadow::none);
     EXPECT_FALSE(v[t.conePrepass]);
-    EXPECT_TRUE(v[t.animate]);                 // to the mug and back
+    EXPECT_TRUE(v[t.animate]);  // to the mug and back
     // EPSILON is a fixed 0.001 m there; ours is told in pixels, and stays at half a one.
     EXPECT_EQ(v[t.hitTolerance], 1);
 }

@@ -24,7 +24,9 @@ class FuzzCorpus : public testing::TestWithParam<Corpus> {};
 TEST_P(FuzzCorpus, IsReadOrRefusedAndNothingElse)
 {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(fs::path(VITRINE_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().folder)) files.push_back(entry.path());
+    for (const auto& entry :
+         fs::directory_iterator(fs::path(VITRINE_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().folder))
+        files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     int accepted = 0;
     for (const fs::path& path : files) {
@@ -39,7 +41,9 @@ TEST_P(FuzzCorpus, IsReadOrRefusedAndNothingElse)
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, FuzzCorpus,
-                         testing::Values(Corpus{"preset", vitrine::fuzz::readPreset}, Corpus{"exhibition", vitrine::fuzz::readExhibition}, Corpus{"gltf", vitrine::fuzz::readGltf},
+                         testing::Values(Corpus{"preset", vitrine::fuzz::readPreset},
+                                         Corpus{"exhibition", vitrine::fuzz::readExhibition},
+                                         Corpus{"gltf", vitrine::fuzz::readGltf},
                                          Corpus{"image", vitrine::fuzz::readImage}),
                          [](const auto& p) { return std::string(p.param.folder); });
 

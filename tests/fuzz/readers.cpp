@@ -45,14 +45,16 @@ template <typename Work> bool accepts(const Work& work)
 
 void requireLegal(const ParameterValues& values)
 {
-    for (std::size_t i = 0; i < values.rows().size(); ++i) require(nearestLegal(values.rows()[i], values.row(i)) == values.row(i), "accepted values are legal");
+    for (std::size_t i = 0; i < values.rows().size(); ++i)
+        require(nearestLegal(values.rows()[i], values.row(i)) == values.row(i), "accepted values are legal");
 }
 
 void requireFiniteView(const render::Camera& camera)
 {
     const render::View view = render::makeView(camera, {});
     const glm::mat4 m(view.clipFromWorld);
-    require(std::all_of(glm::value_ptr(m), glm::value_ptr(m) + 16, [](float x) { return std::isfinite(x); }), "an accepted camera can be looked through");
+    require(std::all_of(glm::value_ptr(m), glm::value_ptr(m) + 16, [](float x) { return std::isfinite(x); }),
+            "an accepted camera can be looked through");
 }
 
 /// Every exhibit's table, as the program has them.
@@ -62,7 +64,8 @@ const NamedValues& initialValues()
     static const auto exhibits = allExhibits();
     static const NamedValues values = [] {
         NamedValues all{{"hall", hall.initial()}};
-        for (const auto& exhibit : exhibits) all.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
+        for (const auto& exhibit : exhibits)
+            all.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
         return all;
     }();
     return values;
@@ -74,7 +77,8 @@ void requireDrawable(const render::Model& model)
         require(part.mesh && part.material, "a part has a mesh and a material");
         const double* first = glm::value_ptr(part.modelFromPart);
         require(std::all_of(first, first + 16, [](double x) { return std::isfinite(x); }), "transforms are finite");
-        for (const std::uint32_t index : part.mesh->indices) require(index < part.mesh->vertices.size(), "indices name vertices");
+        for (const std::uint32_t index : part.mesh->indices)
+            require(index < part.mesh->vertices.size(), "indices name vertices");
         require(part.mesh->indices.size() % 3 == 0, "triangles are whole");
         for (const render::Vertex& v : part.mesh->vertices) {
             require(std::isfinite(glm::dot(glm::dvec3(v.position), glm::dvec3(1))), "positions are finite");
@@ -88,7 +92,9 @@ class MemoryFile {
 public:
     explicit MemoryFile(std::string_view bytes) : descriptor_(::memfd_create("picture", 0))
     {
-        require(descriptor_ >= 0 && ::write(descriptor_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()), "there is memory for a file");
+        require(descriptor_ >= 0 &&
+                    ::write(descriptor_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
+                "there is memory for a file");
     }
     ~MemoryFile() { ::close(descriptor_); }
     MemoryFile(const MemoryFile&) = delete;
@@ -110,7 +116,8 @@ bool readPreset(std::string_view bytes)
         requireLegal(preset.values);
         if (preset.camera) requireFiniteView(*preset.camera);
         const std::string text = presetText(preset);
-        require(presetText(parsePreset(text, "again.json", "everything", table)) == text, "a preset reads back as it was written");
+        require(presetText(parsePreset(text, "again.json", "everything", table)) == text,
+                "a preset reads back as it was written");
     });
 }
 
@@ -121,7 +128,8 @@ bool readExhibition(std::string_view bytes)
         for (const auto& [name, values] : exhibition.values) requireLegal(values);
         requireFiniteView(exhibition.camera);
         const std::string text = exhibitionText(exhibition);
-        require(exhibitionText(parseExhibition(text, "again.json", initialValues())) == text, "an exhibition reads back as it was written");
+        require(exhibitionText(parseExhibition(text, "again.json", initialValues())) == text,
+                "an exhibition reads back as it was written");
     });
 }
 
@@ -144,15 +152,20 @@ bool readImage(std::string_view bytes)
         const auto t = render::textureFromBytes(bytes, "fuzz", true, true, true, limits);
         require(t && t->width > 0 && t->height > 0, "a texture has a size");
         const std::size_t texels = static_cast<std::size_t>(t->width) * static_cast<std::size_t>(t->height);
-        require(t->bytes.size() % texels == 0 && t->floats.size() % texels == 0 && !(t->bytes.empty() && t->floats.empty()), "a texture has all its texels");
+        require(t->bytes.size() % texels == 0 && t->floats.size() % texels == 0 &&
+                    !(t->bytes.empty() && t->floats.empty()),
+                "a texture has all its texels");
     });
     const bool image = accepts([&] {
         const MemoryFile file(bytes);
         render::ReadOptions options;
         options.limits = limits;
         const render::Image read = render::readImage(file.path(), options);
-        require(read.pixels.size() == static_cast<std::size_t>(read.width) * static_cast<std::size_t>(read.height) * static_cast<std::size_t>(read.channels), "an image has all its pixels");
-        require(std::all_of(read.pixels.begin(), read.pixels.end(), [](float x) { return std::isfinite(x); }), "an image is finite");
+        require(read.pixels.size() == static_cast<std::size_t>(read.width) * static_cast<std::size_t>(read.height) *
+                                          static_cast<std::size_t>(read.channels),
+                "an image has all its pixels");
+        require(std::all_of(read.pixels.begin(), read.pixels.end(), [](float x) { return std::isfinite(x); }),
+                "an image is finite");
     });
     return texture || image;
 }

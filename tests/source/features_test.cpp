@@ -21,7 +21,8 @@ std::set<std::string> allTests()
     std::set<std::string> tests;
     for (const std::string& file : test::sourceFiles("tests", {".cpp"})) {
         const std::string text = test::withoutComments(test::sourceText(file));
-        for (auto match = std::sregex_iterator(text.begin(), text.end(), testMacro); match != std::sregex_iterator(); ++match)
+        for (auto match = std::sregex_iterator(text.begin(), text.end(), testMacro); match != std::sregex_iterator();
+             ++match)
             tests.insert((*match)[1].str() + '.' + (*match)[2].str());
     }
     return tests;
@@ -42,7 +43,9 @@ std::vector<Feature> features(const std::string& text)
         if (!std::regex_match(line, parts, row)) continue;
         Feature feature{parts[1], parts[2], {}};
         const std::string named = parts[3];
-        for (auto match = std::sregex_iterator(named.begin(), named.end(), quoted); match != std::sregex_iterator(); ++match) feature.tests.push_back((*match)[1]);
+        for (auto match = std::sregex_iterator(named.begin(), named.end(), quoted); match != std::sregex_iterator();
+             ++match)
+            feature.tests.push_back((*match)[1]);
         list.push_back(std::move(feature));
     }
     return list;
@@ -61,7 +64,9 @@ std::vector<std::string> idsOf(const std::string& test)
     static const std::regex id(R"(([A-Z]\d+)_)");
     std::vector<std::string> ids;
     std::string rest = test.substr(test.find('.') + 1);
-    for (std::smatch match; std::regex_search(rest, match, id, std::regex_constants::match_continuous); rest = match.suffix()) ids.push_back(match[1]);
+    for (std::smatch match; std::regex_search(rest, match, id, std::regex_constants::match_continuous);
+         rest = match.suffix())
+        ids.push_back(match[1]);
     return ids;
 }
 
@@ -72,7 +77,8 @@ TEST(Features, EveryOneHasTestsThatExist)
     for (const Feature& feature : features(test::sourceText("tests/features.md"))) {
         EXPECT_TRUE(ids.insert(feature.id).second) << feature.id << " stands twice";
         EXPECT_FALSE(feature.tests.empty()) << feature.id;
-        for (const std::string& named : feature.tests) EXPECT_TRUE(exists(named, tests)) << feature.id << " names " << named << ", which is no test";
+        for (const std::string& named : feature.tests)
+            EXPECT_TRUE(exists(named, tests)) << feature.id << " names " << named << ", which is no test";
     }
     EXPECT_GT(ids.size(), 50U);
     EXPECT_FALSE(exists("Shape.S5_WasRenamed", tests));

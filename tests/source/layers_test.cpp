@@ -17,7 +17,9 @@ using test::Include;
 
 const std::map<std::string, std::vector<std::string>> allowed{
     {"app", {"app/", "ui/", "exhibits/", "render/", "shaders/lib/"}},
-    {"ui", {"ui/", "exhibits/framework/", "exhibits/museum/", "exhibits/study/", "exhibits/printing/", "exhibits/exhibits.h", "render/", "shaders/lib/"}},
+    {"ui",
+     {"ui/", "exhibits/framework/", "exhibits/museum/", "exhibits/study/", "exhibits/printing/", "exhibits/exhibits.h",
+      "render/", "shaders/lib/"}},
     {"exhibits", {"exhibits/", "render/", "shaders/lib/"}},
     {"render", {"render/", "shaders/lib/"}},
 };
@@ -36,19 +38,22 @@ bool isOurs(const std::string& target)
 
 bool isGl(const std::string& target)
 {
-    return startsWith(target, "epoxy/") || startsWith(target, "GL/") || startsWith(target, "EGL/") || startsWith(target, "GLES");
+    return startsWith(target, "epoxy/") || startsWith(target, "GL/") || startsWith(target, "EGL/") ||
+           startsWith(target, "GLES");
 }
 
 /// Headers of QtGui, QtWidgets, QtOpenGL: those of QtCore are named, so that an unknown one is not let through.
 bool isQt(const std::string& target)
 {
-    return target.size() > 1 && target[0] == 'Q' && (std::isupper(static_cast<unsigned char>(target[1])) || startsWith(target, "Qt"));
+    return target.size() > 1 && target[0] == 'Q' &&
+           (std::isupper(static_cast<unsigned char>(target[1])) || startsWith(target, "Qt"));
 }
 
 bool isQtCore(const std::string& target)
 {
-    static const std::regex core("(QtCore/.*|QString|QStringList|QByteArray|QFile|QFileInfo|QDir|QSaveFile|QStandardPaths|QLockFile|QDateTime|"
-                                 "QCoreApplication|QLocale|QtGlobal|QObject|QTimer|QIODevice|QTemporaryFile|QStringView|QStorageInfo)");
+    static const std::regex core(
+        "(QtCore/.*|QString|QStringList|QByteArray|QFile|QFileInfo|QDir|QSaveFile|QStandardPaths|QLockFile|QDateTime|"
+        "QCoreApplication|QLocale|QtGlobal|QObject|QTimer|QIODevice|QTemporaryFile|QStringView|QStorageInfo)");
     return std::regex_match(target, core);
 }
 
@@ -62,12 +67,14 @@ std::string complaint(const Include& include)
         for (const std::string& start : allowed.at(folder)) good = good || startsWith(target, start);
         if (!good) return folder + " may not include it";
         if (folder == "exhibits" && startsWith(target, "render/gl/")) return "exhibits never sees GL";
-        if (folder == "render" && startsWith(target, "render/gl/") && !startsWith(include.file, "render/gl/")) return "only render/gl knows render/gl";
+        if (folder == "render" && startsWith(target, "render/gl/") && !startsWith(include.file, "render/gl/"))
+            return "only render/gl knows render/gl";
     }
     if (isGl(target) && !startsWith(include.file, "render/gl/")) return "only render/gl includes GL headers";
     if (isQt(target)) {
         if (folder == "render") return "render knows no Qt";
-        if (folder == "exhibits" && (!isQtCore(target) || !startsWith(include.file, "exhibits/framework/"))) return "only exhibits/framework, and only QtCore";
+        if (folder == "exhibits" && (!isQtCore(target) || !startsWith(include.file, "exhibits/framework/")))
+            return "only exhibits/framework, and only QtCore";
     }
     return {};
 }
@@ -81,7 +88,8 @@ TEST_P(Layers, IncludeOnlyWhatLiesToTheirRight)
             EXPECT_EQ(complaint(include), "") << include.file << ':' << include.line << " includes " << include.target;
 }
 
-INSTANTIATE_TEST_SUITE_P(Folders, Layers, testing::Values("app", "ui", "exhibits", "render"), [](const auto& p) { return std::string(p.param); });
+INSTANTIATE_TEST_SUITE_P(Folders, Layers, testing::Values("app", "ui", "exhibits", "render"),
+                         [](const auto& p) { return std::string(p.param); });
 
 TEST(LayersControl, ForbiddenIncludesAreSeen)
 {
@@ -165,7 +173,8 @@ TEST(Layers, RoomsOfTheWindowIncludeOnlyThoseBelowThem)
     for (const std::string& file : test::sourceFiles("ui", test::cppExtensions))
         for (const Include& include : test::includesOf(file))
             if (startsWith(include.target, "ui/")) {
-                EXPECT_EQ(uiRoomComplaint(include), "") << file << ':' << include.line << " includes " << include.target;
+                EXPECT_EQ(uiRoomComplaint(include), "")
+                    << file << ':' << include.line << " includes " << include.target;
             }
 }
 
@@ -174,9 +183,11 @@ TEST(Layers, RoomsOfTheWindowHaveNoCycles)
     for (const auto& [room, below] : roomsOfUi)
         for (const std::string& lower : below) {
             const std::vector<std::string>& further = roomsOfUi.at(lower);
-            EXPECT_EQ(std::find(further.begin(), further.end(), room), further.end()) << room << " and " << lower << " may include each other";
+            EXPECT_EQ(std::find(further.begin(), further.end(), room), further.end())
+                << room << " and " << lower << " may include each other";
             for (const std::string& lowest : further)
-                EXPECT_NE(std::find(below.begin(), below.end(), lowest), below.end()) << room << " reaches " << lowest << " through " << lower << " only";
+                EXPECT_NE(std::find(below.begin(), below.end(), lowest), below.end())
+                    << room << " reaches " << lowest << " through " << lower << " only";
         }
 }
 
@@ -199,16 +210,20 @@ TEST(Layers, EveryIncludeOfOursExists)
     for (const char* folder : {"app", "ui", "exhibits", "render", "tests"})
         for (const std::string& file : test::sourceFiles(folder, test::cppExtensions))
             for (const Include& include : test::includesOf(file))
-                if (isOurs(include.target) && include.target.find("cpu32.h") == std::string::npos) {  // That one the build makes.
-                    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / include.target)) << file << ':' << include.line << ' ' << include.target;
+                if (isOurs(include.target) &&
+                    include.target.find("cpu32.h") == std::string::npos) {  // That one the build makes.
+                    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / include.target))
+                        << file << ':' << include.line << ' ' << include.target;
                 }
 }
 
 TEST(Layers, NoFileOfTheProgramIsLongerThan500Lines)
 {
     for (const char* folder : {"app", "ui", "exhibits", "render"})
-        for (const std::string& file : test::sourceFiles(folder, test::cppExtensions)) EXPECT_LE(test::lines(test::sourceText(file)).size(), 500U) << file;
-    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions)) EXPECT_LE(test::lines(test::sourceText(file)).size(), 500U) << file;
+        for (const std::string& file : test::sourceFiles(folder, test::cppExtensions))
+            EXPECT_LE(test::lines(test::sourceText(file)).size(), 500U) << file;
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
+        EXPECT_LE(test::lines(test::sourceText(file)).size(), 500U) << file;
 }
 
 }  // namespace

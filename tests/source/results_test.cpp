@@ -34,7 +34,8 @@ const std::map<std::string, Entry>& entries()
         FILE* pipe = ::popen("sh '" VITRINE_SOURCE_DIR "/tests/bench/results.sh' --list", "r");
         std::string text;
         std::array<char, 4096> bytes{};
-        while (const std::size_t got = pipe ? std::fread(bytes.data(), 1, bytes.size(), pipe) : 0) text.append(bytes.data(), got);
+        while (const std::size_t got = pipe ? std::fread(bytes.data(), 1, bytes.size(), pipe) : 0)
+            text.append(bytes.data(), got);
         if (pipe) ::pclose(pipe);
         for (const std::string& line : test::lines(text)) {
             std::istringstream words(line);
@@ -66,8 +67,10 @@ std::string slug(const std::string& renderer)
 {
     std::string name;
     for (const char c : renderer.substr(0, renderer.find_first_of("(,/"))) {
-        if (std::isalnum(static_cast<unsigned char>(c))) name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        else if (!name.empty() && name.back() != '-') name += '-';
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
     }
     if (!name.empty() && name.back() == '-') name.pop_back();
     return name;
@@ -92,13 +95,16 @@ Result parsed(const std::string& text)
         if (line.rfind("# ", 0) == 0) result.title = line.substr(2);
         if (!std::regex_match(line, match, row)) continue;
         const std::string value = match[2];
-        if (match[1] != "beside") result.head[match[1]] = value;
-        else if (std::smatch parts; std::regex_match(value, parts, file)) result.beside[parts[1]] = parts[2];
+        if (match[1] != "beside")
+            result.head[match[1]] = value;
+        else if (std::smatch parts; std::regex_match(value, parts, file))
+            result.beside[parts[1]] = parts[2];
     }
     if (end == std::string::npos) return result;
     result.output = text.substr(end + 5);
     const std::string fence = "```\n";
-    if (result.output.rfind(fence, 0) == 0 && result.output.size() >= 2 * fence.size() && result.output.substr(result.output.size() - fence.size()) == fence)
+    if (result.output.rfind(fence, 0) == 0 && result.output.size() >= 2 * fence.size() &&
+        result.output.substr(result.output.size() - fence.size()) == fence)
         result.output = result.output.substr(fence.size(), result.output.size() - 2 * fence.size());
     return result;
 }
@@ -119,13 +125,17 @@ std::string complaint(const std::string& file, const std::string& text)
         {"output", std::regex(R"(cksum \d+ \d+)")},
     };
     for (const auto& [name, pattern] : form)
-        if (const auto row = result.head.find(name); row == result.head.end() || !std::regex_match(row->second, pattern)) return "its head does not say the " + name;
+        if (const auto row = result.head.find(name);
+            row == result.head.end() || !std::regex_match(row->second, pattern))
+            return "its head does not say the " + name;
     const auto entry = entries().find(result.title);
     if (entry == entries().end()) return "results.sh knows no " + result.title;
     const std::string name = entry->second.drawn ? result.title + '-' + slug(result.head.at("renderer")) : result.title;
     if (file != name + ".md") return "its name should be " + name + ".md";
-    if (result.head.at("command") != '`' + entry->second.command + '`') return "its command is not that of results.sh: " + entry->second.command;
-    if (result.head.at("output") != "cksum " + cksum(result.output)) return "its output is not what the command printed";
+    if (result.head.at("command") != '`' + entry->second.command + '`')
+        return "its command is not that of results.sh: " + entry->second.command;
+    if (result.head.at("output") != "cksum " + cksum(result.output))
+        return "its output is not what the command printed";
     return {};
 }
 
@@ -159,7 +169,8 @@ TEST(Results, AreTheUneditedOutputOfOneCommandEach)
     std::string missing;
     for (const auto& [name, entry] : entries())
         if (!measured.contains(name)) missing += ' ' + name;
-    if (!missing.empty()) GTEST_SKIP() << "not measured since the last change of what they measure: sh tests/bench/results.sh" << missing;
+    if (!missing.empty())
+        GTEST_SKIP() << "not measured since the last change of what they measure: sh tests/bench/results.sh" << missing;
 }
 
 TEST(Results, WouldBeRefusedIfTheyWereEdited)
@@ -167,8 +178,10 @@ TEST(Results, WouldBeRefusedIfTheyWereEdited)
     EXPECT_EQ(cksum("123456789"), "930766865 9");  // As coreutils prints it.
     EXPECT_EQ(slug("NVIDIA H200/PCIe/SSE2, 4.6"), "nvidia-h200");
     const std::string output = "| what | ms |\n";
-    const std::string head = "# hall_costs\n\n| command | `build/release/tests/bench_hall_costs` |\n| commit | " + std::string(40, 'a') +
-                             " |\n| date | 2026-01-01 00:00 UTC |\n| renderer | llvmpipe (LLVM 15), 4.5 |\n| processor | A, 2 threads |\n| load before | 0.10 |\n"
+    const std::string head = "# hall_costs\n\n| command | `build/release/tests/bench_hall_costs` |\n| commit | " +
+                             std::string(40, 'a') +
+                             " |\n| date | 2026-01-01 00:00 UTC |\n| renderer | llvmpipe (LLVM 15), 4.5 |\n| processor "
+                             "| A, 2 threads |\n| load before | 0.10 |\n"
                              "| memcpy | 9.1 GB/s before, 9.0 GB/s after |\n| took | 9 s |\n";
     const std::string good = head + "| output | cksum " + cksum(output) + " |\n\n---\n" + output;
     ASSERT_EQ(complaint("hall_costs-llvmpipe.md", good), "");
@@ -179,7 +192,10 @@ TEST(Results, WouldBeRefusedIfTheyWereEdited)
         without.replace(without.find(line), 2, "");
         EXPECT_NE(complaint("hall_costs-llvmpipe.md", without), "") << line;
     }
-    for (const char* command : {"bench_nothing`", "bench_hall_costs --rounds 1`"}) EXPECT_NE(complaint("hall_costs-llvmpipe.md", std::regex_replace(good, std::regex("bench_hall_costs`"), command)), "") << command;
+    for (const char* command : {"bench_nothing`", "bench_hall_costs --rounds 1`"})
+        EXPECT_NE(
+            complaint("hall_costs-llvmpipe.md", std::regex_replace(good, std::regex("bench_hall_costs`"), command)), "")
+            << command;
 }
 
 TEST(Results, ArePrintedByProgramsThatExist)
@@ -187,9 +203,12 @@ TEST(Results, ArePrintedByProgramsThatExist)
     for (const auto& [name, entry] : entries()) {
         std::smatch bench;
         if (std::regex_search(entry.command, bench, std::regex(R"(tests/bench_(\w+))"))) {
-            EXPECT_TRUE(fs::exists(fs::path(VITRINE_SOURCE_DIR) / "tests/bench" / (bench[1].str() + ".cpp"))) << entry.command;
+            EXPECT_TRUE(fs::exists(fs::path(VITRINE_SOURCE_DIR) / "tests/bench" / (bench[1].str() + ".cpp")))
+                << entry.command;
         } else {
-            EXPECT_TRUE(entry.command.find("build/release/vitrine study ") == 0 || entry.command.find("ctest ") != std::string::npos) << entry.command;
+            EXPECT_TRUE(entry.command.find("build/release/vitrine study ") == 0 ||
+                        entry.command.find("ctest ") != std::string::npos)
+                << entry.command;
         }
     }
 }
@@ -219,7 +238,9 @@ std::vector<Excerpt> excerptsOf(const std::string& text)
             if (!found.back().measured) continue;
             const std::string words = match[2];
             std::vector<std::string> starts;
-            for (auto word = std::sregex_iterator(words.begin(), words.end(), quoted); word != std::sregex_iterator(); ++word) starts.push_back((*word)[1]);
+            for (auto word = std::sregex_iterator(words.begin(), words.end(), quoted); word != std::sregex_iterator();
+                 ++word)
+                starts.push_back((*word)[1]);
             std::string section;
             if (starts.front().front() == '#') {
                 section = starts.front();
@@ -228,7 +249,9 @@ std::vector<Excerpt> excerptsOf(const std::string& text)
             bool within = section.empty();
             for (const std::string& source : test::lines(test::sourceText(match[1]))) {
                 if (!section.empty() && source.rfind('#', 0) == 0) within = source == section;
-                if (within && std::any_of(starts.begin(), starts.end(), [&](const std::string& start) { return source.rfind(start, 0) == 0; })) found.back().wanted += source + '\n';
+                if (within && std::any_of(starts.begin(), starts.end(),
+                                          [&](const std::string& start) { return source.rfind(start, 0) == 0; }))
+                    found.back().wanted += source + '\n';
             }
         } else if (inside) {
             found.back().given += line + '\n';
@@ -252,16 +275,19 @@ TEST(Readme, MeasuredNumbersStandInTheResultsWordForWord)
         for (const Excerpt& excerpt : excerptsOf(test::sourceText(file))) {
             ++excerpts;
             EXPECT_EQ(excerpt.wanted.empty(), !excerpt.measured) << file << ':' << excerpt.line << " finds nothing";
-            EXPECT_EQ(excerpt.given, excerpt.wanted) << file << ':' << excerpt.line << ": run sh tests/bench/results.sh readme";
+            EXPECT_EQ(excerpt.given, excerpt.wanted)
+                << file << ':' << excerpt.line << ": run sh tests/bench/results.sh readme";
         }
     }
     EXPECT_GT(excerpts, 10U);
 }
 
-/// Lines of prose that give a measured number: of a time, of memory, of an error, or how many times something is of another.
+/// Lines of prose that give a measured number: of a time, of memory, of an error, or how many times something is of
+/// another.
 std::vector<std::string> measuredLines(const std::string& text)
 {
-    static const std::regex measured(R"(\d ?(ms|µs|MB|GB|MPixel/s)\b|\b\d+\.\d+ times\b|\b(errs? by|off by|RMSE of|error of|costs|takes?|took) (about )?\d+(\.\d+)?(?![.\d]| (samples|steps|minutes|hours?|places?|texels)))");
+    static const std::regex measured(
+        R"(\d ?(ms|µs|MB|GB|MPixel/s)\b|\b\d+\.\d+ times\b|\b(errs? by|off by|RMSE of|error of|costs|takes?|took) (about )?\d+(\.\d+)?(?![.\d]| (samples|steps|minutes|hours?|places?|texels)))");
     std::vector<std::string> found;
     bool inside = false;
     for (const std::string& line : test::lines(text)) {
@@ -275,12 +301,17 @@ std::vector<std::string> measuredLines(const std::string& text)
 TEST(Readme, HasNoMeasuredNumberThatStandsInNoResult)
 {
     for (const std::string& file : readmes())
-        for (const std::string& line : measuredLines(test::sourceText(file))) ADD_FAILURE() << file << ": " << line << "\nPrint it with a bench, and take it over between <!-- from --> and <!-- end -->.";
+        for (const std::string& line : measuredLines(test::sourceText(file)))
+            ADD_FAILURE() << file << ": " << line
+                          << "\nPrint it with a bench, and take it over between <!-- from --> and <!-- end -->.";
     EXPECT_EQ(measuredLines("the beams took 47 ms to march").size(), 1U);
     EXPECT_EQ(measuredLines("halving the error costs 2.03 times the steps").size(), 1U);
     EXPECT_EQ(measuredLines("fins errs by 0.142").size(), 1U);
     EXPECT_EQ(measuredLines("<!-- from a \"b\" -->\nit took 47 ms\n<!-- end -->").size(), 0U);
-    EXPECT_EQ(measuredLines("640 x 360, 16 views, a sun of 2.9 degrees; one takes 16 samples, the whole takes 10 minutes").size(), 0U);
+    EXPECT_EQ(
+        measuredLines("640 x 360, 16 views, a sun of 2.9 degrees; one takes 16 samples, the whole takes 10 minutes")
+            .size(),
+        0U);
 }
 
 }  // namespace

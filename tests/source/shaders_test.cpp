@@ -23,9 +23,11 @@ std::vector<std::string> readBeforeWritten(const std::string& source)
         const std::string parameters = (*f)[2];
         auto end = static_cast<std::size_t>(f->position() + f->length());
         const std::size_t begin = end;
-        for (int depth = 1; end < text.size() && depth > 0; ++end) depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
+        for (int depth = 1; end < text.size() && depth > 0; ++end)
+            depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
         const std::string body = text.substr(begin, end - begin);
-        for (auto p = std::sregex_iterator(parameters.begin(), parameters.end(), parameter); p != std::sregex_iterator(); ++p) {
+        for (auto p = std::sregex_iterator(parameters.begin(), parameters.end(), parameter);
+             p != std::sregex_iterator(); ++p) {
             const std::string name = (*p)[1];
             std::smatch first;
             if (!std::regex_search(body, first, std::regex("\\b" + name + "\\b"))) {
@@ -43,7 +45,8 @@ std::vector<std::string> readBeforeWritten(const std::string& source)
 TEST(Shaders, ReadNoOutParameterBeforeItIsWritten)
 {
     for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
-        for (const std::string& fault : readBeforeWritten(test::sourceText(file))) ADD_FAILURE() << file << ": " << fault;
+        for (const std::string& fault : readBeforeWritten(test::sourceText(file)))
+            ADD_FAILURE() << file << ": " << fault;
 
     EXPECT_EQ(readBeforeWritten("void f(float a, out vec3 n) { n.x += a; n = vec3(0.0); }").size(), 1U);
     EXPECT_EQ(readBeforeWritten("float f(out float d)\n{\n  return min(d, 1.0);\n}").size(), 1U);
@@ -55,7 +58,8 @@ TEST(Shaders, HashWithIntegersAndNeverWithSines)
 {
     // fract(sin(x) * 43758) differs between drivers, for sin is not specified, and repeats far from 0.
     static const std::regex sine(R"(fract\s*\(\s*(?:[^;]*\b)?sin\s*\(|43758|12\.9898)");
-    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions)) EXPECT_FALSE(std::regex_search(test::withoutComments(test::sourceText(file)), sine)) << file;
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
+        EXPECT_FALSE(std::regex_search(test::withoutComments(test::sourceText(file)), sine)) << file;
     EXPECT_TRUE(std::regex_search(std::string("return fract(sin(dot(p, k)) * 1e4);"), sine));
 }
 
@@ -63,13 +67,15 @@ TEST(Shaders, IncludeOnlyFilesThatExist)
 {
     for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
         for (const test::Include& include : test::includesOf(file))
-            EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders" / include.target)) << file << ':' << include.line << ' ' << include.target;
+            EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders" / include.target))
+                << file << ':' << include.line << ' ' << include.target;
 }
 
 TEST(Shaders, OfTheLibraryKnowNoExhibit)
 {
     for (const std::string& file : test::sourceFiles("shaders/lib", test::glslExtensions))
-        for (const test::Include& include : test::includesOf(file)) EXPECT_EQ(include.target.rfind("lib/", 0), 0U) << file << ':' << include.line << ' ' << include.target;
+        for (const test::Include& include : test::includesOf(file))
+            EXPECT_EQ(include.target.rfind("lib/", 0), 0U) << file << ':' << include.line << ' ' << include.target;
 }
 
 TEST(Shaders, NamedInPlansExist)
@@ -80,14 +86,18 @@ TEST(Shaders, NamedInPlansExist)
     for (const char* folder : {"exhibits", "render"}) {
         for (const std::string& file : test::sourceFiles(folder, test::cppExtensions)) {
             const std::string text = test::withoutComments(test::sourceText(file));
-            for (auto match = std::sregex_iterator(text.begin(), text.end(), name); match != std::sregex_iterator(); ++match) {
+            for (auto match = std::sregex_iterator(text.begin(), text.end(), name); match != std::sregex_iterator();
+                 ++match) {
                 ++found[(*match)[1].str().substr(0, (*match)[1].str().find('/'))];
-                EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders" / (*match)[1].str())) << file << ": " << (*match)[1];
+                EXPECT_TRUE(
+                    std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders" / (*match)[1].str()))
+                    << file << ": " << (*match)[1];
             }
         }
     }
     for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders"))
-        EXPECT_GT(found[entry.path().filename().string()], 0) << "no plan was seen to name a shader of " << entry.path().filename();
+        EXPECT_GT(found[entry.path().filename().string()], 0)
+            << "no plan was seen to name a shader of " << entry.path().filename();
 }
 
 TEST(Shaders, EveryStageIsNamedByAPlanOrATest)
@@ -95,7 +105,8 @@ TEST(Shaders, EveryStageIsNamedByAPlanOrATest)
     std::string text;
     for (const char* folder : {"exhibits", "render", "tests", "app"})
         for (const std::string& file : test::sourceFiles(folder, test::cppExtensions)) text += test::sourceText(file);
-    for (const std::string& file : test::sourceFiles("shaders", {".vert", ".frag", ".comp"})) EXPECT_NE(text.find('"' + file.substr(8) + '"'), std::string::npos) << file << " is drawn by nothing";
+    for (const std::string& file : test::sourceFiles("shaders", {".vert", ".frag", ".comp"}))
+        EXPECT_NE(text.find('"' + file.substr(8) + '"'), std::string::npos) << file << " is drawn by nothing";
 }
 
 TEST(Shaders, ShareTheirBlocksWithTheCodeByNumber)

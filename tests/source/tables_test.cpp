@@ -39,14 +39,16 @@ std::vector<DeclaredRow> declaredRows(const std::string& text)
 {
     static const std::regex row(R"re((\w+)\s*=\s*(?:real|count|toggle|choice|color|direction|file)\("(\w+)")re");
     std::vector<DeclaredRow> rows;
-    for (auto match = std::sregex_iterator(text.begin(), text.end(), row); match != std::sregex_iterator(); ++match) rows.push_back({(*match)[1], (*match)[2]});
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), row); match != std::sregex_iterator(); ++match)
+        rows.push_back({(*match)[1], (*match)[2]});
     return rows;
 }
 
 TEST(Tables, EveryRowIsNamedAfterItsMember)
 {
     for (const auto& [exhibit, table] : tables()) {
-        const std::vector<DeclaredRow> rows = declaredRows(test::withoutComments(test::sourceText("exhibits/" + exhibit + '/' + exhibit + "_table.h")));
+        const std::vector<DeclaredRow> rows =
+            declaredRows(test::withoutComments(test::sourceText("exhibits/" + exhibit + '/' + exhibit + "_table.h")));
         std::set<std::string> declared, made;
         for (const DeclaredRow& row : rows) {
             EXPECT_EQ(row.member, row.name) << exhibit;
@@ -74,15 +76,21 @@ TEST(Tables, EveryExhibitSaysWhatItsAccuracyIs)
 {
     for (const auto& [exhibit, table] : tables()) {
         const auto rows = table->rows();
-        EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); }))
+        EXPECT_TRUE(std::any_of(rows.begin(), rows.end(),
+                                [](const ParameterInfo& row) { return row.qualityReference.has_value(); }))
             << exhibit << " has no row marked quality(reference): nothing of it can be studied";
         for (const ParameterInfo& row : rows) {
             if (!row.qualityReference) continue;
-            EXPECT_TRUE(row.kind == Kind::real || row.kind == Kind::count || row.kind == Kind::choice || row.kind == Kind::toggle) << exhibit << '.' << row.name;
-            EXPECT_EQ(nearestLegal(row, *row.qualityReference), Value(*row.qualityReference)) << exhibit << '.' << row.name << ": its reference is not legal";
+            EXPECT_TRUE(row.kind == Kind::real || row.kind == Kind::count || row.kind == Kind::choice ||
+                        row.kind == Kind::toggle)
+                << exhibit << '.' << row.name;
+            EXPECT_EQ(nearestLegal(row, *row.qualityReference), Value(*row.qualityReference))
+                << exhibit << '.' << row.name << ": its reference is not legal";
             EXPECT_GE(derive::sweep(row, 3).size(), 2U) << exhibit << '.' << row.name << ": nothing to vary";
             const bool isChecked = row.exactByMeaning || !exactness(row).neighbors.empty();
-            EXPECT_TRUE(isChecked || !row.isNumeric()) << exhibit << '.' << row.name << ": no study can check its reference: let its scale be logarithmic, or say exactAt";
+            EXPECT_TRUE(isChecked || !row.isNumeric())
+                << exhibit << '.' << row.name
+                << ": no study can check its reference: let its scale be logarithmic, or say exactAt";
         }
     }
 }
@@ -94,7 +102,8 @@ TEST(Tables, HelpIsOneOrTwoSentences)
             const std::string help(row.help);
             ASSERT_GE(help.size(), 10U) << exhibit << '.' << row.name;
             EXPECT_TRUE(help.back() == '.') << exhibit << '.' << row.name << ": " << help;
-            EXPECT_FALSE(std::islower(static_cast<unsigned char>(help.front()))) << exhibit << '.' << row.name << ": " << help;
+            EXPECT_FALSE(std::islower(static_cast<unsigned char>(help.front())))
+                << exhibit << '.' << row.name << ": " << help;
         }
     }
 }
@@ -144,11 +153,13 @@ std::string readersOf(const std::string& exhibit)
 
 bool isRead(const std::string& text, const ParameterInfo& row)
 {
-    // Either C++ takes it from the table, or from the rows of one group of an array, or a shader from its block; what is no
-    // part of the picture shown is found by a name that a constant holds: `supersamplesRow`.
+    // Either C++ takes it from the table, or from the rows of one group of an array, or a shader from its block; what
+    // is no part of the picture shown is found by a name that a constant holds: `supersamplesRow`.
     const std::string name(row.array.empty() ? row.name : row.elementRow);
-    const std::string from = row.array.empty() ? "\\b(parameters|table|table_|t|parameters\\(\\))" : "(\\b" + std::string(row.array) + "\\[[^;]*\\]|\\brows)";
-    return std::regex_search(text, std::regex(from + "\\." + name + "\\b")) || text.find("find(" + name + "Row)") != std::string::npos;
+    const std::string from = row.array.empty() ? "\\b(parameters|table|table_|t|parameters\\(\\))"
+                                               : "(\\b" + std::string(row.array) + "\\[[^;]*\\]|\\brows)";
+    return std::regex_search(text, std::regex(from + "\\." + name + "\\b")) ||
+           text.find("find(" + name + "Row)") != std::string::npos;
 }
 
 bool isRead(const std::string& text, std::string_view row)
@@ -176,11 +187,13 @@ TEST(Tables, ShadersUseOnlyFieldsThatTheirTableHas)
     for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions)) {
         const std::string exhibit = file.substr(8, file.find('/', 8) - 8);
         const std::string text = test::withoutComments(test::sourceText(file));
-        for (auto match = std::sregex_iterator(text.begin(), text.end(), field); match != std::sregex_iterator(); ++match) {
+        for (auto match = std::sregex_iterator(text.begin(), text.end(), field); match != std::sregex_iterator();
+             ++match) {
             ASSERT_TRUE(tables().contains(exhibit)) << file << " uses " << match->str() << " but belongs to no exhibit";
             const std::string name = (*match)[1];
             ++found;
-            EXPECT_NE(derive::uniformBlock(*tables().at(exhibit)).find(' ' + name + ';'), std::string::npos) << file << ": " << name;
+            EXPECT_NE(derive::uniformBlock(*tables().at(exhibit)).find(' ' + name + ';'), std::string::npos)
+                << file << ": " << name;
         }
     }
     EXPECT_GT(found, 10);
@@ -191,7 +204,8 @@ TEST(Tables, RowsBearNamesThatAreKeysFlagsAndFields)
 {
     for (const auto& [exhibit, table] : tables())
         for (const ParameterInfo& row : table->rows()) EXPECT_TRUE(isRowName(row.name)) << exhibit << '.' << row.name;
-    for (const char* bad : {"", "1st", "two words", "under_score", "quote\"", "a=b", "caf\u00e9"}) EXPECT_FALSE(isRowName(bad)) << bad;
+    for (const char* bad : {"", "1st", "two words", "under_score", "quote\"", "a=b", "caf\u00e9"})
+        EXPECT_FALSE(isRowName(bad)) << bad;
 }
 
 TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)
@@ -214,7 +228,8 @@ TEST(Tables, TheManualShowsTheTableAsItIs)
         const std::string file = "exhibits/" + exhibit + "/README.md";
         if (!std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / file)) continue;
         EXPECT_NE(test::sourceText(file).find(derive::manualTable(*table)), std::string::npos)
-            << file << ": its parameter table is not the one derived from the rows; it should read\n" << derive::manualTable(*table);
+            << file << ": its parameter table is not the one derived from the rows; it should read\n"
+            << derive::manualTable(*table);
     }
 }
 

@@ -1,5 +1,5 @@
-// Light that dust in the air scatters: the very source that the GPU runs, at float64 and at float32, against the equation of
-// radiative transport and the hard cases of fog.
+// Light that dust in the air scatters: the very source that the GPU runs, at float64 and at float32, against the
+// equation of radiative transport and the hard cases of fog.
 
 #include "render/glsl/cpu.h"
 #include "render/glsl/cpu32.h"
@@ -49,10 +49,14 @@ TEST(AirOpticalDepth, IsTheIntegralOfTheDensity)
             for (const double way : {0.0, 1e-3, 3.0, 20.0}) {
                 double sum = 0;
                 const int n = 4000;
-                for (int i = 0; i < n; ++i) sum += 0.05 * std::exp(-thinning * (1.5 + slope * way * (i + 0.5) / n)) * way / n;
+                for (int i = 0; i < n; ++i)
+                    sum += 0.05 * std::exp(-thinning * (1.5 + slope * way * (i + 0.5) / n)) * way / n;
                 sum = std::min(sum, 1e4);  // Beyond this nothing comes through, and exp could overflow.
-                EXPECT_NEAR(r64::airOpticalDepth(1.5, slope, way, 0.05, thinning), sum, 1e-5 * (1 + sum)) << slope << ' ' << thinning << ' ' << way;
-                EXPECT_NEAR(r32::airOpticalDepth(1.5F, static_cast<float>(slope), static_cast<float>(way), 0.05F, static_cast<float>(thinning)), sum, 2e-5 * (1 + sum));
+                EXPECT_NEAR(r64::airOpticalDepth(1.5, slope, way, 0.05, thinning), sum, 1e-5 * (1 + sum))
+                    << slope << ' ' << thinning << ' ' << way;
+                EXPECT_NEAR(r32::airOpticalDepth(1.5F, static_cast<float>(slope), static_cast<float>(way), 0.05F,
+                                                 static_cast<float>(thinning)),
+                            sum, 2e-5 * (1 + sum));
             }
         }
     }
@@ -68,9 +72,13 @@ TEST(AirOpticalDepth, H67_LetsThroughBetweenNothingAndAllForEveryInput)
             for (const double way : {-1.0, 0.0, 1e-9, 10.0, 1e9, std::numeric_limits<double>::infinity()})
                 for (const double slope : {-1.0, 0.0, 1.0}) {
                     const double through = std::exp(-r64::airOpticalDepth(-3, slope, way, density, thinning));
-                    EXPECT_TRUE(through >= 0 && through <= 1) << density << ' ' << thinning << ' ' << way << ' ' << slope;
-                    const float through32 = std::exp(-r32::airOpticalDepth(-3, static_cast<float>(slope), static_cast<float>(way), static_cast<float>(density), static_cast<float>(thinning)));
-                    EXPECT_TRUE(through32 >= 0 && through32 <= 1) << density << ' ' << thinning << ' ' << way << ' ' << slope;
+                    EXPECT_TRUE(through >= 0 && through <= 1)
+                        << density << ' ' << thinning << ' ' << way << ' ' << slope;
+                    const float through32 =
+                        std::exp(-r32::airOpticalDepth(-3, static_cast<float>(slope), static_cast<float>(way),
+                                                       static_cast<float>(density), static_cast<float>(thinning)));
+                    EXPECT_TRUE(through32 >= 0 && through32 <= 1)
+                        << density << ' ' << thinning << ' ' << way << ' ' << slope;
                 }
 }
 
@@ -80,13 +88,17 @@ struct Air {
 
     [[nodiscard]] double extinction(double t) const { return density * std::exp(-thinning * (from + slope * t)); }
     /// The library's share of light that comes through the first `t` metres.
-    [[nodiscard]] double through(double t) const { return std::exp(-r64::airOpticalDepth(from, slope, t, density, thinning)); }
+    [[nodiscard]] double through(double t) const
+    {
+        return std::exp(-r64::airOpticalDepth(from, slope, t, density, thinning));
+    }
 };
 
-const Air airs[] = {{0.012, 0.08, 1.5, 0.3, 20}, {0.2, 0.1, 2, -0.2, 12}, {0.09, 0, 0, 1, 9}, {1, 0.3, 1, 0.4, 9}, {3, 2, 0.2, -0.01, 40}, {1e-6, 0.08, 1, 0, 10}};
+const Air airs[] = {{0.012, 0.08, 1.5, 0.3, 20}, {0.2, 0.1, 2, -0.2, 12}, {0.09, 0, 0, 1, 9},
+                    {1, 0.3, 1, 0.4, 9},         {3, 2, 0.2, -0.01, 40},  {1e-6, 0.08, 1, 0, 10}};
 
-/// What comes out of the air at `first` of a light of `behind` that enters it at `last`, metres from the eye, while light
-/// of 1 falls on it from all sides and a share `albedo` of what it takes is scattered: by Runge and Kutta.
+/// What comes out of the air at `first` of a light of `behind` that enters it at `last`, metres from the eye, while
+/// light of 1 falls on it from all sides and a share `albedo` of what it takes is scattered: by Runge and Kutta.
 double transported(const Air& air, double first, double last, double behind, double albedo)
 {
     constexpr int steps = 20000;
@@ -142,7 +154,8 @@ TEST(AirScattering, AWhiteFurnaceStaysWhite)
     for (const double anisotropy : {-0.9, 0.0, 0.42, 0.95}) {
         constexpr int cosines = 200000;
         double fromAll = 0;
-        for (int i = 0; i < cosines; ++i) fromAll += r64::airPhase(2 * (i + 0.5) / cosines - 1, anisotropy) * 2 * std::numbers::pi * 2 / cosines;
+        for (int i = 0; i < cosines; ++i)
+            fromAll += r64::airPhase(2 * (i + 0.5) / cosines - 1, anisotropy) * 2 * std::numbers::pi * 2 / cosines;
         for (const Air& air : airs) {
             constexpr int steps = 5;
             double scattered = 0;
@@ -157,7 +170,9 @@ TEST(AirScattering, AWhiteFurnaceStaysWhite)
         }
     }
     // Dust that swallows half of it is no furnace.
-    for (const Air& air : airs) EXPECT_NEAR(transported(air, 0, air.way, 1, 0.5), air.through(air.way) + 0.5 * r64::airScattered(1, air.through(air.way)), 1e-9);
+    for (const Air& air : airs)
+        EXPECT_NEAR(transported(air, 0, air.way, 1, 0.5),
+                    air.through(air.way) + 0.5 * r64::airScattered(1, air.through(air.way)), 1e-9);
 }
 
 TEST(AirScattering, H66_NoDustScattersNothingAndTheLeastOfItInProportion)
@@ -176,7 +191,8 @@ TEST(AirScattering, H66_NoDustScattersNothingAndTheLeastOfItInProportion)
         for (const double thinning : {0.0, sigma}) {
             const double depth = r64::airOpticalDepth(2, 0.5, 10, sigma, thinning);
             EXPECT_NEAR(depth, 10 * sigma, 1e-4 * sigma);
-            EXPECT_NEAR(r32::airOpticalDepth(2, 0.5F, 10, static_cast<float>(sigma), static_cast<float>(thinning)), 10 * sigma, 1e-4 * sigma);
+            EXPECT_NEAR(r32::airOpticalDepth(2, 0.5F, 10, static_cast<float>(sigma), static_cast<float>(thinning)),
+                        10 * sigma, 1e-4 * sigma);
             EXPECT_NEAR(r64::airScattered(1, std::exp(-depth)), 10 * sigma, 1e-4 * sigma + 1e-15);
         }
     }
@@ -201,7 +217,8 @@ TEST(AirBeam, HoldsExactlyThePointsThatTheLightReachesThroughTheOpening)
             const double t = number(-20, 20);
             const dvec3 p = eye + direction * t;
             const dvec3 onWindow = p - along * (p.z + 12);
-            const bool lit = onWindow.x > low.x && onWindow.x < high.x && onWindow.y > low.y && onWindow.y < high.y && p.x > -6 && p.x < 6 && p.y > 0 && p.y < 9 && p.z > -12 && p.z < 12;
+            const bool lit = onWindow.x > low.x && onWindow.x < high.x && onWindow.y > low.y && onWindow.y < high.y &&
+                             p.x > -6 && p.x < 6 && p.y > 0 && p.y < 9 && p.z > -12 && p.z < 12;
             inside += lit;
             EXPECT_EQ(t > stretch.x && t < stretch.y, lit) << i << ' ' << t;
         }
@@ -211,7 +228,8 @@ TEST(AirBeam, HoldsExactlyThePointsThatTheLightReachesThroughTheOpening)
 
 /// What a ray scatters of a lit box of air, up to what it hits at `end`: as crepuscular_rays/march.frag does it.
 template <typename Scalar, typename Vec3, typename Box, typename Depth, typename Scattered>
-Scalar marched(const Vec3& eye, const Vec3& direction, Scalar end, const Box& box, const Depth& opticalDepth, const Scattered& scattered)
+Scalar marched(const Vec3& eye, const Vec3& direction, Scalar end, const Box& box, const Depth& opticalDepth,
+               const Scattered& scattered)
 {
     const auto inside = box(eye, direction, Vec3(-1), Vec3(1));
     const Scalar first = std::max(inside.x, Scalar(0));
@@ -220,7 +238,8 @@ Scalar marched(const Vec3& eye, const Vec3& direction, Scalar end, const Box& bo
     Scalar sum = 0;
     Scalar through = 1;
     for (int i = 1; i <= 4; ++i) {
-        const Scalar throughEnd = std::exp(-opticalDepth(eye.y + direction.y * first, direction.y, way * static_cast<Scalar>(i) / 4, Scalar(0.3), Scalar(0.1)));
+        const Scalar throughEnd = std::exp(-opticalDepth(eye.y + direction.y * first, direction.y,
+                                                         way * static_cast<Scalar>(i) / 4, Scalar(0.3), Scalar(0.1)));
         sum += scattered(through, throughEnd);
         through = throughEnd;
     }
@@ -233,7 +252,9 @@ TEST(AirBox, H69_RaysOfNoLengthWithoutEndAndAlongFacesAreDefined)
     const auto naive = [](float origin, float direction, float low) { return (low - origin) / direction; };
     EXPECT_TRUE(std::isnan(naive(-1, 0, -1)));
     const double infinity = std::numeric_limits<double>::infinity();
-    const auto naiveDepth = [](double density, double thinning, double way) { return density * (1 - std::exp(-thinning * way)) / thinning; };
+    const auto naiveDepth = [](double density, double thinning, double way) {
+        return density * (1 - std::exp(-thinning * way)) / thinning;
+    };
     EXPECT_TRUE(std::isnan(naiveDepth(0.3, 0, infinity)));
 
     EXPECT_EQ(r64::airBox({0, 0, -5}, {0, 0, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6));
@@ -241,13 +262,17 @@ TEST(AirBox, H69_RaysOfNoLengthWithoutEndAndAlongFacesAreDefined)
     EXPECT_LT(beside.y, beside.x);
     for (const double face : {-1.0, 1.0})
         for (const double zero : {0.0, -0.0, 1e-13, -1e-13}) {
-            EXPECT_EQ(r64::airBox({face, 0, -5}, {zero, 0, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6)) << face << ' ' << zero;  // In the face.
-            EXPECT_EQ(r64::airBox({face, face, -5}, {zero, zero, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6)) << face << ' ' << zero;  // Along the edge.
+            EXPECT_EQ(r64::airBox({face, 0, -5}, {zero, 0, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6))
+                << face << ' ' << zero;  // In the face.
+            EXPECT_EQ(r64::airBox({face, face, -5}, {zero, zero, 1}, dvec3(-1), dvec3(1)), dvec2(4, 6))
+                << face << ' ' << zero;  // Along the edge.
         }
 
     const auto ours = [](const dvec3& eye, const dvec3& direction, double end) {
         const double wide = marched<double>(eye, direction, end, r64::airBox, r64::airOpticalDepth, r64::airScattered);
-        const auto narrow = static_cast<double>(marched<float>(glm::vec3(eye), glm::vec3(direction), static_cast<float>(end), r32::airBox, r32::airOpticalDepth, r32::airScattered));
+        const auto narrow =
+            static_cast<double>(marched<float>(glm::vec3(eye), glm::vec3(direction), static_cast<float>(end),
+                                               r32::airBox, r32::airOpticalDepth, r32::airScattered));
         EXPECT_NEAR(narrow, wide, 1e-5);
         return wide;
     };

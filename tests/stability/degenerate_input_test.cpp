@@ -221,8 +221,7 @@ TEST(DegenerateInput, H27_UnevenlyScaledFieldsNeverOvershoot)
         for (int i = 0; i < 20000; ++i) {
             const dvec3 p = random.point(2);
             const double d = field(p);
-            if (d > 0)
-                count += field(p + random.direction() * d) < -1e-12;
+            if (d > 0) count += field(p + random.direction() * d) < -1e-12;
         }
         return count;
     };

@@ -24,8 +24,7 @@ public:
         for (;;) {
             const glm::dvec3 p = point(1);
             const double squared = glm::dot(p, p);
-            if (squared > 1e-4 && squared < 1)
-                return p / std::sqrt(squared);
+            if (squared > 1e-4 && squared < 1) return p / std::sqrt(squared);
         }
     }
 

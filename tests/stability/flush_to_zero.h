@@ -21,8 +21,14 @@ namespace vitrine::test {
 class FlushToZero {
 public:
 #if defined(__SSE2__)
-    FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040U); }  // FTZ is bit 15, DAZ bit 6.
-    ~FlushToZero() { _mm_setcsr(before_); }
+    FlushToZero() : before_(_mm_getcsr())
+    {
+        _mm_setcsr(before_ | 0x8040U);
+    }  // FTZ is bit 15, DAZ bit 6.
+    ~FlushToZero()
+    {
+        _mm_setcsr(before_);
+    }
 #else
     FlushToZero() = default;
     ~FlushToZero() = default;

@@ -18,8 +18,7 @@ namespace fs = std::filesystem;
 /// The file with its includes put in, each once, as the engine's loader does.
 std::string flattened(const std::string& name, std::set<std::string>& done)
 {
-    if (!done.insert(name).second)
-        return {};
+    if (!done.insert(name).second) return {};
     std::ifstream file(fs::path(VITRINE_SOURCE_DIR) / "shaders" / name);
     EXPECT_TRUE(file) << name;
     std::string text;
@@ -67,8 +66,7 @@ void main()
 TEST(Library, CompilesAsGlslThatTheReferenceCompilerAccepts)
 {
     const std::string compiler = VITRINE_GLSLANG;
-    if (compiler.empty())
-        GTEST_SKIP() << "glslangValidator was not found when the build was configured";
+    if (compiler.empty()) GTEST_SKIP() << "glslangValidator was not found when the build was configured";
     const fs::path folder = fs::temp_directory_path() / ("vitrine_glsl_test_" + std::to_string(std::rand()));
     fs::create_directories(folder);
     const fs::path file = folder / "library.frag";
@@ -109,8 +107,7 @@ TEST(Library, KeepsToTheSubsetThatIsBothLanguages)
             const std::string code = line.substr(0, line.find("//"));
             for (const char* const banned : {" inout ", "(inout ", " out ", "(out ", "(in ", ", in ", ".xy", ".xz",
                                              ".yz", ".zx", ".rgb", ".xyz", "__FILE__"})
-                EXPECT_EQ(code.find(banned), std::string::npos)
-                    << path.filename() << ':' << number << ": " << banned;
+                EXPECT_EQ(code.find(banned), std::string::npos) << path.filename() << ':' << number << ": " << banned;
             EXPECT_LE(line.size(), 120U) << path.filename() << ':' << number;
         }
     }

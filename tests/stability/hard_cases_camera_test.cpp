@@ -102,7 +102,8 @@ TEST(HardCases, H30_AMillionTurnsLeaveTheViewOrthonormal)
     const auto skew = [](const auto& r) {
         double worst = 0;
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) worst = std::max(worst, std::abs(static_cast<double>(glm::dot(r[i], r[j])) - (i == j ? 1 : 0)));
+            for (int j = 0; j < 3; ++j)
+                worst = std::max(worst, std::abs(static_cast<double>(glm::dot(r[i], r[j])) - (i == j ? 1 : 0)));
         return worst;
     };
     // The rotation multiplied up frame by frame.

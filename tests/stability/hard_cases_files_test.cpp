@@ -30,13 +30,16 @@ const SdfMorphTable table;
 
 Preset read(const std::string& values)
 {
-    return parsePreset("{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"sdf_morph\", \"name\": \"x\",\n\"values\": {" + values + "}}", "x.json", "sdf_morph", table);
+    return parsePreset(
+        "{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"sdf_morph\", \"name\": \"x\",\n\"values\": {" +
+            values + "}}",
+        "x.json", "sdf_morph", table);
 }
 
 TEST(HardCases, H17_ANegativeSizeInAPresetIsBroughtIntoRangeAndSaid)
 {
     // Inside out: the far corner of the world is "inside" a box of negative size.
-    EXPECT_GT(f32::sdfTorus(vec3(0.35F, 0, 0), 0.35F, -0.12F), 0);  // No surface is left ...
+    EXPECT_GT(f32::sdfTorus(vec3(0.35F, 0, 0), 0.35F, -0.12F), 0);                     // No surface is left ...
     EXPECT_LT(f32::sdfBox(vec3(9, 0, 0), vec3(10, -1, -1)) + f32::sdfOnion(2, 5), 9);  // ... and bounds lie.
     int sizes = 0;
     for (const ParameterInfo& row : table.rows()) {
@@ -71,14 +74,19 @@ TEST(HardCases, H61_NumbersThatAreNoneAreRefusedForEveryRowOfEveryExhibit)
             SCOPED_TRACE(std::string(exhibit->name()) + '.' + std::string(row.name));
             const bool one = row.kind == Kind::real || row.kind == Kind::count;
             const auto with = [&](const std::string& value) {
-                return parsePreset("{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"" + std::string(exhibit->name()) + "\", \"values\": {\n\"" + std::string(row.name) + "\": " + value + "}}",
+                return parsePreset("{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"" +
+                                       std::string(exhibit->name()) + "\", \"values\": {\n\"" + std::string(row.name) +
+                                       "\": " + value + "}}",
                                    "x.json", exhibit->name(), of);
             };
-            for (const char* bad : {"NaN", "Infinity", "-Infinity", "1e400", "null", "\"1\""}) EXPECT_FAILURE(with(one ? bad : "[0, " + std::string(bad) + ", 1]"), "x.json, line 2");
+            for (const char* bad : {"NaN", "Infinity", "-Infinity", "1e400", "null", "\"1\""})
+                EXPECT_FAILURE(with(one ? bad : "[0, " + std::string(bad) + ", 1]"), "x.json, line 2");
             for (const double hostile : {std::nan(""), infinity, -infinity, -1e308}) {
                 ParameterValues values = of.initial();
-                if (one) values.setRow(i, hostile);
-                else values.setRow(i, glm::dvec3(0, hostile, 1));
+                if (one)
+                    values.setRow(i, hostile);
+                else
+                    values.setRow(i, glm::dvec3(0, hostile, 1));
                 EXPECT_EQ(nearestLegal(row, values.row(i)), values.row(i));
             }
         }
@@ -114,7 +122,8 @@ TEST(HardCases, H28_AScaleOfZeroLeavesNormalsThatAreNumbers)
     const auto finite = [](const glm::dmat3& m) {
         return std::isfinite(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
     };
-    for (const glm::dvec3 scale : {glm::dvec3(0), glm::dvec3(1, 0, 1), glm::dvec3(0, 0, 3), glm::dvec3(1, 1e-40, 1), glm::dvec3(1e-30), glm::dvec3(1e30)}) {
+    for (const glm::dvec3 scale : {glm::dvec3(0), glm::dvec3(1, 0, 1), glm::dvec3(0, 0, 3), glm::dvec3(1, 1e-40, 1),
+                                   glm::dvec3(1e-30), glm::dvec3(1e30)}) {
         glm::dmat3 m(0);
         for (int i = 0; i < 3; ++i) m[i][i] = scale[i];
         const glm::mat3 naive(glm::inverseTranspose(m));
@@ -125,17 +134,20 @@ TEST(HardCases, H28_AScaleOfZeroLeavesNormalsThatAreNumbers)
         EXPECT_NEAR(std::max({glm::length(ours[0]), glm::length(ours[1]), glm::length(ours[2])}), 1, 1e-6);
     }
     // What is flat along y faces along y; what is not flat has the inverse transpose's directions.
-    EXPECT_EQ(glm::normalize(normalMatrix(glm::dmat3(1, 0, 0, 0, 0, 0, 0, 0, 1)) * glm::dvec3(0.6, 0.8, 0)), glm::dvec3(0, 1, 0));
+    EXPECT_EQ(glm::normalize(normalMatrix(glm::dmat3(1, 0, 0, 0, 0, 0, 0, 0, 1)) * glm::dvec3(0.6, 0.8, 0)),
+              glm::dvec3(0, 1, 0));
     test::Random random(4);
     for (int i = 0; i < 1000; ++i) {
         const glm::dmat3 m(random.point(2), random.point(2), random.point(2));
         const glm::dvec3 n = random.direction();
-        EXPECT_GT(glm::dot(glm::normalize(normalMatrix(m) * n), glm::normalize(glm::inverseTranspose(m) * n)), 1 - 1e-9);
+        EXPECT_GT(glm::dot(glm::normalize(normalMatrix(m) * n), glm::normalize(glm::inverseTranspose(m) * n)),
+                  1 - 1e-9);
     }
     // A number that is none does not come that far.
     EXPECT_FAILURE(read("\"boxSize\": NaN"), "x.json, line 2");
     test::GltfBuilder builder;
-    builder.node({{"name", "huge"}, {"mesh", builder.triangle()}, {"scale", render::Json::parse("[1e300, 1e300, 1e300]")}});
+    builder.node(
+        {{"name", "huge"}, {"mesh", builder.triangle()}, {"scale", render::Json::parse("[1e300, 1e300, 1e300]")}});
     builder.node({{"name", "inside"}, {"mesh", 0}, {"scale", render::Json::parse("[1e300, 1e300, 1e300]")}});
     builder.json["nodes"][0]["children"] = {1};
     builder.json["scenes"][0]["nodes"] = {0};
@@ -151,7 +163,8 @@ TEST(HardCases, H36_AChainOfTenThousandIsRefusedWithoutAStack)
         return text.append(static_cast<std::size_t>(depth), '}');
     };
     // What a reader that calls itself once per level needs of the stack: some hundred bytes each time.
-    const std::function<int(const std::string&, std::size_t)> naive = [&naive](const std::string& text, std::size_t at) -> int {
+    const std::function<int(const std::string&, std::size_t)> naive = [&naive](const std::string& text,
+                                                                               std::size_t at) -> int {
         return at < text.size() && text[at] == '{' ? 1 + naive(text, at + 8) : 0;
     };
     EXPECT_EQ(naive(nested(10'000), 0), 10'000);
@@ -159,7 +172,8 @@ TEST(HardCases, H36_AChainOfTenThousandIsRefusedWithoutAStack)
     EXPECT_DEATH(std::exit(naive(nested(3'000'000), 0) == 0 ? 0 : 1), "");
 
     EXPECT_NO_THROW((void)render::parseJson(nested(63), "scene.json"));
-    for (const int depth : {10'000, 3'000'000}) EXPECT_FAILURE(render::parseJson(nested(depth), "scene.json", {.bytes = 1U << 30U}), "scene.json, line 1");
+    for (const int depth : {10'000, 3'000'000})
+        EXPECT_FAILURE(render::parseJson(nested(depth), "scene.json", {.bytes = 1U << 30U}), "scene.json, line 1");
     EXPECT_FAILURE(render::parseGltf("{\"extras\":" + nested(10'000) + "}", "model.gltf"), "model.gltf, line 1");
     EXPECT_FAILURE(parsePreset(nested(10'000), "x.json", "sdf_morph", table), "x.json, line 1");
 }

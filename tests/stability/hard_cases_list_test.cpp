@@ -52,7 +52,8 @@ std::map<int, std::set<std::string>> allNumberedTests()
     std::map<int, std::set<std::string>> all;
     for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) {
         if (entry.path().extension() != ".cpp" || entry.path().filename() == "hard_cases_list_test.cpp") continue;
-        for (const auto& [number, names] : numberedTests(textOf(entry.path()))) all[number].insert(names.begin(), names.end());
+        for (const auto& [number, names] : numberedTests(textOf(entry.path())))
+            all[number].insert(names.begin(), names.end());
     }
     return all;
 }
@@ -64,14 +65,16 @@ std::set<std::string> allTests()
     for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) {
         if (entry.path().extension() != ".cpp") continue;
         const std::string source = textOf(entry.path());
-        for (auto t = std::sregex_iterator(source.begin(), source.end(), test); t != std::sregex_iterator(); ++t) all.insert((*t)[1].str() + '.' + (*t)[2].str());
+        for (auto t = std::sregex_iterator(source.begin(), source.end(), test); t != std::sregex_iterator(); ++t)
+            all.insert((*t)[1].str() + '.' + (*t)[2].str());
     }
     return all;
 }
 
 /// What is wrong with the row of one case, or nothing. `heldBy` is the row's last column, `tests` are all that there
 /// are and `numbered` those that bear the case's number.
-std::string fault(const std::string& heldBy, const std::set<std::string>& tests, const std::set<std::string>& numbered, const fs::path& project)
+std::string fault(const std::string& heldBy, const std::set<std::string>& tests, const std::set<std::string>& numbered,
+                  const fs::path& project)
 {
     static const std::regex name(R"(`(\w+\.\w+)`)");
     static const std::regex later(R"(^with `([\w/]+(?:_test\.cpp)?)`: )");
@@ -87,8 +90,10 @@ std::string fault(const std::string& heldBy, const std::set<std::string>& tests,
     if (named) return {};
     if (awaited) return with[1].str() + " is there: name the tests of this case";
     if ((heldBy.starts_with("not here: ") || heldBy.starts_with("open: ")) && heldBy.size() > 20)
-        return numbered.empty() ? std::string() : "it says that nothing holds it, but " + *numbered.begin() + " bears this number";
-    return "say which `Test.Name` holds it, \"with `where its tests will be`: \", or \"not here: \" or \"open: \" and why";
+        return numbered.empty() ? std::string()
+                                : "it says that nothing holds it, but " + *numbered.begin() + " bears this number";
+    return "say which `Test.Name` holds it, \"with `where its tests will be`: \", or \"not here: \" or \"open: \" and "
+           "why";
 }
 
 TEST(HardCaseList, HasEveryCaseOnceAndWhatItSaysIsThere)
@@ -104,10 +109,13 @@ TEST(HardCaseList, HasEveryCaseOnceAndWhatItSaysIsThere)
         const int number = std::stoi(columns[1]);
         EXPECT_TRUE(seen.insert(number).second) << "H" << number << " stands twice";
         const auto bearing = numbered.find(number);
-        EXPECT_EQ(fault(columns[3], tests, bearing == numbered.end() ? std::set<std::string>() : bearing->second, root), "") << "H" << number;
+        EXPECT_EQ(fault(columns[3], tests, bearing == numbered.end() ? std::set<std::string>() : bearing->second, root),
+                  "")
+            << "H" << number;
     }
     EXPECT_EQ(seen, numbers());
-    for (const auto& [number, names] : numbered) EXPECT_TRUE(numbers().contains(number)) << *names.begin() << " bears a number that no case has";
+    for (const auto& [number, names] : numbered)
+        EXPECT_TRUE(numbers().contains(number)) << *names.begin() << " bears a number that no case has";
 }
 
 TEST(HardCaseList, FaultyRowsAreSeen)

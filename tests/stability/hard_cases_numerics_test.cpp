@@ -71,7 +71,8 @@ TEST(HardCases, H97_ADayLaterTimeStillMovesSixtyTimesASecond)
     EXPECT_EQ(ours.size(), 60U);
     EXPECT_EQ(oursAsUniform.size(), 60U);
     // A whole number of periods later (12.5 s at 0.08 Hz) it is where it was.
-    for (const double time : {0.1, 3.7, 12.0}) EXPECT_NEAR(morphAt(0.3, 0.08, 1e6 + time), morphAt(0.3, 0.08, time), 1e-9);
+    for (const double time : {0.1, 3.7, 12.0})
+        EXPECT_NEAR(morphAt(0.3, 0.08, 1e6 + time), morphAt(0.3, 0.08, time), 1e-9);
 }
 
 TEST(HardCases, H107_NumbersThatGpusFlushToZeroMakeNoDifference)
@@ -123,7 +124,9 @@ TEST(HardCases, H110_HalfGrayIsEncodedOnceOnItsWayToAFileAndBack)
 
     const test::TemporaryFolder folder;
     const render::Image gray(4, 4, 3, static_cast<float>(linear));
-    for (const auto& [name, format] : {std::pair("a.png", render::PictureFormat::png8), std::pair("b.png", render::PictureFormat::png16), std::pair("c.tif", render::PictureFormat::tiff8)}) {
+    for (const auto& [name, format] :
+         {std::pair("a.png", render::PictureFormat::png8), std::pair("b.png", render::PictureFormat::png16),
+          std::pair("c.tif", render::PictureFormat::tiff8)}) {
         render::writePicture(folder / name, gray, format);
         EXPECT_NEAR(render::readImage(folder / name, {.raw = true}).at(1, 1, 0) * 255, 128, 1) << name;
         EXPECT_NEAR(render::readImage(folder / name).at(1, 1, 0), linear, linear * 0.01) << name;

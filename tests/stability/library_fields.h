@@ -113,7 +113,9 @@ template <typename Number> std::vector<LibraryField<Number>> librarySolids(Sizes
     add("roundCone", Claim::exact, [=](const V3& p) { return sdfRoundCone(p, b, tube, height); });
     const V3 flat = V3(Number(0.7F), Number(0.1F), Number(0.5F)), radii = v(0.7, 0.1, 0.5);
     // Outside, where it may be used; 14.6 is the most that three million points showed.
-    add("ellipsoid, outside", Claim::steep, [=](const V3& p) { return std::max(sdfEllipsoid(p, flat), Number(0)); }, 15);
+    add(
+        "ellipsoid, outside", Claim::steep, [=](const V3& p) { return std::max(sdfEllipsoid(p, flat), Number(0)); },
+        15);
     add("ellipsoidBound", Claim::bound, [=](const V3& p) { return sdfEllipsoidBound(p, radii); });
     add("octahedron", Claim::exact, [=](const V3& p) { return sdfOctahedron(p, r); });
     add("hexPrism", Claim::exact, [=](const V3& p) { return sdfHexPrism(p, a, c); });
@@ -157,9 +159,7 @@ template <typename Number> std::vector<LibraryField<Number>> libraryOperators(Si
     const Number bx = n(0.5), by = n(0.3), bz = n(0.4), radius = n(0.5), k = n(0.3), narrow = n(0.1), gap = n(0.01);
     const V3 box(bx, by, bz);
     const auto a = [=](const V3& p) { return sdfBox(p - V3(Number(0.25), 0, 0), box); };
-    const auto b = [=](const V3& p) {
-        return sdfSphere(p + V3(Number(0.25), Number(-0.125), Number(0.125)), radius);
-    };
+    const auto b = [=](const V3& p) { return sdfSphere(p + V3(Number(0.25), Number(-0.125), Number(0.125)), radius); };
     add("union", Claim::exactOutside, [=](const V3& p) { return sdfUnion(a(p), b(p)); });
     add("intersection", Claim::bound, [=](const V3& p) { return sdfIntersection(a(p), b(p)); });
     add("subtraction", Claim::bound, [=](const V3& p) { return sdfSubtraction(a(p), b(p)); });
@@ -180,7 +180,8 @@ template <typename Number> std::vector<LibraryField<Number>> libraryOperators(Si
     add("onion", Claim::bound, [=](const V3& p) { return sdfOnion(a(p), narrow); });
     add("round", Claim::exactOutside, [=](const V3& p) { return sdfRound(a(p), narrow); });
     const Number scale = static_cast<Number>(sizes.between(0.25, 4, 1.7));
-    const Number sx = static_cast<Number>(sizes.between(0.25, 4, 1.5)), sy = static_cast<Number>(sizes.between(0.25, 4, 0.5));
+    const Number sx = static_cast<Number>(sizes.between(0.25, 4, 1.5)),
+                 sy = static_cast<Number>(sizes.between(0.25, 4, 0.5));
     const V3 uneven(sx, sy, Number(1));
     add("scaled", Claim::exact, [=](const V3& p) { return sdfScaled(b(p / scale), scale); });
     add("scaledBound", Claim::bound, [=](const V3& p) { return sdfScaledBound(b(p / uneven), uneven); });
@@ -188,7 +189,8 @@ template <typename Number> std::vector<LibraryField<Number>> libraryOperators(Si
         [=](const V3& p) { return sdfExtrude(sdfRectangle(V2(p.x, p.y), V2(bx, by)), p.z, bz); });
     const V3 apart(by, narrow, 0);
     add("elongate", Claim::exactOutside, [=](const V3& p) { return sdfSphere(sdfElongate(p, apart), radius); });
-    add("revolve", Claim::exact, [=](const V3& p) { return sdfRectangle(sdfRevolve(p, Number(0.625)), V2(by / 2, narrow)); });
+    add("revolve", Claim::exact,
+        [=](const V3& p) { return sdfRectangle(sdfRevolve(p, Number(0.625)), V2(by / 2, narrow)); });
     return list;
 }
 

@@ -121,7 +121,8 @@ TEST(Lipschitz, HoldsForEverySizeDownToNothing)
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         const Sizes sizes(seed);
         for (const Field& named : everything(sizes))
-            EXPECT_LE(steepest(named.field, 800, seed), named.slope * (1 + 1e-9)) << named.name << ", sizes of seed " << seed;
+            EXPECT_LE(steepest(named.field, 800, seed), named.slope * (1 + 1e-9))
+                << named.name << ", sizes of seed " << seed;
     }
 }
 
@@ -147,7 +148,8 @@ TEST(Lipschitz, AtFloat32EveryFieldIsFiniteNearFloat64AndNoSteeper)
                 ASSERT_TRUE(std::isfinite(atP));
                 ASSERT_NEAR(static_cast<double>(atP), exact[i].field(dvec3(p)), exact[i].slope * rounding);
                 const double apart = glm::length(dvec3(p) - dvec3(q));
-                ASSERT_LE(std::abs(static_cast<double>(atP) - static_cast<double>(atQ)), exact[i].slope * (apart + 2 * rounding));
+                ASSERT_LE(std::abs(static_cast<double>(atP) - static_cast<double>(atQ)),
+                          exact[i].slope * (apart + 2 * rounding));
             }
         }
     }
@@ -220,14 +222,16 @@ std::string textOf(const fs::path& path)
 TEST(Lipschitz, NoFieldOfTheLibraryIsLeftOut)
 {
     const fs::path root(VITRINE_SOURCE_DIR);
-    const std::string tried = textOf(root / "tests/stability/library_fields.h") + textOf(root / "tests/stability/torus_mug_test.cpp");
+    const std::string tried =
+        textOf(root / "tests/stability/library_fields.h") + textOf(root / "tests/stability/torus_mug_test.cpp");
     std::set<std::string> missing;
     int found = 0;
     for (const auto& entry : fs::directory_iterator(root / "shaders/lib")) {
         if (entry.path().extension() != ".glsl") continue;
         const std::string text = textOf(entry.path());
         static const std::regex definition(R"((?:^|\n)(?:float|vec2|vec3)\s+(sdf\w+)\()");
-        for (auto match = std::sregex_iterator(text.begin(), text.end(), definition); match != std::sregex_iterator(); ++match) {
+        for (auto match = std::sregex_iterator(text.begin(), text.end(), definition); match != std::sregex_iterator();
+             ++match) {
             ++found;
             if (tried.find((*match)[1].str() + '(') == std::string::npos) missing.insert((*match)[1]);
         }

@@ -1,5 +1,5 @@
-// The hard cases of motion: clocks that stop, jump and run backwards, springs and rotations where their formulas divide by
-// zero, and coming to rest. Each shows what the plain formula does beside what ours does.
+// The hard cases of motion: clocks that stop, jump and run backwards, springs and rotations where their formulas divide
+// by zero, and coming to rest. Each shows what the plain formula does beside what ours does.
 
 #include "exhibits/fur/spring.h"
 #include "render/glsl/cpu.h"
@@ -21,7 +21,8 @@ using glm::dvec3;
 constexpr double pi = std::numbers::pi;
 constexpr FurSpring closed = FurSpring::closedForm;
 
-SpringState stepped(SpringState s, const glm::dvec3& target, const Spring& spring, double seconds, int steps, FurSpring method)
+SpringState stepped(SpringState s, const glm::dvec3& target, const Spring& spring, double seconds, int steps,
+                    FurSpring method)
 {
     for (int i = 0; i < steps; ++i) s = advance(s, target, spring, seconds / steps, method);
     return s;
@@ -48,8 +49,10 @@ TEST(Spring, H72_H74_H75_LeavesItsStateAloneWhenTheClockIsBroken)
     EXPECT_GT(energy(backwards, {}, spring), 10 * energy({{1, 0, 0}, {}}, {}, spring));
     EXPECT_TRUE(std::isnan(naive(naive(start, std::nan("")), 1.0 / 60).value.x));
 
-    for (const double seconds : {0.0, -1.0, -1.0 / 60, -1e-300, std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
-        for (const FurSpring method : {closed, FurSpring::semiImplicit, FurSpring::explicitEuler}) EXPECT_EQ(advance(start, target, spring, seconds, method), start) << seconds;
+    for (const double seconds : {0.0, -1.0, -1.0 / 60, -1e-300, std::nan(""), std::numeric_limits<double>::infinity(),
+                                 -std::numeric_limits<double>::infinity()})
+        for (const FurSpring method : {closed, FurSpring::semiImplicit, FurSpring::explicitEuler})
+            EXPECT_EQ(advance(start, target, spring, seconds, method), start) << seconds;
     // Below the normal numbers, whether they are kept or flushed to zero.
     const auto expectStill = [&] {
         const SpringState after = advance(start, target, spring, 5e-324, closed);
@@ -134,7 +137,8 @@ TEST(Spring, H78_StaysFiniteWithoutStiffnessOrDampingAndWithFarTooMuch)
         for (const double zeta : {0.0, 1e-12, 1.0, 100.0})
             for (const double seconds : {1e-6, 10.0, 3600.0}) {
                 const SpringState s = advance(start, target, {omega, zeta}, seconds, closed);
-                ASSERT_TRUE(std::isfinite(glm::length(s.value)) && std::isfinite(glm::length(s.rate))) << omega << ' ' << zeta << ' ' << seconds;
+                ASSERT_TRUE(std::isfinite(glm::length(s.value)) && std::isfinite(glm::length(s.rate)))
+                    << omega << ' ' << zeta << ' ' << seconds;
             }
 }
 
@@ -154,7 +158,8 @@ TEST(Spring, H79_NeverGainsEnergyWhateverTheStep)
         }
     }
     const Spring spring{2 * pi * 2, 0.05};
-    EXPECT_GT(energy(stepped(start, target, spring, 2, 60, FurSpring::explicitEuler), target, spring), energy(start, target, spring));
+    EXPECT_GT(energy(stepped(start, target, spring, 2, 60, FurSpring::explicitEuler), target, spring),
+              energy(start, target, spring));
 }
 
 TEST(Spring, H86_KeepsItsLimit)
@@ -228,10 +233,14 @@ TEST(Bending, H80_KeepsTheLengthWithinOnePercentAtEveryAngle)
     for (int degrees = 0; degrees <= 180; degrees += 5) {
         const double a = degrees * pi / 180;
         const dvec3 tip(std::sin(a), std::cos(a), 0);
-        for (const double curvature : {0.0, 0.5, 0.8, 1.0, 2.0, 5.0}) EXPECT_NEAR(lengthOf(root, tip, curvature, glsl::STRAND_SLERP), 1, 0.01) << degrees << ' ' << curvature;
+        for (const double curvature : {0.0, 0.5, 0.8, 1.0, 2.0, 5.0})
+            EXPECT_NEAR(lengthOf(root, tip, curvature, glsl::STRAND_SLERP), 1, 0.01) << degrees << ' ' << curvature;
     }
     // The mix of the source loses 13 % of a strand's middle at 60 degrees, half of it at 120 (the chord).
-    const auto shortest = [&](double a) { return glm::length(glsl::strandDirection(root, dvec3(std::sin(a), std::cos(a), 0), 0.5, glsl::STRAND_MATRIX_MIX)); };
+    const auto shortest = [&](double a) {
+        return glm::length(
+            glsl::strandDirection(root, dvec3(std::sin(a), std::cos(a), 0), 0.5, glsl::STRAND_MATRIX_MIX));
+    };
     EXPECT_NEAR(shortest(pi / 3), 0.866, 1e-3);
     EXPECT_NEAR(shortest(2 * pi / 3), 0.5, 1e-12);
     EXPECT_NEAR(shortest(pi), 0, 1e-12);
@@ -240,7 +249,9 @@ TEST(Bending, H80_KeepsTheLengthWithinOnePercentAtEveryAngle)
 TEST(Bending, H82_IsDefinedAtNothingAndAtHalfATurn)
 {
     // Spherical interpolation by its formula: nearly equal directions have a sine of zero.
-    const auto naive = [](float cosine, float k) { return std::sin(k * std::acos(cosine)) / std::sin(std::acos(cosine)); };
+    const auto naive = [](float cosine, float k) {
+        return std::sin(k * std::acos(cosine)) / std::sin(std::acos(cosine));
+    };
     EXPECT_TRUE(std::isnan(naive(1, 0.5F)));
     EXPECT_TRUE(std::isnan(naive(std::cos(1e-4F), 0.5F)));  // Its cosine is 1 already.
     for (int i = 0; i < 200; ++i) {
@@ -258,7 +269,8 @@ TEST(Bending, H82_IsDefinedAtNothingAndAtHalfATurn)
         const dvec3 root(0, 1, 0);
         const dvec3 d = glsl::strandDirection(root, dvec3(std::sin(a), std::cos(a), 0), 0.5, glsl::STRAND_SLERP);
         EXPECT_NEAR(d.x, std::sin(a / 2), 1e-9 * a + 1e-16) << a;
-        const glm::vec3 d32 = glsl32::strandDirection(glm::vec3(root), glm::vec3(dvec3(std::sin(a), std::cos(a), 0)), 0.5F, glsl32::STRAND_SLERP);
+        const glm::vec3 d32 = glsl32::strandDirection(glm::vec3(root), glm::vec3(dvec3(std::sin(a), std::cos(a), 0)),
+                                                      0.5F, glsl32::STRAND_SLERP);
         EXPECT_NEAR(d32.x, a / 2, 1e-6 * a) << a;
     }
 }
@@ -271,7 +283,8 @@ TEST(Bodies, H90_ComeToRestOnTheFloorAndSleepUntilTheyAreDisturbed)
     const int ring = world.add(render::RingShape{0.35, 0.15}, {{-0.8, 0.4, 0}}, 1);
     // Who waits until nothing moves to the bit draws for minutes: what is left of a spring only ever grows less.
     EXPECT_NE(stepped({{1, 0, 0}, {}}, {}, {14, 0.3}, 60, 3600, closed).value, dvec3(0));
-    for (int i = 0; i < 240 * 15 && !(world.asleep(ball) && world.asleep(roll) && world.asleep(ring)); ++i) world.step(1.0 / 240);
+    for (int i = 0; i < 240 * 15 && !(world.asleep(ball) && world.asleep(roll) && world.asleep(ring)); ++i)
+        world.step(1.0 / 240);
     EXPECT_TRUE(world.asleep(ball));
     EXPECT_TRUE(world.asleep(roll));
     EXPECT_TRUE(world.asleep(ring));

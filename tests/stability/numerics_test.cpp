@@ -44,11 +44,13 @@ TEST(Numerics, H93_FresnelOfClearSurfacesIsThatOfTheTwoPolarizations)
                 expected = 0.5 * (s * s + p * p);
             }
             EXPECT_NEAR(f64::fresnelDielectric(cosine, index), expected, 1e-9) << index << ' ' << cosine;
-            EXPECT_NEAR(f32::fresnelDielectric(static_cast<float>(cosine), static_cast<float>(index)), expected, 2e-3) << index << ' ' << cosine;
+            EXPECT_NEAR(f32::fresnelDielectric(static_cast<float>(cosine), static_cast<float>(index)), expected, 2e-3)
+                << index << ' ' << cosine;
         }
         EXPECT_EQ(f64::fresnelDielectric(0, index), index == 1 ? 0 : 1);
     }
-    for (const float cosine : {0.0F, 1e-20F, 0.3F, 1.0F}) EXPECT_NEAR(f32::fresnelDielectric(cosine, 1), 0, 1e-10) << cosine;  // H93
+    for (const float cosine : {0.0F, 1e-20F, 0.3F, 1.0F})
+        EXPECT_NEAR(f32::fresnelDielectric(cosine, 1), 0, 1e-10) << cosine;  // H93
 }
 
 TEST(Numerics, H44_AnglesOfCosinesBeyondOneAreDefinedAndAccurate)
@@ -162,11 +164,9 @@ TEST(Hash, BitsBecomeEvenlySpreadNumbersBelowOne)
     EXPECT_LT(f32::unitFromBits(0xffffffffU), 1);
     EXPECT_EQ(float(0xffffffffU) / 4294967296.0F, 1.0F);  // The naive division reaches 1.
     int bins[16] = {};
-    for (std::uint32_t i = 0; i < 160000; ++i)
-        ++bins[int(f32::unitFromBits(f32::pcg(i)) * 16)];
+    for (std::uint32_t i = 0; i < 160000; ++i) ++bins[int(f32::unitFromBits(f32::pcg(i)) * 16)];
     double chiSquare = 0;
-    for (const int count : bins)
-        chiSquare += (count - 10000.0) * (count - 10000.0) / 10000.0;
+    for (const int count : bins) chiSquare += (count - 10000.0) * (count - 10000.0) / 10000.0;
     EXPECT_LT(chiSquare, 37.7);  // 15 degrees of freedom, one in a thousand.
 }
 

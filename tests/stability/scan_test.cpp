@@ -1,7 +1,8 @@
 // What `vitrine doctor --stability` runs on a user's driver, on this one: the library's numbers, promises about
 // pictures, and every exhibit with random settings at hostile times, places and sizes.
 //   VITRINE_SCAN_PRESETS=20000   more than the 1000 settings of each exhibit
-//   VITRINE_SCAN_SEED=123        begin with another seed than 1, as .ci/full does every day; a failure names the seed to
+//   VITRINE_SCAN_SEED=123        begin with another seed than 1, as .ci/full does every day; a failure names the seed
+//   to
 //                                begin with
 
 #include "exhibits/exhibits.h"
@@ -9,8 +10,8 @@
 #include "exhibits/stability/poison.h"
 #include "exhibits/stability/stability_cases.h"
 #include "exhibits/stability/stability_scan.h"
-#include "tests/gl/gallery.h"
 #include "tests/support/environment_number.h"
+#include "tests/support/gallery.h"
 
 #include <cmath>
 
@@ -25,7 +26,8 @@ TEST_F(StabilityScan, TheLibrarysNumbersAreThoseOfFloat64)
 {
     int naiveFails = 0;
     for (const StabilityResult& result : arithmeticCases(gallery().renderer)) {
-        EXPECT_TRUE(result.passed) << result.number << ' ' << result.what << ": " << result.value << " > " << result.limit << ", " << result.detail;
+        EXPECT_TRUE(result.passed) << result.number << ' ' << result.what << ": " << result.value << " > "
+                                   << result.limit << ", " << result.detail;
         naiveFails += result.detail.find("plain code") != std::string::npos;
     }
     EXPECT_GE(naiveFails, 10) << "the inputs are not hard any more";
@@ -34,7 +36,8 @@ TEST_F(StabilityScan, TheLibrarysNumbersAreThoseOfFloat64)
 TEST_F(StabilityScan, PicturesKeepTheirPromises)
 {
     for (const StabilityResult& result : pictureCases(gallery().museum, gallery().renderer))
-        EXPECT_TRUE(result.passed) << result.number << ' ' << result.what << ": " << result.value << ", " << result.detail;
+        EXPECT_TRUE(result.passed) << result.number << ' ' << result.what << ": " << result.value << ", "
+                                   << result.detail;
 }
 
 class ScanOfExhibit : public StabilityScan, public testing::WithParamInterface<std::string> {};
@@ -43,7 +46,8 @@ TEST_P(ScanOfExhibit, FindsNothingThatIsNoNumberOrWasNeverWritten)
 {
     const int presets = static_cast<int>(test::environmentNumber("VITRINE_SCAN_PRESETS", 1000));
     const std::uint64_t first = test::environmentNumber("VITRINE_SCAN_SEED", 1);
-    const StabilityResult result = scanExhibit(gallery().museum, gallery().renderer, *gallery().museum.find(GetParam()), first, presets);
+    const StabilityResult result =
+        scanExhibit(gallery().museum, gallery().renderer, *gallery().museum.find(GetParam()), first, presets);
     EXPECT_TRUE(result.passed) << result.what << "\n  VITRINE_SCAN_SEED of " << result.detail;
 }
 
@@ -54,7 +58,8 @@ std::vector<std::string> namesOfAll()
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Exhibits, ScanOfExhibit, testing::ValuesIn(namesOfAll()), [](const auto& p) { return p.param; });
+INSTANTIATE_TEST_SUITE_P(Exhibits, ScanOfExhibit, testing::ValuesIn(namesOfAll()),
+                         [](const auto& p) { return p.param; });
 
 TEST_F(StabilityScan, H84_EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
 {
@@ -74,18 +79,22 @@ TEST_F(StabilityScan, H84_EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
         for (std::size_t row = 0; row < rows.size(); ++row) {
             if (rows[row].kind != Kind::real && rows[row].kind != Kind::count) continue;
             // Above its initial value, a count that trades accuracy for time costs minutes.
-            const double high = rows[row].kind == Kind::count && rows[row].qualityReference ? std::get<double>(rows[row].initial) : rows[row].range.high;
+            const double high = rows[row].kind == Kind::count && rows[row].qualityReference
+                                    ? std::get<double>(rows[row].initial)
+                                    : rows[row].range.high;
             for (const double end : {rows[row].range.low, high}) {
                 ScanCase c = plain;
                 c.look.values[i].setRow(row, end);
                 c.frame.camera = museum.exhibits()[i]->bestView(c.look.values[i]);
-                EXPECT_EQ(faultOf(museum, gallery().renderer, c), "") << museum.exhibits()[i]->name() << '.' << rows[row].name << ' ' << end;
+                EXPECT_EQ(faultOf(museum, gallery().renderer, c), "")
+                    << museum.exhibits()[i]->name() << '.' << rows[row].name << ' ' << end;
             }
         }
     }
 }
 
-/// An exhibit that draws nothing, NaN, or infinity by its settings: the scan must see each, and blame what it is due to.
+/// An exhibit that draws nothing, NaN, or infinity by its settings: the scan must see each, and blame what it is due
+/// to.
 struct Broken final : Exhibit {
     struct Table final : Parameters {
         Real harmless = real("harmless", 0.5, none, {0, 1}, "Changes nothing.");

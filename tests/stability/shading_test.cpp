@@ -41,8 +41,7 @@ TEST(Shadows, TheSignedMethodComesNearestToALightWithExtentAndCostsNoMore)
         for (int x = -30; x < 30; ++x) {
             const dvec3 p(x * 0.04, 1e-3, y * 0.04);
             const double truth = tracer.shadowArea(p, toLight, tanRadius, 1e-3, 4, 400, 300, 0).visibility;
-            if (truth <= 0 || truth >= 1)
-                continue;
+            if (truth <= 0 || truth >= 1) continue;
             ++penumbra;
             calls = 0;
             const decltype(tracer.shadowHard(p, toLight, 0, 0, 0)) found[] = {

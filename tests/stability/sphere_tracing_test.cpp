@@ -127,8 +127,7 @@ TEST(SphereTracing, NoRelaxationEverMissesAHitAndCountersAreExact)
                     settings.stepLimit = 400;
                     settings.relaxation = std::min(variant, 2);
                     settings.omega = 1.6F;
-                    if (variant == 3)
-                        settings.stepLimit = 64;
+                    if (variant == 3) settings.stepLimit = 64;
                     calls = 0;
                     const auto march = tracer.sphereTrace(vec3(camera.eye), vec3(ray), settings);
                     ASSERT_EQ(calls, march.evaluations);
@@ -153,13 +152,11 @@ TEST(SphereTracing, HitsLieWithinTheToleranceOfTheSurface)
         test::Random random(4);
         for (int i = 0; i < 5000; ++i) {
             const dvec3 origin = random.direction() * 2.0;
-            if (s.exact(origin) < 0.1)
-                continue;
+            if (s.exact(origin) < 0.1) continue;
             const vec3 ray(glm::normalize(random.point(0.5) - origin));
             const auto settings = tracer.marchSettings(0, 20, float(pixelCone));
             const auto march = tracer.sphereTrace(vec3(origin), ray, settings);
-            if (!march.hit || march.exhausted)
-                continue;
+            if (!march.hit || march.exhausted) continue;
             EXPECT_LE(std::abs(s.exact(origin + dvec3(ray) * double(march.t))),
                       tracer.hitTolerance(march.t, settings) + 1e-6);
         }
@@ -224,8 +221,7 @@ TEST(RayBox, H1_TheSilhouetteGrowsSteadilyWhileTheCameraPassesThroughTheBox)
                 const dvec3 ray = camera.ray(x + 0.5, y + 0.5, size);
                 const dvec2 span = tracer.rayBox(camera.eye, ray, low, high);
                 // A rasterized front face is not there when the camera is past it.
-                if (span.x > span.y || (frontFaces && span.x == 0))
-                    continue;
+                if (span.x > span.y || (frontFaces && span.x == 0)) continue;
                 count += tracer.sphereTrace(camera.eye, ray, tracer.marchSettings(span.x, span.y, 0.45 / size)).hit;
             }
         return count;
@@ -249,8 +245,7 @@ TEST(RayBox, H2_TheNearPlaneMakesNoDifference)
     const dvec3 ray(0, 0, -1);
     const auto fromHull = [&](double nearPlane) {
         const double hull = eye.z - 0.55;
-        if (hull < nearPlane)
-            return false;  // Clipped: no fragment, a hole.
+        if (hull < nearPlane) return false;  // Clipped: no fragment, a hole.
         return tracer.sphereTrace(eye, ray, tracer.marchSettings(hull, 5, 1e-3)).hit;
     };
     EXPECT_TRUE(fromHull(0.01));
@@ -267,8 +262,7 @@ TEST(SphereTracing, H3_ACameraInsideTheSolidSeesItsInside)
     int steps = 0;
     for (; steps < 1000 && t > -100; ++steps) {
         const double d = sphere(dvec3(0.1, 0, 0) + dvec3(1, 0, 0) * t);
-        if (std::abs(d) < 1e-4)
-            break;
+        if (std::abs(d) < 1e-4) break;
         t += d;
     }
     EXPECT_LT(t, 0);
@@ -300,8 +294,7 @@ TEST(SphereTracing, H4_ARayThatStartsOnTheSurfaceDoesNotHitItsOwnStart)
         const dvec3 normal = random.direction();
         const dvec3 origin = normal * 0.5;
         const dvec3 ray = random.direction();
-        if (std::abs(glm::dot(ray, normal)) < 0.05)
-            continue;  // Grazing: neither answer is wrong.
+        if (std::abs(glm::dot(ray, normal)) < 0.05) continue;  // Grazing: neither answer is wrong.
         const auto march = tracer.sphereTrace(origin, ray, tracer.marchSettings(0, 10, 1e-3));
         const bool outward = glm::dot(ray, normal) > 0;
         if (!outward) {
@@ -366,8 +359,7 @@ TEST(SphereTracing, H33_ThinWiresFarAwayAreNotLost)
         for (int x = -40; x <= 40; ++x) {
             const vec3 ray = glm::normalize(vec3(float(x) * cone * 0.05F, 0.013F, -1));
             const double passes = std::abs(ray.x) / std::hypot(ray.x, ray.z) * away;  // Closest approach to the axis.
-            if (passes >= 0.009)
-                continue;
+            if (passes >= 0.009) continue;
             ++truth;
             auto settings = tracer.marchSettings(0, 60, cone);
             found += tracer.sphereTrace(offset, ray, settings).hit;
@@ -421,8 +413,7 @@ TEST(SphereTracing, NothingOfABundleIsHitBeforeWhereItsConeStops)
         int empty = 0;
         for (int i = 0; i < 1500; ++i) {
             const dvec3 eye = random.direction() * random.number(0.8, 4);
-            if (s.exact(eye) < 0.05)
-                continue;
+            if (s.exact(eye) < 0.05) continue;
             const dvec3 axis = glm::normalize(random.point(0.8) - eye);
             const double chord = std::pow(10.0, random.number(-3, -1));
             const auto settings = tracer.marchSettings(0, 12, float(pixelCone));
@@ -436,8 +427,7 @@ TEST(SphereTracing, NothingOfABundleIsHitBeforeWhereItsConeStops)
             for (int k = 0; k < 12; ++k) {
                 const dvec3 ray =
                     glm::normalize(axis + random.direction() * chord * 0.99 * (k < 4 ? 1.0 : random.number(0, 1)));
-                if (glm::length(ray - axis) > chord)
-                    continue;
+                if (glm::length(ray - axis) > chord) continue;
                 for (int j = 0; j < 200; ++j) {
                     const double t = end * j / 200.0;
                     ASSERT_GT(s.exact(eye + ray * t), -1e-6) << "t " << t << " of " << end;
@@ -464,11 +454,9 @@ TEST(SphereTracing, ABundleAndABoxMeetWhereAnyOfItsRaysDoes)
         const dvec2 bundle = tracer.coneBox(eye, axis, chord, low, high);
         for (int k = 0; k < 10; ++k) {
             const dvec3 ray = glm::normalize(axis + random.direction() * chord * random.number(0, 1));
-            if (glm::length(ray - axis) > chord)
-                continue;
+            if (glm::length(ray - axis) > chord) continue;
             const dvec2 span = tracer.rayBox(eye, ray, low, high);
-            if (span.x > span.y)
-                continue;
+            if (span.x > span.y) continue;
             ASSERT_LE(bundle.x, span.x + 1e-12);
             ASSERT_GE(bundle.y, span.y - 1e-12);
         }

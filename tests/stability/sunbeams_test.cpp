@@ -24,7 +24,8 @@ double gathered(int samples, double decay, double density, const std::function<d
 {
     const double exponent = r64::shaftExponent(decay);
     double sum = 0;
-    for (int i = 0; i < samples; ++i) sum += mask(r64::shaftStep(i, samples, density, 0)) * r64::shaftStepWeight(i, samples, density, exponent);
+    for (int i = 0; i < samples; ++i)
+        sum += mask(r64::shaftStep(i, samples, density, 0)) * r64::shaftStepWeight(i, samples, density, exponent);
     return sum;
 }
 
@@ -40,10 +41,12 @@ TEST(ShaftWeights, OfALoopAddUpToOneForEverySetting)
                     const double weight = r64::shaftStepWeight(i, n, density, r64::shaftExponent(decay));
                     EXPECT_GE(weight, 0);
                     sum += weight;
-                    sum32 += r32::shaftStepWeight(static_cast<float>(i), static_cast<float>(n), static_cast<float>(density), exponent32);
+                    sum32 += r32::shaftStepWeight(static_cast<float>(i), static_cast<float>(n),
+                                                  static_cast<float>(density), exponent32);
                 }
                 EXPECT_NEAR(sum, 1, 1e-9) << n << ' ' << decay << ' ' << density;
-                EXPECT_NEAR(sum32, 1, 2e-4) << n << ' ' << decay << ' ' << density;  // Up to 1000 roundings, and 1 / n where all are alike.
+                EXPECT_NEAR(sum32, 1, 2e-4)
+                    << n << ' ' << decay << ' ' << density;  // Up to 1000 roundings, and 1 / n where all are alike.
             }
         }
     }
@@ -90,13 +93,16 @@ TEST(ShaftWeights, H60_MoreSamplesMakeNothingBrighter)
         double sum = 0;
         for (int line = 0; line < 400; ++line) {
             const auto mask = [&](double t) { return std::fmod(t * 7 + line * 0.618, 1.0) < 0.4 ? 1.0 : 0.0; };
-            if (normalized) sum += gathered(samples, 0.97, 0.9, mask);
-            else for (int i = 0; i < samples; ++i) sum += 0.02 * std::pow(0.97, i) * mask(1 - 0.9 * i / samples);
+            if (normalized)
+                sum += gathered(samples, 0.97, 0.9, mask);
+            else
+                for (int i = 0; i < samples; ++i) sum += 0.02 * std::pow(0.97, i) * mask(1 - 0.9 * i / samples);
         }
         return sum / 400;
     };
     const double reference = mean(4096, true);
-    for (const int samples : {8, 16, 32, 64, 128, 216, 512}) EXPECT_NEAR(mean(samples, true) / reference, 1, 0.005) << samples;
+    for (const int samples : {8, 16, 32, 64, 128, 216, 512})
+        EXPECT_NEAR(mean(samples, true) / reference, 1, 0.005) << samples;
     EXPECT_GT(std::abs(mean(8, false) / mean(512, false) - 1), 0.5);  // The original's sum does.
 }
 
@@ -105,7 +111,8 @@ TEST(ShaftWeights, GeometricStepsHaveTheirMeanHoweverLongTheyAre)
     for (const double ratio : {0.3, 0.7, 0.99}) {
         for (const double exponent : {1.0, 1.77, 30.0}) {
             // Of the mask t, with the weight a t^(a-1), over the step from ratio to 1.
-            const double exact = exponent / (exponent + 1) * (1 - std::pow(ratio, exponent + 1)) / (1 - std::pow(ratio, exponent));
+            const double exact =
+                exponent / (exponent + 1) * (1 - std::pow(ratio, exponent + 1)) / (1 - std::pow(ratio, exponent));
             double mean = 0;
             constexpr int shares = 2000;
             for (int i = 0; i < shares; ++i) {
@@ -146,9 +153,13 @@ TEST(ShaftWeights, H59_ADecayAboveOneIsNoBrighterThanTheMask)
 TEST(ShaftWeights, H62_WithoutAWayToGoTheMaskItselfIsSeen)
 {
     // A step's share of nothing.
-    const auto naive = [](double i, double n, double density, double a) { return (std::pow(1 - density * i / n, a) - std::pow(1 - density * (i + 1) / n, a)) / (1 - std::pow(1 - density, a)); };
+    const auto naive = [](double i, double n, double density, double a) {
+        return (std::pow(1 - density * i / n, a) - std::pow(1 - density * (i + 1) / n, a)) /
+               (1 - std::pow(1 - density, a));
+    };
     EXPECT_TRUE(std::isnan(naive(0, 8, 0, 3)));
-    for (const int n : {1, 8, 100}) EXPECT_NEAR(gathered(n, 0.97, 0, [](double t) { return t == 1 ? 0.375 : 99; }), 0.375, 1e-12);
+    for (const int n : {1, 8, 100})
+        EXPECT_NEAR(gathered(n, 0.97, 0, [](double t) { return t == 1 ? 0.375 : 99; }), 0.375, 1e-12);
     EXPECT_NEAR(gathered(64, 0, 1, [](double t) { return t > 0.99 ? 0.375 : 0; }), 0.375, 1e-12);
 }
 
@@ -170,7 +181,8 @@ TEST(ShaftWeights, ComposeExactlyOverPassesOfGeometricTaps)
         if (number < 0) return mask(t);
         const double step = std::pow(ratio, std::pow(taps, number));
         double sum = 0;
-        for (double i = 0; i < taps; ++i) sum += pass(t * std::pow(step, i), number - 1) * r64::shaftTapWeight(i, taps, step, exponent);
+        for (double i = 0; i < taps; ++i)
+            sum += pass(t * std::pow(step, i), number - 1) * r64::shaftTapWeight(i, taps, step, exponent);
         return sum;
     };
     double whole = 0;
@@ -188,7 +200,8 @@ TEST(ShaftWeights, AllMethodsConvergeToTheIntegral)
         EXPECT_NEAR(gathered(100000, decay, 1, [](double t) { return t < 0.25 ? 1.0 : 0.0; }), exact, 1e-4);
         const double ratio = r64::shaftRatio(1, exponent, 60, 3);
         double sum = 0;
-        for (double i = 0; i < 216000; ++i) sum += (std::pow(ratio, i + 0.5) < 0.25 ? 1.0 : 0.0) * r64::shaftTapWeight(i, 216000, ratio, exponent);
+        for (double i = 0; i < 216000; ++i)
+            sum += (std::pow(ratio, i + 0.5) < 0.25 ? 1.0 : 0.0) * r64::shaftTapWeight(i, 216000, ratio, exponent);
         EXPECT_NEAR(sum, exact, 0.004);  // What is left out next to the light: two thousandths of the weight.
         // The running sum outwards.
         const double keep = std::pow(0.999, exponent);

@@ -69,8 +69,7 @@ TEST(TorusMug, MeltsWithoutAJump)
     // pure torus is exact and the union is a bound.
     test::Random random(2);
     std::vector<dvec3> points;
-    for (int i = 0; i < 2000; ++i)
-        points.push_back(random.point(0.7));
+    for (int i = 0; i < 2000; ++i) points.push_back(random.point(0.7));
     constexpr double step = 1e-5;
     for (int i = 0; i < moments - 1; ++i) {
         const auto a = f64::torusMugShape(sizes(moment(i)));
@@ -78,15 +77,13 @@ TEST(TorusMug, MeltsWithoutAJump)
         for (const dvec3& p : points) {
             const double before = f64::sdfTorusMug(p, a);
             const double after = f64::sdfTorusMug(p, b);
-            if (i == 0 && before < -0.02)
-                continue;
+            if (i == 0 && before < -0.02) continue;
             ASSERT_NEAR(before, after, 3.5 * step) << "morph " << moment(i);
         }
     }
     const auto nearly = f64::torusMugShape(sizes(1 - 1e-7));
     const auto mug = f64::torusMugShape(sizes(1));
-    for (const dvec3& p : points)
-        ASSERT_NEAR(f64::sdfTorusMug(p, nearly), f64::sdfTorusMug(p, mug), 1e-6);
+    for (const dvec3& p : points) ASSERT_NEAR(f64::sdfTorusMug(p, nearly), f64::sdfTorusMug(p, mug), 1e-6);
 }
 
 TEST(TorusMug, IsOneLipschitzAtEveryMoment)
@@ -136,8 +133,7 @@ template <typename Field> Topology topology(const Field& field, const dvec3& cen
                     for (int around = 0; around < 8 && !exists; ++around)
                         if ((around & kind) == 0)
                             exists = solid[index(x - (around & 1), y - (around >> 1 & 1), z - (around >> 2))] != 0;
-                    if (exists)
-                        found.euler += __builtin_popcount(unsigned(kind)) % 2 == 0 ? 1 : -1;
+                    if (exists) found.euler += __builtin_popcount(unsigned(kind)) % 2 == 0 ? 1 : -1;
                 }
 
     // Flood fill: solid across corners as in the complex (26 neighbors), air across faces (6).
@@ -147,8 +143,7 @@ template <typename Field> Topology topology(const Field& field, const dvec3& cen
     for (int z = 0; z < side; ++z)
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
-                if (seen[index(x, y, z)])
-                    continue;
+                if (seen[index(x, y, z)]) continue;
                 const char what = solid[index(x, y, z)];
                 (what ? found.pieces : airPieces) += 1;
                 seen[index(x, y, z)] = 1;
@@ -159,13 +154,10 @@ template <typename Field> Topology topology(const Field& field, const dvec3& cen
                     for (int dz = -1; dz <= 1; ++dz)
                         for (int dy = -1; dy <= 1; ++dy)
                             for (int dx = -1; dx <= 1; ++dx) {
-                                if (!what && std::abs(dx) + std::abs(dy) + std::abs(dz) != 1)
-                                    continue;
+                                if (!what && std::abs(dx) + std::abs(dy) + std::abs(dz) != 1) continue;
                                 const int nx = cx + dx, ny = cy + dy, nz = cz + dz;
-                                if (nx < 0 || ny < 0 || nz < 0 || nx >= side || ny >= side || nz >= side)
-                                    continue;
-                                if (seen[index(nx, ny, nz)] || solid[index(nx, ny, nz)] != what)
-                                    continue;
+                                if (nx < 0 || ny < 0 || nz < 0 || nx >= side || ny >= side || nz >= side) continue;
+                                if (seen[index(nx, ny, nz)] || solid[index(nx, ny, nz)] != what) continue;
                                 seen[index(nx, ny, nz)] = 1;
                                 open.push_back({nx, ny, nz});
                             }
@@ -269,8 +261,7 @@ TEST(TorusMug, StandsOnItsGroundAndFillsItsBoxAtEveryMoment)
             dvec3 high(-1e9);
             for (int j = 0; j < 60000; ++j) {
                 const dvec3 p = dvec3(0, 0.1, 0) + random.point(1);
-                if (f64::sdfTorusMug(p, shape) >= 0)
-                    continue;
+                if (f64::sdfTorusMug(p, shape) >= 0) continue;
                 low = glm::min(low, p);
                 high = glm::max(high, p);
             }
@@ -302,10 +293,8 @@ TEST(TorusMug, H32_NormalsAreUnitVectorsOnTheSaddlesAndEverywhere)
         for (int j = 0; j < 2000; ++j) {
             // Half of the points on planes of symmetry, where slopes cancel.
             vec3 p(random.point(0.6));
-            if (j % 2 == 0)
-                p.z = 0;
-            if (j % 4 == 0)
-                p.x = shape.bodyCenter.x;
+            if (j % 2 == 0) p.z = 0;
+            if (j % 4 == 0) p.x = shape.bodyCenter.x;
             const float length = glm::length(tracer.fieldNormal(p, 3e-4F, j % 3, vec3(0, 0, 1)));
             ASSERT_NEAR(length, 1, 1e-5);
         }

@@ -33,8 +33,7 @@ TEST(Normals, H53_StayAccurateFarAway)
     for (int i = 0; i < 2000; ++i) {
         const vec3 ray = glm::normalize(center + vec3(random.point(12)));
         const auto march = tracer.sphereTrace(vec3(0), ray, settings);
-        if (!march.hit)
-            continue;
+        if (!march.hit) continue;
         const vec3 p = ray * march.t;
         const dvec3 truth = glm::normalize(dvec3(p - center));
         const auto off = [&](float h) {
@@ -91,8 +90,7 @@ TEST(Reflection, H41_APlaneInAConstantSceneReflectsWithoutAcne)
         auto settings = tracer.marchSettings(0, 1000, 1e-3F);
         settings.stepLimit = 500;
         const auto march = tracer.sphereTrace(eye, ray, settings);
-        if (!march.hit)
-            continue;
+        if (!march.hit) continue;
         const vec3 p = eye + ray * march.t;
         const vec3 reflected(ray.x, -ray.y, ray.z);
         auto again = tracer.marchSettings(0, 1000, 1e-3F);

@@ -12,14 +12,16 @@
 
 namespace vitrine::test {
 
-/// Share of the pixel (±0.5) on the near side of the line at `distance` from its middle, across the direction of `angle`.
+/// Share of the pixel (±0.5) on the near side of the line at `distance` from its middle, across the direction of
+/// `angle`.
 inline double covered(double angle, double distance)
 {
     const double c = std::max(std::abs(std::cos(angle)), 1e-9);
     const double s = std::max(std::abs(std::sin(angle)), 1e-9);
     const auto square = [](double x) { return x > 0 ? x * x : 0; };
     const double from = distance + 0.5 * (c + s);
-    return std::clamp((square(from) - square(from - c) - square(from - s) + square(from - c - s)) / (2 * c * s), 0.0, 1.0);
+    return std::clamp((square(from) - square(from - c) - square(from - s) + square(from - c - s)) / (2 * c * s), 0.0,
+                      1.0);
 }
 
 /// RMS error of the share that `n` samples (in ±0.5) find, over edges of all directions in all places.
@@ -35,7 +37,8 @@ inline double edgeError(int n, const std::function<glm::dvec2(int)>& sample)
         const double angle = random.number(0, 2 * std::numbers::pi);
         const double distance = random.number(-0.75, 0.75);
         const glm::dvec2 across(std::cos(angle), std::sin(angle));
-        const auto inside = std::count_if(positions.begin(), positions.end(), [&](const glm::dvec2& p) { return glm::dot(p, across) < distance; });
+        const auto inside = std::count_if(positions.begin(), positions.end(),
+                                          [&](const glm::dvec2& p) { return glm::dot(p, across) < distance; });
         squares += std::pow(static_cast<double>(inside) / n - covered(angle, distance), 2);
     }
     return std::sqrt(squares / edges);

@@ -24,5 +24,5 @@ template <typename Work> std::string failureOf(const Work& work)
 }  // namespace vitrine::test
 
 /// Expects a Failure whose message contains `part`.
-#define EXPECT_FAILURE(statement, part)                                                            \
+#define EXPECT_FAILURE(statement, part)                                                                                \
     EXPECT_PRED_FORMAT2(::testing::IsSubstring, part, ::vitrine::test::failureOf([&] { (void)(statement); }))

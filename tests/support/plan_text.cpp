@@ -34,7 +34,8 @@ std::string textOf(const std::shared_ptr<const Mesh>& mesh)
 {
     return remembered(mesh, [](const Mesh& m) {
         Hash hash;
-        for (const Vertex& v : m.vertices) hash.addValue(v.position).addValue(v.normal).addValue(v.uv).addValue(v.lightmapUv);
+        for (const Vertex& v : m.vertices)
+            hash.addValue(v.position).addValue(v.normal).addValue(v.uv).addValue(v.lightmapUv);
         hash.add(bytesIn(m.indices));
         return m.name + '#' + std::to_string(m.vertices.size()) + '#' + std::to_string(hash.value());
     });
@@ -45,7 +46,8 @@ std::string textOf(const std::shared_ptr<const Texture>& picture)
     return remembered(picture, [](const Texture& t) {
         Hash hash;
         hash.add(bytesIn(t.bytes)).add(bytesIn(t.floats));
-        return t.name + '#' + std::to_string(t.width) + 'x' + std::to_string(t.height) + 'x' + std::to_string(t.layers) + '#' + std::to_string(hash.value());
+        return t.name + '#' + std::to_string(t.width) + 'x' + std::to_string(t.height) + 'x' +
+               std::to_string(t.layers) + '#' + std::to_string(hash.value());
     });
 }
 
@@ -54,8 +56,10 @@ struct Line {
 
     template <typename T> Line& operator<<(const T& value)
     {
-        if constexpr (std::is_enum_v<T>) text << static_cast<int>(value) << ' ';
-        else text << value << ' ';
+        if constexpr (std::is_enum_v<T>)
+            text << static_cast<int>(value) << ' ';
+        else
+            text << value << ' ';
         return *this;
     }
     Line& operator<<(const Bytes& bytes) { return *this << Hash().add(bytesIn(bytes)).value(); }
@@ -92,9 +96,11 @@ std::string textOf(const Pass& p)
 {
     Line line;
     line.text.precision(17);
-    line << "pass" << p.name << p.reason << p.stage << p.work << p.shader.vertex << p.shader.fragment << p.shader.compute << p.shader.prelude;
+    line << "pass" << p.name << p.reason << p.stage << p.work << p.shader.vertex << p.shader.fragment
+         << p.shader.compute << p.shader.prelude;
     line.all(p.shader.defines);
-    line << p.state.depthTest << p.state.depthWrite << p.state.cull << p.state.blend << p.state.meanWeight << p.state.depthClamp << p.state.depthBias.x << p.state.depthBias.y;
+    line << p.state.depthTest << p.state.depthWrite << p.state.cull << p.state.blend << p.state.meanWeight
+         << p.state.depthClamp << p.state.depthBias.x << p.state.depthBias.y;
     line.all(p.colors);
     if (p.depth) line << *p.depth;
     line.all(p.storage);
@@ -129,8 +135,9 @@ std::string wholeText(const FramePlan& plan)
     }
     for (const auto& [name, image] : plan.images()) {
         Line line;
-        line << "image" << name << image.format << image.type << image.size.x << image.size.y << image.scale << image.layers << image.levels << image.kept << image.comparison
-             << image.repeat << image.nearest << image.divisor << image.ownPixels;
+        line << "image" << name << image.format << image.type << image.size.x << image.size.y << image.scale
+             << image.layers << image.levels << image.kept << image.comparison << image.repeat << image.nearest
+             << image.divisor << image.ownPixels;
         text += line.text.str() + '\n';
     }
     return text;

@@ -6,7 +6,8 @@ namespace vitrine::test {
 
 // One picture at once: prepared, then planned or asked about.
 
-inline render::FramePlan planned(const Museum& museum, const Look& look, const FrameRequest& request, const render::KeptKeys& kept = {})
+inline render::FramePlan planned(const Museum& museum, const Look& look, const FrameRequest& request,
+                                 const render::KeptKeys& kept = {})
 {
     return museum.plan(museum.prepare(look, request), request, kept);
 }

@@ -64,7 +64,10 @@ protected:
         window_.reset();
     }
     [[nodiscard]] int red() { return window_->viewport().grabFramebuffer().pixelColor(20, 20).red(); }
-    [[nodiscard]] double roughness(std::size_t exhibit = 1) { return window_->history().look().values[exhibit][gallery_->table(exhibit).roughness]; }
+    [[nodiscard]] double roughness(std::size_t exhibit = 1)
+    {
+        return window_->history().look().values[exhibit][gallery_->table(exhibit).roughness];
+    }
     [[nodiscard]] QListWidget* presets() { return window_->findChild<ui::PresetList*>()->findChild<QListWidget*>(); }
     /// The presets of that name; shipped ones are in the list, too.
     [[nodiscard]] QList<QListWidgetItem*> rowsNamed(const char* name)

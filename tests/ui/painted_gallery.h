@@ -15,16 +15,24 @@ namespace vitrine::test {
 /// An exhibit with a table and nothing to draw.
 class PlainExhibit final : public Exhibit {
 public:
-    PlainExhibit(std::string_view name, std::string_view title, int place) : name_(name), title_(title), place_(place) {}
+    PlainExhibit(std::string_view name, std::string_view title, int place) : name_(name), title_(title), place_(place)
+    {
+    }
 
     [[nodiscard]] std::string_view name() const override { return name_; }
     [[nodiscard]] std::string_view title() const override { return title_; }
-    [[nodiscard]] std::string_view summary() const override { return "One solid with one hole, from torus to mug and back."; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "One solid with one hole, from torus to mug and back.";
+    }
     [[nodiscard]] std::string_view buttonText() const override { return place_ > 0 ? "melt it" : ""; }
     [[nodiscard]] int place() const override { return place_; }
     [[nodiscard]] const Parameters& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {{-1, 0, -1}, {1, 2, 1}}; }
-    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override { return {{0, 1.5, 3}, {0, 1, 0}, 0.9}; }
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override
+    {
+        return {{0, 1.5, 3}, {0, 1, 0}, 0.9};
+    }
     [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
     void plan(const PlanContext&, render::FramePlan&) const override {}
     [[nodiscard]] const SampleTable& table() const { return table_; }
@@ -43,7 +51,10 @@ public:
         exhibits_.push_back(std::make_unique<PlainExhibit>("hall", "Hall", 0));
         exhibits_.push_back(std::make_unique<PlainExhibit>("sdf_morph", "Torus to mug", 1));
     }
-    [[nodiscard]] const SampleTable& table(std::size_t i) const { return static_cast<PlainExhibit&>(*exhibits_[i]).table(); }
+    [[nodiscard]] const SampleTable& table(std::size_t i) const
+    {
+        return static_cast<PlainExhibit&>(*exhibits_[i]).table();
+    }
 
     [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const override { return exhibits_; }
     [[nodiscard]] Look initialLook() const override
@@ -64,7 +75,8 @@ public:
     {
         const Pointed exhibit{1, "Torus to mug", 3, false, false, {{0, 1.5, 3}, {0, 1, 0}, 0.9}};
         if (glm::length(ndc) < 0.3) return exhibit;
-        if (glm::length(ndc - glm::dvec2(0.8, 0)) < 0.1) return Pointed{1, "E – melt it", 1, true, buttonInReach, exhibit.view};
+        if (glm::length(ndc - glm::dvec2(0.8, 0)) < 0.1)
+            return Pointed{1, "E – melt it", 1, true, buttonInReach, exhibit.view};
         return std::nullopt;
     }
     [[nodiscard]] std::vector<int> emptyPlaces() const override { return {2, 3, 4, 5, 6, 7, 8, 9}; }
@@ -106,8 +118,12 @@ public:
         image.fill(QColor::fromRgbF(red_, 0.45F, 0.4F));
         return image;
     }
-    [[nodiscard]] std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const override { return moving; }
-    [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion& region, int, const Unwanted&) override
+    [[nodiscard]] std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const override
+    {
+        return moving;
+    }
+    [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion& region, int,
+                                    const Unwanted&) override
     {
         strangers += std::this_thread::get_id() == thread ? 0 : 1;
         QImage image(region.size.x, region.size.y, QImage::Format_RGBX8888);
@@ -143,8 +159,8 @@ public:
     }
 
     std::atomic<int> opened = 0, closed = 0;
-    std::thread::id thread;          ///< That opened it.
-    std::atomic<int> strangers = 0;  ///< Pictures drawn on another one.
+    std::thread::id thread;                                                   ///< That opened it.
+    std::atomic<int> strangers = 0;                                           ///< Pictures drawn on another one.
     std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set while nothing is drawn.
     std::optional<PictureRegion> moving;
     std::optional<LookedAt> looked;
@@ -152,7 +168,7 @@ public:
     double movesFor = 0;
     std::atomic<int> pictureReads = 0;
     std::vector<render::gl::ShaderProblem> shaderProblems;
-    std::exception_ptr thrown;  ///< By every frame that is drawn from now on; null: nothing.
+    std::exception_ptr thrown;                ///< By every frame that is drawn from now on; null: nothing.
     std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.
 
 private:

@@ -1,7 +1,7 @@
 #pragma once
 
-// Qt Test's own limit of five seconds fails where the machine is slow or does something else as well. Tests wait for what
-// will come; the limit is there for what never does. Precompiled into every program of this folder.
+// Qt Test's own limit of five seconds fails where the machine is slow or does something else as well. Tests wait for
+// what will come; the limit is there for what never does. Precompiled into every program of this folder.
 #include <QSignalSpy>
 #include <QTest>
 

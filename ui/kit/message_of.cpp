@@ -14,7 +14,8 @@ QString messageOf(const std::exception& thrown)
     const QString words = QString::fromUtf8(thrown.what());
     if (dynamic_cast<const Failure*>(&thrown)) return words;
     if (dynamic_cast<const std::bad_alloc*>(&thrown))
-        return tr("There was not enough memory for this, and nothing was changed. Choose a smaller size, or close another program.");
+        return tr("There was not enough memory for this, and nothing was changed. Choose a smaller size, or close "
+                  "another program.");
     return tr("Vitrine has a fault: %1. What you asked for was not done; everything else goes on.").arg(words);
 }
 

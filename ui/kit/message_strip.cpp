@@ -54,10 +54,7 @@ public:
     [[nodiscard]] const QString& kind() const { return kind_; }
     void setKind(const QString& several) { kind_ = several; }
     /// Fades out once the time is over and the pointer is elsewhere.
-    void goAfter(int milliseconds)
-    {
-        life_.start(milliseconds);
-    }
+    void goAfter(int milliseconds) { life_.start(milliseconds); }
 
 private:
     void fade()
@@ -135,7 +132,8 @@ void MessageStrip::say(Mood mood, const QString& text, const QString& several, c
     if (texts().contains(text)) return;
     Line* line = nullptr;
     for (int i = 0; i < list_->count() && !several.isEmpty(); ++i)
-        if (auto* other = dynamic_cast<Line*>(list_->itemAt(i)->widget()); other && other->kind() == several) line = other;
+        if (auto* other = dynamic_cast<Line*>(list_->itemAt(i)->widget()); other && other->kind() == several)
+            line = other;
     if (line) {
         line->repeat(several, what);
     } else {
@@ -178,7 +176,8 @@ QStringList MessageStrip::texts() const
 void MessageStrip::takeBack(const QString& text)
 {
     for (int i = list_->count() - 1; i >= 0; --i)
-        if (const auto* line = dynamic_cast<Line*>(list_->itemAt(i)->widget()); line && line->text() == text) delete line;
+        if (const auto* line = dynamic_cast<Line*>(list_->itemAt(i)->widget()); line && line->text() == text)
+            delete line;
 }
 
 void MessageStrip::dismissAll()
@@ -190,7 +189,8 @@ void MessageStrip::fit()
 {
     setVisible(list_->count() > 0 && !banned_);
     const int wide = under_ ? under_->width() : width();
-    const int wanted = list_->hasHeightForWidth() ? list_->heightForWidth(std::max(200, wide)) : list_->sizeHint().height();
+    const int wanted =
+        list_->hasHeightForWidth() ? list_->heightForWidth(std::max(200, wide)) : list_->sizeHint().height();
     setFixedHeight(std::min(highest, wanted));
     if (!under_) return;
     setGeometry(under_->x(), under_->y(), wide, height());

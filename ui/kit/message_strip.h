@@ -7,8 +7,8 @@ class QVBoxLayout;
 
 namespace vitrine::ui {
 
-/// What happened, to which file and line, what to do. Problems are listed until dismissed; notices go by themselves after
-/// some seconds. Never a pop-up. Text is plain and can be selected.
+/// What happened, to which file and line, what to do. Problems are listed until dismissed; notices go by themselves
+/// after some seconds. Never a pop-up. Text is plain and can be selected.
 class MessageStrip final : public QWidget {
     Q_OBJECT
 

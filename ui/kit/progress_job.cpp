@@ -16,7 +16,8 @@ constexpr qint64 tellEvery = 50;  // Milliseconds.
 QString timeLeft(double seconds)
 {
     const int whole = static_cast<int>(std::ceil(seconds));
-    return whole < 90 ? ProgressJob::tr("About %1 s left").arg(whole) : ProgressJob::tr("About %1 min left").arg((whole + 30) / 60);
+    return whole < 90 ? ProgressJob::tr("About %1 s left").arg(whole)
+                      : ProgressJob::tr("About %1 min left").arg((whole + 30) / 60);
 }
 
 ProgressJob::ProgressJob(QObject* parent) : QObject(parent)
@@ -65,7 +66,8 @@ void ProgressJob::run(Work work)
                         this,
                         [this, turn, part] {
                             const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
-                            if (turn == turn_) emit progressed(part, part > 0.02 && seconds > 0.5 ? seconds / part * (1 - part) : -1);
+                            if (turn == turn_)
+                                emit progressed(part, part > 0.02 && seconds > 0.5 ? seconds / part * (1 - part) : -1);
                         },
                         Qt::QueuedConnection);
                 }
@@ -75,7 +77,8 @@ void ProgressJob::run(Work work)
             stopped = stopping->load();  // It did what it was asked to: nothing to complain about.
             if (!stopped) why = messageOf(failure);
         }
-        QMetaObject::invokeMethod(this, [this, turn, outcome, why, stopped] { end(turn, outcome, why, stopped); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, turn, outcome, why, stopped] { end(turn, outcome, why, stopped); }, Qt::QueuedConnection);
     });
 }
 
@@ -84,9 +87,12 @@ void ProgressJob::end(int turn, const Outcome& outcome, const QString& why, bool
     running_ = false;
     if (next_) run(std::exchange(next_, {}));
     if (turn != turn_) return;
-    if (stopped) emit this->stopped();
-    else if (!why.isEmpty()) emit failed(why);
-    else if (outcome) outcome();
+    if (stopped)
+        emit this->stopped();
+    else if (!why.isEmpty())
+        emit failed(why);
+    else if (outcome)
+        outcome();
 }
 
 }  // namespace vitrine::ui

@@ -11,7 +11,8 @@
 namespace vitrine::ui {
 
 QuietDialog::QuietDialog(const QString& heading, const QString& accept, QWidget* parent)
-    : QDialog(parent), heading_(new QLabel(heading, this)), body_(new QVBoxLayout), accept_(new QPushButton(accept, this))
+    : QDialog(parent), heading_(new QLabel(heading, this)), body_(new QVBoxLayout),
+      accept_(new QPushButton(accept, this))
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(QStringLiteral("Vitrine"));  // Short enough for any title bar; the heading is below it.
@@ -54,7 +55,8 @@ void QuietDialog::openOver(const QWidget& anchor)
     const int x = left ? over.left() : over.right() + 1 - wide;
     const int below = over.bottom() + 1;
     const int y = below + high <= room.bottom() ? below : over.top() - high;
-    setGeometry(std::clamp(x, room.left(), std::max(room.left(), room.right() - wide)), std::max(y, room.top()), wide, high);
+    setGeometry(std::clamp(x, room.left(), std::max(room.left(), room.right() - wide)), std::max(y, room.top()), wide,
+                high);
     show();
 }
 

@@ -57,7 +57,8 @@ void drawCheckBox(QPainter* painter, const QStyleOption& option)
     painter->setPen(focused ? QPen(theme().text) : QPen(on ? QColor(Qt::transparent) : theme().outline));
     painter->drawRoundedRect(box, 3, 3);
     if (on) {
-        painter->setPen(QPen(theme().dark ? theme().window : QColor(Qt::white), 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter->setPen(
+            QPen(theme().dark ? theme().window : QColor(Qt::white), 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         const QPointF c = box.center();
         const QPointF tick[3] = {c + QPointF(-3.4, 0.2), c + QPointF(-1, 2.8), c + QPointF(3.6, -2.8)};
         painter->drawPolyline(tick, 3);
@@ -94,12 +95,15 @@ void QuietStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
         painter->restore();
         return;
-    case PE_IndicatorArrowDown: drawChevron(painter, QRectF(option->rect).center(), option->state & State_Enabled); return;
+    case PE_IndicatorArrowDown:
+        drawChevron(painter, QRectF(option->rect).center(), option->state & State_Enabled);
+        return;
     default: QProxyStyle::drawPrimitive(element, option, painter, widget);
     }
 }
 
-void QuietStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const
+void QuietStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                             const QWidget* widget) const
 {
     if (element == CE_Splitter) return;
     if (element == CE_TabBarTabShape) {
@@ -107,7 +111,8 @@ void QuietStyle::drawControl(ControlElement element, const QStyleOption* option,
         if (selected)
             painter->fillRect(QRect(option->rect.left() + 8, option->rect.bottom() - 1, option->rect.width() - 16, 2),
                               theme().accent);
-        else if (option->state & State_MouseOver) painter->fillRect(option->rect, veil(0.05F));
+        else if (option->state & State_MouseOver)
+            painter->fillRect(option->rect, veil(0.05F));
         if (option->state & State_HasFocus) drawField(painter, option->rect, State_Enabled | State_HasFocus);
         return;
     }
@@ -121,11 +126,12 @@ void QuietStyle::drawControl(ControlElement element, const QStyleOption* option,
         return;
     }
     if (element == CE_ProgressBarContents) {
-        if (const auto* bar = qstyleoption_cast<const QStyleOptionProgressBar*>(option); bar && bar->maximum > bar->minimum) {
+        if (const auto* bar = qstyleoption_cast<const QStyleOptionProgressBar*>(option);
+            bar && bar->maximum > bar->minimum) {
             const double part = static_cast<double>(bar->progress - bar->minimum) / (bar->maximum - bar->minimum);
-            painter->fillRect(
-                QRectF(bar->rect.left(), bar->rect.top(), bar->rect.width() * std::clamp(part, 0.0, 1.0), bar->rect.height()),
-                theme().accent);
+            painter->fillRect(QRectF(bar->rect.left(), bar->rect.top(), bar->rect.width() * std::clamp(part, 0.0, 1.0),
+                                     bar->rect.height()),
+                              theme().accent);
         }
         return;
     }
@@ -137,7 +143,8 @@ void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
 {
     // Fusion leaves the panel of a raised button out while the pointer is elsewhere, and the focus with it.
     constexpr State drawnAnyhow = State_MouseOver | State_Sunken | State_On;
-    if (control == CC_ToolButton && (option->state & State_AutoRaise) && (option->state & State_HasFocus) && !(option->state & drawnAnyhow))
+    if (control == CC_ToolButton && (option->state & State_AutoRaise) && (option->state & State_HasFocus) &&
+        !(option->state & drawnAnyhow))
         drawField(painter, option->rect, option->state);
     if (control == CC_ComboBox) {
         drawField(painter, option->rect, option->state & ~(State_Sunken | State_On));
@@ -182,7 +189,8 @@ int QuietStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     }
 }
 
-QSize QuietStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size, const QWidget* widget) const
+QSize QuietStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                   const QWidget* widget) const
 {
     QSize wanted = QProxyStyle::sizeFromContents(type, option, size, widget);
     if (type == CT_ItemViewItem || type == CT_MenuItem) wanted.rheight() += 4;
@@ -198,11 +206,12 @@ QRect QuietStyle::subControlRect(ComplexControl control, const QStyleOptionCompl
     const bool across = bar->orientation == Qt::Horizontal;
     const int length = across ? bar->rect.width() : bar->rect.height();
     const int range = bar->maximum - bar->minimum;
-    const int thumb = range <= 0
-                          ? length
-                          : std::clamp(static_cast<int>(static_cast<double>(length) * bar->pageStep / (range + bar->pageStep)),
-                                       24, std::max(24, length));
-    const int start = sliderPositionFromValue(bar->minimum, bar->maximum, bar->sliderPosition, length - thumb, bar->upsideDown);
+    const int thumb =
+        range <= 0 ? length
+                   : std::clamp(static_cast<int>(static_cast<double>(length) * bar->pageStep / (range + bar->pageStep)),
+                                24, std::max(24, length));
+    const int start =
+        sliderPositionFromValue(bar->minimum, bar->maximum, bar->sliderPosition, length - thumb, bar->upsideDown);
     const auto at = [&](int from, int size) {
         return across ? QRect(from, 0, size, bar->rect.height()) : QRect(0, from, bar->rect.width(), size);
     };

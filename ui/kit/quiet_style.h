@@ -15,8 +15,10 @@ public:
     void drawControl(ControlElement, const QStyleOption*, QPainter*, const QWidget*) const override;
     void drawComplexControl(ComplexControl, const QStyleOptionComplex*, QPainter*, const QWidget*) const override;
     [[nodiscard]] int pixelMetric(PixelMetric, const QStyleOption*, const QWidget*) const override;
-    [[nodiscard]] QSize sizeFromContents(ContentsType, const QStyleOption*, const QSize&, const QWidget*) const override;
-    [[nodiscard]] QRect subControlRect(ComplexControl, const QStyleOptionComplex*, SubControl, const QWidget*) const override;
+    [[nodiscard]] QSize sizeFromContents(ContentsType, const QStyleOption*, const QSize&,
+                                         const QWidget*) const override;
+    [[nodiscard]] QRect subControlRect(ComplexControl, const QStyleOptionComplex*, SubControl,
+                                       const QWidget*) const override;
 };
 
 }  // namespace vitrine::ui

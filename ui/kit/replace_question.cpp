@@ -28,20 +28,24 @@ QString nextFreePath(const QString& path)
     return next;
 }
 
-void askBeforeReplacing(QWidget* parent, const QString& path, std::function<void(const QString&)> write, const QStringList& beside)
+void askBeforeReplacing(QWidget* parent, const QString& path, std::function<void(const QString&)> write,
+                        const QStringList& beside)
 {
     const QStringList files = QStringList(path) + beside;
-    const auto old = std::find_if(files.begin(), files.end(), [](const QString& file) { return QFileInfo::exists(file); });
+    const auto old =
+        std::find_if(files.begin(), files.end(), [](const QString& file) { return QFileInfo::exists(file); });
     if (old == files.end()) {
         write(path);
         return;
     }
     const QString next = nextFreePath(path);
-    auto* question = new QMessageBox(QMessageBox::Question, QMessageBox::tr("Replace the file?"), QMessageBox::tr("%1 is there already.").arg(QFileInfo(*old).fileName()),
+    auto* question = new QMessageBox(QMessageBox::Question, QMessageBox::tr("Replace the file?"),
+                                     QMessageBox::tr("%1 is there already.").arg(QFileInfo(*old).fileName()),
                                      QMessageBox::Cancel, parent);
     question->setTextFormat(Qt::PlainText);
     question->setAttribute(Qt::WA_DeleteOnClose);
-    auto* keep = question->addButton(QMessageBox::tr("Save as %1").arg(QFileInfo(next).fileName()), QMessageBox::AcceptRole);
+    auto* keep =
+        question->addButton(QMessageBox::tr("Save as %1").arg(QFileInfo(next).fileName()), QMessageBox::AcceptRole);
     auto* replace = question->addButton(QMessageBox::tr("Replace it"), QMessageBox::DestructiveRole);
     keep->setObjectName(QStringLiteral("keepBoth"));
     replace->setObjectName(QStringLiteral("replace"));

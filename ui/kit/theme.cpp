@@ -54,7 +54,8 @@ void applyTheme(QApplication& app, const Theme& chosen)
     palette.setColor(QPalette::Highlight, chosen.accent);
     palette.setColor(QPalette::HighlightedText, chosen.dark ? chosen.window : QColor(Qt::white));
     palette.setColor(QPalette::Link, chosen.accent);
-    for (const auto role : {QPalette::WindowText, QPalette::Text}) palette.setColor(QPalette::Disabled, role, chosen.dim);
+    for (const auto role : {QPalette::WindowText, QPalette::Text})
+        palette.setColor(QPalette::Disabled, role, chosen.dim);
     QColor off = chosen.text;  // A button that cannot be pressed must not read like one that can.
     off.setAlphaF(0.35F);
     palette.setColor(QPalette::Disabled, QPalette::ButtonText, off);

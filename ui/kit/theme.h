@@ -10,7 +10,8 @@ namespace vitrine::ui {
 struct Theme {
     bool dark = true;
     QColor window, base, text, dim, accent, error, good;
-    QColor outline;  ///< Of fields and buttons: 3:1 against window and base, as WCAG 2.2 (1.4.11) asks of what tells a control from its surroundings.
+    QColor outline;  ///< Of fields and buttons: 3:1 against window and base, as WCAG 2.2 (1.4.11) asks of what tells a
+                     ///< control from its surroundings.
 };
 
 [[nodiscard]] Theme darkTheme();

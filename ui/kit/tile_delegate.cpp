@@ -44,7 +44,8 @@ void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
         fill.setAlphaF(selected ? 0.18F : 0.06F);
         painter->fillRect(option.rect, fill);
     }
-    if (selected) painter->fillRect(QRect(option.rect.left(), option.rect.top(), 3, option.rect.height()), colors.accent);
+    if (selected)
+        painter->fillRect(QRect(option.rect.left(), option.rect.top(), 3, option.rect.height()), colors.accent);
 
     const QRect frame(option.rect.left() + 12, option.rect.top() + 6, picture.width(), picture.height());
     const QIcon icon = index.data(Qt::DecorationRole).value<QIcon>();

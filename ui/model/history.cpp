@@ -37,8 +37,8 @@ std::vector<RowChange> changesBetween(const Look& before, const Look& after)
 /// From one look to another. Keeps the rows that differ: looks are large, and an afternoon has thousands of steps.
 class LookStep final : public QUndoCommand {
 public:
-    LookStep(History& history, const QString& text, std::vector<RowChange> changes, const render::Camera& cameraAfter, Gesture gesture,
-             History::Camera camera)
+    LookStep(History& history, const QString& text, std::vector<RowChange> changes, const render::Camera& cameraAfter,
+             Gesture gesture, History::Camera camera)
         : QUndoCommand(text), history_(history), changes_(std::move(changes)), cameraBefore_(history.look().camera),
           cameraAfter_(cameraAfter), gesture_(gesture), camera_(camera)
     {
@@ -55,8 +55,10 @@ public:
             const auto known = std::find_if(changes_.begin(), changes_.end(), [&](const RowChange& c) {
                 return c.exhibit == change.exhibit && c.row == change.row;
             });
-            if (known == changes_.end()) changes_.push_back(change);
-            else known->after = change.after;
+            if (known == changes_.end())
+                changes_.push_back(change);
+            else
+                known->after = change.after;
         }
         std::erase_if(changes_, [](const RowChange& change) { return change.before == change.after; });
         cameraAfter_ = later.cameraAfter_;
@@ -70,8 +72,10 @@ private:
         Look& look = history_.look_;
         for (const RowChange& change : changes_) look.values[change.exhibit].setRow(change.row, change.*value);
         if (camera_ == History::Camera::moves) look.camera = camera;
-        if (changes_.size() == 1) emit history_.changed(changes_.front().exhibit, changes_.front().row);
-        else emit history_.replaced();
+        if (changes_.size() == 1)
+            emit history_.changed(changes_.front().exhibit, changes_.front().row);
+        else
+            emit history_.replaced();
         if (camera_ == History::Camera::moves) emit history_.cameraMoved();
     }
 
@@ -109,7 +113,8 @@ void History::set(std::size_t exhibit, std::size_t row, const Value& value, Gest
     if (!legal || *legal == values.row(row)) return;
     gesture_ = gesture;
     const QString step = text.isEmpty() ? tr("Change %1").arg(QString::fromStdString(label(info)).toLower()) : text;
-    stack_.push(new LookStep(*this, step, {{exhibit, row, values.row(row), *legal}}, look_.camera, gesture, Camera::stays));
+    stack_.push(
+        new LookStep(*this, step, {{exhibit, row, values.row(row), *legal}}, look_.camera, gesture, Camera::stays));
 }
 
 void History::change(const QString& text, const Look& after, Gesture gesture, Camera camera)

@@ -15,8 +15,8 @@ using Gesture = int;
 
 /// The look on show and all the looks before it: the one place where values of the window change.
 ///
-/// Whoever shows a value listens to `changed` and `replaced`; nobody keeps a copy of the values. The camera walks freely
-/// and is no step of its own; a change that moves it (a preset) takes it back when undone.
+/// Whoever shows a value listens to `changed` and `replaced`; nobody keeps a copy of the values. The camera walks
+/// freely and is no step of its own; a change that moves it (a preset) takes it back when undone.
 class History : public QObject {
     Q_OBJECT
 

@@ -62,7 +62,8 @@ private:
 QColor encoded(const glm::dvec3& color)
 {
     const glm::dvec3 c = glm::clamp(color, 0.0, 1.0);
-    return QColor::fromRgbF(static_cast<float>(encode(c.x)), static_cast<float>(encode(c.y)), static_cast<float>(encode(c.z)));
+    return QColor::fromRgbF(static_cast<float>(encode(c.x)), static_cast<float>(encode(c.y)),
+                            static_cast<float>(encode(c.z)));
 }
 
 glm::dvec3 linear(const QColor& color)
@@ -119,8 +120,10 @@ void ColorEditor::typed()
     const std::optional<Value> color = typedValue(row(), code_->text(), &problem);
     if (!color) {
         // Left without Enter, the field goes back to what is.
-        if (code_->hasFocus()) showWrong(true);
-        else showValue(value_);
+        if (code_->hasFocus())
+            showWrong(true);
+        else
+            showValue(value_);
         QToolTip::showText(code_->mapToGlobal(QPoint(0, code_->height())), problem, code_);
         return;
     }

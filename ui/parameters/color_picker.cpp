@@ -22,11 +22,13 @@ QColor ofHsv(double hue, double saturation, double value)
 }  // namespace
 
 ColorField::ColorField(const QColor& start, QWidget* parent)
-    : QWidget(parent), hue_(std::max(0.0F, start.hsvHueF())), saturation_(start.hsvSaturationF()), value_(start.valueF())
+    : QWidget(parent), hue_(std::max(0.0F, start.hsvHueF())), saturation_(start.hsvSaturationF()),
+      value_(start.valueF())
 {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Color"));
-    setToolTip(tr("Saturation to the right, brightness upward; hue in the bar.\nArrows move in the field, with Ctrl in the bar."));
+    setToolTip(tr("Saturation to the right, brightness upward; hue in the bar.\nArrows move in the field, with Ctrl in "
+                  "the bar."));
     setMinimumSize(160, 120);
 }
 
@@ -66,8 +68,10 @@ void ColorField::set(double hue, double saturation, double value)
 
 void ColorField::take(const QPointF& at)
 {
-    if (inBar_) set((at.x() - bar().left()) / bar().width(), saturation_, value_);
-    else set(hue_, (at.x() - field().left()) / field().width(), (field().bottom() - at.y()) / field().height());
+    if (inBar_)
+        set((at.x() - bar().left()) / bar().width(), saturation_, value_);
+    else
+        set(hue_, (at.x() - field().left()) / field().width(), (field().bottom() - at.y()) / field().height());
 }
 
 void ColorField::mousePressEvent(QMouseEvent* event)
@@ -89,8 +93,10 @@ void ColorField::keyPressEvent(QKeyEvent* event)
         QWidget::keyPressEvent(event);
         return;
     }
-    if (event->modifiers() & Qt::ControlModifier) set(hue_ + (right + up) / 360.0, saturation_, value_);
-    else set(hue_, saturation_ + right / 100.0, value_ + up / 100.0);
+    if (event->modifiers() & Qt::ControlModifier)
+        set(hue_ + (right + up) / 360.0, saturation_, value_);
+    else
+        set(hue_, saturation_ + right / 100.0, value_ + up / 100.0);
 }
 
 void ColorField::paintEvent(QPaintEvent*)
@@ -121,7 +127,8 @@ void ColorField::paintEvent(QPaintEvent*)
     handle(placeOfHue(hue_), ofHsv(hue_, 1, 1));
 }
 
-ColorDialog::ColorDialog(const QString& heading, const QColor& start, QWidget* parent) : QuietDialog(heading, tr("OK"), parent)
+ColorDialog::ColorDialog(const QString& heading, const QColor& start, QWidget* parent)
+    : QuietDialog(heading, tr("OK"), parent)
 {
     auto* field = new ColorField(start, this);
     body().addWidget(field);

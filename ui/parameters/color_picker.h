@@ -6,7 +6,8 @@
 
 namespace vitrine::ui {
 
-/// Saturation to the right and value upward in a field, hue in a bar below it. Arrows move in the field, with Ctrl in the bar.
+/// Saturation to the right and value upward in a field, hue in a bar below it. Arrows move in the field, with Ctrl in
+/// the bar.
 class ColorField final : public QWidget {
     Q_OBJECT
 

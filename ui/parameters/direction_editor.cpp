@@ -15,8 +15,10 @@ namespace {
 
 /// The two angles are rows of a table of their own: fields, steps and typing are those of any number.
 struct Angles final : Parameters {
-    Real azimuth = real("azimuth", 0, degree, {-std::numbers::pi, std::numbers::pi}, "Compass angle: 0 is the far end of the hall, 90 its right side.");
-    Real elevation = real("elevation", 0, degree, {-std::numbers::pi / 2, std::numbers::pi / 2}, "Height above the horizon: 90 is straight up.");
+    Real azimuth = real("azimuth", 0, degree, {-std::numbers::pi, std::numbers::pi},
+                        "Compass angle: 0 is the far end of the hall, 90 its right side.");
+    Real elevation = real("elevation", 0, degree, {-std::numbers::pi / 2, std::numbers::pi / 2},
+                          "Height above the horizon: 90 is straight up.");
 };
 
 const ParameterInfo& angle(std::size_t i)
@@ -38,7 +40,8 @@ DirectionEditor::DirectionEditor(const ValueRef& value, QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(6, 0, 0, 0);
     layout->setSpacing(4);
-    for (const auto& [sign, field] : {std::pair(QStringLiteral("↻"), azimuth_), std::pair(QStringLiteral("↑"), elevation_)}) {
+    for (const auto& [sign, field] :
+         {std::pair(QStringLiteral("↻"), azimuth_), std::pair(QStringLiteral("↑"), elevation_)}) {
         auto* mark = new QLabel(sign, this);
         mark->setEnabled(false);
         layout->addWidget(mark);

@@ -12,7 +12,8 @@
 
 namespace vitrine::ui {
 
-NumberField::NumberField(const ParameterInfo& row, QWidget* parent) : QLineEdit(parent), row_(row), drag_(row), scale_(row)
+NumberField::NumberField(const ParameterInfo& row, QWidget* parent)
+    : QLineEdit(parent), row_(row), drag_(row), scale_(row)
 {
     setFrame(false);
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -151,8 +152,10 @@ void NumberField::keyPressEvent(QKeyEvent* event)
         return;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        if (editing_) commit();
-        else beginEdit();
+        if (editing_)
+            commit();
+        else
+            beginEdit();
         return;
     case Qt::Key_Up:
     case Qt::Key_Down: {
@@ -166,8 +169,10 @@ void NumberField::keyPressEvent(QKeyEvent* event)
     const bool plain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
     if (!editing_ && plain && !typed.isEmpty() && typed[0].isPrint()) beginEdit();
     wrong_ = false;
-    if (editing_) QLineEdit::keyPressEvent(event);
-    else event->ignore();
+    if (editing_)
+        QLineEdit::keyPressEvent(event);
+    else
+        event->ignore();
 }
 
 void NumberField::wheelEvent(QWheelEvent* event)

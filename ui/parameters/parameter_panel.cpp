@@ -31,14 +31,14 @@ QString rowLabel(const ParameterInfo& row)
 }  // namespace
 
 ParameterPanel::ParameterPanel(History& history, QWidget* parent)
-    : QWidget(parent), history_(history), filter_(new QLineEdit(this)), onlyChanged_(new QToolButton(this)), elsewhere_(new QToolButton(this)),
-      scroll_(new QScrollArea(this)),
-      nothing_(new QLabel(this))
+    : QWidget(parent), history_(history), filter_(new QLineEdit(this)), onlyChanged_(new QToolButton(this)),
+      elsewhere_(new QToolButton(this)), scroll_(new QScrollArea(this)), nothing_(new QLabel(this))
 {
     filter_->setPlaceholderText(tr("Find a parameter"));
     filter_->setAccessibleName(tr("Find a parameter"));
-    filter_->setToolTip(tr("Shows only parameters whose name, group, help or choices contain these words (Ctrl+F). Enter goes to the "
-                           "first, Esc clears, Esc again leaves."));
+    filter_->setToolTip(
+        tr("Shows only parameters whose name, group, help or choices contain these words (Ctrl+F). Enter goes to the "
+           "first, Esc clears, Esc again leaves."));
     filter_->setProperty(IdleUndo::searches, true);
     filter_->setClearButtonEnabled(true);
     filter_->setFixedHeight(26);
@@ -148,13 +148,16 @@ void ParameterPanel::rebuild()
 
 void ParameterPanel::addSection(const ParameterInfo& first)
 {
-    auto* section = new ParameterSection(QString::fromUtf8(first.group.data(), static_cast<qsizetype>(first.group.size())), content_);
+    auto* section = new ParameterSection(
+        QString::fromUtf8(first.group.data(), static_cast<qsizetype>(first.group.size())), content_);
     const QString key = name_ + QLatin1Char('/') + section->title();
     foldedAtFirst_.push_back(first.groupFolded);
     section->setFolded(folded_.contains(key) != first.groupFolded);
     connect(section, &ParameterSection::foldedByVisitor, this, [this, key, atFirst = first.groupFolded](bool folded) {
-        if (folded != atFirst) folded_.insert(key);
-        else folded_.remove(key);
+        if (folded != atFirst)
+            folded_.insert(key);
+        else
+            folded_.remove(key);
     });
     sections_.push_back(section);
     content_->layout()->addWidget(section);
@@ -179,7 +182,8 @@ void ParameterPanel::orderTabs()
     setTabOrder(filter_, onlyChanged_);
     setTabOrder(onlyChanged_, elsewhere_);
     for (QWidget* child : content_->findChildren<QWidget*>()) {
-        if (child->focusPolicy() == Qt::NoFocus || child->window() != window()) continue;  // Choices have windows of their own.
+        if (child->focusPolicy() == Qt::NoFocus || child->window() != window())
+            continue;  // Choices have windows of their own.
         setTabOrder(before, child);
         before = child;
     }
@@ -247,7 +251,8 @@ void ParameterPanel::setFoldedGroups(const QStringList& groups)
 {
     folded_ = QSet<QString>(groups.begin(), groups.end());
     for (std::size_t i = 0; i < sections_.size(); ++i)
-        sections_[i]->setFolded(folded_.contains(name_ + QLatin1Char('/') + sections_[i]->title()) != foldedAtFirst_[i]);
+        sections_[i]->setFolded(folded_.contains(name_ + QLatin1Char('/') + sections_[i]->title()) !=
+                                foldedAtFirst_[i]);
 }
 
 void ParameterPanel::focusFilter()
@@ -283,8 +288,10 @@ bool ParameterPanel::eventFilter(QObject* object, QEvent* event)
     if (event->type() == QEvent::KeyPress && object == filter_) {
         switch (static_cast<QKeyEvent*>(event)->key()) {
         case Qt::Key_Escape:
-            if (filter_->text().isEmpty()) emit filterLeft();
-            else filter_->clear();
+            if (filter_->text().isEmpty())
+                emit filterLeft();
+            else
+                filter_->clear();
             return true;
         case Qt::Key_Return:
         case Qt::Key_Enter:
@@ -307,10 +314,12 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const ParameterInfo& info = values().rows()[row];
-    QAction* reset = menu->addAction(tr("Reset to %1").arg(shownText(info, info.initial)), rows_[row], &ParameterRow::reset);
+    QAction* reset =
+        menu->addAction(tr("Reset to %1").arg(shownText(info, info.initial)), rows_[row], &ParameterRow::reset);
     reset->setEnabled(!values().isInitial(row));
     menu->addSeparator();
-    if (gauges_ && info.qualityReference) menu->addAction(tr("What does accuracy cost?"), this, [this, row] { emit accuracyAsked(row); });
+    if (gauges_ && info.qualityReference)
+        menu->addAction(tr("What does accuracy cost?"), this, [this, row] { emit accuracyAsked(row); });
     menu->addAction(tr("Copy value"), this, [this, row] { copy(row); });
     menu->addAction(tr("Paste"), this, [this, row] { paste(row); });
     menu->addAction(tr("Copy all as JSON"), this, [this] { copyAll(); });
@@ -326,15 +335,18 @@ void ParameterPanel::copy(std::size_t row) const
 void ParameterPanel::paste(std::size_t row)
 {
     QString problem;
-    const std::optional<Value> value = typedValue(values().rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
-    if (value) history_.set(exhibit_, row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
+    const std::optional<Value> value =
+        typedValue(values().rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
+    if (value)
+        history_.set(exhibit_, row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
     if (!problem.isEmpty()) tell(row, problem);
 }
 
 void ParameterPanel::pasteAll(std::size_t row)
 {
     QString problem;
-    const std::optional<ParameterValues> pasted = allFromJson(values().table(), name_, QApplication::clipboard()->text(), &problem);
+    const std::optional<ParameterValues> pasted =
+        allFromJson(values().table(), name_, QApplication::clipboard()->text(), &problem);
     if (!problem.isEmpty()) tell(row, problem);
     if (!pasted) return;
     Look next = history_.look();

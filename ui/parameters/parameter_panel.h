@@ -21,8 +21,8 @@ namespace vitrine::ui {
 class ParameterRow;
 class ParameterSection;
 
-/// The values of one exhibit in the history: everything here is derived from the rows of its table. Controls set values in
-/// the history; when one changes, its row is shown anew and no other.
+/// The values of one exhibit in the history: everything here is derived from the rows of its table. Controls set values
+/// in the history; when one changes, its row is shown anew and no other.
 class ParameterPanel final : public QWidget {
     Q_OBJECT
 
@@ -30,7 +30,8 @@ public:
     /// The history must outlive it.
     explicit ParameterPanel(History&, QWidget* parent = nullptr);
 
-    /// Shows the values of this exhibit from now on. `name`: under which it keeps what is folded, and copies and pastes.
+    /// Shows the values of this exhibit from now on. `name`: under which it keeps what is folded, and copies and
+    /// pastes.
     void showExhibit(std::size_t exhibit, const QString& name);
     /// Whose values are shown.
     [[nodiscard]] std::size_t exhibit() const { return exhibit_; }
@@ -95,8 +96,8 @@ private:
     std::vector<ParameterRow*> rows_;
     std::vector<ParameterSection*> sections_;
     std::vector<ParameterSection*> sectionOf_;  // By row.
-    std::vector<bool> foldedAtFirst_;  // By section.
-    const Parameters* table_ = nullptr;  // Whose rows are built; null: none yet.
+    std::vector<bool> foldedAtFirst_;           // By section.
+    const Parameters* table_ = nullptr;         // Whose rows are built; null: none yet.
     std::size_t exhibit_ = 0;
     QString name_;
     QSet<QString> folded_;

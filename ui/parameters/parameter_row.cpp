@@ -34,7 +34,8 @@ void RowLabel::paintEvent(QPaintEvent*)
     if (dim_) ink.setAlphaF(idleInk);
     painter.setPen(ink);
     // Names differ at their ends: "Handle radius", "Handle thickness".
-    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(text(), Qt::ElideMiddle, width()));
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideMiddle, width()));
 }
 
 void RowLabel::setDim(bool dim)
@@ -130,8 +131,8 @@ void GaugeMark::paintEvent(QPaintEvent*)
 
 ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
     : QWidget(parent), value_(value), editor_(makeEditor(value, this)),
-      label_(new RowLabel(QString::fromStdString(labelInGroup(value.info())), editor_, this)), naming_(new QWidget(this)),
-      dot_(new ResetDot(this))
+      label_(new RowLabel(QString::fromStdString(labelInGroup(value.info())), editor_, this)),
+      naming_(new QWidget(this)), dot_(new ResetDot(this))
 {
     const ParameterInfo& row = info();
     const QString name = QString::fromStdString(label(row));
@@ -192,7 +193,8 @@ void ParameterRow::setIdle(const QString& when)
         gray->setOpacity(idleInk);
     }
     editor_->setGraphicsEffect(gray);
-    const QString sentence = idle() ? tr("Does nothing now: acts when %1. It keeps its value.").arg(idleUntil_) : QString();
+    const QString sentence =
+        idle() ? tr("Does nothing now: acts when %1. It keeps its value.").arg(idleUntil_) : QString();
     setToolTip(idle() ? sentence + QStringLiteral("\n\n") + tooltipText(info()) : tooltipText(info()));
     setAccessibleDescription(sentence);
 }
@@ -206,8 +208,8 @@ void ParameterRow::resizeEvent(QResizeEvent* event)
 
 bool ParameterRow::matches(const ParameterInfo& row, const QString& words)
 {
-    QString all = QString::fromStdString(label(row)) + QLatin1Char(' ') + text(row.name) + QLatin1Char(' ') + text(row.group) +
-                  QLatin1Char(' ') + text(row.help);
+    QString all = QString::fromStdString(label(row)) + QLatin1Char(' ') + text(row.name) + QLatin1Char(' ') +
+                  text(row.group) + QLatin1Char(' ') + text(row.help);
     for (const std::string_view choice : row.choices) all += QLatin1Char(' ') + text(choice);
     for (const QString& word : words.split(QLatin1Char(' '), Qt::SkipEmptyParts))
         if (!all.contains(word, Qt::CaseInsensitive)) return false;

@@ -74,8 +74,8 @@ public:
     /// A row that means nothing at the moment is not shown, whatever is searched for.
     void setWanted(bool wanted) { wanted_ = wanted; }
     [[nodiscard]] bool wanted() const { return wanted_; }
-    /// Grays the row while it does not act and says in its tooltip when it does: `when` is empty while it acts. It can be
-    /// edited all the same, and acts with that value as soon as it does.
+    /// Grays the row while it does not act and says in its tooltip when it does: `when` is empty while it acts. It can
+    /// be edited all the same, and acts with that value as soon as it does.
     void setIdle(const QString& when);
     [[nodiscard]] bool idle() const { return !idleUntil_.isEmpty(); }
     /// Quality parameters show their gauge only once something answers it.

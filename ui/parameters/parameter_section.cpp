@@ -100,7 +100,8 @@ int ParameterSection::filter(const QString& words, bool onlyChanged)
 
 void ParameterSection::refresh()
 {
-    const bool changed = std::any_of(rows_.begin(), rows_.end(), [](const ParameterRow* row) { return row->differs(); });
+    const bool changed =
+        std::any_of(rows_.begin(), rows_.end(), [](const ParameterRow* row) { return row->differs(); });
     if (heading_) heading_->setMarked(changed && folded());
 }
 

@@ -32,14 +32,18 @@ QStringList filtersOf(const ParameterInfo& row)
 {
     QStringList patterns;
     const QString endings = QString::fromUtf8(row.endings.data(), static_cast<qsizetype>(row.endings.size()));
-    for (const QString& ending : endings.split(QLatin1Char(' '), Qt::SkipEmptyParts)) patterns << QStringLiteral("*.") + ending;
+    for (const QString& ending : endings.split(QLatin1Char(' '), Qt::SkipEmptyParts))
+        patterns << QStringLiteral("*.") + ending;
     const QString all = FileEditor::tr("All files (*)");
-    return patterns.isEmpty() ? QStringList{all} : QStringList{FileEditor::tr("%1 (%2)").arg(nameOf(row), patterns.join(QLatin1Char(' '))), all};
+    return patterns.isEmpty()
+               ? QStringList{all}
+               : QStringList{FileEditor::tr("%1 (%2)").arg(nameOf(row), patterns.join(QLatin1Char(' '))), all};
 }
 
 }  // namespace
 
-ToggleEditor::ToggleEditor(const ValueRef& value, QWidget* parent) : ValueEditor(value, parent), box_(new QCheckBox(this))
+ToggleEditor::ToggleEditor(const ValueRef& value, QWidget* parent)
+    : ValueEditor(value, parent), box_(new QCheckBox(this))
 {
     box_->setAccessibleName(nameOf(row()));
     QHBoxLayout* layout = rowLayout(this);
@@ -53,7 +57,8 @@ void ToggleEditor::showValue(const Value& value)
     box_->setChecked(std::get<double>(value) != 0);
 }
 
-ChoiceEditor::ChoiceEditor(const ValueRef& value, QWidget* parent) : ValueEditor(value, parent), box_(new QComboBox(this))
+ChoiceEditor::ChoiceEditor(const ValueRef& value, QWidget* parent)
+    : ValueEditor(value, parent), box_(new QComboBox(this))
 {
     for (const std::string_view name : row().choices)
         box_->addItem(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));

@@ -25,7 +25,8 @@ QString shortNumber(double x, int digits)
     char buffer[64];
     const double size = std::abs(x);
     const bool plain = size >= 1e-4 && size < 1e7;
-    const int decimals = plain ? std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 8) : digits - 1;
+    const int decimals =
+        plain ? std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 8) : digits - 1;
     const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, x, format, decimals);
     QString shown = QString::fromLatin1(buffer, end.ptr - buffer);
@@ -66,8 +67,10 @@ QString withPoint(const QString& typed)
 /// A value as it was typed: also as its language writes numbers, and colors by their names.
 std::optional<Value> meantBy(const ParameterInfo& row, const QString& typed)
 {
-    if (std::optional<Value> value = parseValue(row, (row.isNumeric() ? withPoint(typed) : typed).toStdString())) return value;
-    if (row.kind != Kind::color || typed.startsWith(QLatin1Char('#')) || !QColor::isValidColor(typed)) return std::nullopt;
+    if (std::optional<Value> value = parseValue(row, (row.isNumeric() ? withPoint(typed) : typed).toStdString()))
+        return value;
+    if (row.kind != Kind::color || typed.startsWith(QLatin1Char('#')) || !QColor::isValidColor(typed))
+        return std::nullopt;
     return linear(QColor(typed));
 }
 
@@ -99,7 +102,8 @@ QString three(const glm::dvec3& v)
 
 QString shownText(const ParameterInfo& row, const Value& value)
 {
-    if (const auto* x = std::get_if<double>(&value); x && row.word && *x == row.word->value) return text(row.word->text);
+    if (const auto* x = std::get_if<double>(&value); x && row.word && *x == row.word->value)
+        return text(row.word->text);
     switch (row.kind) {
     case Kind::real:
         if (row.unit == Unit::hour) return clockText(std::get<double>(value));
@@ -120,7 +124,8 @@ QString shownText(const ParameterInfo& row, const Value& value)
 QString legalRangeText(const ParameterInfo& row)
 {
     if (!row.isNumeric()) return {};
-    return QStringLiteral("%1 to %2").arg(number(row.range.low, row.unit), withUnit(number(row.range.high, row.unit), row.unit));
+    return QStringLiteral("%1 to %2")
+        .arg(number(row.range.low, row.unit), withUnit(number(row.range.high, row.unit), row.unit));
 }
 
 QString tooltipText(const ParameterInfo& row)
@@ -133,7 +138,9 @@ QString tooltipText(const ParameterInfo& row)
                 QStringLiteral("; the slider spans %1 to %2")
                     .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
     }
-    if (row.word) lines << QStringLiteral("%1 reads “%2”, and may be typed so.").arg(exactText(row, row.word->value), text(row.word->text));
+    if (row.word)
+        lines << QStringLiteral("%1 reads “%2”, and may be typed so.")
+                     .arg(exactText(row, row.word->value), text(row.word->text));
     lines << QStringLiteral("Initial value: %1").arg(shownText(row, row.initial));
     lines << QStringLiteral("In presets: %1").arg(text(row.name));
     if (row.isNumeric())
@@ -154,7 +161,9 @@ std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, 
     const std::optional<Value> legal = meant ? nearestLegal(row, *meant) : std::nullopt;
     if (!legal) {
         if (problem)
-            *problem = QStringLiteral("\"%1\" is no value for “%2”. %3").arg(typed.left(80), QString::fromStdString(label(row)), whatItTakes(row)).trimmed();
+            *problem = QStringLiteral("\"%1\" is no value for “%2”. %3")
+                           .arg(typed.left(80), QString::fromStdString(label(row)), whatItTakes(row))
+                           .trimmed();
         return std::nullopt;
     }
     const bool brought = row.isNumeric() && std::get<double>(*legal) != std::get<double>(*meant);
@@ -169,7 +178,8 @@ QString allAsJson(const ParameterValues& values, const QString& exhibit)
         presetText({exhibit.toStdString(), "Copied values", values, {}, presetVersion, render::Json::object(), {}}));
 }
 
-std::optional<ParameterValues> allFromJson(const Parameters& table, const QString& exhibit, const QString& json, QString* problem)
+std::optional<ParameterValues> allFromJson(const Parameters& table, const QString& exhibit, const QString& json,
+                                           QString* problem)
 {
     try {
         const Preset read = parsePreset(json.toStdString(), "the clipboard", exhibit.toStdString(), table);

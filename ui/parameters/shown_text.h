@@ -19,8 +19,10 @@ namespace vitrine::ui {
 [[nodiscard]] QString legalRangeText(const ParameterInfo&);
 /// The values that differ from the initial ones, as the JSON text of a preset.
 [[nodiscard]] QString allAsJson(const ParameterValues&, const QString& exhibit);
-/// The values of such a text, of the same exhibit; nothing when it is none. `problem` says why, or what had to be changed.
-[[nodiscard]] std::optional<ParameterValues> allFromJson(const Parameters&, const QString& exhibit, const QString& json, QString* problem = nullptr);
+/// The values of such a text, of the same exhibit; nothing when it is none. `problem` says why, or what had to be
+/// changed.
+[[nodiscard]] std::optional<ParameterValues> allFromJson(const Parameters&, const QString& exhibit, const QString& json,
+                                                         QString* problem = nullptr);
 /// The whole tooltip of a row: its label, help, unit, range, initial value, key, and how to change it.
 [[nodiscard]] QString tooltipText(const ParameterInfo&);
 

@@ -18,7 +18,8 @@ constexpr double margin = 7;  // Room for the handle at both ends.
 
 }  // namespace
 
-ValueSlider::ValueSlider(const ParameterInfo& row, QWidget* parent) : QSlider(Qt::Horizontal, parent), row_(row), scale_(row)
+ValueSlider::ValueSlider(const ParameterInfo& row, QWidget* parent)
+    : QSlider(Qt::Horizontal, parent), row_(row), scale_(row)
 {
     setRange(0, ticks);
     setFocusPolicy(Qt::StrongFocus);

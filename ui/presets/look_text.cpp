@@ -33,13 +33,15 @@ std::string textOf(const Gallery& gallery, const Look& look, std::size_t chosen,
     return exhibitionText(everything);
 }
 
-Look lookFrom(const Gallery& gallery, std::string text, std::string fileName, std::vector<std::string>& notes, std::size_t* chosen)
+Look lookFrom(const Gallery& gallery, std::string text, std::string fileName, std::vector<std::string>& notes,
+              std::size_t* chosen)
 {
     Look look = gallery.initialLook();
     const NamedValues initial = namedValues(gallery.exhibits(), look.values);
     Exhibition read = parseExhibition(std::move(text), std::move(fileName), initial);
     for (auto& [name, values] : read.values) {
-        const auto at = std::find_if(initial.begin(), initial.end(), [&](const auto& entry) { return entry.first == name; });
+        const auto at =
+            std::find_if(initial.begin(), initial.end(), [&](const auto& entry) { return entry.first == name; });
         if (at != initial.end()) look.values[static_cast<std::size_t>(at - initial.begin())] = std::move(values);
     }
     look.camera = read.camera;

@@ -170,8 +170,13 @@ void PresetShelf::load(const QString& id)
 Preset PresetShelf::presetOnShow(const QString& name) const
 {
     const Look& look = window_.history().look();
-    return {
-        exhibitName(), name.toStdString(), look.values[window_.shown()], look.camera, presetVersion, render::Json::object(), {}};
+    return {exhibitName(),
+            name.toStdString(),
+            look.values[window_.shown()],
+            look.camera,
+            presetVersion,
+            render::Json::object(),
+            {}};
 }
 
 void PresetShelf::save()
@@ -204,7 +209,8 @@ void PresetShelf::saveAs()
     const Exhibit& exhibit = *window_.gallery().exhibits()[window_.shown()];
     const QString title = QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()));
     const StoredPreset* used = inUse();
-    auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(used ? words(used->preset.name) : title), list_.window());
+    auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(used ? words(used->preset.name) : title),
+                               list_.window());
     // Whatever is on show by then, it is this exhibit that was named.
     connect(ask, &NameDialog::named, this, [this, shown = window_.shown()](const QString& name) {
         if (window_.shown() != shown) window_.choose(shown);
@@ -222,7 +228,9 @@ void PresetShelf::saveUnder(const QString& name)
         keepThumbnail(saved.path);
         use(std::move(saved));
         if (unique != name.trimmed())
-            window_.say(MessageStrip::Mood::notice, tr("There is a preset \"%1\" already; this one was saved as \"%2\".").arg(name.trimmed(), unique));
+            window_.say(
+                MessageStrip::Mood::notice,
+                tr("There is a preset \"%1\" already; this one was saved as \"%2\".").arg(name.trimmed(), unique));
     });
     refresh();
 }
@@ -238,7 +246,9 @@ void PresetShelf::keepMissingThumbnail()
     if (!window_.viewport().schedule().still()) return;
     const StoredPreset* used = inUse();
     std::error_code ignored;
-    if (!used || used->shipped || changedSince(*used) || std::filesystem::exists(PresetStore::thumbnailPath(used->path), ignored)) return;
+    if (!used || used->shipped || changedSince(*used) ||
+        std::filesystem::exists(PresetStore::thumbnailPath(used->path), ignored))
+        return;
     // Of an exhibit that nobody stands before, the picture shows something else.
     const bool fromItsOwnView = used->preset.camera == window_.history().look().camera;
     const bool before = window_.viewport().mode() == CameraControl::Mode::orbit && window_.chosen() == window_.shown();
@@ -308,7 +318,8 @@ void PresetShelf::importFile()
             if (const QImage picture(path); !picture.isNull())
                 thumbnailOf(picture).save(QString::fromStdString(PresetStore::thumbnailPath(copy).string()), "PNG");
             const QString name = QString::fromStdString(store_.load(copy, exhibitName(), table()).preset.name);
-            if (const QString unique = freeName(name, copy); unique != name) copy = store_.rename(copy, unique.toStdString());
+            if (const QString unique = freeName(name, copy); unique != name)
+                copy = store_.rename(copy, unique.toStdString());
             refresh();
             load(QString::fromStdString(copy.string()));
             keepMissingThumbnail();  // Where the picture shows it already.
@@ -324,19 +335,23 @@ void PresetShelf::exportFile()
         window_.say(MessageStrip::Mood::notice, tr("Nothing was exported: select a preset in the list first."));
         return;
     }
-    QFileDialog* dialog = fileDialog(list_.window(), tr("Export preset"), QFileDialog::AcceptSave, tr("Presets (*.json)"));
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this, id](const QString& target) { trySafely([&] { store_.exportFile(id.toStdString(), target.toStdString()); }); });
+    QFileDialog* dialog =
+        fileDialog(list_.window(), tr("Export preset"), QFileDialog::AcceptSave, tr("Presets (*.json)"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this, id](const QString& target) {
+        trySafely([&] { store_.exportFile(id.toStdString(), target.toStdString()); });
+    });
     dialog->open();
 }
 
 void PresetShelf::saveExhibition()
 {
-    QFileDialog* dialog = fileDialog(list_.window(), tr("Save exhibition"), QFileDialog::AcceptSave, tr("Exhibitions (*.json)"));
+    QFileDialog* dialog =
+        fileDialog(list_.window(), tr("Save exhibition"), QFileDialog::AcceptSave, tr("Exhibitions (*.json)"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& target) {
         trySafely([&] {
             const std::string name = QFileInfo(target).completeBaseName().toStdString();
-            render::atomicWrite(target.toStdString(), textOf(window_.gallery(), window_.history().look(), window_.chosen(), name));
+            render::atomicWrite(target.toStdString(),
+                                textOf(window_.gallery(), window_.history().look(), window_.chosen(), name));
             window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(target));
         });
     });
@@ -364,7 +379,8 @@ void PresetShelf::loadText(const std::string& text, const QString& origin)
         show(preset, i, tr("Load %1").arg(words(preset.name)));
         return;
     }
-    throw Failure(Blame::file, origin.toStdString() + " is a preset of \"" + header.exhibit + "\", which is not in this museum.");
+    throw Failure(Blame::file,
+                  origin.toStdString() + " is a preset of \"" + header.exhibit + "\", which is not in this museum.");
 }
 
 void PresetShelf::loadFile(const QString& path)

@@ -16,8 +16,8 @@ namespace vitrine::ui {
 class PresetList;
 class Workbench;
 
-/// Presets on disk, for the exhibit whose parameters the panel shows: loads, saves, renames, duplicates, deletes. What fails is
-/// said in the message strip, and everything stays as it was.
+/// Presets on disk, for the exhibit whose parameters the panel shows: loads, saves, renames, duplicates, deletes. What
+/// fails is said in the message strip, and everything stays as it was.
 class PresetShelf final : public QObject {
     Q_OBJECT
 

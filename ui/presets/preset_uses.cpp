@@ -17,7 +17,8 @@ const StoredPreset* PresetUses::of(const std::string& exhibit) const
 void PresetUses::add(StoredPreset stored)
 {
     const QUndoCommand* last = steps_.index() > 0 ? steps_.command(steps_.index() - 1) : nullptr;
-    std::erase_if(uses_, [&](const Use& use) { return use.since == last && use.stored.preset.exhibit == stored.preset.exhibit; });
+    std::erase_if(
+        uses_, [&](const Use& use) { return use.since == last && use.stored.preset.exhibit == stored.preset.exhibit; });
     uses_.push_back({last, std::move(stored)});
 }
 

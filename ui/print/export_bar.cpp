@@ -30,13 +30,15 @@ QString freePath(const QString& folder, const QString& name)
 QStringList besidePrint(const QString& path)
 {
     const QFileInfo file(path);
-    return {path + QStringLiteral(".json"), QStringLiteral("%1/%2-1.%3").arg(file.path(), file.completeBaseName(), file.suffix())};
+    return {path + QStringLiteral(".json"),
+            QStringLiteral("%1/%2-1.%3").arg(file.path(), file.completeBaseName(), file.suffix())};
 }
 
 }  // namespace
 
 ExportBar::ExportBar(QWidget* parent)
-    : QWidget(parent), path_(new QLineEdit(this)), browse_(new QToolButton(this)), progress_(new QProgressBar(this)), status_(new QLabel(this))
+    : QWidget(parent), path_(new QLineEdit(this)), browse_(new QToolButton(this)), progress_(new QProgressBar(this)),
+      status_(new QLabel(this))
 {
     path_->setAccessibleName(tr("File"));
     path_->setToolTip(tr("The print: .tif, or .png. Its settings are written inside and beside it."));
@@ -49,7 +51,8 @@ ExportBar::ExportBar(QWidget* parent)
     progress_->setFixedHeight(4);
     progress_->setAccessibleName(tr("Progress"));
     status_->setTextFormat(Qt::PlainText);
-    load_ = addButton(tr("Load settings…"), tr("From a print that Vitrine made, or a .json. Dropping one here works too."));
+    load_ =
+        addButton(tr("Load settings…"), tr("From a print that Vitrine made, or a .json. Dropping one here works too."));
     save_ = addButton(tr("Save settings…"), tr("Everything that is set here, as JSON."));
     stop_ = addButton(tr("Close"), {});
     go_ = addButton(tr("Export"), {});
@@ -134,8 +137,10 @@ void ExportBar::ask()
         replaced_.clear();
         emit exportAsked(path);
     };
-    if (path_->text() == replaced_) begin(replaced_);
-    else askBeforeReplacing(this, path_->text(), begin, besidePrint(path_->text()));
+    if (path_->text() == replaced_)
+        begin(replaced_);
+    else
+        askBeforeReplacing(this, path_->text(), begin, besidePrint(path_->text()));
 }
 
 void ExportBar::showPossible(bool exporting, bool possible)
@@ -170,8 +175,9 @@ void ExportBar::browse()
 
 void ExportBar::askSettings(bool save)
 {
-    auto* dialog = new QFileDialog(this, save ? tr("Save settings") : tr("Load settings"), QFileInfo(path_->text()).absolutePath(),
-                                   save ? tr("Settings (*.json)") : tr("Settings and prints (*.json *.tif *.png)"));
+    auto* dialog =
+        new QFileDialog(this, save ? tr("Save settings") : tr("Load settings"), QFileInfo(path_->text()).absolutePath(),
+                        save ? tr("Settings (*.json)") : tr("Settings and prints (*.json *.tif *.png)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setDefaultSuffix(save ? QStringLiteral("json") : QString());

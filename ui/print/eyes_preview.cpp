@@ -1,7 +1,7 @@
 #include "ui/print/eyes_preview.h"
 
-#include "ui/print/strip_preview.h"
 #include "ui/kit/theme.h"
+#include "ui/print/strip_preview.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -14,12 +14,12 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double eyesApart = 65;             // Millimeters, the usual mean.
+constexpr double eyesApart = 65;  // Millimeters, the usual mean.
 constexpr double steepest = 70 * degree;
-constexpr double perPixel = 0.15 * degree;   // 200 pixels are about a zone.
+constexpr double perPixel = 0.15 * degree;  // 200 pixels are about a zone.
 constexpr int caption = 24;
 constexpr int coarseSide = 200;
-constexpr int quietTime = 120;               // Milliseconds until the fine pictures.
+constexpr int quietTime = 120;  // Milliseconds until the fine pictures.
 
 }  // namespace
 
@@ -27,7 +27,8 @@ EyesPreview::EyesPreview(QWidget* parent) : QWidget(parent), job_(this)
 {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("The card as both eyes see it"));
-    setToolTip(tr("Drag to the side to look from there, up and down to tilt; the arrows move by a degree, Shift by a tenth.\nHome or a double click looks straight on."));
+    setToolTip(tr("Drag to the side to look from there, up and down to tilt; the arrows move by a degree, Shift by a "
+                  "tenth.\nHome or a double click looks straight on."));
     setMinimumHeight(120);
     setCursor(Qt::SizeAllCursor);
     settle_.setSingleShot(true);
@@ -99,13 +100,15 @@ void EyesPreview::paintEvent(QPaintEvent*)
         const QImage& image = images_[static_cast<std::size_t>(eye)];
         if (image.isNull()) continue;
         const QSizeF size = QSizeF(image.size()).scaled(room.size(), Qt::KeepAspectRatio);
-        painter.drawImage(QRectF(QPointF(room.center().x() - size.width() / 2, room.center().y() - size.height() / 2), size), image);
+        painter.drawImage(
+            QRectF(QPointF(room.center().x() - size.width() / 2, room.center().y() - size.height() / 2), size), image);
     }
     const QRect below(0, height() - caption, width(), caption);
     painter.setPen(theme().dim);
     if (images_[0].isNull()) {
         for (int eye = 0; eye < 2; ++eye)
-            painter.drawText(half(eye).adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap, preview_ ? tr("Looking") : tr("Nothing to look at yet"));
+            painter.drawText(half(eye).adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
+                             preview_ ? tr("Looking") : tr("Nothing to look at yet"));
     } else {
         const auto side = [](double angle, const QString& positive, const QString& negative) {
             const QString size = QString::number(std::abs(angle / degree), 'f', 1) + QChar(0xb0);
@@ -115,8 +118,10 @@ void EyesPreview::paintEvent(QPaintEvent*)
         painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, tr("Right eye"));
         painter.setPen(theme().text);
         const QString from = std::isinf(distance_) ? tr("far away") : tr("%1 cm").arg(distance_ / 10, 0, 'g', 4);
-        painter.drawText(below, Qt::AlignCenter,
-                         tr("%1, %2, from %3").arg(side(angle_, tr("right"), tr("left")), side(angleAlong_, tr("above"), tr("below")), from));
+        painter.drawText(
+            below, Qt::AlignCenter,
+            tr("%1, %2, from %3")
+                .arg(side(angle_, tr("right"), tr("left")), side(angleAlong_, tr("above"), tr("below")), from));
     }
     if (hasFocus()) {
         painter.setPen(theme().accent);

@@ -19,8 +19,10 @@ NewestJob::~NewestJob()
 
 void NewestJob::ask(std::function<Outcome()> work)
 {
-    if (running_) next_ = std::move(work);
-    else start(std::move(work));
+    if (running_)
+        next_ = std::move(work);
+    else
+        start(std::move(work));
 }
 
 void NewestJob::forget()
@@ -40,7 +42,8 @@ void NewestJob::start(std::function<Outcome()> work)
         } catch (const std::exception& failure) {
             why = messageOf(failure);
         }
-        QMetaObject::invokeMethod(this, [this, turn, outcome, why] { take(turn, outcome, why); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, turn, outcome, why] { take(turn, outcome, why); }, Qt::QueuedConnection);
     });
 }
 
@@ -49,8 +52,10 @@ void NewestJob::take(int turn, const Outcome& outcome, const QString& why)
     running_ = false;
     if (next_) start(std::exchange(next_, {}));
     if (turn != turn_) return;
-    if (!why.isEmpty()) emit failed(why);
-    else if (outcome) outcome();
+    if (!why.isEmpty())
+        emit failed(why);
+    else if (outcome)
+        outcome();
 }
 
 }  // namespace vitrine::ui

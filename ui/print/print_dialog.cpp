@@ -4,6 +4,8 @@
 #include "exhibits/framework/state_folder.h"
 #include "exhibits/printing/print_json.h"
 #include "render/failure.h"
+#include "ui/kit/idle_undo.h"
+#include "ui/kit/replace_question.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/print/export_bar.h"
 #include "ui/print/eyes_preview.h"
@@ -12,8 +14,6 @@
 #include "ui/print/shown_views.h"
 #include "ui/print/source_bar.h"
 #include "ui/print/strip_preview.h"
-#include "ui/kit/idle_undo.h"
-#include "ui/kit/replace_question.h"
 
 #include <QAction>
 #include <QDir>
@@ -155,11 +155,11 @@ void PrintDialog::connectSetup()
     connect(sheets_, &SheetBar::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
     connect(&panelValues_, &History::changed, this, [this](std::size_t, std::size_t row) {
         const ParameterValues& edited = panelValues_.look().values[0];
-        setup_.change(tr("Change %1").arg(QString::fromStdString(label(edited.rows()[row])).toLower()), edited, panelValues_.gesture());
+        setup_.change(tr("Change %1").arg(QString::fromStdString(label(edited.rows()[row])).toLower()), edited,
+                      panelValues_.gesture());
     });
-    connect(&panelValues_, &History::replaced, this, [this] {
-        setup_.change(tr("Change settings"), panelValues_.look().values[0], panelValues_.gesture());
-    });
+    connect(&panelValues_, &History::replaced, this,
+            [this] { setup_.change(tr("Change settings"), panelValues_.look().values[0], panelValues_.gesture()); });
     connect(numbers_, &PrintNumbersView::fitAsked, this, [this](double strength) {
         ParameterValues values = this->values();
         values.set(printing::printTable().baselineScale, strength);
@@ -172,7 +172,8 @@ void PrintDialog::connectViews()
     connect(source_, &SourceBar::renderAsked, this, [this] { loader_.load(setup_.state()); });
     connect(&loader_, &ViewLoader::said, source_, &SourceBar::say);
     connect(&loader_, &ViewLoader::changed, this, &PrintDialog::refresh);
-    connect(&loader_, &ViewLoader::progressed, this, [this](double part, double secondsLeft) { export_->showProgress(part, secondsLeft); });
+    connect(&loader_, &ViewLoader::progressed, this,
+            [this](double part, double secondsLeft) { export_->showProgress(part, secondsLeft); });
     connect(&loader_, &ViewLoader::readyForPrint, this, [this] { write(loader_.views()); });
     connect(&loader_, &ViewLoader::failed, this, [this](const QString& why) {
         say(MessageStrip::Mood::problem, why);
@@ -203,7 +204,8 @@ void PrintDialog::recall()
     const QSettings places(placesPath(), QSettings::IniFormat);
     restoreGeometry(places.value(QStringLiteral("geometry")).toByteArray());
     QString folder = places.value(QStringLiteral("folder")).toString();
-    if (folder.isEmpty() || !QDir(folder).exists()) folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    if (folder.isEmpty() || !QDir(folder).exists())
+        folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
     export_->suggest(folder);
     trySaying([this] {
         for (const QString& note : setup_.recall()) say(MessageStrip::Mood::notice, note);
@@ -317,7 +319,8 @@ void PrintDialog::countAgain()
     const int turn = ++asked_;
     // Views that are rendered will be as many as the values say, whatever is there now.
     const std::shared_ptr<const printing::PrintViews> views = chart_ || fromWindow() ? nullptr : loader_.views();
-    count_.ask([this, turn, file = std::filesystem::path(path().toStdString()), values = values(), views, chart = chart_]() -> NewestJob::Outcome {
+    count_.ask([this, turn, file = std::filesystem::path(path().toStdString()), values = values(), views,
+                chart = chart_]() -> NewestJob::Outcome {
         const printing::PrintPlan plan = printing::printPlan(values, views.get(), chart, file);
         return [this, turn, plan] {
             plan_ = plan;
@@ -331,8 +334,10 @@ void PrintDialog::countAgain()
 
 void PrintDialog::showButtons()
 {
-    export_->showPossible(exporting_, plan_.refusal.empty() && (chart_ || loader_.views() || fromWindow()) && !loader_.reading());
-    for (QWidget* input : std::initializer_list<QWidget*>{tabs_, source_, sheets_, panel_}) input->setEnabled(!exporting_);
+    export_->showPossible(exporting_,
+                          plan_.refusal.empty() && (chart_ || loader_.views() || fromWindow()) && !loader_.reading());
+    for (QWidget* input : std::initializer_list<QWidget*>{tabs_, source_, sheets_, panel_})
+        input->setEnabled(!exporting_);
     undo_->setEnabled(!exporting_ && setup_.stack().canUndo());
     redo_->setEnabled(!exporting_ && setup_.stack().canRedo());
 }
@@ -340,7 +345,8 @@ void PrintDialog::showButtons()
 void PrintDialog::loadSettings(const QString& path)
 {
     trySaying([&] {
-        for (const QString& note : setup_.load(printing::settingsIn(path.toStdString()), path.toStdString())) say(MessageStrip::Mood::notice, note);
+        for (const QString& note : setup_.load(printing::settingsIn(path.toStdString()), path.toStdString()))
+            say(MessageStrip::Mood::notice, note);
     });
 }
 
@@ -362,7 +368,8 @@ void PrintDialog::open(const QStringList& paths)
         }
         try {
             const std::string path = paths.front().toStdString();
-            for (const QString& note : setup_.load(printing::settingsIn(path), path)) say(MessageStrip::Mood::notice, note);
+            for (const QString& note : setup_.load(printing::settingsIn(path), path))
+                say(MessageStrip::Mood::notice, note);
             return;
         } catch (const std::exception&) {  // No print: a picture like any other.
         }
@@ -371,8 +378,10 @@ void PrintDialog::open(const QStringList& paths)
     PrintState state = setup_.state();
     state.files = paths;
     if (fromWindow()) state.values.set(printing::printTable().origin, printing::ViewOrigin::files);
-    if (state == setup_.state()) loader_.load(state);  // The files may be others by now.
-    else setup_.change(tr("Choose views"), state);
+    if (state == setup_.state())
+        loader_.load(state);  // The files may be others by now.
+    else
+        setup_.change(tr("Choose views"), state);
 }
 
 void PrintDialog::dragEnterEvent(QDragEnterEvent* event)
@@ -397,9 +406,12 @@ void PrintDialog::begin(const QString&)
     exporting_ = true;
     export_->showStatus(tr("Starting"));
     showButtons();
-    if (chart_) write(nullptr);
-    else if (!fromWindow() || loader_.inFull()) write(loader_.views());
-    else loader_.renderInFull();
+    if (chart_)
+        write(nullptr);
+    else if (!fromWindow() || loader_.inFull())
+        write(loader_.views());
+    else
+        loader_.renderInFull();
 }
 
 void PrintDialog::stopExport()
@@ -418,12 +430,16 @@ void PrintDialog::write(std::shared_ptr<const printing::PrintViews> views)
 {
     write_.start([this, views = std::move(views), file = std::filesystem::path(path().toStdString()), values = values(),
                   sources = textsOf(files())](const ProgressJob::Progress& progress) -> ProgressJob::Outcome {
-        const std::vector<std::filesystem::path> written = printing::exportPrint(values, views.get(), sources, file, progress);
+        const std::vector<std::filesystem::path> written =
+            printing::exportPrint(values, views.get(), sources, file, progress);
         return [this, written] {
             const QString first = QString::fromStdString(written.front().string());
             export_->setPath(nextFreePath(path()));
-            say(MessageStrip::Mood::notice, written.size() == 1 ? tr("Saved %1, and its settings beside it.").arg(first)
-                                                                : tr("Saved %1 files, the first %2, and their settings beside them.").arg(written.size()).arg(first));
+            say(MessageStrip::Mood::notice, written.size() == 1
+                                                ? tr("Saved %1, and its settings beside it.").arg(first)
+                                                : tr("Saved %1 files, the first %2, and their settings beside them.")
+                                                      .arg(written.size())
+                                                      .arg(first));
             endExport(QString());
         };
     });
@@ -439,8 +455,10 @@ void PrintDialog::endExport(const QString& words)
 
 void PrintDialog::reject()
 {
-    if (exporting_) stopExport();
-    else QDialog::reject();
+    if (exporting_)
+        stopExport();
+    else
+        QDialog::reject();
 }
 
 void PrintDialog::done(int result)

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "exhibits/printing/print_plan.h"
-#include "ui/print/newest_job.h"
-#include "ui/print/print_setup.h"
-#include "ui/print/view_loader.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/progress_job.h"
 #include "ui/model/history.h"
+#include "ui/print/newest_job.h"
+#include "ui/print/print_setup.h"
+#include "ui/print/view_loader.h"
 
 #include <QDialog>
 
@@ -91,7 +91,8 @@ private:
     void endExport(const QString& words);
 
     PrintSetup setup_;
-    History panelValues_{Look{{printing::printTable().initial()}, {}}};  ///< Those of `setup_` once more, for the panel.
+    History panelValues_{
+        Look{{printing::printTable().initial()}, {}}};  ///< Those of `setup_` once more, for the panel.
     ViewLoader loader_;
     printing::PrintPlan plan_;
     bool chart_ = false;

@@ -22,7 +22,9 @@ QString millimeters(double length)
 
 QString reach(const printing::DepthRange& range)
 {
-    const auto metres = [](double m) { return std::isinf(m) ? QString(QChar(0x221e)) : QString::number(m, 'f', m < 10 ? 1 : 0); };
+    const auto metres = [](double m) {
+        return std::isinf(m) ? QString(QChar(0x221e)) : QString::number(m, 'f', m < 10 ? 1 : 0);
+    };
     return metres(range.nearest) + QChar(0x2013) + metres(range.farthest) + QStringLiteral(" m");
 }
 
@@ -34,7 +36,8 @@ QString bytesText(double bytes)
         bytes /= 1000;
         ++unit;
     }
-    return QString::number(bytes, 'f', unit == 0 || bytes >= 100 ? 0 : 1) + QLatin1Char(' ') + QLatin1String(units[unit]);
+    return QString::number(bytes, 'f', unit == 0 || bytes >= 100 ? 0 : 1) + QLatin1Char(' ') +
+           QLatin1String(units[unit]);
 }
 
 }  // namespace
@@ -43,7 +46,8 @@ CrosstalkBars::CrosstalkBars(QWidget* parent) : QWidget(parent)
 {
     setMinimumSize(160, 48);
     setAccessibleName(tr("Cross-talk of every view"));
-    setToolTip(tr("For every view, from left to right: how much of the light at its own angle comes from other views.\nOptics, printed dots, and ink that spreads as far as is set."));
+    setToolTip(tr("For every view, from left to right: how much of the light at its own angle comes from other "
+                  "views.\nOptics, printed dots, and ink that spreads as far as is set."));
 }
 
 void CrosstalkBars::showShares(std::vector<double> ownShare)
@@ -64,11 +68,14 @@ void CrosstalkBars::paintEvent(QPaintEvent*)
     for (std::size_t i = 0; i < own_.size(); ++i) {
         const double share = std::clamp(1 - own_[i], 0.0, 1.0);
         const double high = std::max(1.0, share * (height() - 8.0));
-        painter.fillRect(QRectF(4 + static_cast<double>(i) * step, height() - 4 - high, std::max(step - gap, 0.5), high), share > 0.5 ? colors.error : colors.accent);
+        painter.fillRect(
+            QRectF(4 + static_cast<double>(i) * step, height() - 4 - high, std::max(step - gap, 0.5), high),
+            share > 0.5 ? colors.error : colors.accent);
     }
     QColor line = colors.text;
     line.setAlphaF(0.25F);
-    painter.fillRect(QRectF(4, height() / 2.0, width() - 8.0, 1), line);  // Half from others: no view of its own any more.
+    painter.fillRect(QRectF(4, height() / 2.0, width() - 8.0, 1),
+                     line);  // Half from others: no view of its own any more.
 }
 
 PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
@@ -89,12 +96,18 @@ QLayout* PrintNumbersView::buildNumbers()
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(4);
-    perLens_ = addNumber(tr("Pixels per lens"), tr("Printed dots that one lens covers: no more views than these can be told apart."));
-    lpi_ = addNumber(tr("LPI in the file"), tr("Lenses per inch of the strips, with the resolution as the file stores it."));
+    perLens_ = addNumber(tr("Pixels per lens"),
+                         tr("Printed dots that one lens covers: no more views than these can be told apart."));
+    lpi_ = addNumber(tr("LPI in the file"),
+                     tr("Lenses per inch of the strips, with the resolution as the file stores it."));
     views_ = addNumber(tr("Views that show"), tr("How many views can be told apart."));
     zone_ = addNumber(tr("Viewing zone"), tr("Angle in which all views are seen once; beyond it they start again."));
-    depth_ = addNumber(tr("Depth budget"), tr("How far the scene may reach before and behind the print, together, without doubled contours."));
-    scene_ = addNumber(tr("Scene"), tr("From where to where it reaches, and in brackets what the print holds of it, from the camera."));
+    depth_ =
+        addNumber(tr("Depth budget"),
+                  tr("How far the scene may reach before and behind the print, together, without doubled contours."));
+    scene_ =
+        addNumber(tr("Scene"),
+                  tr("From where to where it reaches, and in brackets what the print holds of it, from the camera."));
     size_ = addNumber(tr("Size"), tr("Of the raster, bleed included."));
     bytes_ = addNumber(tr("File"), tr("Uncompressed."));
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
@@ -186,7 +199,8 @@ void PrintNumbersView::showNumbers(const printing::PrintPlan& plan, const std::o
     size_->setText(tr("%1 × %2 px").arg(plan.layout->width()).arg(plan.layout->height()));
     bytes_->setText(bytesText(plan.bytes));
     const auto [least, most] = std::minmax_element(numbers.ownShare.begin(), numbers.ownShare.end());
-    crosstalk_->setText(tr("Cross-talk %1 to %2 %").arg(std::lround(100 * (1 - *most))).arg(std::lround(100 * (1 - *least))));
+    crosstalk_->setText(
+        tr("Cross-talk %1 to %2 %").arg(std::lround(100 * (1 - *most))).arg(std::lround(100 * (1 - *least))));
 }
 
 void PrintNumbersView::showPlan(const printing::PrintPlan& plan, const std::optional<printing::SceneDepth>& depth)
@@ -200,7 +214,8 @@ void PrintNumbersView::showPlan(const printing::PrintPlan& plan, const std::opti
     if (possible && depth)
         for (const std::string& warning : depth->warnings) lines << QString::fromStdString(warning);
     fitting_ = depth ? depth->strengthThatHolds : 1;
-    fit_->setVisible(possible && depth && (depth->scene.nearest < depth->held.nearest || depth->scene.farthest > depth->held.farthest));
+    fit_->setVisible(possible && depth &&
+                     (depth->scene.nearest < depth->held.nearest || depth->scene.farthest > depth->held.farthest));
     messages_->setText(lines.join(QLatin1Char('\n')));
     QPalette palette = this->palette();
     palette.setColor(QPalette::WindowText, possible ? theme().accent : theme().error);

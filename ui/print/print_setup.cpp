@@ -59,7 +59,8 @@ PrintSetup::PrintSetup(bool canShow, QObject* parent) : QObject(parent), canShow
 PrintState PrintSetup::possible(PrintState state) const
 {
     const auto& origin = printing::printTable().origin;
-    if (!canShow_ && state.values[origin] == printing::ViewOrigin::shown) state.values.set(origin, printing::ViewOrigin::files);
+    if (!canShow_ && state.values[origin] == printing::ViewOrigin::shown)
+        state.values.set(origin, printing::ViewOrigin::files);
     return state;
 }
 

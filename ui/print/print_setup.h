@@ -42,8 +42,8 @@ public:
     /// Sets what such a text says and returns what had to be changed, for people. Throws Failure naming file and key.
     QStringList load(const std::string& text, const std::string& fileName);
 
-    /// Brings back what `remember` wrote, with nothing to undo; without it, what is set at first. `changed` follows in any
-    /// case. Throws Failure where it cannot be read; then what is set at first stays.
+    /// Brings back what `remember` wrote, with nothing to undo; without it, what is set at first. `changed` follows in
+    /// any case. Throws Failure where it cannot be read; then what is set at first stays.
     QStringList recall();
     /// Throws Failure when it cannot be written.
     void remember() const;

@@ -14,11 +14,13 @@
 namespace vitrine::ui {
 
 SheetBar::SheetBar(PrintSetup& setup, QWidget* parent)
-    : QWidget(parent), setup_(setup), list_(new QComboBox(this)), save_(new QToolButton(this)), remove_(new QToolButton(this))
+    : QWidget(parent), setup_(setup), list_(new QComboBox(this)), save_(new QToolButton(this)),
+      remove_(new QToolButton(this))
 {
     auto* name = new QLabel(tr("Sheet"), this);
     list_->setAccessibleName(tr("Lens sheet"));
-    list_->setToolTip(tr("Sheets to start from, and your own. Makers differ: measure yours with a pitch chart and save it."));
+    list_->setToolTip(
+        tr("Sheets to start from, and your own. Makers differ: measure yours with a pitch chart and save it."));
     list_->setFocusPolicy(Qt::StrongFocus);
     list_->setMaxVisibleItems(24);
     save_->setText(tr("Save…"));
@@ -65,7 +67,8 @@ void SheetBar::choose(const QString& name)
 {
     change([&] {
         const printing::Sheet sheet = sheets_.named(name.toStdString());
-        setup_.change(tr("Choose sheet %1").arg(name), {printing::withSheet(setup_.values(), sheet), setup_.state().files, sheet.name});
+        setup_.change(tr("Choose sheet %1").arg(name),
+                      {printing::withSheet(setup_.values(), sheet), setup_.state().files, sheet.name});
     });
 }
 
@@ -96,7 +99,8 @@ void SheetBar::showSheets()
     const QSignalBlocker quiet(list_);
     list_->clear();
     for (const printing::Sheet& sheet : sheets) list_->addItem(QString::fromStdString(sheet.name));
-    const auto at = std::find_if(sheets.begin(), sheets.end(), [&](const printing::Sheet& sheet) { return sheet.name == current; });
+    const auto at =
+        std::find_if(sheets.begin(), sheets.end(), [&](const printing::Sheet& sheet) { return sheet.name == current; });
     if (at == sheets.end()) list_->addItem(tr("not in the list"));
     const auto index = static_cast<std::size_t>(at - sheets.begin());
     count_ = sheets.size();

@@ -2,11 +2,11 @@
 
 #include "render/failure.h"
 #include "render/measure/memory.h"
+#include "ui/kit/message_of.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/presets/look_text.h"
 #include "ui/viewport/viewport.h"
-#include "ui/kit/message_of.h"
 
 #include <algorithm>
 
@@ -43,15 +43,19 @@ void ShownViews::start(const ParameterValues& values, bool draft)
     quick.request.frame.camera = look.camera;
     quick = printing::depthShot(quick);
     work->pictures.insert(work->pictures.begin(), quick);
-    for (printing::ViewShot& shot : work->pictures) shot.request.largestTile = std::min(shot.request.largestTile, viewTile);
+    for (printing::ViewShot& shot : work->pictures)
+        shot.request.largestTile = std::min(shot.request.largestTile, viewTile);
     values_ = values;
     look_ = look;
     views_ = std::make_shared<printing::PrintViews>();
     views_->setLook(textOf(window_.gallery(), look, window_.chosen(), "Picture"));
     work->views = views_;
     elapsed_.start();
-    task_ = window_.viewport().renderThread().start([this, work, &gallery = window_.gallery()](const RenderThread::Tell& tell) { return step(gallery, *work, tell, *this); },
-                                                    [this](const QString& failure) { end(failure); });
+    task_ = window_.viewport().renderThread().start(
+        [this, work, &gallery = window_.gallery()](const RenderThread::Tell& tell) {
+            return step(gallery, *work, tell, *this);
+        },
+        [this](const QString& failure) { end(failure); });
 }
 
 void ShownViews::stop()
@@ -63,19 +67,26 @@ void ShownViews::stop()
 bool ShownViews::step(Gallery& gallery, Work& work, const RenderThread::Tell& tell, ShownViews& told)
 {
     const printing::ViewShot& shot = work.pictures[work.next];
-    if (!work.job.renderer) work.job = gallery.makePicture(shot.look, shot.request);
-    else if (!work.job.maker) gallery.nextPicture(work.job, shot.look, shot.request);
+    if (!work.job.renderer)
+        work.job = gallery.makePicture(shot.look, shot.request);
+    else if (!work.job.maker)
+        gallery.nextPicture(work.job, shot.look, shot.request);
     if (!work.job.maker) throw Failure(Blame::openGl, "No views can be rendered: there is no graphics context.");
     work.job.maker->step();
     if (work.job.maker->finished()) {
-        if (work.next == 0) tell([&told, picture = work.job.maker->picture()] { told.depth_ = printing::sceneDepth(*told.values_, told.look_, picture); });
-        else work.views->add(work.job.maker->picture());
+        if (work.next == 0)
+            tell([&told, picture = work.job.maker->picture()] {
+                told.depth_ = printing::sceneDepth(*told.values_, told.look_, picture);
+            });
+        else
+            work.views->add(work.job.maker->picture());
         ++work.next;
         work.job.maker.reset();
     }
     if (!work.told.isValid() || work.told.elapsed() >= viewsToldEvery) {
         work.told.start();
-        const double part = (static_cast<double>(work.next) + (work.job.maker ? work.job.maker->progress() : 0)) / static_cast<double>(work.pictures.size());
+        const double part = (static_cast<double>(work.next) + (work.job.maker ? work.job.maker->progress() : 0)) /
+                            static_cast<double>(work.pictures.size());
         tell([&told, part] { told.note(part); });
     }
     if (work.next < work.pictures.size()) return true;
@@ -94,8 +105,10 @@ void ShownViews::end(const QString& failure)
 {
     const std::shared_ptr<const printing::PrintViews> views = std::move(views_);
     stop();
-    if (failure.isEmpty()) emit finished(views, depth_);
-    else emit failed(failure);
+    if (failure.isEmpty())
+        emit finished(views, depth_);
+    else
+        emit failed(failure);
 }
 
 }  // namespace vitrine::ui

@@ -30,7 +30,8 @@ public:
 signals:
     /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
     void progressed(double part, double secondsLeft);
-    void finished(std::shared_ptr<const vitrine::printing::PrintViews> views, const vitrine::printing::SceneDepth& depth);
+    void finished(std::shared_ptr<const vitrine::printing::PrintViews> views,
+                  const vitrine::printing::SceneDepth& depth);
     void failed(const QString& why);
 
 private:

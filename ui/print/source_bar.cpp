@@ -11,13 +11,16 @@ namespace vitrine::ui {
 
 SourceBar::SourceBar(bool canShow, QWidget* parent)
     : QWidget(parent), origin_(new QComboBox(this)), render_(new QPushButton(tr("Render again"), this)),
-      folder_(new QPushButton(tr("Folder…"), this)), files_(new QPushButton(tr("Pictures…"), this)), said_(new QLabel(this))
+      folder_(new QPushButton(tr("Folder…"), this)), files_(new QPushButton(tr("Pictures…"), this)),
+      said_(new QLabel(this))
 {
     if (canShow) origin_->addItem(tr("What is shown"), static_cast<int>(printing::ViewOrigin::shown));
     origin_->addItem(tr("Pictures"), static_cast<int>(printing::ViewOrigin::files));
     origin_->addItem(tr("Quilt"), static_cast<int>(printing::ViewOrigin::quilt));
     origin_->setAccessibleName(tr("Where the views come from"));
-    origin_->setToolTip(tr("Views rendered from the picture in the window, read from a folder or a list of pictures,\nor cut from one picture with a grid of views. A folder or pictures can also be dropped here."));
+    origin_->setToolTip(
+        tr("Views rendered from the picture in the window, read from a folder or a list of pictures,\nor cut from one "
+           "picture with a grid of views. A folder or pictures can also be dropped here."));
     origin_->setFocusPolicy(Qt::StrongFocus);
     render_->setToolTip(tr("Renders the views once more, from where you stand now."));
     folder_->setToolTip(tr("All pictures in a folder, by name; numbers count by value."));
@@ -43,7 +46,8 @@ SourceBar::SourceBar(bool canShow, QWidget* parent)
     layout->addLayout(row);
     layout->addWidget(said_);
 
-    connect(origin_, &QComboBox::activated, this, [this] { emit originChosen(static_cast<printing::ViewOrigin>(origin_->currentData().toInt())); });
+    connect(origin_, &QComboBox::activated, this,
+            [this] { emit originChosen(static_cast<printing::ViewOrigin>(origin_->currentData().toInt())); });
     connect(render_, &QPushButton::clicked, this, &SourceBar::renderAsked);
     connect(folder_, &QPushButton::clicked, this, &SourceBar::chooseFolder);
     connect(files_, &QPushButton::clicked, this, &SourceBar::chooseFiles);

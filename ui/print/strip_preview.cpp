@@ -22,7 +22,8 @@ QImage imageOf(const printing::CodedPicture& picture)
 {
     QImage image(picture.width, picture.height, QImage::Format_RGB888);
     const std::size_t row = static_cast<std::size_t>(picture.width) * 3;
-    for (int y = 0; y < picture.height; ++y) std::memcpy(image.scanLine(y), picture.rgb.data() + static_cast<std::size_t>(y) * row, row);
+    for (int y = 0; y < picture.height; ++y)
+        std::memcpy(image.scanLine(y), picture.rgb.data() + static_cast<std::size_t>(y) * row, row);
     return image;
 }
 
@@ -30,7 +31,8 @@ StripPreview::StripPreview(QWidget* parent) : QWidget(parent), job_(this)
 {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Printed raster"));
-    setToolTip(tr("The dots as they will be printed; lines are the edges between lenses.\nThe wheel, + and - zoom; dragging and the arrows move; Home goes to the middle."));
+    setToolTip(tr("The dots as they will be printed; lines are the edges between lenses.\nThe wheel, + and - zoom; "
+                  "dragging and the arrows move; Home goes to the middle."));
     setMinimumHeight(120);
     setCursor(Qt::OpenHandCursor);
     connect(&job_, &NewestJob::failed, this, [this] {
@@ -41,11 +43,14 @@ StripPreview::StripPreview(QWidget* parent) : QWidget(parent), job_(this)
 
 void StripPreview::setPreview(std::shared_ptr<const printing::PrintPreview> preview)
 {
-    const bool moved = !preview || !preview_ || preview->width() != preview_->width() || preview->height() != preview_->height();
+    const bool moved =
+        !preview || !preview_ || preview->width() != preview_->width() || preview->height() != preview_->height();
     preview_ = std::move(preview);
     job_.forget();
-    if (!preview_) image_ = {};
-    else if (moved) middle_ = {static_cast<double>(preview_->width()) / 2, static_cast<double>(preview_->height()) / 2};
+    if (!preview_)
+        image_ = {};
+    else if (moved)
+        middle_ = {static_cast<double>(preview_->width()) / 2, static_cast<double>(preview_->height()) / 2};
     fetch();
 }
 
@@ -62,7 +67,9 @@ QPointF StripPreview::toScreen(double x, double y) const
 
 void StripPreview::clampView()
 {
-    const auto within = [](double at, double half, double size) { return size <= 2 * half ? size / 2 : std::clamp(at, half, size - half); };
+    const auto within = [](double at, double half, double size) {
+        return size <= 2 * half ? size / 2 : std::clamp(at, half, size - half);
+    };
     middle_ = {within(middle_.x(), width() / 2.0 / zoom_, static_cast<double>(preview_->width())),
                within(middle_.y(), height() / 2.0 / zoom_, static_cast<double>(preview_->height()))};
 }
@@ -81,7 +88,8 @@ void StripPreview::fetch()
         const QImage image = imageOf(preview->raster({x0, y0, x1, y1}));
         return [this, image, x0, y0, x1, y1] {
             image_ = image;
-            imageRegion_ = QRectF(static_cast<double>(x0), static_cast<double>(y0), static_cast<double>(x1 - x0), static_cast<double>(y1 - y0));
+            imageRegion_ = QRectF(static_cast<double>(x0), static_cast<double>(y0), static_cast<double>(x1 - x0),
+                                  static_cast<double>(y1 - y0));
             update();
         };
     });
@@ -96,9 +104,11 @@ void StripPreview::paintEvent(QPaintEvent*)
         painter.drawText(rect(), Qt::AlignCenter, preview_ ? tr("Interlacing") : tr("Nothing to print yet"));
     } else {
         painter.setRenderHint(QPainter::SmoothPixmapTransform, zoom_ < 1);
-        painter.drawImage(QRectF(toScreen(imageRegion_.left(), imageRegion_.top()), imageRegion_.size() * zoom_), image_);
+        painter.drawImage(QRectF(toScreen(imageRegion_.left(), imageRegion_.top()), imageRegion_.size() * zoom_),
+                          image_);
         paintLenses(painter);
-        const QString scale = zoom_ >= 1 ? tr("1 dot : %1 px").arg(zoom_, 0, 'g', 3) : tr("%1 dots : 1 px").arg(1 / zoom_, 0, 'g', 3);
+        const QString scale =
+            zoom_ >= 1 ? tr("1 dot : %1 px").arg(zoom_, 0, 'g', 3) : tr("%1 dots : 1 px").arg(1 / zoom_, 0, 'g', 3);
         const QRect box = painter.fontMetrics().boundingRect(scale).adjusted(-8, -4, 8, 4);
         QColor veil = theme().window;
         veil.setAlphaF(0.8F);
@@ -119,7 +129,9 @@ void StripPreview::paintLenses(QPainter& painter) const
     const printing::LensGrid grid = preview_->lenses();
     const double perPixel = std::hypot(grid.perX, grid.perY);
     if (!(perPixel > 0) || zoom_ / perPixel < leastLensOnScreen) return;
-    const QRectF paper = QRectF(toScreen(0, 0), toScreen(static_cast<double>(preview_->width()), static_cast<double>(preview_->height()))) & QRectF(rect());
+    const QRectF paper = QRectF(toScreen(0, 0), toScreen(static_cast<double>(preview_->width()),
+                                                         static_cast<double>(preview_->height()))) &
+                         QRectF(rect());
     // A dark line beside a light one: seen on any picture.
     const QColor dark(0, 0, 0, 150);
     const QColor light(255, 255, 255, 150);
@@ -133,7 +145,8 @@ void StripPreview::paintLenses(QPainter& painter) const
     painter.setClipRect(paper);
     painter.setRenderHint(QPainter::Antialiasing, grid.perX != 0 && grid.perY != 0);
     const auto lensAt = [&](const QPointF& screen) {
-        return grid.at0 + grid.perX * ((screen.x() - width() / 2.0) / zoom_ + middle_.x()) + grid.perY * ((screen.y() - height() / 2.0) / zoom_ + middle_.y());
+        return grid.at0 + grid.perX * ((screen.x() - width() / 2.0) / zoom_ + middle_.x()) +
+               grid.perY * ((screen.y() - height() / 2.0) / zoom_ + middle_.y());
     };
     double least = lensAt(paper.topLeft());
     double most = least;
@@ -144,13 +157,18 @@ void StripPreview::paintLenses(QPainter& painter) const
     for (double cusp = std::ceil(least); cusp <= most; ++cusp) {
         // Where it crosses the two edges that lenses run between.
         if (std::abs(grid.perX) >= std::abs(grid.perY)) {
-            const auto at = [&](double y) { return (cusp - grid.at0 - grid.perY * ((y - height() / 2.0) / zoom_ + middle_.y())) / grid.perX; };
+            const auto at = [&](double y) {
+                return (cusp - grid.at0 - grid.perY * ((y - height() / 2.0) / zoom_ + middle_.y())) / grid.perX;
+            };
             const double x0 = toScreen(at(paper.top()), 0).x();
             const double x1 = toScreen(at(paper.bottom()), 0).x();
             draw(QPointF(x0, paper.top()), QPointF(x1, paper.bottom()), {1, 0});
         } else {
-            const auto at = [&](double x) { return (cusp - grid.at0 - grid.perX * ((x - width() / 2.0) / zoom_ + middle_.x())) / grid.perY; };
-            draw(QPointF(paper.left(), toScreen(0, at(paper.left())).y()), QPointF(paper.right(), toScreen(0, at(paper.right())).y()), {0, 1});
+            const auto at = [&](double x) {
+                return (cusp - grid.at0 - grid.perX * ((x - width() / 2.0) / zoom_ + middle_.x())) / grid.perY;
+            };
+            draw(QPointF(paper.left(), toScreen(0, at(paper.left())).y()),
+                 QPointF(paper.right(), toScreen(0, at(paper.right())).y()), {0, 1});
         }
     }
     painter.restore();
@@ -214,7 +232,8 @@ void StripPreview::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Up: moveBy({0, 40}); break;
     case Qt::Key_Down: moveBy({0, -40}); break;
     case Qt::Key_Home:
-        if (preview_) middle_ = {static_cast<double>(preview_->width()) / 2, static_cast<double>(preview_->height()) / 2};
+        if (preview_)
+            middle_ = {static_cast<double>(preview_->width()) / 2, static_cast<double>(preview_->height()) / 2};
         fetch();
         break;
     default: QWidget::keyPressEvent(event);

@@ -45,8 +45,8 @@ private:
     std::shared_ptr<const printing::PrintPreview> preview_;
     NewestJob job_;
     QImage image_;
-    QRectF imageRegion_;          ///< Of the raster, in its pixels.
-    QPointF middle_;              ///< The raster's place in the middle of the widget.
+    QRectF imageRegion_;  ///< Of the raster, in its pixels.
+    QPointF middle_;      ///< The raster's place in the middle of the widget.
     double zoom_ = 2;
     QPointF grabbed_;
     bool dragging_ = false;

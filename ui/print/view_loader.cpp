@@ -23,7 +23,8 @@ ViewLoader::ViewLoader(ShownViews* shown, QObject* parent) : QObject(parent), sh
         wanted_ = false;
         shown_->start(state_.values, true);
     });
-    connect(&read_, &ProgressJob::progressed, this, [this](double part) { emit said(tr("Reading, %1 %").arg(std::lround(part * 100))); });
+    connect(&read_, &ProgressJob::progressed, this,
+            [this](double part) { emit said(tr("Reading, %1 %").arg(std::lround(part * 100))); });
     connect(&read_, &ProgressJob::failed, this, [this](const QString& why) {
         emit said(tr("No views could be read."));
         emit failed(why);
@@ -38,11 +39,12 @@ void ViewLoader::connectShown()
         emit said(tr("Rendering views, %1 %").arg(std::lround(part * 100)));
         if (full_) emit progressed(part, secondsLeft);
     });
-    connect(shown_, &ShownViews::finished, this, [this](const std::shared_ptr<const printing::PrintViews>& views, const printing::SceneDepth& depth) {
-        const bool full = std::exchange(full_, false);
-        take(views, depth, !full);
-        if (full) emit readyForPrint();
-    });
+    connect(shown_, &ShownViews::finished, this,
+            [this](const std::shared_ptr<const printing::PrintViews>& views, const printing::SceneDepth& depth) {
+                const bool full = std::exchange(full_, false);
+                take(views, depth, !full);
+                if (full) emit readyForPrint();
+            });
     connect(shown_, &ShownViews::failed, this, [this](const QString& why) {
         full_ = false;
         emit said(tr("No views could be rendered."));
@@ -77,25 +79,31 @@ void ViewLoader::read()
         views_.reset();
         read_.stop();
         const bool quilt = state_.values[printing::printTable().origin] == printing::ViewOrigin::quilt;
-        emit said(quilt ? tr("Choose a picture with a grid of views, or drop it here.") : tr("Choose a folder or pictures, or drop them here."));
+        emit said(quilt ? tr("Choose a picture with a grid of views, or drop it here.")
+                        : tr("Choose a folder or pictures, or drop them here."));
         emit changed();
         return;
     }
     emit said(tr("Reading"));
-    read_.start([this, names = textsOf(state_.files), values = state_.values](const ProgressJob::Progress& progress) -> ProgressJob::Outcome {
+    read_.start([this, names = textsOf(state_.files),
+                 values = state_.values](const ProgressJob::Progress& progress) -> ProgressJob::Outcome {
         const std::shared_ptr<const printing::PrintViews> views = printing::readViews(values, names, progress);
         return [this, views] { take(views, std::nullopt, false); };
     });
 }
 
-void ViewLoader::take(std::shared_ptr<const printing::PrintViews> views, const std::optional<printing::SceneDepth>& depth, bool draft)
+void ViewLoader::take(std::shared_ptr<const printing::PrintViews> views,
+                      const std::optional<printing::SceneDepth>& depth, bool draft)
 {
     views_ = std::move(views);
     depth_ = depth;
     draft_ = draft;
     const QStringList& files = state_.files;
-    const QString from = files.isEmpty() ? tr("what is shown") : files.size() == 1 ? QFileInfo(files.front()).fileName() : tr("%1 pictures").arg(files.size());
-    emit said(draft ? tr("%1 views of %2, small ones to look at").arg(views_->count()).arg(from) : tr("%1 views from %2").arg(views_->count()).arg(from));
+    const QString from = files.isEmpty()     ? tr("what is shown")
+                         : files.size() == 1 ? QFileInfo(files.front()).fileName()
+                                             : tr("%1 pictures").arg(files.size());
+    emit said(draft ? tr("%1 views of %2, small ones to look at").arg(views_->count()).arg(from)
+                    : tr("%1 views from %2").arg(views_->count()).arg(from));
     emit changed();
 }
 

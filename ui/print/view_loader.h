@@ -1,8 +1,8 @@
 #pragma once
 
 #include "exhibits/printing/print_views.h"
-#include "ui/print/print_setup.h"
 #include "ui/kit/progress_job.h"
+#include "ui/print/print_setup.h"
 
 #include <QObject>
 #include <QTimer>
@@ -14,7 +14,8 @@ namespace vitrine::ui {
 
 class ShownViews;
 
-/// Gets the views of a print: reads pictures, or renders what the window shows, small at first and in full for the print.
+/// Gets the views of a print: reads pictures, or renders what the window shows, small at first and in full for the
+/// print.
 class ViewLoader final : public QObject {
     Q_OBJECT
 
@@ -58,14 +59,14 @@ private:
     PrintState state_;
     std::shared_ptr<const printing::PrintViews> views_;
     std::optional<printing::SceneDepth> depth_;
-    bool draft_ = false;     ///< The views are small ones, to look at.
-    bool full_ = false;      ///< What is being rendered is for the print.
-    bool wanted_ = false;    ///< To be rendered as soon as the print is possible.
+    bool draft_ = false;   ///< The views are small ones, to look at.
+    bool full_ = false;    ///< What is being rendered is for the print.
+    bool wanted_ = false;  ///< To be rendered as soon as the print is possible.
     bool possible_ = false;
 
     ShownViews* shown_;
     ProgressJob read_;
-    QTimer soon_;            ///< Not at every step of a slider.
+    QTimer soon_;  ///< Not at every step of a slider.
 };
 
 }  // namespace vitrine::ui

@@ -68,7 +68,8 @@ void StudyChart::applyColors()
     QColor faint = t.dim;
     faint.setAlphaF(0.25F);
     for (QCPAxis* axis : {xAxis, yAxis}) {
-        for (const auto set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen}) (axis->*set)(QPen(t.dim));
+        for (const auto set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
+            (axis->*set)(QPen(t.dim));
         axis->setTickLabelColor(t.text);
         axis->setLabelColor(t.text);
         axis->grid()->setPen(QPen(faint, 0));
@@ -142,7 +143,8 @@ void StudyChart::rebuild()
         std::vector<const ChartPoint*> shown;
         for (const ChartPoint& p : points_)
             if (holds(p)) shown.push_back(&p);
-        std::sort(shown.begin(), shown.end(), [](const ChartPoint* a, const ChartPoint* b) { return a->cost < b->cost; });
+        std::sort(shown.begin(), shown.end(),
+                  [](const ChartPoint* a, const ChartPoint* b) { return a->cost < b->cost; });
         for (const ChartPoint* p : shown) {
             graph->addData(p->cost, shownError(p->error));
             const bool exact = !(p->error > 0);
@@ -185,8 +187,10 @@ void StudyChart::addMarks()
     // Where a marked point says its value, a neighbor that would write over it does not.
     const auto isWithin = [&](std::size_t i, std::size_t j, double width, double height) {
         if (!(points_[i].cost > 0 && points_[j].cost > 0)) return false;
-        const double dx = std::log(points_[i].cost / points_[j].cost) / std::log(xAxis->range().upper / xAxis->range().lower);
-        const double dy = std::log(shownError(points_[i].error) / shownError(points_[j].error)) / std::log(yAxis->range().upper / yAxis->range().lower);
+        const double dx =
+            std::log(points_[i].cost / points_[j].cost) / std::log(xAxis->range().upper / xAxis->range().lower);
+        const double dy = std::log(shownError(points_[i].error) / shownError(points_[j].error)) /
+                          std::log(yAxis->range().upper / yAxis->range().lower);
         return std::abs(dx) < width && std::abs(dy) < height;
     };
     struct Label {
@@ -209,7 +213,9 @@ void StudyChart::addMarks()
         if (emphasized_ == i) ring(p, t.accent, 20, QCPScatterStyle::ssCircle);
         if (!isSpecial(i) && crowded) continue;
         // Points in one place share a label.
-        const auto same = std::find_if(labels.begin(), labels.end(), [&](const Label& other) { return !isSpecial(i) && !isSpecial(other.point) && isWithin(i, other.point, 0.03, 0.02); });
+        const auto same = std::find_if(labels.begin(), labels.end(), [&](const Label& other) {
+            return !isSpecial(i) && !isSpecial(other.point) && isWithin(i, other.point, 0.03, 0.02);
+        });
         if (same != labels.end()) {
             same->item->setText(same->item->text() + QStringLiteral(", ") + p.text);
             same->place.setWidth(metrics.horizontalAdvance(same->item->text()) + 14);
@@ -218,11 +224,14 @@ void StudyChart::addMarks()
         QString text = p.text;
         if (p.knee) text += tr(" · knee");
         if (p.present) text += tr(" · present");
-        const bool atRightEdge = std::log(p.cost / xAxis->range().lower) > 0.8 * std::log(xAxis->range().upper / xAxis->range().lower);
+        const bool atRightEdge =
+            std::log(p.cost / xAxis->range().lower) > 0.8 * std::log(xAxis->range().upper / xAxis->range().lower);
         const QSizeF size(metrics.horizontalAdvance(text) + 14, metrics.height() + 5);
         const QPointF at = placeOf(i);
         const QRectF place(QPointF(atRightEdge ? at.x() - size.width() : at.x(), at.y() - size.height()), size);
-        if (std::any_of(labels.begin(), labels.end(), [&](const Label& other) { return other.place.intersects(place); })) continue;
+        if (std::any_of(labels.begin(), labels.end(),
+                        [&](const Label& other) { return other.place.intersects(place); }))
+            continue;
         auto* label = new QCPItemText(this);
         label->setText(text);
         label->setColor(p.onFront ? t.text : t.dim);
@@ -358,7 +367,8 @@ std::vector<ChartPoint> chartPoints(Exhibits exhibits, const StudyRequest& reque
     for (std::size_t i = 0; i < result.points.size(); ++i) {
         const StudyPoint& p = result.points[i];
         ChartPoint c;
-        const bool measured = std::all_of(p.shots.begin(), p.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); });
+        const bool measured =
+            std::all_of(p.shots.begin(), p.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); });
         if (measured) c.cost = c.costLow = c.costHigh = p.cost;
         if (measured && timed && p.time) {
             c.costLow = p.time->interval.low;
@@ -367,7 +377,9 @@ std::vector<ChartPoint> chartPoints(Exhibits exhibits, const StudyRequest& reque
         c.error = p.error;
         c.errorLow = p.lowestError;
         c.errorHigh = p.worstError;
-        const std::string text = request.axes.size() == 1 ? axisValueText(exhibits, request.axes[0], request.axes[0].values[p.setting[0]]) : pointText(exhibits, request, p);
+        const std::string text = request.axes.size() == 1
+                                     ? axisValueText(exhibits, request.axes[0], request.axes[0].values[p.setting[0]])
+                                     : pointText(exhibits, request, p);
         c.text = QString::fromStdString(request.axes.size() > 2 ? std::string() : text);
         c.dominated = p.dominated;
         c.onFront = std::find(result.front.begin(), result.front.end(), i) != result.front.end();

@@ -13,7 +13,7 @@ namespace vitrine::ui {
 struct ChartPoint {
     double cost = 0, costLow = 0, costHigh = 0;
     double error = 0, errorLow = 0, errorHigh = 0;  ///< Over the views.
-    QString text;         ///< "64".
+    QString text;                                   ///< "64".
     bool dominated = false, onFront = false, knee = false, present = false;
 };
 

@@ -49,9 +49,13 @@ QLineEdit* numberField(const QString& name, const QString& start, QWidget* paren
 }  // namespace
 
 StudyDock::StudyDock(Gallery& gallery, History& history, RenderThread& thread, QWidget* parent)
-    : QWidget(parent), gallery_(gallery), history_(history), thread_(thread), parameter_(new QComboBox(this)), view_(new QComboBox(this)), go_(new QPushButton(this)), copy_(new QToolButton(this)), save_(new QToolButton(this)),
-      progress_(new QProgressBar(this)), doing_(new QLabel(this)), words_(new QLabel(this)), caption_(new QLabel(this)), error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
-      milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this)), chart_(new StudyChart(this)), pictures_(new StudyPictures(this))
+    : QWidget(parent), gallery_(gallery), history_(history), thread_(thread), parameter_(new QComboBox(this)),
+      view_(new QComboBox(this)), go_(new QPushButton(this)), copy_(new QToolButton(this)),
+      save_(new QToolButton(this)), progress_(new QProgressBar(this)), doing_(new QLabel(this)),
+      words_(new QLabel(this)), caption_(new QLabel(this)),
+      error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
+      milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this)),
+      chart_(new StudyChart(this)), pictures_(new StudyPictures(this))
 {
     setTexts();
     auto* all = new QVBoxLayout(this);
@@ -118,7 +122,10 @@ QLayout* StudyDock::choosing()
     connect(best, &QPushButton::clicked, this, [this] { find(false); });
     auto* choose = new QHBoxLayout;
     choose->setSpacing(8);
-    for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest, new QLabel(tr("Best within"), this), milliseconds_, new QLabel(tr("ms"), this), best}) choose->addWidget(w);
+    for (QWidget* w : std::initializer_list<QWidget*>{new QLabel(tr("Cheapest within error"), this), error_, cheapest,
+                                                      new QLabel(tr("Best within"), this), milliseconds_,
+                                                      new QLabel(tr("ms"), this), best})
+        choose->addWidget(w);
     choose->addStretch(1);
     for (QToolButton* button : {copy_, save_}) {
         button->setFocusPolicy(Qt::StrongFocus);
@@ -153,12 +160,14 @@ void StudyDock::connectParts()
     connect(error_, &QLineEdit::returnPressed, this, [this] { find(true); });
     connect(milliseconds_, &QLineEdit::returnPressed, this, [this] { find(false); });
     connect(view_, &QComboBox::currentIndexChanged, this, [this] { showPoint(shownPoint_); });
-    connect(copy_, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(QString::fromUtf8(exported(QStringLiteral("csv")))); });
+    connect(copy_, &QToolButton::clicked, this,
+            [this] { QApplication::clipboard()->setText(QString::fromUtf8(exported(QStringLiteral("csv")))); });
     connect(save_, &QToolButton::clicked, this, &StudyDock::save);
     connect(pictures_, &StudyPictures::enlargeAsked, this, [this] { chart_->setVisible(chart_->isHidden()); });
     connect(chart_, &StudyChart::hovered, this, [this](int point) { showPoint(point); });
     connect(chart_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
-        if (const auto point = chart_->pointAt(event->position()); point && event->button() == Qt::LeftButton) apply(*point);
+        if (const auto point = chart_->pointAt(event->position()); point && event->button() == Qt::LeftButton)
+            apply(*point);
     });
     const auto refreshWhileSeen = [this] {
         if (isVisible()) refresh();
@@ -191,7 +200,8 @@ void StudyDock::setSubject(std::size_t exhibit)
     parameter_->addItem(tr("All parameters together"), -1);
     const auto rows = gallery_.exhibits()[exhibit]->parameters().rows();
     for (std::size_t row = 0; row < rows.size(); ++row)
-        if (rows[row].qualityReference) parameter_->addItem(QString::fromStdString(label(rows[row])), static_cast<int>(row));
+        if (rows[row].qualityReference)
+            parameter_->addItem(QString::fromStdString(label(rows[row])), static_cast<int>(row));
     if (parameter_->count() > 1) parameter_->setCurrentIndex(1);
     go_->setEnabled(running() || parameter_->count() > 1);
 }
@@ -222,7 +232,8 @@ void StudyDock::measure()
         start(requestFor(qualityAxes(gallery_.exhibits(), subject_)));
         return;
     }
-    if (auto axis = studyAxis(gallery_.exhibits(), subject_, static_cast<std::size_t>(row), usualPoints(1))) start(requestFor({std::move(*axis)}));
+    if (auto axis = studyAxis(gallery_.exhibits(), subject_, static_cast<std::size_t>(row), usualPoints(1)))
+        start(requestFor({std::move(*axis)}));
 }
 
 void StudyDock::find(bool byError)
@@ -230,7 +241,8 @@ void StudyDock::find(bool byError)
     const QLineEdit* field = byError ? error_ : milliseconds_;
     const std::optional<double> limit = evaluate(field->text().trimmed().toStdString(), Unit::none);
     if (!limit || !(*limit > 0)) {
-        words_->setText(tr("\"%1\" is no limit; type a number above 0, such as %2.").arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
+        words_->setText(tr("\"%1\" is no limit; type a number above 0, such as %2.")
+                            .arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
         return;
     }
     StudyRequest request = requestFor(qualityAxes(gallery_.exhibits(), subject_));
@@ -257,7 +269,8 @@ bool StudyDock::step(Work& work, const RenderThread::Tell& tell, const std::func
     study.step();
     const bool done = study.finished();
     if (done || work.shown.elapsed() >= refreshTime) {
-        auto news = std::make_shared<News>(News{done ? study.takeResult() : study.result(), done ? 1.0 : study.progress(), study.doing()});
+        auto news = std::make_shared<News>(
+            News{done ? study.takeResult() : study.result(), done ? 1.0 : study.progress(), study.doing()});
         tell([take, news = std::move(news)] { take(news); });
         work.shown.start();
     }
@@ -281,12 +294,16 @@ void StudyDock::start(StudyRequest request)
     elapsed_.start();
     doing_->setText(tr("Starting"));
     const auto take = [this](const std::shared_ptr<News>& news) { this->take(std::move(*news)); };
-    task_ = thread_.start([work, take](const RenderThread::Tell& tell) { return step(*work, tell, take); }, [this](const QString& failure) { end(failure); });
+    task_ = thread_.start([work, take](const RenderThread::Tell& tell) { return step(*work, tell, take); },
+                          [this](const QString& failure) { end(failure); });
 }
 
 void StudyDock::take(News news)
 {
-    const auto measured = [](const StudyPoint& p) { return p.cost > 0 && std::all_of(p.shots.begin(), p.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); }); };
+    const auto measured = [](const StudyPoint& p) {
+        return p.cost > 0 &&
+               std::all_of(p.shots.begin(), p.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); });
+    };
     const bool done = news.progress >= 1;
     // The former result stays until this one has a point.
     if (!showsRunning_ && (done || std::any_of(news.result.points.begin(), news.result.points.end(), measured))) {
@@ -299,7 +316,10 @@ void StudyDock::take(News news)
     }
     progress_->setValue(static_cast<int>(100 * news.progress));
     const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
-    doing_->setText(QString::fromStdString(news.doing) + (news.progress > 0.05 && !done ? QStringLiteral(", ") + timeLeft(seconds / news.progress * (1 - news.progress)) : QString()));
+    doing_->setText(QString::fromStdString(news.doing) +
+                    (news.progress > 0.05 && !done
+                         ? QStringLiteral(", ") + timeLeft(seconds / news.progress * (1 - news.progress))
+                         : QString()));
     if (!showsRunning_) return;
     result_ = std::move(news.result);
     refresh();
@@ -334,7 +354,9 @@ void StudyDock::showIdle()
     doing_->clear();
     for (QToolButton* button : {copy_, save_}) button->setEnabled(!result_.points.empty());
     suggestTime();
-    if (result_.points.empty()) words_->setText(tr("Choose a parameter and measure it: its errors are those against its most exact value, its costs are work and time."));
+    if (result_.points.empty())
+        words_->setText(tr("Choose a parameter and measure it: its errors are those against its most exact value, its "
+                           "costs are work and time."));
 }
 
 void StudyDock::suggestTime()
@@ -347,8 +369,11 @@ void StudyDock::suggestTime()
 
 QByteArray StudyDock::exported(const QString& suffix) const
 {
-    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(studyCsv(gallery_.exhibits(), request_, result()));
-    if (suffix == QLatin1String("json")) return QByteArray::fromStdString(render::writeJson(studyJson(gallery_.exhibits(), request_, result(), render::Json::object())));
+    if (suffix == QLatin1String("csv"))
+        return QByteArray::fromStdString(studyCsv(gallery_.exhibits(), request_, result()));
+    if (suffix == QLatin1String("json"))
+        return QByteArray::fromStdString(
+            render::writeJson(studyJson(gallery_.exhibits(), request_, result(), render::Json::object())));
     const QSize size(960, 600);
     if (suffix == QLatin1String("svg")) return chart_->svg(size);
     QByteArray bytes;
@@ -359,16 +384,19 @@ QByteArray StudyDock::exported(const QString& suffix) const
 
 void StudyDock::save()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the measurements"), QStringLiteral("study.csv"), tr("Tables and charts (*.csv *.json *.png *.svg)"));
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the measurements"), QStringLiteral("study.csv"),
+                                                      tr("Tables and charts (*.csv *.json *.png *.svg)"));
     if (path.isEmpty()) return;
     const QString suffix = QFileInfo(path).suffix().toLower();
-    if (suffix != QLatin1String("csv") && suffix != QLatin1String("json") && suffix != QLatin1String("png") && suffix != QLatin1String("svg")) {
+    if (suffix != QLatin1String("csv") && suffix != QLatin1String("json") && suffix != QLatin1String("png") &&
+        suffix != QLatin1String("svg")) {
         emit failed(tr("%1 was not saved: its name must end in .csv, .json, .png or .svg.").arg(path));
         return;
     }
     try {
         const QByteArray bytes = exported(suffix);
-        render::atomicWrite(path.toStdString(), std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+        render::atomicWrite(path.toStdString(),
+                            std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     } catch (const Failure& failure) {
         emit failed(QString::fromUtf8(failure.what()));
     }
@@ -381,7 +409,8 @@ std::optional<std::size_t> StudyDock::presentPoint() const
         bool same = true;
         for (std::size_t a = 0; a < request_.axes.size(); ++a) {
             const StudyAxis& axis = request_.axes[a];
-            same = same && std::get<double>(look.values[axis.exhibit].row(axis.row)) == axis.values[result().points[i].setting[a]];
+            same = same && std::get<double>(look.values[axis.exhibit].row(axis.row)) ==
+                               axis.values[result().points[i].setting[a]];
         }
         if (same) return i;
     }
@@ -394,14 +423,19 @@ void StudyDock::refresh()
     const std::optional<std::size_t> present = presentPoint();
     std::vector<ChartPoint> points = chartPoints(gallery_.exhibits(), request_, result());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].present = present == i;
-    chart_->setTitles(QString::fromStdString(costTitle(result().costName.empty() ? "ms" : result().costName)), QString::fromUtf8(title(request_.metric).data(), static_cast<qsizetype>(title(request_.metric).size())));
+    chart_->setTitles(
+        QString::fromStdString(costTitle(result().costName.empty() ? "ms" : result().costName)),
+        QString::fromUtf8(title(request_.metric).data(), static_cast<qsizetype>(title(request_.metric).size())));
     chart_->setPoints(std::move(points));
     showPoint(shownPoint_);
     if (result().clock.empty()) return;
     QStringList sentences;
-    for (const std::string& sentence : {lawSentence(result()), choiceSentence(gallery_.exhibits(), request_, result()), result().convergence})
+    for (const std::string& sentence :
+         {lawSentence(result()), choiceSentence(gallery_.exhibits(), request_, result()), result().convergence})
         if (!sentence.empty()) sentences << QString::fromStdString(sentence);
-    sentences << tr("Clock: %1, %2.").arg(QString::fromStdString(result().clock), result().clockTrusted ? tr("trusted") : tr("not trusted"));
+    sentences << tr("Clock: %1, %2.")
+                     .arg(QString::fromStdString(result().clock),
+                          result().clockTrusted ? tr("trusted") : tr("not trusted"));
     words_->setText(sentences.join(QLatin1Char(' ')));
     words_->setToolTip(sentences.join(QLatin1Char('\n')));
 }
@@ -422,15 +456,25 @@ void StudyDock::showPoint(int wanted)
     const StudyPoint& p = result().points[static_cast<std::size_t>(point)];
     const StudyShot& shot = p.shots[view];
     if (shot.picture.empty()) return;
-    const render::Image errors = render::errorMap(request_.metric, result().references[view], shot.picture).value_or(render::differenceMap(result().references[view], shot.picture));
+    const render::Image errors = render::errorMap(request_.metric, result().references[view], shot.picture)
+                                     .value_or(render::differenceMap(result().references[view], shot.picture));
     const double full = render::fullScale(request_.metric, errors);
-    pictures_->show(screenImage(shot.picture), screenImage(result().references[view]), screenImage(render::heatMap(errors, full)),
-                    shortNumber(full));
-    pictures_->setAccessibleDescription(tr("Left of the line the setting, right of it the reference; arrows move the line. The heat map goes from 0 to %1 (%2).")
-                                            .arg(shortNumber(full), QString::fromUtf8(title(request_.metric).data(), static_cast<qsizetype>(title(request_.metric).size()))));
-    QString text = QString::fromStdString(pointText(gallery_.exhibits(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
-    if (result().costName != "ms") text += tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(p.cost)), QString::fromStdString(costTitle(result().costName)));
-    if (p.time) text += tr(", %1 ms (%2 to %3)").arg(shortNumber(p.time->median), shortNumber(p.time->interval.low), shortNumber(p.time->interval.high));
+    pictures_->show(screenImage(shot.picture), screenImage(result().references[view]),
+                    screenImage(render::heatMap(errors, full)), shortNumber(full));
+    pictures_->setAccessibleDescription(
+        tr("Left of the line the setting, right of it the reference; arrows move the line. The heat map goes from 0 to "
+           "%1 (%2).")
+            .arg(shortNumber(full), QString::fromUtf8(title(request_.metric).data(),
+                                                      static_cast<qsizetype>(title(request_.metric).size()))));
+    QString text = QString::fromStdString(pointText(gallery_.exhibits(), request_, p)) +
+                   tr(": error %1").arg(shortNumber(p.error));
+    if (result().costName != "ms")
+        text += tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(p.cost)),
+                                  QString::fromStdString(costTitle(result().costName)));
+    if (p.time)
+        text += tr(", %1 ms (%2 to %3)")
+                    .arg(shortNumber(p.time->median), shortNumber(p.time->interval.low),
+                         shortNumber(p.time->interval.high));
     if (p.modelError > 0) text += tr("; against everything exact %1").arg(shortNumber(p.modelError));
     caption_->setText(text);
     caption_->setToolTip(text);
@@ -445,7 +489,10 @@ void StudyDock::apply(std::size_t point)
         next.values[axis.exhibit].setRow(axis.row, axis.values[result().points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
-    history_.change(one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.exhibits(), request_, result().points[point]))) : tr("Set what the study found"), next);
+    history_.change(
+        one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.exhibits(), request_, result().points[point])))
+            : tr("Set what the study found"),
+        next);
 }
 
 }  // namespace vitrine::ui

@@ -23,7 +23,8 @@ namespace vitrine::ui {
 class StudyChart;
 class StudyPictures;
 
-/// What accuracy costs: measures a parameter of the chosen exhibit, or all of them together, on the render thread, shows every point as it is measured, and applies the one that is clicked or searched for.
+/// What accuracy costs: measures a parameter of the chosen exhibit, or all of them together, on the render thread,
+/// shows every point as it is measured, and applies the one that is clicked or searched for.
 class StudyDock final : public QWidget {
     Q_OBJECT
 
@@ -41,7 +42,8 @@ public:
     [[nodiscard]] bool running() const { return isRunning_; }
     /// What is shown: of the study that runs as soon as it has a point, until then of the one before.
     [[nodiscard]] const StudyResult& result() const { return result_; }
-    /// Everything shown that was measured, as a file: .csv, .json (with `machine` beside it), or the chart as .png or .svg.
+    /// Everything shown that was measured, as a file: .csv, .json (with `machine` beside it), or the chart as .png or
+    /// .svg.
     [[nodiscard]] QByteArray exported(const QString& suffix) const;
     [[nodiscard]] StudyChart& chart() const { return *chart_; }
 
@@ -89,10 +91,10 @@ private:
     RenderThread& thread_;
     RenderThread::Task task_;
     bool isRunning_ = false;
-    StudyRequest request_;   ///< Of what is shown.
-    StudyRequest running_;   ///< Of the study that runs.
+    StudyRequest request_;  ///< Of what is shown.
+    StudyRequest running_;  ///< Of the study that runs.
     bool showsRunning_ = false;
-    StudyResult result_;     ///< Of what is shown.
+    StudyResult result_;  ///< Of what is shown.
     std::size_t subject_ = 0;
     glm::ivec2 size_{320, 180};
     int runs_ = 5;

@@ -19,14 +19,16 @@ QImage screenImage(const render::Image& picture)
     for (int y = 0; y < picture.height; ++y) {
         uchar* line = image.scanLine(y);
         for (int x = 0; x < picture.width; ++x)
-            for (int c = 0; c < 3; ++c) *line++ = render::srgb8FromLinear(picture.at(x, y, picture.channels < 3 ? 0 : c));
+            for (int c = 0; c < 3; ++c)
+                *line++ = render::srgb8FromLinear(picture.at(x, y, picture.channels < 3 ? 0 : c));
     }
     return image;
 }
 
 namespace {
 
-constexpr double scaleHeight = 20;  ///< Pixels below the heat map: its colors from 0 to the largest error, with numbers.
+constexpr double scaleHeight =
+    20;  ///< Pixels below the heat map: its colors from 0 to the largest error, with numbers.
 
 /// The heat map's colors from 0 to full, left to right.
 const QImage& heatRamp()
@@ -47,7 +49,8 @@ StudyPictures::StudyPictures(QWidget* parent) : QWidget(parent)
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Picture and reference"));
     setAccessibleDescription(tr("Left of the line the setting, right of it the reference; arrows move the line."));
-    setToolTip(tr("Left of the line: the setting. Right of it: the reference. Beside it: where they differ.\nA double click gives the pictures all the room, or the chart its own again."));
+    setToolTip(tr("Left of the line: the setting. Right of it: the reference. Beside it: where they differ.\nA double "
+                  "click gives the pictures all the room, or the chart its own again."));
 }
 
 void StudyPictures::show(const QImage& picture, const QImage& reference, const QImage& heat, const QString& full)
@@ -96,11 +99,13 @@ void StudyPictures::paintEvent(QPaintEvent*)
         painter.drawImage(map, heat_);
         const QRectF below(map.left(), map.bottom() + 3, map.width(), scaleHeight - 4);
         const double zero = painter.fontMetrics().horizontalAdvance(QStringLiteral("0")) + 6;
-        const double most = std::min<double>(painter.fontMetrics().horizontalAdvance(full_) + 6, below.width() - zero - 16);
+        const double most =
+            std::min<double>(painter.fontMetrics().horizontalAdvance(full_) + 6, below.width() - zero - 16);
         painter.drawImage(below.adjusted(zero, 3, -most, -3), heatRamp());
         painter.setPen(theme().dim);
         painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("0"));
-        painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, painter.fontMetrics().elidedText(full_, Qt::ElideRight, static_cast<int>(most)));
+        painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(full_, Qt::ElideRight, static_cast<int>(most)));
     }
     if (hasFocus()) {
         painter.setPen(QPen(theme().accent, 1));
@@ -121,10 +126,14 @@ void StudyPictures::mouseDoubleClickEvent(QMouseEvent*)
 
 void StudyPictures::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Left) setWipe(wipe_ - 0.05);
-    else if (event->key() == Qt::Key_Right) setWipe(wipe_ + 0.05);
-    else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) emit enlargeAsked();
-    else QWidget::keyPressEvent(event);
+    if (event->key() == Qt::Key_Left)
+        setWipe(wipe_ - 0.05);
+    else if (event->key() == Qt::Key_Right)
+        setWipe(wipe_ + 0.05);
+    else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+        emit enlargeAsked();
+    else
+        QWidget::keyPressEvent(event);
 }
 
 }  // namespace vitrine::ui

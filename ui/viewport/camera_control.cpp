@@ -81,7 +81,8 @@ void Walker::step(double seconds, const glm::dvec3& wanted, const Walkable& walk
     if (glm::distance(reached, to) > 1e-9) {
         const glm::dvec3 made = reached - camera_.eye;
         const double distance = glm::length(made);
-        velocity_ = distance > 1e-9 ? made / distance * std::max(0.0, glm::dot(velocity_, made / distance)) : glm::dvec3(0);
+        velocity_ =
+            distance > 1e-9 ? made / distance * std::max(0.0, glm::dot(velocity_, made / distance)) : glm::dvec3(0);
     }
     moveTo(reached);
 }
@@ -178,7 +179,8 @@ void CameraControl::walkOn()
     const render::Camera now = camera();
     render::Camera standing = now;
     standing.eye.y = Walker::eyeHeight;
-    if (walkable_ && glm::distance(walkable_(standing.eye, standing.eye), standing.eye) > 1e-6) standing.eye = beforeVisit_.eye;
+    if (walkable_ && glm::distance(walkable_(standing.eye, standing.eye), standing.eye) > 1e-6)
+        standing.eye = beforeVisit_.eye;
     glide_.start(now, standing);
     afterGlide_ = Mode::walk;
     mode_ = Mode::glide;
@@ -204,8 +206,10 @@ bool CameraControl::advance(double seconds, const WalkKeys& keys)
         glide_.advance(seconds);
         if (glide_.finished()) {
             mode_ = afterGlide_;
-            if (mode_ == Mode::orbit) orbit_.start(glide_.end());
-            else walker_.place(glide_.end());
+            if (mode_ == Mode::orbit)
+                orbit_.start(glide_.end());
+            else
+                walker_.place(glide_.end());
         }
     } else if (mode_ == Mode::walk) {
         walker_.advance(seconds, keys, walkable_);

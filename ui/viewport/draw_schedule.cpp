@@ -105,7 +105,8 @@ std::string DrawSchedule::reason() const
         std::snprintf(text, sizeof text, "still: refining %d of %d", refined_, samples_);
         return text;
     }
-    std::snprintf(text, sizeof text, "still: refined %d of %d, nothing to draw, because nothing changes", refined_, samples_);
+    std::snprintf(text, sizeof text, "still: refined %d of %d, nothing to draw, because nothing changes", refined_,
+                  samples_);
     return text;
 }
 

@@ -27,8 +27,8 @@ struct StudyJob {
     std::unique_ptr<Study> study;
 };
 
-/// Everything the window shows and draws with: the museum, and the renderers of the render thread. Tests put a smaller one
-/// in its place.
+/// Everything the window shows and draws with: the museum, and the renderers of the render thread. Tests put a smaller
+/// one in its place.
 class Gallery {
 public:
     virtual ~Gallery() = default;
@@ -42,7 +42,10 @@ public:
     [[nodiscard]] virtual std::vector<int> emptyPlaces() const = 0;
     [[nodiscard]] virtual double nextChange(const Look&, const FrameRequest&) const = 0;
     /// As Museum::movingRegion.
-    [[nodiscard]] virtual std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const { return std::nullopt; }
+    [[nodiscard]] virtual std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const
+    {
+        return std::nullopt;
+    }
 
     /// Which files that the look names and needs for what it shows cannot be read, and why: one full sentence each,
     /// that begins with the parameter's label.
@@ -59,9 +62,13 @@ public:
     virtual render::FrameReport draw(const Look&, const FrameRequest&, const Unwanted&) = 0;
     /// The last picture as a screen of this many device pixels shows it.
     [[nodiscard]] virtual QImage screenImage(const QSize& screen) = 0;
-    /// All `samples` supersamples of a part of a picture whose other pixels stay as they are. The picture that `draw` made
-    /// last is left alone.
-    [[nodiscard]] virtual QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int /*samples*/, const Unwanted&) { return {}; }
+    /// All `samples` supersamples of a part of a picture whose other pixels stay as they are. The picture that `draw`
+    /// made last is left alone.
+    [[nodiscard]] virtual QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int /*samples*/,
+                                            const Unwanted&)
+    {
+        return {};
+    }
     /// The last picture of `draw` as `PictureMaker::picture` gives it; empty where there is none.
     [[nodiscard]] virtual render::Image shownPicture() { return {}; }
     virtual void timeSteps(bool on) = 0;

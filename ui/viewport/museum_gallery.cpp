@@ -102,7 +102,8 @@ QImage MuseumGallery::screenImage(const QSize& screen)
     return imageOf(renderer_->screenPixels("frame", size, glm::ivec2(0), size));
 }
 
-QImage MuseumGallery::drawRegion(const Look& look, const FrameRequest& request, const PictureRegion& region, int samples, const Unwanted& unwanted)
+QImage MuseumGallery::drawRegion(const Look& look, const FrameRequest& request, const PictureRegion& region,
+                                 int samples, const Unwanted& unwanted)
 {
     if (!regions_) regions_ = renderer_->sibling();
     regions_->abandonWhen(unwanted);

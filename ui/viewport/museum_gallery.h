@@ -26,7 +26,8 @@ public:
     void close() override;
     render::FrameReport draw(const Look&, const FrameRequest&, const Unwanted&) override;
     [[nodiscard]] QImage screenImage(const QSize& screen) override;
-    [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int samples, const Unwanted&) override;
+    [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int samples,
+                                    const Unwanted&) override;
     [[nodiscard]] render::Image shownPicture() override;
     void timeSteps(bool on) override;
     bool reloadChangedShaders() override;
@@ -43,7 +44,7 @@ private:
     std::unique_ptr<render::gl::HeadlessContext> context_;
     std::unique_ptr<render::gl::DebugLog> debugLog_;  ///< In debug builds.
     std::unique_ptr<render::gl::Renderer> renderer_;
-    std::unique_ptr<render::gl::Renderer> regions_;   ///< Draws what moves in a picture that stands still.
+    std::unique_ptr<render::gl::Renderer> regions_;  ///< Draws what moves in a picture that stands still.
     bool timeSteps_ = false;
 };
 

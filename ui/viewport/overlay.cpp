@@ -43,7 +43,8 @@ void Overlay::place()
     case Place::pointer:
         // Below and right of the pointer, or on its other side where there is no room.
         move(pointer_.x() + 16 + width() <= room.width() ? pointer_.x() + 16 : std::max(0, pointer_.x() - 8 - width()),
-             pointer_.y() + 20 + height() <= room.height() ? pointer_.y() + 20 : std::max(0, pointer_.y() - 8 - height()));
+             pointer_.y() + 20 + height() <= room.height() ? pointer_.y() + 20
+                                                           : std::max(0, pointer_.y() - 8 - height()));
         break;
     }
 }

@@ -2,7 +2,7 @@
 
 #include "render/failure.h"
 #include "render/measure/clock.h"
-#include "ui/window/application.h"
+#include "ui/kit/message_of.h"
 
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -148,7 +148,8 @@ DrawnPicture RenderThread::picture(PictureOrder order)
     try {
         if (!open_) throw Failure(Blame::openGl, "Nothing can be drawn: there is no graphics context.");
         const std::function<bool()> unwanted = [this] { return unwanted_.load(); };
-        if (order.region) done.image = gallery_.drawRegion(order.look, order.request, *order.region, order.order.samples, unwanted);
+        if (order.region)
+            done.image = gallery_.drawRegion(order.look, order.request, *order.region, order.order.samples, unwanted);
         else {
             done.report = gallery_.draw(order.look, order.request, unwanted);
             done.image = gallery_.screenImage(order.screen);
@@ -175,7 +176,9 @@ void RenderThread::step()
     }
     if (*task->cancelled) return;
     const Tell tell = [this, cancelled = task->cancelled](std::function<void()> what) {
-        toWindow([cancelled, what = std::move(what)] { if (!*cancelled) what(); });
+        toWindow([cancelled, what = std::move(what)] {
+            if (!*cancelled) what();
+        });
     };
     const double start = render::wallSeconds();
     QString failure;

@@ -22,28 +22,29 @@ struct PictureOrder {
     Look look;
     FrameRequest request;
     DrawOrder order;
-    QSize screen;                         ///< Device pixels of the viewport.
-    std::optional<PictureRegion> region;  ///< Only this part of the picture, all its supersamples at once; empty: all of it.
+    QSize screen;  ///< Device pixels of the viewport.
+    std::optional<PictureRegion>
+        region;  ///< Only this part of the picture, all its supersamples at once; empty: all of it.
 };
 
 /// What became of it.
 struct DrawnPicture {
     PictureOrder order;
-    QImage image;                 ///< As the screen shows it: the viewport's size, or the region's.
+    QImage image;  ///< As the screen shows it: the viewport's size, or the region's.
     render::FrameReport report;
-    double seconds = 0;           ///< That it took, wall clock.
-    bool abandoned = false;       ///< Nothing was drawn: something newer was wanted.
-    QString failure;              ///< Why there is no image, for people; empty when there is one.
+    double seconds = 0;      ///< That it took, wall clock.
+    bool abandoned = false;  ///< Nothing was drawn: something newer was wanted.
+    QString failure;         ///< Why there is no image, for people; empty when there is one.
     std::vector<render::gl::ShaderProblem> problems;
 };
 
-/// The thread on which pictures are drawn, files for them are read, and studies, exports and print views are made. It has an
-/// OpenGL context of its own and hands pictures over as pixels.
+/// The thread on which pictures are drawn, files for them are read, and studies, exports and print views are made. It
+/// has an OpenGL context of its own and hands pictures over as pixels.
 ///
 /// Why pixels and not a texture of a context shared with the window's: on Mesa's software renderer all contexts of one
-/// display draw through one rasterizer, one after the other. With a shared context a window of 1600 x 1000 pixels waited
-/// 820 ms (median) for one quad of its own while passes of 700 ms were drawn; on a display of its own it waited 2.8 ms, as
-/// long as with nothing beside it.
+/// display draw through one rasterizer, one after the other. With a shared context a window of 1600 x 1000 pixels
+/// waited 820 ms (median) for one quad of its own while passes of 700 ms were drawn; on a display of its own it
+/// waited 2.8 ms, as long as with nothing beside it.
 ///
 /// The newest picture is drawn first and replaces those that wait. What is made step by step (refinement, and tasks in
 /// turn) shares the rest of the time evenly.
@@ -90,7 +91,8 @@ public:
     /// Abandons the picture that is being drawn, waits for the step that is being done, and closes the gallery.
     ~RenderThread() override;
 
-    /// Draws this one in place of one that still waits, which is forgotten; `drawn` follows. One that is being drawn goes on.
+    /// Draws this one in place of one that still waits, which is forgotten; `drawn` follows. One that is being drawn
+    /// goes on.
     void draw(PictureOrder);
     /// What `draw` was called for last is not wanted any more: it ends with the pass that is being drawn.
     void abandon() { unwanted_ = true; }

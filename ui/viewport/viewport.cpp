@@ -2,8 +2,8 @@
 
 #include "exhibits/museum/named_files.h"
 #include "render/failure.h"
-#include "ui/viewport/overlay.h"
 #include "ui/kit/message_of.h"
+#include "ui/viewport/overlay.h"
 
 #include <QPainter>
 #include <QWindow>
@@ -20,11 +20,11 @@ constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
 constexpr double firstTick = 1.0 / 60;  // After a rest no time has passed for those who walk.
 constexpr int hoverDelay = 30;          // Milliseconds after which a resting pointer is told what is under it.
 constexpr std::size_t mostFormer = 100;
-constexpr int hiddenWait = 250;         // Milliseconds after which a hidden viewport looks whether it is seen again.
-constexpr double largestRegion = 0.25;  // Of the picture, that is drawn by itself where something moves.
-constexpr double restOfRegions = 5;     // Times as long as drawing one took, the machine rests before the next one ...
-constexpr double shortestRest = 0.03;   // ... and for so many seconds at least.
-constexpr double longestRegionTick = 5; // After a longer pause (a machine that slept) what moves goes on where it was.
+constexpr int hiddenWait = 250;          // Milliseconds after which a hidden viewport looks whether it is seen again.
+constexpr double largestRegion = 0.25;   // Of the picture, that is drawn by itself where something moves.
+constexpr double restOfRegions = 5;      // Times as long as drawing one took, the machine rests before the next one ...
+constexpr double shortestRest = 0.03;    // ... and for so many seconds at least.
+constexpr double longestRegionTick = 5;  // After a longer pause (a machine that slept) what moves goes on where it was.
 
 }  // namespace
 
@@ -96,7 +96,8 @@ FrameRequest Viewport::request(double time) const
 QSize Viewport::devicePixels() const
 {
     const double ratio = devicePixelRatioF();
-    return {std::max(1, static_cast<int>(std::lround(width() * ratio))), std::max(1, static_cast<int>(std::lround(height() * ratio)))};
+    return {std::max(1, static_cast<int>(std::lround(width() * ratio))),
+            std::max(1, static_cast<int>(std::lround(height() * ratio)))};
 }
 
 void Viewport::paintGL()
@@ -105,8 +106,10 @@ void Viewport::paintGL()
     painter.setCompositionMode(QPainter::CompositionMode_Source);
     // While the viewport has a new size and the picture not yet, it is stretched.
     painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_.size() != devicePixels());
-    if (shown_.isNull()) painter.fillRect(rect(), Qt::black);
-    else painter.drawImage(rect(), shown_);
+    if (shown_.isNull())
+        painter.fillRect(rect(), Qt::black);
+    else
+        painter.drawImage(rect(), shown_);
     if (!drawing_ && !timer_.isActive()) timer_.start(0);  // Who was hidden may have something to draw.
 }
 
@@ -124,9 +127,12 @@ void Viewport::orderPicture()
         return;
     }
     const std::optional<DrawOrder> order = schedule_.next(now());
-    if (order && order->sample == 0) orderWhole(*order);
-    else if (regionDue_ && now() >= regionRest_ && region_ && schedule_.current() && shown_.size() == devicePixels()) orderRegion();
-    else if (order) orderWhole(*order);
+    if (order && order->sample == 0)
+        orderWhole(*order);
+    else if (regionDue_ && now() >= regionRest_ && region_ && schedule_.current() && shown_.size() == devicePixels())
+        orderRegion();
+    else if (order)
+        orderWhole(*order);
 }
 
 void Viewport::orderWhole(const DrawOrder& order)
@@ -134,7 +140,8 @@ void Viewport::orderWhole(const DrawOrder& order)
     if (order.sample == 0) pictureTime_ = time_;
     PictureOrder wanted{history_.look(), request(pictureTime_), order, devicePixels(), std::nullopt};
     const double scale = order.scale * pictureQuality(wanted.look.values.front()).resolutionScale;
-    wanted.request.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.request.raster.size) * scale)), glm::ivec2(1));
+    wanted.request.raster.size =
+        glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.request.raster.size) * scale)), glm::ivec2(1));
     wanted.request.sample = order.sample;
     wanted.request.samples = order.samples;
     schedule_.begun(order);
@@ -164,8 +171,10 @@ void Viewport::take(const DrawnPicture& picture)
         fail(picture.failure);
     } else {
         shown_ = picture.image;
-        if (picture.order.order.sample == 0) regionImage_ = {};
-        else layRegionOver();
+        if (picture.order.order.sample == 0)
+            regionImage_ = {};
+        else
+            layRegionOver();
         ++picturesDrawn_;
         lastFailure_.clear();
         schedule_.drawn(picture.order.order, picture.seconds);
@@ -195,7 +204,8 @@ void Viewport::layRegionOver()
     if (regionImage_.isNull()) return;
     QPainter painter(&shown_);
     painter.setCompositionMode(QPainter::CompositionMode_Source);
-    painter.drawImage(QPoint(regionShown_.offset.x, shown_.height() - regionShown_.offset.y - regionShown_.size.y), regionImage_);
+    painter.drawImage(QPoint(regionShown_.offset.x, shown_.height() - regionShown_.offset.y - regionShown_.size.y),
+                      regionImage_);
 }
 
 void Viewport::fail(const QString& why)
@@ -236,11 +246,14 @@ void Viewport::scheduleNext()
 
 std::optional<PictureRegion> Viewport::smallRegion() const
 {
-    if (keys_.any() || control_.moving() || runEverything_ || pictureQuality(history_.look().values.front()).resolutionScale != 1) return std::nullopt;
+    if (keys_.any() || control_.moving() || runEverything_ ||
+        pictureQuality(history_.look().values.front()).resolutionScale != 1)
+        return std::nullopt;
     const FrameRequest wanted = request(time_);
     const std::optional<PictureRegion> region = gallery_.movingRegion(history_.look(), wanted);
     const auto area = [](const glm::ivec2& size) { return static_cast<double>(size.x) * size.y; };
-    if (!region || area(region->size) == 0 || area(region->size) > largestRegion * area(wanted.raster.size)) return std::nullopt;
+    if (!region || area(region->size) == 0 || area(region->size) > largestRegion * area(wanted.raster.size))
+        return std::nullopt;
     return region;
 }
 
@@ -254,7 +267,8 @@ void Viewport::advanceClock(double at)
     if (control_.advance(seconds, keys_)) cameraChanged();
     if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) emit walkedOn();
 
-    const bool buttons = !paused_ && std::any_of(pressedAt_.begin(), pressedAt_.end(), [&](double t) { return time_ - t < buttonTime; });
+    const bool buttons =
+        !paused_ && std::any_of(pressedAt_.begin(), pressedAt_.end(), [&](double t) { return time_ - t < buttonTime; });
     const double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request(time_));
     const bool animated = change <= 0 || buttons;
     clockRuns_ = std::isfinite(change) || buttons || keys_.any() || control_.moving();
@@ -319,7 +333,8 @@ void Viewport::visit(std::size_t exhibit)
 {
     remember();
     subject_ = exhibit;
-    control_.glideTo({gallery_.bestView(exhibit, history_.look().values[exhibit]), exhibit == 0 ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
+    control_.glideTo({gallery_.bestView(exhibit, history_.look().values[exhibit]),
+                      exhibit == 0 ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     cameraChanged();
 }
 
@@ -357,8 +372,10 @@ void Viewport::walkOn()
 
 void Viewport::press()
 {
-    if (control_.mode() == CameraControl::Mode::orbit && !gallery_.exhibits()[subject_]->buttonText().empty()) pressButton(subject_);
-    else if (lookedAt_) pressButton(lookedAt_->exhibit);
+    if (control_.mode() == CameraControl::Mode::orbit && !gallery_.exhibits()[subject_]->buttonText().empty())
+        pressButton(subject_);
+    else if (lookedAt_)
+        pressButton(lookedAt_->exhibit);
 }
 
 void Viewport::pressButton(std::size_t exhibit)
@@ -371,7 +388,10 @@ void Viewport::pressButton(std::size_t exhibit)
 QString Viewport::reason() const
 {
     if (region_ && schedule_.still())
-        return tr("still: refined %1 of %1; what moves is drawn by itself, %2 × %3 pixels").arg(schedule_.samples()).arg(region_->size.x).arg(region_->size.y);
+        return tr("still: refined %1 of %1; what moves is drawn by itself, %2 × %3 pixels")
+            .arg(schedule_.samples())
+            .arg(region_->size.x)
+            .arg(region_->size.y);
     return QString::fromStdString(schedule_.reason());
 }
 
@@ -420,7 +440,8 @@ void Viewport::showProblems(const std::vector<render::gl::ShaderProblem>& proble
                      .arg(QString::fromStdString(problem.file))
                      .arg(problem.line)
                      .arg(QString::fromStdString(problem.message).trimmed());
-    if (!lines.isEmpty()) lines.prepend(tr("A shader did not build; the last good picture stays. Saving the file tries again."));
+    if (!lines.isEmpty())
+        lines.prepend(tr("A shader did not build; the last good picture stays. Saving the file tries again."));
     problems_->say(lines.join(QLatin1Char('\n')));
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "ui/model/history.h"
 #include "ui/viewport/camera_control.h"
 #include "ui/viewport/draw_schedule.h"
 #include "ui/viewport/gallery.h"
 #include "ui/viewport/render_thread.h"
-#include "ui/model/history.h"
 
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
@@ -140,26 +140,26 @@ private:
     bool clockRuns_ = false;  // Time passed since the last tick, for someone.
     bool paused_ = false;
     bool runEverything_ = false;
-    QImage shown_;                 // The last picture, with what moved in it since.
-    double pictureTime_ = 0;       // The moment that the whole picture shows, on the exhibits' clock.
+    QImage shown_;            // The last picture, with what moved in it since.
+    double pictureTime_ = 0;  // The moment that the whole picture shows, on the exhibits' clock.
     bool drawingRegion_ = false;
-    bool drawing_ = false;         // A picture is asked for and not here yet.
-    long long lookNumber_ = 0;     // Grows with every change of what is to be seen.
-    long long drawnLook_ = 0;      // Of the picture that is being drawn.
+    bool drawing_ = false;      // A picture is asked for and not here yet.
+    long long lookNumber_ = 0;  // Grows with every change of what is to be seen.
+    long long drawnLook_ = 0;   // Of the picture that is being drawn.
     long long picturesDrawn_ = 0;
 
     // What moves while the rest of the picture stands still.
     std::optional<PictureRegion> region_;
-    QImage regionImage_;           // Newer than the picture; null: nothing moved since.
-    PictureRegion regionShown_;    // Where it lies.
+    QImage regionImage_;         // Newer than the picture; null: nothing moved since.
+    PictureRegion regionShown_;  // Where it lies.
     bool regionDue_ = false;
-    bool regionMoved_ = false;     // At the last tick.
-    double regionRest_ = 0;        // Not to be drawn again before, seconds of the steady clock.
+    bool regionMoved_ = false;  // At the last tick.
+    double regionRest_ = 0;     // Not to be drawn again before, seconds of the steady clock.
     long long regionsDrawn_ = 0;
 
     QString lastFailure_;
     std::vector<ParameterValues> acting_;  // Of the look that was drawn last: what of it acts.
-    std::vector<double> pressedAt_;  // Per exhibit, on the exhibits' clock; very negative: never.
+    std::vector<double> pressedAt_;        // Per exhibit, on the exhibits' clock; very negative: never.
     std::optional<LookedAt> lookedAt_;
 
     struct Former {

@@ -168,8 +168,10 @@ void Viewport::hover()
 {
     if (!hoverPoint_ || button_ != Qt::NoButton) return;
     const std::optional<Pointed> found = pointedAt(*hoverPoint_);
-    if (found) setCursor(Qt::PointingHandCursor);
-    else unsetCursor();
+    if (found)
+        setCursor(Qt::PointingHandCursor);
+    else
+        unsetCursor();
     name_->say(found ? QString::fromStdString(found->name) : QString());
     name_->placeAt(hoverPoint_->toPoint());
 }

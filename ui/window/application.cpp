@@ -13,7 +13,8 @@ bool Application::notify(QObject* receiver, QEvent* event)
     } catch (const std::exception& thrown) {
         tell(messageOf(thrown));
     } catch (...) {
-        tell(tr("A fault in Vitrine itself was caught, and what was to be done was not done. Everything else goes on."));
+        tell(
+            tr("A fault in Vitrine itself was caught, and what was to be done was not done. Everything else goes on."));
     }
     return true;
 }

@@ -62,9 +62,12 @@ void CloseGuard::closeWhenDone()
     for (const PictureExport* work : window_.findChildren<PictureExport*>())
         connect(work, &PictureExport::finished, this, &CloseGuard::closeIfDone, Qt::QueuedConnection);
     for (const PrintDialog* dialog : window_.findChildren<PrintDialog*>())
-        connect(dialog, &PrintDialog::exportEnded, this, [this](bool saved) {
-            if (saved) closeIfDone();
-        }, Qt::QueuedConnection);
+        connect(
+            dialog, &PrintDialog::exportEnded, this,
+            [this](bool saved) {
+                if (saved) closeIfDone();
+            },
+            Qt::QueuedConnection);
     closeIfDone();
 }
 

@@ -14,7 +14,8 @@ class CloseGuard final : public QObject {
 public:
     explicit CloseGuard(QWidget& window);
 
-    /// Whether the window may close now. Where it may not, the visitor is asked; it is closed later if that is the answer.
+    /// Whether the window may close now. Where it may not, the visitor is asked; it is closed later if that is the
+    /// answer.
     [[nodiscard]] bool mayClose();
 
 private:

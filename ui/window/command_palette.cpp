@@ -62,7 +62,8 @@ void CommandPalette::fill()
             matches = matches && nameOf(action).contains(word, Qt::CaseInsensitive);
         if (!matches) continue;
         const QString keys = keysOf(action);
-        auto* item = new QListWidgetItem(keys.isEmpty() ? nameOf(action) : nameOf(action) + QStringLiteral("    ") + keys, list_);
+        auto* item = new QListWidgetItem(
+            keys.isEmpty() ? nameOf(action) : nameOf(action) + QStringLiteral("    ") + keys, list_);
         item->setData(Qt::UserRole, i);
         item->setToolTip(action->toolTip());
     }

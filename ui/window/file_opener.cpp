@@ -34,15 +34,19 @@ bool isPrint(const QString& path)
 
 }  // namespace
 
-FileOpener::FileOpener(Workbench& window, PresetShelf& shelf, QObject* parent) : QObject(parent), window_(window), shelf_(shelf) {}
+FileOpener::FileOpener(Workbench& window, PresetShelf& shelf, QObject* parent)
+    : QObject(parent), window_(window), shelf_(shelf)
+{
+}
 
 void FileOpener::setHallFile(const char* parameter, const QString& path)
 {
     Look next = window_.history().look();
     const auto row = next.values[0].table().find(parameter);
     if (!row) {
-        window_.say(MessageStrip::Mood::problem,
-                    tr("%1 cannot be shown: this hall has no parameter \"%2\" for it.").arg(path, QLatin1String(parameter)));
+        window_.say(
+            MessageStrip::Mood::problem,
+            tr("%1 cannot be shown: this hall has no parameter \"%2\" for it.").arg(path, QLatin1String(parameter)));
         return;
     }
     next.values[0].setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
@@ -52,7 +56,8 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
             for (const std::string& why : gallery.unreadableFiles(next))
                 if (why.starts_with(label(next.values[0].rows()[row]) + " of "))
                     return [this, why] {
-                        window_.say(MessageStrip::Mood::problem, tr("%1 Nothing was changed.").arg(QString::fromStdString(why)));
+                        window_.say(MessageStrip::Mood::problem,
+                                    tr("%1 Nothing was changed.").arg(QString::fromStdString(why)));
                     };
             return [this, row, path, file = next.values[0].row(row)] {
                 Look changed = window_.history().look();
@@ -73,15 +78,18 @@ void FileOpener::open(const QString& path)
 {
     const QString ending = QFileInfo(path).suffix().toLower();
     if (ending == QLatin1String("json")) {
-        if (isPrint(path)) emit printFound(path);
-        else shelf_.loadFile(path);
+        if (isPrint(path))
+            emit printFound(path);
+        else
+            shelf_.loadFile(path);
     } else if (models.contains(ending)) {
         setHallFile("model", path);
     } else if (pictures.contains(ending)) {
         openPicture(path);
     } else {
-        window_.say(MessageStrip::Mood::problem,
-                    tr("%1 cannot be opened: Vitrine opens .json, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.").arg(path));
+        window_.say(
+            MessageStrip::Mood::problem,
+            tr("%1 cannot be opened: Vitrine opens .json, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.").arg(path));
     }
 }
 
@@ -97,12 +105,13 @@ void FileOpener::openPicture(const QString& path)
         if (std::abs(picture->width - 2 * picture->height) <= std::max(1, picture->height / 50))
             return [this, path] { setHallFile("environment", path); };
         return [this, name = QFileInfo(path).fileName(), width = picture->width, height = picture->height] {
-            window_.say(MessageStrip::Mood::problem,
-                        tr("%1 was not put into the sky: a panorama of the whole sky is twice as wide as high, and this picture has %2 × %3 "
-                           "pixels. To stretch it over the sky all the same, choose it as “Environment” in the parameters of the hall.")
-                            .arg(name)
-                            .arg(width)
-                            .arg(height));
+            window_.say(MessageStrip::Mood::problem, tr("%1 was not put into the sky: a panorama of the whole sky is "
+                                                        "twice as wide as high, and this picture has %2 × %3 "
+                                                        "pixels. To stretch it over the sky all the same, choose it as "
+                                                        "“Environment” in the parameters of the hall.")
+                                                         .arg(name)
+                                                         .arg(width)
+                                                         .arg(height));
         };
     });
 }

@@ -8,7 +8,8 @@ namespace vitrine::ui {
 class PresetShelf;
 class Workbench;
 
-/// Puts files that come to the window where they belong: presets and pictures with one inside, models, panoramas, prints.
+/// Puts files that come to the window where they belong: presets and pictures with one inside, models, panoramas,
+/// prints.
 class FileOpener final : public QObject {
     Q_OBJECT
 
@@ -16,7 +17,8 @@ public:
     /// Both must outlive it.
     FileOpener(Workbench&, PresetShelf&, QObject* parent);
 
-    /// A file of any of these kinds. What is wrong with it is said in the message strip, and everything stays as it was.
+    /// A file of any of these kinds. What is wrong with it is said in the message strip, and everything stays as it
+    /// was.
     void open(const QString& path);
     /// What it reads: "*.json", "*.glb", ...
     [[nodiscard]] static QStringList openable();

@@ -14,7 +14,8 @@ void reportFirstPicture(MainWindow& window)
     if (!qEnvironmentVariableIsSet("VITRINE_FIRST_PICTURE")) return;
     auto* viewport = window.findChild<Viewport*>();
     const auto drawn = std::make_shared<QSize>();
-    QObject::connect(viewport, &Viewport::drawn, &window, [drawn](const render::FrameReport&, const QSize& pixels) { *drawn = pixels; });
+    QObject::connect(viewport, &Viewport::drawn, &window,
+                     [drawn](const render::FrameReport&, const QSize& pixels) { *drawn = pixels; });
     // What was drawn is seen when the window's buffers have been swapped.
     QObject::connect(viewport, &QOpenGLWidget::frameSwapped, &window, [drawn, &window] {
         if (drawn->isEmpty()) return;

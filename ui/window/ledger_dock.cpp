@@ -11,7 +11,8 @@
 namespace vitrine::ui {
 
 LedgerDock::LedgerDock(std::function<QString()> reason, QWidget* parent)
-    : QWidget(parent), askReason_(std::move(reason)), reason_(new QLabel(this)), sums_(new QLabel(this)), everything_(new QCheckBox(tr("Run everything"), this)), view_(new LedgerView(this))
+    : QWidget(parent), askReason_(std::move(reason)), reason_(new QLabel(this)), sums_(new QLabel(this)),
+      everything_(new QCheckBox(tr("Run everything"), this)), view_(new LedgerView(this))
 {
     everything_->setAccessibleName(tr("Run everything"));
     reason_->setAccessibleName(tr("What is drawn and why"));
@@ -22,7 +23,8 @@ LedgerDock::LedgerDock(std::function<QString()> reason, QWidget* parent)
         // A longer sentence must not move the picture above.
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     }
-    everything_->setToolTip(tr("Runs every step, also those that the picture does not need. It stays the same to the bit; only the cost changes."));
+    everything_->setToolTip(tr("Runs every step, also those that the picture does not need. It stays the same to the "
+                               "bit; only the cost changes."));
     auto* top = new QHBoxLayout;
     top->setContentsMargins(8, 4, 8, 4);
     top->setSpacing(24);
@@ -60,7 +62,9 @@ void LedgerDock::renew()
 {
     reasonText_ = askReason_();
     reason_->setText(reason_->fontMetrics().elidedText(reasonText_, Qt::ElideRight, reason_->width()));
-    const QString sums = tr("%1 steps, %2 ms; skipping saves %3 ms").arg(ran_).arg(QLocale::c().toString(milliseconds_, 'f', 2), QLocale::c().toString(saved_, 'f', 2));
+    const QString sums = tr("%1 steps, %2 ms; skipping saves %3 ms")
+                             .arg(ran_)
+                             .arg(QLocale::c().toString(milliseconds_, 'f', 2), QLocale::c().toString(saved_, 'f', 2));
     sums_->setText(sums_->fontMetrics().elidedText(sums, Qt::ElideRight, sums_->width()));
     sums_->setToolTip(tr("%1.\nTimes by: %2.").arg(sums, clock_));
     reason_->setToolTip(reasonText_);

@@ -16,7 +16,8 @@ LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
 {
     setAccessibleName(tr("Ledger"));
     setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Saved"), tr("Why")});
-    headerItem()->setToolTip(saved, tr("Milliseconds that a skipped step took when it last ran. “Run everything” measures them all."));
+    headerItem()->setToolTip(
+        saved, tr("Milliseconds that a skipped step took when it last ran. “Run everything” measures them all."));
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
@@ -74,8 +75,11 @@ void LedgerView::renew()
         for (const int number : {time, saved}) item->setTextAlignment(number, Qt::AlignRight | Qt::AlignVCenter);
     }
     int row = 0;
-    const auto milliseconds = [](double ms) { return ms < 0 ? QStringLiteral("–") : QLocale::c().toString(ms, 'f', 2); };
-    const auto fill = [&](const std::string& name, render::Work kind, const QString& ms, const QString& notSpent, const std::string& why, bool ran) {
+    const auto milliseconds = [](double ms) {
+        return ms < 0 ? QStringLiteral("–") : QLocale::c().toString(ms, 'f', 2);
+    };
+    const auto fill = [&](const std::string& name, render::Work kind, const QString& ms, const QString& notSpent,
+                          const std::string& why, bool ran) {
         QTreeWidgetItem* item = topLevelItem(row++);
         item->setText(step, stepText(QString::fromStdString(name)));
         item->setToolTip(step, QString::fromStdString(name));
@@ -84,15 +88,19 @@ void LedgerView::renew()
         item->setText(saved, notSpent);
         item->setText(reason, QString::fromStdString(why));
         item->setToolTip(reason, item->text(reason));
-        for (int column = 0; column < columnCount(); ++column) item->setForeground(column, ran ? theme().text : theme().dim);
+        for (int column = 0; column < columnCount(); ++column)
+            item->setForeground(column, ran ? theme().text : theme().dim);
     };
     for (const render::StepReport& s : report_.ran) {
-        fill(s.name, s.work, milliseconds(s.milliseconds), {}, s.reason + (s.bound.isKnown() ? "; " + toString(s.bound) : std::string()), true);
+        fill(s.name, s.work, milliseconds(s.milliseconds), {},
+             s.reason + (s.bound.isKnown() ? "; " + toString(s.bound) : std::string()), true);
         for (const render::Effect& e : s.effects)
-            fill(e.name, s.work, tr("in the step above"), {}, e.bound.isKnown() ? toString(e.bound) : tr("may change any pixel").toStdString(), true);
+            fill(e.name, s.work, tr("in the step above"), {},
+                 e.bound.isKnown() ? toString(e.bound) : tr("may change any pixel").toStdString(), true);
     }
     for (const render::Skipped& s : report_.skipped)
-        fill(s.name, s.work, tr("skipped"), milliseconds(lastCost(s.name)), s.reason + (s.boundIsZero ? "; would change nothing" : ""), false);
+        fill(s.name, s.work, tr("skipped"), milliseconds(lastCost(s.name)),
+             s.reason + (s.boundIsZero ? "; would change nothing" : ""), false);
 }
 
 }  // namespace vitrine::ui

@@ -130,7 +130,8 @@ void MainWindow::connectViewport()
         if (gallery_.exhibits()[exhibit]->press(next.values[exhibit]))
             history_.change(tr("Press the button of %1").arg(text(gallery_.exhibits()[exhibit]->title())), next);
     });
-    connect(viewport_, &Viewport::failed, this, [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
+    connect(viewport_, &Viewport::failed, this,
+            [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
     connect(viewport_, &Viewport::drawn, this, &MainWindow::noteFrame);
 }
 
@@ -146,8 +147,10 @@ void MainWindow::showComplaints(const std::vector<render::Skipped>& skipped)
 {
     for (const render::Skipped& complaint : complaints_.begun(skipped)) {
         const QString line = text(lineOf(complaint));
-        if (complaint.unreadable.empty()) docks_->log().add(line);
-        else say(MessageStrip::Mood::problem, line);  // What the strip says goes into the log, too.
+        if (complaint.unreadable.empty())
+            docks_->log().add(line);
+        else
+            say(MessageStrip::Mood::problem, line);  // What the strip says goes into the log, too.
     }
     // A file that is there again is no problem any more.
     QStringList now;
@@ -234,7 +237,8 @@ void MainWindow::keepThumbnail()
             const QPixmap small = thumbnailOf(picture);
             docks_->exhibits().setThumbnail(chosen_, small);
             const QString path = thumbnailPath(*gallery_.exhibits()[chosen_]);
-            if (QDir().mkpath(QFileInfo(path).path())) small.save(path, "PNG");  // A cache: the next visit makes another.
+            if (QDir().mkpath(QFileInfo(path).path()))
+                small.save(path, "PNG");  // A cache: the next visit makes another.
         },
         Qt::QueuedConnection);
 }
@@ -244,8 +248,10 @@ void MainWindow::hidePanels(bool hidden)
     if (hidden == bare_) return;
     if (hidden && keeper_) keeper_->saveLayout();  // What comes back next time is what was there before.
     bare_ = hidden;
-    if (hidden) docks_->hideAll();
-    else docks_->showAgain();
+    if (hidden)
+        docks_->hideAll();
+    else
+        docks_->showAgain();
     menuBar()->setVisible(!hidden);
     statusBar()->setVisible(!hidden);
     messages_->setBanned(hidden);

@@ -26,7 +26,8 @@ ParameterTabs::ParameterTabs(std::span<const std::unique_ptr<Exhibit>> exhibits,
         emit turned();
     });
     connect(panel_, &ParameterPanel::filtered, this, &ParameterTabs::searchElsewhere);
-    connect(panel_, &ParameterPanel::elsewhereAsked, this, [this] { tabs_->setCurrentIndex(1 - tabs_->currentIndex()); });
+    connect(panel_, &ParameterPanel::elsewhereAsked, this,
+            [this] { tabs_->setCurrentIndex(1 - tabs_->currentIndex()); });
 }
 
 void ParameterTabs::choose(std::size_t exhibit)
@@ -70,7 +71,8 @@ void ParameterTabs::searchElsewhere()
         return;
     }
     const QString more = found.size() > 3 ? tr(" and %1 more").arg(found.size() - 3) : QString();
-    panel_->offerElsewhere(tr("%1: %2%3").arg(text(exhibits_[other]->title()), found.mid(0, 3).join(QStringLiteral(", ")), more));
+    panel_->offerElsewhere(
+        tr("%1: %2%3").arg(text(exhibits_[other]->title()), found.mid(0, 3).join(QStringLiteral(", ")), more));
 }
 
 }  // namespace vitrine::ui

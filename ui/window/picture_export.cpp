@@ -17,8 +17,8 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int exportTile = 512;     // So that a step takes part of a second, and the viewport goes on in between.
-constexpr qint64 exportToldEvery = 50;    // Milliseconds.
+constexpr int exportTile = 512;         // So that a step takes part of a second, and the viewport goes on in between.
+constexpr qint64 exportToldEvery = 50;  // Milliseconds.
 
 bool isLinear(render::PictureFormat format)
 {
@@ -34,8 +34,10 @@ std::filesystem::path freeScreenshotPath(const MainWindow& window, const QString
     const QString stem = exhibit + QDateTime::currentDateTime().toString(QStringLiteral("-yyyy-MM-dd-HHmmss"));
     QString name = stem + QStringLiteral(".png");
     QStringList promised;
-    for (const PictureExport* other : window.findChildren<PictureExport*>()) promised << QString::fromStdString(other->path().filename().string());
-    for (int i = 2; folder.exists(name) || promised.contains(name); ++i) name = QStringLiteral("%1-%2.png").arg(stem).arg(i);
+    for (const PictureExport* other : window.findChildren<PictureExport*>())
+        promised << QString::fromStdString(other->path().filename().string());
+    for (int i = 2; folder.exists(name) || promised.contains(name); ++i)
+        name = QStringLiteral("%1-%2.png").arg(stem).arg(i);
     return folder.filePath(name).toStdString();
 }
 
@@ -52,7 +54,8 @@ PictureExport::~PictureExport()
 PictureRequest PictureExport::request() const
 {
     PictureRequest request;
-    request.frame.camera = widened(window_.history().look().camera, static_cast<double>(wish_.size.x) / std::max(wish_.size.y, 1));
+    request.frame.camera =
+        widened(window_.history().look().camera, static_cast<double>(wish_.size.x) / std::max(wish_.size.y, 1));
     request.frame.raster.size = wish_.size;
     request.frame.time = window_.viewport().time();
     request.frame.transparent = wish_.transparent;
@@ -65,7 +68,8 @@ PictureRequest PictureExport::request() const
 
 void PictureExport::writeShown()
 {
-    window_.viewport().renderThread().post([self = QPointer(this), &gallery = window_.gallery(), wish = wish_, preset = preset_]() -> std::function<void()> {
+    window_.viewport().renderThread().post([self = QPointer(this), &gallery = window_.gallery(), wish = wish_,
+                                            preset = preset_]() -> std::function<void()> {
         QString failure;
         try {
             render::PictureMetadata inside;
@@ -74,7 +78,9 @@ void PictureExport::writeShown()
         } catch (const std::exception& thrown) {
             failure = messageOf(thrown);
         }
-        return [self, failure] { if (self) self->end(failure); };
+        return [self, failure] {
+            if (self) self->end(failure);
+        };
     });
 }
 
@@ -92,7 +98,8 @@ void PictureExport::start()
         QElapsedTimer told;
     };
     auto work = std::make_shared<Work>();
-    auto step = [this, work, &gallery = window_.gallery(), stage = stage_, look = window_.history().look(), request = request(), wish = wish_, preset = preset_](const RenderThread::Tell& tell) {
+    auto step = [this, work, &gallery = window_.gallery(), stage = stage_, look = window_.history().look(),
+                 request = request(), wish = wish_, preset = preset_](const RenderThread::Tell& tell) {
         if (!work->job.maker) work->job = gallery.makePicture(look, request);
         if (!work->job.maker) throw Failure(Blame::openGl, "No picture can be made: there is no graphics context.");
         PictureMaker& maker = *work->job.maker;

@@ -26,8 +26,9 @@ bool hasDisplay()
 int runWindow(int& argc, char** argv)
 {
     if (!hasDisplay()) {
-        std::fprintf(stderr, "vitrine: there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set); "
-                             "\"vitrine --help\" lists what works without one.\n");
+        std::fprintf(stderr,
+                     "vitrine: there is no display to open a window on (neither DISPLAY nor WAYLAND_DISPLAY is set); "
+                     "\"vitrine --help\" lists what works without one.\n");
         return noDisplay;
     }
     // One family of contexts, so that undocking or reparenting the viewport keeps its objects.
@@ -46,7 +47,8 @@ int runWindow(int& argc, char** argv)
     const Museum museum{allExhibits()};
     MuseumGallery gallery(museum);
     MainWindow window(gallery);
-    QObject::connect(&app, &Application::caught, &window, [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
+    QObject::connect(&app, &Application::caught, &window,
+                     [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
     reportFirstPicture(window);
     window.show();
     return QApplication::exec();

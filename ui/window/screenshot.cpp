@@ -25,11 +25,11 @@ void drawAndSave(MainWindow& window, ExportWish wish)
         window.say(MessageStrip::Mood::notice, MainWindow::tr("Screenshot saved to %1.").arg(path),
                    MainWindow::tr("%1 screenshots saved, the last one to %2."), path);
     });
-    QObject::connect(work, &PictureExport::failed, &window, [&window](const QString& why) {
-        window.say(MessageStrip::Mood::problem, why);
-    });
+    QObject::connect(work, &PictureExport::failed, &window,
+                     [&window](const QString& why) { window.say(MessageStrip::Mood::problem, why); });
     const auto waitsFor = [&viewport](double part) {
-        viewport.showHint(MainWindow::tr("The picture is not finished yet: drawing it for the screenshot, %1 %").arg(std::floor(part * 100)));
+        viewport.showHint(MainWindow::tr("The picture is not finished yet: drawing it for the screenshot, %1 %")
+                              .arg(std::floor(part * 100)));
     };
     if (!asShown) {
         QObject::connect(work, &PictureExport::progressed, &viewport, waitsFor);

@@ -47,10 +47,10 @@ QString duration(double seconds)
 }  // namespace
 
 ScreenshotDialog::ScreenshotDialog(MainWindow& window)
-    : QDialog(&window), window_(window), sizes_(new QComboBox(this)), width_(new QSpinBox(this)), height_(new QSpinBox(this)),
-      samples_(new QSpinBox(this)), format_(new QComboBox(this)), transparent_(new QCheckBox(this)), path_(new QLineEdit(this)),
-      progress_(new QProgressBar(this)), left_(new QLabel(this)), go_(new QPushButton(tr("Export"), this)),
-      stop_(new QPushButton(tr("Close"), this))
+    : QDialog(&window), window_(window), sizes_(new QComboBox(this)), width_(new QSpinBox(this)),
+      height_(new QSpinBox(this)), samples_(new QSpinBox(this)), format_(new QComboBox(this)),
+      transparent_(new QCheckBox(this)), path_(new QLineEdit(this)), progress_(new QProgressBar(this)),
+      left_(new QLabel(this)), go_(new QPushButton(tr("Export"), this)), stop_(new QPushButton(tr("Close"), this))
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Export picture"));
@@ -63,13 +63,11 @@ ScreenshotDialog::ScreenshotDialog(MainWindow& window)
     });
     connect(format_, &QComboBox::currentIndexChanged, this, &ScreenshotDialog::takeFormat);
     connect(go_, &QPushButton::clicked, this, &ScreenshotDialog::start);
-    connect(stop_, &QPushButton::clicked, this, [this] {
-        reject();
-    });
+    connect(stop_, &QPushButton::clicked, this, [this] { reject(); });
     setBusy(false);
     const auto name = window.gallery().exhibits()[window.chosen()]->name();
-    path_->setText(
-        QString::fromStdString(freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
+    path_->setText(QString::fromStdString(
+        freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
 }
 
 void ScreenshotDialog::fillInputs()
@@ -77,7 +75,8 @@ void ScreenshotDialog::fillInputs()
     const double ratio = window_.viewport().devicePixelRatioF();
     const QSize now = QSizeF(window_.viewport().size() * ratio).toSize();
     sizes_->addItem(tr("As in the window"), now);
-    for (const QSize& size : usualSizes) sizes_->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
+    for (const QSize& size : usualSizes)
+        sizes_->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
     for (QSpinBox* side : {width_, height_}) {
         side->setRange(1, 65536);
         side->setSuffix(tr(" px"));
@@ -195,7 +194,8 @@ ExportWish ScreenshotDialog::wish() const
 
 void ScreenshotDialog::setBusy(bool busy)
 {
-    for (QWidget* input : std::initializer_list<QWidget*>{sizes_, width_, height_, samples_, format_, transparent_, path_})
+    for (QWidget* input :
+         std::initializer_list<QWidget*>{sizes_, width_, height_, samples_, format_, transparent_, path_})
         input->setEnabled(!busy);
     go_->setEnabled(!busy);
     stop_->setText(busy ? tr("Cancel") : tr("Close"));
@@ -212,8 +212,10 @@ void ScreenshotDialog::start()
         left_->setText(tr("Visit an exhibit first: the hall has nothing around it that could be left out."));
         return;
     }
-    if (path_->text() == replaced_) write(replaced_);
-    else askBeforeReplacing(this, path_->text(), [this](const QString& path) { write(path); });
+    if (path_->text() == replaced_)
+        write(replaced_);
+    else
+        askBeforeReplacing(this, path_->text(), [this](const QString& path) { write(path); });
 }
 
 void ScreenshotDialog::write(const QString& to)

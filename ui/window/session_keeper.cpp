@@ -68,7 +68,8 @@ void SessionKeeper::watch()
 
 bool SessionKeeper::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::Resize || event->type() == QEvent::Move || event->type() == QEvent::WindowStateChange) noteLayout();
+    if (event->type() == QEvent::Resize || event->type() == QEvent::Move || event->type() == QEvent::WindowStateChange)
+        noteLayout();
     return QObject::eventFilter(watched, event);
 }
 
@@ -113,15 +114,18 @@ bool SessionKeeper::restoreCrash()
             setTimesRestored(before + 1);
             settled_.start();
             if (writeJournal()) journal_.discard(session);  // Before that, it is all there is.
-            window_.say(MessageStrip::Mood::notice, tr("Vitrine crashed or was stopped; your last state was restored."));
+            window_.say(MessageStrip::Mood::notice,
+                        tr("Vitrine crashed or was stopped; your last state was restored."));
             return true;
         }
         const QString kept = QString::fromStdString(journal_.putAside(session).string());
         if (again) continue;
         setTimesRestored(0);
-        window_.say(MessageStrip::Mood::problem,
-                    tr("Your last state was restored %1 times, and each time Vitrine crashed or was stopped soon after. It is not restored again; "
-                       "File > Open brings it back from %2.").arg(mostTimesRestored).arg(kept));
+        window_.say(MessageStrip::Mood::problem, tr("Your last state was restored %1 times, and each time Vitrine "
+                                                    "crashed or was stopped soon after. It is not restored again; "
+                                                    "File > Open brings it back from %2.")
+                                                     .arg(mostTimesRestored)
+                                                     .arg(kept));
     }
     return false;
 }
@@ -148,7 +152,8 @@ void SessionKeeper::close()
     settled_.stop();
     try {
         std::filesystem::create_directories(folder_);
-        render::atomicWrite(folder_ / "session.json", textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Last session"));
+        render::atomicWrite(folder_ / "session.json",
+                            textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Last session"));
         saveLayout();
         setTimesRestored(0);
         journal_.cleanExit();
@@ -165,9 +170,10 @@ void SessionKeeper::saveLayout() const
     settings.setValue(QStringLiteral("geometry"), window_.saveGeometry());
     if (!window_.bare()) settings.setValue(QStringLiteral("docks"), window_.saveState(layoutVersion));
     settings.setValue(QStringLiteral("folded"), window_.panel().foldedGroups());
-    settings.setValue(QStringLiteral("chosen"),
-                      QString::fromUtf8(window_.gallery().exhibits()[window_.chosen()]->name().data(),
-                                        static_cast<qsizetype>(window_.gallery().exhibits()[window_.chosen()]->name().size())));
+    settings.setValue(
+        QStringLiteral("chosen"),
+        QString::fromUtf8(window_.gallery().exhibits()[window_.chosen()]->name().data(),
+                          static_cast<qsizetype>(window_.gallery().exhibits()[window_.chosen()]->name().size())));
 }
 
 void SessionKeeper::restoreLayout()

@@ -51,8 +51,8 @@ private:
     std::filesystem::path folder_;
     RecoveryJournal journal_;
     QTimer quiet_;
-    QTimer settled_;         // Runs out when a restored session did not crash again.
-    bool changed_ = false;   // The look, since the start.
+    QTimer settled_;        // Runs out when a restored session did not crash again.
+    bool changed_ = false;  // The look, since the start.
     bool closed_ = false;
     QElapsedTimer sinceWritten_;
 };

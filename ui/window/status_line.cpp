@@ -11,7 +11,8 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 0);
     layout->setSpacing(24);
-    const std::array<QString, 4> names{tr("What is drawn and why"), tr("Resolution"), tr("Time of the frame"), tr("Passes")};
+    const std::array<QString, 4> names{tr("What is drawn and why"), tr("Resolution"), tr("Time of the frame"),
+                                       tr("Passes")};
     for (std::size_t i = 0; i < labels_.size(); ++i) {
         labels_[i] = new QLabel(this);
         labels_[i]->setTextFormat(Qt::PlainText);

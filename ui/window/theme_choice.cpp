@@ -41,7 +41,8 @@ void chooseTheme(QApplication& app, ThemeChoice choice)
     static const bool desktopIsDark = desktopPrefersDark(app);
     const bool dark = choice == ThemeChoice::dark || (choice == ThemeChoice::desktop && desktopIsDark);
     applyTheme(app, dark ? darkTheme() : lightTheme());
-    for (QWidget* widget : QApplication::allWidgets()) widget->update();  // What paints itself asks for the theme's colors.
+    for (QWidget* widget : QApplication::allWidgets())
+        widget->update();  // What paints itself asks for the theme's colors.
     QSettings kept = settings();
     kept.setValue(key(), QLatin1String(names[static_cast<std::size_t>(choice)]));
 }

@@ -83,7 +83,8 @@ void chooseFile(MainWindow& window)
     auto* dialog = new QFileDialog(&window, tr("Open"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters({tr("All that can be opened (%1)").arg(FileOpener::openable().join(QLatin1Char(' '))), tr("All files (*)")});
+    dialog->setNameFilters(
+        {tr("All that can be opened (%1)").arg(FileOpener::openable().join(QLatin1Char(' '))), tr("All files (*)")});
     QObject::connect(dialog, &QFileDialog::fileSelected, &window.files(), &FileOpener::open);
     dialog->open();
 }
@@ -106,19 +107,22 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
     make.menu(tr("&File"));
     make.add(tr("&Open…"), {QKeySequence(Qt::CTRL | Qt::Key_O)},
              tr("A preset, a picture with one inside, a model or a panorama."), [&window] { chooseFile(window); });
-    make.add(tr("Save e&xhibition…"), {}, tr("Saves everything in one file: all exhibits, the hall and where you stand."),
+    make.add(tr("Save e&xhibition…"), {},
+             tr("Saves everything in one file: all exhibits, the hall and where you stand."),
              [&window] { window.shelf().saveExhibition(); });
     make.separator();
-    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves what the picture shows as PNG, in your pictures folder."),
+    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)},
+             tr("Saves what the picture shows as PNG, in your pictures folder."),
              [&window] { saveScreenshot(window); });
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
              tr("Saves the picture at any size, as PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
     make.add(tr("Export &lenticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
-             tr("Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to calibrate it."),
+             tr("Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to "
+                "calibrate it."),
              [&window] { window.openPrintDialog(); });
     make.separator();
-    make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}, tr("Closes the window; everything comes back next time."),
-             [&window] { window.close(); });
+    make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)},
+             tr("Closes the window; everything comes back next time."), [&window] { window.close(); });
 }
 
 void WindowActions::addEditMenu(Maker& make, MainWindow& window)
@@ -131,31 +135,34 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     make.take(redo);
     make.separator();
-    make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)}, tr("Goes to the filter above the parameters."), [&window] {
-        window.findParameter();
-    });
-    make.add(tr("Reset &all parameters"), {}, tr("Gives all parameters in the panel their initial values; one undo brings yours back."),
+    make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)},
+             tr("Goes to the filter above the parameters."), [&window] { window.findParameter(); });
+    make.add(tr("Reset &all parameters"), {},
+             tr("Gives all parameters in the panel their initial values; one undo brings yours back."),
              [&window] { window.resetEverything(); });
-    make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)}, tr("Finds and runs any command by name."),
-             [&window] { window.openPalette(); });
+    make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)},
+             tr("Finds and runs any command by name."), [&window] { window.openPalette(); });
 }
 
 void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
 {
     make.menu(tr("&Preset"));
-    savePreset = make.add(tr("&Save preset"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
-                          tr("Saves the values that the panel shows to the preset in use."), [&shelf] { shelf.save(); });
-    savePresetAs = make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
-                            tr("Saves the values that the panel shows under a new name."), [&shelf] { shelf.saveAs(); });
+    savePreset =
+        make.add(tr("&Save preset"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
+                 tr("Saves the values that the panel shows to the preset in use."), [&shelf] { shelf.save(); });
+    savePresetAs =
+        make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
+                 tr("Saves the values that the panel shows under a new name."), [&shelf] { shelf.saveAs(); });
     make.separator();
-    presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)}, tr("Gives the selected preset another name."),
-                           [&shelf] { shelf.rename(); });
+    presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)},
+                           tr("Gives the selected preset another name."), [&shelf] { shelf.rename(); });
     presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to one of your own."),
                            [&shelf] { shelf.duplicate(); });
     presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."),
                            [&shelf] { shelf.remove(); });
     make.separator();
-    presetMenu << make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own."), [&shelf] { shelf.importFile(); });
+    presetMenu << make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own."),
+                           [&shelf] { shelf.importFile(); });
     presetMenu << make.add(tr("&Export preset…"), {}, tr("Writes the selected preset to a file."),
                            [&shelf] { shelf.exportFile(); });
 }
@@ -166,8 +173,8 @@ void WindowActions::addViewMenu(Maker& make, MainWindow& window)
     panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
                          tr("Leaves nothing but the picture. Tab does the same while the picture has the focus."),
                          [&window](bool hidden) { window.hidePanels(hidden); });
-    QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::Key_Tab)}, tr("Hides or shows everything but the picture."),
-                             [this] { panels->toggle(); });
+    QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::Key_Tab)},
+                             tr("Hides or shows everything but the picture."), [this] { panels->toggle(); });
     make.inViewport(bare);
     make.separator();
     for (QDockWidget* dock : window.docks().all()) {
@@ -187,7 +194,8 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
     make.submenu(themeMenu(&window));
     make.separator();
     pause = make.toggle(tr("Pause &clock"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Pause)},
-                        tr("Stops and starts the exhibits' clock."), [&window](bool on) { window.viewport().setPaused(on); });
+                        tr("Stops and starts the exhibits' clock."),
+                        [&window](bool on) { window.viewport().setPaused(on); });
     make.inViewport(pause);
 #ifndef NDEBUG  // Other builds carry their shaders inside.
     make.add(tr("&Reload shaders"), {QKeySequence(Qt::Key_F5), QKeySequence(Qt::CTRL | Qt::Key_R)},
@@ -199,10 +207,13 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
 void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("E&xhibit"));
-    make.add(tr("&Entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)}, tr("Back to where the visit begins."), [&window] { window.visit(0); });
-    make.add(tr("&Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)}, tr("To where you stood before; Backspace does the same while the picture has the focus."),
+    make.add(tr("&Entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)}, tr("Back to where the visit begins."),
+             [&window] { window.visit(0); });
+    make.add(tr("&Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)},
+             tr("To where you stood before; Backspace does the same while the picture has the focus."),
              [&window] { window.viewport().goBack(); });
-    make.add(tr("&Press its button"), {}, tr("The red button of the exhibit that you look at; E does the same while the picture has the focus."),
+    make.add(tr("&Press its button"), {},
+             tr("The red button of the exhibit that you look at; E does the same while the picture has the focus."),
              [&window] { window.viewport().press(); });
     make.separator();
     for (std::size_t i = 1; i < window.gallery().exhibits().size(); ++i) {
@@ -210,7 +221,8 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
         const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
                               ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))}
                               : Keys{};
-        make.add(tr("Visit %1").arg(QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()))),
+        make.add(tr("Visit %1")
+                     .arg(QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()))),
                  keys, QString::fromUtf8(exhibit.summary().data(), static_cast<qsizetype>(exhibit.summary().size())),
                  [&window, i] { window.visit(i); });
     }
@@ -222,7 +234,9 @@ void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
     make.add(tr("&Keyboard and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)},
              tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
     const QString manual = manualPath();
-    QAction* read = make.add(tr("&Manual"), {}, manual.isEmpty() ? tr("README.md did not come with this copy of the program.") : tr("Opens %1.").arg(manual),
+    QAction* read = make.add(tr("&Manual"), {},
+                             manual.isEmpty() ? tr("README.md did not come with this copy of the program.")
+                                              : tr("Opens %1.").arg(manual),
                              [manual] { QDesktopServices::openUrl(QUrl::fromLocalFile(manual)); });
     read->setEnabled(!manual.isEmpty());
     make.separator();

@@ -21,7 +21,8 @@
 
 namespace vitrine::ui {
 
-WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench) : QObject(&window), window_(window), workbench_(workbench)
+WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
+    : QObject(&window), window_(window), workbench_(workbench)
 {
     window_.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
     window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);

@@ -101,7 +101,9 @@ std::string decodeWithOiio(std::string_view bytes, ImageFormat format, const Ima
     const bool is16 = stored == OIIO::TypeDesc::UINT16;
     const auto positive = [](int n) { return static_cast<std::uint64_t>(std::max(n, 0)); };
     const DeclaredImage declared{positive(spec.width), positive(spec.height), positive(spec.nchannels),
-                                 is8 ? 1U : is16 ? 2U : 4U};
+                                 is8    ? 1U
+                                 : is16 ? 2U
+                                        : 4U};
     if (std::string why = whyTooLarge(declared, format, bytes.size(), limits); !why.empty()) return why;
 
     out.width = spec.width;

@@ -19,7 +19,8 @@ public:
     {
         return guarded([&]() -> std::string {
             const OIIO::ImageSpec& spec = input_->spec();
-            if (!input_->read_scanlines(0, 0, spec.y + first, spec.y + first + count, spec.z, 0, spec.nchannels, spec.format, rows))
+            if (!input_->read_scanlines(0, 0, spec.y + first, spec.y + first + count, spec.z, 0, spec.nchannels,
+                                        spec.format, rows))
                 return "it is broken (" + input_->geterror() + ")";
             return {};
         });
@@ -38,13 +39,17 @@ std::string openRowReaderWithOiio(const std::string& path, std::unique_ptr<OiioR
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageSpec spec;
-    if (!input || !input->open(path, spec, config)) return "it is broken (" + (input ? input->geterror() : std::string()) + ")";
-    if (spec.deep || spec.depth != 1 || spec.tile_width > 0) return "its pixels do not lie in rows; save it as a plain TIFF";
-    if (spec.format != OIIO::TypeDesc::UINT8 && spec.format != OIIO::TypeDesc::UINT16) return "its samples are neither of 8 nor of 16 bits";
+    if (!input || !input->open(path, spec, config))
+        return "it is broken (" + (input ? input->geterror() : std::string()) + ")";
+    if (spec.deep || spec.depth != 1 || spec.tile_width > 0)
+        return "its pixels do not lie in rows; save it as a plain TIFF";
+    if (spec.format != OIIO::TypeDesc::UINT8 && spec.format != OIIO::TypeDesc::UINT16)
+        return "its samples are neither of 8 nor of 16 bits";
     if (spec.nchannels < 1 || spec.nchannels > 4) return "it has " + std::to_string(spec.nchannels) + " channels";
     const int strip = spec.get_int_attribute("tiff:RowsPerStrip", 1);
     const std::uint64_t rows = static_cast<std::uint64_t>(std::clamp(strip, 1, std::max(spec.height, 1)));
-    if (spec.get_string_attribute("compression") != "none" && rows * spec.scanline_bytes() > mostStripBytes) return "its rows are packed into strips that are too large";
+    if (spec.get_string_attribute("compression") != "none" && rows * spec.scanline_bytes() > mostStripBytes)
+        return "its rows are packed into strips that are too large";
     auto reader = std::make_unique<Reader>(std::move(input));
     reader->width = spec.width;
     reader->height = spec.height;

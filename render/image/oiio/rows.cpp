@@ -69,7 +69,8 @@ std::string openRowsWithOiio(const OiioRowTarget& target, std::unique_ptr<OiioRo
     spec.attribute("PixelAspectRatio", aspectFor(static_cast<float>(target.dpiX), static_cast<float>(target.dpiY)));
     if (!target.description.empty()) spec.attribute("ImageDescription", target.description);
     if (!target.profile.empty()) {
-        spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(target.profile.size())), target.profile.data());
+        spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(target.profile.size())),
+                       target.profile.data());
     }
     if (!output->open(target.path, spec)) return "creating it failed (" + output->geterror() + ")";
     out = std::make_unique<Rows>(std::move(output), typeOf(target));
@@ -84,16 +85,19 @@ std::string checkRowsWithOiio(const OiioRowTarget& target, const std::vector<Wri
     if (!input || !input->open(target.path, spec)) {
         return "the written file cannot be opened (" + (input ? input->geterror() : std::string()) + ")";
     }
-    if (spec.width != target.width || spec.height != target.height || spec.nchannels != 3 || spec.format != typeOf(target)) {
+    if (spec.width != target.width || spec.height != target.height || spec.nchannels != 3 ||
+        spec.format != typeOf(target)) {
         return "the written file has another size";
     }
     const auto stored = [&](const char* key) { return static_cast<double>(spec.get_float_attribute(key)); };
-    if (std::abs(stored("XResolution") / target.dpiX - 1) > 1e-6 || std::abs(stored("YResolution") / target.dpiY - 1) > 1e-6) {
+    if (std::abs(stored("XResolution") / target.dpiX - 1) > 1e-6 ||
+        std::abs(stored("YResolution") / target.dpiY - 1) > 1e-6) {
         return "the written file has another resolution";
     }
     std::string row(spec.scanline_bytes(), '\0');
     for (const WrittenRow& written : rows) {
-        if (!input->read_scanline(written.row, 0, typeOf(target), row.data())) return "reading it back failed (" + input->geterror() + ")";
+        if (!input->read_scanline(written.row, 0, typeOf(target), row.data()))
+            return "reading it back failed (" + input->geterror() + ")";
         if (row != written.bytes) return "reading it back gave other pixels in row " + std::to_string(written.row);
     }
     return {};

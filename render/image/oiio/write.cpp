@@ -66,8 +66,14 @@ std::string writeRows(OIIO::ImageOutput& output, const StoredPicture& picture, c
     return {};
 }
 
-bool same(std::uint8_t a, std::uint8_t b) { return a == b; }
-bool same(std::uint16_t a, std::uint16_t b) { return a == b; }
+bool same(std::uint8_t a, std::uint8_t b)
+{
+    return a == b;
+}
+bool same(std::uint16_t a, std::uint16_t b)
+{
+    return a == b;
+}
 bool same(float a, float b)
 {
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) || (std::isnan(a) && std::isnan(b));
@@ -92,7 +98,8 @@ std::string compareLossy(OIIO::ImageInput& input, const StoredPicture& picture)
 {
     const auto& written = std::get<std::vector<std::uint8_t>>(picture.samples);
     std::vector<std::uint8_t> rows(written.size());
-    if (!input.read_image(0, 0, 0, picture.channels, OIIO::TypeDesc::UINT8, rows.data())) return "reading it back failed (" + input.geterror() + ")";
+    if (!input.read_image(0, 0, 0, picture.channels, OIIO::TypeDesc::UINT8, rows.data()))
+        return "reading it back failed (" + input.geterror() + ")";
     double sum = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) sum += std::abs(rows[i] - written[i]);
     constexpr double mostMean = 8;  // Codes: white noise at quality 92 keeps within 5.

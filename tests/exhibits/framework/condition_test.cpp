@@ -22,7 +22,8 @@ struct Table final : Parameters {
     Count looks = count("looks", 8, {1, 64}, "Into the map.", when(shadows) && whenAbove(softness, 0));
     File picture = file("picture", "On the wall.");
     Real turn = real("turn", 0, degree, {-3, 3}, "Of the picture.", whenGiven(picture), reads(0, "straight"));
-    Color glow = color("glow", {1, 1, 1}, "Of sun or lamp.", when(light, {Light::sun, Light::lamp}) || whenLater("always", 1), called("Glow of all"));
+    Color glow = color("glow", {1, 1, 1}, "Of sun or lamp.",
+                       when(light, {Light::sun, Light::lamp}) || whenLater("always", 1), called("Glow of all"));
     Toggle always = toggle("always", false, "Glow in the dark.");
     Real lightFall = real("lightFall", 1, none, {0, 2}, "How fast it fades.");
 };
@@ -88,17 +89,21 @@ TEST_F(Conditions, SayWhenInTheLabelsOfTheOtherRows)
     EXPECT_EQ(text("turn"), "“Picture” names a file");
     EXPECT_EQ(text("glow"), "“Light” is sun or lamp or “Always” is on");
     values.set(table.light, Light::none);
-    EXPECT_EQ(actsWhen(values, table.find("softness").value()), "“Shadows” is on (which acts when “Light” is not none)");
+    EXPECT_EQ(actsWhen(values, table.find("softness").value()),
+              "“Shadows” is on (which acts when “Light” is not none)");
 }
 
 TEST_F(Conditions, StandInTheManual)
 {
-    EXPECT_NE(derive::manualTable(table).find("Of the shadows. *Acts when “Shadows” is on.* |"), std::string::npos) << derive::manualTable(table);
+    EXPECT_NE(derive::manualTable(table).find("Of the shadows. *Acts when “Shadows” is on.* |"), std::string::npos)
+        << derive::manualTable(table);
 }
 
 TEST_F(Conditions, ARowIsCalledWhatItsTableSaysAndDoesNotRepeatItsHeading)
 {
-    const auto row = [&](std::string_view name) -> const ParameterInfo& { return table.rows()[table.find(name).value()]; };
+    const auto row = [&](std::string_view name) -> const ParameterInfo& {
+        return table.rows()[table.find(name).value()];
+    };
     EXPECT_EQ(label(row("glow")), "Glow of all");
     EXPECT_EQ(labelInGroup(row("lightFall")), "Fall");
     EXPECT_EQ(labelInGroup(row("light")), "Light") << "nothing would be left";
@@ -111,7 +116,8 @@ TEST(ConditionsOfTheTables, LookAtRowsThatAreThereWithValuesThatTheyCanHave)
     std::vector<const Parameters*> tables{&hall};
     const auto exhibits = allExhibits();
     for (const auto& exhibit : exhibits) tables.push_back(&exhibit->parameters());
-    const auto check = [](const auto& self, const Parameters& table, const Condition& condition, std::string_view of) -> void {
+    const auto check = [](const auto& self, const Parameters& table, const Condition& condition,
+                          std::string_view of) -> void {
         for (const Condition& part : condition.parts) self(self, table, part, of);
         if (condition.row.empty()) {
             EXPECT_FALSE(condition.parts.empty()) << of;

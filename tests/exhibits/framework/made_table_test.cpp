@@ -3,7 +3,6 @@
 #include "exhibits/framework/derive.h"
 #include "exhibits/framework/preset.h"
 
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,7 +17,8 @@ struct Ball {
 };
 
 /// As the reader of a scene would: of texts that are gone afterwards.
-std::shared_ptr<const MadeTable> madeTable(const std::vector<std::string>& balls, double largest, std::vector<std::vector<Real>>* handles = nullptr)
+std::shared_ptr<const MadeTable> madeTable(const std::vector<std::string>& balls, double largest,
+                                           std::vector<std::vector<Real>>* handles = nullptr)
 {
     auto table = std::make_shared<MadeTable>();
     {
@@ -37,7 +37,8 @@ std::shared_ptr<const MadeTable> madeTable(const std::vector<std::string>& balls
     const std::vector<std::string> finishes{"matte", "old gold", "glass"};
     const std::vector<Ball> rows = table->groups("balls", elements, [&](std::size_t i) {
         Ball ball{};
-        ball.radius = table->real("radius", 0.5 * static_cast<double>(i + 1), Unit::metre, {0, largest}, "From its middle.");
+        ball.radius =
+            table->real("radius", 0.5 * static_cast<double>(i + 1), Unit::metre, {0, largest}, "From its middle.");
         ball.finish = table->choice("finish", 0, finishes, "What it is made of.");
         ball.tint = table->color("tint", {1, 1, 1}, "Of what is matte.");
         return ball;
@@ -78,7 +79,10 @@ TEST(MadeTable, GroupsOfAnArrayHaveTheSameRowsUnderNamesOfTheirOwn)
 TEST(MadeTable, ConditionsWithinAGroupMeanTheRowsOfThatGroup)
 {
     struct Lamps final : Parameters {
-        struct Lamp { Toggle on; Real power; };
+        struct Lamp {
+            Toggle on;
+            Real power;
+        };
         std::array<Element, 2> elements{{{"left", "Left lamp"}, {"right", "Right lamp"}}};
         std::vector<Lamp> lamps = groups("lamps", elements, [this](std::size_t) {
             Lamp lamp{};
@@ -157,7 +161,8 @@ TEST(MadeTable, GivesShadersItsBlockAndItsChoicesByName)
 {
     const auto table = madeTable({"red"}, 10);
     const std::string text = derive::uniformBlock(*table);
-    for (const char* line : {"const int redFinish_matte = 0;\n", "const int redFinish_oldGold = 1;\n", "const int redFinish_glass = 2;\n", "    float redRadius;\n", "    vec3 redTint;\n"})
+    for (const char* line : {"const int redFinish_matte = 0;\n", "const int redFinish_oldGold = 1;\n",
+                             "const int redFinish_glass = 2;\n", "    float redRadius;\n", "    vec3 redTint;\n"})
         EXPECT_NE(text.find(line), std::string::npos) << line << text;
     EXPECT_EQ(text.find("panorama"), std::string::npos);
 }

@@ -22,11 +22,16 @@ rc::Gen<Value> legalValue(const ParameterInfo& row)
         const auto fraction = [] { return *rc::gen::inRange<int>(0, 1'000'001) / 1e6; };
         const auto number = [] { return *rc::gen::arbitrary<double>(); };
         Value value = 0.0;
-        if (row.kind == Kind::color) value = glm::dvec3(fraction(), fraction(), fraction());
-        else if (row.kind == Kind::direction) value = glm::dvec3(fraction() - 0.5, fraction() - 0.5, 1.0);
-        else if (row.kind == Kind::file) value = *rc::gen::string<std::string>();
-        else if (*rc::gen::arbitrary<bool>()) value = number();
-        else value = row.range.low + fraction() * (row.range.high - row.range.low);
+        if (row.kind == Kind::color)
+            value = glm::dvec3(fraction(), fraction(), fraction());
+        else if (row.kind == Kind::direction)
+            value = glm::dvec3(fraction() - 0.5, fraction() - 0.5, 1.0);
+        else if (row.kind == Kind::file)
+            value = *rc::gen::string<std::string>();
+        else if (*rc::gen::arbitrary<bool>())
+            value = number();
+        else
+            value = row.range.low + fraction() * (row.range.high - row.range.low);
         const std::optional<Value> legal = nearestLegal(row, value);
         return legal ? *legal : row.initial;
     });
@@ -39,7 +44,8 @@ rc::Gen<ParameterValues> legalValues()
         for (std::size_t i = 0; i < values.rows().size(); ++i) {
             if (values.rows()[i].kind == Kind::file)
                 values.setRow(i, std::string("picture ") + std::to_string(*rc::gen::inRange(0, 99)) + ".png");
-            else if (*rc::gen::arbitrary<bool>()) values.setRow(i, *legalValue(values.rows()[i]));
+            else if (*rc::gen::arbitrary<bool>())
+                values.setRow(i, *legalValue(values.rows()[i]));
         }
         return values;
     });

@@ -114,7 +114,8 @@ TEST(Preset, ReportsEveryClamp)
     EXPECT_EQ(preset.values[table.exposure], 16);
     EXPECT_EQ(read(fileWith("", ", \"camera\": {\"fov\": 9}")).notes.size(), 1U);
     const Preset far = read(fileWith("", ", \"camera\": {\"eye\": [1e300, 1, -1e17]}"));
-    EXPECT_EQ(far.notes, std::vector<std::string>{"camera.eye (1e+300, 1, -1e+17) -> (1e+06, 1, -1e+06) (allowed -1e+06 to 1e+06 m)"});
+    EXPECT_EQ(far.notes, std::vector<std::string>{
+                             "camera.eye (1e+300, 1, -1e+17) -> (1e+06, 1, -1e+06) (allowed -1e+06 to 1e+06 m)"});
     EXPECT_EQ(far.camera->eye, glm::dvec3(1e6, 1, -1e6));
 }
 
@@ -251,8 +252,10 @@ TEST(Preset, H106_NeverCrashesOnDamagedFiles)
         std::string text = good;
         for (unsigned n = random() % 3 + 1; n > 0; --n) {
             const std::size_t at = random() % text.size();
-            if (random() % 2 == 0) text[at] = static_cast<char>(random() % 128);
-            else text.replace(at, random() % 8, pieces[random() % pieces.size()]);
+            if (random() % 2 == 0)
+                text[at] = static_cast<char>(random() % 128);
+            else
+                text.replace(at, random() % 8, pieces[random() % pieces.size()]);
         }
         try {
             const Preset preset = read(text);

@@ -43,7 +43,9 @@ double apart(const FurStates& a, const FurStates& b)
 bool same(const FurStates& a, const FurStates& b)
 {
     for (std::size_t i = 0; i < a.size(); ++i)
-        if (a[i].position != b[i].position || a[i].turn != b[i].turn || a[i].grown != b[i].grown || a[i].pull != b[i].pull || a[i].lag != b[i].lag) return false;
+        if (a[i].position != b[i].position || a[i].turn != b[i].turn || a[i].grown != b[i].grown ||
+            a[i].pull != b[i].pull || a[i].lag != b[i].lag)
+            return false;
     return true;
 }
 
@@ -189,7 +191,9 @@ TEST(Bounce, CollidesWithTheRadiusThatIsDrawn)
 /// Metres from a body's middle to its farthest tip.
 double reachOf(int body, const ParameterValues& values, double grown)
 {
-    const double skin = body == furBall ? ballRadius * grown : body == furRoll ? rollHalfLength + rollRadius : ringRadius + ringTube;
+    const double skin = body == furBall   ? ballRadius * grown
+                        : body == furRoll ? rollHalfLength + rollRadius
+                                          : ringRadius + ringTube;
     return skin + values[table().coats[static_cast<std::size_t>(body)].length];
 }
 
@@ -229,7 +233,9 @@ TEST(Bounce, IsLookedForNoHigherThanAThrowOfItsStrengthGets)
     for (const double jump : {0.0, 3.0, 8.0}) {
         values.set(table().jump, jump);
         const double rises = jump * jump * 1.26 * 1.26 / (2 * 9.81);
-        EXPECT_NEAR(bouncingSpace(table(), values, true).high.y - bouncingSpace(table(), values, false).high.y, rises, 0.02 * rises + 0.25) << jump;
+        EXPECT_NEAR(bouncingSpace(table(), values, true).high.y - bouncingSpace(table(), values, false).high.y, rises,
+                    0.02 * rises + 0.25)
+            << jump;
     }
 }
 
@@ -252,7 +258,8 @@ TEST(Bounce, HopsBackOverTheRimAndIsNotDrawnHome)
                 left += std::hypot(c[i].position.x, c[i].position.z) > pitRadius + 0.2;
                 // Above everything that it could touch, and none of the others near.
                 bool alone = b[i].position.y > 0.9 && t > 1.6;
-                for (std::size_t k = 0; k < a.size(); ++k) alone = alone && (k == i || glm::length(b[k].position - b[i].position) > 1.1);
+                for (std::size_t k = 0; k < a.size(); ++k)
+                    alone = alone && (k == i || glm::length(b[k].position - b[i].position) > 1.1);
                 if (!alone) continue;
                 ++flying;
                 const glm::dvec3 acceleration = (c[i].position - 2.0 * b[i].position + a[i].position) / (frame * frame);

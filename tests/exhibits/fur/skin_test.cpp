@@ -46,7 +46,8 @@ TEST(Skins, FaceOutwardsWithUnitNormals)
             const auto& a = skin->vertices[skin->indices[i]];
             const auto& b = skin->vertices[skin->indices[i + 1]];
             const auto& c = skin->vertices[skin->indices[i + 2]];
-            const glm::dvec3 across = glm::cross(glm::dvec3(b.position - a.position), glm::dvec3(c.position - a.position));
+            const glm::dvec3 across =
+                glm::cross(glm::dvec3(b.position - a.position), glm::dvec3(c.position - a.position));
             EXPECT_NEAR(glm::length(glm::dvec3(a.normal)), 1, 1e-6);
             if (glm::length(across) > 1e-9) {
                 EXPECT_GT(glm::dot(glm::normalize(across), glm::dvec3(a.normal)), 0.7) << skin->name;
@@ -55,7 +56,8 @@ TEST(Skins, FaceOutwardsWithUnitNormals)
     }
 }
 
-render::Model modelOf(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices, const glm::dmat4& transform = glm::dmat4(1))
+render::Model modelOf(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices,
+                      const glm::dmat4& transform = glm::dmat4(1))
 {
     auto mesh = std::make_shared<Mesh>();
     for (const glm::vec3& p : positions) mesh->vertices.push_back({p, glm::vec3(0), {}, {}, {}});
@@ -86,7 +88,9 @@ TEST(ModelSkin, LeavesOutTrianglesWithoutAreaAndSaysSo)
 TEST(ModelSkin, FitsItsSphereAndHasFiniteUnitNormals)
 {
     std::vector<std::string> notes;
-    for (const glm::dmat4& m : {glm::dmat4(1), glm::scale(glm::dmat4(1), glm::dvec3(1e6)), glm::scale(glm::dmat4(1), glm::dvec3(3, 0.2, 1)), glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1))}) {
+    for (const glm::dmat4& m :
+         {glm::dmat4(1), glm::scale(glm::dmat4(1), glm::dvec3(1e6)), glm::scale(glm::dmat4(1), glm::dvec3(3, 0.2, 1)),
+          glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1))}) {
         const auto skin = modelSkin(modelOf(corners, tetrahedron, m), "x.glb", 0.5, notes);
         EXPECT_GT(volume(*skin), 0) << "mirrored parts must be turned back";
         for (const auto& v : skin->vertices) {
@@ -140,7 +144,8 @@ TEST(ModelSkin, BendsAsTheFormulasOfRollAndRingSay)
             if (same == known->vertices.end()) continue;
             // Where a cap meets the straight part the curvature jumps; a mesh goes over it in one edge.
             if (known->name == "roll" && std::abs(std::abs(same->position.x) - 0.26) < 0.08) continue;
-            EXPECT_NEAR(v.lightmapUv.x * scale, same->lightmapUv.x, 0.06 * same->lightmapUv.x + 0.06) << known->name << " at " << same->position.x << ", " << same->position.y;
+            EXPECT_NEAR(v.lightmapUv.x * scale, same->lightmapUv.x, 0.06 * same->lightmapUv.x + 0.06)
+                << known->name << " at " << same->position.x << ", " << same->position.y;
             ++compared;
         }
         EXPECT_GT(compared, 300) << known->name;
@@ -150,10 +155,12 @@ TEST(ModelSkin, BendsAsTheFormulasOfRollAndRingSay)
 TEST(ModelSkin, DoesNotBendWhereItIsFlatOrHollow)
 {
     std::vector<std::string> notes;
-    const auto sheet = modelSkin(modelOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 3}), "sheet.glb", 0.5, notes);
+    const auto sheet =
+        modelSkin(modelOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 3}), "sheet.glb", 0.5, notes);
     for (const auto& v : sheet->vertices) EXPECT_NEAR(v.lightmapUv.x, 0, 1e-5);
     Mesh hollow = *ballSkin(1, 6);
-    for (std::size_t i = 0; i + 2 < hollow.indices.size(); i += 3) std::swap(hollow.indices[i + 1], hollow.indices[i + 2]);
+    for (std::size_t i = 0; i + 2 < hollow.indices.size(); i += 3)
+        std::swap(hollow.indices[i + 1], hollow.indices[i + 2]);
     for (const auto& v : modelSkin(modelOf(hollow), "hollow.glb", 0.5, notes)->vertices) EXPECT_EQ(v.lightmapUv.x, 0);
 }
 

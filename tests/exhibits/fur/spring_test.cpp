@@ -20,9 +20,12 @@ SpringState integrated(SpringState s, const glm::dvec3& target, const Spring& sp
     const auto steps = static_cast<int>(std::ceil(std::max(seconds * fastest * 200, 200.0)));
     const double h = seconds / steps;
     const auto rate = [&](const SpringState& a) {
-        return SpringState{a.rate, -spring.omega * spring.omega * (a.value - target) - 2 * spring.zeta * spring.omega * a.rate};
+        return SpringState{a.rate,
+                           -spring.omega * spring.omega * (a.value - target) - 2 * spring.zeta * spring.omega * a.rate};
     };
-    const auto plus = [](const SpringState& a, const SpringState& d, double k) { return SpringState{a.value + k * d.value, a.rate + k * d.rate}; };
+    const auto plus = [](const SpringState& a, const SpringState& d, double k) {
+        return SpringState{a.value + k * d.value, a.rate + k * d.rate};
+    };
     for (int i = 0; i < steps; ++i) {
         const SpringState a = rate(s);
         const SpringState b = rate(plus(s, a, h / 2));
@@ -46,7 +49,8 @@ TEST(Spring, FollowsAnIndependentIntegratorUnderAtAndOverCriticalDamping)
                 const SpringState exact = integrated(start, target, spring, seconds);
                 const SpringState found = advance(start, target, spring, seconds, closed);
                 EXPECT_LT(glm::length(found.value - exact.value), 1e-8) << hertz << ' ' << zeta << ' ' << seconds;
-                EXPECT_LT(glm::length(found.rate - exact.rate), 1e-8 * (1 + 2 * pi * hertz)) << hertz << ' ' << zeta << ' ' << seconds;
+                EXPECT_LT(glm::length(found.rate - exact.rate), 1e-8 * (1 + 2 * pi * hertz))
+                    << hertz << ' ' << zeta << ' ' << seconds;
             }
         }
     }

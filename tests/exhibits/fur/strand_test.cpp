@@ -34,7 +34,7 @@ double unevenness(double cellSize, bool thinned)
 {
     constexpr int samples = 2'000'000;
     constexpr int caps = 60;
-    const double radius = 0.35;      // Of the body, metres.
+    const double radius = 0.35;  // Of the body, metres.
     const double strand = 0.16 * cellSize;
     std::vector<dvec3> axes;
     for (int k = 0; k < caps; ++k) axes.push_back(onSphere(k, caps));
@@ -50,9 +50,12 @@ double unevenness(double cellSize, bool thinned)
         }
     }
     double mean = 0;
-    for (int k = 0; k < caps; ++k) mean += hits[static_cast<std::size_t>(k)] / total[static_cast<std::size_t>(k)] / caps;
+    for (int k = 0; k < caps; ++k)
+        mean += hits[static_cast<std::size_t>(k)] / total[static_cast<std::size_t>(k)] / caps;
     double worst = 0;
-    for (int k = 0; k < caps; ++k) worst = std::max(worst, std::abs(hits[static_cast<std::size_t>(k)] / total[static_cast<std::size_t>(k)] / mean - 1));
+    for (int k = 0; k < caps; ++k)
+        worst = std::max(worst,
+                         std::abs(hits[static_cast<std::size_t>(k)] / total[static_cast<std::size_t>(k)] / mean - 1));
     return worst;
 }
 
@@ -114,7 +117,8 @@ TEST(Strands, HaveLengthsOfTheirOwn)
     for (const double far : {0.0, 1e6}) {
         std::set<double> ranks;
         for (int y = 0; y < 64; ++y)
-            for (int x = 0; x < 64; ++x) ranks.insert(glsl::strandAt(dvec3(far + 100 * x, 0, far + 100 * y), dvec3(0, 1, 0), 1, 0.5, 1).rank);
+            for (int x = 0; x < 64; ++x)
+                ranks.insert(glsl::strandAt(dvec3(far + 100 * x, 0, far + 100 * y), dvec3(0, 1, 0), 1, 0.5, 1).rank);
         EXPECT_GE(ranks.size(), 4094U) << far;
     }
 }

@@ -1,12 +1,12 @@
-// Planning only reads: the same prepared picture gives the same plan, to the last byte, whoever planned before or at the
-// same time, and no file is opened.
+// Planning only reads: the same prepared picture gives the same plan, to the last byte, whoever planned before or at
+// the same time, and no file is opened.
 
 #include "exhibits/framework/random_values.h"
 #include "exhibits/fur/fur_table.h"
 #include "exhibits/lenticular/lenticular_table.h"
 #include "render/files/assets.h"
-#include "tests/plan/scenes_of_presets.h"
 #include "tests/support/plan_text.h"
+#include "tests/support/scenes_of_presets.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,8 @@ std::map<std::string, Scene> randomScenes(int ofEach)
                 scene.request.alone = i;
                 scene.see(exhibit.bestView(scene.look.values[i]));
             }
-            scenes.emplace(std::string(exhibit.name()) + " with random values " + std::to_string(seed), std::move(scene));
+            scenes.emplace(std::string(exhibit.name()) + " with random values " + std::to_string(seed),
+                           std::move(scene));
         }
     }
     return scenes;
@@ -93,9 +94,12 @@ std::vector<Scene> twoUsers()
         coat.set(fur.toss, u == 0 ? 4 : 5);
         coat.set(fur.bouncePeriod, u == 0 ? 0.0 : 4.0);
         print.set(card.views, u == 0 ? 5 : 3);
-        scene.hall().set(test::hallTable().environment, render::asset("frames/turning_mug").string() + (u == 0 ? "/view_00.png" : "/view_01.png"));
-        if (u == 0) coat.set(fur.ringModel, std::string("models/teddy.glb"));
-        else scene.hall().set(test::hallTable().model, render::asset("models/teddy.glb").string());
+        scene.hall().set(test::hallTable().environment,
+                         render::asset("frames/turning_mug").string() + (u == 0 ? "/view_00.png" : "/view_01.png"));
+        if (u == 0)
+            coat.set(fur.ringModel, std::string("models/teddy.glb"));
+        else
+            scene.hall().set(test::hallTable().model, render::asset("models/teddy.glb").string());
         // Both see all of it.
         scene.request.runEverything = true;
         scene.request.time = 0.9;
@@ -116,11 +120,13 @@ TEST(Planning, TwoUsersInTurnGetWhatEachGetsAloneAndNeverRebuildEachOthers)
     const Museum shared(allExhibits());
     std::int64_t builds = 0;
     for (int round = 0; round < 4; ++round) {
-        for (std::size_t u = 0; u < users.size(); ++u) EXPECT_TRUE(textOf(shared, users[u]) == alone[u]) << "user " << u << ", round " << round;
+        for (std::size_t u = 0; u < users.size(); ++u)
+            EXPECT_TRUE(textOf(shared, users[u]) == alone[u]) << "user " << u << ", round " << round;
         if (round == 0) builds = shared.assets().builds();
         EXPECT_EQ(shared.assets().builds(), builds) << "round " << round;
     }
-    for (const char* use : {"hall.environment", "fur.jump", "sdf_morph.mesh", "lenticular.views"}) EXPECT_GE(shared.assets().builds(use), 2) << use;
+    for (const char* use : {"hall.environment", "fur.jump", "sdf_morph.mesh", "lenticular.views"})
+        EXPECT_GE(shared.assets().builds(use), 2) << use;
     EXPECT_EQ(shared.assets().builds("fur.ringModel"), 1);
     EXPECT_EQ(shared.assets().builds("hall.model"), 1);
 }
@@ -134,14 +140,18 @@ TEST(Planning, TheComparisonMeshDependsOnTheShapeAlone)
     const Museum own(allExhibits());
     (void)own.prepare(scene.look, scene.request);
     ASSERT_EQ(own.assets().builds("sdf_morph.mesh"), 1);
-    std::set<std::string> shape{"morph", "majorRadius", "minorRadius", "mugRadius", "mugHeight", "wallThickness", "handleRadius", "handleThickness", "blend", "tessellation"};
+    std::set<std::string> shape{"morph",         "majorRadius",  "minorRadius",     "mugRadius", "mugHeight",
+                                "wallThickness", "handleRadius", "handleThickness", "blend",     "tessellation"};
     for (std::size_t row = 0; row < table.rows().size(); ++row) {
         const ParameterInfo& info = table.rows()[row];
         if (info.kind == Kind::color || info.name == "compareMesh") continue;
         SCOPED_TRACE(info.name);
         Scene other = scene;
         const auto before = std::get<double>(scene.object().row(row));
-        const double changed = info.kind == Kind::toggle ? 1 - before : info.kind == Kind::choice ? (before > 0 ? 0 : 1) : info.kind == Kind::count ? before + 1 : 0.9 * before + 0.001;
+        const double changed = info.kind == Kind::toggle   ? 1 - before
+                               : info.kind == Kind::choice ? (before > 0 ? 0 : 1)
+                               : info.kind == Kind::count  ? before + 1
+                                                           : 0.9 * before + 0.001;
         other.object().setRow(row, changed);
         ASSERT_NE(std::get<double>(other.object().row(row)), before);
         const std::int64_t builds = own.assets().builds("sdf_morph.mesh");

@@ -15,12 +15,20 @@ constexpr double dpi = 300;
 
 /// A chart for upright lenses, 40 LPI, as linear light; a square of `side` pixels.
 struct Drawn {
-    Drawn(ChartKind kind, int views, int pixels) : side(static_cast<std::size_t>(pixels)), chart(PrintLayout(test::settingsFor(40, dpi, views, pixels, pixels)), kind, 0.01), codes(side * side * 3)
+    Drawn(ChartKind kind, int views, int pixels)
+        : side(static_cast<std::size_t>(pixels)),
+          chart(PrintLayout(test::settingsFor(40, dpi, views, pixels, pixels)), kind, 0.01), codes(side * side * 3)
     {
         chart.fill({0, 0, pixels, pixels}, codes.data());
     }
-    [[nodiscard]] double at(std::size_t x, std::size_t y) const { return render::linearFromSrgb(codes[(y * side + x) * 3] / 65535.0); }
-    [[nodiscard]] std::size_t middleOf(const Chart::Band& band) const { return static_cast<std::size_t>((band.from + band.to) / 2 / 25.4 * dpi); }
+    [[nodiscard]] double at(std::size_t x, std::size_t y) const
+    {
+        return render::linearFromSrgb(codes[(y * side + x) * 3] / 65535.0);
+    }
+    [[nodiscard]] std::size_t middleOf(const Chart::Band& band) const
+    {
+        return static_cast<std::size_t>((band.from + band.to) / 2 / 25.4 * dpi);
+    }
     /// The mean of a row over 96 lenses of 7.5 pixels.
     [[nodiscard]] double meanOf(std::size_t row) const
     {
@@ -69,7 +77,8 @@ TEST(Chart, IsTheSameHoweverItIsCut)
         std::vector<std::uint8_t> part(100 * 50 * 3);
         chart.fill({300, 200, 400, 250}, part.data());
         for (std::size_t y = 0; y < 50; ++y)
-            ASSERT_TRUE(std::equal(part.begin() + static_cast<std::ptrdiff_t>(y * 300), part.begin() + static_cast<std::ptrdiff_t>((y + 1) * 300),
+            ASSERT_TRUE(std::equal(part.begin() + static_cast<std::ptrdiff_t>(y * 300),
+                                   part.begin() + static_cast<std::ptrdiff_t>((y + 1) * 300),
                                    whole.begin() + static_cast<std::ptrdiff_t>(((200 + y) * 700 + 300) * 3)));
     }
 }
@@ -82,7 +91,9 @@ TEST(Chart, ThePhaseChartsBandsAreOneLensApartInEqualSteps)
     // The first harmonic of a row at lens pitch: where under its lenses the white half lies.
     const auto harmonic = [&](const Chart::Band& band) {
         std::complex<double> sum = 0;
-        for (std::size_t x = 200; x < 920; ++x) sum += drawn.at(x, drawn.middleOf(band)) * std::polar(1.0, -2 * std::numbers::pi * (static_cast<double>(x) + 0.5) / 7.5);
+        for (std::size_t x = 200; x < 920; ++x)
+            sum += drawn.at(x, drawn.middleOf(band)) *
+                   std::polar(1.0, -2 * std::numbers::pi * (static_cast<double>(x) + 0.5) / 7.5);
         return sum / 720.0;
     };
     const std::complex<double> first = harmonic(drawn.chart.bands().front());
@@ -91,9 +102,14 @@ TEST(Chart, ThePhaseChartsBandsAreOneLensApartInEqualSteps)
         const std::complex<double> turned = harmonic(band) / first;
         const double expected = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
         EXPECT_NEAR(std::abs(turned - std::polar(1.0, expected)), 0, 0.02) << band.label;
-        EXPECT_EQ(band.label.rfind("PHASE " + std::to_string(static_cast<double>(i) / static_cast<double>(count)).substr(0, 6), 0), 0U) << band.label;
+        EXPECT_EQ(band.label.rfind(
+                      "PHASE " + std::to_string(static_cast<double>(i) / static_cast<double>(count)).substr(0, 6), 0),
+                  0U)
+            << band.label;
         // Half of every lens: a square wave's first harmonic is 1 / pi, a pixel's width takes sinc(1 / 7.5) of it.
-        EXPECT_NEAR(std::abs(harmonic(band)), std::sin(std::numbers::pi / 7.5) / (std::numbers::pi / 7.5) / std::numbers::pi, 0.005) << band.label;
+        EXPECT_NEAR(std::abs(harmonic(band)),
+                    std::sin(std::numbers::pi / 7.5) / (std::numbers::pi / 7.5) / std::numbers::pi, 0.005)
+            << band.label;
     }
 }
 
@@ -119,7 +135,8 @@ TEST(Chart, TheRotationChartHasOneBlackViewOverItsWholeHeight)
     EXPECT_GT(bottom - top, 900U);
     for (const std::size_t row : {top, (top + bottom) / 2, bottom}) {
         EXPECT_NEAR(drawn.meanOf(row), 1 - 1.0 / 6, 0.005) << row;
-        for (std::size_t x = 200; x < 920; ++x) ASSERT_EQ(drawn.at(x, row), drawn.at(x, top)) << "lenses that run straight up show the same everywhere";
+        for (std::size_t x = 200; x < 920; ++x)
+            ASSERT_EQ(drawn.at(x, row), drawn.at(x, top)) << "lenses that run straight up show the same everywhere";
     }
 }
 
@@ -142,7 +159,8 @@ TEST(Chart, HasARulerInMillimetersAlongBothSides)
                 }
             }
             ASSERT_EQ(ticks.size(), static_cast<std::size_t>(80 / step + 1)) << depth;
-            for (std::size_t i = 0; i < ticks.size(); ++i) EXPECT_NEAR(ticks[i], static_cast<double>(i) * step, 0.5 / millimeter) << depth;  // Half a pixel.
+            for (std::size_t i = 0; i < ticks.size(); ++i)
+                EXPECT_NEAR(ticks[i], static_cast<double>(i) * step, 0.5 / millimeter) << depth;  // Half a pixel.
         }
     }
 }

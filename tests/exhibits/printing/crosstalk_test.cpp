@@ -49,7 +49,8 @@ TEST(CrossTalk, TheMixingIsWhatTheSimulatedSheetShowsOfTheRaster)
         const render::Image raster = linearImage(layout, printOf(layout, views));
         for (int i = 0; i < n; ++i) {
             const render::Image seen = lookThrough(layout, raster, {.angle = angleOfView(layout, i)}, 256);
-            EXPECT_NEAR(static_cast<double>(seen.at(seen.width / 2, seen.height / 2)), mixing.at(i, k), 0.02) << i << ' ' << k;
+            EXPECT_NEAR(static_cast<double>(seen.at(seen.width / 2, seen.height / 2)), mixing.at(i, k), 0.02)
+                << i << ' ' << k;
         }
     }
 }
@@ -107,7 +108,8 @@ TEST(CrossTalk, CompensatedViewsLookMoreLikeThemselvesThroughTheSheet)
             const render::Image seen = lookThrough(layout, raster, {.angle = angleOfView(layout, k)}, 256);
             // Pixels lie differently under every lens: their mean counts.
             double mean = 0;
-            for (int x = 3; x < seen.width - 3; ++x) mean += static_cast<double>(seen.at(x, seen.height / 2)) / (seen.width - 6);
+            for (int x = 3; x < seen.width - 3; ++x)
+                mean += static_cast<double>(seen.at(x, seen.height / 2)) / (seen.width - 6);
             sum += std::pow(mean - levels[static_cast<std::size_t>(k)], 2);
         }
         return std::sqrt(sum / n);
@@ -125,7 +127,8 @@ TEST(CrossTalk, CompensatedViewsLookMoreLikeThemselvesThroughTheSheet)
 TEST(CrossTalk, CompensationLeavesGrayAlone)
 {
     ViewSet views;
-    for (int k = 0; k < 6; ++k) views.add(render::Image(20, 31, 3, static_cast<float>(render::linearFromSrgb(77 / 255.0))));
+    for (int k = 0; k < 6; ++k)
+        views.add(render::Image(20, 31, 3, static_cast<float>(render::linearFromSrgb(77 / 255.0))));
     for (const double direction : {0.0, 20.0}) {
         PrintSettings s = settingsFor(40.15, 600, 6, 150, 90);
         s.direction = direction;
@@ -179,8 +182,11 @@ TEST(Dither, DependsOnThePlaceOnlySoThatTilesAndThreadsAgree)
                 maker.fill(tile, part.data());
                 for (std::size_t row = 0; row * tileWidth < part.size(); ++row) {
                     const auto from = part.begin() + static_cast<std::ptrdiff_t>(row * tileWidth);
-                    ASSERT_TRUE(std::equal(from, from + static_cast<std::ptrdiff_t>(tileWidth),
-                                           whole.begin() + static_cast<std::ptrdiff_t>(((static_cast<std::size_t>(y) + row) * width + static_cast<std::size_t>(x)) * 3)));
+                    ASSERT_TRUE(std::equal(
+                        from, from + static_cast<std::ptrdiff_t>(tileWidth),
+                        whole.begin() +
+                            static_cast<std::ptrdiff_t>(
+                                ((static_cast<std::size_t>(y) + row) * width + static_cast<std::size_t>(x)) * 3)));
                 }
             }
         }

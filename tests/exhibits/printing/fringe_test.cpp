@@ -35,7 +35,8 @@ double strongest(const std::vector<double>& line)
         double re = 0;
         double im = 0;
         for (std::size_t i = 0; i < line.size(); ++i) {
-            const double angle = 2 * 3.14159265358979 * frequency * (static_cast<double>(i) + 0.5) / static_cast<double>(line.size());
+            const double angle =
+                2 * 3.14159265358979 * frequency * (static_cast<double>(i) + 0.5) / static_cast<double>(line.size());
             re += (line[i] - mean) * std::cos(angle);
             im += (line[i] - mean) * std::sin(angle);
         }
@@ -67,7 +68,8 @@ TEST(Fringes, APitchErrorShowsLengthTimesErrorOfThem)
         PrintSettings s = settingsFor(20, 300, 2, 6000, 15);  // 20 inches.
         s.visualLpi = 20 + error;
         const PrintLayout layout(s);
-        const render::Image seen = lookThrough(layout, linearImage(layout, printOf(layout, blackAndWhite())), {.angle = 0.02});
+        const render::Image seen =
+            lookThrough(layout, linearImage(layout, printOf(layout, blackAndWhite())), {.angle = 0.02});
         EXPECT_NEAR(strongest(rowOf(seen, 0)), std::abs(error) * 20, 0.15) << error;
     }
 }
@@ -82,7 +84,8 @@ TEST(Fringes, ARotationShowsHeightTimesTangentOverPitchOfThemAndNoneWithoutIt)
         PrintSettings turned = straight;
         turned.direction = delta / radiansPerDegree;
         const PrintLayout print(turned);
-        const render::Image seen = lookThrough(sheet, linearImage(print, printOf(print, blackAndWhite())), {.angle = 0.05});
+        const render::Image seen =
+            lookThrough(sheet, linearImage(print, printOf(print, blackAndWhite())), {.angle = 0.05});
         std::vector<double> line;
         for (int y = 0; y < seen.height; ++y) line.push_back(static_cast<double>(seen.at(seen.width / 2, y)));
         EXPECT_NEAR(strongest(line), fringes, 0.2);
@@ -104,7 +107,8 @@ TEST(Fringes, TheSheetsOwnPitchShowsThemFromNearAndThePrintPitchDoesNot)
         // Straight ahead, a quarter lens off the strips' border.
         own.phase = 0.25;
         const PrintLayout shifted(own);
-        std::vector<double> line = rowOf(lookThrough(shifted, linearImage(shifted, printOf(shifted, blackAndWhite())), {.distance = s.distance}), 0);
+        std::vector<double> line = rowOf(
+            lookThrough(shifted, linearImage(shifted, printOf(shifted, blackAndWhite())), {.distance = s.distance}), 0);
         // At the edges the eye sees the paper beside the print.
         return std::vector<double>(line.begin() + 3, line.end() - 3);
     };
@@ -168,9 +172,11 @@ TEST_P(AngleSweep, ShowsViewsZeroToLastOnceEachInOrderAndWrapsOnBothSides)
 }
 
 INSTANTIATE_TEST_SUITE_P(Prints, AngleSweep,
-                         testing::Values(Sweep{40, 600, 5, 0, Method::area}, Sweep{40.15, 600, 7, 0, Method::nearest}, Sweep{60.12, 1440, 6, 0, Method::area},
-                                         Sweep{20, 300, 8, 0, Method::area}, Sweep{75, 1200, 4, 90, Method::area}, Sweep{30, 720, 5, 18.4, Method::area},
-                                         Sweep{30, 720, 4, -26.6, Method::nearest}, Sweep{40, 1200, 6, 45, Method::guard}));
+                         testing::Values(Sweep{40, 600, 5, 0, Method::area}, Sweep{40.15, 600, 7, 0, Method::nearest},
+                                         Sweep{60.12, 1440, 6, 0, Method::area}, Sweep{20, 300, 8, 0, Method::area},
+                                         Sweep{75, 1200, 4, 90, Method::area}, Sweep{30, 720, 5, 18.4, Method::area},
+                                         Sweep{30, 720, 4, -26.6, Method::nearest},
+                                         Sweep{40, 1200, 6, 45, Method::guard}));
 
 }  // namespace
 }  // namespace vitrine::printing

@@ -36,7 +36,8 @@ TEST(Lenticular, WeightsOfEveryPixelSumToOne)
     std::mt19937 random(3);
     for (int i = 0; i < 400; ++i) {
         const double dpi = 300 + static_cast<double>(random() % 2400);
-        PrintSettings s = settingsFor(10 + static_cast<double>(random() % 140), dpi, 1 + static_cast<int>(random() % 40), 5000, 5000);
+        PrintSettings s =
+            settingsFor(10 + static_cast<double>(random() % 140), dpi, 1 + static_cast<int>(random() % 40), 5000, 5000);
         s.direction = i % 3 == 0 ? 0 : i % 3 == 1 ? 90 : static_cast<double>(random() % 180) - 90 + 0.37;
         if (s.direction > 90) s.direction = 90;
         s.phase = static_cast<double>(random() % 1000) / 500 - 1;
@@ -44,7 +45,8 @@ TEST(Lenticular, WeightsOfEveryPixelSumToOne)
         s.guard = static_cast<double>(random() % 100) / 100;
         const PrintLayout layout(s);
         for (int at = 0; at < 50; ++at) {
-            tapsAt(layout, static_cast<double>(random() % 5000) + 0.5, static_cast<double>(random() % 5000) + 0.5, taps);
+            tapsAt(layout, static_cast<double>(random() % 5000) + 0.5, static_cast<double>(random() % 5000) + 0.5,
+                   taps);
             double sum = 0;
             for (const Tap& tap : taps) {
                 sum += tap.weight;
@@ -100,7 +102,8 @@ TEST(Lenticular, TheLastColumnIsWhereTheClosedFormSays)
         tapsAt(layout, static_cast<double>(x) + 0.5, 199999.5, taps);
         const long double u = (static_cast<long double>(x) + 0.5L - 100000.0L) * 60.12L / 1440.0L + 0.5L;
         EXPECT_EQ(taps.at(0).lens, static_cast<std::int64_t>(std::floor(u)));
-        EXPECT_NEAR(static_cast<double>(static_cast<long double>(layout.lensAt(static_cast<double>(x) + 0.5, 0)) - u), 0, 1e-9);
+        EXPECT_NEAR(static_cast<double>(static_cast<long double>(layout.lensAt(static_cast<double>(x) + 0.5, 0)) - u),
+                    0, 1e-9);
     }
 }
 
@@ -125,9 +128,12 @@ TEST(Lenticular, StripsTilesAndThreadsGiveTheSameBits)
                         std::vector<std::uint8_t> part(tileWidth * static_cast<std::size_t>(tile.y1 - tile.y0) * 3);
                         maker.fill(tile, part.data());
                         for (std::int64_t row = tile.y0; row < tile.y1; ++row) {
-                            const std::uint8_t* from = part.data() + static_cast<std::size_t>(row - tile.y0) * tileWidth * 3;
-                            const std::uint8_t* to = whole.data() + static_cast<std::size_t>(row * layout.width() + x) * 3;
-                            ASSERT_TRUE(std::equal(from, from + tileWidth * 3, to)) << direction << ' ' << toString(method) << ' ' << x << ' ' << row;
+                            const std::uint8_t* from =
+                                part.data() + static_cast<std::size_t>(row - tile.y0) * tileWidth * 3;
+                            const std::uint8_t* to =
+                                whole.data() + static_cast<std::size_t>(row * layout.width() + x) * 3;
+                            ASSERT_TRUE(std::equal(from, from + tileWidth * 3, to))
+                                << direction << ' ' << toString(method) << ' ' << x << ' ' << row;
                         }
                     }
             }
@@ -136,7 +142,8 @@ TEST(Lenticular, StripsTilesAndThreadsGiveTheSameBits)
 TEST(Lenticular, GrayStaysGray)
 {
     ViewSet views;
-    for (int k = 0; k < 6; ++k) views.add(render::Image(20 + k, 31, 3, static_cast<float>(render::linearFromSrgb(77 / 255.0))));
+    for (int k = 0; k < 6; ++k)
+        views.add(render::Image(20 + k, 31, 3, static_cast<float>(render::linearFromSrgb(77 / 255.0))));
     for (const double direction : {0.0, 90.0, 20.0, -33.3})
         for (const Method method : methods)
             for (const double lpi : {33.3, 60.12}) {
@@ -198,15 +205,19 @@ TEST(Lenticular, APlainLoopInDoubleGivesTheSamePrint)
                 const int k = n - 1 - static_cast<int>(strip - lens * n);
                 const int width = views.view(k).width;
                 const double scale = width / 300.0;
-                const double from = std::clamp(((lens - 0.5) / layout.lensesPerPixelX() + 150) * scale, 0.0, static_cast<double>(width));
-                const double to = std::clamp(((lens + 0.5) / layout.lensesPerPixelX() + 150) * scale, 0.0, static_cast<double>(width));
+                const double from = std::clamp(((lens - 0.5) / layout.lensesPerPixelX() + 150) * scale, 0.0,
+                                               static_cast<double>(width));
+                const double to = std::clamp(((lens + 0.5) / layout.lensesPerPixelX() + 150) * scale, 0.0,
+                                             static_cast<double>(width));
                 const double at = std::clamp((static_cast<double>(y) + 0.5) / 3 - 0.5, 0.0, 29.0);
                 const int top = std::min(static_cast<int>(at), 28);
                 for (int i = 0; i < width; ++i) {
-                    const double part = std::max(0.0, std::min<double>(to, i + 1) - std::max<double>(from, i)) / (to - from);
+                    const double part =
+                        std::max(0.0, std::min<double>(to, i + 1) - std::max<double>(from, i)) / (to - from);
                     if (part <= 0) continue;
                     const auto column = static_cast<std::size_t>(i) * 4;
-                    sum += weight * part * ((1 - (at - top)) * views.row(k, top)[column] + (at - top) * views.row(k, top + 1)[column]);
+                    sum += weight * part *
+                           ((1 - (at - top)) * views.row(k, top)[column] + (at - top) * views.row(k, top + 1)[column]);
                 }
             }
             const int expected = render::srgb8FromLinear(static_cast<float>(sum / 65535));

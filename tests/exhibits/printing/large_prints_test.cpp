@@ -71,8 +71,10 @@ public:
     }
     ~TemporaryFilesIn()
     {
-        if (was_.empty()) ::unsetenv("TMPDIR");
-        else ::setenv("TMPDIR", was_.c_str(), 1);
+        if (was_.empty())
+            ::unsetenv("TMPDIR");
+        else
+            ::setenv("TMPDIR", was_.c_str(), 1);
     }
     TemporaryFilesIn(const TemporaryFilesIn&) = delete;
     TemporaryFilesIn& operator=(const TemporaryFilesIn&) = delete;
@@ -179,12 +181,14 @@ TEST(LargePrints, EveryCornerOfTwoHundredThousandSquaredIsWhatTheClosedFormSays)
                 for (int y = 0; y < 40; ++y) {
                     for (int x = 0; x < 40; ++x) {
                         const long double u = (static_cast<long double>(x0 + x) + 0.5L - 100000) * perPixel * across +
-                                              (static_cast<long double>(y0 + y) + 0.5L - 100000) * perPixel * along + 0.5L;
+                                              (static_cast<long double>(y0 + y) + 0.5L - 100000) * perPixel * along +
+                                              0.5L;
                         const long double within = (u - std::floor(u)) * n;
                         if (std::abs(within - std::round(within)) < 1e-6L) continue;  // On a strip's edge.
                         const int k = n - 1 - static_cast<int>(within);
                         const double level = render::srgbFromLinear((k + 1.0) / (n + 1));
-                        ASSERT_NEAR(out[static_cast<std::size_t>(y * 40 + x) * 3] / 65535.0, level, 1e-3) << direction << ' ' << x0 + x << ' ' << y0 + y;
+                        ASSERT_NEAR(out[static_cast<std::size_t>(y * 40 + x) * 3] / 65535.0, level, 1e-3)
+                            << direction << ' ' << x0 + x << ' ' << y0 + y;
                     }
                 }
             }
@@ -195,10 +199,12 @@ TEST(LargePrints, EveryCornerOfTwoHundredThousandSquaredIsWhatTheClosedFormSays)
 TEST(LargePrints, BeyondFourGigabytesATiffIsABigOneAndBelowItIsNot)
 {
     const TemporaryFolder folder;
-    if (std::filesystem::space(folder.path()).available < 6ULL << 30U) GTEST_SKIP() << "there is no room for the space that is asked for";
+    if (std::filesystem::space(folder.path()).available < 6ULL << 30U)
+        GTEST_SKIP() << "there is no room for the space that is asked for";
     for (const std::int64_t height : {36000, 30000}) {
         {
-            render::PictureStream stream(folder / "p.tif", {.width = 40000, .height = height, .dpiX = 600, .dpiY = 600});
+            render::PictureStream stream(folder / "p.tif",
+                                         {.width = 40000, .height = height, .dpiX = 600, .dpiY = 600});
             const std::vector<std::uint8_t> rows(std::size_t{40000} * 3 * 4, 200);
             stream.write(rows.data(), 4);
             ASSERT_EQ(folder.files().size(), 1U);
@@ -221,7 +227,8 @@ TEST(PrintRaster, GivesTheRowsOfATiffAPngAndOfTilesInAnyOrder)
     const PrintLayout layout(settingsFor(40.15, 600, 3, 700, 333));
     std::vector<std::uint8_t> whole = printOf(layout, views);
     const std::string json = descriptionOf(layout);
-    (void)writePrint(layout, views, {.path = folder / "a.tif", .compression = render::StreamCompression::deflate, .json = json});
+    (void)writePrint(layout, views,
+                     {.path = folder / "a.tif", .compression = render::StreamCompression::deflate, .json = json});
     (void)writePrint(layout, views, {.path = folder / "b.png", .json = json});
     ASSERT_EQ(writePrint(layout, views, {.path = folder / "t.tif", .tileWidth = 10, .json = json}).size(), 3U);
     std::filesystem::remove(folder / "b.png.json");  // What is inside must do.
@@ -230,11 +237,13 @@ TEST(PrintRaster, GivesTheRowsOfATiffAPngAndOfTilesInAnyOrder)
         EXPECT_EQ(print.layout().lensesPerPixelX(), layout.lensesPerPixelX()) << name;
         for (const std::int64_t y : {0, 5, 332, 100, 101, 3, 331}) {
             const std::uint16_t* row = print.row(y);
-            for (std::size_t i = 0; i < 2100; ++i) ASSERT_EQ(row[i], whole[static_cast<std::size_t>(y) * 2100 + i] * 257) << name << ' ' << y;
+            for (std::size_t i = 0; i < 2100; ++i)
+                ASSERT_EQ(row[i], whole[static_cast<std::size_t>(y) * 2100 + i] * 257) << name << ' ' << y;
         }
         const render::Image image = print.image();
         ASSERT_EQ(image.pixels.size(), whole.size());
-        for (std::size_t i = 0; i < whole.size(); i += 7) ASSERT_NEAR(image.pixels[i], render::linearFromSrgb(whole[i] / 255.0), 1e-6);
+        for (std::size_t i = 0; i < whole.size(); i += 7)
+            ASSERT_NEAR(image.pixels[i], render::linearFromSrgb(whole[i] / 255.0), 1e-6);
     }
     std::filesystem::remove(folder / "t-2.tif");
     EXPECT_FAILURE(readPrint(folder / "t-1.tif"), "tiles");
@@ -254,7 +263,8 @@ TEST(PrintRaster, AProofOfTheFileIsTheProofOfTheRasterInMemory)
         PrintRaster print = readPrint(folder / "a.tif");
         for (const Eye& eye : {Eye{.angle = 0.2}, Eye{.angle = -0.1, .angleAlong = 0.6, .distance = 120}}) {
             const render::Image fromFile = lookThrough(print, eye, 32);
-            EXPECT_EQ(fromFile.pixels, lookThrough(layout, readPrint(folder / "a.tif").image(), eye, 32).pixels) << direction;
+            EXPECT_EQ(fromFile.pixels, lookThrough(layout, readPrint(folder / "a.tif").image(), eye, 32).pixels)
+                << direction;
         }
     }
 }

@@ -18,11 +18,12 @@ const Sheet& seventyFive = knownSheet("75-measured");
 TEST(LenticularOptics, AgreesWithIndependentlyComputedRays)
 {
     // Landing points in millimeters, from a separate ray tracer, for theta 0, 10, 20 and 40 degrees.
-    const std::array<std::pair<double, std::array<double, 4>>, 5> rays{{{-0.6, {0.040159898, -0.262222986, -0.526831919, -0.915702141}},
-                                                                        {-0.3, {0.004377570, -0.336583347, -0.660716671, -1.241824859}},
-                                                                        {0, {0, -0.358428881, -0.719074775, -1.447092212}},
-                                                                        {0.3, {-0.004377570, -0.362912701, -0.742227305, -1.581832363}},
-                                                                        {0.6, {-0.040159898, -0.379376562, -0.759140616, -1.678323072}}}};
+    const std::array<std::pair<double, std::array<double, 4>>, 5> rays{
+        {{-0.6, {0.040159898, -0.262222986, -0.526831919, -0.915702141}},
+         {-0.3, {0.004377570, -0.336583347, -0.660716671, -1.241824859}},
+         {0, {0, -0.358428881, -0.719074775, -1.447092212}},
+         {0.3, {-0.004377570, -0.362912701, -0.742227305, -1.581832363}},
+         {0.6, {-0.040159898, -0.379376562, -0.759140616, -1.678323072}}}};
     const std::array<double, 4> degrees{0, 10, 20, 40};
     for (const auto& [x0, expected] : rays)
         for (std::size_t i = 0; i < degrees.size(); ++i) {
@@ -35,7 +36,8 @@ TEST(LenticularOptics, AgreesWithIndependentlyComputedRays)
 TEST(LenticularOptics, IsAntisymmetricAndTheChiefRayIsExact)
 {
     for (double theta = -0.6; theta <= 0.6; theta += 0.05) {
-        for (double x0 = -0.6; x0 <= 0.6; x0 += 0.1) EXPECT_NEAR(trace(twenty, x0, theta)->x, -trace(twenty, -x0, -theta)->x, 1e-14);
+        for (double x0 = -0.6; x0 <= 0.6; x0 += 0.1)
+            EXPECT_NEAR(trace(twenty, x0, theta)->x, -trace(twenty, -x0, -theta)->x, 1e-14);
         const double through = twenty.radius * std::sin(theta);
         if (std::abs(through) < twenty.pitch() / 2) {
             EXPECT_NEAR(trace(twenty, through, theta)->x, chiefRay(twenty, theta), 1e-13);
@@ -62,7 +64,8 @@ TEST(LenticularOptics, TheEffectiveIndexIsVectorRefraction)
         for (double theta = -0.7; theta < 0.7; theta += 0.1)
             for (double phi = -0.5; phi < 0.5; phi += 0.1) {
                 // Incoming direction (towards the sheet) and the surface's normal, as vectors.
-                const std::array<double, 3> d{-std::sin(theta) * std::cos(beta), -std::sin(beta), -std::cos(theta) * std::cos(beta)};
+                const std::array<double, 3> d{-std::sin(theta) * std::cos(beta), -std::sin(beta),
+                                              -std::cos(theta) * std::cos(beta)};
                 const std::array<double, 3> normal{std::sin(phi), 0, std::cos(phi)};
                 const double c = -(d[0] * normal[0] + d[2] * normal[2]);
                 if (c <= 0) continue;
@@ -86,7 +89,8 @@ TEST(LenticularOptics, TheMeasuredSheetShowsItsViewsOver64Degrees)
 
 TEST(LenticularOptics, MeanAndSpotOverTheLensAreThePublishedOnes)
 {
-    const std::array<std::array<double, 3>, 4> expected{{{10, -45.3, 8.2}, {20, -93.1, 12.0}, {30, -146.8, 16.9}, {40, -209.4, 24.5}}};
+    const std::array<std::array<double, 3>, 4> expected{
+        {{10, -45.3, 8.2}, {20, -93.1, 12.0}, {30, -146.8, 16.9}, {40, -209.4, 24.5}}};
     for (const auto& [degrees, mean, rms] : expected) {
         const Aperture seen = aperture(seventyFive, degrees * radiansPerDegree);
         EXPECT_NEAR(1000 * seen.mean, mean, 0.3) << degrees;
@@ -119,7 +123,7 @@ TEST(LenticularSheet, RefusesWhatCannotBe)
         s.index = index;
         EXPECT_NE(refusal(s).find("index"), std::string::npos);
     }
-    for (double Sheet::* member : {&Sheet::nominalLpi, &Sheet::radius, &Sheet::thickness})
+    for (double Sheet::*member : {&Sheet::nominalLpi, &Sheet::radius, &Sheet::thickness})
         for (const double value : {0.0, -1.0, nan, HUGE_VAL}) {
             s = twenty;
             s.*member = value;

@@ -47,7 +47,9 @@ double tiffNumber(const std::string& bytes, unsigned wanted)
         const std::size_t entry = directory + 2 + 12 * i;
         if (read(entry, 2) != wanted) continue;
         const std::size_t type = read(entry + 2, 2);
-        if (type == 5) return static_cast<double>(read(read(entry + 8, 4), 4)) / static_cast<double>(read(read(entry + 8, 4) + 4, 4));
+        if (type == 5)
+            return static_cast<double>(read(read(entry + 8, 4), 4)) /
+                   static_cast<double>(read(read(entry + 8, 4) + 4, 4));
         return static_cast<double>(read(entry + 8, type == 3 ? 2 : 4));
     }
     return -1;
@@ -63,14 +65,16 @@ TEST(PrintFile, ATiffHasThePixelsTheExactResolutionAndTheDescription)
         const PrintLayout layout(s);
         std::vector<std::uint8_t> whole(static_cast<std::size_t>(layout.width() * layout.height()) * 3);
         Interlacer(layout, views).fill({0, 0, layout.width(), layout.height()}, whole.data());
-        for (const auto compression : {render::StreamCompression::none, render::StreamCompression::deflate, render::StreamCompression::zstd}) {
-            PrintFile file{.path = folder / "a.tif", .compression = compression, .json = descriptionOf(layout), .threads = 2};
+        for (const auto compression :
+             {render::StreamCompression::none, render::StreamCompression::deflate, render::StreamCompression::zstd}) {
+            PrintFile file{
+                .path = folder / "a.tif", .compression = compression, .json = descriptionOf(layout), .threads = 2};
             (void)writePrint(layout, views, file);
             EXPECT_EQ(codesOf(file.path), whole);
             const std::string bytes = bytesOf(file.path);
             EXPECT_NEAR(tiffNumber(bytes, 282) / dpi, 1, 1e-7);  // XResolution
             EXPECT_EQ(tiffNumber(bytes, 283), 1440);
-            EXPECT_EQ(tiffNumber(bytes, 296), 2);  // Inches.
+            EXPECT_EQ(tiffNumber(bytes, 296), 2);                     // Inches.
             EXPECT_EQ(tiffNumber(bytes, 282) == dpi, dpi != 361.35);  // Whole numbers exactly.
             const auto text = render::embeddedPrint(file.path);
             ASSERT_TRUE(text);
@@ -99,7 +103,8 @@ TEST(PrintFile, APngAndSixteenBitsHaveThePixels)
     for (const char* name : {"b.png", "b.tif"}) {
         (void)writePrint(layout, views, {.path = folder / name, .bits = 16, .json = json});
         const render::Image image = render::readImage(folder / name, {.raw = true});
-        for (std::size_t i = 0; i < fine.size(); ++i) ASSERT_EQ(static_cast<std::uint16_t>(image.pixels[i] * 65535 + 0.5F), fine[i]) << name;
+        for (std::size_t i = 0; i < fine.size(); ++i)
+            ASSERT_EQ(static_cast<std::uint16_t>(image.pixels[i] * 65535 + 0.5F), fine[i]) << name;
     }
 }
 
@@ -139,8 +144,10 @@ TEST(PrintFile, TilesAreCutBetweenLensesAndMakeUpTheWhole)
         const std::vector<std::uint8_t> part = codesOf(files[tile]);
         const auto width = static_cast<std::size_t>(cuts[tile + 1] - cuts[tile]) * 3;
         for (std::size_t y = 0; y < 20; ++y)
-            ASSERT_TRUE(std::equal(part.begin() + static_cast<std::ptrdiff_t>(y * width), part.begin() + static_cast<std::ptrdiff_t>((y + 1) * width),
-                                   whole.begin() + static_cast<std::ptrdiff_t>(y * 3000 + static_cast<std::size_t>(cuts[tile]) * 3)));
+            ASSERT_TRUE(std::equal(
+                part.begin() + static_cast<std::ptrdiff_t>(y * width),
+                part.begin() + static_cast<std::ptrdiff_t>((y + 1) * width),
+                whole.begin() + static_cast<std::ptrdiff_t>(y * 3000 + static_cast<std::size_t>(cuts[tile]) * 3)));
     }
 }
 
@@ -151,7 +158,9 @@ TEST(PrintFile, LeavesNothingBehindWhenStoppedOrRefused)
     const PrintLayout layout(settingsFor(40, 600, 2, 300, 2000));
     for (const char* name : {"a.tif", "a.png"}) {
         int calls = 0;
-        EXPECT_THROW((void)writePrint(layout, views, {.path = folder / name, .progress = [&](double) { return ++calls < 2; }}), Failure);
+        EXPECT_THROW(
+            (void)writePrint(layout, views, {.path = folder / name, .progress = [&](double) { return ++calls < 2; }}),
+            Failure);
         EXPECT_EQ(calls, 2);
         EXPECT_FAILURE(writePrint(layout, views, {.path = folder / "no" / name}), "Cannot write");
     }
@@ -164,7 +173,8 @@ TEST(PrintFile, LeavesNothingBehindWhenStoppedOrRefused)
 TEST(PrintFile, ADescriptionThatIsNoneIsRefusedWithItsKey)
 {
     EXPECT_FAILURE(settingsFromJson(render::parseJson("[]", "x.json")), "missing");
-    EXPECT_FAILURE(settingsFromJson(render::parseJson("{\"sheet\": {\"name\": 1, \"nominalLpi\": \"a\"}}", "x.json")), "sheet.nominalLpi");
+    EXPECT_FAILURE(settingsFromJson(render::parseJson("{\"sheet\": {\"name\": 1, \"nominalLpi\": \"a\"}}", "x.json")),
+                   "sheet.nominalLpi");
 }
 
 /// Runs the program; returns its exit code.
@@ -181,19 +191,25 @@ TEST(PrintCommand, PrintsAndProvesAndRefusesWithoutLeavingFiles)
     std::filesystem::create_directory(folder / "views");
     for (int k = 0; k < count; ++k) {
         const std::string name = "views/v" + std::to_string(9 + k) + ".png";  // v9 comes before v10.
-        render::writePicture(folder / name, render::Image(20 + k, 30, 3, static_cast<float>(k + 1) / (count + 1)), render::PictureFormat::png8);
+        render::writePicture(folder / name, render::Image(20 + k, 30, 3, static_cast<float>(k + 1) / (count + 1)),
+                             render::PictureFormat::png8);
     }
     const std::string views = (folder / "views").string();
     const std::string out = (folder / "p.tif").string();
     const std::string good = "print --views " + views + " --lpi 40 --dpi 600 --width-mm 20 --height-mm 15 --out " + out;
     const std::size_t before = folder.files().size();
-    for (const char* bad : {" --lpi 0", " --lpi 600", " --lpi nan", " --width-mm -1", " --width-mm nan", " --index 1", " --radius-um 100 --thickness-um 900",
-                            " --distance-mm 0", " --distance-mm near", " --direction up", " --width-mm 1e9", " --method best", " --count 9", " --sheet none"})
+    for (const char* bad : {" --lpi 0", " --lpi 600", " --lpi nan", " --width-mm -1", " --width-mm nan", " --index 1",
+                            " --radius-um 100 --thickness-um 900", " --distance-mm 0", " --distance-mm near",
+                            " --direction up", " --width-mm 1e9", " --method best", " --count 9", " --sheet none"})
         EXPECT_EQ(run(good + bad), 2) << bad;
     EXPECT_EQ(run("print --lpi 40 --width-mm 20 --height-mm 15 --out " + out), 2);
-    EXPECT_EQ(run("print --views " + (folder / "none.png").string() + " --lpi 40 --width-mm 20 --height-mm 15 --out " + out), 5);
+    EXPECT_EQ(
+        run("print --views " + (folder / "none.png").string() + " --lpi 40 --width-mm 20 --height-mm 15 --out " + out),
+        5);
     vitrine::test::writeBytes(folder / "cut.png", bytesOf(folder / "views/v9.png").substr(0, 60));
-    EXPECT_EQ(run("print --views " + (folder / "cut.png").string() + " --lpi 40 --width-mm 20 --height-mm 15 --out " + out), 5);
+    EXPECT_EQ(
+        run("print --views " + (folder / "cut.png").string() + " --lpi 40 --width-mm 20 --height-mm 15 --out " + out),
+        5);
     EXPECT_EQ(run(good + " --out /proc/nowhere/p.tif"), 2);  // Given twice.
     std::filesystem::remove(folder / "cut.png");
     EXPECT_EQ(folder.files().size(), before);
@@ -208,7 +224,8 @@ TEST(PrintCommand, PrintsAndProvesAndRefusesWithoutLeavingFiles)
         const render::Image image = render::readImage(seen);
         EXPECT_NEAR(image.at(image.width / 2, image.height / 2) * (count + 1) - 1, k, 0.35) << k;
     }
-    EXPECT_EQ(run("proof " + (folder / "views/v9.png").string() + " --angle 0 --out " + (folder / "no.png").string()), 5);
+    EXPECT_EQ(run("proof " + (folder / "views/v9.png").string() + " --angle 0 --out " + (folder / "no.png").string()),
+              5);
     EXPECT_FALSE(std::filesystem::exists(folder / "no.png"));
 }
 

@@ -28,14 +28,17 @@ TEST_F(SettingsText, EverySettingSurvivesItsTextWhateverItIs)
         for (std::size_t i = 0; i < values.rows().size(); ++i) {
             const ParameterInfo& row = values.rows()[i];
             double x = row.range.softLow + unit(random) * (row.range.softHigh - row.range.softLow);
-            if (row.kind != Kind::real) x = std::floor(row.range.low + unit(random) * (std::min(row.range.high, row.range.softHigh) + 1 - row.range.low));
+            if (row.kind != Kind::real)
+                x = std::floor(row.range.low +
+                               unit(random) * (std::min(row.range.high, row.range.softHigh) + 1 - row.range.low));
             values.setRow(i, x);
         }
         if (printPlan(values, nullptr, false, "p.tif").refusal.empty()) ++possible;
         const std::vector<std::string> files{"/a/view 1.png", "ü.png"};
         const SavedSettings back = savedSettings(settingsText(values, files), "kept.json");
         EXPECT_EQ(back.sources, files);
-        for (std::size_t i = 0; i < values.rows().size(); ++i) EXPECT_EQ(back.values.row(i), values.row(i)) << values.rows()[i].name;
+        for (std::size_t i = 0; i < values.rows().size(); ++i)
+            EXPECT_EQ(back.values.row(i), values.row(i)) << values.rows()[i].name;
     }
     EXPECT_GT(possible, 3);  // Otherwise nothing but refused settings was tried.
 }
@@ -79,7 +82,8 @@ TEST_F(SettingsText, BrokenSettingsNameFileAndKey)
             EXPECT_NE(std::string(failure.what()).find(word), std::string::npos) << failure.what();
         }
     }
-    const SavedSettings odd = savedSettings(R"({"vitrinePrint": 1, "desk": {"values": {"velvet": 1, "views": 9999}}})", "kept.json");
+    const SavedSettings odd =
+        savedSettings(R"({"vitrinePrint": 1, "desk": {"values": {"velvet": 1, "views": 9999}}})", "kept.json");
     EXPECT_EQ(odd.notes.size(), 2U);
     EXPECT_EQ(odd.values[table_.views], mostViews);
 }

@@ -41,7 +41,8 @@ TEST_F(PrintPlans, NumbersFollowTheClosedFormsWhenLpiDpiAndDistanceChange)
         const double stretch = (distance * 1000 + thickness) / (distance * 1000 + radius);
         EXPECT_NEAR(plan.numbers.pixelsPerLens, dpi / lpi * stretch, 1e-6 * dpi / lpi);
         EXPECT_NEAR(plan.numbers.effectiveLpi, lpi / stretch, 1e-4);  // TIFF stores dpi with 24 bits.
-        EXPECT_NEAR(plan.numbers.depthBudget, 2 * std::min(12.0, std::floor(dpi / lpi * stretch)) * thickness / 1.56, 1e-6);
+        EXPECT_NEAR(plan.numbers.depthBudget, 2 * std::min(12.0, std::floor(dpi / lpi * stretch)) * thickness / 1.56,
+                    1e-6);
         EXPECT_EQ(plan.layout->width(), std::llround(0.03 / 0.0254 * dpi));
     }
 }
@@ -66,7 +67,8 @@ TEST_F(PrintPlans, WarnsOfMoreViewsThanDotsAndOfLpiNearDpiAndOnlyThen)
 {
     const auto said = [&] {
         std::string all;
-        for (const std::string& warning : printPlan(values_, nullptr, false, "print.tif").warnings) all += warning + '\n';
+        for (const std::string& warning : printPlan(values_, nullptr, false, "print.tif").warnings)
+            all += warning + '\n';
         return all;
     };
     EXPECT_EQ(said(), "");
@@ -76,7 +78,8 @@ TEST_F(PrintPlans, WarnsOfMoreViewsThanDotsAndOfLpiNearDpiAndOnlyThen)
     values_.set(table_.dotsPerInch, 100.0);
     EXPECT_NE(said().find("cannot separate"), std::string::npos) << said();
     values_.set(table_.dotsPerInch, 59.0);
-    EXPECT_NE(printPlan(values_, nullptr, false, "print.tif").refusal.find("no more than one pixel"), std::string::npos);
+    EXPECT_NE(printPlan(values_, nullptr, false, "print.tif").refusal.find("no more than one pixel"),
+              std::string::npos);
 }
 
 TEST_F(PrintPlans, AFlipUnderUprightLensesIsToldToShowEachEyeAnotherPicture)
@@ -84,7 +87,9 @@ TEST_F(PrintPlans, AFlipUnderUprightLensesIsToldToShowEachEyeAnotherPicture)
     const auto warns = [&] {
         const PrintPlan plan = printPlan(values_, nullptr, false, "a.tif");
         EXPECT_EQ(plan.refusal, "");
-        return std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const std::string& w) { return w.find("each eye sees another picture") != std::string::npos; });
+        return std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const std::string& w) {
+            return w.find("each eye sees another picture") != std::string::npos;
+        });
     };
     values_ = withSheet(values_, knownSheet("60-3d"));
     EXPECT_FALSE(warns());
@@ -126,7 +131,8 @@ TEST_F(PrintPlans, ChartsArePreviewedAndWrittenAsThePrintsAre)
         exportPrint(values_, nullptr, {}, file, {});
         const render::Image written = render::readImage(file, {.raw = true});
         const CodedPicture part = printPreview(values_, nullptr)->raster({400, 300, 460, 340});
-        for (int x = 0; x < part.width; ++x) ASSERT_EQ(part.rgb[static_cast<std::size_t>(x) * 3], std::lround(written.at(x + 400, 300) * 255));
+        for (int x = 0; x < part.width; ++x)
+            ASSERT_EQ(part.rgb[static_cast<std::size_t>(x) * 3], std::lround(written.at(x + 400, 300) * 255));
     }
     values_.set(table_.height, 0.03);
     EXPECT_NE(printPlan(values_, nullptr, true, "chart.png").refusal.find("44 mm"), std::string::npos);

@@ -35,7 +35,9 @@ TEST_F(Previews, ThePreviewIsTheFileDotForDot)
             const CodedPicture part = preview->raster({10, 5, 60, 40});
             for (int y = 0; y < part.height; ++y)
                 for (int x = 0; x < part.width; ++x)
-                    ASSERT_EQ(part.rgb[static_cast<std::size_t>(y * part.width + x) * 3], std::lround(written.at(x + 10, y + 5) * 255)) << x << ' ' << y;
+                    ASSERT_EQ(part.rgb[static_cast<std::size_t>(y * part.width + x) * 3],
+                              std::lround(written.at(x + 10, y + 5) * 255))
+                        << x << ' ' << y;
         }
     }
 }
@@ -94,9 +96,11 @@ TEST_F(Previews, EveryViewIsSeenAtItsAngleInOrderAndTheZoneStartsAgain)
             const double slant = direction * degree;
             const double far = std::numeric_limits<double>::infinity();
             const Eye eye = direction == 90 ? preview->eyeAt(0, -angle, far)
-                                            : preview->eyeAt(std::atan(std::tan(angle) * std::cos(slant)), -std::atan(std::tan(angle) * std::sin(slant)), far);
+                                            : preview->eyeAt(std::atan(std::tan(angle) * std::cos(slant)),
+                                                             -std::atan(std::tan(angle) * std::sin(slant)), far);
             // One view's level from the next is 1/7; cross-talk comes from both neighbors and mostly cancels.
-            EXPECT_NEAR(middleLevel(preview->seen(eye, 200)), (k + 1.0) / (count + 1), direction == 15 ? 0.06 : 0.04) << direction << " view " << k;
+            EXPECT_NEAR(middleLevel(preview->seen(eye, 200)), (k + 1.0) / (count + 1), direction == 15 ? 0.06 : 0.04)
+                << direction << " view " << k;
         }
     }
 }
@@ -113,7 +117,9 @@ TEST_F(Previews, TheQuickLookAgreesWithTheProofOfTheFinishedFile)
         render::Image image(120, 90, 3);
         for (int y = 0; y < 90; ++y)
             for (int x = 0; x < 120; ++x)
-                for (int c = 0; c < 3; ++c) image.at(x, y, c) = static_cast<float>((0.2 + 0.5 * x / 120 + 0.2 * y / 90) * (c == k % 3 ? 1 : 0.5));
+                for (int c = 0; c < 3; ++c)
+                    image.at(x, y, c) =
+                        static_cast<float>((0.2 + 0.5 * x / 120 + 0.2 * y / 90) * (c == k % 3 ? 1 : 0.5));
         views->add(image);
     }
     const PrintLayout layout(printSettings(values_, count));
@@ -130,7 +136,11 @@ TEST_F(Previews, TheQuickLookAgreesWithTheProofOfTheFinishedFile)
                 const int u = (2 * x + 1) * quick.width / (2 * proof.width);
                 const int v = (2 * y + 1) * quick.height / (2 * proof.height);
                 for (int c = 0; c < 3; ++c)
-                    difference += std::abs(static_cast<double>(proof.at(x, y, c)) - render::linearFromSrgb(quick.rgb[static_cast<std::size_t>(v * quick.width + u) * 3 + static_cast<std::size_t>(c)] / 255.0));
+                    difference += std::abs(
+                        static_cast<double>(proof.at(x, y, c)) -
+                        render::linearFromSrgb(
+                            quick.rgb[static_cast<std::size_t>(v * quick.width + u) * 3 + static_cast<std::size_t>(c)] /
+                            255.0));
             }
         }
         // 8-bit codes, 32 parts of the aperture against 128, 512 directions: about one percent of the light.

@@ -25,7 +25,8 @@ struct Ended {
 Ended shell(const std::string& command)
 {
     Ended ended;
-    FILE* pipe = ::popen(("VITRINE='" + std::string(VITRINE_PROGRAM) + "'; " + command + " 2>&1 >/dev/null").c_str(), "r");
+    FILE* pipe =
+        ::popen(("VITRINE='" + std::string(VITRINE_PROGRAM) + "'; " + command + " 2>&1 >/dev/null").c_str(), "r");
     if (!pipe) return ended;
     std::array<char, 512> text{};
     while (std::fgets(text.data(), text.size(), pipe)) ended.said += text.data();
@@ -41,7 +42,9 @@ protected:
         std::filesystem::create_directory(folder_ / "views");
         std::filesystem::create_directory(folder_ / "empty");
         for (int k = 0; k < 3; ++k)
-            render::writePicture(folder_ / ("views/v" + std::to_string(k) + ".png"), render::Image(20 + k, 30 - k, 3, 0.2F * static_cast<float>(k + 1)), render::PictureFormat::png8);
+            render::writePicture(folder_ / ("views/v" + std::to_string(k) + ".png"),
+                                 render::Image(20 + k, 30 - k, 3, 0.2F * static_cast<float>(k + 1)),
+                                 render::PictureFormat::png8);
         vitrine::test::writeBytes(folder_ / "cut.png", bytesOf(folder_ / "views/v0.png").substr(0, 60));
         vitrine::test::writeBytes(folder_ / "text.png", "this is no picture");
         before_ = folder_.files();
@@ -96,8 +99,10 @@ TEST_F(PrintRefusals, EachHasItsSentenceItsCodeAndNoFile)
         {print(views, good + "--distance-mm -5"), 2, "distance"},
         {print(views, good + "--distance-mm nan"), 2, "distance"},
         {print(views, good + "--tile-mm 0.1"), 2, "narrower than a lens"},
-        {"$VITRINE print --views " + views + " --lpi 40 --width-mm 20 --height-mm 15 --out " + in("no/p.tif"), 5, "folder"},
-        {"$VITRINE print --views " + views + " --lpi 40 --width-mm 20 --height-mm 15 --out /proc/p.tif", 5, "/proc/p.tif"},
+        {"$VITRINE print --views " + views + " --lpi 40 --width-mm 20 --height-mm 15 --out " + in("no/p.tif"), 5,
+         "folder"},
+        {"$VITRINE print --views " + views + " --lpi 40 --width-mm 20 --height-mm 15 --out /proc/p.tif", 5,
+         "/proc/p.tif"},
         {"$VITRINE print --views " + views + " --lpi 40 --width-mm 20 --height-mm 15 --out " + in("p.jpg"), 2, ".tif"},
     };
     for (const Case& c : cases) {
@@ -113,9 +118,13 @@ TEST_F(PrintRefusals, OneViewAndViewsOfSeveralSizesArePrinted)
     const Ended one = shell(print(in("views/v0.png"), "--lpi 40 --width-mm 20"));
     EXPECT_EQ(one.code, 0) << one.said;
     EXPECT_NE(one.said.find("one view"), std::string::npos) << one.said;
-    EXPECT_EQ(shell(print(in("views"), "--lpi 40 --width-mm 20 --border-mm 2 --dither --crosstalk-compensation --ink-um 15")).code, 0);
+    EXPECT_EQ(
+        shell(print(in("views"), "--lpi 40 --width-mm 20 --border-mm 2 --dither --crosstalk-compensation --ink-um 15"))
+            .code,
+        0);
     const std::string json = bytesOf(folder_ / "p.tif.json");
-    for (const char* key : {"\"crossTalk\"", "\"inkSpread\"", "\"border\"", "\"dither\""}) EXPECT_NE(json.find(key), std::string::npos) << key;
+    for (const char* key : {"\"crossTalk\"", "\"inkSpread\"", "\"border\"", "\"dither\""})
+        EXPECT_NE(json.find(key), std::string::npos) << key;
 }
 
 TEST_F(PrintRefusals, AFullDiskIsExit5NothingIsLeftAndTheEarlierPrintStands)
@@ -123,7 +132,8 @@ TEST_F(PrintRefusals, AFullDiskIsExit5NothingIsLeftAndTheEarlierPrintStands)
     for (const char* name : {"p.tif", "p.png", "tiles.tif"}) {
         const std::string out = in(name);
         const std::string tiles = std::string(name) == "tiles.tif" ? " --tile-mm 20" : "";
-        const std::string command = "$VITRINE print --views " + in("views") + " --lpi 40 --dpi 600 --height-mm 60 --width-mm 60 --out " + out + tiles;
+        const std::string command = "$VITRINE print --views " + in("views") +
+                                    " --lpi 40 --dpi 600 --height-mm 60 --width-mm 60 --out " + out + tiles;
         if (tiles.empty()) vitrine::test::writeBytes(out, "the earlier print");
         const std::vector<std::string> before = folder_.files();
         for (const char* blocks : {"0", "2", "40"}) {

@@ -30,7 +30,8 @@ TEST_F(PrintViewsTest, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
     std::vector<std::string> files;
     for (int k = 0; k < 9; ++k) {
         files.push_back((folder_.path() / ("v" + std::to_string(k) + ".png")).string());
-        render::writePicture(files.back(), render::Image(8, 8, 3, static_cast<float>(k) / 8), render::PictureFormat::png16);
+        render::writePicture(files.back(), render::Image(8, 8, 3, static_cast<float>(k) / 8),
+                             render::PictureFormat::png16);
     }
     values_.set(table_.views, 3);
     const auto three = readViews(values_, files, {});
@@ -61,7 +62,8 @@ TEST_F(PrintViewsTest, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
     const auto draft = printShots(values_, look, {}, true);
     ASSERT_EQ(fine.size(), 12U);
     ASSERT_EQ(draft.size(), 12U);
-    for (std::size_t k = 0; k + 1 < fine.size(); ++k) EXPECT_GT(fine[k + 1].look.camera.eye.x, fine[k].look.camera.eye.x);
+    for (std::size_t k = 0; k + 1 < fine.size(); ++k)
+        EXPECT_GT(fine[k + 1].look.camera.eye.x, fine[k].look.camera.eye.x);
     EXPECT_EQ(fine[3].look.camera, draft[3].look.camera);
     EXPECT_EQ(fine[0].request.frame.raster.size.x, 960);
     EXPECT_LE(draft[0].request.frame.raster.size.x, 240);

@@ -68,8 +68,9 @@ TEST_P(ProofSweep, ShowsEveryViewOnceInOrderAcrossTheZoneAndStartsAgain)
 }
 
 INSTANTIATE_TEST_SUITE_P(Prints, ProofSweep,
-                         testing::Values(Case{40, 600, 5, 0}, Case{60.12, 1440, 6, 0}, Case{20, 300, 4, 0}, Case{75, 1200, 3, 0}, Case{40, 1200, 5, 90},
-                                         Case{40, 1200, 4, 18.4}, Case{30, 600, 3, -12}));
+                         testing::Values(Case{40, 600, 5, 0}, Case{60.12, 1440, 6, 0}, Case{20, 300, 4, 0},
+                                         Case{75, 1200, 3, 0}, Case{40, 1200, 5, 90}, Case{40, 1200, 4, 18.4},
+                                         Case{30, 600, 3, -12}));
 
 TEST(Proof, AtItsDistanceThePrintPitchShowsOneViewEverywhereAndTheLensPitchDoesNot)
 {
@@ -82,7 +83,8 @@ TEST(Proof, AtItsDistanceThePrintPitchShowsOneViewEverywhereAndTheLensPitchDoesN
     const PrintLayout unfitted(wrong);
     const ViewSet views = solidViews(n);
     const auto spread = [&](const PrintLayout& layout) {
-        const render::Image seen = lookThrough(layout, linearImage(layout, printOf(layout, views)), {.angle = angleOfView(layout, 2), .distance = 500});
+        const render::Image seen = lookThrough(layout, linearImage(layout, printOf(layout, views)),
+                                               {.angle = angleOfView(layout, 2), .distance = 500});
         float least = 1;
         float most = 0;
         for (int x = 3; x < seen.width - 3; ++x) {
@@ -119,7 +121,8 @@ TEST(Proof, AMirroredPrintIsSeenAsTheFrontIs)
     s.mirror = true;
     const PrintLayout back(s);
     const Eye eye{.angle = 0.1, .angleAlong = 0.2};
-    EXPECT_EQ(lookThrough(front, linearImage(front, printOf(front, views)), eye).pixels, lookThrough(back, linearImage(back, printOf(back, views)), eye).pixels);
+    EXPECT_EQ(lookThrough(front, linearImage(front, printOf(front, views)), eye).pixels,
+              lookThrough(back, linearImage(back, printOf(back, views)), eye).pixels);
 }
 
 /// Root mean square over the picture, but for a lens at either side.
@@ -142,7 +145,8 @@ render::Image meanOver(const render::Image& image, int columns, int rows)
                 double sum = 0;
                 int count = 0;
                 for (int v = y * image.height / rows; v < (y + 1) * image.height / rows; ++v)
-                    for (int u = x * image.width / columns; u < (x + 1) * image.width / columns; ++u, ++count) sum += static_cast<double>(image.at(u, v, c));
+                    for (int u = x * image.width / columns; u < (x + 1) * image.width / columns; ++u, ++count)
+                        sum += static_cast<double>(image.at(u, v, c));
                 mean.at(x, y, c) = static_cast<float>(sum / count);
             }
         }
@@ -158,7 +162,8 @@ TEST(Proof, OfAPrintOfPhotographsShowsEachFromItsOwnSide)
     if (std::filesystem::is_directory(folder)) files = picturesIn(folder);
     std::erase_if(files, [](const std::filesystem::path& file) { return file.extension() != ".jpg"; });
     constexpr int count = 4;
-    if (files.size() < count) GTEST_SKIP() << "there are no photographs in " << folder << "; the package lomiri-wallpapers-16.04 has some";
+    if (files.size() < count)
+        GTEST_SKIP() << "there are no photographs in " << folder << "; the package lomiri-wallpapers-16.04 has some";
     constexpr int lenses = 61;  // Odd, for an axis lies in the middle: so there are whole lenses up to the sides.
     constexpr int rows = 40;
     constexpr int pixels = 30;  // Per lens and row.
@@ -177,15 +182,19 @@ TEST(Proof, OfAPrintOfPhotographsShowsEachFromItsOwnSide)
         ASSERT_EQ(seen.width, lenses);
         ASSERT_EQ(seen.height, rows);
         // Its own photograph, with as much of the others as the sheet's optics let through. That takes neighboring
-        // lenses to show the same, which photographs do not: up to 0.023 is left with those of Debian 12. Looked at half a lens
-        // beside its place, a photograph is off by up to 0.076.
+        // lenses to show the same, which photographs do not: up to 0.023 is left with those of Debian 12. Looked at
+        // half a lens beside its place, a photograph is off by up to 0.076.
         render::Image expected(lenses, rows, 3, 0.0F);
         for (int other = 0; other < count; ++other)
-            for (std::size_t i = 0; i < expected.pixels.size(); ++i) expected.pixels[i] += static_cast<float>(mixing.at(k, other)) * photographs[static_cast<std::size_t>(other)].pixels[i];
+            for (std::size_t i = 0; i < expected.pixels.size(); ++i)
+                expected.pixels[i] +=
+                    static_cast<float>(mixing.at(k, other)) * photographs[static_cast<std::size_t>(other)].pixels[i];
         EXPECT_LT(distance(seen, expected), 0.03) << files[static_cast<std::size_t>(k)];
         for (int other = 0; other < count; ++other)
             if (other != k) {
-                EXPECT_LT(distance(seen, photographs[static_cast<std::size_t>(k)]), 0.5 * distance(seen, photographs[static_cast<std::size_t>(other)])) << files[static_cast<std::size_t>(k)];
+                EXPECT_LT(distance(seen, photographs[static_cast<std::size_t>(k)]),
+                          0.5 * distance(seen, photographs[static_cast<std::size_t>(other)]))
+                    << files[static_cast<std::size_t>(k)];
             }
     }
 }

@@ -24,7 +24,8 @@ inline PrintSettings settingsFor(double lpi, double dpi, int views, double colum
 inline ViewSet solidViews(int count)
 {
     ViewSet views;
-    for (int k = 0; k < count; ++k) views.add(render::Image(8, 8, 3, static_cast<float>(k + 1) / static_cast<float>(count + 1)));
+    for (int k = 0; k < count; ++k)
+        views.add(render::Image(8, 8, 3, static_cast<float>(k + 1) / static_cast<float>(count + 1)));
     return views;
 }
 
@@ -50,7 +51,8 @@ inline std::vector<std::uint8_t> printOf(const PrintLayout& layout, const ViewSe
 inline render::Image linearImage(const PrintLayout& layout, const std::vector<std::uint8_t>& codes)
 {
     render::Image image(static_cast<int>(layout.width()), static_cast<int>(layout.height()), 3);
-    for (std::size_t i = 0; i < codes.size(); ++i) image.pixels[i] = static_cast<float>(render::linearFromSrgb(codes[i] / 255.0));
+    for (std::size_t i = 0; i < codes.size(); ++i)
+        image.pixels[i] = static_cast<float>(render::linearFromSrgb(codes[i] / 255.0));
     return image;
 }
 

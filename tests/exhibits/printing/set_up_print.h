@@ -27,7 +27,8 @@ protected:
     [[nodiscard]] static std::shared_ptr<const PrintViews> solid(int count)
     {
         const auto views = std::make_shared<PrintViews>();
-        for (int k = 0; k < count; ++k) views->add(render::Image(24, 16, 3, static_cast<float>(k + 1) / static_cast<float>(count + 1)));
+        for (int k = 0; k < count; ++k)
+            views->add(render::Image(24, 16, 3, static_cast<float>(k + 1) / static_cast<float>(count + 1)));
         return views;
     }
 };

@@ -25,7 +25,8 @@ protected:
 TEST_F(Sheets, EverySheetOfTheListIsFoundByItsNumbers)
 {
     std::string problem;
-    for (const Sheet& sheet : sheets_.all(problem)) EXPECT_EQ(sheets_.nameOf(sheetOf(withSheet(values_, sheet))), sheet.name);
+    for (const Sheet& sheet : sheets_.all(problem))
+        EXPECT_EQ(sheets_.nameOf(sheetOf(withSheet(values_, sheet))), sheet.name);
     values_.set(table_.refractiveIndex, 1.51);
     EXPECT_EQ(sheets_.nameOf(sheetOf(values_)), "");
     EXPECT_EQ(problem, "");

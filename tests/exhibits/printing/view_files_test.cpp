@@ -31,9 +31,12 @@ std::string refusalOf(const std::function<void()>& work, Blame blame = Blame::us
 TEST(ViewFiles, CountNumbersInNamesByTheirValue)
 {
     const TemporaryFolder folder;
-    for (const char* name : {"view_10.png", "view_2.JPG", "view_1.tif", "view_02b.png", ".view_0.png", "notes.txt", "sub/view_3.png"}) writeBytes(folder / name, "x");
+    for (const char* name :
+         {"view_10.png", "view_2.JPG", "view_1.tif", "view_02b.png", ".view_0.png", "notes.txt", "sub/view_3.png"})
+        writeBytes(folder / name, "x");
     std::vector<std::string> names;
-    for (const std::filesystem::path& file : viewFiles({folder.path().string()})) names.push_back(file.filename().string());
+    for (const std::filesystem::path& file : viewFiles({folder.path().string()}))
+        names.push_back(file.filename().string());
     EXPECT_EQ(names, (std::vector<std::string>{"view_1.tif", "view_2.JPG", "view_02b.png", "view_10.png"}));
     // Files stand as they are given, folders among them in their place.
     const auto mixed = viewFiles({folder / "view_10.png", folder.path().string()});
@@ -44,7 +47,9 @@ TEST(ViewFiles, CountNumbersInNamesByTheirValue)
 TEST(ViewFiles, SayWhenThereAreNone)
 {
     const TemporaryFolder folder;
-    EXPECT_NE(refusalOf([&] { (void)viewFiles({folder.path().string()}); }, Blame::file).find("no pictures in " + folder.path().string()), std::string::npos);
+    EXPECT_NE(refusalOf([&] { (void)viewFiles({folder.path().string()}); }, Blame::file)
+                  .find("no pictures in " + folder.path().string()),
+              std::string::npos);
     EXPECT_NE(refusalOf([&] { (void)viewFiles({}); }).find("no views"), std::string::npos);
 }
 
@@ -62,7 +67,8 @@ TEST(Sequence, TakesEveryKthBackAndForthAndSpreadsEvenly)
         for (int count = 1; static_cast<std::size_t>(count) <= available; ++count) {
             const Row row = chosenViews(available, {.count = count});
             ASSERT_EQ(row.size(), static_cast<std::size_t>(count));
-            EXPECT_TRUE(std::is_sorted(row.begin(), row.end()) && std::adjacent_find(row.begin(), row.end()) == row.end());
+            EXPECT_TRUE(std::is_sorted(row.begin(), row.end()) &&
+                        std::adjacent_find(row.begin(), row.end()) == row.end());
             EXPECT_TRUE(count == 1 || (row.front() == 0 && row.back() == available - 1));
         }
     }
@@ -71,7 +77,10 @@ TEST(Sequence, TakesEveryKthBackAndForthAndSpreadsEvenly)
 TEST(Sequence, TellsHowToTakeLessOfALongOne)
 {
     EXPECT_EQ(chosenViews(256, {}).size(), 256U);
-    EXPECT_NE(refusalOf([] { (void)chosenViews(257, {}); }).find("257 views, and 256 is the most; take fewer with --every 2 or"), std::string::npos);
+    EXPECT_NE(refusalOf([] {
+                  (void)chosenViews(257, {});
+              }).find("257 views, and 256 is the most; take fewer with --every 2 or"),
+              std::string::npos);
     EXPECT_NE(refusalOf([] { (void)chosenViews(3000, {.every = 2}); }).find("--every 12 or"), std::string::npos);
     EXPECT_EQ(chosenViews(3000, {.every = 12}).size(), 250U);
     EXPECT_EQ(chosenViews(3000, {.count = 16}).size(), 16U);
@@ -105,7 +114,8 @@ TEST(Quilt, StartsAtTheBottomLeftAndGoesUpUnlessToldOtherwise)
                 EXPECT_EQ(up.at(x, y, 2), static_cast<float>(y));  // No view is upside down.
             }
     }
-    EXPECT_NE(refusalOf([&] { (void)viewOfQuilt(quilt, 3, 3, 0); }).find("8 x 9 pixels does not divide into 3 x 3"), std::string::npos);
+    EXPECT_NE(refusalOf([&] { (void)viewOfQuilt(quilt, 3, 3, 0); }).find("8 x 9 pixels does not divide into 3 x 3"),
+              std::string::npos);
     EXPECT_NE(refusalOf([&] { (void)viewOfQuilt(quilt, 0, 3, 0); }), "");
 }
 
@@ -121,8 +131,10 @@ TEST(ShippedViews, AreTwoSetsOf16PicturesOfOneSizeThatDiffer)
             EXPECT_EQ(image.height, 320) << file;
             if (!last.pixels.empty()) {
                 double difference = 0;
-                for (std::size_t i = 0; i < image.pixels.size(); ++i) difference += std::abs(static_cast<double>(image.pixels[i] - last.pixels[i]));
-                EXPECT_GT(difference / static_cast<double>(image.pixels.size()), 0.002) << file;  // It moves from view to view.
+                for (std::size_t i = 0; i < image.pixels.size(); ++i)
+                    difference += std::abs(static_cast<double>(image.pixels[i] - last.pixels[i]));
+                EXPECT_GT(difference / static_cast<double>(image.pixels.size()), 0.002)
+                    << file;  // It moves from view to view.
             }
             last = image;
         }

@@ -3,7 +3,7 @@
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 #include "render/failure.h"
 #include "tests/exhibits/printing/samples.h"
-#include "tests/plan/museum_on_paper.h"
+#include "tests/support/museum_on_paper.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,8 @@ TEST(Turn, GoesInEqualStepsAroundTheMiddleAndAFullTurnHasNoDouble)
         const glm::dvec3 a = placed(row[k], front);
         const glm::dvec3 b = placed(row[(k + 1) % 12], front);
         EXPECT_NEAR(a.y, 0.3, 1e-12);
-        EXPECT_NEAR(glm::length(b - a), 2 * std::sin(3.14159265358979323846 / 12), 1e-9) << k;  // The chord of 30 degrees.
+        EXPECT_NEAR(glm::length(b - a), 2 * std::sin(3.14159265358979323846 / 12), 1e-9)
+            << k;  // The chord of 30 degrees.
     }
     std::vector<ViewShot> odd = shots(5);
     turn(odd, 1);
@@ -120,7 +121,8 @@ TEST(Sweep, RunsFromOneEndToTheOther)
         const double part = static_cast<double>(k) / 4;
         EXPECT_NEAR(object[sdfTable().morph], 0.2 + 0.6 * part, 1e-12);
         EXPECT_NEAR(object[sdfTable().hitTolerance], 0.5 * std::pow(16, part), 1e-9);
-        EXPECT_NEAR(object[sdfTable().baseColor].value.x, (1 - part) * from.object()[sdfTable().baseColor].value.x, 1e-12);
+        EXPECT_NEAR(object[sdfTable().baseColor].value.x, (1 - part) * from.object()[sdfTable().baseColor].value.x,
+                    1e-12);
         EXPECT_NEAR(row[k].look.values[0][hallTable().exposure], from.hall()[hallTable().exposure] + part, 1e-12);
         EXPECT_EQ(object[sdfTable().roughness], from.object()[sdfTable().roughness]);
     }

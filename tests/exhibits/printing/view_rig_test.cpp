@@ -137,7 +137,8 @@ TEST(ViewRig, AtTheEndsOfTheBudgetNeighborsDifferByExactlyOneLens)
         const DepthRange budget = rig.budget();
         const auto lenses = [&](double distance) {
             const glm::dvec3 point = pointAt(distance);
-            return (pixelOf(rig.camera(7), point).x - pixelOf(rig.camera(6), point).x) / size.x * 150 / layout.printPitch();
+            return (pixelOf(rig.camera(7), point).x - pixelOf(rig.camera(6), point).x) / size.x * 150 /
+                   layout.printPitch();
         };
         EXPECT_NEAR(lenses(budget.nearest), -1, 1e-9) << strength;
         if (std::isinf(budget.farthest)) {
@@ -178,7 +179,8 @@ TEST(ViewRig, NamesTheStrengthThatHoldsTheScene)
         ASSERT_EQ(warningsOf(wider, scene).size(), 1U);
     }
     const std::string warning = warningsOf(ViewRig(layout, middle, size, {1, 1.8}), {1.0, infinity}).at(0);
-    for (const char* part : {"from 1 m to the horizon", "without doubled contours", "A baseline scale of 0."}) EXPECT_NE(warning.find(part), std::string::npos) << warning;
+    for (const char* part : {"from 1 m to the horizon", "without doubled contours", "A baseline scale of 0."})
+        EXPECT_NE(warning.find(part), std::string::npos) << warning;
     EXPECT_TRUE(warningsOf(ViewRig(layout, middle, size, {0, 1.8}), {0.1, infinity}).empty());
     EXPECT_TRUE(std::isinf(ViewRig(layout, middle, size, {1, 1.8}).strengthThatHolds({1.8, 1.8})));
 }
@@ -213,7 +215,9 @@ TEST(ViewRig, RefusesWhatCannotBe)
 {
     const PrintLayout layout(cardSettings(8));
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto refusal = [&](const RigSettings& settings) { return refusalOf([&] { return ViewRig(layout, middle, size, settings); }); };
+    const auto refusal = [&](const RigSettings& settings) {
+        return refusalOf([&] { return ViewRig(layout, middle, size, settings); });
+    };
     EXPECT_NE(refusal({-1, 1}).find("-1"), std::string::npos);
     EXPECT_NE(refusal({nan, 1}), "");
     EXPECT_NE(refusal({1, -2}).find("in front of the camera"), std::string::npos);

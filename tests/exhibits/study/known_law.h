@@ -3,8 +3,8 @@
 #include "exhibits/study/study.h"
 
 #include <cmath>
-#include <functional>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <random>
 #include <vector>
@@ -39,11 +39,15 @@ public:
     [[nodiscard]] const KnownTable& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {glm::dvec3(-1), glm::dvec3(1)}; }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override { return {{0, 0, 4}, {0, 0, 0}, 0.8}; }
-    [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return std::numeric_limits<double>::infinity(); }
+    [[nodiscard]] double nextChange(const ParameterValues&, double) const override
+    {
+        return std::numeric_limits<double>::infinity();
+    }
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues& values) const override
     {
         std::vector<StudyView> views;
-        for (const double difficulty : {1.0, 1.5, 2.0, 1.25, 1.75}) views.push_back({"difficulty " + std::to_string(difficulty), bestView(values), difficulty, values});
+        for (const double difficulty : {1.0, 1.5, 2.0, 1.25, 1.75})
+            views.push_back({"difficulty " + std::to_string(difficulty), bestView(values), difficulty, values});
         return views;
     }
     void plan(const PlanContext& context, render::FramePlan& plan) const override
@@ -54,7 +58,9 @@ public:
         const double numbers[2] = {law_.error(table_, context.values, difficulty), law_.noisy ? 1.0 : 0.0};
         pass.blocks[0] = render::bytesOf(numbers);
         pass.counts["work"] = std::llround(1000 * law_.cost(table_, context.values, difficulty));
-        pass.colors = {{radianceImage, render::Load::keep, {}, -1, 0}, {normalImage, render::Load::keep, {}, -1, 0}, {evaluationsImage, render::Load::keep, {}, -1, 0}};
+        pass.colors = {{radianceImage, render::Load::keep, {}, -1, 0},
+                       {normalImage, render::Load::keep, {}, -1, 0},
+                       {evaluationsImage, render::Load::keep, {}, -1, 0}};
         plan.add(std::move(pass));
     }
 

@@ -23,7 +23,8 @@ KnownLaw sumOfParts()
     KnownLaw law;
     law.error = [](const KnownTable& t, const ParameterValues& v, double difficulty) {
         const double method = v[t.method] == 0 ? 0.02 : v[t.method] == 1 ? 0.004 : 0;
-        return difficulty * (0.2 / v[t.steps] - 0.2 / 256 + 0.05 / std::sqrt(v[t.rays]) - 0.05 / 8 + method + (v[t.shortcut] ? 0.001 : 0));
+        return difficulty * (0.2 / v[t.steps] - 0.2 / 256 + 0.05 / std::sqrt(v[t.rays]) - 0.05 / 8 + method +
+                             (v[t.shortcut] ? 0.001 : 0));
     };
     law.cost = [](const KnownTable& t, const ParameterValues& v, double difficulty) {
         return difficulty * (1 + 0.1 * v[t.steps] + 0.3 * v[t.rays] + 0.5 * v[t.method]) * (v[t.shortcut] ? 0.6 : 1);
@@ -44,7 +45,8 @@ struct Subject {
     {
         StudyRequest r;
         r.look = museum.initialLook();
-        for (const std::string& row : rows) r.axes.push_back(*studyAxis(museum.exhibits(), 1, *table.find(row), points));
+        for (const std::string& row : rows)
+            r.axes.push_back(*studyAxis(museum.exhibits(), 1, *table.find(row), points));
         r.size = {16, 9};
         r.alone = true;
         return r;
@@ -65,7 +67,10 @@ struct Subject {
     KnownPainter painter;
 };
 
-double valueOf(const StudyRequest& r, const StudyPoint& p, std::size_t axis = 0) { return r.axes[axis].values[p.setting[axis]]; }
+double valueOf(const StudyRequest& r, const StudyPoint& p, std::size_t axis = 0)
+{
+    return r.axes[axis].values[p.setting[axis]];
+}
 
 TEST(Study, MeasuresTheErrorAndTheWorkThatTheLawSays)
 {
@@ -82,7 +87,9 @@ TEST(Study, MeasuresTheErrorAndTheWorkThatTheLawSays)
         const double steps = valueOf(request, point);
         // Against the reference that was taken: it may have been doubled.
         EXPECT_NEAR(point.error, rms * std::abs(0.2 / steps - 0.2 / result.exact[0]), 1e-6) << steps;
-        EXPECT_NEAR(static_cast<double>(point.counters.at("work")), 1000 * difficulties * (1 + 0.1 * steps + 0.3 * 4) * 0.6, 3) << steps;
+        EXPECT_NEAR(static_cast<double>(point.counters.at("work")),
+                    1000 * difficulties * (1 + 0.1 * steps + 0.3 * 4) * 0.6, 3)
+            << steps;
         ASSERT_TRUE(point.time);
         EXPECT_EQ(point.time->runs, 7U);
         EXPECT_NEAR(point.time->median, difficulties / 3 * (1 + 0.1 * steps + 0.3 * 4) * 0.6, 0.01) << steps;
@@ -100,7 +107,8 @@ TEST(Study, TellsNumericalErrorFromModelError)
     for (const StudyPoint& point : result.points) {
         // Rough method, few rays and the shortcut: what no number of steps mends.
         const double others = 0.05 / 2 - 0.05 / 8 + 0.02 + 0.001;
-        EXPECT_NEAR(point.modelError, rms * std::abs(others + 0.2 / valueOf(request, point) - 0.2 / result.exact[0]), 1e-6);
+        EXPECT_NEAR(point.modelError, rms * std::abs(others + 0.2 / valueOf(request, point) - 0.2 / result.exact[0]),
+                    1e-6);
     }
 }
 
@@ -146,7 +154,8 @@ TEST(Study, SaysThatAReferenceIsExactByMeaningOnlyWhereItsRowSaysSo)
     EXPECT_FALSE(method.converged);
     const StudyResult both = convergence({"method", "steps"});
     EXPECT_NE(both.convergence.find("twice as exact"), std::string::npos) << both.convergence;
-    EXPECT_NE(both.convergence.find(" What counts as exact is not checked: method exact."), std::string::npos) << both.convergence;
+    EXPECT_NE(both.convergence.find(" What counts as exact is not checked: method exact."), std::string::npos)
+        << both.convergence;
     EXPECT_FALSE(both.converged);
     const StudyResult rays = convergence({"rays"});
     EXPECT_EQ(rays.convergence.rfind("At rays 32 the reference changes by ", 0), 0U) << rays.convergence;
@@ -165,7 +174,8 @@ TEST(Study, ChecksAReferenceThatIsTheInitialValueOnBothSides)
     const AtTheirBest table;
     using Values = std::vector<double>;
     for (const int doublings : {0, 2}) {
-        EXPECT_EQ(exactness(table.rows()[table.step.row], doublings).exact, 0.001) << "which way is more exact, nobody knows";
+        EXPECT_EQ(exactness(table.rows()[table.step.row], doublings).exact, 0.001)
+            << "which way is more exact, nobody knows";
         EXPECT_EQ(exactness(table.rows()[table.step.row], doublings).neighbors, (Values{0.0005, 0.002}));
         EXPECT_EQ(exactness(table.rows()[table.rate.row], doublings).neighbors, Values{120});
         EXPECT_EQ(exactness(table.rows()[table.bounces.row], doublings).neighbors, (Values{3, 5}));
@@ -198,7 +208,8 @@ TEST(Study, FindsTheLawOfSampling)
     request.size = {64, 36};
     const StudyResult result = subject.run(request);
     ASSERT_TRUE(result.law);
-    EXPECT_TRUE(result.law->slopeInterval.holds(-2)) << result.law->slope << " in " << result.law->slopeInterval.low << " to " << result.law->slopeInterval.high;
+    EXPECT_TRUE(result.law->slopeInterval.holds(-2))
+        << result.law->slope << " in " << result.law->slopeInterval.low << " to " << result.law->slopeInterval.high;
     EXPECT_LT(result.law->slopeInterval.high - result.law->slopeInterval.low, 0.5);
     EXPECT_FALSE(result.law->slopeInterval.holds(-1)) << "the law of another method";
 }
@@ -218,14 +229,17 @@ TEST(Study, OfTwoParametersIsEverySettingOfBoth)
 TEST(Study, FindsTheLawAlongTheBestOfTwoParameters)
 {
     KnownLaw law;
-    law.error = [](const KnownTable& t, const ParameterValues& v, double d) { return d * 0.2 / (v[t.steps] * std::pow(2.0, v[t.method])); };
+    law.error = [](const KnownTable& t, const ParameterValues& v, double d) {
+        return d * 0.2 / (v[t.steps] * std::pow(2.0, v[t.method]));
+    };
     law.cost = [](const KnownTable& t, const ParameterValues& v, double d) { return d * v[t.steps]; };
     Subject subject(std::move(law));
     const StudyResult result = subject.run(subject.request({"method", "steps"}));
     ASSERT_TRUE(result.law);
     // Against 256 steps, not against endlessly many: a little less than twice the work for half of what differs.
     EXPECT_NEAR(result.law->slope, -1, 0.05);
-    EXPECT_EQ(lawSentence(result).rfind("With the best of the settings, halving the error costs ", 0), 0U) << lawSentence(result);
+    EXPECT_EQ(lawSentence(result).rfind("With the best of the settings, halving the error costs ", 0), 0U)
+        << lawSentence(result);
 }
 
 TEST(Study, SaysWhenNothingDependsOnWhatIsStudied)
@@ -235,8 +249,11 @@ TEST(Study, SaysWhenNothingDependsOnWhatIsStudied)
     still.cost = [](const KnownTable&, const ParameterValues&, double) { return 1.0; };
     Subject subject(std::move(still));
     EXPECT_EQ(subject.run(subject.request({"steps"})).convergence,
-              "Nothing depends on steps at present: every setting gives the same picture. Switch on what it acts on, and study again.");
-    EXPECT_EQ(subject.run(subject.request({"method", "rays"})).convergence.rfind("Nothing depends on method or rays at present", 0), 0U);
+              "Nothing depends on steps at present: every setting gives the same picture. Switch on what it acts on, "
+              "and study again.");
+    EXPECT_EQ(subject.run(subject.request({"method", "rays"}))
+                  .convergence.rfind("Nothing depends on method or rays at present", 0),
+              0U);
     Subject other(sumOfParts());
     EXPECT_EQ(other.run(other.request({"steps"})).convergence.find("Nothing"), std::string::npos);
 }
@@ -245,7 +262,9 @@ TEST(Study, MarksWhatIsDominated)
 {
     KnownLaw law = sumOfParts();
     // The fair method is dearer than the exact one.
-    law.cost = [](const KnownTable& t, const ParameterValues& v, double) { return v[t.method] == 1 ? 5.0 : 1.0 + v[t.method]; };
+    law.cost = [](const KnownTable& t, const ParameterValues& v, double) {
+        return v[t.method] == 1 ? 5.0 : 1.0 + v[t.method];
+    };
     Subject subject(std::move(law));
     const StudyResult result = subject.run(subject.request({"method"}));
     EXPECT_FALSE(result.points[0].dominated);
@@ -313,7 +332,9 @@ TEST(StudyChooser, TheCheapestWithinAnErrorIsTheOneThatAnExhaustiveSweepFinds)
         double cheapest = 1e9;
         for (const auto& [cost, error] : sweep.worst)
             if (error <= limit) cheapest = std::min(cheapest, cost);
-        const auto chosen = std::find(sweep.settings.begin(), sweep.settings.end(), result.points[result.choice->point].setting) - sweep.settings.begin();
+        const auto chosen =
+            std::find(sweep.settings.begin(), sweep.settings.end(), result.points[result.choice->point].setting) -
+            sweep.settings.begin();
         EXPECT_NEAR(sweep.worst[static_cast<std::size_t>(chosen)].cost, cheapest, 1e-9) << limit;
     }
 }
@@ -331,7 +352,9 @@ TEST(StudyChooser, TheBestWithinATimeIsTheOneThatAnExhaustiveSweepFinds)
         double best = 1e9;
         for (const auto& [cost, error] : sweep.worst)
             if (cost * (1 + 2 + 1.75) / 3 <= limit) best = std::min(best, error);
-        const auto chosen = std::find(sweep.settings.begin(), sweep.settings.end(), result.points[result.choice->point].setting) - sweep.settings.begin();
+        const auto chosen =
+            std::find(sweep.settings.begin(), sweep.settings.end(), result.points[result.choice->point].setting) -
+            sweep.settings.begin();
         EXPECT_NEAR(sweep.worst[static_cast<std::size_t>(chosen)].error, best, 1e-9) << limit;
     }
 }
@@ -340,8 +363,12 @@ TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
 {
     // Rays change nothing here, neither error nor work, and all else is 100 ms beside which the steps are little.
     KnownLaw law = sumOfParts();
-    law.error = [](const KnownTable& t, const ParameterValues& v, double difficulty) { return difficulty * (0.2 / v[t.steps] - 0.2 / 256 + (v[t.method] == 0 ? 0.02 : 0.0)); };
-    law.cost = [](const KnownTable& t, const ParameterValues& v, double difficulty) { return 100 + difficulty * (0.1 * v[t.steps] + 2 * v[t.method]); };
+    law.error = [](const KnownTable& t, const ParameterValues& v, double difficulty) {
+        return difficulty * (0.2 / v[t.steps] - 0.2 / 256 + (v[t.method] == 0 ? 0.02 : 0.0));
+    };
+    law.cost = [](const KnownTable& t, const ParameterValues& v, double difficulty) {
+        return 100 + difficulty * (0.1 * v[t.steps] + 2 * v[t.method]);
+    };
     for (const unsigned seed : {1U, 2U, 3U}) {
         Subject subject(law);
         subject.painter.timeNoise = 0.06;
@@ -355,10 +382,12 @@ TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
             ASSERT_TRUE(result.choice);
             const StudyPoint& chosen = result.points[result.choice->point];
             EXPECT_LE(chosen.worstError, limit);
-            EXPECT_EQ(valueOf(request, chosen, 1), request.look.values[1][subject.table.rays]) << "rays change nothing, so they stay";
+            EXPECT_EQ(valueOf(request, chosen, 1), request.look.values[1][subject.table.rays])
+                << "rays change nothing, so they stay";
             EXPECT_EQ(valueOf(request, chosen, 3), request.look.values[1][subject.table.shortcut] ? 1 : 0);
             ASSERT_TRUE(result.present);
-            const double dearer = static_cast<double>(chosen.counters.at("work")) / static_cast<double>(result.points[*result.present].counters.at("work"));
+            const double dearer = static_cast<double>(chosen.counters.at("work")) /
+                                  static_cast<double>(result.points[*result.present].counters.at("work"));
             if (result.points[*result.present].worstError <= limit) {
                 EXPECT_LE(dearer, 1.02) << "the present setting would have done";
             }
@@ -372,7 +401,9 @@ TEST(StudyChooser, ALimitThatOnlyTheExactKeepsIsKeptWhereOneParameterHangsOnAnot
 {
     // Steps help only without the shortcut, as a level of detail caps a count.
     KnownLaw law = sumOfParts();
-    law.error = [](const KnownTable& t, const ParameterValues& v, double d) { return d * (v[t.shortcut] ? 0.1 : 0.2 / v[t.steps] - 0.2 / 256); };
+    law.error = [](const KnownTable& t, const ParameterValues& v, double d) {
+        return d * (v[t.shortcut] ? 0.1 : 0.2 / v[t.steps] - 0.2 / 256);
+    };
     Subject subject(std::move(law));
     StudyRequest request = subject.request({"steps", "rays", "shortcut"}, 17);
     request.maxError = 0.0005;
@@ -390,11 +421,13 @@ TEST(StudyChooser, TheSentenceSaysDearerWhereTheChoiceIsDearer)
     const StudyResult dearer = subject.run(request);
     ASSERT_TRUE(dearer.choice && dearer.present);
     ASSERT_GT(dearer.points[*dearer.present].worstError, 0.1);
-    EXPECT_NE(choiceSentence(subject.museum.exhibits(), request, dearer).find("times the cost of the present setting"), std::string::npos);
+    EXPECT_NE(choiceSentence(subject.museum.exhibits(), request, dearer).find("times the cost of the present setting"),
+              std::string::npos);
 
     request.look.values[1].setRow(request.axes[0].row, request.axes[0].values.back());
     const StudyResult cheaper = subject.run(request);
-    EXPECT_NE(choiceSentence(subject.museum.exhibits(), request, cheaper).find("times cheaper than at present"), std::string::npos);
+    EXPECT_NE(choiceSentence(subject.museum.exhibits(), request, cheaper).find("times cheaper than at present"),
+              std::string::npos);
 }
 
 TEST(StudyChooser, AWinnerThatFailsInAHeldOutViewIsNotChosen)
@@ -402,7 +435,9 @@ TEST(StudyChooser, AWinnerThatFailsInAHeldOutViewIsNotChosen)
     // The held-out views, of difficulties 1.5 and 1.25, are ten times as hard as their number says.
     KnownLaw law = sumOfParts();
     const auto honest = law.error;
-    law.error = [honest](const KnownTable& t, const ParameterValues& v, double d) { return honest(t, v, d == 1.5 || d == 1.25 ? 10 * d : d); };
+    law.error = [honest](const KnownTable& t, const ParameterValues& v, double d) {
+        return honest(t, v, d == 1.5 || d == 1.25 ? 10 * d : d);
+    };
     Subject subject(std::move(law));
     StudyRequest request = subject.request({"steps", "shortcut"});
     request.maxError = 0.1;
@@ -412,7 +447,8 @@ TEST(StudyChooser, AWinnerThatFailsInAHeldOutViewIsNotChosen)
     EXPECT_LE(result.choice->heldOutError, 0.1);
     // By the studied views alone, a cheaper one would have done.
     bool cheaper = false;
-    for (const StudyPoint& p : result.points) cheaper = cheaper || (p.worstError <= 0.1 && p.cost < result.points[result.choice->point].cost);
+    for (const StudyPoint& p : result.points)
+        cheaper = cheaper || (p.worstError <= 0.1 && p.cost < result.points[result.choice->point].cost);
     EXPECT_TRUE(cheaper);
 }
 
@@ -438,7 +474,8 @@ TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)
 {
     Subject subject(sumOfParts());
     StudyRequest request = subject.request({});
-    request.axes.push_back(*studyAxis(subject.museum.exhibits(), 0, *subject.museum.hall().parameters().find(supersamplesRow), 3));
+    request.axes.push_back(
+        *studyAxis(subject.museum.exhibits(), 0, *subject.museum.hall().parameters().find(supersamplesRow), 3));
     EXPECT_EQ(axisName(subject.museum.exhibits(), 1, request.axes[0]), "hall.supersamples");
     request.axes[0].values = {1, 4, 16};
     const StudyResult result = subject.run(request);
@@ -446,7 +483,8 @@ TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)
     EXPECT_EQ(result.points[1].counters.at("work"), 4 * result.points[0].counters.at("work"));
     EXPECT_NEAR(result.points[2].time->median, 16 * result.points[0].time->median, 1e-9);
 
-    request.axes = {*studyAxis(subject.museum.exhibits(), 0, *subject.museum.hall().parameters().find(resolutionScaleRow), 3)};
+    request.axes = {
+        *studyAxis(subject.museum.exhibits(), 0, *subject.museum.hall().parameters().find(resolutionScaleRow), 3)};
     const StudyResult scaled = subject.run(request);
     for (const StudyPoint& p : scaled.points) {
         EXPECT_EQ(p.shots[0].picture.width, 16);

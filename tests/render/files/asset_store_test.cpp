@@ -29,14 +29,18 @@ struct Reader {
     explicit Reader(std::uint64_t mostBytes = 1000) : store(mostBytes) {}
     Asset<std::string> get(const std::filesystem::path& path, const char* use = "test.text", std::uint64_t variant = 0)
     {
-        return store.get<std::string>(use, path.string(), [&](const std::string& file) -> AssetStore::Made<std::string> {
-            ++reads;
-            std::string text = test::bytesOf(file);
-            if (text.empty() || text == "broken") throw Failure(Blame::file, "Cannot read " + file + ": it is broken.");
-            if (text == "huge") throw std::bad_alloc();
-            const std::uint64_t bytes = text.size();
-            return {std::make_shared<std::string>(std::move(text)), bytes};
-        }, variant);
+        return store.get<std::string>(
+            use, path.string(),
+            [&](const std::string& file) -> AssetStore::Made<std::string> {
+                ++reads;
+                std::string text = test::bytesOf(file);
+                if (text.empty() || text == "broken")
+                    throw Failure(Blame::file, "Cannot read " + file + ": it is broken.");
+                if (text == "huge") throw std::bad_alloc();
+                const std::uint64_t bytes = text.size();
+                return {std::make_shared<std::string>(std::move(text)), bytes};
+            },
+            variant);
     }
 };
 
@@ -147,7 +151,10 @@ TEST(AssetStore, MakesOfParametersOnceForEachKeyAndOfEachSource)
     AssetStore store;
     auto source = std::make_shared<int>(1);
     const auto get = [&](const char* key, std::shared_ptr<const void> from = {}) {
-        return store.made<std::string>("test.made", key, [&] { return text(key); }, std::move(from)).value;
+        return store
+            .made<std::string>(
+                "test.made", key, [&] { return text(key); }, std::move(from))
+            .value;
     };
     const auto first = get("a=1");
     EXPECT_EQ(get("a=1"), first);
@@ -165,7 +172,10 @@ TEST(AssetStore, MakesOfParametersOnceForEachKeyAndOfEachSource)
 TEST(AssetStore, WhatSomebodyHoldsIsNotMadeAgainHoweverFullItIs)
 {
     AssetStore store(100);
-    const auto get = [&](int i) { return store.made<std::string>("test.made", std::to_string(i), [&] { return text(std::string(80, 'x')); }).value; };
+    const auto get = [&](int i) {
+        return store.made<std::string>("test.made", std::to_string(i), [&] { return text(std::string(80, 'x')); })
+            .value;
+    };
     const auto held = get(0);
     for (int i = 1; i < 50; ++i) (void)get(i);
     EXPECT_LE(store.bytes(), 180U);
@@ -184,11 +194,14 @@ TEST(AssetStore, ManyThreadsThatAskForTheSameWaitForTheOneWhoMakesIt)
     std::vector<std::thread> threads;
     for (std::size_t t = 0; t < found.size(); ++t)
         threads.emplace_back([&, t] {
-            found[t] = store.made<std::string>("test.made", "same", [&] {
-                ++makes;
-                std::this_thread::sleep_for(std::chrono::milliseconds(20));
-                return text("made");
-            }).value;
+            found[t] = store
+                           .made<std::string>("test.made", "same",
+                                              [&] {
+                                                  ++makes;
+                                                  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                                                  return text("made");
+                                              })
+                           .value;
         });
     for (std::thread& thread : threads) thread.join();
     EXPECT_EQ(makes, 1);

@@ -89,8 +89,10 @@ public:
     ssize_t write(int fd, const void* bytes, std::size_t size) override
     {
         std::string other(static_cast<const char*>(bytes), size);
-        if (drops_) other.pop_back();
-        else other.back() ^= 1;
+        if (drops_)
+            other.pop_back();
+        else
+            other.back() ^= 1;
         FileOps::write(fd, other.data(), other.size());
         return static_cast<ssize_t>(size);
     }

@@ -20,10 +20,8 @@ namespace vitrine::test {
             for (const glm::ivec2 c : {glm::ivec2(0, 0), glm::ivec2(1, 0), glm::ivec2(1, 1), glm::ivec2(0, 1)}) {
                 glm::dvec3 p = box.low;
                 p[axis] = side == 1 ? box.high[axis] : box.low[axis];
-                if ((side == 1 ? c.x : 1 - c.x) == 1)
-                    p[u] = box.high[u];
-                if (c.y == 1)
-                    p[v] = box.high[v];
+                if ((side == 1 ? c.x : 1 - c.x) == 1) p[u] = box.high[u];
+                if (c.y == 1) p[v] = box.high[v];
                 glm::vec3 normal(0);
                 normal[axis] = side == 1 ? 1.0F : -1.0F;
                 mesh->vertices.push_back({.position = glm::vec3(p), .normal = normal});

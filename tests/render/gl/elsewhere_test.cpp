@@ -41,14 +41,12 @@ FramePlan sceneOf(const View& view, const Box& box)
 glm::dvec3 seenBy(const Ray& ray, const Box& box)
 {
     const double t = firstHit(ray, box);
-    if (!std::isfinite(t))
-        return glm::dvec3(0);
+    if (!std::isfinite(t)) return glm::dvec3(0);
     const glm::dvec3 p = (ray.at(t) - box.center()) / box.halfSize();
     glm::dvec3 normal(0);
     int axis = 0;
     for (int i = 1; i < 3; ++i)
-        if (std::abs(p[i]) > std::abs(p[axis]))
-            axis = i;
+        if (std::abs(p[i]) > std::abs(p[axis])) axis = i;
     normal[axis] = p[axis] > 0 ? 1 : -1;
     return 0.5 + 0.5 * normal;
 }
@@ -88,20 +86,15 @@ TEST_F(Mirror, ShowsABoxWhereReflectedRaysMeetIt)
                 const double t = -glm::dot(plane, glm::dvec4(view.eye, 1)) / glm::dot(normal, direction);
                 inMirror = inMirror && t > 0;
                 inMirror = inMirror && !box.contains(view.eye + t * direction);  // There the box itself is cut.
-                if (inMirror)
-                    expected[i] = seenBy({view.eye + t * direction, glm::reflect(direction, normal)}, box);
+                if (inMirror) expected[i] = seenBy({view.eye + t * direction, glm::reflect(direction, normal)}, box);
             }
-            if (!inMirror)
-                continue;
+            if (!inMirror) continue;
             bool edge = false;
-            for (const glm::dvec3& e : expected)
-                edge = edge || e != expected[4];
-            if (edge)
-                continue;
+            for (const glm::dvec3& e : expected) edge = edge || e != expected[4];
+            if (edge) continue;
             ++compared;
             covered += expected[4] != glm::dvec3(0);
-            for (int c = 0; c < 3; ++c)
-                EXPECT_NEAR(shown.at(x, y, c), expected[4][c], 1e-6) << x << ',' << y;
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(shown.at(x, y, c), expected[4][c], 1e-6) << x << ',' << y;
         }
     }
     EXPECT_GT(compared, 2000);

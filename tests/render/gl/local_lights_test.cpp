@@ -54,8 +54,7 @@ TEST_F(LocalLightsOnTheDriver, AddUpAsAtFloat64)
             for (const LocalLight& light : lights)
                 sum += glsl::localIrradiance({light.position, light.radius, light.intensity, light.range, -1, 0, 0, 0},
                                              placeOf(x + 0.5, side - y - 0.5), {0, 1, 0});
-            for (int c = 0; c < 3; ++c)
-                EXPECT_NEAR(frame.at(x, y, c), sum[c], 2e-3 * sum[c] + 1e-5) << x << ',' << y;
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(frame.at(x, y, c), sum[c], 2e-3 * sum[c] + 1e-5) << x << ',' << y;
         }
     }
 }
@@ -103,8 +102,7 @@ TEST_F(LocalLightsOnTheDriver, ThrowShadowsWhereRaysAreStopped)
             bool edge = false;
             for (const glm::ivec2 c : {glm::ivec2(0, 0), glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1, 1)})
                 edge = edge || isLit(x + c.x, y + c.y) != lit;
-            if (edge)
-                continue;
+            if (edge) continue;
             EXPECT_EQ(frame.at(x, y, 0) > 0, lit) << x << ',' << y;
             dark += !lit;
         }

@@ -117,8 +117,7 @@ TEST_F(GeneratedShaders, ThatDoNotBuildLeaveTheLastGoodProgramOfTheirSlotDrawing
 {
     EXPECT_EQ(drawn(key(returns(3), "scene")), 3);
     const ShaderKey broken = key("float value()\n{\n    return oops;\n}\n", "scene");
-    for (int frame = 0; frame < 100 && (frame == 0 || report_.unfinished); ++frame)
-        EXPECT_EQ(drawn(broken), 3);
+    for (int frame = 0; frame < 100 && (frame == 0 || report_.unfinished); ++frame) EXPECT_EQ(drawn(broken), 3);
     EXPECT_EQ(drawn(broken), 3);
     EXPECT_NE(report_.ran.front().reason.find("drawn with the last good program because the new program does not "
                                               "build: The generated shader generated/scene.glsl, line 3"),
@@ -171,8 +170,7 @@ TEST_F(GeneratedShaders, OfWhichTheNewestIsWanted)
     const auto gate = std::make_shared<GatedContext>(context().shared());
     renderer().buildInBackground(gate);
     EXPECT_EQ(drawn(key(returns(1), "scene")), 1);
-    for (int i = 2; i < 20; ++i)
-        EXPECT_EQ(drawn(key(returns(i), "scene")), 1);
+    for (int i = 2; i < 20; ++i) EXPECT_EQ(drawn(key(returns(i), "scene")), 1);
     EXPECT_EQ(report_.counters.at("programs"), 2) << "those that were given up are gone";
     const ShaderKey last = key(returns(20), "scene");
     (void)drawn(last);

@@ -48,8 +48,7 @@ TEST_F(Framebuffers, AreMadeOnceAndNotInTheNextSameFrame)
         return report.counters.at("framebuffers made");
     };
     EXPECT_EQ(frame({8, 6}), 3);
-    for (int i = 0; i < 3; ++i)
-        EXPECT_EQ(frame({8, 6}), 0);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(frame({8, 6}), 0);
     EXPECT_EQ(gl::FramebufferName::live() - before, 3);
     // They go with their textures: another size leaves as many.
     EXPECT_EQ(frame({16, 6}), 3);
@@ -89,8 +88,7 @@ TEST_F(OwnPixels, AreTheSameForEveryTileJitterAndSupersample)
         const float value = shown.at(0, 0, 0);
         bool found = false;
         for (int y = 0; y < whole.height; ++y)
-            for (int x = 0; x < whole.width; ++x)
-                found = found || whole.at(x, y, 0) == value;
+            for (int x = 0; x < whole.width; ++x) found = found || whole.at(x, y, 0) == value;
         EXPECT_TRUE(found) << value;
     }
 }
@@ -114,8 +112,7 @@ TEST_F(Volume, IsWrittenByComputeAndInterpolatedBetweenSlices)
     plan.add(std::move(show));
     (void)draw(plan);
     const Image frame = renderer().read("frame");
-    for (int x = 0; x < 4; ++x)
-        EXPECT_NEAR(frame.at(x, 0, 0), x + 2.0, 1e-2) << "slice centers are at (i + 0.5) / 8";
+    for (int x = 0; x < 4; ++x) EXPECT_NEAR(frame.at(x, 0, 0), x + 2.0, 1e-2) << "slice centers are at (i + 0.5) / 8";
     EXPECT_EQ(renderer().stored().front().what, "images");
     EXPECT_EQ(renderer().stored().front().bytes, 4 * 4 * 8 * 2 + 4 * 4 * 16);
 }
@@ -231,8 +228,7 @@ protected:
         unfinished_ = report.unfinished;
         reason_ = report.ran.front().reason;
         std::vector<float> row;
-        for (int x = 0; x < 4; ++x)
-            row.push_back(renderer().read("frame").at(x, 0, 0));
+        for (int x = 0; x < 4; ++x) row.push_back(renderer().read("frame").at(x, 0, 0));
         return row;
     }
     bool unfinished_ = false;
@@ -250,10 +246,8 @@ TEST_F(Baking, ShowsTheLastWholeResultUntilTheNextIsWhole)
     EXPECT_EQ(frame(1), Row(4, 1.0F)) << "the frame of the last part shows it";
     EXPECT_FALSE(unfinished_);
     EXPECT_EQ(frame(1), Row(4, 1.0F));
-    for (int part = 1; part <= 2; ++part)
-        EXPECT_EQ(frame(2), Row(4, 1.0F));
-    for (int part = 1; part <= 3; ++part)
-        EXPECT_EQ(frame(3), Row(4, 1.0F)) << "another key starts again";
+    for (int part = 1; part <= 2; ++part) EXPECT_EQ(frame(2), Row(4, 1.0F));
+    for (int part = 1; part <= 3; ++part) EXPECT_EQ(frame(3), Row(4, 1.0F)) << "another key starts again";
     EXPECT_EQ(frame(3), Row(4, 3.0F));
     EXPECT_EQ(frame(4, true), Row(4, 4.0F)) << "all parts in one frame";
     EXPECT_FALSE(unfinished_);
@@ -283,8 +277,7 @@ Pass instances(const std::string& name)
 TEST_F(StorageBuffers, GiveEachInstanceItsBytes)
 {
     std::vector<glm::vec4> data;
-    for (int i = 0; i < 4; ++i)
-        data.emplace_back(0.25F * static_cast<float>(i), static_cast<float>(i + 1), 0, 0);
+    for (int i = 0; i < 4; ++i) data.emplace_back(0.25F * static_cast<float>(i), static_cast<float>(i + 1), 0, 0);
     Bytes bytes(data.size() * sizeof(glm::vec4));
     std::memcpy(bytes.data(), data.data(), bytes.size());
     auto shared = std::make_shared<const Bytes>(std::move(bytes));
@@ -294,13 +287,11 @@ TEST_F(StorageBuffers, GiveEachInstanceItsBytes)
         pass.draws = {{.instances = 4, .buffers = {{0, shared}}}};
         plan.add(std::move(pass));
         (void)draw(plan);
-        for (int x = 0; x < 4; ++x)
-            EXPECT_EQ(renderer().read("frame").at(x, 0, 0), static_cast<float>(x + 1));
+        for (int x = 0; x < 4; ++x) EXPECT_EQ(renderer().read("frame").at(x, 0, 0), static_cast<float>(x + 1));
     }
     const auto held = [&] {
         for (const gl::Stored& stored : renderer().stored())
-            if (stored.what == "constant buffers")
-                return stored.bytes;
+            if (stored.what == "constant buffers") return stored.bytes;
         return std::int64_t{-1};
     };
     EXPECT_EQ(held(), 64);
@@ -326,8 +317,7 @@ TEST_F(StorageBuffers, AreWrittenByComputeAndReadByWhatIsDrawn)
     pass.draws = {{.instances = 4, .buffers = {{0, places}}}};
     plan.add(std::move(pass));
     (void)draw(plan);
-    for (int x = 0; x < 4; ++x)
-        EXPECT_EQ(renderer().read("frame").at(x, 0, 0), static_cast<float>(10 + x));
+    for (int x = 0; x < 4; ++x) EXPECT_EQ(renderer().read("frame").at(x, 0, 0), static_cast<float>(10 + x));
     const Bytes bytes = renderer().readBuffer("places");
     ASSERT_EQ(bytes.size(), 64U);
     glm::vec4 last;

@@ -87,7 +87,8 @@ TEST(HostileImage, JpegIsWholeOnlyWithItsOwnEndMarker)
     const std::string whole = test::jpegBytes();
     EXPECT_TRUE(jpegIsWhole(whole));
     EXPECT_TRUE(jpegIsWhole(whole + "what a phone appends"));
-    for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_FALSE(jpegIsWhole(std::string_view(whole).substr(0, size))) << size;
+    for (std::size_t size = 0; size < whole.size(); ++size)
+        EXPECT_FALSE(jpegIsWhole(std::string_view(whole).substr(0, size))) << size;
     // A thumbnail ends within its segment: that is not the end of the picture.
     const std::string thumbnail = "\xff\xe1" + std::string{'\0', '\6'} + "\xff\xd8\xff\xd9";
     const std::string carrying = whole.substr(0, 2) + thumbnail + whole.substr(2);

@@ -13,20 +13,26 @@ namespace {
 using namespace render;
 
 /// Loads 1, 2 and 4 of 2 ms, three times each; `forge` gives what each clock shows for the true time.
-std::vector<ClockSample> trial(const std::function<double(double)>& query, const std::function<double(double)>& wall = {}, const std::function<double(double)>& cpu = {})
+std::vector<ClockSample> trial(const std::function<double(double)>& query,
+                               const std::function<double(double)>& wall = {},
+                               const std::function<double(double)>& cpu = {})
 {
     std::vector<ClockSample> samples;
     for (int run = 0; run < 3; ++run) {
         for (const double load : {1.0, 2.0, 4.0}) {
             const double truth = 0.002 * load;
             const double slower = run == 1 ? 1.5 : 1;  // A neighbor disturbs one run.
-            samples.push_back({load, query(truth), slower * (wall ? wall(truth) : truth), cpu ? cpu(truth) : 2 * truth});
+            samples.push_back(
+                {load, query(truth), slower * (wall ? wall(truth) : truth), cpu ? cpu(truth) : 2 * truth});
         }
     }
     return samples;
 }
 
-double honest(double t) { return t; }
+double honest(double t)
+{
+    return t;
+}
 
 TEST(Clocks, AnHonestTimerQueryIsUsedOnHardware)
 {
@@ -69,7 +75,8 @@ TEST(Clocks, ASoftwareRendererIsTimedByTheProcessorWhateverItsQueriesSay)
 TEST(Clocks, AClockThatDoesNotGrowWithTheWorkIsNotTrusted)
 {
     EXPECT_FALSE(chooseClock(trial(honest, {}, [](double) { return 0.005; }), true, 0).trusted);
-    EXPECT_FALSE(chooseClock(trial([](double) { return 0.0; }, [](double) { return 0.016; }), false, 0).trusted) << "a wall clock that waits for the display";
+    EXPECT_FALSE(chooseClock(trial([](double) { return 0.0; }, [](double) { return 0.016; }), false, 0).trusted)
+        << "a wall clock that waits for the display";
 }
 
 TEST(Clocks, NothingIsTrustedWithoutATrial)

@@ -1,6 +1,7 @@
-// FLIP against its paper's equations, written a second time: in 64-bit floats, every filter as one dense square of weights,
-// colors from the chromaticities of Rec. 709, nothing shared with render/measure/flip.cpp. The pictures behind the numbers
-// that its authors publish (a mean of 0.159691 for their pair at 67 pixels per degree) are not in this repository.
+// FLIP against its paper's equations, written a second time: in 64-bit floats, every filter as one dense square of
+// weights, colors from the chromaticities of Rec. 709, nothing shared with render/measure/flip.cpp. The pictures behind
+// the numbers that its authors publish (a mean of 0.159691 for their pair at 67 pixels per degree) are not in this
+// repository.
 
 #include "render/measure/flip.h"
 #include "tests/support/made_image.h"
@@ -17,8 +18,8 @@
 namespace vitrine {
 namespace {
 
-using test::made;
 using render::Image;
+using test::made;
 using Color = std::array<double, 3>;
 using Matrix = std::array<Color, 3>;  // Rows.
 
@@ -34,7 +35,8 @@ Color times(const Matrix& m, const Color& v)
 
 double determinant(const Matrix& m)
 {
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
 /// x of m x = v, by Cramer's rule.
@@ -139,14 +141,17 @@ Map opponentMap(const Image& image)
 {
     Map map{image.width, image.height, {}};
     for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) map.values.push_back(opponent({image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)}));
+        for (int x = 0; x < image.width; ++x)
+            map.values.push_back(opponent({image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)}));
     return map;
 }
 
 /// What the eye sees of a pixel: every channel under the inverse Fourier transform of its contrast sensitivity.
 Color seenAt(const Map& map, int x, int y, double ppd)
 {
-    struct Term { double a1, b1, a2, b2; };
+    struct Term {
+        double a1, b1, a2, b2;
+    };
     constexpr std::array<Term, 3> channels{{{1, 0.0047, 0, 1e-5}, {1, 0.0053, 0, 1e-5}, {34.1, 0.04, 13.5, 0.025}}};
     const int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * pi * pi)) * ppd));
     Color seen{};
@@ -154,7 +159,8 @@ Color seenAt(const Map& map, int x, int y, double ppd)
         const Term t = channels[c];
         const Weight weight = [&](int dx, int dy) {
             const double square = (dx * dx + dy * dy) / (ppd * ppd);
-            return t.a1 * std::sqrt(pi / t.b1) * std::exp(-pi * pi * square / t.b1) + t.a2 * std::sqrt(pi / t.b2) * std::exp(-pi * pi * square / t.b2);
+            return t.a1 * std::sqrt(pi / t.b1) * std::exp(-pi * pi * square / t.b1) +
+                   t.a2 * std::sqrt(pi / t.b2) * std::exp(-pi * pi * square / t.b2);
         };
         seen[c] = gathered(map, c, x, y, radius, weight) / total(radius, weight);
     }
@@ -221,7 +227,8 @@ double largestDeparture(const Image& reference, const Image& test, double ppd)
     const Map b = opponentMap(test);
     double largest = 0;
     for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x) largest = std::max(largest, std::fabs(errorAt(a, b, x, y, ppd) - static_cast<double>(map.at(x, y))));
+        for (int x = 0; x < map.width; ++x)
+            largest = std::max(largest, std::fabs(errorAt(a, b, x, y, ppd) - static_cast<double>(map.at(x, y))));
     return largest;
 }
 
@@ -229,12 +236,14 @@ constexpr double float32Rounding = 1e-7;
 
 TEST(FlipPaper, NoiseIsWhatTheEquationsSay)
 {
-    for (const unsigned seed : {1U, 2U, 3U}) EXPECT_LT(largestDeparture(noise(seed, 24, 18), noise(seed + 10, 24, 18), 67), float32Rounding) << seed;
+    for (const unsigned seed : {1U, 2U, 3U})
+        EXPECT_LT(largestDeparture(noise(seed, 24, 18), noise(seed + 10, 24, 18), 67), float32Rounding) << seed;
 }
 
 TEST(FlipPaper, NoiseIsWhatTheEquationsSayNearAndFar)
 {
-    for (const double ppd : {12.0, 30.5, 90.0}) EXPECT_LT(largestDeparture(noise(4, 16, 16), noise(5, 16, 16), ppd), float32Rounding) << ppd;
+    for (const double ppd : {12.0, 30.5, 90.0})
+        EXPECT_LT(largestDeparture(noise(4, 16, 16), noise(5, 16, 16), ppd), float32Rounding) << ppd;
 }
 
 TEST(FlipPaper, EdgesThatMoveOrTurnAreWhatTheEquationsSay)
@@ -243,13 +252,15 @@ TEST(FlipPaper, EdgesThatMoveOrTurnAreWhatTheEquationsSay)
     const Color bright{0.9, 0.7, 0.2};
     EXPECT_LT(largestDeparture(step(dark, bright, 13, 11, 0), step(dark, bright, 14, 11, 0), 67), float32Rounding);
     EXPECT_LT(largestDeparture(step(dark, bright, 13, 11, 0.3), step(dark, bright, 13, 11, 0.8), 67), float32Rounding);
-    EXPECT_LT(largestDeparture(step({0, 0, 0}, {1, 1, 1}, 8, 8, 1.2), step({0, 0, 0}, {0, 0, 0}, 0, 0, 0), 67), float32Rounding);
+    EXPECT_LT(largestDeparture(step({0, 0, 0}, {1, 1, 1}, 8, 8, 1.2), step({0, 0, 0}, {0, 0, 0}, 0, 0, 0), 67),
+              float32Rounding);
 }
 
 TEST(FlipPaper, PicturesSmallerThanTheFiltersRepeatTheirEdge)
 {
     for (const auto& [width, height] : {std::pair(1, 1), std::pair(3, 2), std::pair(1, 17)})
-        EXPECT_LT(largestDeparture(noise(6, width, height), noise(7, width, height), 67), float32Rounding) << width << 'x' << height;
+        EXPECT_LT(largestDeparture(noise(6, width, height), noise(7, width, height), 67), float32Rounding)
+            << width << 'x' << height;
 }
 
 TEST(FlipPaper, AWrongFilterWouldBeSeen)
@@ -258,7 +269,8 @@ TEST(FlipPaper, AWrongFilterWouldBeSeen)
     const Image a = noise(8, 16, 16);
     const Image b = noise(9, 16, 16);
     const Image map = render::flipMap(a, b, 66);
-    EXPECT_GT(std::fabs(errorAt(opponentMap(a), opponentMap(b), 8, 8, 67) - static_cast<double>(map.at(8, 8))), 100 * float32Rounding);
+    EXPECT_GT(std::fabs(errorAt(opponentMap(a), opponentMap(b), 8, 8, 67) - static_cast<double>(map.at(8, 8))),
+              100 * float32Rounding);
 }
 
 }  // namespace

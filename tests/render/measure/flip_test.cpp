@@ -29,7 +29,9 @@ Image flat(float r, float g, float b)
 /// Stripes of the given period around middle gray.
 Image stripes(double amplitude, int period)
 {
-    return made(64, 64, [=](int x, int, int) { return static_cast<float>(0.5 + (x % period < period / 2 ? amplitude : -amplitude)); });
+    return made(64, 64, [=](int x, int, int) {
+        return static_cast<float>(0.5 + (x % period < period / 2 ? amplitude : -amplitude));
+    });
 }
 
 TEST(Flip, IsZeroForEqualPictures)
@@ -108,7 +110,9 @@ TEST(Flip, AnEdgeThatIsMissingCountsMoreThanTheColorItLeaves)
 
 TEST(Flip, MirroringBothPicturesMirrorsTheMap)
 {
-    const auto mirrored = [](const Image& a) { return made(a.width, a.height, [&](int x, int y, int c) { return a.at(a.width - 1 - x, y, c); }); };
+    const auto mirrored = [](const Image& a) {
+        return made(a.width, a.height, [&](int x, int y, int c) { return a.at(a.width - 1 - x, y, c); });
+    };
     const Image a = noise(3);
     const Image b = noise(4);
     const Image map = flipMap(a, b);

@@ -66,7 +66,8 @@ TEST(Metrics, OneCodeOfSrgbIsTheThresholdOfWhatIsBeyond)
     const auto pictureOf = [](double code) { return Image(4, 4, 3, static_cast<float>(linearFromSrgb(code / 255))); };
     EXPECT_EQ(colorDifference(pictureOf(100), pictureOf(100.99)).beyond, 0);
     EXPECT_EQ(colorDifference(pictureOf(100), pictureOf(101.01)).beyond, 1);
-    EXPECT_EQ(colorDifference(pictureOf(3), pictureOf(4.01)).beyond, 1) << "in the dark, where a linear threshold would miss it";
+    EXPECT_EQ(colorDifference(pictureOf(3), pictureOf(4.01)).beyond, 1)
+        << "in the dark, where a linear threshold would miss it";
     Image one = pictureOf(100);
     one.at(1, 2, 2) = 1;
     EXPECT_EQ(colorDifference(pictureOf(100), one).beyond, 1.0 / 16);
@@ -133,7 +134,9 @@ TEST(Metrics, AHeatMapGrowsLighterWithTheError)
     Image errors(5, 1, 1);
     for (int x = 0; x < 5; ++x) errors.at(x, 0) = 0.1F * static_cast<float>(x);
     const Image map = heatMap(errors, 0.4);
-    const auto light = [&](int x) { return 0.2126 * map.at(x, 0, 0) + 0.7152 * map.at(x, 0, 1) + 0.0722 * map.at(x, 0, 2); };
+    const auto light = [&](int x) {
+        return 0.2126 * map.at(x, 0, 0) + 0.7152 * map.at(x, 0, 1) + 0.0722 * map.at(x, 0, 2);
+    };
     EXPECT_LT(light(0), 0.01);
     for (int x = 1; x < 5; ++x) EXPECT_GT(light(x), light(x - 1));
     EXPECT_GT(light(4), 0.9);

@@ -27,7 +27,8 @@ TEST(Pareto, TheFrontIsWhatNothingDominates)
             bool dominated = false;
             bool equalOnFront = false;
             for (std::size_t j = 0; j < points.size(); ++j) dominated = dominated || dominates(points[j], points[i]);
-            for (const std::size_t f : front) equalOnFront = equalOnFront || (points[f].cost == points[i].cost && points[f].error == points[i].error);
+            for (const std::size_t f : front)
+                equalOnFront = equalOnFront || (points[f].cost == points[i].cost && points[f].error == points[i].error);
             EXPECT_EQ(dominated, !onFront && !equalOnFront) << i;
         }
     }
@@ -44,7 +45,8 @@ TEST(Pareto, TheKneeIsWhereTwoLawsMeet)
 {
     // Down with cost^-2, then with cost^-0.2: the bend is at cost 16.
     std::vector<CostAndError> points;
-    for (double cost = 1; cost <= 256; cost *= 2) points.push_back({cost, cost <= 16 ? std::pow(cost, -2) : std::pow(16.0, -2) * std::pow(cost / 16, -0.2)});
+    for (double cost = 1; cost <= 256; cost *= 2)
+        points.push_back({cost, cost <= 16 ? std::pow(cost, -2) : std::pow(16.0, -2) * std::pow(cost / 16, -0.2)});
     const std::vector<std::size_t> front = paretoFront(points);
     ASSERT_EQ(front.size(), points.size());
     const auto place = knee(points, front);

@@ -133,8 +133,7 @@ TEST(Mirror, ShowsAThingWhereThePathOverItIsShortest)
         const glm::dvec3 thing = glm::dvec3(number(random), 0, number(random)) + normal * 2.0;
         const double eyeHeight = glm::dot(plane, glm::dvec4(visitor.eye, 1));
         const double thingHeight = glm::dot(plane, glm::dvec4(thing, 1));
-        if (eyeHeight <= 0 || thingHeight <= 0)
-            continue;
+        if (eyeHeight <= 0 || thingHeight <= 0) continue;
         const glm::dvec3 eyeFoot = visitor.eye - normal * eyeHeight;
         const glm::dvec3 thingFoot = thing - normal * thingHeight;
         const glm::dvec3 spot = eyeFoot + (thingFoot - eyeFoot) * (eyeHeight / (eyeHeight + thingHeight));

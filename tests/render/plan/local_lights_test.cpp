@@ -111,14 +111,12 @@ TEST(LocalLight, FindsItsShadowWhereTheMapsAreDrawn)
 TEST(LocalLights, AreTheStrongestWhereOneLooks)
 {
     std::vector<render::LocalLight> lights;
-    for (int i = 0; i < 100; ++i)
-        lights.push_back({.position = {1.0 + 0.1 * i, 0, 0}, .castsShadow = i % 2 == 0});
+    for (int i = 0; i < 100; ++i) lights.push_back({.position = {1.0 + 0.1 * i, 0, 0}, .castsShadow = i % 2 == 0});
     lights.push_back({.position = {0.5, 0, 0}, .intensity = {0, 0, 0}});
     lights.push_back({.position = {0, 50, 0}, .intensity = glm::dvec3(1e6), .range = 30, .castsShadow = true});
     const render::LocalLighting near = localLighting(lights, {0, 0, 0}, 2);
     ASSERT_EQ(near.chosen.size(), render::mostLocalLights);
-    for (std::size_t i = 0; i < near.chosen.size(); ++i)
-        EXPECT_EQ(near.chosen[i], i) << "nearest first";
+    for (std::size_t i = 0; i < near.chosen.size(); ++i) EXPECT_EQ(near.chosen[i], i) << "nearest first";
     EXPECT_EQ(near.shadowed, (std::vector<std::size_t>{0, 2, 4, 6}));
     EXPECT_EQ(near.block.lights[2].shadow, 6);
     EXPECT_EQ(near.block.lights[1].shadow, -1);

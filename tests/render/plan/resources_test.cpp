@@ -15,8 +15,7 @@ Pass drawn(std::string name, std::vector<std::string> reads, std::string writes,
 {
     Pass pass;
     pass.name = std::move(name);
-    for (std::string& image : reads)
-        pass.inputs.push_back({0, std::move(image)});
+    for (std::string& image : reads) pass.inputs.push_back({0, std::move(image)});
     pass.colors = {{std::move(writes), load, {}, -1, 0}};
     return pass;
 }

@@ -93,7 +93,8 @@ std::string glbOf(std::string json, std::string bin, const std::vector<std::pair
     bin.resize((bin.size() + 3) / 4 * 4, '\0');
     std::string chunks = littleEndian32(static_cast<std::uint32_t>(json.size())) + "JSON" + json;
     if (!bin.empty()) chunks += littleEndian32(static_cast<std::uint32_t>(bin.size())) + std::string("BIN\0", 4) + bin;
-    for (const auto& [type, bytes] : further) chunks += littleEndian32(static_cast<std::uint32_t>(bytes.size())) + type + bytes;
+    for (const auto& [type, bytes] : further)
+        chunks += littleEndian32(static_cast<std::uint32_t>(bytes.size())) + type + bytes;
     return "glTF" + littleEndian32(2) + littleEndian32(static_cast<std::uint32_t>(12 + chunks.size())) + chunks;
 }
 

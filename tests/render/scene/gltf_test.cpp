@@ -278,7 +278,9 @@ TEST(Gltf, TakesAccessorsWithoutAViewForZeros)
     const int values = builder.view(std::string_view(reinterpret_cast<const char*>(moved), sizeof moved));
     Json& positions = builder.json["accessors"][0];
     positions.erase("bufferView");
-    positions["sparse"] = {{"count", 2}, {"indices", {{"bufferView", places}, {"componentType", 5121}}}, {"values", {{"bufferView", values}}}};
+    positions["sparse"] = {{"count", 2},
+                           {"indices", {{"bufferView", places}, {"componentType", 5121}}},
+                           {"values", {{"bufferView", values}}}};
     builder.json["accessors"][1].erase("bufferView");
     builder.node({{"mesh", mesh}});
     const Model model = modelOf(builder);
@@ -338,14 +340,17 @@ TEST(Gltf, ReadsWholeNumbersWrittenWithAPoint)
     std::string text = builder.text();
     const auto withPoint = [&](const std::string& key) {
         std::size_t count = 0;
-        for (std::size_t at = text.find("\"" + key + "\": "); at != std::string::npos; at = text.find("\"" + key + "\": ", at + 1)) {
+        for (std::size_t at = text.find("\"" + key + "\": "); at != std::string::npos;
+             at = text.find("\"" + key + "\": ", at + 1)) {
             const std::size_t end = text.find_first_not_of("0123456789", at + key.size() + 4);
             text.insert(end, ".0");
             ++count;
         }
         EXPECT_GT(count, 0U) << key;
     };
-    for (const char* key : {"scene", "mesh", "bufferView", "byteOffset", "byteLength", "componentType", "count", "buffer", "indices", "POSITION"}) withPoint(key);
+    for (const char* key : {"scene", "mesh", "bufferView", "byteOffset", "byteLength", "componentType", "count",
+                            "buffer", "indices", "POSITION"})
+        withPoint(key);
     const Model model = parseGltf(text, "model.gltf");
     EXPECT_EQ(model.parts.at(0).mesh->indices, (std::vector<std::uint32_t>{0, 1, 2}));
     EXPECT_EQ(model.parts.at(0).mesh->vertices[1].position, glm::vec3(1, 0, 0));
@@ -358,10 +363,12 @@ TEST(Gltf, PassesOverFurtherChunks)
     builder.node({{"mesh", builder.triangle()}});
     Json file = builder.json;
     file["buffers"] = Json::array({Json{{"byteLength", builder.bin.size()}}});
-    const Model model = parseGltf(test::glbOf(file.dump(), builder.bin, {{"XTRA", "12345678"}, {"MORE", ""}}), "model.glb");
+    const Model model =
+        parseGltf(test::glbOf(file.dump(), builder.bin, {{"XTRA", "12345678"}, {"MORE", ""}}), "model.glb");
     EXPECT_EQ(model.parts.at(0).mesh->vertices[1].position, glm::vec3(1, 0, 0));
     file["buffers"][0]["uri"] = "data:;base64," + test::base64(builder.bin);
-    EXPECT_EQ(parseGltf(test::glbOf(file.dump(), "", {{"XTRA", "1234"}}), "model.glb").parts.size(), 1U) << "no BIN chunk";
+    EXPECT_EQ(parseGltf(test::glbOf(file.dump(), "", {{"XTRA", "1234"}}), "model.glb").parts.size(), 1U)
+        << "no BIN chunk";
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ TEST(HostileGltf, WithABrokenContainerIsRefused)
     bin.replace(at, 4, littleEndian32(4));
     EXPECT_FAILURE(parseGltf(bin, "a.glb"), "something follows its BIN chunk that is no chunk");
     EXPECT_FAILURE(parseGltf(test::glbOf(asset, "12345678", {{"JSON", "{}  "}}), "a.glb"), "two JSON chunks");
-    EXPECT_FAILURE(parseGltf(test::glbOf(asset, "12345678", {{std::string("BIN\0", 4), "1234"}}), "a.glb"), "not the second");
+    EXPECT_FAILURE(parseGltf(test::glbOf(asset, "12345678", {{std::string("BIN\0", 4), "1234"}}), "a.glb"),
+                   "not the second");
 
     std::string json = good;
     json.replace(12, 4, littleEndian32(0xFFFFFFFC));
@@ -131,15 +132,16 @@ TEST(HostileGltf, WithBadSparseAccessorsIsRefused)
     EXPECT_PRED_FORMAT2(::testing::IsSubstring, "names nothing",
                         refusalOf([&](Json& json) { sparse(json, 3, 77, "{}"); }));
     EXPECT_PRED_FORMAT2(::testing::IsSubstring, "must rise", refusalOf([&](Json& json) { sparse(json, 3, 0, "{}"); }));
-    EXPECT_PRED_FORMAT2(::testing::IsSubstring, "values.byteOffset: this must be a whole number", refusalOf([&](Json& json) {
-                            sparse(json, 3, 2, R"({"values": {"bufferView": 0, "byteOffset": -4}})");
-                        }));
+    EXPECT_PRED_FORMAT2(
+        ::testing::IsSubstring, "values.byteOffset: this must be a whole number",
+        refusalOf([&](Json& json) { sparse(json, 3, 2, R"({"values": {"bufferView": 0, "byteOffset": -4}})"); }));
 }
 
 // A few bytes of JSON may not ask for gigabytes of zeros.
 TEST(HostileGltf, WithMoreZerosThanAllowedIsRefused)
 {
-    EXPECT_REFUSED((json["accessors"][0].erase("bufferView"), json["accessors"][0]["count"] = 50'000'000), "accessors without data have more than 1048576");
+    EXPECT_REFUSED((json["accessors"][0].erase("bufferView"), json["accessors"][0]["count"] = 50'000'000),
+                   "accessors without data have more than 1048576");
     EXPECT_FAILURE(parseGltf(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":100000000}]})", "a.gltf"),
                    "buffers[0].byteLength: the buffers without data are larger than 67108864");
 }
@@ -149,25 +151,34 @@ TEST(HostileGltf, WithMembersOfAnotherTypeIsRefusedWithTheirPath)
     EXPECT_REFUSED(json["accessors"][1]["bufferView"] = -1, "accessors[1].bufferView: this must be a whole number");
     EXPECT_REFUSED(json["accessors"][1]["bufferView"] = 1.5, "accessors[1].bufferView: this must be a whole number");
     EXPECT_REFUSED(json["accessors"][1].erase("count"), "accessors[1].count: this is required and missing");
-    EXPECT_REFUSED(json["accessors"][1]["type"] = "VEC9", "accessors[1].componentType: its type or component type is none");
+    EXPECT_REFUSED(json["accessors"][1]["type"] = "VEC9",
+                   "accessors[1].componentType: its type or component type is none");
     EXPECT_REFUSED(json["meshes"][0]["primitives"] = 3, "meshes[0].primitives: this must be an array");
-    EXPECT_REFUSED(json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = "x", "attributes.NORMAL: this must be a whole number");
-    EXPECT_REFUSED(json["nodes"][0]["mesh"] = 4294967296U, "nodes[0].mesh: this must be a whole number from 0 to 2147483647");
-    EXPECT_REFUSED(json["nodes"][0]["translation"] = Json::parse(R"([0, "x", 0])"), "nodes[0].translation[1]: this must be a number");
+    EXPECT_REFUSED(json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = "x",
+                   "attributes.NORMAL: this must be a whole number");
+    EXPECT_REFUSED(json["nodes"][0]["mesh"] = 4294967296U,
+                   "nodes[0].mesh: this must be a whole number from 0 to 2147483647");
+    EXPECT_REFUSED(json["nodes"][0]["translation"] = Json::parse(R"([0, "x", 0])"),
+                   "nodes[0].translation[1]: this must be a number");
     EXPECT_REFUSED(json["bufferViews"][0]["byteStride"] = 6, "bufferViews[0].byteStride: a stride is a multiple of 4");
-    EXPECT_REFUSED(json["images"] = Json::parse(R"([{"name": "x"}])"), "images[0].uri: a picture has either a uri or a bufferView");
+    EXPECT_REFUSED(json["images"] = Json::parse(R"([{"name": "x"}])"),
+                   "images[0].uri: a picture has either a uri or a bufferView");
 }
 
 TEST(HostileGltf, WithABrokenOrShortDataUriIsRefused)
 {
     const auto read = [](const char* uri) {
-        const Json file{{"asset", {{"version", "2.0"}}}, {"buffers", Json::array({Json{{"byteLength", 6U}, {"uri", uri}}})}};
+        const Json file{{"asset", {{"version", "2.0"}}},
+                        {"buffers", Json::array({Json{{"byteLength", 6U}, {"uri", uri}}})}};
         (void)parseGltf(file.dump(), "a.gltf");
     };
     const auto refused = [&](const char* uri) { return test::failureOf([&] { read(uri); }); };
     EXPECT_NO_THROW(read("data:;base64,AAAAAAAA"));
-    EXPECT_NE(refused("data:;base64,AAAA").find("buffers[0].uri: the buffer has 3 bytes, fewer than its byteLength of 6"), std::string::npos);
-    EXPECT_NE(refused("data:;base64,AA!AAAAA").find("buffers[0].uri: this data: URI is not base 64"), std::string::npos);
+    EXPECT_NE(
+        refused("data:;base64,AAAA").find("buffers[0].uri: the buffer has 3 bytes, fewer than its byteLength of 6"),
+        std::string::npos);
+    EXPECT_NE(refused("data:;base64,AA!AAAAA").find("buffers[0].uri: this data: URI is not base 64"),
+              std::string::npos);
     EXPECT_NE(refused("data:;base64,AAAAA").find("not base 64"), std::string::npos);
     EXPECT_NE(refused("data:;base64").find("has a comma"), std::string::npos);
 }

@@ -26,7 +26,8 @@ private slots:
     {
         History history(start());
         const Gesture drag = newGesture();
-        for (int i = 1; i <= 20; ++i) history.change("Change roughness", with(history.look(), table_.roughness, i / 20.0), drag);
+        for (int i = 1; i <= 20; ++i)
+            history.change("Change roughness", with(history.look(), table_.roughness, i / 20.0), drag);
         history.change("Change roughness", with(history.look(), table_.roughness, 0.3), newGesture());
         QCOMPARE(history.stack().count(), 2);
         history.stack().undo();

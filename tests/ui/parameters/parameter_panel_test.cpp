@@ -70,8 +70,8 @@ private slots:
         QSignalSpy replaced(history_.get(), &History::replaced);
         QSignalSpy fieldShown(field("morph"), &QLineEdit::textChanged);
         for (int x = 10; x <= 30; x += 10) {
-            QMouseEvent move(QEvent::MouseMove, from + QPoint(x, 0), morph->mapToGlobal(QPointF(from) + QPointF(x, 0)), Qt::NoButton,
-                             Qt::LeftButton, {});
+            QMouseEvent move(QEvent::MouseMove, from + QPoint(x, 0), morph->mapToGlobal(QPointF(from) + QPointF(x, 0)),
+                             Qt::NoButton, Qt::LeftButton, {});
             QApplication::sendEvent(morph, &move);
             QCoreApplication::processEvents();
         }
@@ -158,7 +158,8 @@ private slots:
             QVERIFY2(!names.contains(name), qPrintable(name));
             names << name;
             bool tip = false;
-            for (const QWidget* w = widget; w && w != panel_.get(); w = w->parentWidget()) tip = tip || !w->toolTip().isEmpty();
+            for (const QWidget* w = widget; w && w != panel_.get(); w = w->parentWidget())
+                tip = tip || !w->toolTip().isEmpty();
             QVERIFY2(tip, qPrintable(name));
             ++controls;
         }
@@ -184,7 +185,8 @@ private slots:
     void tooltipsSayEverything()
     {
         const QString tip = panel_->row("tubeRadius")->toolTip();
-        for (const char* part : {"Radius of the torus's tube.", "1 to 200", "mm", "Initial value: 12", "tubeRadius", "Shift"})
+        for (const char* part :
+             {"Radius of the torus's tube.", "1 to 200", "mm", "Initial value: 12", "tubeRadius", "Shift"})
             QVERIFY2(tip.contains(QLatin1String(part)), part);
     }
 
@@ -192,7 +194,8 @@ private slots:
     {
         type("roughness", "0.1234567890123");
         QMetaObject::invokeMethod(panel_->row("roughness"), [&] {
-            QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, panel_->row("roughness")->mapToGlobal(QPoint(5, 5)));
+            QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5},
+                                    panel_->row("roughness")->mapToGlobal(QPoint(5, 5)));
             QApplication::sendEvent(panel_->row("roughness"), &event);
         });
         auto* menu = panel_->findChild<QMenu*>();
@@ -218,8 +221,10 @@ private slots:
         ParameterRow* row = panel_->row("hourOfDay");
         QVERIFY(row->idle());
         QVERIFY(!panel_->row("sunHeight")->idle());
-        QVERIFY2(row->toolTip().startsWith(QStringLiteral("Does nothing now: acts when “Set sun by” is hour.")), qPrintable(row->toolTip()));
-        QCOMPARE(row->accessibleDescription(), QStringLiteral("Does nothing now: acts when “Set sun by” is hour. It keeps its value."));
+        QVERIFY2(row->toolTip().startsWith(QStringLiteral("Does nothing now: acts when “Set sun by” is hour.")),
+                 qPrintable(row->toolTip()));
+        QCOMPARE(row->accessibleDescription(),
+                 QStringLiteral("Does nothing now: acts when “Set sun by” is hour. It keeps its value."));
         QVERIFY(ink(row) < 0.7 * ink(panel_->row("sunHeight")));
         type("hourOfDay", "9.5");
         QCOMPARE(std::get<double>(panel_->values().row(*idle_.find("hourOfDay"))), 9.5);
@@ -275,7 +280,8 @@ private slots:
         const ParameterValues kept = values();
         QApplication::clipboard()->setText("a poem");
         choose("roughness", "Paste");
-        QVERIFY2(QToolTip::text().contains(QStringLiteral("\"a poem\" is no value for “Roughness”")), qPrintable(QToolTip::text()));
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("\"a poem\" is no value for “Roughness”")),
+                 qPrintable(QToolTip::text()));
         choose("roughness", "Paste all");
         QVERIFY2(QToolTip::text().contains(QStringLiteral("the clipboard")), qPrintable(QToolTip::text()));
         QVERIFY(values() == kept);
@@ -286,11 +292,13 @@ private slots:
         QVERIFY2(slider("roughness")->width() >= 100, qPrintable(QString::number(slider("roughness")->width())));
         QVERIFY(field("stepLimit")->width() >= 64);
         const int start = slider("roughness")->mapTo(panel_.get(), QPoint()).x();
-        for (const char* row : {"speed", "stepLimit", "exposure"}) QCOMPARE(slider(row)->mapTo(panel_.get(), QPoint()).x(), start);
+        for (const char* row : {"speed", "stepLimit", "exposure"})
+            QCOMPARE(slider(row)->mapTo(panel_.get(), QPoint()).x(), start);
         panel_->resize(600, 400);
         QCoreApplication::processEvents();
         QVERIFY(panel_->row("roughness")->findChild<RowLabel*>()->width() > 160);
-        QCOMPARE(slider("speed")->mapTo(panel_.get(), QPoint()).x(), slider("roughness")->mapTo(panel_.get(), QPoint()).x());
+        QCOMPARE(slider("speed")->mapTo(panel_.get(), QPoint()).x(),
+                 slider("roughness")->mapTo(panel_.get(), QPoint()).x());
     }
 
     void fieldsStandOutInBothThemes()
@@ -308,7 +316,8 @@ private slots:
             applyTheme(*qApp, each);
             QWidget* number = field("roughness");
             const QImage seen = number->grab().toImage();
-            QVERIFY2(contrast(seen.pixelColor(seen.width() / 2, 0), each.window) > 2, "the edge of a number is drawn");  // It is antialiased.
+            QVERIFY2(contrast(seen.pixelColor(seen.width() / 2, 0), each.window) > 2,
+                     "the edge of a number is drawn");  // It is antialiased.
         }
         applyTheme(*qApp, darkTheme());
     }

@@ -216,7 +216,8 @@ private slots:
 
     void linearAndEncodedColorsRoundTrip()
     {
-        for (int i = 0; i < 256; ++i) QCOMPARE(encoded(linear(QColor(i, 255 - i, 17))).rgb(), QColor(i, 255 - i, 17).rgb());
+        for (int i = 0; i < 256; ++i)
+            QCOMPARE(encoded(linear(QColor(i, 255 - i, 17))).rgb(), QColor(i, 255 - i, 17).rgb());
     }
 
     void aDirectionKeepsItsAzimuthAtTheZenith()

@@ -43,7 +43,8 @@ private slots:
         action("Save preset as…")->trigger();
         auto* ask = window_->findChild<NameDialog*>();
         QVERIFY(ask);
-        // The heading is in the dialog, in full, and the dialog is not in front of what stands in the middle of the picture.
+        // The heading is in the dialog, in full, and the dialog is not in front of what stands in the middle of the
+        // picture.
         auto* heading = ask->findChild<QLabel*>();
         QCOMPARE(heading->text(), QString("Save preset of Hall as"));
         QVERIFY(heading->height() >= heading->heightForWidth(heading->width()));

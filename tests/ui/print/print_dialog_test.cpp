@@ -52,10 +52,7 @@ class PrintDialogTest : public QObject {
         if (dialog_) dialog_->close();
         QTRY_VERIFY(!dialog_);
     }
-    [[nodiscard]] static QColor colorOf(int view, int count)
-    {
-        return QColor::fromHsv(view * 300 / count, 255, 220);
-    }
+    [[nodiscard]] static QColor colorOf(int view, int count) { return QColor::fromHsv(view * 300 / count, 255, 220); }
     QStringList solidViews(int count)
     {
         QStringList files;
@@ -91,7 +88,10 @@ class PrintDialogTest : public QObject {
         dialog_->setValues(values);
         settle();
     }
-    [[nodiscard]] double number(const char* label) { return dialog_->findChild<PrintNumbersView*>()->shown(QString::fromLatin1(label)).section(' ', 0, 0).toDouble(); }
+    [[nodiscard]] double number(const char* label)
+    {
+        return dialog_->findChild<PrintNumbersView*>()->shown(QString::fromLatin1(label)).section(' ', 0, 0).toDouble();
+    }
     [[nodiscard]] QString warnings() { return dialog_->findChild<PrintNumbersView*>()->messages(); }
     [[nodiscard]] QString said() { return dialog_->findChild<MessageStrip*>()->texts().join('\n'); }
     QPushButton* button(const QString& text)
@@ -100,7 +100,10 @@ class PrintDialogTest : public QObject {
             if (each->text() == text) return each;
         return nullptr;
     }
-    [[nodiscard]] QStringList filesIn(const QString& folder) { return QDir(folder).entryList(QDir::Files | QDir::Hidden, QDir::Name); }
+    [[nodiscard]] QStringList filesIn(const QString& folder)
+    {
+        return QDir(folder).entryList(QDir::Files | QDir::Hidden, QDir::Name);
+    }
 
 private slots:
     void initTestCase()
@@ -197,7 +200,9 @@ private slots:
         for (const int k : {0, 4, 2, 3, 1}) {
             const double angle = std::atan(((k + 0.5) / count - 0.5) * 2 * std::tan(3.14159265358979 / 12) * 1.04);
             const QPoint from(200, 60);
-            const QPoint to = from + QPoint(static_cast<int>(std::lround((angle - eyes->angle()) / (0.15 * 3.14159265358979 / 180))), 0);
+            const QPoint to =
+                from +
+                QPoint(static_cast<int>(std::lround((angle - eyes->angle()) / (0.15 * 3.14159265358979 / 180))), 0);
             QTest::mousePress(eyes, Qt::LeftButton, {}, from);
             QTest::mouseMove(eyes, (from + to) / 2);
             QTest::mouseMove(eyes, to);
@@ -211,7 +216,8 @@ private slots:
                 int bestDistance = 1000;
                 for (int view = 0; view < count; ++view) {
                     const QColor color = colorOf(view, count);
-                    const int distance = std::abs(color.red() - at.red()) + std::abs(color.green() - at.green()) + std::abs(color.blue() - at.blue());
+                    const int distance = std::abs(color.red() - at.red()) + std::abs(color.green() - at.green()) +
+                                         std::abs(color.blue() - at.blue());
                     if (distance < bestDistance) best = view;
                     bestDistance = std::min(bestDistance, distance);
                 }
@@ -227,7 +233,9 @@ private slots:
         settle();
         auto* eyes = dialog_->findChild<EyesPreview*>();
         QTRY_VERIFY(!eyes->seen(1).isNull());
-        const auto hue = [&](std::size_t eye) { return eyes->seen(eye).pixelColor(eyes->seen(eye).width() / 2, eyes->seen(eye).height() / 2).hueF(); };
+        const auto hue = [&](std::size_t eye) {
+            return eyes->seen(eye).pixelColor(eyes->seen(eye).width() / 2, eyes->seen(eye).height() / 2).hueF();
+        };
         // 65 mm at 400 mm are 9.3 of the zone's 31 degrees, so about 3.6 of 12 views, of 25 degrees of hue each.
         const double views = static_cast<double>(hue(1) - hue(0)) * 360 / 25;
         QVERIFY2(views > 2.6 && views < 4.6, qPrintable(QString::number(views)));
@@ -256,7 +264,8 @@ private slots:
         QTRY_VERIFY(!dialog_->exporting());
         QVERIFY2(said().contains("Saved " + out + "/card.tif"), qPrintable(said()));
         QCOMPARE(filesIn(out), (QStringList{"card.tif", "card.tif.json"}));
-        const printing::SavedSettings written = printing::savedSettings(render::readFile((out + "/card.tif.json").toStdString(), 1 << 20), "card.tif.json");
+        const printing::SavedSettings written =
+            printing::savedSettings(render::readFile((out + "/card.tif.json").toStdString(), 1 << 20), "card.tif.json");
         QVERIFY(written.values == before);
         QCOMPARE(written.sources.size(), std::size_t{6});
 
@@ -293,8 +302,10 @@ private slots:
             dialog_->startExport();
             QVERIFY(!dialog_->exporting());
             auto* chosen = dialog_->findChild<QMessageBox*>()->findChild<QPushButton*>(button);
-            if (chosen) chosen->click();
-            else dialog_->findChild<QMessageBox*>()->reject();
+            if (chosen)
+                chosen->click();
+            else
+                dialog_->findChild<QMessageBox*>()->reject();
             QTRY_VERIFY(!dialog_->findChild<QMessageBox*>());
             QTRY_VERIFY(!dialog_->exporting());
         };
@@ -574,7 +585,9 @@ private slots:
         for (QWidget* widget : dialog_->findChildren<QWidget*>()) {
             if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isVisible() || !widget->isEnabled()) continue;
             if (widget->inherits("QScrollArea") || widget->objectName().startsWith("qt_")) continue;
-            const QString what = QString("%1 in %2").arg(widget->metaObject()->className(), widget->parentWidget()->metaObject()->className());
+            const QString what =
+                QString("%1 in %2")
+                    .arg(widget->metaObject()->className(), widget->parentWidget()->metaObject()->className());
             QVERIFY2(!widget->accessibleName().isEmpty(), qPrintable(what));
             QVERIFY2(reached.contains(widget), qPrintable(what + ' ' + widget->accessibleName()));
             ++controls;
@@ -588,11 +601,13 @@ private slots:
     {
         dialog_->open(solidViews(3));
         settle();
-        QVERIFY2(dialog_->width() <= 1280 && dialog_->height() <= 690, qPrintable(QString("%1 x %2").arg(dialog_->width()).arg(dialog_->height())));
+        QVERIFY2(dialog_->width() <= 1280 && dialog_->height() <= 690,
+                 qPrintable(QString("%1 x %2").arg(dialog_->width()).arg(dialog_->height())));
         QVERIFY(dialog_->minimumSizeHint().height() <= 690);
         for (QPushButton* each : dialog_->findChildren<QPushButton*>()) {
             if (!each->isVisible()) continue;
-            QVERIFY2(each->width() >= each->fontMetrics().horizontalAdvance(each->text()) + 8, qPrintable(each->text()));
+            QVERIFY2(each->width() >= each->fontMetrics().horizontalAdvance(each->text()) + 8,
+                     qPrintable(each->text()));
             QVERIFY(dialog_->rect().contains(QRect(each->mapTo(dialog_.data(), QPoint()), each->size())));
         }
     }

@@ -30,8 +30,12 @@ namespace {
 std::vector<std::unique_ptr<Exhibit>> knownExhibit()
 {
     test::KnownLaw law;
-    law.error = [](const test::KnownTable& t, const ParameterValues& v, double d) { return d * (0.2 / v[t.steps] + 0.05 / v[t.rays] + (v[t.shortcut] ? 0.001 : 0) + 0.01 * (2 - v[t.method])); };
-    law.cost = [](const test::KnownTable& t, const ParameterValues& v, double d) { return d * (1 + 0.1 * v[t.steps] + 0.3 * v[t.rays] + v[t.method]); };
+    law.error = [](const test::KnownTable& t, const ParameterValues& v, double d) {
+        return d * (0.2 / v[t.steps] + 0.05 / v[t.rays] + (v[t.shortcut] ? 0.001 : 0) + 0.01 * (2 - v[t.method]));
+    };
+    law.cost = [](const test::KnownTable& t, const ParameterValues& v, double d) {
+        return d * (1 + 0.1 * v[t.steps] + 0.3 * v[t.rays] + v[t.method]);
+    };
     std::vector<std::unique_ptr<Exhibit>> all;
     all.push_back(std::make_unique<test::KnownExhibit>(std::move(law)));
     return all;
@@ -62,10 +66,16 @@ public:
 
     [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const override { return museum.exhibits(); }
     [[nodiscard]] Look initialLook() const override { return museum.initialLook(); }
-    [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues& v) const override { return museum.bestView(i, v); }
+    [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues& v) const override
+    {
+        return museum.bestView(i, v);
+    }
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3&, const glm::dvec3& to) const override { return to; }
     [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override { return std::nullopt; }
-    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2) const override { return std::nullopt; }
+    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2) const override
+    {
+        return std::nullopt;
+    }
     [[nodiscard]] std::vector<int> emptyPlaces() const override { return {}; }
     [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const override { return INFINITY; }
     void open() override {}
@@ -97,7 +107,10 @@ private:
     std::unique_ptr<StudyDock> dock_;
 
     [[nodiscard]] std::size_t row(const char* name) const { return *gallery_->table.find(name); }
-    [[nodiscard]] double valueNow(const char* name) const { return std::get<double>(history_->look().values[1].row(row(name))); }
+    [[nodiscard]] double valueNow(const char* name) const
+    {
+        return std::get<double>(history_->look().values[1].row(row(name)));
+    }
     void finish()
     {
         QSignalSpy finished(dock_.get(), &StudyDock::finished);
@@ -137,7 +150,8 @@ private slots:
         while (dock_->running()) {
             QTest::qWait(1);
             const auto& points = dock_->result().points;
-            const auto drawn = std::count_if(points.begin(), points.end(), [](const StudyPoint& p) { return p.cost > 0; });
+            const auto drawn =
+                std::count_if(points.begin(), points.end(), [](const StudyPoint& p) { return p.cost > 0; });
             someBeforeAll = someBeforeAll || (drawn > 0 && static_cast<std::size_t>(drawn) < points.size());
         }
         QVERIFY(someBeforeAll);
@@ -241,7 +255,7 @@ private slots:
         const QImage hovered = pictures->grab().toImage();
         QTest::mouseMove(&chart, chart.rect().topRight() + QPoint(-3, 3));  // Over the empty part of the chart ...
         QEvent leave(QEvent::Leave);
-        QApplication::sendEvent(&chart, &leave);                            // ... and out of it.
+        QApplication::sendEvent(&chart, &leave);  // ... and out of it.
         QCOMPARE(pictures->grab().toImage(), hovered);
         QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.rect().topRight() + QPoint(-3, 3));
         QVERIFY(pictures->grab().toImage() != hovered);  // A press beside all points: the present one again.
@@ -270,7 +284,8 @@ private slots:
                 auto* label = qobject_cast<QCPItemText*>(chart.item(i));
                 if (!label || label->text() == QStringLiteral("exact")) continue;
                 const QRectF place(label->topLeft->pixelPosition(), label->bottomRight->pixelPosition());
-                for (const QRectF& other : places) QVERIFY2(!place.adjusted(1, 1, -1, -1).intersects(other), qPrintable(label->text()));
+                for (const QRectF& other : places)
+                    QVERIFY2(!place.adjusted(1, 1, -1, -1).intersects(other), qPrintable(label->text()));
                 places.push_back(place);
             }
             QVERIFY(!places.empty());
@@ -308,7 +323,8 @@ private slots:
         QVERIFY(button("Copy")->isEnabled());
         button("Copy")->click();
         const QStringList lines = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
-        QCOMPARE(static_cast<std::size_t>(lines.size()), 1 + dock_->result().points.size() * dock_->result().views.size());
+        QCOMPARE(static_cast<std::size_t>(lines.size()),
+                 1 + dock_->result().points.size() * dock_->result().views.size());
         QVERIFY(lines[0].contains("steps"));
         QVERIFY(QJsonDocument::fromJson(dock_->exported("json")).isObject());
         QVERIFY(dock_->exported("svg").contains("<svg"));

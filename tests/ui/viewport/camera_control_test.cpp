@@ -116,7 +116,9 @@ private slots:
     void aThinWallStopsARunnerWithASlowMachine()
     {
         // Only a step that ends inside the wall is stopped, as a careless collision test would do.
-        const Walkable thin = [](const glm::dvec3& from, const glm::dvec3& to) { return to.z < -2 && to.z > -2.2 ? from : to; };
+        const Walkable thin = [](const glm::dvec3& from, const glm::dvec3& to) {
+            return to.z < -2 && to.z > -2.2 ? from : to;
+        };
         Walker walker;
         walker.place(entrance());
         WalkKeys run = forward();

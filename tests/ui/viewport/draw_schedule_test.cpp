@@ -131,8 +131,9 @@ private slots:
                     now += seconds;
                     schedule.drawn(*order, seconds);
                 }
-                QVERIFY2(changes <= 1,
-                         qPrintable(QStringLiteral("full %1 s, share %2: %3 changes").arg(full).arg(share).arg(changes)));
+                QVERIFY2(
+                    changes <= 1,
+                    qPrintable(QStringLiteral("full %1 s, share %2: %3 changes").arg(full).arg(share).arg(changes)));
             }
         }
     }
@@ -159,7 +160,8 @@ private slots:
         QVERIFY(schedule.scaleWhileMoving() < 1);
         QCOMPARE(QString::fromStdString(schedule.reason()), QString("moving: 100% of full resolution"));
         schedule.drawn(*schedule.next(1), 0.05);
-        QCOMPARE(QString::fromStdString(schedule.reason()), QString("moving: %1% of full resolution").arg(schedule.scaleWhileMoving() * 100));
+        QCOMPARE(QString::fromStdString(schedule.reason()),
+                 QString("moving: %1% of full resolution").arg(schedule.scaleWhileMoving() * 100));
     }
 };
 

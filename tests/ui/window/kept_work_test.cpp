@@ -40,7 +40,8 @@ class KeptWorkTest : public QObject {
         window_ = std::make_unique<MainWindow>(*gallery_);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
-        connect(static_cast<Application*>(qApp), &Application::caught, window_.get(), [this](const QString& message) { window_->say(MessageStrip::Mood::problem, message); });
+        connect(static_cast<Application*>(qApp), &Application::caught, window_.get(),
+                [this](const QString& message) { window_->say(MessageStrip::Mood::problem, message); });
     }
     void closeWindow()
     {
@@ -70,12 +71,16 @@ class KeptWorkTest : public QObject {
         QVERIFY(session.open(QIODevice::WriteOnly));
         session.write(keptSession);
     }
-    static QString state(const char* name) { return QString::fromLocal8Bit(qgetenv("XDG_STATE_HOME")) + "/vitrine/" + name; }
+    static QString state(const char* name)
+    {
+        return QString::fromLocal8Bit(qgetenv("XDG_STATE_HOME")) + "/vitrine/" + name;
+    }
     static QDir recovery() { return QDir(state("recovery")); }
     /// The journal of this process.
     static QString own()
     {
-        const QStringList files = recovery().entryList({QString::number(QCoreApplication::applicationPid()) + "-*.json"}, QDir::Files);
+        const QStringList files =
+            recovery().entryList({QString::number(QCoreApplication::applicationPid()) + "-*.json"}, QDir::Files);
         return files.isEmpty() ? QString() : files.front();
     }
     [[nodiscard]] QStringList said() { return window_->findChild<MessageStrip*>()->texts(); }
@@ -108,15 +113,18 @@ private slots:
 
     void whatATimerOrASlotThrowsIsSaidAndTheProgramGoesOn()
     {
-        QTimer::singleShot(0, window_.get(), [] { throw Failure(Blame::file, "Cannot read gone.hdr: there is no such file."); });
+        QTimer::singleShot(0, window_.get(),
+                           [] { throw Failure(Blame::file, "Cannot read gone.hdr: there is no such file."); });
         QTRY_VERIFY(said().contains("Cannot read gone.hdr: there is no such file."));
         auto* action = new QAction(window_.get());
         connect(action, &QAction::triggered, window_.get(), [] { throw std::runtime_error("the slot broke"); });
         QMetaObject::invokeMethod(action, &QAction::trigger, Qt::QueuedConnection);
         QTRY_VERIFY(said().join(' ').contains("the slot broke"));
-        QMetaObject::invokeMethod(window_.get(), [] { throw std::bad_alloc(); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            window_.get(), [] { throw std::bad_alloc(); }, Qt::QueuedConnection);
         QTRY_VERIFY(said().join(' ').contains("not enough memory"));
-        QMetaObject::invokeMethod(window_.get(), [] { throw 7; }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            window_.get(), [] { throw 7; }, Qt::QueuedConnection);
         QTRY_COMPARE(said().size(), 4);
         QVERIFY(!said().join(' ').contains("std::"));
         // The window works on.

@@ -84,8 +84,9 @@ class MemoryTest : public QObject {
 
     void openDialogs()
     {
-        const std::function<void()> dialogs[] = {[this] { window_->openScreenshotDialog(); }, [this] { window_->openShortcutSheet(); },
-                                                 [this] { window_->openPrintDialog(); }, [this] { window_->openPalette(); }};
+        const std::function<void()> dialogs[] = {
+            [this] { window_->openScreenshotDialog(); }, [this] { window_->openShortcutSheet(); },
+            [this] { window_->openPrintDialog(); }, [this] { window_->openPalette(); }};
         for (const auto& open : dialogs) {
             open();
             draw();
@@ -151,7 +152,8 @@ class MemoryTest : public QObject {
             stored.set_value(gallery_->stored());
             return std::function<void()>();
         });
-        return {render::gl::liveGlNames(), stored.get_future().get(), render::processMemory().own, window_->findChildren<QObject*>().size()};
+        return {render::gl::liveGlNames(), stored.get_future().get(), render::processMemory().own,
+                window_->findChildren<QObject*>().size()};
     }
 
 private slots:
@@ -188,8 +190,16 @@ private slots:
             QCOMPARE(step_, 100 * i);
             const Kept now = kept();
             if (i == 2) at200 = now;
-            QString line = QStringLiteral("step %1: own %2 MB, GL names %3, objects %4").arg(step_).arg(double(now.ownBytes) / 1e6, 0, 'f', 1).arg(now.glNames).arg(now.objects);
-            for (const auto& s : now.stored) line += QStringLiteral(", %1 %2 (%3 MB)").arg(QString::fromStdString(s.what)).arg(s.count).arg(double(s.bytes) / 1e6, 0, 'f', 1);
+            QString line = QStringLiteral("step %1: own %2 MB, GL names %3, objects %4")
+                               .arg(step_)
+                               .arg(double(now.ownBytes) / 1e6, 0, 'f', 1)
+                               .arg(now.glNames)
+                               .arg(now.objects);
+            for (const auto& s : now.stored)
+                line += QStringLiteral(", %1 %2 (%3 MB)")
+                            .arg(QString::fromStdString(s.what))
+                            .arg(s.count)
+                            .arg(double(s.bytes) / 1e6, 0, 'f', 1);
             qInfo("%s", qPrintable(line));
             if (i != 10) continue;
             QCOMPARE(now.glNames, at200.glNames);

@@ -56,7 +56,10 @@ class MissingFilesTest : public QObject {
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
-    static QByteArray goodModel() { return contentOf(QString::fromStdString(render::asset("models/teddy.glb").string())); }
+    static QByteArray goodModel()
+    {
+        return contentOf(QString::fromStdString(render::asset("models/teddy.glb").string()));
+    }
     /// Quotes may be written as apostrophes.
     static QByteArray json(QByteArray text) { return text.replace('\'', '"'); }
     static QByteArray glb(QByteArray json)
@@ -71,21 +74,27 @@ class MissingFilesTest : public QObject {
     /// Every one of them once ended the program.
     QStringList writeBrokenFiles() const
     {
-        write("draco.glb", glb(json("{'asset':{'version':'2.0'},'extensionsUsed':['KHR_draco_mesh_compression'],'extensionsRequired':['KHR_draco_mesh_compression'],'scene':0,'scenes':[{'nodes':[]}]}")));
+        write("draco.glb",
+              glb(json("{'asset':{'version':'2.0'},'extensionsUsed':['KHR_draco_mesh_compression'],'extensionsRequired'"
+                       ":['KHR_draco_mesh_compression'],'scene':0,'scenes':[{'nodes':[]}]}")));
         write("truncated.glb", goodModel().left(5000));
         QByteArray noise;
         for (int i = 0; i < 4000; ++i) noise += static_cast<char>((i * 7919 + i / 13) & 255);
         write("noise.glb", noise);
-        write("no-bin.gltf", json("{'asset':{'version':'2.0'},'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]}],"
-                             "'accessors':[{'bufferView':0,'componentType':5126,'count':3,'type':'VEC3','min':[0,0,0],'max':[1,1,1]}],"
-                             "'bufferViews':[{'buffer':0,'byteLength':36}],'buffers':[{'byteLength':36,'uri':'no-bin.bin'}]}"));
+        write("no-bin.gltf",
+              json("{'asset':{'version':'2.0'},'scene':0,'scenes':[{'nodes':[0]}],'nodes':[{'mesh':0}],'meshes':[{'"
+                   "primitives':[{'attributes':{'POSITION':0}}]}],"
+                   "'accessors':[{'bufferView':0,'componentType':5126,'count':3,'type':'VEC3','min':[0,0,0],'max':[1,1,"
+                   "1]}],"
+                   "'bufferViews':[{'buffer':0,'byteLength':36}],'buffers':[{'byteLength':36,'uri':'no-bin.bin'}]}"));
         write("truncated.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 128\n\x02\x02");
         QImage picture(256, 128, QImage::Format_RGB32);
         for (int y = 0; y < 128; ++y)
             for (int x = 0; x < 256; ++x) picture.setPixel(x, y, qRgb(x, 2 * y, x ^ y));
         picture.save(path("whole.jpg"), "JPG", 95);
         write("truncated.jpg", contentOf(path("whole.jpg")).left(3000));
-        return {path("draco.glb"), path("truncated.glb"), path("noise.glb"), path("no-bin.gltf"), path("truncated.hdr"), path("truncated.jpg")};
+        return {path("draco.glb"),   path("truncated.glb"), path("noise.glb"),
+                path("no-bin.gltf"), path("truncated.hdr"), path("truncated.jpg")};
     }
 
     void openWindow()
@@ -136,12 +145,17 @@ class MissingFilesTest : public QObject {
         const ParameterValues& values = window_->history().look().values[exhibit];
         return std::get<std::string>(values.row(*values.table().find(row)));
     }
-    void writeSession(const QByteArray& exhibit, const QByteArray& row, const QString& file, const render::Camera& camera)
+    void writeSession(const QByteArray& exhibit, const QByteArray& row, const QString& file,
+                      const render::Camera& camera)
     {
         QDir().mkpath(path("vitrine"));
-        const auto three = [](const glm::dvec3& v) { return QStringLiteral("[%1,%2,%3]").arg(v.x).arg(v.y).arg(v.z).toUtf8(); };
-        write("vitrine/session.json", json("{'format':'vitrine-exhibition','version':1,'app':'0.1.0','name':'S','values':{'hall.supersamples':1,'" + exhibit + "." + row + "':'" +
-                                          file.toUtf8() + "'},'camera':{'eye':" + three(camera.eye) + ",'target':" + three(camera.target) + ",'fov':0.9}}"));
+        const auto three = [](const glm::dvec3& v) {
+            return QStringLiteral("[%1,%2,%3]").arg(v.x).arg(v.y).arg(v.z).toUtf8();
+        };
+        write("vitrine/session.json", json("{'format':'vitrine-exhibition','version':1,'app':'0.1.0','name':'S','"
+                                           "values':{'hall.supersamples':1,'" +
+                                           exhibit + "." + row + "':'" + file.toUtf8() + "'},'camera':{'eye':" +
+                                           three(camera.eye) + ",'target':" + three(camera.target) + ",'fov':0.9}}"));
     }
 
 private slots:
@@ -171,10 +185,14 @@ private slots:
         QTest::addColumn<QByteArray>("row");
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("label");
-        QTest::newRow("panorama") << QByteArray("hall") << QByteArray("environment") << "gone.jpg" << "Environment of The hall";
-        QTest::newRow("model") << QByteArray("hall") << QByteArray("model") << "gone.glb" << "Model of The hall";
-        QTest::newRow("ring") << QByteArray("fur") << QByteArray("ringModel") << "gone.glb" << "Ring model of Fur with Physics";
-        QTest::newRow("print") << QByteArray("lenticular") << QByteArray("frontPrint") << "gone.jpg" << "Front print of Lenticular Card";
+        QTest::newRow("panorama") << QByteArray("hall") << QByteArray("environment") << "gone.jpg"
+                                  << "Environment of The hall";
+        QTest::newRow("model") << QByteArray("hall") << QByteArray("model") << "gone.glb"
+                               << "Model of The hall";
+        QTest::newRow("ring") << QByteArray("fur") << QByteArray("ringModel") << "gone.glb"
+                              << "Ring model of Fur with Physics";
+        QTest::newRow("print") << QByteArray("lenticular") << QByteArray("frontPrint") << "gone.jpg"
+                               << "Front print of Lenticular Card";
     }
     void aSessionThatNamesAMissingFileOpensAndDrawsItWhenItComesBack()
     {
@@ -184,11 +202,13 @@ private slots:
         QFETCH(QString, label);
         const std::size_t index = museum_->find(exhibit.toStdString()).value();
         const Look initial = museum_->initialLook();
-        writeSession(exhibit, row, path(file), index == 0 ? initial.camera : museum_->bestView(index, initial.values[index]));
+        writeSession(exhibit, row, path(file),
+                     index == 0 ? initial.camera : museum_->bestView(index, initial.values[index]));
         openWindow();
         QTRY_COMPARE(unreadable_.size(), 1);
         QCOMPARE(said().size(), 1);
-        QVERIFY2(said().front().startsWith(label + ": ") && said().front().contains(path(file)), qPrintable(said().front()));
+        QVERIFY2(said().front().startsWith(label + ": ") && said().front().contains(path(file)),
+                 qPrintable(said().front()));
         QCOMPARE(value(index, row.constData()), path(file).toStdString());
         drawAnother();
         QCOMPARE(said().size(), 1);
@@ -243,7 +263,8 @@ private slots:
         drawAnother();
         type("ringModel", path("noise.glb"));
         drawAnother();
-        QVERIFY2(said().size() == 1 && said().front().startsWith("Ring model of Fur with Physics: "), qPrintable(said().join(" | ")));
+        QVERIFY2(said().size() == 1 && said().front().startsWith("Ring model of Fur with Physics: "),
+                 qPrintable(said().join(" | ")));
     }
 
     void aPhotographIsNoSkyAndAPrintOpensItsDialog()
@@ -255,7 +276,9 @@ private slots:
         const Look before = window_->history().look();
         drop(path("photo.jpg"));
         QTRY_COMPARE(said().size(), 1);
-        QVERIFY2(said().front().contains("photo.jpg") && said().front().contains("400 × 300") && said().front().contains("“Environment” in the parameters of the hall"), qPrintable(said().front()));
+        QVERIFY2(said().front().contains("photo.jpg") && said().front().contains("400 × 300") &&
+                     said().front().contains("“Environment” in the parameters of the hall"),
+                 qPrintable(said().front()));
         QVERIFY(window_->history().look().values == before.values);
         QImage panorama(400, 200, QImage::Format_RGB32);
         panorama.fill(Qt::darkCyan);
@@ -338,7 +361,8 @@ private slots:
         window_->openScreenshotDialog();
         auto* dialog = window_->findChild<ScreenshotDialog*>();
         dialog->setPath(path("look.png"));
-        for (QSpinBox* box : dialog->findChildren<QSpinBox*>()) box->setValue(box->accessibleName() == "Width" ? 64 : box->accessibleName() == "Height" ? 36 : 1);
+        for (QSpinBox* box : dialog->findChildren<QSpinBox*>())
+            box->setValue(box->accessibleName() == "Width" ? 64 : box->accessibleName() == "Height" ? 36 : 1);
         const auto button = [&](const char* text) {
             for (QPushButton* each : dialog->findChildren<QPushButton*>())
                 if (each->text() == text) return each;

@@ -137,8 +137,12 @@ private slots:
         window_->openPrintDialog();
         QCOMPARE(window_->findChildren<PrintDialog*>().size(), 1);
         auto* dialog = window_->findChild<PrintDialog*>();
-        for (const auto& [row, value] : std::initializer_list<std::pair<const char*, double>>{
-                 {"views", 2}, {"viewWidth", 96}, {"samples", 2}, {"width", 0.03}, {"height", 0.02}, {"dotsPerInch", 300}})
+        for (const auto& [row, value] : std::initializer_list<std::pair<const char*, double>>{{"views", 2},
+                                                                                              {"viewWidth", 96},
+                                                                                              {"samples", 2},
+                                                                                              {"width", 0.03},
+                                                                                              {"height", 0.02},
+                                                                                              {"dotsPerInch", 300}})
             setPrint(*dialog, row, value);
         const QDir home(home_->path());
         dialog->setPath(home.filePath("print.png"));

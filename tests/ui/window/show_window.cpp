@@ -40,7 +40,8 @@ void waitUntilStill(const ui::MainWindow& window, int mostMilliseconds)
 int main(int argc, char** argv)
 {
     const QTemporaryDir home;
-    for (const char* name : {"XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"}) qputenv(name, home.path().toLocal8Bit());
+    for (const char* name : {"XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
+        qputenv(name, home.path().toLocal8Bit());
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication app(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
@@ -52,8 +53,10 @@ int main(int argc, char** argv)
         const QString ending = dark ? QStringLiteral("_dark.png") : QStringLiteral("_light.png");
         ui::applyTheme(app, dark ? ui::darkTheme() : ui::lightTheme());
         std::unique_ptr<ui::Gallery> gallery;
-        if (real) gallery = std::make_unique<ui::MuseumGallery>(*museum);
-        else gallery = std::make_unique<test::PaintedGallery>();
+        if (real)
+            gallery = std::make_unique<ui::MuseumGallery>(*museum);
+        else
+            gallery = std::make_unique<test::PaintedGallery>();
         ui::MainWindow window(*gallery);
         window.show();
         waitUntilStill(window, 60000);
@@ -64,7 +67,8 @@ int main(int argc, char** argv)
             window.say(ui::MessageStrip::Mood::problem,
                        QStringLiteral("Preset shiny.json, line 4, key \"roughnes\": there is no such parameter. "
                                       "Everything stays as it was."));
-            window.say(ui::MessageStrip::Mood::notice, QStringLiteral("Screenshot saved to sdf_morph-2026-11-21-103512.png"));
+            window.say(ui::MessageStrip::Mood::notice,
+                       QStringLiteral("Screenshot saved to sdf_morph-2026-11-21-103512.png"));
         }
         for (auto* dock : window.findChildren<QDockWidget*>())
             if (dock->objectName() == QLatin1String("ledger")) dock->show();
@@ -94,7 +98,8 @@ int main(int argc, char** argv)
             QElapsedTimer passed;
             passed.start();
             do QApplication::processEvents(QEventLoop::AllEvents, 50);
-            while (passed.elapsed() < 120000 && (passed.elapsed() < 3000 || !dialog->settled() || dialog->findChild<ui::EyesPreview*>()->seen(0).isNull()));
+            while (passed.elapsed() < 120000 && (passed.elapsed() < 3000 || !dialog->settled() ||
+                                                 dialog->findChild<ui::EyesPreview*>()->seen(0).isNull()));
             dialog->grab().save(folder + QStringLiteral("/print") + ending);
             std::printf("print dialog with rendered views: %.1f s\n", static_cast<double>(passed.elapsed()) / 1000);
         }

@@ -29,7 +29,11 @@ using namespace vitrine::ui;
 class VisitorTest : public test::OpenWindow {
     Q_OBJECT
 
-    [[nodiscard]] QPoint at(double x, double y) { return {static_cast<int>(window_->viewport().width() * (x + 1) / 2), static_cast<int>(window_->viewport().height() * (1 - y) / 2)}; }
+    [[nodiscard]] QPoint at(double x, double y)
+    {
+        return {static_cast<int>(window_->viewport().width() * (x + 1) / 2),
+                static_cast<int>(window_->viewport().height() * (1 - y) / 2)};
+    }
     [[nodiscard]] QLineEdit* filter()
     {
         for (QLineEdit* edit : window_->panel().findChildren<QLineEdit*>())
@@ -66,7 +70,8 @@ private slots:
 
     void theViewMenuListsEveryPanelAndFindOpensAClosedOne()
     {
-        for (const char* panel : {"Exhibits", "Presets", "Parameters", "Study", "Ledger", "Log"}) QVERIFY2(menu("View").contains(QLatin1String(panel)), panel);
+        for (const char* panel : {"Exhibits", "Presets", "Parameters", "Study", "Ledger", "Log"})
+            QVERIFY2(menu("View").contains(QLatin1String(panel)), panel);
         auto* parameters = window_->findChild<QDockWidget*>("parameters");
         action("Parameters")->trigger();
         QVERIFY(!parameters->isVisible());
@@ -85,7 +90,8 @@ private slots:
         QCOMPARE(window_->chosen(), std::size_t{1});
         QCOMPARE(tabs()->count(), 2);
         QVERIFY2(tabs()->isVisible() && tabs()->height() >= 20, qPrintable(QString::number(tabs()->height())));
-        for (int i = 0; i < 2; ++i) QVERIFY(tabs()->tabRect(i).width() > 20 && tabs()->rect().contains(tabs()->tabRect(i).center()));
+        for (int i = 0; i < 2; ++i)
+            QVERIFY(tabs()->tabRect(i).width() > 20 && tabs()->rect().contains(tabs()->tabRect(i).center()));
         QTest::mouseClick(tabs(), Qt::LeftButton, {}, tabs()->tabRect(1).center());
         QCOMPARE(window_->shown(), std::size_t{0});
     }
@@ -181,7 +187,8 @@ private slots:
         }
         QCOMPARE(MainWindow::firstSize({3840, 2160}), QSize(1400, 860));
         // ... and nothing in the window asks for more.
-        QVERIFY2(window_->minimumSizeHint().height() <= MainWindow::firstSize({1280, 720}).height(), qPrintable(QString::number(window_->minimumSizeHint().height())));
+        QVERIFY2(window_->minimumSizeHint().height() <= MainWindow::firstSize({1280, 720}).height(),
+                 qPrintable(QString::number(window_->minimumSizeHint().height())));
         closeWindow();
         gallery_ = std::make_unique<test::PaintedGallery>();
         QDir(home_->path()).removeRecursively();
@@ -272,7 +279,8 @@ private slots:
             QVERIFY(stop);
             if (stop == &window_->viewport()) {  // Tab is its own key there: on behind it.
                 do stop = stop->nextInFocusChain();
-                while (!(stop->focusPolicy() & Qt::TabFocus) || !stop->isVisible() || !stop->isEnabled() || stop->window() != window_.get());
+                while (!(stop->focusPolicy() & Qt::TabFocus) || !stop->isVisible() || !stop->isEnabled() ||
+                       stop->window() != window_.get());
                 stop->setFocus(Qt::TabFocusReason);
                 continue;
             }
@@ -282,12 +290,17 @@ private slots:
             const QImage with = window_->grab(there).toImage();
             stop->clearFocus();
             const QImage without = window_->grab(there).toImage();
-            if (with == without) blind << QString("%1 \"%2\" in %3").arg(stop->metaObject()->className(), stop->accessibleName(), around->metaObject()->className());
+            if (with == without)
+                blind << QString("%1 \"%2\" in %3")
+                             .arg(stop->metaObject()->className(), stop->accessibleName(),
+                                  around->metaObject()->className());
             stop->setFocus(Qt::TabFocusReason);
             QTest::keyClick(stop, Qt::Key_Tab);
         }
         QVERIFY2(blind.isEmpty(), qPrintable(blind.join("; ")));
-        for (const char* stop : {"Exhibits", "Presets", "Save preset", "Whose parameters", "Only changed", "Base color"}) QVERIFY2(seen.contains(QLatin1String(stop)), stop);
+        for (const char* stop :
+             {"Exhibits", "Presets", "Save preset", "Whose parameters", "Only changed", "Base color"})
+            QVERIFY2(seen.contains(QLatin1String(stop)), stop);
     }
 
     void aFinishedPictureIsSavedAsItIs()
@@ -340,9 +353,11 @@ private slots:
     void theHallInTheListGoesToTheHall()
     {
         auto* list = window_->findChild<ExhibitList*>();
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->findItems("Torus to mug", Qt::MatchExactly).front()).center());
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                          list->visualItemRect(list->findItems("Torus to mug", Qt::MatchExactly).front()).center());
         QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
-        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->findItems("Hall", Qt::MatchExactly).front()).center());
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                          list->visualItemRect(list->findItems("Hall", Qt::MatchExactly).front()).center());
         QCOMPARE(window_->chosen(), std::size_t{0});
         QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
         QVERIFY(window_->history().look().camera == gallery_->bestView(0, window_->history().look().values[0]));
@@ -383,7 +398,8 @@ private slots:
 
     void menusHoldWhatTheyAreNamedFor()
     {
-        for (const char* entry : {"Save preset", "Save preset as…", "Rename preset", "Delete preset", "Import preset…"}) {
+        for (const char* entry :
+             {"Save preset", "Save preset as…", "Rename preset", "Delete preset", "Import preset…"}) {
             QVERIFY2(menu("Preset").contains(QString::fromUtf8(entry)), entry);
             QVERIFY2(!menu("File").contains(QString::fromUtf8(entry)), entry);
         }
@@ -396,7 +412,8 @@ private slots:
         QVERIFY(about && about->isVisible());
         QString words;
         for (const QLabel* label : about->findChildren<QLabel*>()) words += label->text();
-        for (const char* part : {VITRINE_VERSION, "Qt", "GNU General Public License"}) QVERIFY2(words.contains(QLatin1String(part)), part);
+        for (const char* part : {VITRINE_VERSION, "Qt", "GNU General Public License"})
+            QVERIFY2(words.contains(QLatin1String(part)), part);
         about->close();
     }
 
@@ -417,7 +434,8 @@ private slots:
         auto* open = window_->findChild<QFileDialog*>();
         QVERIFY(open);
         const QString offered = open->nameFilters().front();
-        for (const char* ending : {"*.json", "*.glb", "*.gltf", "*.hdr", "*.exr", "*.png", "*.jpg", "*.jpeg", "*.tif", "*.tiff"})
+        for (const char* ending :
+             {"*.json", "*.glb", "*.gltf", "*.hdr", "*.exr", "*.png", "*.jpg", "*.jpeg", "*.tif", "*.tiff"})
             QVERIFY2(offered.contains(QLatin1String(ending)), ending);
         delete open;
         window_->choose(1);

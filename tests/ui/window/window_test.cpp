@@ -62,9 +62,11 @@ private slots:
         QTest::mouseRelease(slider, Qt::LeftButton, {}, {slider->width() - 20, slider->height() / 2});
         settle();
         QCOMPARE(changed.count(), 1);
-        const auto full = std::count_if(gallery_->requests.begin() + static_cast<std::ptrdiff_t>(before), gallery_->requests.end(), [&](const FrameRequest& request) {
-            return request.sample == 0 && request.raster.size == gallery_->requests.back().raster.size;
-        });
+        const auto full = std::count_if(gallery_->requests.begin() + static_cast<std::ptrdiff_t>(before),
+                                        gallery_->requests.end(), [&](const FrameRequest& request) {
+                                            return request.sample == 0 &&
+                                                   request.raster.size == gallery_->requests.back().raster.size;
+                                        });
         QCOMPARE(full, 1);
     }
 
@@ -172,7 +174,8 @@ private slots:
         QCOMPARE(list->count(), shipped + 1);
         QCOMPARE(list->item(0)->text(), QString("Zz, the last by name"));
         QCOMPARE(list->item(0)->data(TileDelegate::secondLine).toString(), QString("Yours"));
-        for (int i = 1; i < list->count(); ++i) QCOMPARE(list->item(i)->data(TileDelegate::secondLine).toString(), QString());
+        for (int i = 1; i < list->count(); ++i)
+            QCOMPARE(list->item(i)->data(TileDelegate::secondLine).toString(), QString());
     }
 
     void theThemeIsChosenInTheViewMenuAndKept()
@@ -292,8 +295,9 @@ private slots:
             }
         }
         QVERIFY(commands >= 20);
-        for (const char* key : {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+O", "Ctrl+F", "Ctrl+Shift+P",
-                                "Space", "Pause", "F12", "Ctrl+Shift+E", "Ctrl+B", "F11", "F1", "?", "Tab"})
+        for (const char* key :
+             {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+O", "Ctrl+F", "Ctrl+Shift+P", "Space",
+              "Pause", "F12", "Ctrl+Shift+E", "Ctrl+B", "F11", "F1", "?", "Tab"})
             QVERIFY2(keys.contains(key), key);
     }
 
@@ -304,7 +308,8 @@ private slots:
             const bool closed = dock->isHidden();
             dock->show();
             QTest::qWait(50);
-            QVERIFY2(window_->minimumSizeHint().width() <= 1024, qPrintable(QString("%1: %2").arg(dock->objectName()).arg(window_->minimumSizeHint().width())));
+            QVERIFY2(window_->minimumSizeHint().width() <= 1024,
+                     qPrintable(QString("%1: %2").arg(dock->objectName()).arg(window_->minimumSizeHint().width())));
             dock->setHidden(closed);
         }
     }
@@ -319,7 +324,8 @@ private slots:
             if (widget->inherits("QScrollArea") || widget->objectName().startsWith("qt_")) continue;
             QVERIFY2(!widget->accessibleName().isEmpty(),
                      qPrintable(QString("%1 in %2")
-                                    .arg(widget->metaObject()->className(), widget->parentWidget()->metaObject()->className())));
+                                    .arg(widget->metaObject()->className(),
+                                         widget->parentWidget()->metaObject()->className())));
         }
     }
 
@@ -329,7 +335,9 @@ private slots:
         window_->viewport().reloadShaders();
         const auto shown = [&] {
             const auto labels = window_->viewport().findChildren<QLabel*>();
-            return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->isVisible() && label->text().contains("sdf_morph/march.frag:42"); });
+            return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+                return label->isVisible() && label->text().contains("sdf_morph/march.frag:42");
+            });
         };
         QTRY_VERIFY(shown());
     }
@@ -352,7 +360,8 @@ private slots:
         const QSize before = window_->viewport().size();
         const long long drawn = window_->viewport().picturesDrawn();
         for (int i = 1; i <= 4; ++i)
-            window_->say(MessageStrip::Mood::notice, QString("Screenshot saved to %1.png.").arg(i), "%1 screenshots saved, the last one to %2.", QString("%1.png").arg(i));
+            window_->say(MessageStrip::Mood::notice, QString("Screenshot saved to %1.png.").arg(i),
+                         "%1 screenshots saved, the last one to %2.", QString("%1.png").arg(i));
         window_->say(MessageStrip::Mood::problem, "The disk is full.");
         QCOMPARE(strip->texts(), (QStringList{"4 screenshots saved, the last one to 4.png.", "The disk is full."}));
         QTRY_VERIFY(strip->isVisible());
@@ -366,7 +375,8 @@ private slots:
     void noticesGoByThemselvesAndProblemsStay()
     {
         auto* strip = window_->findChild<MessageStrip*>();
-        QCursor::setPos(window_->mapToGlobal(window_->rect().bottomRight() - QPoint(5, 5)));  // Not on the strip: there, notices stay.
+        QCursor::setPos(window_->mapToGlobal(window_->rect().bottomRight() -
+                                             QPoint(5, 5)));  // Not on the strip: there, notices stay.
         strip->setNoticeTime(50);
         window_->say(MessageStrip::Mood::problem, "The disk is full.");
         window_->say(MessageStrip::Mood::notice, "Saved.");
@@ -409,7 +419,10 @@ private slots:
     void badInputIsOneLineInTheLogHoweverManyFramesItLasts()
     {
         window_->choose(1);
-        const auto lines = [&] { return window_->findChild<LogView*>()->toPlainText().count(QStringLiteral("fur/clock: the time is no number")); };
+        const auto lines = [&] {
+            return window_->findChild<LogView*>()->toPlainText().count(
+                QStringLiteral("fur/clock: the time is no number"));
+        };
         bool up = true;
         const auto drawFrames = [&](std::vector<render::Skipped> complaints) {
             gallery_->complaints = std::move(complaints);
@@ -419,7 +432,10 @@ private slots:
             QTRY_VERIFY(gallery_->requests().size() > before + 2);
             settle();
         };
-        const render::Skipped wrong{.name = "fur/clock", .reason = "the time is no number", .work = render::Work::simulation, .complaint = true};
+        const render::Skipped wrong{.name = "fur/clock",
+                                    .reason = "the time is no number",
+                                    .work = render::Work::simulation,
+                                    .complaint = true};
         drawFrames({});
         QCOMPARE(lines(), 0);
         drawFrames({wrong});
@@ -491,7 +507,8 @@ private slots:
         // The held one ends, and the next one is of the newest value: the four between are never drawn.
         QTRY_VERIFY(window_->viewport().schedule().current());
         settle();
-        QCOMPARE(window_->viewport().shown().pixelColor(20, 20).red(), QColor::fromRgbF(static_cast<float>(last), 0, 0).red());
+        QCOMPARE(window_->viewport().shown().pixelColor(20, 20).red(),
+                 QColor::fromRgbF(static_cast<float>(last), 0, 0).red());
         QVERIFY2(pictures <= 2 + 16, qPrintable(QString::number(pictures)));
         gallery_->beforeDrawing = {};
     }
@@ -514,7 +531,8 @@ private slots:
         dragRoughness(60);
         QTRY_COMPARE(int(abandoned), 1);
         settle();
-        QCOMPARE(window_->viewport().shown().pixelColor(20, 20).red(), QColor::fromRgbF(static_cast<float>(roughness()), 0, 0).red());
+        QCOMPARE(window_->viewport().shown().pixelColor(20, 20).red(),
+                 QColor::fromRgbF(static_cast<float>(roughness()), 0, 0).red());
         QVERIFY(window_->findChild<MessageStrip*>()->texts().isEmpty());
         gallery_->beforeDrawing = {};
     }
@@ -533,7 +551,8 @@ private slots:
         QTRY_VERIFY(window_->viewport().regionsDrawn() >= 2);
         const long long whole = window_->viewport().picturesDrawn();
         const auto requests = gallery_->requests();
-        QVERIFY(std::none_of(requests.end() - 1, requests.end(), [](const FrameRequest& r) { return r.raster.size.x < 100; }));
+        QVERIFY(std::none_of(requests.end() - 1, requests.end(),
+                             [](const FrameRequest& r) { return r.raster.size.x < 100; }));
         const QImage now = window_->viewport().shown();
         QCOMPARE(now.size(), before.size());
         int moved = 0, elsewhere = 0;

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "tests/support/gallery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vitrine::test {
+
+inline constexpr double degree = std::numbers::pi / 180;
+
+class Rays : public GlTest {};
+
+/// The window from the middle of the hall, in linear light; white rays of strength 1 where an exposure of 1 shows it.
+struct RayShot : Shot {
+    explicit RayShot(RayTechnique technique)
+    {
+        inHall();
+        request.frame.subject.reset();
+        request.frame.channels.normal = false;
+        see({0.4, 1.65, -1}, {0.1, 3.8, -12});
+        hall().set(hallTable().exposure, -std::log2(6.5));
+        hall().set(hallTable().sunTemperature, 6500.0);
+        rays().set(raysTable().technique, technique);
+        rays().set(raysTable().weight, 1.0);
+        rays().set(raysTable().tint, ColorValue{glm::dvec3(1)});
+        rays().set(raysTable().skyColor, false);
+        rays().set(raysTable().lightSize, 3.141593);
+        rays().set(raysTable().jitter, false);
+        rays().set(raysTable().resolution, RayResolution::full);
+        rays().set(raysTable().view, RayView::light);
+        rays().set(raysTable().unevenness, 0.0);
+    }
+    /// Alone there is nothing but sky, a white mask, and the sun stands in the picture.
+    RayShot& onWhite()
+    {
+        request.frame.alone = *gallery().museum.find("crepuscular_rays");
+        request.frame.transparent = true;
+        hall().set(hallTable().exposure, -std::log2(6.5 * 0.16));
+        see({0, 0, 0}, {-0.05, 0.2, -1});
+        return *this;
+    }
+    [[nodiscard]] ParameterValues& rays() { return look.values[*gallery().museum.find("crepuscular_rays")]; }
+    /// Largest component of the color in which a white mask comes out.
+    [[nodiscard]] glm::dvec3 white() const
+    {
+        const glm::dvec3 color = blackBodyColor(look.values[0][hallTable().sunTemperature]);
+        return color / std::max({color.x, color.y, color.z});
+    }
+};
+
+}  // namespace vitrine::test

@@ -1,0 +1,247 @@
+// What the sunbeams of the screen keep to whatever is set and wherever the sun is.
+
+#include "exhibits/crepuscular_rays/sun_in_picture.h"
+#include "render/glsl/cpu.h"
+#include "tests/exhibits/crepuscular_rays/ray_shot.h"
+#include "tests/support/planned.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+using test::degree;
+using test::gallery;
+using test::Picture;
+using test::Rays;
+using test::RayShot;
+using test::raysTable;
+
+/// Of the hall's initial values.
+const dvec3 towardsSun(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree),
+                       -std::cos(-3 * degree) * std::cos(19 * degree));
+
+/// What a white mask comes to at worst, against `expected` at every pixel from the lower left.
+double worstOf(const Picture& p, const dvec3& white, const std::function<double(const dvec2&)>& expected)
+{
+    double worst = 0;
+    p.each([&](int x, int y) {
+        worst = std::max(worst, glm::length(p.color(x, y) / white - dvec3(expected({x + 0.5, p.height() - y - 0.5}))));
+    });
+    return worst;
+}
+
+TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
+{
+    RayShot shot(RayTechnique::screen);
+    shot.onWhite();
+    shot.size(64, 36);
+    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar})
+        for (const RayResolution resolution : {RayResolution::full, RayResolution::half, RayResolution::quarter})
+            for (const bool jitter : {false, true})
+                for (const double decay : {0.0, 0.98, 1.0})
+                    for (const double density : {0.0, 0.3, 1.0})
+                        for (const int samples : {1, 8, 216}) {
+                            shot.rays().set(raysTable().method, method);
+                            shot.rays().set(raysTable().resolution, resolution);
+                            shot.rays().set(raysTable().jitter, jitter);
+                            shot.rays().set(raysTable().decay, decay);
+                            shot.rays().set(raysTable().density, density);
+                            shot.rays().set(raysTable().samples, samples);
+                            // Half floats carry the mean: a thousandth.
+                            EXPECT_LT(worstOf(shot.take(), shot.white(), [](const dvec2&) { return 1.0; }), 0.004)
+                                << static_cast<int>(method) << ' ' << static_cast<int>(resolution) << ' ' << jitter
+                                << ' ' << decay << ' ' << density << ' ' << samples;
+                        }
+}
+
+TEST_F(Rays, OfASunBeyondTheEdgeAreTheShareOfTheWayInsideThePictureTimesTheFade)
+{
+    // Nothing is known beyond the edge, and nothing shines there: of a white mask, the weight of the way from the pixel
+    // to the edge is left, by its closed form, and of that what the edge fade says.
+    for (const dvec3& towards : {dvec3(-0.05, -0.25, -1), dvec3(0.5, -0.1, -1)}) {
+        RayShot shot(RayTechnique::screen);
+        shot.onWhite();
+        shot.see({0, 0, 0}, towards);
+        shot.size(128, 72);
+        shot.rays().set(raysTable().decay, 0.99);
+        for (const double edgeFade : {1.5, 8.0}) {
+            shot.rays().set(raysTable().edgeFade, edgeFade);
+            for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
+                shot.rays().set(raysTable().method, method);
+                shot.rays().set(raysTable().samples, method == RayMethod::loop ? 512 : 4096);
+                const Picture p = shot.take();
+                const SunInPicture sun = sunInPicture(p.view, towardsSun);
+                ASSERT_TRUE(sun.inFront);
+                ASSERT_GT(sun.beyond, 0.05);
+                const double reach =
+                    std::max(glm::length(sun.pixel - dvec2(64, 36)) / 72 / shot.rays()[raysTable().streak], 1.0);
+                const double left = 1 - 1 / reach;  // Of the way, beyond a streak's length, at density 1.
+                const double exponent = 1 - 128 * std::log(0.99) * reach;
+                const double fade = glsl::shaftEdgeFade(sun.beyond, edgeFade);
+                ASSERT_GT(fade, 0.05);
+                const auto share = [&](const dvec2& pixel) {
+                    double edge = left;
+                    for (int axis = 0; axis < 2; ++axis) {
+                        const double size = axis == 0 ? 128 : 72;
+                        const double limit = sun.pixel[axis] < 0 ? 0 : sun.pixel[axis] > size ? size : sun.pixel[axis];
+                        if (limit != sun.pixel[axis])
+                            edge = std::max(edge, (limit - sun.pixel[axis]) / (pixel[axis] - sun.pixel[axis]));
+                    }
+                    return fade * (1 - std::pow(edge, exponent)) / (1 - std::pow(left, exponent));
+                };
+                SCOPED_TRACE(testing::Message() << towards.x << ' ' << edgeFade << ' ' << static_cast<int>(method));
+                // Next to the edge, a look more or less lies inside; three passes look between the pixels of each
+                // other's pictures.
+                if (method != RayMethod::threePasses) {
+                    EXPECT_LT(worstOf(p, shot.white(), share), 0.03);
+                }
+                double squares = 0;
+                p.each([&](int x, int y) {
+                    squares += std::pow(p.color(x, y).y / shot.white().y - share({x + 0.5, p.height() - y - 0.5}), 2);
+                });
+                EXPECT_LT(std::sqrt(squares / (128 * 72)), 0.01);
+                p.each(
+                    [&](int x, int y) { EXPECT_LT(p.color(x, y).y / shot.white().y, fade + 0.004) << x << ',' << y; });
+            }
+        }
+    }
+}
+
+TEST_F(Rays, H59_AreNeverBrighterThanTheMask)
+{
+    RayShot shot(RayTechnique::screen);
+    shot.rays().set(raysTable().jitter, true);
+    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
+        for (const RayResolution resolution : {RayResolution::full, RayResolution::half, RayResolution::quarter}) {
+            shot.rays().set(raysTable().method, method);
+            shot.rays().set(raysTable().resolution, resolution);
+            const Picture p = shot.take();
+            p.each([&](int x, int y) { EXPECT_LE(p.color(x, y).x, 1.002 * shot.white().x) << x << ',' << y; });
+        }
+    }
+    // Nor with a decay above 1, which comes to the nearest that is legal, nor with an exposure that is no number.
+    shot.rays().set(raysTable().method, RayMethod::loop);
+    shot.rays().set(raysTable().decay, 1.0);
+    const Picture even = shot.take();
+    even.each([&](int x, int y) { EXPECT_LE(even.color(x, y).x, 1.002 * shot.white().x) << x << ',' << y; });
+    for (const double decay : {1.1, 4.0, std::numeric_limits<double>::infinity()}) {
+        EXPECT_FALSE(shot.rays().setRow(raysTable().decay.row, decay));
+        EXPECT_EQ(test::largestDifference(shot.take().image, even.image), 0) << decay;
+    }
+    for (const std::uint16_t row : {raysTable().rayExposure.row, raysTable().weight.row}) {
+        EXPECT_FALSE(shot.rays().setRow(row, std::nan("")));
+        EXPECT_EQ(test::largestDifference(shot.take().image, even.image), 0) << row;
+    }
+    // The original's sum is, by far.
+    shot.rays().set(raysTable().sum, RaySum::plain);
+    shot.rays().set(raysTable().decay, 1.0);
+    const Picture plain = shot.take();
+    double brightest = 0;
+    plain.each([&](int x, int y) { brightest = std::max(brightest, plain.color(x, y).x); });
+    EXPECT_GT(brightest, 20);
+}
+
+TEST_F(Rays, ChangeLittleByLittleWhileTheCameraTurnsAway)
+{
+    // From the sun in the picture through the edge to a quarter turn beyond, in steps of a tenth of a degree (here
+    // around the edge and where the last of it fades): nothing pops.
+    RayShot shot(RayTechnique::screen);
+    shot.size(64, 36);
+    shot.rays().set(raysTable().edgeFade, 0.8);
+    const auto mean = [&](double yaw) {
+        const double a = yaw * degree;
+        shot.see({0.4, 1.65, -1}, dvec3(0.4, 1.65, -1) + dvec3(std::sin(a), 0.2, -std::cos(a)));
+        return shot.take().mean();
+    };
+    const double straight = mean(0);
+    EXPECT_GT(straight, 0.05);
+    for (const double around : {-42.0, 36.0, 58.0, 66.0}) {
+        double last = mean(around);
+        for (int i = 1; i <= 12; ++i) {
+            const double now = mean(around + 0.1 * i);
+            EXPECT_LT(std::abs(now - last), 0.02 * straight) << around + 0.1 * i;
+            last = now;
+        }
+    }
+    // The light alone would be shown, black as it is.
+    shot.rays().set(raysTable().view, RayView::picture);
+    EXPECT_EQ(test::planned(gallery().museum, shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
+}
+
+TEST_F(Rays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
+{
+    // From the sun in the picture to straight away from it, in steps of a tenth of a degree, across the camera's plane:
+    // there, the sun's place in the picture goes to infinity and comes back mirrored. Nothing pops, and behind the
+    // plane no pass runs. Nothing but sky: the fade alone is seen.
+    for (const double edgeFade : {1.5, 8.0}) {
+        RayShot shot(RayTechnique::screen);
+        shot.onWhite();
+        shot.size(16, 9);
+        shot.rays().set(raysTable().edgeFade, edgeFade);
+        double last = 0;
+        double straight = 0;
+        double steepest = 0;
+        for (int step = 0; step <= 1800; ++step) {
+            const double yaw = -3 * degree + 0.1 * degree * step;
+            shot.see({0, 0, 0}, {std::sin(yaw), 0, -std::cos(yaw)});
+            const Picture p = shot.take();
+            const bool runs =
+                test::planned(gallery().museum, shot.look, shot.request.frame).find("crepuscular_rays/mask") != nullptr;
+            const double now = p.mean();
+            ASSERT_TRUE(std::isfinite(now)) << step;
+            if (step == 0) straight = last = now;
+            steepest = std::max(steepest, std::abs(now - last));
+            if (step * 0.1 >= 90) {
+                ASSERT_FALSE(runs) << step;
+            }
+            if (!runs) {
+                ASSERT_EQ(now, 0) << step;
+            }
+            last = now;
+        }
+        EXPECT_GT(straight, 0.3);
+        EXPECT_LT(steepest, 0.02 * straight) << edgeFade;
+    }
+}
+
+TEST_F(Rays, H57_AreTheMaskItselfWithTheSunOnAPixelsCenter)
+{
+    // A step from the pixel to the light as a share of their distance: nothing by nothing.
+    const auto naive = [](const dvec2& way) { return way / glm::length(way); };
+    EXPECT_TRUE(std::isnan(naive(dvec2(0)).x));
+    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
+        RayShot shot(RayTechnique::screen);
+        shot.size(33, 19);
+        shot.rays().set(raysTable().method, method);
+        shot.see({0, 3, -9}, dvec3(0, 3, -9) + towardsSun);
+        const Picture p = shot.take();
+        EXPECT_LT(glm::length(sunInPicture(p.view, towardsSun).pixel - dvec2(16.5, 9.5)), 1e-9);
+        EXPECT_EQ(test::notFinite(p.image, 4), "");
+        EXPECT_NEAR(p.color(16, 9).y / shot.white().y, 1, 0.004)
+            << static_cast<int>(method);  // The sky through the window.
+    }
+}
+
+TEST_F(Rays, H69_AreFiniteTowardsTheSkyAndWithTheEyeInTheWindow)
+{
+    // Rays without end, and rays that begin where the air ends.
+    for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
+        RayShot shot(RayTechnique::both);
+        shot.size(33, 19);
+        shot.rays().set(raysTable().method, method);
+        for (const double z : {-9.0, -11.999, -12.0, -12.2}) {
+            shot.see({0, 3.9, z}, dvec3(0, 3.9, z) + towardsSun);
+            EXPECT_EQ(test::notFinite(shot.take().image, 4), "") << z;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,144 @@
+// Coats on an exhibit that the visitor scales unevenly or mirrors. The exhibit is scaled as a whole, its fur with it:
+// what a strand's length was along an axis is scaled as the axis is. Normals go by the inverse transpose.
+
+#include "exhibits/fur/bounce.h"
+#include "tests/exhibits/sdf_morph/truth.h"
+#include "tests/support/gallery.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::test {
+namespace {
+
+using FurScaled = GlTest;
+
+const FurTable& table()
+{
+    static const FurTable made;
+    return made;
+}
+
+/// The bodies alone, still, upright fur.
+Shot furShot()
+{
+    Shot shot;
+    shot.sdf = *gallery().museum.find("fur");
+    shot.request.frame.alone = shot.sdf;
+    shot.request.frame.camera = gallery().museum.exhibits()[shot.sdf]->bestView(shot.object());
+    ParameterValues& values = shot.object();
+    values.set(table().byHand, true);
+    for (const Real pull : {table().handX, table().handY, table().handZ, table().comb, table().disorder, table().clump,
+                            table().flattening})
+        values.set(pull, 0.0);
+    values.set(table().levelOfDetail, false);
+    shot.size(128, 80);
+    return shot;
+}
+
+glm::dvec3 mirrored(const glm::dvec3& v)
+{
+    return {-v.x, v.y, v.z};
+}
+
+TEST_F(FurScaled, H87_AMirroredExhibitIsTheMirrorImageOfItself)
+{
+    const Shot plain = furShot();
+    Shot turned = plain;
+    turned.transform(glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1)));
+    const render::Camera& camera = plain.request.frame.camera;
+    turned.see(mirrored(camera.eye), mirrored(camera.target));
+    const Picture a = plain.take();
+    const Picture b = turned.take();
+    int furry = 0;
+    int same = 0;
+    int sameUnmirrored = 0;
+    a.each([&](int x, int y) {
+        if (!a.hit(x, y)) return;
+        ++furry;
+        const auto agrees = [&](int bx, const glm::dvec3& normal) {
+            return b.hit(bx, y) && std::abs(b.depth(bx, y) - a.depth(x, y)) < 1e-3 &&
+                   glm::length(b.normal(bx, y) - normal) < 1e-2;
+        };
+        same += agrees(a.width() - 1 - x, mirrored(a.normal(x, y)));
+        sameUnmirrored += agrees(x, a.normal(x, y));
+    });
+    EXPECT_GT(furry, 1500);
+    // Strands thinner than a pixel are found or missed by rounding.
+    EXPECT_GT(same, 0.97 * furry) << "of " << furry;
+    EXPECT_LT(sameUnmirrored, 0.5 * furry) << "the scene is symmetric: the comparison proves nothing";
+}
+
+TEST_F(FurScaled, H87_NormalsOfAnUnevenlyScaledSkinAreThoseOfItsEllipsoid)
+{
+    Shot shot = furShot();
+    for (const Real length :
+         {table().coats[furBall].length, table().coats[furRoll].length, table().coats[furRing].length})
+        shot.object().set(length, 0.0);
+    const glm::dmat4 scale = glm::scale(glm::dmat4(1), glm::dvec3(1, 2, 0.7));
+    shot.transform(scale);
+    render::Camera camera = shot.request.frame.camera;
+    shot.see(glm::dvec3(scale * glm::dvec4(camera.eye, 1)), glm::dvec3(scale * glm::dvec4(camera.target, 1)));
+    const Picture p = shot.take();
+    const FurState ball = restStates(bounceSettings(table(), shot.object(), nullptr, 0))[furBall];
+    const glm::dmat3 back = glm::inverse(glm::dmat3(scale));
+    struct Seen {
+        glm::dvec3 out, normal;  ///< From the ball's middle, scaled back; and as written, world space.
+    };
+    std::vector<Seen> seen;
+    p.each([&](int x, int y) {
+        if (!p.hit(x, y) || glm::length(p.normal(x, y)) < 0.5) return;
+        const Ray ray = pixelRay(p.view, x, y);
+        const glm::dvec3 out = back * (ray.origin + ray.direction * p.depth(x, y)) - ball.position;
+        if (std::abs(glm::length(out) - ballRadius * ball.grown) < 0.01) seen.push_back({out, p.normal(x, y)});
+    });
+    ASSERT_GT(seen.size(), 300U);
+    const auto median = [&](const glm::dmat3& worldNormalFromNormal) {
+        std::vector<double> misses;
+        for (const Seen& s : seen)
+            misses.push_back(
+                std::acos(std::min(glm::dot(glm::normalize(worldNormalFromNormal * s.out), s.normal), 1.0)));
+        std::nth_element(misses.begin(), misses.begin() + static_cast<std::ptrdiff_t>(misses.size() / 2), misses.end());
+        return misses[misses.size() / 2];
+    };
+    EXPECT_LT(median(glm::transpose(back)), 0.03) << "radians";
+    EXPECT_GT(median(glm::dmat3(scale)), 0.2) << "normals carried like directions would do as well";
+}
+
+TEST_F(FurScaled, H87_AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
+{
+    // How far the fur reaches beyond its skin, up and aside: as far as the scaled sphere of skin and fur, float64.
+    Shot shot = furShot();
+    shot.object().set(table().coats[furBall].uniformity, 1.0);
+    shot.object().set(table().strandRoundness, 0.999);
+    shot.object().set(table().gravity, 0.0);
+    const FurState ball = restStates(bounceSettings(table(), shot.object(), nullptr, 0))[furBall];
+    const double reach = ballRadius * ball.grown + shot.object()[table().coats[furBall].length];
+    for (const glm::dvec3 factors : {glm::dvec3(1), glm::dvec3(1, 1.6, 1), glm::dvec3(1.6, 1, 0.5)}) {
+        const glm::dmat4 scale = glm::scale(glm::dmat4(1), factors);
+        shot.transform(scale);
+        const glm::dvec3 center = factors * ball.position;
+        shot.see(center + glm::dvec3(0, 0, 12), center);
+        shot.request.frame.camera.fovY = 0.2;
+        shot.size(96, 96);
+        const Picture p = shot.take();
+        int highest = p.height();
+        int leftmost = p.width();
+        p.each([&](int x, int y) {
+            if (!p.hit(x, y)) return;
+            if (std::abs(x - p.width() / 2) < 4) highest = std::min(highest, y);
+            if (std::abs(y - p.height() / 2) < 4) leftmost = std::min(leftmost, x);
+        });
+        const double pixel = 2 * 12 * std::tan(0.1) / p.height();
+        EXPECT_NEAR((p.height() / 2.0 - highest) * pixel, reach * factors.y, 0.04 * reach * factors.y) << factors.y;
+        EXPECT_NEAR((p.width() / 2.0 - leftmost) * pixel, reach * factors.x, 0.04 * reach * factors.x) << factors.x;
+        // The naive way pushes the skin out along its carried normal by the unscaled length.
+        const double naive = ballRadius * ball.grown * factors.y + shot.object()[table().coats[furBall].length];
+        EXPECT_TRUE(factors.y == 1 || std::abs(naive - reach * factors.y) > 0.1 * reach);
+    }
+}
+
+}  // namespace
+}  // namespace vitrine::test

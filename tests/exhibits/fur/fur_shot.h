@@ -1,0 +1,55 @@
+#pragma once
+
+#include "exhibits/fur/coat.h"
+#include "tests/support/gallery.h"
+
+namespace vitrine::test {
+
+inline const FurTable& table()
+{
+    static const FurTable made;
+    return made;
+}
+
+/// The furry bodies alone, transparent, with depth and normals.
+struct FurShot : Shot {
+    FurShot()
+    {
+        sdf = *gallery().museum.find("fur");
+        request.frame.alone = sdf;
+        request.frame.camera = gallery().museum.exhibits()[sdf]->bestView(object());
+        size(128, 80);
+    }
+    FurShot& shells(int count, FurSilhouette silhouette, FurOrder order = FurOrder::outerFirst)
+    {
+        object().set(table().shellCount, count);
+        object().set(table().silhouette, silhouette);
+        object().set(table().drawOrder, order);
+        object().set(table().levelOfDetail, false);
+        return *this;
+    }
+    FurShot& reference()
+    {
+        shells(256, FurSilhouette::march);
+        object().set(table().samplesBetween, 32);
+        return *this;
+    }
+    FurShot& hand(const glm::dvec3& pull, double turn)
+    {
+        object().set(table().byHand, true);
+        object().set(table().handX, pull.x);
+        object().set(table().handY, pull.y);
+        object().set(table().handZ, pull.z);
+        object().set(table().handTurn, turn);
+        return *this;
+    }
+    [[nodiscard]] std::int64_t samplesPassed() const
+    {
+        PictureMaker maker(gallery().museum, gallery().renderer, look, request);
+        while (maker.step()) {
+        }
+        return maker.report().counters.at("samples");
+    }
+};
+
+}  // namespace vitrine::test

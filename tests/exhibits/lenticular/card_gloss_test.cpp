@@ -1,0 +1,166 @@
+// The plastic's mirror image of the lamp: its size and brightness against the microfacet model at float64, and how ribs
+// and lenses break it.
+
+#include "tests/exhibits/lenticular/card_shot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+using glm::dvec3;
+using test::CardShot;
+using test::cardTable;
+using test::CardViews;
+using test::Picture;
+
+const dvec3 lamp(-0.5, 1.1, 2.4);     ///< Where it hangs in the card's space (shaders/lenticular/gloss.glsl).
+constexpr double greenOfLamp = 0.90;  ///< Of its color.
+
+/// Radiance that a plane facing z mirrors of unit irradiance from `l` towards `v`: Cook and Torrance 1982 with the
+/// distribution and the shadowing of Walter et al. 2007 ("Microfacet models for refraction through rough surfaces",
+/// GGX, equations 33 and 34), the latter correlated by height (Heitz 2014, equation 99), and Schlick's Fresnel term.
+double mirroredBy(double roughness, double specular, const dvec3& l, const dvec3& v)
+{
+    const double alpha = roughness * roughness;  // Burley 2012.
+    const dvec3 h = glm::normalize(l + v);
+    const double tan2 = 1 / (h.z * h.z) - 1;
+    const double d = alpha * alpha / (std::numbers::pi * std::pow(h.z, 4) * std::pow(alpha * alpha + tan2, 2));
+    const auto lambda = [&](double cosine) {
+        return 0.5 * (std::sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1);
+    };
+    const double g = 1 / (1 + lambda(l.z) + lambda(v.z));
+    const double f0 = 0.08 * specular;
+    const double f = f0 + (1 - f0) * std::pow(1 - glm::dot(v, h), 5);
+    return d * g * f / (4 * l.z * v.z) * l.z;
+}
+
+class CardGloss : public test::GlTest {
+protected:
+    CardViews views;
+
+    /// A black card, flat but for what a test changes, so that all that is seen is mirrored.
+    CardShot black()
+    {
+        CardShot shot;
+        ParameterValues& v = shot.values();
+        v.set(cardTable().frontPrint, views.level(0));
+        v.set(cardTable().views, 1);
+        v.set(cardTable().apertureSamples, 1);
+        v.set(cardTable().specular, 0.5);
+        v.set(cardTable().normalScale, 0.0);
+        v.set(cardTable().lensGloss, 0.0);
+        return shot;
+    }
+    /// What the lamp adds at every pixel, green.
+    static std::vector<double> ofTheLamp(CardShot shot)
+    {
+        shot.values().set(cardTable().lamp, 1.0);
+        const render::Image with = shot.take().image;
+        shot.values().set(cardTable().lamp, 0.0);
+        const render::Image without = shot.take().image;
+        std::vector<double> result;
+        for (int y = 0; y < with.height; ++y)
+            for (int x = 0; x < with.width; ++x)
+                result.push_back(static_cast<double>(with.at(x, y, 1)) - static_cast<double>(without.at(x, y, 1)));
+        return result;
+    }
+    /// Seen from where the lamp's mirror image is, and so many radians beside it, across and above.
+    static CardShot& fromTheMirror(CardShot& shot, double pixel, double across = 0, double above = 0)
+    {
+        const dvec3 mirror = glm::normalize(dvec3(-lamp.x, -lamp.y, lamp.z));
+        shot.from(std::atan2(mirror.x, mirror.z) + across, 10, pixel, std::asin(mirror.y) + above);
+        return shot;
+    }
+    static dvec3 toEye(const CardShot& shot) { return glm::normalize(shot.request.frame.camera.eye - cardMiddle()); }
+};
+
+TEST_F(CardGloss, IsThatOfTheMicrofacetModel)
+{
+    const std::size_t middle = 12 * 25 + 12;
+    for (const double roughness : {0.2, 0.4, 0.8}) {
+        for (const double specular : {0.25, 0.5, 1.0}) {
+            for (const double beside : {0.0, 0.1, 0.35}) {
+                CardShot shot = black();
+                shot.values().set(cardTable().roughness, roughness);
+                shot.values().set(cardTable().specular, specular);
+                fromTheMirror(shot, 0.0004, beside, 0.3 * beside);
+                const double expected =
+                    greenOfLamp * mirroredBy(roughness, specular, glm::normalize(lamp), toEye(shot));
+                EXPECT_NEAR(ofTheLamp(shot)[middle] / expected, 1, 0.02)
+                    << "roughness " << roughness << ", specular " << specular << ", " << beside << " rad beside";
+            }
+        }
+    }
+}
+
+/// Mean step from a pixel to its neighbor to the right, over that to its neighbor below.
+double stretched(const std::vector<double>& picture, int side)
+{
+    double right = 0, below = 0;
+    for (int y = 0; y + 1 < side; ++y) {
+        for (int x = 0; x + 1 < side; ++x) {
+            const auto at = [&](int i, int j) { return picture[static_cast<std::size_t>(j * side + i)]; };
+            right += std::abs(at(x + 1, y) - at(x, y));
+            below += std::abs(at(x, y + 1) - at(x, y));
+        }
+    }
+    return right / below;
+}
+
+TEST_F(CardGloss, OfTheRibsIsStreaksAlongTheLenses)
+{
+    constexpr int side = 64;
+    const auto ribbed = [&](CardAxis axis, double stretch, double scale) {
+        CardShot shot = black();
+        shot.size(side, side);
+        shot.values().set(cardTable().axis, axis);
+        shot.values().set(cardTable().normalScale, scale);
+        shot.values().set(cardTable().ribWidth, 0.01);
+        shot.values().set(cardTable().ribStretch, stretch);
+        shot.values().set(cardTable().roughness, 0.5);
+        // Where the highlight falls off evenly in both directions, so that slopes of either kind are seen.
+        fromTheMirror(shot, 0.0006, 0.2, 0.2);
+        return ofTheLamp(shot);
+    };
+    // Noise that is 16 times as long as wide has slopes that change 16 times as fast across, and are 16 times as steep
+    // there; the shading between them makes that less.
+    EXPECT_GT(stretched(ribbed(CardAxis::vertical, 16, 1), side), 6);
+    EXPECT_LT(stretched(ribbed(CardAxis::horizontal, 16, 1), side), 1.0 / 6);
+    EXPECT_NEAR(std::log2(stretched(ribbed(CardAxis::vertical, 1, 1), side)), 0, 0.6);
+    // Small slopes move the light in proportion to the scale; the other way round, the other way.
+    const auto flat = ribbed(CardAxis::vertical, 16, 0), once = ribbed(CardAxis::vertical, 16, 0.05),
+               twice = ribbed(CardAxis::vertical, 16, 0.1), turned = ribbed(CardAxis::vertical, 16, -0.05);
+    double one = 0, two = 0, minus = 0;
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+        const double d = once[i] - flat[i];
+        one += d * d;
+        two += d * (twice[i] - flat[i]);
+        minus += d * (turned[i] - flat[i]);
+    }
+    ASSERT_GT(one, 0);
+    EXPECT_NEAR(two / one, 2, 0.1);
+    EXPECT_NEAR(minus / one, -1, 0.1);
+}
+
+TEST_F(CardGloss, FollowsTheLensesSlopesAcrossThemOnly)
+{
+    const std::size_t middle = 12 * 25 + 12;
+    const auto light = [&](double gloss, double across, double above) {
+        CardShot shot = black();
+        shot.values().set(cardTable().roughness, 0.2);
+        shot.values().set(cardTable().lensGloss, gloss);
+        shot.values().set(cardTable().glossSamples, 32);
+        fromTheMirror(shot, 0.004, across, above);  // A pixel holds several lenses.
+        return ofTheLamp(shot)[middle];
+    };
+    const double beside = 0.35;
+    EXPECT_GT(light(0.35, beside, 0), 3 * light(0, beside, 0)) << "to the side the lenses send more than a flat sheet";
+    EXPECT_LT(light(0.35, 0, beside), 1.2 * light(0, 0, beside)) << "above they do not";
+    EXPECT_LT(light(0.35, 0, 0), 0.6 * light(0, 0, 0)) << "and what they send there is missing in the middle";
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,254 @@
+// What an effect changes, measured with it and without, against the bound that its plan states; random settings,
+// seeded.
+
+#include "exhibits/framework/random_values.h"
+#include "exhibits/lenticular/lenticular_table.h"
+#include "tests/support/gallery.h"
+#include "tests/support/planned.h"
+
+#include <cstdio>
+#include <functional>
+
+namespace vitrine {
+namespace {
+
+using namespace test;
+
+using BoundsOfEffects = GlTest;
+
+/// Half floats have eleven binary digits; what is summed in a picture is rounded a few times.
+constexpr double halfFloat = 4.0 / 2048;
+
+/// A picture of random settings, with an effect in it and without.
+struct Case {
+    std::string exhibit;       ///< "hall" or a guest.
+    std::string passOrEffect;  ///< Whose bound is held; a case whose plan is without it proves nothing.
+    std::function<void(Shot&, bool on)> with;
+    bool inHall = true;
+    std::function<void(Shot&)> prepare = {};  ///< After the random settings: what makes the effect be seen.
+    /// How much of its bound the effect has to come to in one of the settings. Few pictures come near to a bound that
+    /// holds for a mirror in the sun as well: where it is so, the case says less.
+    double leastPart = 0.01;
+};
+
+ParameterValues& valuesOf(Shot& shot, std::string_view exhibit)
+{
+    return shot.look.values[*gallery().museum.find(exhibit)];
+}
+
+std::optional<render::Bound> boundIn(const render::FramePlan& plan, const std::string& name)
+{
+    for (const render::Pass& pass : plan.passes()) {
+        if (pass.name == name) return pass.bound;
+        for (const render::Effect& effect : pass.effects)
+            if (effect.name == name) return effect.bound;
+    }
+    return std::nullopt;
+}
+
+Shot shotOf(const Case& c, std::uint64_t seed)
+{
+    const Museum& museum = gallery().museum;
+    RandomNumbers random(seed);
+    Shot shot;
+    // Plain maps: what is random is what the effects depend on.
+    ParameterValues& hall = shot.hall();
+    hall.set(hallTable().sunStrength, random.number(0.1, 12));
+    hall.set(hallTable().skyStrength, random.number(0, 4));
+    hall.set(hallTable().exposure, random.number(-1, 1));
+    hall.set(hallTable().sunElevation, random.number(0.2, 0.8));
+    hall.set(hallTable().sunAzimuth, random.number(-0.4, 0.4));
+    const std::size_t index = *museum.find(c.exhibit);
+    if (index != 0) shot.look.values[index] = randomValues(museum.exhibits()[index]->parameters(), random, 0.5);
+    if (c.prepare) c.prepare(shot);
+    FrameRequest& frame = shot.request.frame;
+    frame.raster.size = {48, 27};
+    frame.transparent = false;
+    frame.averageIn = AverageIn::radiance;
+    frame.channels = {};
+    frame.alone = c.inHall ? std::nullopt : std::optional(index);
+    frame.subject = index == 0 || !c.inHall ? std::nullopt : std::optional(index);
+    const render::Camera best = museum.exhibits()[index]->bestView(shot.look.values[index]);
+    frame.camera = index == 0 || !c.inHall ? best : museum.bestView(index, shot.look.values[index]);
+    return shot;
+}
+
+/// The largest change of a channel over its bound, in which of the random settings it was, and in how many anything
+/// changed at all.
+struct Held {
+    double largest = 0;
+    int seed = 0;
+    int seen = 0;
+};
+
+/// Over the settings `first` to `last`. The bound is taken `lowered` times as high as its plan states it.
+Held held(const Case& c, int first, int last, double lowered = 1)
+{
+    Held result;
+    for (int seed = first; seed <= last; ++seed) {
+        Shot shot = shotOf(c, static_cast<std::uint64_t>(seed));
+        c.with(shot, false);
+        const Picture without = shot.take();
+        c.with(shot, true);
+        const auto bound = boundIn(test::planned(gallery().museum, shot.look, shot.request.frame), c.passOrEffect);
+        const Picture with = shot.take();
+        if (!bound) {
+            EXPECT_EQ(largestDifference(with.image, without.image), 0)
+                << c.passOrEffect << " is skipped, seed " << seed;
+            continue;
+        }
+        if (!bound->isKnown()) continue;
+        double change = 0;
+        with.each([&](int x, int y) {
+            for (int i = 0; i < 3; ++i) {
+                const double before = without.color(x, y)[i];
+                const double allowed =
+                    lowered * (bound->share * before + bound->radiance) + halfFloat * (before + with.color(x, y)[i]);
+                const double difference = std::abs(with.color(x, y)[i] - before);
+                change = std::max(change, difference);
+                const double part = difference / std::max(allowed, 1e-12);
+                if (part <= result.largest) continue;
+                result.largest = part;
+                result.seed = seed;
+            }
+        });
+        result.seen += change > 1e-3;
+    }
+    return result;
+}
+
+/// That the bound holds, that there is something for it to hold, and that this test would see one that is too low: set
+/// to nine tenths of what was measured, it has to fail.
+void expectHeld(const Case& c, int seeds = 4)
+{
+    const Held result = held(c, 1, seeds);
+    EXPECT_LE(result.largest, 1) << c.passOrEffect << " of " << c.exhibit;
+    EXPECT_GE(result.seen, 1) << c.passOrEffect << " was never seen to change anything: the test proves nothing";
+    EXPECT_GE(result.largest, c.leastPart)
+        << c.passOrEffect << " of " << c.exhibit << ": the bound is so high that the test proves little";
+    EXPECT_GT(held(c, result.seed, result.seed, 0.9 * result.largest).largest, 1)
+        << c.passOrEffect << " of " << c.exhibit << ": a bound that is too low passes";
+    std::printf("%s of %s: at most %.3g of its bound\n", c.passOrEffect.c_str(), c.exhibit.c_str(), result.largest);
+}
+
+void noAir(Shot& shot)
+{
+    valuesOf(shot, "crepuscular_rays").set(raysTable().technique, RayTechnique::none);
+}
+
+TEST_F(BoundsOfEffects, ShadowsOfTheSunTakeNoMoreThanTheSunGives)
+{
+    const auto shadows = [](Shot& shot, bool on) { shot.hall().set(hallTable().sunShadows, on); };
+    expectHeld({"hall", "hall/shadow", shadows, true, noAir});
+    expectHeld({"sdf_morph", "hall/shadow", shadows, true, noAir});
+}
+
+TEST_F(BoundsOfEffects, MirrorImagesAreNoBrighterThanWhatIsMirrored)
+{
+    const auto probe = [](Shot& shot, bool on) { shot.hall().set(hallTable().reflectionProbe, on); };
+    expectHeld(
+        {"hall", "probe/irradiance", probe, true, noAir, 1e-4});  // The sun itself could stand in the mirror image.
+    expectHeld({"sdf_morph", "probe/irradiance", probe, false});
+    expectHeld({"lenticular", "probe/irradiance", probe, false});
+}
+
+TEST_F(BoundsOfEffects, OfTheTorusMugHold)
+{
+    const auto plain = [](Shot& shot) {
+        noAir(shot);
+        for (std::size_t row = sdfTable().morph.row; row <= sdfTable().blend.row; ++row)
+            shot.object().resetRow(row);  // A shape that is seen.
+        shot.object().set(sdfTable().heatMap, SdfHeatMap::none);
+        shot.object().set(sdfTable().compareMesh, false);
+        shot.object().set(sdfTable().animate, false);
+        shot.object().set(sdfTable().boxSize, 1.0);
+        shot.object().set(sdfTable().showBox, false);
+    };
+    const auto opaque = [plain](Shot& shot) {
+        plain(shot);
+        shot.object().set(sdfTable().material, SdfMaterial::opaque);
+    };
+    expectHeld({"sdf_morph", "sdf_morph/occlusion",
+                [](Shot& s, bool on) { s.object().set(sdfTable().ambientOcclusion, on); }, false, opaque},
+               6);
+    // Into the mug, whose wall keeps the sun off its bottom.
+    const auto mugInTheSun = [opaque](Shot& shot) {
+        opaque(shot);
+        shot.object().set(sdfTable().morph, 1.0);
+        shot.object().set(sdfTable().metalness, 0.2);  // Of metal, the sun shows in its highlight alone.
+        shot.object().set(sdfTable().roughness, 0.5);
+        shot.hall().set(hallTable().sunAzimuth, 2.6);
+        shot.hall().set(hallTable().sunElevation, 0.9);
+    };
+    expectHeld({"sdf_morph", "sdf_morph/self-shadow",
+                [](Shot& s, bool on) {
+                    s.object().set(sdfTable().shadowMethod, on ? SdfShadow::improved : SdfShadow::none);
+                    s.see({0.45, 1.1, 0.8}, {0, 0, 0});
+                },
+                false, mugInTheSun, 2e-4},
+               6);
+    expectHeld({"sdf_morph", "sdf_morph/bounces",
+                [](Shot& s, bool on) { s.object().set(sdfTable().bounces, on ? 3 : 0); }, false, plain, 2e-3},
+               6);
+}
+
+TEST_F(BoundsOfEffects, OcclusionOfGlassIsCulledAndWouldHaveChangedNothing)
+{
+    for (int seed = 1; seed <= 3; ++seed) {
+        Shot shot = shotOf({"sdf_morph", "", {}, false}, static_cast<std::uint64_t>(seed));
+        shot.object().set(sdfTable().material, SdfMaterial::glass);
+        shot.object().set(sdfTable().heatMap, SdfHeatMap::none);
+        shot.object().set(sdfTable().ambientOcclusion, true);
+        const Picture culled = shot.take();
+        shot.request.frame.runEverything = true;
+        EXPECT_EQ(largestDifference(culled.image, shot.take().image), 0) << seed;
+    }
+}
+
+TEST_F(BoundsOfEffects, ColorsThatSpreadStayBelowWhitePaper)
+{
+    const LenticularTable table;
+    expectHeld({"lenticular",
+                "lenticular/dispersion",
+                [&](Shot& s, bool on) { valuesOf(s, "lenticular").set(table.dispersion, on); },
+                false,
+                {},
+                1e-3});
+}
+
+TEST_F(BoundsOfEffects, RaysAddNoMoreThanTheMaskTimesTheirStrength)
+{
+    const auto rays = [](RayTechnique technique) {
+        return [technique](Shot& s, bool on) {
+            valuesOf(s, "crepuscular_rays").set(raysTable().technique, on ? technique : RayTechnique::none);
+        };
+    };
+    const auto plain = [](Shot& shot) {
+        ParameterValues& values = valuesOf(shot, "crepuscular_rays");
+        values.set(raysTable().view, RayView::picture);
+        values.set(raysTable().compare, false);
+        values.set(raysTable().samples, 64);
+    };
+    expectHeld({"crepuscular_rays", "crepuscular_rays/composite", rays(RayTechnique::screen), true, plain}, 6);
+    expectHeld({"crepuscular_rays", "crepuscular_rays/composite", rays(RayTechnique::volume), true, plain}, 6);
+}
+
+TEST_F(BoundsOfEffects, ToneMappingShowsLightBetweenZeroAndOne)
+{
+    for (const std::string_view exhibit : {"hall", "sdf_morph"}) {
+        Shot shot = shotOf({std::string(exhibit), "", {}}, 3);
+        const render::Image light = shot.take().image;
+        shot.request.frame.averageIn = AverageIn::display;
+        const render::Image shown = shot.take().image;
+        const auto bound = boundIn(test::planned(gallery().museum, shot.look, shot.request.frame), "tone");
+        ASSERT_TRUE(bound && bound->isKnown());
+        for (int y = 0; y < light.height; ++y)
+            for (int x = 0; x < light.width; ++x)
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_LE(std::abs(shown.at(x, y, c) - light.at(x, y, c)),
+                              bound->share * light.at(x, y, c) + bound->radiance + 1e-3);
+    }
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,157 @@
+// A row that its table says does not act changes no pixel: in every state that conditions ask about, of every exhibit.
+
+#include "tests/support/gallery.h"
+
+#include "exhibits/framework/random_values.h"
+
+#include <algorithm>
+#include <set>
+
+namespace vitrine {
+namespace {
+
+using namespace test;
+
+/// Settings of one exhibit, and in words how they differ from the initial ones.
+struct State {
+    std::string name;
+    ParameterValues values;
+};
+
+/// Every value of a row that a condition may tell from others: all choices, on and off, 0 and the initial number.
+std::vector<Value> tellingValues(const ParameterInfo& row)
+{
+    std::vector<Value> values;
+    if (row.kind == Kind::toggle || row.kind == Kind::choice)
+        for (double x = 0; x <= row.range.high; ++x) values.emplace_back(x);
+    else if (row.isNumeric() && row.range.low <= 0)
+        values = {0.0, std::max(std::get<double>(row.initial), 0.5 * row.range.softHigh)};
+    return values;
+}
+
+/// The initial state but for small maps of the hall, and one for each value of each row that a condition looks at.
+std::vector<State> statesOf(std::size_t exhibit)
+{
+    ParameterValues start = Shot().look.values[exhibit];
+    const Parameters& table = start.table();
+    // Beams of both kinds, so that there is something to keep still.
+    if (const auto technique = table.find("technique")) start.setRow(*technique, 3.0);
+    std::vector<State> states{{"initial", start}};
+    std::set<std::string_view> asked;
+    for (const ParameterInfo& row : table.rows())
+        if (row.actsWhen)
+            for (const std::string_view name : rowsOf(*row.actsWhen)) asked.insert(name);
+    for (const std::string_view name : asked) {
+        const std::size_t row = table.find(name).value();
+        for (const Value& value : tellingValues(table.rows()[row])) {
+            ParameterValues values = start;
+            values.setRow(row, value);
+            if (!(values == start))
+                states.push_back({std::string(name) + " = " + std::to_string(std::get<double>(value)), values});
+        }
+    }
+    return states;
+}
+
+class IdleRows : public GlTest {
+protected:
+    /// In the hall, half a second after the button was pressed, so that what moves is moving.
+    Picture take(std::size_t exhibit, const ParameterValues& values)
+    {
+        Shot shot;
+        FrameRequest& frame = shot.request.frame;
+        frame.transparent = false;
+        frame.alone = std::nullopt;
+        frame.subject = std::nullopt;
+        frame.raster.size = {64, 36};
+        frame.averageIn = AverageIn::radiance;
+        frame.camera = gallery().museum.bestView(exhibit, gallery().museum.initialLook().values[exhibit]);
+        frame.time = 0.7;
+        frame.sincePressed.assign(gallery().museum.exhibits().size(), 0.5);
+        shot.look.values[exhibit] = values;
+        return shot.take();
+    }
+
+    void expectIdleRowsChangeNothing(std::size_t exhibit)
+    {
+        const Parameters& table = gallery().museum.exhibits()[exhibit]->parameters();
+        RandomNumbers random(20260101);
+        std::set<std::size_t> proven;
+        for (const State& state : statesOf(exhibit)) {
+            ParameterValues moved = state.values;
+            std::vector<std::size_t> idle;
+            for (std::size_t row = 0; row < table.rows().size(); ++row) {
+                if (acts(state.values, row)) continue;
+                for (int tries = 0; tries < 20 && moved.row(row) == state.values.row(row); ++tries)
+                    moved.setRow(row, randomValue(table.rows()[row], random));
+                if (!(moved.row(row) == state.values.row(row))) idle.push_back(row);
+            }
+            if (idle.empty()) continue;
+            const Picture before = take(exhibit, state.values);
+            EXPECT_GT(before.mean(), 0.001) << "an empty picture proves nothing";
+            if (largestDifference(before.image, take(exhibit, moved).image) == 0) {
+                proven.insert(idle.begin(), idle.end());
+                continue;
+            }
+            for (const std::size_t row : idle) {
+                ParameterValues one = state.values;
+                one.setRow(row, moved.row(row));
+                EXPECT_EQ(largestDifference(before.image, take(exhibit, one).image), 0)
+                    << state.name << ": " << table.rows()[row].name << " acts";
+            }
+            ADD_FAILURE() << state.name << ": rows that do not act change the picture";
+        }
+        for (std::size_t row = 0; row < table.rows().size(); ++row) {
+            if (table.rows()[row].actsWhen) {
+                EXPECT_TRUE(proven.contains(row)) << table.rows()[row].name << " was never seen idle";
+            }
+        }
+    }
+};
+
+TEST_F(IdleRows, ChangeNoPixelOfTheHall)
+{
+    expectIdleRowsChangeNothing(0);
+}
+
+TEST_F(IdleRows, ChangeNoPixelOfTheTorusMug)
+{
+    expectIdleRowsChangeNothing(gallery().museum.find("sdf_morph").value());
+}
+
+TEST_F(IdleRows, ChangeNoPixelOfTheLenticularCard)
+{
+    expectIdleRowsChangeNothing(gallery().museum.find("lenticular").value());
+}
+
+TEST_F(IdleRows, ChangeNoPixelOfTheFur)
+{
+    expectIdleRowsChangeNothing(gallery().museum.find("fur").value());
+}
+
+TEST_F(IdleRows, ChangeNoPixelOfTheSunbeams)
+{
+    expectIdleRowsChangeNothing(gallery().museum.find("crepuscular_rays").value());
+}
+
+/// The states above may miss rows that act only together.
+TEST_F(IdleRows, ChangeNoPixelInRandomStates)
+{
+    RandomNumbers random(7);
+    for (std::size_t exhibit = 0; exhibit < gallery().museum.exhibits().size(); ++exhibit) {
+        const Parameters& table = gallery().museum.exhibits()[exhibit]->parameters();
+        for (int state = 0; state < 4; ++state) {
+            ParameterValues values = Shot().look.values[exhibit];
+            for (std::size_t row = 0; row < table.rows().size(); ++row)
+                if (random.chance(0.3) && table.rows()[row].kind != Kind::count)
+                    values.setRow(row, randomValue(table.rows()[row], random));
+            const ParameterValues same = actingValues(values);
+            if (same == values) continue;
+            EXPECT_EQ(largestDifference(take(exhibit, values).image, take(exhibit, same).image), 0)
+                << gallery().museum.exhibits()[exhibit]->name() << ", random state " << state;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,155 @@
+// The ledger's promises: running everything changes no bit of any picture, and what is off is not there.
+
+#include "exhibits/fur/fur_table.h"
+#include "tests/support/gallery.h"
+#include "tests/support/planned.h"
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+using namespace test;
+
+using Ledger = GlTest;
+
+/// The exhibit (or the hall, 0) from its best view, small; shadow map and probe small.
+Shot shotOf(std::size_t exhibit, bool alone)
+{
+    Shot shot;
+    FrameRequest& frame = shot.request.frame;
+    frame.transparent = false;
+    frame.averageIn = AverageIn::display;
+    frame.raster.size = {64, 36};
+    frame.alone = alone ? std::optional(exhibit) : std::nullopt;
+    frame.subject = alone || exhibit == 0 ? std::nullopt : std::optional(exhibit);
+    const Museum& museum = gallery().museum;
+    frame.camera = alone || exhibit == 0 ? museum.exhibits()[exhibit]->bestView(shot.look.values[exhibit])
+                                         : museum.bestView(exhibit, shot.look.values[exhibit]);
+    return shot;
+}
+
+double changeByRunningEverything(Shot shot)
+{
+    const Picture needed = shot.take();
+    shot.request.frame.runEverything = true;
+    const Picture everything = shot.take();
+    EXPECT_GT(needed.mean(), 0.001) << "an empty picture proves nothing";
+    return largestDifference(everything.image, needed.image);
+}
+
+TEST_F(Ledger, RunningEverythingChangesNoBitOfTheHall)
+{
+    EXPECT_EQ(changeByRunningEverything(shotOf(0, false)), 0);
+}
+
+TEST_F(Ledger, RunningEverythingChangesNoBitOfAnyExhibit)
+{
+    const Museum& museum = gallery().museum;
+    for (std::size_t i = 1; i < museum.exhibits().size(); ++i) {
+        EXPECT_EQ(changeByRunningEverything(shotOf(i, false)), 0) << museum.exhibits()[i]->name() << " in the hall";
+        EXPECT_EQ(changeByRunningEverything(shotOf(i, true)), 0) << museum.exhibits()[i]->name() << " alone";
+    }
+}
+
+/// What a renderer of its own holds after this picture.
+std::map<std::string, std::int64_t> heldFor(const Shot& shot)
+{
+    render::gl::Renderer renderer;
+    return renderer.draw(test::planned(gallery().museum, shot.look, shot.request.frame, renderer.kept())).counters;
+}
+
+/// An effect that a row of a table switches, and what of it must be gone when it is off.
+struct Switch {
+    const char* exhibit;
+    const char* row;
+    Value on, off;
+    bool alone;
+    std::string pass, image;  ///< How the names of its passes and of its images begin; empty: it has none.
+    std::int64_t passes, programs, images;  ///< That it takes.
+    std::int64_t others = 0;  ///< Passes that run for its sake alone: maps of shadows that fall on nothing else.
+};
+
+bool begins(std::string_view name, const std::string& start)
+{
+    return !start.empty() && name.substr(0, start.size()) == start;
+}
+
+TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
+{
+    constexpr double fins = static_cast<double>(FurSilhouette::fins), march = static_cast<double>(FurSilhouette::march);
+    constexpr double volume = static_cast<double>(RayTechnique::volume),
+                     screen = static_cast<double>(RayTechnique::screen), none = static_cast<double>(RayTechnique::none);
+    // With the mask and the running sum, the rays in screen space are three passes and two images; the air is two and
+    // one. Shadows of the hall: the map of what stands still, its copy, and two passes for what hangs and turns; and
+    // with them go those of the exhibits: the clearing of their map, and the two that the sun reaches.
+    const Switch switches[] = {
+        {"sdf_morph", "conePrepass", 1.0, 0.0, true, "sdf_morph/cone", "sdf_morph.cone", 1, 1, 1},
+        {"sdf_morph", "compareMesh", 1.0, 0.0, true, "sdf_morph/mesh", "", 1, 1, 0, 2},
+        {"sdf_morph", "showBox", 1.0, 0.0, true, "sdf_morph/box", "", 1, 1, 0, 2},
+        {"fur", "silhouette", fins, march, true, "fur/fins", "", 1, 1, 0},
+        {"crepuscular_rays", "technique", screen, none, false, "crepuscular_rays/", "crepuscular_rays.", 3, 3, 2},
+        {"crepuscular_rays", "technique", volume, none, false, "crepuscular_rays/", "crepuscular_rays.", 2, 2, 1},
+        {"hall", "reflectionProbe", 1.0, 0.0, true, "probe/", "probe", 11, 3, 3},
+        {"hall", "sunShadows", 1.0, 0.0, false, "hall/shadow", "shadow.", 4, 2, 3, 3},
+    };
+    for (const Switch& s : switches) {
+        SCOPED_TRACE(std::string(s.exhibit) + '.' + s.row);
+        const std::size_t exhibit = *gallery().museum.find(s.exhibit);
+        Shot on = shotOf(exhibit == 0 && s.alone ? *gallery().museum.find("sdf_morph") : exhibit, s.alone);
+        const std::size_t row = *on.look.values[exhibit].table().find(s.row);
+        Shot off = on;
+        on.look.values[exhibit].setRow(row, s.on);
+        off.look.values[exhibit].setRow(row, s.off);
+        const render::FramePlan with = test::planned(gallery().museum, on.look, on.request.frame);
+        const render::FramePlan without = test::planned(gallery().museum, off.look, off.request.frame);
+        const auto passesOf = [&](const render::FramePlan& plan) {
+            return std::count_if(plan.passes().begin(), plan.passes().end(),
+                                 [&](const render::Pass& p) { return begins(p.name, s.pass); });
+        };
+        EXPECT_EQ(passesOf(with), s.passes) << toString(with);
+        EXPECT_EQ(passesOf(without), 0);
+        for (const auto& [name, info] : without.images()) EXPECT_FALSE(begins(name, s.image)) << name;
+        for (const render::Pass& pass : without.passes())
+            for (const std::string& image : inputsOf(pass))
+                EXPECT_FALSE(begins(image, s.image)) << pass.name << " reads " << image;
+        auto held = heldFor(on);
+        auto heldWithout = heldFor(off);
+        EXPECT_EQ(held["passes"], heldWithout["passes"] + s.passes + s.others);
+        EXPECT_EQ(held["images"], heldWithout["images"] + s.images);
+        EXPECT_GE(held["programs"], heldWithout["programs"] + s.programs);
+    }
+}
+
+TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)
+{
+    Shot shot = shotOf(gallery().museum.find("sdf_morph").value(), true);
+    render::gl::Renderer renderer;
+    const auto images = [&](bool prepass) {
+        shot.object().set(sdfTable().conePrepass, prepass);
+        std::int64_t held = 0;
+        // What is kept is drawn in the first frame only: the second one holds what it takes to show a picture again.
+        for (int frame = 0; frame < 2; ++frame)
+            held = renderer.draw(test::planned(gallery().museum, shot.look, shot.request.frame, renderer.kept()))
+                       .counters.at("images");
+        return held;
+    };
+    const std::int64_t with = images(true);
+    EXPECT_EQ(images(false), with - 1);
+    EXPECT_EQ(images(true), with);
+}
+
+TEST_F(Ledger, ASunOfNoStrengthCastsNoShadowPass)
+{
+    Shot shot = shotOf(0, false);
+    shot.hall().set(hallTable().sunStrength, 0.0);
+    const render::FramePlan plan = test::planned(gallery().museum, shot.look, shot.request.frame);
+    EXPECT_EQ(plan.find("hall/shadow"), nullptr);
+    ASSERT_NE(plan.findSkipped("hall/shadow"), nullptr);
+    EXPECT_TRUE(plan.findSkipped("hall/shadow")->boundIsZero);
+    EXPECT_EQ(plan.findSkipped("hall/shadow")->reason, "the sun's strength is 0");
+    EXPECT_EQ(changeByRunningEverything(shot), 0);
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,508 @@
+// What the museum draws, and what it leaves out and why: plans of the real hall, without a GPU.
+
+#include "exhibits/hall/hall_scene.h"
+#include "exhibits/hall/walk.h"
+#include "exhibits/sdf_morph/sdf_morph.h"
+#include "render/image/image.h"
+#include "tests/stability/fields.h"
+#include "tests/support/museum_on_paper.h"
+#include "tests/support/planned.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace vitrine {
+namespace {
+
+using render::FramePlan;
+using render::toString;
+using test::keptAfter;
+using test::reasonFor;
+using test::runs;
+using test::Scene;
+
+const double never = std::numeric_limits<double>::infinity();
+
+/// Sun straight through the window onto the middle of the hall.
+void shineOnTheExhibit(Scene& scene)
+{
+    scene.hall().set(test::hallTable().sunAzimuth, 0.0);
+    scene.hall().set(test::hallTable().sunElevation, 0.21);
+}
+
+/// Sun from the side: the walls keep it off.
+void hideTheSun(Scene& scene)
+{
+    scene.hall().set(test::hallTable().sunAzimuth, 0.7);
+    scene.hall().set(test::hallTable().sunElevation, 0.35);
+}
+
+/// Sees the floor of the near half, where the shadow lands that this sun throws, but not the exhibit.
+void seeItsShadowOnly(Scene& scene)
+{
+    scene.see({0, 1.65, 4}, {0, 0, 7});
+}
+
+void turnAway(Scene& scene)
+{
+    scene.see({0, 1.65, 3}, {0, 1.65, 12});
+}
+
+/// Outside the far wall, beside the window.
+void stepBehindTheWall(Scene& scene)
+{
+    scene.see({-3.7, 2, -13.5}, {0, 1.45, 0});
+}
+
+std::int64_t trianglesOf(const FramePlan& plan)
+{
+    std::int64_t count = 0;
+    for (const render::Pass& pass : plan.passes())
+        for (const render::Draw& draw : pass.draws)
+            count += draw.instances * (draw.mesh ? static_cast<std::int64_t>(draw.mesh->indices.size() / 3) : 1);
+    return count;
+}
+
+TEST(MuseumPlan, InViewTheExhibitIsMarchedAndTheRestSaysWhyNot)
+{
+    Scene scene;
+    const FramePlan plan = scene.plan();
+    ASSERT_TRUE(plan.find("sdf_morph/march"));
+    EXPECT_EQ(plan.find("sdf_morph/march")->reason, "in view");
+    EXPECT_TRUE(plan.find("sdf_morph/cone"));
+    EXPECT_EQ(reasonFor(plan, "sdf_morph/count"), "nobody asks for counts");
+    EXPECT_EQ(reasonFor(plan, "sdf_morph/mesh"), "the comparison is switched off");
+    EXPECT_EQ(reasonFor(plan, "sdf_morph/box"), "the overlay is switched off");
+    EXPECT_EQ(reasonFor(plan, "average"), "one sample per pixel");
+    EXPECT_EQ(reasonFor(plan, "hall/visitor"), "the free plinth is empty");
+    EXPECT_EQ(toString(plan).substr(toString(plan).size() - 4), "tone");
+}
+
+TEST(MuseumPlan, OutOfViewItIsNotMarched)
+{
+    Scene scene;
+    hideTheSun(scene);
+    turnAway(scene);
+    const FramePlan plan = scene.plan();
+    for (const char* pass : {"sdf_morph/cone", "sdf_morph/march", "sdf_morph/mesh", "sdf_morph/box"})
+        EXPECT_EQ(reasonFor(plan, pass), "out of view") << pass;
+    EXPECT_FALSE(runs(plan, "sdf_morph/"));
+}
+
+TEST(MuseumPlan, BehindAWallItIsNotMarched)
+{
+    Scene scene;
+    stepBehindTheWall(scene);
+    for (const char* pass : {"sdf_morph/cone", "sdf_morph/march"})
+        EXPECT_EQ(reasonFor(scene.plan(), pass), "behind a wall") << pass;
+    // Through the window it can be seen.
+    scene.see({0, 3, -15}, {0, 1.45, 0});
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/march"), "it ran");
+}
+
+TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
+{
+    // As it opens, against a museum without exhibits, from where no exhibit, stand or beam of the sun is in view.
+    Scene scene;
+    scene.see({0.5, 1.65, 9}, {0.5, 1.2, 12});
+    const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
+    const auto emptyPlan = [&](const render::KeptKeys& kept) {
+        return test::planned(empty, empty.initialLook(), scene.request, kept);
+    };
+    const FramePlan first = scene.plan();
+    for (const auto& exhibit : test::museum().exhibits().subspan(1))
+        EXPECT_FALSE(runs(first, std::string(exhibit->name()) + '/')) << exhibit->name();
+    EXPECT_FALSE(runs(first, "exhibits/"));
+    EXPECT_EQ(reasonFor(first, "crepuscular_rays/march"), "the beams are out of view");
+    const FramePlan later = scene.plan(keptAfter(first));
+    const FramePlan bare = emptyPlan(keptAfter(emptyPlan({})));
+    EXPECT_EQ(toString(later), toString(bare));
+    EXPECT_EQ(toString(later), "hall/walls > sky > tone");
+    EXPECT_EQ(trianglesOf(later), trianglesOf(bare));
+    // Whatever the exhibit is set to, it costs nothing more.
+    Scene costly = scene;
+    costly.object().set(test::sdfTable().compareMesh, true);
+    costly.object().set(test::sdfTable().showBox, true);
+    costly.object().set(test::sdfTable().material, SdfMaterial::glass);
+    costly.object().set(test::sdfTable().stepLimit, 1024);
+    EXPECT_EQ(toString(costly.plan(keptAfter(first))), toString(later));
+    EXPECT_EQ(trianglesOf(costly.plan(keptAfter(first))), trianglesOf(later));
+}
+
+TEST(MuseumPlan, SkipsItsShadowWhereTheSunDoesNotReach)
+{
+    Scene scene;
+    hideTheSun(scene);
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "the sun does not reach it through window or oculus");
+    EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "the sun does not reach it through window or oculus");
+    shineOnTheExhibit(scene);
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "it ran");
+    EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "it ran");
+}
+
+TEST(MuseumPlan, DrawsTheShadowOfWhatIsOutOfViewWhenTheShadowIsNot)
+{
+    Scene scene;
+    shineOnTheExhibit(scene);
+    seeItsShadowOnly(scene);
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/march"), "out of view");
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "it ran");
+    scene.see({0, 1.65, -3}, {0, 3, -12});  // Towards the window, the shadow falls behind the visitor.
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "neither it nor its shadow is in view");
+}
+
+TEST(MuseumPlan, WithoutSunNothingCasts)
+{
+    Scene scene;
+    shineOnTheExhibit(scene);
+    scene.hall().set(test::hallTable().sunStrength, 0.0);
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "the sun's strength is 0");
+}
+
+TEST(MuseumPlan, ShadowsSwitchedOffAreNotDrawn)
+{
+    Scene scene;
+    shineOnTheExhibit(scene);
+    EXPECT_EQ(reasonFor(scene.plan(), "hall/shadow"), "it ran");
+    scene.hall().set(test::hallTable().sunShadows, false);
+    for (const char* pass : {"hall/shadow", "sdf_morph/shadow", "exhibits/shadow"})
+        EXPECT_EQ(reasonFor(scene.plan(), pass), "sun shadows are switched off") << pass;
+    const FramePlan plan = scene.plan();
+    for (const render::Pass& pass : plan.passes())
+        for (const std::string& image : inputsOf(pass))
+            EXPECT_EQ(image.find("shadow."), std::string::npos) << pass.name << " reads " << image;
+}
+
+TEST(MuseumPlan, ProbeSwitchedOffIsNotCaptured)
+{
+    Scene scene;
+    EXPECT_TRUE(runs(scene.plan(), "probe/"));
+    scene.hall().set(test::hallTable().reflectionProbe, false);
+    EXPECT_EQ(reasonFor(scene.plan(), "probe"), "the reflection probe is switched off");
+    EXPECT_FALSE(runs(scene.plan(), "probe/"));
+}
+
+TEST(MuseumPlan, ProbeAndHallShadowAreKeptWhileTheLightIsTheSame)
+{
+    Scene scene;
+    const FramePlan first = scene.plan();
+    const render::KeptKeys kept = keptAfter(first);
+    EXPECT_GT(kept.passes.size(), 8U);
+    scene.object().set(test::sdfTable().morph, 0.25);
+    scene.hall().set(test::hallTable().exposure, 1.0);  // Develops the picture, does not light the room.
+    turnAway(scene);
+    const FramePlan second = scene.plan(kept);
+    for (const auto& [pass, key] : kept.passes) {
+        // Only the shadow of what has changed is another.
+        const bool ofExhibits = pass.rfind("probe/", 0) != 0 && pass.rfind("hall/", 0) != 0;
+        EXPECT_EQ(reasonFor(second, pass), ofExhibits ? "it ran" : "unchanged since it last ran") << pass;
+    }
+
+    scene.hall().set(test::hallTable().sunElevation, 0.4);
+    const FramePlan third = scene.plan(kept);
+    for (const auto& [pass, key] : kept.passes) EXPECT_EQ(reasonFor(third, pass), "it ran") << pass;
+}
+
+TEST(MuseumPlan, TheExhibitsShadowIsKeptWhileNothingInItMoves)
+{
+    Scene scene;
+    shineOnTheExhibit(scene);
+    const render::KeptKeys kept = keptAfter(scene.plan());
+    scene.see({0.5, 2, 3}, {0, 1.4, 0});
+    scene.request.time = 5;
+    for (const char* pass : {"exhibits/shadow", "sdf_morph/shadow"})
+        EXPECT_EQ(reasonFor(scene.plan(kept), pass), "unchanged since it last ran") << pass;
+
+    const auto runsAfter = [&](const auto& change) {
+        Scene changed = scene;
+        change(changed);
+        return runs(changed.plan(kept), "sdf_morph/shadow") && runs(changed.plan(kept), "exhibits/shadow");
+    };
+    EXPECT_TRUE(runsAfter([](Scene& s) { s.object().set(test::sdfTable().morph, 0.1); }));
+    EXPECT_TRUE(runsAfter([](Scene& s) { s.object().set(test::sdfTable().animate, true); }));
+    EXPECT_TRUE(runsAfter([](Scene& s) { s.hall().set(test::hallTable().sunElevation, 0.2); }));
+    EXPECT_TRUE(runsAfter([](Scene& s) { s.hall().set(test::hallTable().shadowMapSize, 512); }));
+    EXPECT_TRUE(runsAfter([](Scene& s) {
+        s.request.subject = s.sdf;
+        s.request.exhibitTransform[1][1] = 1.2;
+    }));
+}
+
+TEST(MuseumPlan, AloneThereIsNoHall)
+{
+    Scene scene;
+    scene.request.alone = scene.sdf;
+    scene.see(test::museum().exhibits()[scene.sdf]->bestView(scene.object()));
+    const FramePlan plan = scene.plan();
+    EXPECT_EQ(reasonFor(plan, "hall/walls"), "the exhibit is shown alone");
+    EXPECT_EQ(reasonFor(plan, "hall/shadow"), "there is no hall to cast it");
+    EXPECT_EQ(reasonFor(plan, "sdf_morph/march"), "it ran");
+    EXPECT_EQ(reasonFor(plan, "sky"), "it ran");
+    EXPECT_FALSE(runs(plan, "hall/"));
+    EXPECT_FALSE(runs(plan, "probe/walls"));
+}
+
+TEST(MuseumPlan, AloneNoWallHidesIt)
+{
+    Scene scene;
+    scene.request.alone = scene.sdf;
+    for (const glm::dvec3 eye : {glm::dvec3(-3.7, 2, -13.5), glm::dvec3(12, 9, 36), glm::dvec3(-30, 1, 0)}) {
+        scene.see(eye, {0, 0, 0});
+        EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/march"), "it ran");
+    }
+}
+
+TEST(MuseumPlan, AloneItsShadowIsDrawnOnlyForAMeshToFallOn)
+{
+    Scene scene;
+    scene.request.alone = scene.sdf;
+    scene.see(test::museum().exhibits()[scene.sdf]->bestView(scene.object()));
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "nothing reads what it writes");
+    EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "nothing reads what it writes");
+    scene.object().set(test::sdfTable().compareMesh, true);
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "it ran");
+}
+
+TEST(MuseumPlan, TransparentLeavesOutTheSky)
+{
+    Scene scene;
+    scene.request.transparent = true;
+    EXPECT_EQ(reasonFor(scene.plan(), "sky"), "a transparent background is asked for");
+}
+
+TEST(MuseumPlan, LinearLightIsNotToneMapped)
+{
+    Scene scene;
+    scene.request.averageIn = AverageIn::radiance;
+    EXPECT_EQ(reasonFor(scene.plan(), "tone"), "the picture is asked for as linear light");
+    EXPECT_EQ(scene.plan().images().at(radianceImage).format, render::Format::rgba32f);
+}
+
+TEST(MuseumPlan, ChannelsAreWrittenOnlyWhenAskedFor)
+{
+    Scene scene;
+    const auto writes = [](const FramePlan& plan, const char* image) {
+        for (const render::Pass& pass : plan.passes())
+            for (const std::string& name : outputsOf(pass))
+                if (name == image) return true;
+        return false;
+    };
+    EXPECT_FALSE(writes(scene.plan(), normalImage));
+    EXPECT_FALSE(writes(scene.plan(), evaluationsImage));
+    scene.request.channels = {true, true};
+    EXPECT_TRUE(writes(scene.plan(), normalImage));
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/count"), "it ran");
+}
+
+TEST(MuseumPlan, RunEverythingSkipsNothingThatWasPlanned)
+{
+    Scene scene;
+    turnAway(scene);
+    scene.request.runEverything = true;
+    const FramePlan plan = scene.plan(keptAfter(scene.plan()));
+    EXPECT_EQ(reasonFor(plan, "sdf_morph/march"), "it ran");
+    EXPECT_TRUE(runs(plan, "probe/"));
+    for (const render::Skipped& skipped : plan.skipped()) {
+        EXPECT_NE(skipped.reason, "nothing reads what it writes") << skipped.name;
+        EXPECT_NE(skipped.reason, "unchanged since it last ran") << skipped.name;
+        EXPECT_NE(skipped.reason, "out of view") << skipped.name;
+    }
+}
+
+TEST(MuseumPlan, EveryPassAndEverySkipHasAReason)
+{
+    Scene scene;
+    for (const bool alone : {false, true}) {
+        if (alone) scene.request.alone = scene.sdf;
+        const FramePlan plan = scene.plan();
+        for (const render::Pass& pass : plan.passes()) EXPECT_FALSE(pass.reason.empty()) << pass.name;
+        for (const render::Skipped& skipped : plan.skipped()) EXPECT_FALSE(skipped.reason.empty()) << skipped.name;
+    }
+}
+
+TEST(MuseumPlan, ReadsOnlyImagesThatAPassBeforeItWroteOrThatAreKept)
+{
+    for (const bool alone : {false, true}) {
+        Scene scene;
+        shineOnTheExhibit(scene);
+        scene.object().set(test::sdfTable().compareMesh, true);
+        scene.request.channels = {true, true};
+        scene.request.samples = 4;
+        if (alone) scene.request.alone = scene.sdf;
+        const FramePlan plan = scene.plan();
+        std::set<std::string> written;
+        for (const render::Pass& pass : plan.passes()) {
+            for (const render::Input& input : pass.inputs)
+                if (const auto* image = std::get_if<std::string>(&input.source)) {
+                    EXPECT_TRUE(written.contains(*image)) << pass.name << " reads " << *image;
+                }
+            for (const std::string& image : outputsOf(pass)) {
+                written.insert(image);
+                EXPECT_TRUE(plan.images().contains(image)) << pass.name << " writes " << image;
+            }
+        }
+    }
+}
+
+TEST(MuseumPlan, WhatIsTranslucentIsBlendedOverTheSky)
+{
+    // Translucent things do not write depth: a sky drawn after them would cover them.
+    Scene scene;
+    const std::string order = toString(scene.plan());
+    EXPECT_LT(order.find(" > sky"), order.find(" > hall/plaques")) << order;
+    EXPECT_GT(order.find(" > sky"), order.find(" > sdf_morph/march")) << order;
+}
+
+TEST(MuseumPlan, SamplesOfOnePictureDifferInPositionOnly)
+{
+    Scene scene;
+    scene.request.samples = 16;
+    for (int i = 0; i < 16; ++i) {
+        scene.request.sample = i;
+        const FramePlan plan = scene.plan();
+        EXPECT_EQ(plan.view.raster.jitter, render::samplePosition(i, 16));
+        ASSERT_TRUE(plan.find("average"));
+        EXPECT_FLOAT_EQ(plan.find("average")->state.meanWeight, 1.0F / static_cast<float>(i + 1));
+    }
+}
+
+TEST(NextChange, StillLifeNeedsNoNewPicture)
+{
+    Scene scene;
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
+    scene.object().set(test::sdfTable().animate, true);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
+    scene.object().set(test::sdfTable().speed, 0.0);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
+}
+
+TEST(NextChange, WhatMovesUnseenNeedsNoNewPicture)
+{
+    Scene scene;
+    scene.object().set(test::sdfTable().animate, true);
+    hideTheSun(scene);
+    turnAway(scene);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
+    stepBehindTheWall(scene);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
+}
+
+TEST(NextChange, AMovingShadowOfWhatIsOutOfViewIsAChange)
+{
+    Scene scene;
+    scene.object().set(test::sdfTable().animate, true);
+    shineOnTheExhibit(scene);
+    seeItsShadowOnly(scene);
+    ASSERT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "it ran");
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
+}
+
+TEST(NextChange, APressedButtonMovesForATenthOfASecondDownAndBack)
+{
+    Scene scene;
+    scene.request.sincePressed = {never, 0.19};
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
+    scene.request.sincePressed = {never, 0.2};
+    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
+}
+
+TEST(Morph, StartsWhereTheSliderStands)
+{
+    for (const double morph : {0.0, 0.1, 1.0 / 3, 0.62, 1.0}) EXPECT_EQ(morphAt(morph, 0.08, 0), morph);
+}
+
+TEST(Morph, H97_IsTheSameAfterEveryPeriodEvenAfterThirtyYears)
+{
+    // With a speed of 1/8 Hz the period is 8 s, exactly; 1e9 s is 125 million of them.
+    for (const double morph : {0.0, 0.25, 0.625, 1.0})
+        for (const double time : {0.0, 0.5, 1.0, 3.25, 7.75})
+            for (const double start : {1e6, 1e9, -1e6})
+                EXPECT_EQ(morphAt(morph, 0.125, start + time), morphAt(morph, 0.125, time)) << morph << ' ' << time;
+    EXPECT_NE(morphAt(0.25, 0.125, 1e6 + 1), morphAt(0.25, 0.125, 1e6 + 2));
+}
+
+TEST(Morph, MovesSteadilyAndStaysBetweenTheShapes)
+{
+    for (const double start : {0.0, 1e6, 1e9}) {
+        double last = morphAt(0.62, 0.5, start);
+        for (int i = 1; i <= 4000; ++i) {
+            const double now = morphAt(0.62, 0.5, start + i * 1e-3);
+            EXPECT_GE(now, 0);
+            EXPECT_LE(now, 1);
+            EXPECT_NEAR(std::abs(now - last), 1e-3,
+                        1e-3 + 1e-6);  // Twice the speed times a millisecond, less at a turn.
+            last = now;
+        }
+    }
+}
+
+TEST(Morph, HostileTimesAreTheSlider)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double time : {nan, never, -never}) EXPECT_EQ(morphAt(0.62, 0.08, time), 0.62);
+    for (const double time : {1e300, -1e300, 1e-310}) {
+        EXPECT_GE(morphAt(0.62, 10, time), 0);
+        EXPECT_LE(morphAt(0.62, 10, time), 1);
+    }
+}
+
+TEST(SdfMorphBounds, HoldTheShapeAtEveryTimeOfItsMelt)
+{
+    SdfMorph exhibit;
+    ParameterValues values = exhibit.parameters().initial();
+    values.set(test::sdfTable().animate, true);
+    const render::Box all = exhibit.bounds(values);
+    for (int i = 0; i <= 40; ++i) {
+        ParameterValues still = exhibit.parameters().initial();
+        still.set(test::sdfTable().morph, i / 40.0);
+        const render::Box one = exhibit.bounds(still);
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(all.low, one.low + 1e-12)) &&
+                    glm::all(glm::greaterThanEqual(all.high, one.high - 1e-12)))
+            << i;
+    }
+}
+
+TEST(Button, IsSquashedToATenthInATenthOfASecondAndComesBack)
+{
+    EXPECT_DOUBLE_EQ(buttonScale(0), 1);
+    EXPECT_NEAR(buttonScale(0.05), 0.55, 1e-12);
+    EXPECT_NEAR(buttonScale(0.1), 0.1, 1e-12);
+    EXPECT_NEAR(buttonScale(0.15), 0.55, 1e-12);
+    EXPECT_DOUBLE_EQ(buttonScale(0.2), 1);
+    EXPECT_DOUBLE_EQ(buttonScale(1e9), 1);
+    EXPECT_DOUBLE_EQ(buttonScale(-1), 1);
+    EXPECT_DOUBLE_EQ(buttonScale(std::numeric_limits<double>::quiet_NaN()), 1);
+}
+
+TEST(Occluder, HidesExactlyWhatNoRayPasses)
+{
+    // Against rays: what is called hidden has no corner, and no inner point, that is seen past the wall.
+    test::Random random(4);
+    int hidden = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Occluder wall{random.point(1), random.direction() * random.number(0.3, 3), {}};
+        Occluder occluder = wall;
+        occluder.halfV = glm::normalize(glm::cross(wall.halfU, random.direction())) * random.number(0.3, 3);
+        const glm::dvec3 eye = random.point(4);
+        const glm::dvec3 center = random.point(4);
+        const glm::dvec3 half = glm::abs(random.point(0.4));
+        if (!isBehind(occluder, {center - half, center + half}, eye)) continue;
+        ++hidden;
+        const glm::dvec3 normal = glm::normalize(glm::cross(occluder.halfU, occluder.halfV));
+        for (int j = 0; j < 30; ++j) {
+            const glm::dvec3 p = center + half * random.point(1);
+            const double t = glm::dot(normal, occluder.center - eye) / glm::dot(normal, p - eye);
+            const glm::dvec3 hit = eye + (p - eye) * t - occluder.center;
+            EXPECT_TRUE(t > 0 && t < 1);
+            EXPECT_LE(std::abs(glm::dot(hit, occluder.halfU)), glm::dot(occluder.halfU, occluder.halfU) * (1 + 1e-9));
+            EXPECT_LE(std::abs(glm::dot(hit, occluder.halfV)), glm::dot(occluder.halfV, occluder.halfV) * (1 + 1e-9));
+        }
+    }
+    EXPECT_GT(hidden, 100);
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,93 @@
+// What the visitor points at is what is drawn there; and an exhibit cut out of the hall.
+
+#include "tests/support/gallery.h"
+
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+using test::gallery;
+using test::Picture;
+using test::Shot;
+
+class PickTest : public test::GlTest {};
+
+/// Compares the distance to what is pointed at with the depth that was drawn, pixel by pixel.
+void expectWhatIsDrawn(Shot& shot, const char* where)
+{
+    shot.request.frame.time = 0;
+    const Picture p = shot.take();
+    const glm::dvec3 forward = glm::normalize(shot.request.frame.camera.target - shot.request.frame.camera.eye);
+    const std::size_t panes = *gallery().museum.find("crepuscular_rays");
+    const std::size_t fur = *gallery().museum.find("fur");
+    int compared = 0, wrong = 0;
+    p.each([&](int x, int y) {
+        const glm::dvec2 ndc((x + 0.5) / p.width() * 2 - 1, 1 - (y + 0.5) / p.height() * 2);
+        ++compared;
+        const auto found =
+            gallery().museum.pick(gallery().museum.prepare(shot.look, shot.request.frame), shot.request.frame, ndc);
+        if (!p.hit(x, y)) {
+            // Through the window one sees the sky; pointing at its panes is no mistake.
+            wrong += found && found->exhibit != panes;
+            return;
+        }
+        const double cosine = glm::dot(glm::normalize(p.view.direction(ndc)), forward);
+        const double distance = gallery().museum.distanceTo(gallery().museum.prepare(shot.look, shot.request.frame),
+                                                            shot.request.frame, ndc) *
+                                cosine;
+        const double beyond = p.depth(x, y) - distance;
+        if (found && found->exhibit == panes && beyond > 0) return;
+        // A coat is pointed at as a whole; what is drawn lies somewhere between its hairs.
+        const double tolerance = found && found->exhibit == fur && !found->button ? 0.4 : 0.02 + 0.01 * p.depth(x, y);
+        wrong += !(std::abs(beyond) < tolerance);
+    });
+    // Pixels on an outline, and the margin in which a button can be clicked.
+    EXPECT_LT(wrong, compared / 33) << where << ": " << wrong << " of " << compared;
+}
+
+TEST_F(PickTest, PointsAtWhatIsDrawn)
+{
+    Shot shot;
+    shot.inHall().size(96, 54);
+    expectWhatIsDrawn(shot, "the mug's best view");
+    shot.see({1.35, 1.65, 10.2}, {-0.35, 2.15, -4.0});
+    expectWhatIsDrawn(shot, "the entrance");
+    shot.see({1.2, 1.65, 5.2}, {3.3, 0.0, 3.0});
+    expectWhatIsDrawn(shot, "the pit");
+    shot.see({-3.0, 1.5, 4.6}, {-3.2, 1.1, 3.0});
+    expectWhatIsDrawn(shot, "the card");
+}
+
+TEST_F(PickTest, AnExhibitCutOutOfTheHallIsTheExhibitInTheHallsLight)
+{
+    Shot shot;
+    shot.inHall().size(96, 54);
+    const std::size_t rays = *gallery().museum.find("crepuscular_rays");
+    ParameterValues& air = shot.look.values[rays];
+    air.setRow(*air.table().find("airDensity"), 0.0);
+    shot.request.frame.transparent = false;
+    const Picture whole = shot.take();
+    shot.request.frame.cutOut = shot.sdf;
+    const Picture cut = shot.take();
+    int inside = 0, outside = 0;
+    double worst = 0;
+    cut.each([&](int x, int y) {
+        const glm::dvec2 ndc((x + 0.5) / cut.width() * 2 - 1, 1 - (y + 0.5) / cut.height() * 2);
+        EXPECT_EQ(cut.alpha(x, y), cut.hit(x, y) ? 1 : 0);
+        EXPECT_EQ(whole.alpha(x, y), 1);
+        const auto found =
+            gallery().museum.pick(gallery().museum.prepare(shot.look, shot.request.frame), shot.request.frame, ndc);
+        const bool pointed = found && found->exhibit == shot.sdf && !found->button;
+        inside += pointed && cut.hit(x, y);
+        outside += !pointed && !cut.hit(x, y);
+        if (pointed && cut.hit(x, y)) worst = std::max(worst, glm::length(cut.color(x, y) - whole.color(x, y)));
+    });
+    EXPECT_GT(inside, 300);
+    EXPECT_GT(outside, 300);
+    EXPECT_GT(inside + outside, 96 * 54 * 97 / 100);
+    EXPECT_LT(worst, 1e-3);
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,217 @@
+// Odd sizes, extreme values, hostile times: no GL error, nothing that is not a number.
+
+#include "render/image/image_io.h"
+#include "tests/stability/fields.h"
+#include "tests/support/gallery.h"
+#include "tests/support/planned.h"
+#include "tests/support/temporary_folder.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+using test::gallery;
+using test::hallTable;
+using test::Picture;
+using test::sdfTable;
+using test::Shot;
+
+class Robustness : public test::GlTest {};
+
+TEST_F(Robustness, H10_IsErrorFreeAtEverySizeWithEverySwitch)
+{
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(3, 2), glm::ivec2(101, 57)}) {
+        for (const bool inHall : {false, true}) {
+            Shot shot;
+            if (inHall) shot.inHall();
+            shot.size(size.x, size.y);
+            shot.request.frame.channels.evaluations = true;
+            for (const bool glass : {false, true}) {
+                shot.object().set(sdfTable().material, glass ? SdfMaterial::glass : SdfMaterial::opaque);
+                shot.object().set(sdfTable().compareMesh, glass);
+                shot.object().set(sdfTable().showBox, glass);
+                const Picture p = shot.take();
+                EXPECT_EQ(test::notFinite(p.image, 4), "") << size.x << 'x' << size.y;
+                EXPECT_EQ(p.width(), size.x);
+                EXPECT_EQ(p.height(), size.y);
+            }
+        }
+    }
+}
+
+TEST_F(Robustness, EveryExhibitDrawsAtItsBestView)
+{
+    const auto exhibits = gallery().museum.exhibits();
+    for (std::size_t i = 1; i < exhibits.size(); ++i) {
+        if (!exhibits[i]->castsShadow()) continue;  // Light alone falls on nothing: see "Rays".
+        Shot shot;
+        shot.request.frame.alone = i;
+        shot.request.frame.camera = exhibits[i]->bestView(shot.look.values[i]);
+        const Picture p = shot.take();
+        EXPECT_EQ(test::notFinite(p.image, 4), "") << exhibits[i]->name();
+        EXPECT_GT(p.hits(), 96 * 54 / 10) << exhibits[i]->name();
+    }
+}
+
+TEST_F(Robustness, ThinAndTallPicturesAreNoSpecialCase)
+{
+    for (const glm::ivec2 size : {glm::ivec2(2000, 1), glm::ivec2(1, 2000), glm::ivec2(17, 400)}) {
+        Shot shot;
+        shot.size(size.x, size.y);
+        EXPECT_EQ(test::notFinite(shot.take().image, 4), "");
+    }
+}
+
+TEST_F(Robustness, H113_APictureOfNothingIsRefused)
+{
+    Shot shot;
+    shot.size(0, 5);
+    EXPECT_THROW((void)shot.take(), std::exception);
+    // A window of no height is no fault: nothing is drawn.
+    FrameRequest frame = shot.request.frame;
+    frame.raster.size = {0, 0};
+    EXPECT_TRUE(gallery().renderer.draw(test::planned(gallery().museum, shot.look, frame)).ran.empty());
+}
+
+/// Random legal values of every row: half of them from the comfortable range, half from all that is legal.
+void shuffle(ParameterValues& values, test::Random& random)
+{
+    for (std::size_t i = 0; i < values.rows().size(); ++i) {
+        const ParameterInfo& row = values.rows()[i];
+        const bool wild = random.number(0, 1) < 0.5;
+        const double low = wild ? row.range.low : row.range.softLow;
+        const double high = wild ? row.range.high : row.range.softHigh;
+        switch (row.kind) {
+        case Kind::real:
+        case Kind::count: {
+            const double t = random.number(0, 1) < 0.2 ? std::round(random.number(0, 1)) : random.number(0, 1);
+            values.setRow(i, row.range.scale == Scale::logarithmic ? low * std::pow(high / low, t)
+                                                                   : low + (high - low) * t);
+            break;
+        }
+        case Kind::toggle: values.setRow(i, std::floor(random.number(0, 2))); break;
+        case Kind::choice:
+            values.setRow(i, std::floor(random.number(0, static_cast<double>(row.choices.size()))));
+            break;
+        case Kind::color: values.setRow(i, 0.5 + random.point(0.5)); break;
+        case Kind::direction: values.setRow(i, random.direction()); break;
+        case Kind::file: break;
+        }
+    }
+}
+
+TEST_F(Robustness, LegalValuesNeverMakeWhatIsNotANumber)
+{
+    const double hostile[] = {
+        0, 1e6, -3.5, 1e300, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
+    for (int i = 0; i < 24; ++i) {
+        SCOPED_TRACE("set " + std::to_string(i));
+        test::Random random(static_cast<std::uint64_t>(100 + i));
+        Shot shot;
+        shuffle(shot.object(), random);
+        shuffle(shot.hall(), random);
+        // Costs a minute at its highest and tells nothing new there.
+        shot.object().set(sdfTable().tessellation, std::min(shot.object()[sdfTable().tessellation], 40));
+        shot.object().set(sdfTable().shadowRays, std::min(shot.object()[sdfTable().shadowRays], 24));
+        shot.hall().set(hallTable().shadowMapSize, 256);
+        shot.hall().set(hallTable().probeSize, i % 3 == 0 ? 16 : 32);
+        shot.hall().set(hallTable().probeSamples, 4);
+        if (i % 4 == 3)
+            shot.inHall();
+        else
+            shot.request.frame.camera = gallery().museum.exhibits()[shot.sdf]->bestView(shot.object());
+        shot.size(32, 18);
+        shot.request.frame.time = hostile[i % 6];
+        shot.request.frame.channels.evaluations = true;
+        const Picture p = shot.take();
+        EXPECT_EQ(test::notFinite(p.image, 4), "");
+        p.each([&](int x, int y) {
+            EXPECT_GE(p.image.at(x, y, 4), 0) << "depth";  // Fails for NaN, too.
+            for (int c = 5; c < 9; ++c) EXPECT_TRUE(std::isfinite(p.image.at(x, y, c))) << "channel " << c;
+            for (int c = 0; c < 3; ++c) EXPECT_GE(p.image.at(x, y, c), -1e-4) << "negative light";
+        });
+        if (!shot.hall()[hallTable().reflectionProbe]) continue;
+        for (const float value : gallery().renderer.read("probe.irradiance").pixels)
+            EXPECT_TRUE(std::isfinite(value)) << "probe";
+    }
+}
+
+TEST_F(Robustness, H48_APanoramaWithTexelsThatAreNoNumbersLeavesThePictureFinite)
+{
+    const test::TemporaryFolder folder;
+    render::Image panorama(16, 8, 3, 0.5F);
+    panorama.at(3, 3, 0) = std::numeric_limits<float>::infinity();
+    panorama.at(5, 4, 1) = std::numeric_limits<float>::quiet_NaN();
+    panorama.at(9, 2, 2) = -std::numeric_limits<float>::infinity();
+    render::writePicture(folder / "hostile.exr", panorama, render::PictureFormat::exr);
+    Shot shot;
+    shot.hall().set(hallTable().environment, (folder / "hostile.exr").string());
+    shot.request.frame.transparent = false;
+    for (const double roughness : {0.0, 1.0}) {
+        shot.object().set(sdfTable().roughness, roughness);
+        const Picture p = shot.take();
+        EXPECT_EQ(test::notFinite(p.image, 4), "");
+        p.each([&](int x, int y) { EXPECT_GE(p.luminance(x, y), -1e-4) << x << ',' << y; });
+    }
+}
+
+TEST_F(Robustness, H6_WhereNothingIsThereIsNeitherDepthNorNormal)
+{
+    for (const bool inHall : {false, true}) {
+        Shot shot;
+        if (inHall) shot.inHall().see({0, 3, 6}, {0, 4, -20});  // Through the window, the sky.
+        shot.request.frame.transparent = false;
+        const Picture p = shot.take();
+        int sky = 0;
+        p.each([&](int x, int y) {
+            if (p.hit(x, y)) {
+                EXPECT_NEAR(glm::length(p.normal(x, y)), 1, 1e-3) << x << ',' << y;
+                return;
+            }
+            ++sky;
+            EXPECT_EQ(p.normal(x, y), glm::dvec3(0)) << x << ',' << y;
+            EXPECT_EQ(p.alpha(x, y), 1);
+        });
+        EXPECT_GT(sky, 20) << (inHall ? "hall" : "alone");
+    }
+}
+
+TEST_F(Robustness, H97_ATimeFarOffShowsWhatItsPhaseShows)
+{
+    Shot shot;
+    shot.object().set(sdfTable().animate, true);
+    shot.object().set(sdfTable().speed, 0.125);
+    shot.request.frame.time = 2.5;
+    const Picture now = shot.take();
+    for (const double later : {8e5, 8e8}) {
+        shot.request.frame.time = 2.5 + later;  // Whole periods of 8 s.
+        EXPECT_EQ(test::largestDifference(shot.take().image, now.image), 0) << later;
+    }
+    shot.request.frame.time = 3;
+    EXPECT_GT(test::largestDifference(shot.take().image, now.image), 0);
+}
+
+TEST_F(Robustness, H10_TheRendererKeepsNothingOfASizeThatIsGone)
+{
+    Shot shot;
+    const Picture before = shot.take();
+    const auto images = [&] {
+        PictureMaker maker(gallery().museum, gallery().renderer, shot.look, shot.request);
+        while (maker.step()) {
+        }
+        return maker.report().counters.at("images");
+    };
+    const std::int64_t count = images();
+    for (int i = 1; i < 20; ++i) {
+        shot.size(i, 2 * i);
+        (void)shot.take();
+    }
+    shot.size(96, 54);
+    EXPECT_EQ(test::largestDifference(shot.take().image, before.image), 0);
+    EXPECT_EQ(images(), count);
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,132 @@
+// Bounds without a picture: their arithmetic, and what plans state. tests/exhibits/museum/bounds_test.cpp measures
+// them.
+
+#include "render/plan/frame_plan.h"
+#include "tests/support/museum_on_paper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+using namespace render;
+using test::hallTable;
+using test::reasonFor;
+using test::Scene;
+using test::sdfTable;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(Bound, IsInProportionToEveryFactor)
+{
+    const Bound bound = boundOf(0.5, 3, {{0.5, "a"}, {4, "b"}});
+    EXPECT_DOUBLE_EQ(bound.share, 1);
+    EXPECT_DOUBLE_EQ(bound.radiance, 6);
+    EXPECT_FALSE(bound.isZero());
+    EXPECT_TRUE(bound.whyNone.empty());
+}
+
+TEST(Bound, OfNothingIsZeroWhateverItWouldBeAndTheFirstCauseIsTold)
+{
+    for (const double other : {1.0, infinity, std::nan("")}) {
+        const Bound bound = boundOf(other, infinity, {{other, "there"}, {0, "first"}, {0, "second"}});
+        EXPECT_TRUE(bound.isZero()) << other;
+        EXPECT_EQ(bound.whyNone, "first");
+    }
+    EXPECT_TRUE(boundOf(1, 1, {{-2, "below zero"}}).isZero());
+    // The plain product, infinity times 0, would be NaN: neither 0 nor a bound.
+}
+
+TEST(Bound, WhatNobodyKnowsIsNotKnownAndNeverZero)
+{
+    EXPECT_FALSE(Bound{}.isKnown());
+    EXPECT_FALSE(Bound{}.isZero());
+    EXPECT_FALSE(boundOf(0, 1, {{std::nan(""), "a setting"}}).isKnown());
+    EXPECT_EQ(toString(Bound{}), "");
+}
+
+TEST(Bound, ReadsAsASentence)
+{
+    EXPECT_EQ(toString(Bound{0.4, 0.3, {}}),
+              "changes a pixel by at most 40 % of its light and 0.3 of the light of white");
+    EXPECT_EQ(toString(Bound{0.4, 0, {}}), "changes a pixel by at most 40 % of its light");
+    EXPECT_EQ(toString(Bound{0, 0.25, {}}), "changes a pixel by at most 0.25 of the light of white");
+    EXPECT_EQ(toString(Bound{1, 0, {}}), "may change any pixel");
+    EXPECT_EQ(toString(Bound{0, 695, {}}), "may change any pixel");
+    EXPECT_EQ(toString(Bound{0, 0, "off"}), "changes nothing");
+}
+
+TEST(FramePlanNeeds, AnEffectOfBoundZeroIsListedAndLeftOutUnlessEverythingRuns)
+{
+    for (const bool everything : {false, true}) {
+        FramePlan plan;
+        plan.runEverything = everything;
+        Pass pass;
+        EXPECT_EQ(plan.needs(pass, {"gone", boundOf(1, 0, {{0, "it is off"}})}), everything);
+        EXPECT_TRUE(plan.needs(pass, {"here", boundOf(1, 0, {})}));
+        EXPECT_EQ(pass.effects.size(), everything ? 2U : 1U);
+        EXPECT_EQ(plan.needs(boundOf(0, 1, {{0, "too dark"}}), {"one", "two"}), everything);
+        for (const auto& [name, reason] :
+             {std::pair("gone", "it is off"), std::pair("one", "too dark"), std::pair("two", "too dark")}) {
+            EXPECT_EQ(reasonFor(plan, name), everything ? "not in the plan" : reason) << name;
+        }
+    }
+}
+
+TEST(BoundsOfPlans, AHallWithoutLightHasNoProbeAndNoShadow)
+{
+    Scene scene;
+    scene.hall().set(hallTable().sunStrength, 0.0);
+    EXPECT_TRUE(test::runs(scene.plan(), "probe/")) << "the sky still shines";
+    scene.hall().set(hallTable().skyStrength, 0.0);
+    const FramePlan plan = scene.plan();
+    EXPECT_EQ(reasonFor(plan, "probe"), "there is no light to reflect");
+    EXPECT_TRUE(plan.findSkipped("probe")->boundIsZero);
+    EXPECT_FALSE(plan.images().contains("probe"));
+    EXPECT_EQ(plan.find("probe/sky/0"), nullptr);
+    EXPECT_TRUE(plan.findSkipped("hall/shadow")->boundIsZero);
+    scene.request.runEverything = true;
+    EXPECT_NE(scene.plan().find("probe/sky/0"), nullptr);
+}
+
+TEST(BoundsOfPlans, GlassIsNotDarkenedByOcclusionSoThatNoneIsEvaluated)
+{
+    Scene scene;
+    scene.object().set(sdfTable().ambientOcclusion, true);
+    const auto occlusion = [&] {
+        const FramePlan plan = scene.plan();
+        const auto& effects = plan.find("sdf_morph/march")->effects;
+        return std::any_of(effects.begin(), effects.end(),
+                           [](const Effect& e) { return e.name == "sdf_morph/occlusion"; });
+    };
+    EXPECT_TRUE(occlusion());
+    scene.object().set(sdfTable().material, SdfMaterial::glass);
+    EXPECT_FALSE(occlusion());
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/occlusion"), "glass scatters nothing of the room's light");
+    scene.object().set(sdfTable().heatMap, SdfHeatMap::evaluations);
+    EXPECT_TRUE(occlusion()) << "a heat map shows what it costs";
+}
+
+TEST(BoundsOfPlans, EveryBoundThatIsStatedIsPositiveAndGrowsWithTheSun)
+{
+    Scene scene;
+    const auto shadow = [&](double strength) {
+        scene.hall().set(hallTable().sunStrength, strength);
+        return scene.plan().find("hall/shadow")->bound.radiance;
+    };
+    EXPECT_NEAR(shadow(4), 4 * shadow(1), 1e-9);
+    const FramePlan plan = scene.plan();
+    for (const Pass& pass : plan.passes()) {
+        EXPECT_FALSE(pass.bound.isZero()) << pass.name;
+        EXPECT_GE(pass.bound.share, 0) << pass.name;
+        EXPECT_GE(pass.bound.radiance, 0) << pass.name;
+        for (const Effect& effect : pass.effects) EXPECT_FALSE(effect.bound.isZero()) << effect.name;
+    }
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "exhibits/exhibits.h"
+#include "exhibits/hall/hall_model.h"
+#include "exhibits/museum/museum.h"
+#include "tests/support/planned.h"
+#include "tests/support/tables.h"
+
+#include <string>
+
+namespace vitrine::test {
+
+/// The real museum and its building, read once.
+inline const Museum& museum()
+{
+    static const Museum opened{allExhibits()};
+    return opened;
+}
+inline const HallModel& building()
+{
+    static const HallModel model;
+    return model;
+}
+
+/// A frame to plan: a look, and where it is seen from.
+struct Scene {
+    Look look = museum().initialLook();
+    FrameRequest request;
+    std::size_t sdf = *museum().find("sdf_morph");
+
+    Scene()
+    {
+        request.raster.size = {64, 36};
+        see(museum().bestView(sdf, look.values[sdf]));
+    }
+    void see(const render::Camera& camera) { request.camera = look.camera = camera; }
+    void see(const glm::dvec3& eye, const glm::dvec3& target) { see({eye, target, 0.96}); }
+    [[nodiscard]] ParameterValues& hall() { return look.values[0]; }
+    [[nodiscard]] ParameterValues& object() { return look.values[sdf]; }
+    [[nodiscard]] ParameterValues& rays() { return look.values[*museum().find("crepuscular_rays")]; }
+    [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {}) const
+    {
+        return test::planned(museum(), look, request, kept);
+    }
+};
+
+inline std::string reasonFor(const render::FramePlan& plan, std::string_view name)
+{
+    const render::Skipped* skipped = plan.findSkipped(name);
+    return skipped ? skipped->reason : plan.find(name) ? "it ran" : "not in the plan";
+}
+
+/// Whether any pass that will run has a name that starts so.
+inline bool runs(const render::FramePlan& plan, std::string_view start)
+{
+    for (const render::Pass& pass : plan.passes())
+        if (pass.name.substr(0, start.size()) == start) return true;
+    return false;
+}
+
+/// What a renderer has kept after it drew the plan.
+inline render::KeptKeys keptAfter(const render::FramePlan& plan)
+{
+    render::KeptKeys kept;
+    for (const render::Pass& pass : plan.passes())
+        if (pass.key) kept.passes[pass.name] = *pass.key;
+    return kept;
+}
+
+}  // namespace vitrine::test

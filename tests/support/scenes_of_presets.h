@@ -1,0 +1,37 @@
+#pragma once
+
+#include "exhibits/framework/preset.h"
+#include "render/files/read_file.h"
+#include "tests/support/museum_on_paper.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace vitrine::test {
+
+/// "sdf_morph/glass" -> the shipped preset, seen from its own place or the exhibit's best view.
+inline std::map<std::string, Scene> scenesOfPresets()
+{
+    namespace fs = std::filesystem;
+    const fs::path presetsFolder = fs::path(VITRINE_SOURCE_DIR) / "assets" / "presets";
+    std::map<std::string, Scene> scenes;
+    for (std::size_t i = 0; i < museum().exhibits().size(); ++i) {
+        const Exhibit& exhibit = *museum().exhibits()[i];
+        const fs::path folder = presetsFolder / exhibit.name();
+        if (!fs::is_directory(folder)) continue;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+            if (entry.path().extension() != ".json") continue;
+            const Preset preset = parsePreset(render::readFile(entry.path(), presetLimits.bytes), entry.path().string(),
+                                              exhibit.name(), exhibit.parameters());
+            Scene scene;
+            scene.look.values[i] = preset.values;
+            scene.see(
+                preset.camera.value_or(i == 0 ? exhibit.bestView(preset.values) : museum().bestView(i, preset.values)));
+            scenes.emplace(std::string(exhibit.name()) + '/' + entry.path().stem().string(), std::move(scene));
+        }
+    }
+    return scenes;
+}
+
+}  // namespace vitrine::test
