@@ -1,17 +1,39 @@
 #include "ui/print/sheet_bar.h"
 
+#include "exhibits/printing/optics.h"
 #include "render/failure.h"
+#include "ui/kit/name_dialog.h"
 #include "ui/print/print_setup.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QInputDialog>
 #include <QLabel>
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine::ui {
+namespace {
+
+/// "60 LPI, 3D, 30°" for "60-3d": what it is sold as, what for, and the angle in which all views are seen. Sheets of
+/// one's own keep their names.
+QString shownName(const printing::Sheet& sheet)
+{
+    const auto& known = printing::knownSheets();
+    const bool ours = std::any_of(known.begin(), known.end(), [&](const auto& one) { return one.name == sheet.name; });
+    const QString name = QString::fromStdString(sheet.name);
+    if (!ours) return name;
+    const QString use = name.endsWith(QLatin1String("-3d"))     ? SheetBar::tr("3D")
+                        : name.endsWith(QLatin1String("-flip")) ? SheetBar::tr("flip")
+                                                                : SheetBar::tr("measured");
+    return SheetBar::tr("%1 LPI, %2, %3°")
+        .arg(sheet.nominalLpi)
+        .arg(use)
+        .arg(std::round(printing::zoneByChiefRay(sheet) / printing::radiansPerDegree));
+}
+
+}  // namespace
 
 SheetBar::SheetBar(PrintSetup& setup, QWidget* parent)
     : QWidget(parent), setup_(setup), list_(new QComboBox(this)), save_(new QToolButton(this)),
@@ -46,10 +68,10 @@ SheetBar::SheetBar(PrintSetup& setup, QWidget* parent)
 void SheetBar::connectParts()
 {
     connect(list_, &QComboBox::activated, this, [this](int index) {
-        if (index < static_cast<int>(count_)) choose(list_->itemText(index));
+        if (index < static_cast<int>(count_)) choose(list_->itemData(index).toString());
     });
     connect(save_, &QToolButton::clicked, this, &SheetBar::askName);
-    connect(remove_, &QToolButton::clicked, this, [this] { remove(list_->currentText()); });
+    connect(remove_, &QToolButton::clicked, this, [this] { remove(current()); });
     connect(&setup_, &PrintSetup::changed, this, &SheetBar::showSheets);
 }
 
@@ -67,7 +89,7 @@ void SheetBar::choose(const QString& name)
 {
     change([&] {
         const printing::Sheet sheet = sheets_.named(name.toStdString());
-        setup_.change(tr("Choose sheet %1").arg(name),
+        setup_.change(tr("Choose sheet %1").arg(shownName(sheet)),
                       {printing::withSheet(setup_.values(), sheet), setup_.state().files, sheet.name});
     });
 }
@@ -98,7 +120,7 @@ void SheetBar::showSheets()
     }
     const QSignalBlocker quiet(list_);
     list_->clear();
-    for (const printing::Sheet& sheet : sheets) list_->addItem(QString::fromStdString(sheet.name));
+    for (const printing::Sheet& sheet : sheets) list_->addItem(shownName(sheet), QString::fromStdString(sheet.name));
     const auto at =
         std::find_if(sheets.begin(), sheets.end(), [&](const printing::Sheet& sheet) { return sheet.name == current; });
     if (at == sheets.end()) list_->addItem(tr("not in the list"));
@@ -111,19 +133,14 @@ void SheetBar::showSheets()
 
 QString SheetBar::current() const
 {
-    return list_->currentIndex() < static_cast<int>(count_) ? list_->currentText() : QString();
+    return list_->currentIndex() < static_cast<int>(count_) ? list_->currentData().toString() : QString();
 }
 
 void SheetBar::askName()
 {
-    auto* dialog = new QInputDialog(this);
+    auto* dialog = new NameDialog(tr("Name of the sheet"), remove_->isEnabled() ? current() : QString(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(tr("Save sheet"));
-    dialog->setLabelText(tr("Name of the sheet"));
-    dialog->setTextValue(remove_->isEnabled() ? current() : QString());
-    connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
-        if (!name.trimmed().isEmpty()) save(name.trimmed());
-    });
+    connect(dialog, &NameDialog::named, this, &SheetBar::save);
     dialog->open();
 }
 

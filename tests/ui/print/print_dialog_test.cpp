@@ -1,5 +1,6 @@
 #include "exhibits/framework/state_folder.h"
 #include "exhibits/printing/print_json.h"
+#include "exhibits/printing/sheet.h"
 #include "render/files/read_file.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
@@ -463,6 +464,27 @@ private slots:
         QVERIFY2(said().contains("40-3d"), qPrintable(said()));
         bar->remove("Mine");
         QCOMPARE(bar->current(), QString());
+    }
+
+    void sheetsAreNamedByWhatTheyAreAndKeepTheirNamesInFiles()
+    {
+        auto* list = dialog_->findChild<SheetBar*>()->findChild<QComboBox*>();
+        for (const printing::Sheet& sheet : printing::knownSheets()) {
+            const int at = list->findData(QString::fromStdString(sheet.name));
+            QVERIFY2(at >= 0, sheet.name.c_str());
+            const QString shown = list->itemText(at);
+            QVERIFY2(shown.startsWith(QString("%1 LPI, ").arg(sheet.nominalLpi)), qPrintable(shown));
+            // Derived for 30 and 50 degrees by the paraxial focus; the exact ray through the middle differs by a
+            // little.
+            const double degrees = shown.mid(shown.lastIndexOf(' ')).chopped(1).toDouble();
+            const QString name = QString::fromStdString(sheet.name);
+            if (name.endsWith("-3d")) QVERIFY2(shown.contains("3D") && std::abs(degrees - 30) <= 3, qPrintable(shown));
+            if (name.endsWith("-flip"))
+                QVERIFY2(shown.contains("flip") && std::abs(degrees - 50) <= 6, qPrintable(shown));
+        }
+        emit list->activated(list->findData(QString("60-flip")));
+        settle();
+        QCOMPARE(dialog_->findChild<SheetBar*>()->current(), QString("60-flip"));
     }
 
     void anOwnSheetWithAShippedSheetsNumbersStaysTheOwnOne()

@@ -55,18 +55,18 @@ private slots:
     {
         window_->choose(1);
         settle();
-        const std::size_t before = gallery_->requests.size();
+        const auto before = static_cast<std::ptrdiff_t>(gallery_->requests().size());
         QSignalSpy changed(&window_->history(), &History::changed);
         auto* slider = in<ValueSlider>("roughness");
         QTest::mousePress(slider, Qt::LeftButton, {}, {slider->width() - 20, slider->height() / 2});
         QTest::mouseRelease(slider, Qt::LeftButton, {}, {slider->width() - 20, slider->height() / 2});
         settle();
         QCOMPARE(changed.count(), 1);
-        const auto full = std::count_if(gallery_->requests.begin() + static_cast<std::ptrdiff_t>(before),
-                                        gallery_->requests.end(), [&](const FrameRequest& request) {
-                                            return request.sample == 0 &&
-                                                   request.raster.size == gallery_->requests.back().raster.size;
-                                        });
+        const std::vector<FrameRequest> requests = gallery_->requests();
+        const glm::ivec2 whole = requests.back().raster.size;
+        const auto full = std::count_if(requests.begin() + before, requests.end(), [&](const FrameRequest& request) {
+            return request.sample == 0 && request.raster.size == whole;
+        });
         QCOMPARE(full, 1);
     }
 
