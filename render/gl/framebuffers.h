@@ -34,4 +34,16 @@ private:
     std::int64_t made_ = 0;
 };
 
+/// Whoever calls gets his framebuffer back, whatever happens meanwhile.
+class CallersFramebuffer {
+public:
+    CallersFramebuffer() { glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name_); }
+    ~CallersFramebuffer() { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(name_)); }
+    CallersFramebuffer(const CallersFramebuffer&) = delete;
+    CallersFramebuffer& operator=(const CallersFramebuffer&) = delete;
+
+private:
+    GLint name_ = 0;
+};
+
 }  // namespace vitrine::render::gl

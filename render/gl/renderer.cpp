@@ -5,6 +5,7 @@
 #include "render/gl/context.h"
 #include "render/gl/frame_block.h"
 #include "render/gl/frame_clock.h"
+#include "render/gl/framebuffers.h"
 #include "render/gl/pass_state.h"
 #include "render/gl/program_cache.h"
 #include "render/gl/resources.h"
@@ -302,6 +303,33 @@ struct Renderer::State {
         else if (complete)
             kept.passes[pass.name] = *pass.key;
     }
+
+    /// Runs them one after the other. What throws, Abandoned too, leaves the renderer as if the passes from there on
+    /// had never been planned.
+    void runPasses(const FramePlan& plan, const std::vector<PassRanges>& ranges, const std::set<std::string>& lost,
+                   FrameClock& clock, std::vector<SamplesQuery>& samplesQueries, FrameReport& report)
+    {
+        std::size_t next = 0;
+        try {
+            for (; next < plan.passes().size(); ++next) {
+                const Pass& pass = plan.passes()[next];
+                if (abandoned()) throw Abandoned();
+                const DebugGroup group(pass.name.c_str());
+                if (pass.countSamples) samplesQueries.emplace_back();
+                const ProgramInUse used = run(pass, ranges[next]);
+                if (pass.countSamples) SamplesQuery::end();
+                if (used.standIn.empty()) remember(pass, plan, lost);
+                report.unfinished = report.unfinished || used.building;
+                report.ran.push_back({pass.name, used.standIn.empty() ? pass.reason : pass.reason + ", " + used.standIn,
+                                      pass.work, -1, pass.bound, pass.effects});
+                if (timeSteps) clock.mark();
+                countDraws(pass, report.counters);
+            }
+        } catch (...) {
+            forgetFrom(plan, next);
+            throw;
+        }
+    }
 };
 
 Renderer::Renderer() : Renderer(std::make_unique<State>(std::make_shared<Shared>())) {}
@@ -341,8 +369,7 @@ FrameReport Renderer::draw(const FramePlan& plan)
     const glm::ivec2 size = plan.view.raster.drawn();
     if (size.x <= 0 || size.y <= 0) return report;
 
-    GLint callersFramebuffer = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &callersFramebuffer);
+    const CallersFramebuffer callers;
     glFinish();
     const double wallStart = wallSeconds();
     FrameClock clock(choice.method);
@@ -358,32 +385,12 @@ FrameReport Renderer::draw(const FramePlan& plan)
     const std::vector<PassRanges> ranges = s.uploadBlocks(plan, lost);
     std::vector<SamplesQuery> samplesQueries;
     if (s.timeSteps) clock.mark();
-    std::size_t next = 0;
-    try {
-        for (; next < plan.passes().size(); ++next) {
-            const Pass& pass = plan.passes()[next];
-            if (s.abandoned()) throw Abandoned();
-            const DebugGroup group(pass.name.c_str());
-            if (pass.countSamples) samplesQueries.emplace_back();
-            const ProgramInUse used = s.run(pass, ranges[next]);
-            if (pass.countSamples) SamplesQuery::end();
-            if (used.standIn.empty()) s.remember(pass, plan, lost);
-            report.unfinished = report.unfinished || used.building;
-            report.ran.push_back({pass.name, used.standIn.empty() ? pass.reason : pass.reason + ", " + used.standIn,
-                                  pass.work, -1, pass.bound, pass.effects});
-            if (s.timeSteps) clock.mark();
-            countDraws(pass, report.counters);
-        }
-    } catch (...) {
-        s.forgetFrom(plan, next);
-        throw;
-    }
+    s.runPasses(plan, ranges, lost, clock, samplesQueries, report);
     s.programs.dropIdle();
     clock.mark();
     glFinish();
     report.wallMilliseconds = 1e3 * (wallSeconds() - wallStart);
     for (const SamplesQuery& query : samplesQueries) report.counters["samples"] += query.result();
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(callersFramebuffer));
     report.counters["passes"] = static_cast<std::int64_t>(plan.passes().size());
     report.counters["framebuffers made"] = s.resources.framebuffersMade() - framebuffersBefore;
     s.countHeld(report.counters);

@@ -37,7 +37,7 @@ struct DeclaredRow {
 /// The rows as they are written in a table's header.
 std::vector<DeclaredRow> declaredRows(const std::string& text)
 {
-    static const std::regex row(R"re((\w+)\s*=\s*(?:real|count|toggle|choice|color|direction|file)\("(\w+)")re");
+    static const std::regex row(R"re((\w+)\s*=\s*(?:real|count|toggle|choice|color|direction|file)\(\s*"(\w+)")re");
     std::vector<DeclaredRow> rows;
     for (auto match = std::sregex_iterator(text.begin(), text.end(), row); match != std::sregex_iterator(); ++match)
         rows.push_back({(*match)[1], (*match)[2]});

@@ -130,8 +130,8 @@ TEST(HardCaseList, FaultyRowsAreSeen)
     EXPECT_NE(fault("not here: nothing of the kind exists", fog, fog, root), "");
     EXPECT_NE(fault("open: nobody knows how, up to now", fog, fog, root), "");
     EXPECT_NE(fault("not here: no", {}, {}, root), "");
-    EXPECT_NE(fault("with `tests/gl`: `Fog.IsGone`", fog, {}, root), "");
-    EXPECT_NE(fault("with `tests/gl`: ", fog, {}, root), "");
+    EXPECT_NE(fault("with `tests/render`: `Fog.IsGone`", fog, {}, root), "");
+    EXPECT_NE(fault("with `tests/render`: ", fog, {}, root), "");
     EXPECT_EQ(fault("with `tests/nothing_of_the_kind`: `Fog.WillBeClear`", fog, {}, root), "");
     EXPECT_NE(fault("", fog, fog, root), "");
 }

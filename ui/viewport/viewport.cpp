@@ -107,10 +107,19 @@ void Viewport::paintGL()
     // While the viewport has a new size and the picture not yet, it is stretched.
     painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_.size() != devicePixels());
     if (shown_.isNull())
-        painter.fillRect(rect(), Qt::black);
+        paintOpening(painter);
     else
         painter.drawImage(rect(), shown_);
     if (!drawing_ && !timer_.isActive()) timer_.start(0);  // Who was hidden may have something to draw.
+}
+
+void Viewport::paintOpening(QPainter& painter)
+{
+    // Files are read and shaders are compiled: a moment, or half a minute the first time on a slow machine.
+    painter.fillRect(rect(), QColor(0x26, 0x23, 0x20));
+    painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+    painter.setPen(QColor(0xc9, 0xc2, 0xb8));
+    painter.drawText(rect(), Qt::AlignCenter, tr("Opening the hall …"));
 }
 
 bool Viewport::canBeSeen() const

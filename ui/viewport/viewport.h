@@ -12,6 +12,8 @@
 
 #include <functional>
 
+class QPainter;
+
 namespace vitrine::ui {
 
 class Overlay;
@@ -101,6 +103,7 @@ private:
     void advanceClock(double now);
     void valuesChanged();
     void scheduleNext();
+    void paintOpening(QPainter&);
     [[nodiscard]] bool canBeSeen() const;
     /// Hands the render thread the next picture, unless one is being drawn.
     void orderPicture();

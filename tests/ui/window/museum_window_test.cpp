@@ -238,6 +238,9 @@ private slots:
     void theLedgersSwitchRunsEverythingAndChangesNoPixel()
     {
         window_->visit(exhibit_);
+        // Every sample draws all exhibits, seen or not, and the probe.
+        const std::size_t samples = *window_->gallery().exhibits()[0]->parameters().find("supersamples");
+        window_->history().set(0, samples, 2.0, newGesture());
         window_->findChild<QDockWidget*>("ledger")->show();
         const QImage before = pictureAtRest();
         auto* ledger = window_->findChild<LedgerDock*>();

@@ -32,9 +32,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <clocale>
 #include <future>
 #include <memory>
+#include <set>
 #include <thread>
 
 #include <QSignalSpy>
@@ -475,6 +477,31 @@ private slots:
         QVERIFY(!gallery_->requests().empty());
         QVERIFY(gallery_->thread != std::this_thread::get_id());
         QCOMPARE(gallery_->strangers, 0);
+    }
+
+    void untilTheFirstPictureTheViewportSaysThatItComes()
+    {
+        closeWindow();
+        gallery_ = std::make_unique<test::PaintedGallery>();
+        std::atomic<bool> held = true;
+        gallery_->beforeDrawing = [&](const FrameRequest&, const Gallery::Unwanted&) {
+            while (held) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        };
+        window_ = std::make_unique<MainWindow>(*gallery_);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), test::patience));
+        const auto colors = [&] {
+            const QImage picture = window_->viewport().grabFramebuffer();
+            std::set<QRgb> found;
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = 0; x < picture.width(); ++x) found.insert(picture.pixel(x, y));
+            return found.size();
+        };
+        const auto opening = colors();
+        held = false;
+        settle();
+        QVERIFY2(opening > 3, "no words");
+        QCOMPARE(colors(), std::size_t(1));
     }
 
     void aPictureThatTakesLongHoldsNothingUpAndTheNewestComesNext()
