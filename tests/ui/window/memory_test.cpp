@@ -165,7 +165,7 @@ private slots:
         applyTheme(*qApp, darkTheme());
         QVERIFY2(whyNoOpenGl().isEmpty(), qPrintable(whyNoOpenGl()));
         home_ = std::make_unique<QTemporaryDir>();
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
             qputenv(name, home_->path().toLocal8Bit());
         museum_ = std::make_unique<Museum>(allExhibits());
         exhibit_ = museum_->find("sdf_morph").value();

@@ -170,7 +170,7 @@ private slots:
     void init()
     {
         home_ = std::make_unique<QTemporaryDir>();
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
             qputenv(name, home_->path().toLocal8Bit());
     }
     void cleanup()

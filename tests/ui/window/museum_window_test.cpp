@@ -55,7 +55,7 @@ class MuseumWindowTest : public QObject {
         window_->resize(1000, 560);  // A small picture: a software renderer draws it too.
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
-        settle();
+        QTRY_VERIFY(window_->viewport().picturesDrawn() > 0);
     }
     void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
     [[nodiscard]] QImage picture()
@@ -121,7 +121,7 @@ private slots:
     {
         // Every case has folders of its own; nothing of the user's is ever touched.
         home_ = std::make_unique<QTemporaryDir>();
-        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
             qputenv(name, home_->path().toLocal8Bit());
         openWindow();
     }
