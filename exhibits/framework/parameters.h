@@ -342,7 +342,7 @@ public:
 };
 
 /// Whether a row may have this name: letters and digits, a letter first, at most 64 of them, so that it is a key, a
-/// flag and a field of GLSL alike. (Words that GLSL reserves are not among the fields: `derive::uniformBlock`.)
+/// flag and a field of GLSL alike. Words that GLSL reserves pass: who makes a table of a file has to keep them out.
 [[nodiscard]] bool isRowName(std::string_view);
 
 /// A snapshot of one value per row of one table. Cheap to copy: presets, A/B comparisons, undo and

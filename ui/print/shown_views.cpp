@@ -11,12 +11,6 @@
 #include <algorithm>
 
 namespace vitrine::ui {
-namespace {
-
-constexpr int viewTile = 512;          // So that a step takes part of a second, and the viewport goes on in between.
-constexpr qint64 viewsToldEvery = 50;  // Milliseconds.
-
-}  // namespace
 
 ShownViews::ShownViews(Workbench& window, QObject* parent) : QObject(parent), window_(window) {}
 
@@ -44,7 +38,7 @@ void ShownViews::start(const ParameterValues& values, bool draft)
     quick = printing::depthShot(quick);
     work->pictures.insert(work->pictures.begin(), quick);
     for (printing::ViewShot& shot : work->pictures)
-        shot.request.largestTile = std::min(shot.request.largestTile, viewTile);
+        shot.request.largestTile = std::min(shot.request.largestTile, RenderThread::taskTile);
     values_ = values;
     look_ = look;
     views_ = std::make_shared<printing::PrintViews>();
@@ -83,7 +77,7 @@ bool ShownViews::step(Gallery& gallery, Work& work, const RenderThread::Tell& te
         ++work.next;
         work.job.maker.reset();
     }
-    if (!work.told.isValid() || work.told.elapsed() >= viewsToldEvery) {
+    if (!work.told.isValid() || work.told.elapsed() >= RenderThread::tellEvery) {
         work.told.start();
         const double part = (static_cast<double>(work.next) + (work.job.maker ? work.job.maker->progress() : 0)) /
                             static_cast<double>(work.pictures.size());
@@ -97,8 +91,7 @@ bool ShownViews::step(Gallery& gallery, Work& work, const RenderThread::Tell& te
 
 void ShownViews::note(double part)
 {
-    const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
-    emit progressed(part, part > 0.02 ? seconds / part * (1 - part) : -1);
+    emit progressed(part, RenderThread::secondsLeft(part, elapsed_));
 }
 
 void ShownViews::end(const QString& failure)

@@ -3,6 +3,7 @@
 #include "ui/viewport/draw_schedule.h"
 #include "ui/viewport/gallery.h"
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QObject>
 #include <QPoint>
@@ -52,6 +53,16 @@ class RenderThread final : public QObject {
     Q_OBJECT
 
 public:
+    /// Largest side of a tile of a task's pictures: a step takes part of a second, and the viewport goes on in between.
+    static constexpr int taskTile = 512;
+    static constexpr qint64 tellEvery = 50;  ///< Milliseconds between two words about a task's progress.
+    /// Of a task that has done `part` (0 to 1) of its work since the clock started; negative: not known yet.
+    [[nodiscard]] static double secondsLeft(double part, const QElapsedTimer& since)
+    {
+        const double seconds = static_cast<double>(since.elapsed()) / 1000;
+        return part > 0.02 ? seconds / part * (1 - part) : -1;
+    }
+
     /// Calls its argument later in the window's thread, unless the task was cancelled before.
     using Tell = std::function<void(std::function<void()>)>;
     /// One step; returns whether there is another one. What it holds is let go on the render thread.

@@ -17,9 +17,6 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int exportTile = 512;         // So that a step takes part of a second, and the viewport goes on in between.
-constexpr qint64 exportToldEvery = 50;  // Milliseconds.
-
 bool isLinear(render::PictureFormat format)
 {
     return format == render::PictureFormat::exr || format == render::PictureFormat::exrHalf;
@@ -62,7 +59,7 @@ PictureRequest PictureExport::request() const
     if (wish_.transparent) request.frame.cutOut = window_.chosen();
     request.frame.averageIn = isLinear(wish_.format) ? AverageIn::radiance : AverageIn::display;
     request.samples = wish_.samples;
-    request.largestTile = exportTile;
+    request.largestTile = RenderThread::taskTile;
     return request;
 }
 
@@ -104,7 +101,7 @@ void PictureExport::start()
         if (!work->job.maker) throw Failure(Blame::openGl, "No picture can be made: there is no graphics context.");
         PictureMaker& maker = *work->job.maker;
         maker.step();
-        if (!work->told.isValid() || work->told.elapsed() >= exportToldEvery) {
+        if (!work->told.isValid() || work->told.elapsed() >= RenderThread::tellEvery) {
             work->told.start();
             tell([this, part = maker.progress()] { note(part); });
         }
@@ -133,8 +130,7 @@ bool PictureExport::cancel()
 
 void PictureExport::note(double part)
 {
-    const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
-    emit progressed(part, part > 0.02 ? seconds / part * (1 - part) : -1);
+    emit progressed(part, RenderThread::secondsLeft(part, elapsed_));
 }
 
 void PictureExport::end(const QString& failure)

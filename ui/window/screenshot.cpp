@@ -9,18 +9,19 @@
 #include <cmath>
 
 namespace vitrine::ui {
-namespace {
 
-void drawAndSave(MainWindow& window, ExportWish wish)
+void saveScreenshot(MainWindow& window)
 {
+    const std::string_view name = window.gallery().exhibits()[window.chosen()]->name();
+    ExportWish wish;
+    wish.path = freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
     Viewport& viewport = window.viewport();
     const double ratio = viewport.devicePixelRatioF();
     wish.size = {std::max(1, static_cast<int>(std::lround(viewport.width() * ratio))),
                  std::max(1, static_cast<int>(std::lround(viewport.height() * ratio)))};
     wish.samples = viewport.schedule().samples();
     wish.asShown = viewport.pictureFinished();
-    const bool asShown = wish.asShown;
-    auto* work = new PictureExport(window, std::move(wish));
+    auto* work = new PictureExport(window, wish);
     QObject::connect(work, &PictureExport::finished, &window, [&window](const QString& path) {
         window.say(MessageStrip::Mood::notice, MainWindow::tr("Screenshot saved to %1.").arg(path),
                    MainWindow::tr("%1 screenshots saved, the last one to %2."), path);
@@ -31,22 +32,12 @@ void drawAndSave(MainWindow& window, ExportWish wish)
         viewport.showHint(MainWindow::tr("The picture is not finished yet: drawing it for the screenshot, %1 %")
                               .arg(std::floor(part * 100)));
     };
-    if (!asShown) {
+    if (!wish.asShown) {
         QObject::connect(work, &PictureExport::progressed, &viewport, waitsFor);
         QObject::connect(work, &QObject::destroyed, &viewport, [&viewport] { viewport.showHint({}); });
         waitsFor(0);
     }
     work->start();
-}
-
-}  // namespace
-
-void saveScreenshot(MainWindow& window)
-{
-    const std::string_view name = window.gallery().exhibits()[window.chosen()]->name();
-    ExportWish wish;
-    wish.path = freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
-    drawAndSave(window, std::move(wish));
 }
 
 }  // namespace vitrine::ui

@@ -6,8 +6,22 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <dlfcn.h>
+
 namespace vitrine::render {
 namespace {
+
+/// libtiff writes what it finds wrong with a file to the standard error stream, beside the error that it returns. With
+/// OpenImageIO 2.5 some of these lines come through. The library is already loaded here; where it is not, nothing is
+/// silenced.
+void silenceLibtiff()
+{
+    void* libtiff = ::dlopen("libtiff.so.6", RTLD_LAZY | RTLD_NOLOAD);
+    if (!libtiff) return;
+    using SetHandler = void* (*)(void*);
+    for (const char* name : {"TIFFSetErrorHandler", "TIFFSetWarningHandler"})
+        if (void* symbol = ::dlsym(libtiff, name)) reinterpret_cast<SetHandler>(symbol)(nullptr);
+}
 
 class Codec final : public OiioCodec {
 public:
@@ -18,6 +32,7 @@ public:
         OIIO::attribute("limits:channels", 16);
         OIIO::attribute("openexr:core", 0);  // SIGFPE on damaged files in 2.4.7.
         OIIO::attribute("plugin_searchpath", "");
+        silenceLibtiff();
     }
 
     std::string decode(std::string_view bytes, ImageFormat format, const ImageLimits& limits,

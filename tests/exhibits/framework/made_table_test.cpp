@@ -18,7 +18,7 @@ struct Ball {
 
 /// As the reader of a scene would: of texts that are gone afterwards.
 std::shared_ptr<const MadeTable> madeTable(const std::vector<std::string>& balls, double largest,
-                                           std::vector<std::vector<Real>>* handles = nullptr)
+                                           std::vector<Real>* radii = nullptr)
 {
     auto table = std::make_shared<MadeTable>();
     {
@@ -43,9 +43,8 @@ std::shared_ptr<const MadeTable> madeTable(const std::vector<std::string>& balls
         ball.tint = table->color("tint", {1, 1, 1}, "Of what is matte.");
         return ball;
     });
-    if (handles) handles->assign(1, {});
-    for (const Ball& ball : rows)
-        if (handles) handles->front().push_back(ball.radius);
+    if (radii)
+        for (const Ball& ball : rows) radii->push_back(ball.radius);
     return table;
 }
 
@@ -61,8 +60,8 @@ TEST(MadeTable, KeepsItsOwnTexts)
 
 TEST(MadeTable, GroupsOfAnArrayHaveTheSameRowsUnderNamesOfTheirOwn)
 {
-    std::vector<std::vector<Real>> handles;
-    const auto table = madeTable({"red", "blue"}, 10, &handles);
+    std::vector<Real> radii;
+    const auto table = madeTable({"red", "blue"}, 10, &radii);
     const std::size_t blue = table->find("blueRadius").value();
     const ParameterInfo& row = table->rows()[blue];
     EXPECT_EQ(row.array, "balls");
@@ -71,7 +70,7 @@ TEST(MadeTable, GroupsOfAnArrayHaveTheSameRowsUnderNamesOfTheirOwn)
     EXPECT_EQ(row.group, "Ball blue");
     EXPECT_EQ(label(row), "Blue radius");
     EXPECT_EQ(labelInGroup(row), "Radius");
-    EXPECT_EQ(handles[0][1].row, blue);
+    EXPECT_EQ(radii[1].row, blue);
     EXPECT_EQ(std::get<double>(row.initial), 1.0);
     EXPECT_TRUE(table->rows()[0].array.empty());
 }
