@@ -15,8 +15,8 @@ namespace {
 std::string qualityNames(const Museum& museum, std::size_t exhibit)
 {
     std::string names;
-    for (const StudyAxis& axis : qualityAxes(museum.exhibits(), exhibit, 2))
-        names += (names.empty() ? "" : ", ") + std::string(rowOf(museum.exhibits(), axis).name);
+    for (const StudyAxis& axis : qualityAxes(museum.subjects(), exhibit, 2))
+        names += (names.empty() ? "" : ", ") + std::string(rowOf(museum.subjects(), axis).name);
     return names;
 }
 
@@ -33,11 +33,11 @@ StudyAxis axisNamed(const Museum& museum, std::size_t subject, const std::string
         exhibit = *found;
         name = text.substr(dot + 1);
     }
-    const auto row = museum.exhibits()[exhibit]->parameters().find(name);
-    const std::optional<StudyAxis> axis = row ? studyAxis(museum.exhibits(), exhibit, *row, points) : std::nullopt;
+    const auto row = museum.subject(exhibit).parameters().find(name);
+    const std::optional<StudyAxis> axis = row ? studyAxis(museum.subjects(), exhibit, *row, points) : std::nullopt;
     if (!axis)
         throw Failure(Blame::usage,
-                      "study " + text + ": " + std::string(museum.exhibits()[exhibit]->name()) +
+                      "study " + text + ": " + std::string(museum.subject(exhibit).name()) +
                           (row ? " has it, but accuracy does not depend on it" : " has no such parameter") +
                           "; give one of " + qualityNames(museum, exhibit) + '.');
     return *axis;
@@ -46,7 +46,7 @@ StudyAxis axisNamed(const Museum& museum, std::size_t subject, const std::string
 void setValues(const Museum& museum, StudyAxis& axis, const std::string& text)
 {
     axis.values.clear();
-    const ParameterInfo& row = rowOf(museum.exhibits(), axis);
+    const ParameterInfo& row = rowOf(museum.subjects(), axis);
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');) {
         const std::optional<Value> value = optionValue(row, part);
@@ -126,7 +126,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     request.metric = metricOption("--metric", options.metric);
     request.pixelsPerDegree = options.pixelsPerDegree;
     request.needsFiles = true;
-    request.alone = options.alone && job.subject != 0;
+    request.alone = options.alone && job.subject != hallIndex;
     request.modelError = !options.noModelError;
     request.settings = options.settings;
     request.maxError = options.maxError;
@@ -137,14 +137,14 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
         request.axes.push_back(axisNamed(museum, job.subject, name, points));
     for (std::size_t i = 0; i < request.axes.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (request.axes[i].exhibit == request.axes[j].exhibit && request.axes[i].row == request.axes[j].row)
+            if (request.axes[i].subject == request.axes[j].subject && request.axes[i].row == request.axes[j].row)
                 throw Failure(Blame::usage,
                               "study " + options.parameters[i] + ": named twice; name each parameter once.");
     if (!options.values.empty()) {
         if (!one) throw Failure(Blame::usage, "--values: name exactly one parameter before it.");
         setValues(museum, request.axes.front(), options.values);
     }
-    if (request.axes.empty()) request.axes = qualityAxes(museum.exhibits(), job.subject, options.points);
+    if (request.axes.empty()) request.axes = qualityAxes(museum.subjects(), job.subject, options.points);
     if (request.axes.empty())
         throw Failure(
             Blame::usage,

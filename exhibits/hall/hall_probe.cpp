@@ -11,7 +11,6 @@ namespace vitrine {
 namespace {
 
 using render::Attachment;
-using render::Load;
 using render::Pass;
 
 constexpr int smallestFace = 4;  ///< Texels along a face of the roughest level.
@@ -45,8 +44,8 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
         return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS;
     });
     Pass sky = capturePass("sky", face, eye, size, key);
-    sky.shader = {"lib/fullscreen.vert", "hall/sky.frag", "", {"CAPTURE"}};
-    sky.colors = {{"probe.captured", Load::keep, {}, face, 0}};
+    sky.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/sky.frag", .defines = {"CAPTURE"}};
+    sky.colors = {Attachment::slice("probe.captured", face)};
     sky.draws = {render::Draw{}};
     sky.bound = light.probeLight;
     hallLight.illuminate(sky);
@@ -56,10 +55,11 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
 
     Pass walls = capturePass("walls", face, eye, size, key);
     walls.bound = light.probeLight;
-    walls.shader = {
-        "hall/surface.vert", "hall/surface.frag", "", {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
-    walls.colors = {{"probe.captured", Load::keep, {}, face, 0}};
-    walls.depth = Attachment{"probe.depth", Load::clear, glm::vec4(0), -1, 0};
+    walls.shader = {.vertex = "hall/surface.vert",
+                    .fragment = "hall/surface.frag",
+                    .defines = {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
+    walls.colors = {Attachment::slice("probe.captured", face)};
+    walls.depth = Attachment::cleared("probe.depth");
     walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};
     for (const render::Part& part : scene.model.walls()) {
         const HallMaterial& material = scene.model.material(part.material ? part.material->name : std::string());
@@ -82,8 +82,8 @@ void planLevel(int level, int levels, int size, int samples, const render::Bound
     pass.reason = "what the probe sees has changed";
     pass.stage = render::Stage::prepare;
     pass.work = render::Work::compute;
-    pass.shader = {"", "", "probe/prefilter.comp", {}};
-    pass.storage = {{"probe", Load::keep, {}, -1, level}};
+    pass.shader = {.compute = "probe/prefilter.comp"};
+    pass.storage = {{.image = "probe", .level = level}};
     pass.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
     // Level follows the square root of roughness (lib/light.glsl), so roughness is its square.
     pass.blocks[BLOCK_OBJECT] = render::bytesOf(glm::vec4(t * t, level == 0 ? 1 : samples, size, 0));
@@ -140,8 +140,8 @@ void planProbe(const HallScene& scene, const Surroundings& light, render::FrameP
     sum.reason = "what the probe sees has changed";
     sum.stage = render::Stage::prepare;
     sum.work = render::Work::compute;
-    sum.shader = {"", "", "probe/irradiance.comp", {}};
-    sum.storage = {{"probe.irradiance", Load::keep, {}, -1, 0}};
+    sum.shader = {.compute = "probe/irradiance.comp"};
+    sum.storage = {Attachment::whole("probe.irradiance")};
     sum.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
     sum.blocks[BLOCK_OBJECT] = render::bytesOf(glm::vec4(level, std::max(size >> level, 1), 0, 0));
     sum.key = key;

@@ -10,7 +10,7 @@ namespace vitrine {
 /// A torus that melts into a mug and back: a signed distance field, marched inside its bounding mesh among
 /// rasterized geometry. This folder is the exemplar of an exhibit; it is written to be read in this order:
 /// the table (what can be set), this file, the shape (what the numbers mean), the passes (what is drawn).
-class SdfMorph final : public Exhibit {
+class SdfMorph final : public Exhibit, public HasButton {
 public:
     using Table = SdfMorphTable;
 

@@ -4,6 +4,7 @@
 
 #include "ui/viewport/gallery.h"
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <exception>
@@ -13,7 +14,7 @@
 namespace vitrine::test {
 
 /// An exhibit with a table and nothing to draw.
-class PlainExhibit final : public Exhibit {
+class PlainExhibit final : public Exhibit, public HasButton {
 public:
     PlainExhibit(std::string_view name, std::string_view title, int place) : name_(name), title_(title), place_(place)
     {
@@ -25,7 +26,7 @@ public:
     {
         return "One solid with one hole, from torus to mug and back.";
     }
-    [[nodiscard]] std::string_view buttonText() const override { return place_ > 0 ? "melt it" : ""; }
+    [[nodiscard]] std::string_view buttonText() const override { return "melt it"; }
     [[nodiscard]] int place() const override { return place_; }
     [[nodiscard]] const Parameters& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {{-1, 0, -1}, {1, 2, 1}}; }
@@ -34,7 +35,6 @@ public:
         return {{0, 1.5, 3}, {0, 1, 0}, 0.9};
     }
     [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
-    void plan(const PlanContext&, render::FramePlan&) const override {}
     [[nodiscard]] const SampleTable& table() const { return table_; }
 
 private:
@@ -43,23 +43,35 @@ private:
     SampleTable table_;
 };
 
+/// A building with a table and nothing to draw.
+class PlainHall final : public Subject {
+public:
+    [[nodiscard]] std::string_view name() const override { return "hall"; }
+    [[nodiscard]] std::string_view title() const override { return "Hall"; }
+    [[nodiscard]] std::string_view summary() const override { return "Walls and light."; }
+    [[nodiscard]] const SampleTable& parameters() const override { return table_; }
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {{-6, 0, -12}, {6, 9, 12}}; }
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override
+    {
+        return {{0, 1.5, 3}, {0, 1, 0}, 0.9};
+    }
+
+private:
+    SampleTable table_;
+};
+
 /// A gallery of plain exhibits whose picture is one color: roughness of exhibit 1 is its red.
 class PaintedGallery final : public ui::Gallery {
 public:
-    PaintedGallery()
-    {
-        exhibits_.push_back(std::make_unique<PlainExhibit>("hall", "Hall", 0));
-        exhibits_.push_back(std::make_unique<PlainExhibit>("sdf_morph", "Torus to mug", 1));
-    }
     [[nodiscard]] const SampleTable& table(std::size_t i) const
     {
-        return static_cast<PlainExhibit&>(*exhibits_[i]).table();
+        return i == hallIndex ? hall_.parameters() : exhibit_.table();
     }
 
-    [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const override { return exhibits_; }
+    [[nodiscard]] Subjects subjects() const override { return subjects_; }
     [[nodiscard]] Look initialLook() const override
     {
-        return {{exhibits_[0]->parameters().initial(), exhibits_[1]->parameters().initial()}, {}};
+        return {{hall_.parameters().initial(), exhibit_.parameters().initial()}, {}};
     }
     [[nodiscard]] render::Camera bestView(std::size_t, const ParameterValues&) const override
     {
@@ -172,7 +184,9 @@ public:
     std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.
 
 private:
-    std::vector<std::unique_ptr<Exhibit>> exhibits_;
+    PlainHall hall_;
+    PlainExhibit exhibit_{"sdf_morph", "Torus to mug", 1};
+    std::array<const Subject*, 2> subjects_{&hall_, &exhibit_};
     float red_ = 0;
     mutable std::mutex mutex_;
     std::vector<FrameRequest> requests_;

@@ -198,7 +198,7 @@ void StudyDock::setSubject(std::size_t exhibit)
     subject_ = exhibit;
     parameter_->clear();
     parameter_->addItem(tr("All parameters together"), -1);
-    const auto rows = gallery_.exhibits()[exhibit]->parameters().rows();
+    const auto rows = gallery_.subjects()[exhibit]->parameters().rows();
     for (std::size_t row = 0; row < rows.size(); ++row)
         if (rows[row].qualityReference)
             parameter_->addItem(QString::fromStdString(label(rows[row])), static_cast<int>(row));
@@ -229,10 +229,10 @@ void StudyDock::measure()
 {
     const int row = parameter_->currentData().toInt();
     if (row < 0) {
-        start(requestFor(qualityAxes(gallery_.exhibits(), subject_)));
+        start(requestFor(qualityAxes(gallery_.subjects(), subject_)));
         return;
     }
-    if (auto axis = studyAxis(gallery_.exhibits(), subject_, static_cast<std::size_t>(row), usualPoints(1)))
+    if (auto axis = studyAxis(gallery_.subjects(), subject_, static_cast<std::size_t>(row), usualPoints(1)))
         start(requestFor({std::move(*axis)}));
 }
 
@@ -245,7 +245,7 @@ void StudyDock::find(bool byError)
                             .arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
         return;
     }
-    StudyRequest request = requestFor(qualityAxes(gallery_.exhibits(), subject_));
+    StudyRequest request = requestFor(qualityAxes(gallery_.subjects(), subject_));
     (byError ? request.maxError : request.maxMilliseconds) = *limit;
     request.modelError = false;
     start(std::move(request));
@@ -370,10 +370,10 @@ void StudyDock::suggestTime()
 QByteArray StudyDock::exported(const QString& suffix) const
 {
     if (suffix == QLatin1String("csv"))
-        return QByteArray::fromStdString(studyCsv(gallery_.exhibits(), request_, result()));
+        return QByteArray::fromStdString(studyCsv(gallery_.subjects(), request_, result()));
     if (suffix == QLatin1String("json"))
         return QByteArray::fromStdString(
-            render::writeJson(studyJson(gallery_.exhibits(), request_, result(), render::Json::object())));
+            render::writeJson(studyJson(gallery_.subjects(), request_, result(), render::Json::object())));
     const QSize size(960, 600);
     if (suffix == QLatin1String("svg")) return chart_->svg(size);
     QByteArray bytes;
@@ -409,7 +409,7 @@ std::optional<std::size_t> StudyDock::presentPoint() const
         bool same = true;
         for (std::size_t a = 0; a < request_.axes.size(); ++a) {
             const StudyAxis& axis = request_.axes[a];
-            same = same && std::get<double>(look.values[axis.exhibit].row(axis.row)) ==
+            same = same && std::get<double>(look.values[axis.subject].row(axis.row)) ==
                                axis.values[result().points[i].setting[a]];
         }
         if (same) return i;
@@ -421,7 +421,7 @@ void StudyDock::refresh()
 {
     if (request_.axes.empty()) return;
     const std::optional<std::size_t> present = presentPoint();
-    std::vector<ChartPoint> points = chartPoints(gallery_.exhibits(), request_, result());
+    std::vector<ChartPoint> points = chartPoints(gallery_.subjects(), request_, result());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].present = present == i;
     chart_->setTitles(
         QString::fromStdString(costTitle(result().costName.empty() ? "ms" : result().costName)),
@@ -431,7 +431,7 @@ void StudyDock::refresh()
     if (result().clock.empty()) return;
     QStringList sentences;
     for (const std::string& sentence :
-         {lawSentence(result()), choiceSentence(gallery_.exhibits(), request_, result()), result().convergence})
+         {lawSentence(result()), choiceSentence(gallery_.subjects(), request_, result()), result().convergence})
         if (!sentence.empty()) sentences << QString::fromStdString(sentence);
     sentences << tr("Clock: %1, %2.")
                      .arg(QString::fromStdString(result().clock),
@@ -466,7 +466,7 @@ void StudyDock::showPoint(int wanted)
            "%1 (%2).")
             .arg(shortNumber(full), QString::fromUtf8(title(request_.metric).data(),
                                                       static_cast<qsizetype>(title(request_.metric).size()))));
-    QString text = QString::fromStdString(pointText(gallery_.exhibits(), request_, p)) +
+    QString text = QString::fromStdString(pointText(gallery_.subjects(), request_, p)) +
                    tr(": error %1").arg(shortNumber(p.error));
     if (result().costName != "ms")
         text += tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(p.cost)),
@@ -486,11 +486,11 @@ void StudyDock::apply(std::size_t point)
     Look next = history_.look();
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
-        next.values[axis.exhibit].setRow(axis.row, axis.values[result().points[point].setting[a]]);
+        next.values[axis.subject].setRow(axis.row, axis.values[result().points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
     history_.change(
-        one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.exhibits(), request_, result().points[point])))
+        one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.subjects(), request_, result().points[point])))
             : tr("Set what the study found"),
         next);
 }

@@ -167,10 +167,10 @@ private:
 
     struct Former {
         CameraControl::Standpoint standpoint;
-        std::size_t subject = 0;
+        std::size_t subject = hallIndex;
     };
     std::vector<Former> former_;  // The last one last.
-    std::size_t subject_ = 0;
+    std::size_t subject_ = hallIndex;
 
     QTimer hoverTimer_;
     std::optional<QPointF> hoverPoint_;  // Where the pointer is while it is over the picture and no button is down.
