@@ -173,7 +173,7 @@ std::string studyPage(Exhibits exhibits, const StudyRequest& request, const Stud
     const Exhibit& exhibit = *exhibits[request.subject];
     std::string names;
     for (const StudyAxis& axis : request.axes)
-        names += (names.empty() ? "" : ", ") + axisName(exhibits, request.subject, axis);
+        names += (names.empty() ? "" : ", ") + axisName(exhibits, request.look, request.subject, axis);
     const std::string title = std::string(exhibit.title()) + ": what " +
                               (request.axes.size() > 2 ? std::string("accuracy") : names) + " costs";
 

@@ -63,6 +63,12 @@ struct StudyView {
     ParameterValues values;
 };
 
+/// The table for the files that values name, or why there is none.
+struct CalledTable {
+    std::shared_ptr<const Parameters> table = {};  ///< Null: the values keep the one that they have.
+    std::string why = {};  ///< A full sentence where a file cannot be read (`unreadableFile`); empty otherwise.
+};
+
 /// One technique on show: its parameter table, and the passes that draw it.
 class Exhibit {
 public:
@@ -74,7 +80,13 @@ public:
     [[nodiscard]] virtual std::string_view tryThis() const { return {}; }     ///< On the plaque: what to try.
     [[nodiscard]] virtual std::string_view buttonText() const { return {}; }  ///< After "E – "; empty: no button.
     [[nodiscard]] virtual int place() const = 0;  ///< 1 to 9; 0 for the hall, 10 for the visitor's plinth.
+    /// The table of initial values.
     [[nodiscard]] virtual const Parameters& parameters() const = 0;
+    /// The table for the files that these values name in rows that give rows: `parameters()` where they name none, else
+    /// one made through the asset store, the same for the same files. It has the rows of `parameters()` and more; what
+    /// the exhibit is given from then on has this table, so a table derived from Parameters may carry the scene that it
+    /// was made of. Any thread may call it, several at once; never throws for a file that cannot be read.
+    [[nodiscard]] virtual CalledTable tableFor(const ParameterValues&, render::AssetStore&) const { return {}; }
 
     /// The space it may fill, in its own space: what is culled, framed and collided with.
     [[nodiscard]] virtual render::Box bounds(const ParameterValues&) const = 0;

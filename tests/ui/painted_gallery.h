@@ -46,10 +46,12 @@ private:
 /// A gallery of plain exhibits whose picture is one color: roughness of exhibit 1 is its red.
 class PaintedGallery final : public ui::Gallery {
 public:
-    PaintedGallery()
+    /// With another exhibit after the plain ones, or none.
+    explicit PaintedGallery(std::unique_ptr<Exhibit> another = nullptr)
     {
         exhibits_.push_back(std::make_unique<PlainExhibit>("hall", "Hall", 0));
         exhibits_.push_back(std::make_unique<PlainExhibit>("sdf_morph", "Torus to mug", 1));
+        if (another) exhibits_.push_back(std::move(another));
     }
     [[nodiscard]] const SampleTable& table(std::size_t i) const
     {
@@ -59,7 +61,9 @@ public:
     [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const override { return exhibits_; }
     [[nodiscard]] Look initialLook() const override
     {
-        return {{exhibits_[0]->parameters().initial(), exhibits_[1]->parameters().initial()}, {}};
+        Look look;
+        for (const auto& exhibit : exhibits_) look.values.push_back(exhibit->parameters().initial());
+        return look;
     }
     [[nodiscard]] render::Camera bestView(std::size_t, const ParameterValues&) const override
     {
@@ -86,6 +90,11 @@ public:
         return request.sincePressed.size() > 1 && request.sincePressed[1] < movesFor ? 0 : INFINITY;
     }
 
+    [[nodiscard]] TabledLook readTables(const Look& look) const override
+    {
+        return vitrine::readTables(exhibits_, assets_, look);
+    }
+
     void open() override
     {
         ++opened;
@@ -101,6 +110,7 @@ public:
         {
             const std::scoped_lock lock(mutex_);
             requests_.push_back(request);
+            drawn_ = look;
         }
         render::FrameReport report;
         report.ran = {{"hall/opaque", "in view", render::Work::raster, 12.25},
@@ -152,6 +162,12 @@ public:
         const std::scoped_lock lock(mutex_);
         return requests_;
     }
+    /// What was drawn last.
+    [[nodiscard]] Look drawn() const
+    {
+        const std::scoped_lock lock(mutex_);
+        return drawn_;
+    }
     void forgetRequests()
     {
         const std::scoped_lock lock(mutex_);
@@ -176,6 +192,8 @@ private:
     float red_ = 0;
     mutable std::mutex mutex_;
     std::vector<FrameRequest> requests_;
+    Look drawn_;
+    mutable render::AssetStore assets_;
 };
 
 }  // namespace vitrine::test

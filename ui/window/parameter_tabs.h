@@ -37,6 +37,7 @@ private:
     void searchElsewhere();
 
     std::span<const std::unique_ptr<Exhibit>> exhibits_;
+    const History& history_;
     QTabBar* tabs_;
     ParameterPanel* panel_;
 };
