@@ -49,7 +49,7 @@ struct Preset {
 /// with a note; values out of range are clamped with a note ("exposure 99 -> 16 (allowed -16 to 16)");
 /// missing values are initial. Throws Failure naming file, line and key for broken JSON, a key that stands
 /// twice, a wrong type, an unknown choice, another format or exhibit, or a newer version; nothing of the
-/// caller's changes. The table must outlive the result.
+/// caller's changes. Keys that may be rows which a file gives the table become pending values of the result.
 [[nodiscard]] Preset parsePreset(std::string text, std::string fileName, std::string_view exhibit, const Parameters&);
 
 /// The text of a preset file, with the unknown keys of `kept`. Throws Failure when a number is not finite.

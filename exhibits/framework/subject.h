@@ -25,10 +25,10 @@ class Subject {
 public:
     virtual ~Subject() = default;
 
-    [[nodiscard]] virtual std::string_view name() const = 0;     ///< Of its folder, presets and flags.
-    [[nodiscard]] virtual std::string_view title() const = 0;    ///< Shown to visitors.
-    [[nodiscard]] virtual std::string_view summary() const = 0;  ///< One sentence.
-    [[nodiscard]] virtual const Parameters& parameters() const = 0;
+    [[nodiscard]] virtual std::string_view name() const = 0;         ///< Of its folder, presets and flags.
+    [[nodiscard]] virtual std::string_view title() const = 0;        ///< Shown to visitors.
+    [[nodiscard]] virtual std::string_view summary() const = 0;      ///< One sentence.
+    [[nodiscard]] virtual const Parameters& parameters() const = 0;  ///< The table of initial values.
 
     /// The space it may fill, in its own space: what is culled, framed and collided with.
     [[nodiscard]] virtual render::Box bounds(const ParameterValues&) const = 0;

@@ -4,6 +4,7 @@
 #include "exhibits/framework/frame_request.h"
 #include "exhibits/museum/look.h"
 #include "exhibits/museum/prepared.h"
+#include "exhibits/museum/read_tables.h"
 
 #include <filesystem>
 #include <memory>
@@ -74,6 +75,12 @@ public:
     [[nodiscard]] glm::dmat4 worldFromExhibit(std::size_t i) const;
     /// The subject's best view, in the world.
     [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues&) const;
+
+    /// As the function of that name, through the museum's asset store.
+    [[nodiscard]] TabledLook readTables(const Look& look) const
+    {
+        return vitrine::readTables(subjects_, *assets_, look);
+    }
 
     /// Resolves what pictures of this look at the request's moment, from its camera, take to plan: the only place where
     /// files are read and simulations run. What is out of view is left alone. Any thread may call it, several at once;

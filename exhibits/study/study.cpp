@@ -93,8 +93,7 @@ Study::Study(const Museum& museum, render::Painter& painter, StudyRequest reques
     request_.runs = std::max(request_.runs, 1);
     if (request_.subject == hallIndex) request_.alone = false;
     addViews();
-    for (const StudyAxis& axis : request_.axes)
-        result_.exact.push_back(exactness(rowOf(museum_.subjects(), axis)).exact);
+    for (const StudyAxis& axis : request_.axes) result_.exact.push_back(exactness(rowOf(request_.look, axis)).exact);
     findDependentPasses();
     for (std::size_t view = 0; view < views_.size(); ++view) addReference(view, true);
     if (request_.axes.size() > 2) {
@@ -180,7 +179,7 @@ PictureRequest Study::pictureRequest(const Look& look, std::size_t view) const
     PictureRequest request;
     const PictureQuality quality = pictureQuality(look.hall());
     const bool supersampled = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& a) {
-        return a.subject == hallIndex && rowOf(museum_.subjects(), a).name == supersamplesRow;
+        return a.subject == hallIndex && rowOf(request_.look, a).name == supersamplesRow;
     });
     request.samples = supersampled ? quality.supersamples : 1;
     request.frame.raster.size =
@@ -251,7 +250,7 @@ void Study::addReference(std::size_t view, bool withNeighbors)
                    views_[view].reference = std::move(picture);
                });
     if (!withNeighbors) return;
-    for (const std::vector<double>& neighbor : neighborsOf(museum_.subjects(), request_.axes, doublings_))
+    for (const std::vector<double>& neighbor : neighborsOf(request_.look, request_.axes, doublings_))
         addPicture("check of the reference, " + views_[view].view.name, lookAt(neighbor, view), view,
                    [this, view](render::Image picture) { views_[view].neighbors.push_back(std::move(picture)); });
 }
@@ -349,7 +348,7 @@ bool Study::refineReference()
     if (tellsAll || doublings_ >= mostDoublings) return false;
     std::vector<double> doubled;
     for (const StudyAxis& axis : request_.axes)
-        doubled.push_back(exactness(rowOf(museum_.subjects(), axis), doublings_ + 1).exact);
+        doubled.push_back(exactness(rowOf(request_.look, axis), doublings_ + 1).exact);
     if (doubled == result_.exact) return false;
     ++doublings_;
     result_.exact = doubled;

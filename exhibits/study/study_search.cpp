@@ -79,7 +79,7 @@ void StudySearch::addEachAlone()
         const StudyAxis& axis = request_.axes[a];
         const std::size_t exact = nearest(axis.values, result_.exact[a]);
         for (std::size_t i = 0; i < axis.values.size(); ++i) {
-            if (i != exact && !isCoarse(axis, rowOf(subjects_, axis), i)) continue;
+            if (i != exact && !isCoarse(axis, rowOf(request_.look, axis), i)) continue;
             Setting setting = present;
             setting[a] = i;
             add_(setting);

@@ -16,8 +16,7 @@ public:
     /// to date with what was measured.
     StudySearch(Subjects subjects, const StudyRequest& request, const StudyResult& result, Add add,
                 std::function<void()> judge)
-        : subjects_(subjects), request_(request), result_(result), errors_(subjects, request), add_(std::move(add)),
-          judge_(std::move(judge))
+        : request_(request), result_(result), errors_(subjects, request), add_(std::move(add)), judge_(std::move(judge))
     {
     }
 
@@ -47,7 +46,6 @@ private:
     [[nodiscard]] double fromLimit(double error, double cost) const;
     [[nodiscard]] std::vector<std::size_t> searchedFront();
 
-    Subjects subjects_;
     const StudyRequest& request_;
     const StudyResult& result_;
     StudyJudge errors_;

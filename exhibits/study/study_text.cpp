@@ -50,8 +50,8 @@ Json pointJson(Subjects subjects, const StudyRequest& request, const StudyResult
     Json values = Json::object();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        values[axisName(subjects, request.subject, axis)] =
-            jsonFromValue(rowOf(subjects, axis), axis.values[point.setting[a]]);
+        values[axisName(subjects, request.look, request.subject, axis)] =
+            jsonFromValue(rowOf(request.look, axis), axis.values[point.setting[a]]);
     }
     Json json{{"values", values},
               {"error", number(point.error)},
@@ -115,8 +115,8 @@ std::string pointText(Subjects subjects, const StudyRequest& request, const Stud
         const bool asAtPresent =
             std::get<double>(request.look.values[axis.subject].row(axis.row)) == axis.values[point.setting[a]];
         if (asAtPresent && request.axes.size() > 2) continue;
-        text += (text.empty() ? "" : ", ") + axisName(subjects, request.subject, axis) + ' ' +
-                axisValueText(subjects, axis, axis.values[point.setting[a]]);
+        text += (text.empty() ? "" : ", ") + axisName(subjects, request.look, request.subject, axis) + ' ' +
+                axisValueText(request.look, axis, axis.values[point.setting[a]]);
     }
     return text.empty() ? "as at present" : text;
 }
@@ -180,10 +180,10 @@ Json studyJson(Subjects subjects, const StudyRequest& request, const StudyResult
     Json axes = Json::array();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        const ParameterInfo& row = rowOf(subjects, axis);
+        const ParameterInfo& row = rowOf(request.look, axis);
         Json values = Json::array();
         for (const double value : axis.values) values.push_back(jsonFromValue(row, value));
-        axes.push_back(Json{{"name", axisName(subjects, request.subject, axis)},
+        axes.push_back(Json{{"name", axisName(subjects, request.look, request.subject, axis)},
                             {"unit", std::string(info(row.unit).storedSymbol)},
                             {"values", values},
                             {"reference", jsonFromValue(row, result.exact[a])}});
@@ -248,7 +248,7 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
         }
     }
     std::string text;
-    for (const StudyAxis& axis : request.axes) text += axisName(subjects, request.subject, axis) + ',';
+    for (const StudyAxis& axis : request.axes) text += axisName(subjects, request.look, request.subject, axis) + ',';
     text += "view";
     for (const render::Metric metric : metrics) text += ',' + std::string(toString(metric));
     if (request.modelError) text += ",model_" + std::string(toString(request.metric));
@@ -258,9 +258,9 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
         for (std::size_t v = 0; v < point.shots.size(); ++v) {
             const StudyShot& shot = point.shots[v];
             for (std::size_t a = 0; a < request.axes.size(); ++a)
-                text +=
-                    quoted(formatValue(rowOf(subjects, request.axes[a]), request.axes[a].values[point.setting[a]])) +
-                    ',';
+                text += quoted(formatValue(rowOf(request.look, request.axes[a]),
+                                           request.axes[a].values[point.setting[a]])) +
+                        ',';
             text += quoted(result.views[v]);
             for (const render::Metric metric : metrics)
                 text += ',' + (shot.errors.contains(metric) ? numberText(shot.errors.at(metric)) : std::string());

@@ -4,7 +4,6 @@
 
 #include "ui/viewport/gallery.h"
 
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <exception>
@@ -63,6 +62,11 @@ private:
 /// A gallery of plain exhibits whose picture is one color: roughness of exhibit 1 is its red.
 class PaintedGallery final : public ui::Gallery {
 public:
+    /// With another exhibit after the plain ones, or none.
+    explicit PaintedGallery(std::unique_ptr<Exhibit> another = nullptr) : another_(std::move(another))
+    {
+        if (another_) subjects_.push_back(another_.get());
+    }
     [[nodiscard]] const SampleTable& table(std::size_t i) const
     {
         return i == hallIndex ? hall_.parameters() : exhibit_.table();
@@ -71,7 +75,9 @@ public:
     [[nodiscard]] Subjects subjects() const override { return subjects_; }
     [[nodiscard]] Look initialLook() const override
     {
-        return {{hall_.parameters().initial(), exhibit_.parameters().initial()}, {}};
+        Look look;
+        for (const Subject* subject : subjects_) look.values.push_back(subject->parameters().initial());
+        return look;
     }
     [[nodiscard]] render::Camera bestView(std::size_t, const ParameterValues&) const override
     {
@@ -98,6 +104,11 @@ public:
         return request.sincePressed.size() > 1 && request.sincePressed[1] < movesFor ? 0 : INFINITY;
     }
 
+    [[nodiscard]] TabledLook readTables(const Look& look) const override
+    {
+        return vitrine::readTables(subjects_, assets_, look);
+    }
+
     void open() override
     {
         ++opened;
@@ -113,6 +124,7 @@ public:
         {
             const std::scoped_lock lock(mutex_);
             requests_.push_back(request);
+            drawn_ = look;
         }
         render::FrameReport report;
         report.ran = {{"hall/opaque", "in view", render::Work::raster, 12.25},
@@ -164,6 +176,12 @@ public:
         const std::scoped_lock lock(mutex_);
         return requests_;
     }
+    /// What was drawn last.
+    [[nodiscard]] Look drawn() const
+    {
+        const std::scoped_lock lock(mutex_);
+        return drawn_;
+    }
     void forgetRequests()
     {
         const std::scoped_lock lock(mutex_);
@@ -186,10 +204,13 @@ public:
 private:
     PlainHall hall_;
     PlainExhibit exhibit_{"sdf_morph", "Torus to mug", 1};
-    std::array<const Subject*, 2> subjects_{&hall_, &exhibit_};
+    std::unique_ptr<Exhibit> another_;
+    std::vector<const Subject*> subjects_{&hall_, &exhibit_};
     float red_ = 0;
     mutable std::mutex mutex_;
     std::vector<FrameRequest> requests_;
+    Look drawn_;
+    mutable render::AssetStore assets_;
 };
 
 }  // namespace vitrine::test

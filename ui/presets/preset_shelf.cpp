@@ -117,7 +117,8 @@ void PresetShelf::use(StoredPreset stored)
 
 bool PresetShelf::changedSince(const StoredPreset& stored) const
 {
-    return !(stored.preset.values == window_.history().look().values[window_.shown()]);
+    const ParameterValues& shown = window_.history().look().values[window_.shown()];
+    return !(stored.preset.values.asShownBy(shown) == shown);
 }
 
 void PresetShelf::mark()

@@ -377,9 +377,9 @@ std::vector<ChartPoint> chartPoints(Subjects subjects, const StudyRequest& reque
         c.error = p.error;
         c.errorLow = p.lowestError;
         c.errorHigh = p.worstError;
-        const std::string text = request.axes.size() == 1
-                                     ? axisValueText(subjects, request.axes[0], request.axes[0].values[p.setting[0]])
-                                     : pointText(subjects, request, p);
+        const std::string text = request.axes.size() == 1 ? axisValueText(request.look, request.axes[0],
+                                                                          request.axes[0].values[p.setting[0]])
+                                                          : pointText(subjects, request, p);
         c.text = QString::fromStdString(request.axes.size() > 2 ? std::string() : text);
         c.dominated = p.dominated;
         c.onFront = std::find(result.front.begin(), result.front.end(), i) != result.front.end();

@@ -174,6 +174,9 @@ void StudyDock::connectParts()
     };
     connect(&history_, &History::changed, this, refreshWhileSeen);
     connect(&history_, &History::replaced, this, refreshWhileSeen);
+    connect(&history_, &History::replaced, this, [this] {
+        if (table_ && table_ != history_.look().values[subject_].sharedTable()) setSubject(subject_);
+    });
 }
 
 StudyDock::~StudyDock()
@@ -195,14 +198,16 @@ void StudyDock::setEffort(glm::ivec2 size, int runs)
 
 void StudyDock::setSubject(std::size_t exhibit)
 {
+    const QString before = exhibit == subject_ ? parameter_->currentText() : QString();
     subject_ = exhibit;
     parameter_->clear();
     parameter_->addItem(tr("All parameters together"), -1);
-    const auto rows = gallery_.subjects()[exhibit]->parameters().rows();
+    table_ = history_.look().values[exhibit].sharedTable();
+    const auto rows = table_->rows();
     for (std::size_t row = 0; row < rows.size(); ++row)
         if (rows[row].qualityReference)
             parameter_->addItem(QString::fromStdString(label(rows[row])), static_cast<int>(row));
-    if (parameter_->count() > 1) parameter_->setCurrentIndex(1);
+    if (parameter_->count() > 1) parameter_->setCurrentIndex(std::max(parameter_->findText(before), 1));
     go_->setEnabled(running() || parameter_->count() > 1);
 }
 
@@ -229,10 +234,10 @@ void StudyDock::measure()
 {
     const int row = parameter_->currentData().toInt();
     if (row < 0) {
-        start(requestFor(qualityAxes(gallery_.subjects(), subject_)));
+        start(requestFor(qualityAxes(history_.look(), subject_)));
         return;
     }
-    if (auto axis = studyAxis(gallery_.subjects(), subject_, static_cast<std::size_t>(row), usualPoints(1)))
+    if (auto axis = studyAxis(history_.look(), subject_, static_cast<std::size_t>(row), usualPoints(1)))
         start(requestFor({std::move(*axis)}));
 }
 
@@ -245,7 +250,7 @@ void StudyDock::find(bool byError)
                             .arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
         return;
     }
-    StudyRequest request = requestFor(qualityAxes(gallery_.subjects(), subject_));
+    StudyRequest request = requestFor(qualityAxes(history_.look(), subject_));
     (byError ? request.maxError : request.maxMilliseconds) = *limit;
     request.modelError = false;
     start(std::move(request));
@@ -402,6 +407,11 @@ void StudyDock::save()
     }
 }
 
+std::optional<std::size_t> StudyDock::rowNow(const StudyAxis& axis) const
+{
+    return history_.look().values[axis.subject].table().find(rowOf(request_.look, axis).name);
+}
+
 std::optional<std::size_t> StudyDock::presentPoint() const
 {
     const Look& look = history_.look();
@@ -409,8 +419,9 @@ std::optional<std::size_t> StudyDock::presentPoint() const
         bool same = true;
         for (std::size_t a = 0; a < request_.axes.size(); ++a) {
             const StudyAxis& axis = request_.axes[a];
-            same = same && std::get<double>(look.values[axis.subject].row(axis.row)) ==
-                               axis.values[result().points[i].setting[a]];
+            const std::optional<std::size_t> row = rowNow(axis);
+            same =
+                same && row && look.values[axis.subject].row(*row) == Value(axis.values[result().points[i].setting[a]]);
         }
         if (same) return i;
     }
@@ -486,7 +497,8 @@ void StudyDock::apply(std::size_t point)
     Look next = history_.look();
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
-        next.values[axis.subject].setRow(axis.row, axis.values[result().points[point].setting[a]]);
+        if (const auto row = rowNow(axis))
+            next.values[axis.subject].setRow(*row, axis.values[result().points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
     history_.change(

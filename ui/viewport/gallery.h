@@ -51,6 +51,9 @@ public:
     /// that begins with the parameter's label.
     [[nodiscard]] virtual std::vector<std::string> unreadableFiles(const Look&) const { return {}; }
 
+    /// As Museum::readTables.
+    [[nodiscard]] virtual TabledLook readTables(const Look& look) const { return {look, {}, {}}; }
+
     // On the render thread, from `open` to `close`:
 
     /// Makes a context of its own for this thread, and a renderer on it.

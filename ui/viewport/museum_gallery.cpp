@@ -68,6 +68,11 @@ std::vector<std::string> MuseumGallery::unreadableFiles(const Look& look) const
     return museum_.prepare(look, request).unreadableFiles();
 }
 
+TabledLook MuseumGallery::readTables(const Look& look) const
+{
+    return museum_.readTables(look);
+}
+
 void MuseumGallery::open()
 {
 #ifdef NDEBUG

@@ -21,6 +21,7 @@ public:
     [[nodiscard]] std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const override;
 
     [[nodiscard]] std::vector<std::string> unreadableFiles(const Look&) const override;
+    [[nodiscard]] TabledLook readTables(const Look&) const override;
 
     void open() override;
     void close() override;

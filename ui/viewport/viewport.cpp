@@ -65,7 +65,9 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::hover);
     fileWatch_.setInterval(lookAtFilesEvery);
     connect(&fileWatch_, &QTimer::timeout, this, [this] {
-        if (stateOfFiles(history_.look()) != filesDrawn_) lookChanged();
+        if (stateOfFiles(history_.look()) == filesDrawn_) return;
+        lookChanged();
+        emit filesChanged();
     });
     connect(&history, &History::changed, this, &Viewport::valuesChanged);
     connect(&history, &History::replaced, this, &Viewport::valuesChanged);

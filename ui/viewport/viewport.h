@@ -77,6 +77,8 @@ signals:
     /// The visitor pressed this exhibit's button.
     void pressed(std::size_t exhibit);
     void drawn(const vitrine::render::FrameReport& report, const QSize& pixels);
+    /// A file that the look names, or one beside it, is another one now.
+    void filesChanged();
     /// Drawing failed; the last good picture stays.
     void failed(const QString& message);
 

@@ -23,6 +23,7 @@
 #include "ui/window/screenshot_dialog.h"
 #include "ui/window/session_keeper.h"
 #include "ui/window/status_line.h"
+#include "ui/window/table_reader.h"
 #include "ui/window/window_actions.h"
 #include "ui/window/window_docks.h"
 
@@ -67,6 +68,7 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     docks_->presets().setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
     connectParts();
     connectViewport();
+    new TableReader(*this, this);
     showShippedThumbnails();
     choose(hallIndex);
     keeper_ = new SessionKeeper(*this);

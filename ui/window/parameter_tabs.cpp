@@ -10,7 +10,8 @@
 namespace vitrine::ui {
 
 ParameterTabs::ParameterTabs(Subjects subjects, History& history, QWidget* parent)
-    : QWidget(parent), subjects_(subjects), tabs_(new QTabBar(this)), panel_(new ParameterPanel(history, this))
+    : QWidget(parent), subjects_(subjects), history_(history), tabs_(new QTabBar(this)),
+      panel_(new ParameterPanel(history, this))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -63,7 +64,7 @@ void ParameterTabs::searchElsewhere()
     std::size_t other = 0;
     if (tabs_->count() > 1 && !words.isEmpty()) {
         other = static_cast<std::size_t>(tabs_->tabData(1 - tabs_->currentIndex()).toULongLong());
-        for (const ParameterInfo& row : subjects_[other]->parameters().rows())
+        for (const ParameterInfo& row : history_.look().values[other].rows())
             if (ParameterRow::matches(row, words)) found << QString::fromStdString(label(row));
     }
     if (found.isEmpty()) {

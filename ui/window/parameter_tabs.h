@@ -35,6 +35,7 @@ private:
     void searchElsewhere();
 
     Subjects subjects_;
+    const History& history_;
     QTabBar* tabs_;
     ParameterPanel* panel_;
 };

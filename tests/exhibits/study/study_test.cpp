@@ -45,8 +45,7 @@ struct Subject {
     {
         StudyRequest r;
         r.look = museum.initialLook();
-        for (const std::string& row : rows)
-            r.axes.push_back(*studyAxis(museum.subjects(), 1, *table.find(row), points));
+        for (const std::string& row : rows) r.axes.push_back(*studyAxis(r.look, 1, *table.find(row), points));
         r.size = {16, 9};
         r.alone = true;
         return r;
@@ -463,7 +462,7 @@ TEST(StudyChooser, WhatCannotBeHadIsNotChosen)
 TEST(Study, RefusesWhatItCannotMeasure)
 {
     Subject subject(sumOfParts());
-    EXPECT_FALSE(studyAxis(subject.museum.subjects(), 1, *subject.table.find("hue"), 5));
+    EXPECT_FALSE(studyAxis(subject.museum.initialLook(), 1, *subject.table.find("hue"), 5));
     EXPECT_THROW(Study(subject.museum, subject.painter, subject.request({})), Failure);
     StudyRequest decibels = subject.request({"steps"});
     decibels.metric = render::Metric::psnr;
@@ -474,17 +473,15 @@ TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)
 {
     Subject subject(sumOfParts());
     StudyRequest request = subject.request({});
-    request.axes.push_back(
-        *studyAxis(subject.museum.subjects(), 0, *subject.museum.hall().parameters().find(supersamplesRow), 3));
-    EXPECT_EQ(axisName(subject.museum.subjects(), 1, request.axes[0]), "hall.supersamples");
+    request.axes.push_back(*studyAxis(request.look, 0, *subject.museum.hall().parameters().find(supersamplesRow), 3));
+    EXPECT_EQ(axisName(subject.museum.subjects(), request.look, 1, request.axes[0]), "hall.supersamples");
     request.axes[0].values = {1, 4, 16};
     const StudyResult result = subject.run(request);
     EXPECT_EQ(result.costName, "pixels");
     EXPECT_EQ(result.points[1].counters.at("work"), 4 * result.points[0].counters.at("work"));
     EXPECT_NEAR(result.points[2].time->median, 16 * result.points[0].time->median, 1e-9);
 
-    request.axes = {
-        *studyAxis(subject.museum.subjects(), 0, *subject.museum.hall().parameters().find(resolutionScaleRow), 3)};
+    request.axes = {*studyAxis(request.look, 0, *subject.museum.hall().parameters().find(resolutionScaleRow), 3)};
     const StudyResult scaled = subject.run(request);
     for (const StudyPoint& p : scaled.points) {
         EXPECT_EQ(p.shots[0].picture.width, 16);
