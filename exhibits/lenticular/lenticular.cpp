@@ -99,7 +99,7 @@ void planShadow(const Scene& s, render::FramePlan& plan)
                   .depthBias = {1.5F, 2},
                   .depthClamp = true};
     pass.draws = {s.draw()};
-    pass.draws[0].object = render::bytesOf(surfaceObject(s.worldFromCard, {}));
+    pass.draws[0].object = render::std140Bytes(surfaceObject(s.worldFromCard, {}));
     plan.add(std::move(pass));
 }
 
