@@ -1,6 +1,5 @@
 // Every uniform block: where the driver looks for each field, against where C++ puts it.
 
-#include "exhibits/kit/surface_draw.h"
 #include "render/glsl/shader_source.h"
 #include "render/glsl/std140.h"
 #include "tests/support/gallery.h"
@@ -17,6 +16,17 @@ namespace vitrine {
 namespace {
 
 using UniformBlocks = test::GlTest;
+
+#include "shaders/crepuscular_rays/rays_block.glsl"
+#include "shaders/fur/body_block.glsl"
+#include "shaders/hall/probe_block.glsl"
+#include "shaders/kit/surface_object_block.glsl"
+#include "shaders/lenticular/card_block.glsl"
+#include "shaders/lib/clock_load_block.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/light_block.glsl"
+#include "shaders/lib/local_lights_block.glsl"
+#include "shaders/lib/temporal_block.glsl"
 
 /// Byte offset of every number, vector and matrix by its GLSL name.
 using Offsets = std::map<std::string, std::size_t>;
@@ -110,7 +120,20 @@ template <typename Block> Described described()
 const std::map<std::string, Described>& blocksOfCpp()
 {
     static const std::map<std::string, Described> blocks{
+        {"BeamBlock", described<BeamBlock>()},
+        {"CardObject", described<CardObject>()},
+        {"CardPrintBlock", described<CardPrintBlock>()},
+        {"ClockLoadBlock", described<ClockLoadBlock>()},
+        {"FrameBlock", described<FrameBlock>()},
+        {"FurBodies", described<FurBodies>()},
+        {"FurBody", described<FurBody>()},
+        {"LightBlock", described<LightBlock>()},
+        {"LocalLightEntry", described<LocalLightEntry>()},
+        {"LocalLightsBlock", described<LocalLightsBlock>()},
+        {"ProbeLevel", described<ProbeLevel>()},
+        {"RaysBlock", described<RaysBlock>()},
         {"SurfaceObject", described<SurfaceObject>()},
+        {"TemporalBlock", described<TemporalBlock>()},
     };
     return blocks;
 }
@@ -157,9 +180,11 @@ TEST_F(UniformBlocks, HaveTheirFieldsWhereTheDriverLooksForThem)
 #define AWKWARD_FIELDS(FIELD, ARRAY)                                                                                   \
     FIELD(float, a)                                                                                                    \
     FIELD(vec3, b)                                                                                                     \
-    FIELD(bool, c) FIELD(vec2, d) FIELD(int, e) FIELD(vec2, f) FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i)    \
-        FIELD(float, j) ARRAY(float, k, 3) FIELD(uint, l) ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2)    \
-            FIELD(mat4, p) FIELD(float, q)
+    FIELD(bool, c)                                                                                                     \
+    FIELD(vec2, d)                                                                                                     \
+    FIELD(int, e) FIELD(vec2, f) FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j)                  \
+        ARRAY(float, k, 3) FIELD(uint, l) ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p)     \
+            FIELD(float, q)
 BLOCK_STRUCT(AwkwardPart, AWKWARD_PART_FIELDS)
 BLOCK_STRUCT(Awkward140, AWKWARD_FIELDS)
 
