@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Colliders of the building and occluder rectangles inside its solid walls, as empty nodes."""
+"""Colliders of the building, occluder rectangles inside its solid walls, its openings and its air, as empty nodes."""
 import math
 
 import hall_plan as P
@@ -23,6 +23,22 @@ def build(nodes):
         for x in P.END_PILASTERS:
             nodes.solid_box(f"pilaster_{name}_{x:g}", (x, mid, s * (P.END_PILASTER + 0.2)), (P.PILASTER_HALF, mid, 0.2))
     _occluders(nodes)
+    _air(nodes)
+
+
+def _air(nodes):
+    """Boxes, from -1 to 1 in the space of their nodes: where light comes in, the air, and the mirror image's walls."""
+    def box(name, low, high):
+        half = [(h - a) / 2 for a, h in zip(low, high)]
+        nodes.add(name, T([(h + a) / 2 for a, h in zip(low, high)]) @ Matrix.Diagonal((*half, 1)))
+
+    top = P.WINDOW_SPRING + P.WINDOW_HALF
+    box("opening_window", (-P.WINDOW_HALF, P.WINDOW_SILL, -P.Z - 0.5), (P.WINDOW_HALF, top, -P.Z + 0.1))
+    box("opening_oculus", (-P.OCULUS, 9.0, -P.OCULUS), (P.OCULUS, 9.8, P.OCULUS))
+    box("room", (-P.X, 0, -P.Z), (P.X, 9.0, P.Z))
+    # Niches are shallow enough to count as wall, and the vault as a ceiling of its mean height.
+    box("probe_room", (-P.X, 0, -P.Z), (P.X, 8.6, P.Z))
+    nodes.add("probe", T((0, 1.8, 0)))
 
 
 def _occluders(nodes):

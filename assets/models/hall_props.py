@@ -135,6 +135,7 @@ def _pit(m, nodes):
     lathe(m, fillet([(r + 0.345, -0.004), (r + 0.345, 0.012, 0.006), (r + 0.28, 0.012)], 2), "bronze",
           center=(x, 0, z), segments=72, density=0.5)
     nodes.add("place_3", T((x, -d, z)))
+    nodes.add("pit_3", T((x, -d / 2, z)) @ Matrix.Diagonal((r, d / 2, r, 1)))
     for name, a, put in (("plaque", 143, _plaque_post), ("button", 127, _button_post)):
         a = math.radians(a)
         px, pz = x + (r + 0.62) * math.cos(a), z + (r + 0.62) * math.sin(a)

@@ -1,5 +1,7 @@
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 
+#include "exhibits/framework/surroundings.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,15 +11,6 @@ namespace vitrine {
 namespace {
 
 constexpr double thinnestBeam = 0.3;  ///< Metres.
-
-int flatAxis(const render::Box& box)
-{
-    const glm::dvec3 extent = box.high - box.low;
-    int axis = 0;
-    for (int i = 1; i < 3; ++i)
-        if (extent[i] < extent[axis]) axis = i;
-    return axis;
-}
 
 /// The beam behind one opening; its box is empty when no light comes through.
 Beam beamBehind(const render::Box& opening, const render::Box& room, const glm::dvec3& towardsSun)

@@ -15,6 +15,15 @@ void Surroundings::illuminate(render::Pass& pass) const
     pass.inputs.insert(pass.inputs.end(), inputs.begin(), inputs.end());
 }
 
+int flatAxis(const render::Box& opening)
+{
+    const glm::dvec3 size = opening.halfSize();
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+        if (size[i] < size[axis]) axis = i;
+    return axis;
+}
+
 glm::mat4 shadowFromWorld(const render::View& view)
 {
     const glm::dmat4 textureFromClip =

@@ -49,6 +49,9 @@ struct Surroundings {
     void illuminate(render::Pass&) const;
 };
 
+/// The axis along which an opening is flat: 0, 1 or 2.
+[[nodiscard]] int flatAxis(const render::Box& opening);
+
 /// Texture coordinates and depth in [0, 1] from world space, for a shadow map drawn with `view`.
 [[nodiscard]] glm::mat4 shadowFromWorld(const render::View& view);
 

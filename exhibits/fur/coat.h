@@ -12,7 +12,8 @@
 
 namespace vitrine {
 
-// Sizes of the bodies' skins and of their pit, metres. The pit is that of assets/models/hall_props.py.
+// Sizes of the bodies' skins and of their pit, metres. A test holds the pit's to the hall's node "pit_3"; its leather
+// is that of assets/models/hall_props.py.
 inline constexpr double ballRadius = 0.33;
 inline constexpr double rollRadius = 0.22, rollHalfLength = 0.26;
 inline constexpr double ringRadius = 0.35, ringTube = 0.15;

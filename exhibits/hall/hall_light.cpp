@@ -13,19 +13,17 @@
 namespace vitrine {
 namespace {
 
-// Openings of the hall, metres: the arched window in the far wall and the oculus above the middle.
-const render::Box windowOpening{{-1.2, 1.4, -12.5}, {1.2, 6.4, -11.9}};
-const render::Box oculusOpening{{-1.4, 9.0, -1.4}, {1.4, 9.8, 1.4}};
-/// The nave, from floor to vault.
-const render::Box room{{-6, 0, -12}, {6, 9, 12}};
-
 /// The exposure at which plaster in the shade of the default light is about a quarter grey.
 constexpr double baseExposure = 6.5;
 
-/// Conservative test of whether the box, swept towards the light, overlaps the opening.
-bool passesThrough(const render::Box& box, const glm::dvec3& towardsLight, const render::Box& opening, int axis)
+/// Conservative test of whether the box, swept towards the light, overlaps the opening. Light comes in from outside:
+/// from above, and through a wall from the side on which it is.
+bool passesThrough(const render::Box& box, const glm::dvec3& towardsLight, const render::Box& opening,
+                   const render::Box& room)
 {
+    const int axis = flatAxis(opening);
     const double along = towardsLight[axis];
+    if (!(along * (opening.center()[axis] - room.center()[axis]) > 0 && std::abs(along) > 1e-4)) return false;
     const double plane = opening.center()[axis];
     double low[2] = {1e30, 1e30};
     double high[2] = {-1e30, -1e30};
@@ -94,43 +92,15 @@ glm::dvec3 lightmapWeights(const std::vector<SunLightmap>& maps, double elevatio
     return weights;
 }
 
-}  // namespace
-
-bool isInNave(const glm::dvec3& point)
-{
-    return room.contains(point);
-}
-
-bool isInWalls(const HallModel& model, const glm::dvec3& eye)
-{
-    constexpr double farthestNearPlane = 0.5;  // Metres from the eye, in the corners of the widest picture.
-    render::Box building = model.bounds();
-    building.low -= farthestNearPlane;
-    building.high += farthestNearPlane;
-    return building.contains(eye) && !isInNave(eye);
-}
-
-glm::dvec3 towardsSun(const HallScene& scene)
-{
-    return sunOf(scene.table, scene.values).towards();
-}
-
-Surroundings surroundings(const HallScene& scene, bool runEverything)
+/// Sun, sky, exposure and filters as shaders read them; no shadow map and no probe yet.
+LightBlock lightBlock(const HallScene& scene, const Sun& source)
 {
     const HallTable& table = scene.table;
     const ParameterValues& values = scene.values;
-    Surroundings result;
-    LightBlock& light = result.light;
-    const Sun source = sunOf(table, values);
-    const glm::dvec3 sun = source.towards();
     const glm::dvec3 sunColor = blackBodyColor(source.temperature) * source.strength;
     const glm::dvec3 skyColor = blackBodyColor(values[table.skyTemperature]) * (values[table.skyStrength] * source.sky);
-    const bool shadows = values[table.sunShadows] && !scene.alone;
-    const int mapSize = values[table.shadowMapSize];
-
-    result.towardsSun = sun;
-    result.sunIrradiance = sunColor;
-    light.sunDirection = glm::vec3(sun);
+    LightBlock light;
+    light.sunDirection = glm::vec3(source.towards());
     light.sunIrradiance = glm::vec3(sunColor);
     light.skyZenith = glm::vec3(skyColor * 0.8);
     light.skyLightmapScale = static_cast<float>(scene.model.skyLightmapScale());
@@ -147,38 +117,72 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
     light.sunDiskSamples = values[table.diskSamples];
     light.exposure =
         static_cast<float>(baseExposure * std::exp2(values[table.exposure])) * (scene.alone ? 0.16F : 1.0F);
+    if (scene.alone) return light;
+    const std::vector<SunLightmap>& maps = scene.model.sunLightmapInfo();
+    const glm::dvec3 weights = lightmapWeights(maps, source.elevation);
+    for (int i = 0; i < 3; ++i)
+        light.sunLightmapWeights[i] = static_cast<float>(weights[i] * maps[static_cast<std::size_t>(i)].scale);
+    return light;
+}
+
+void lookUpProbe(const HallScene& scene, LightBlock& light)
+{
+    light.hasProbe = true;
+    light.probePosition = glm::vec3(probePosition(scene));
+    const int size = scene.values[scene.table.probeSize];
+    light.probeLastLevel =
+        static_cast<float>(std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(size))) - 3, 1));
+    if (scene.alone) return;
+    light.probeLow = glm::vec3(scene.model.probeRoom().low);
+    light.probeHigh = glm::vec3(scene.model.probeRoom().high);
+}
+
+}  // namespace
+
+bool isInWalls(const HallModel& model, const glm::dvec3& eye)
+{
+    constexpr double farthestNearPlane = 0.5;  // Metres from the eye, in the corners of the widest picture.
+    render::Box building = model.bounds();
+    building.low -= farthestNearPlane;
+    building.high += farthestNearPlane;
+    return building.contains(eye) && !model.room().contains(eye);
+}
+
+glm::dvec3 towardsSun(const HallScene& scene)
+{
+    return sunOf(scene.table, scene.values).towards();
+}
+
+Surroundings surroundings(const HallScene& scene, bool runEverything)
+{
+    const HallTable& table = scene.table;
+    const ParameterValues& values = scene.values;
+    const Sun source = sunOf(table, values);
+    Surroundings result;
+    result.towardsSun = source.towards();
+    result.sunIrradiance = blackBodyColor(source.temperature) * source.strength;
+    LightBlock& light = result.light;
+    light = lightBlock(scene, source);
     result.exposure = light.exposure;
 
-    result.hallCastsShadow = light.hallCastsShadow = shadows;
-    if (shadows) {
-        result.hallShadowView = lightView(scene.model.bounds(), sun, glm::ivec2(mapSize), 0.5);
+    result.hallCastsShadow = light.hallCastsShadow = values[table.sunShadows] && !scene.alone;
+    if (result.hallCastsShadow) {
+        const int mapSize = values[table.shadowMapSize];
+        result.hallShadowView = lightView(scene.model.bounds(), result.towardsSun, glm::ivec2(mapSize), 0.5);
         light.hallShadowFromWorld = shadowFromWorld(result.hallShadowView);
         light.hallShadowTexel = static_cast<float>(2 / result.hallShadowView.clipFromView[0][0] / mapSize);
         result.inputs.push_back({UNIT_SHADOW_HALL, std::string("shadow.hall")});
     }
     if (!scene.alone) {
-        result.openings = {windowOpening, oculusOpening};
-        result.room = room;
-        const glm::dvec3 weights = lightmapWeights(scene.model.sunLightmapInfo(), source.elevation);
-        for (int i = 0; i < 3; ++i)
-            light.sunLightmapWeights[i] =
-                static_cast<float>(weights[i] * scene.model.sunLightmapInfo()[static_cast<std::size_t>(i)].scale);
+        result.openings = scene.model.openings();
+        result.room = scene.model.room();
     }
     result.sunShadow = shadowBound(source);
     result.sunShare = source.strength / std::get<double>(table.rows()[table.sunStrength.row].initial);
     result.brightest = brightestAround(scene, light);
     result.probeLight = render::boundOf(0, mostAmbient, {{result.brightest, "there is no light to reflect"}});
     if (values[table.reflectionProbe] && (runEverything || !result.probeLight.isZero())) {
-        light.probePosition = glm::vec3(probePosition(scene));
-        light.hasProbe = true;
-        const int size = values[table.probeSize];
-        light.probeLastLevel =
-            static_cast<float>(std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(size))) - 3, 1));
-        if (!scene.alone) {
-            // The nave; niches are shallow enough to count as wall.
-            light.probeLow = glm::vec3(-6, 0, -12);
-            light.probeHigh = glm::vec3(6, 8.6, 12);
-        }
+        lookUpProbe(scene, light);
         result.inputs.push_back({UNIT_PROBE, std::string("probe")});
         result.inputs.push_back({UNIT_PROBE_IRRADIANCE, std::string("probe.irradiance")});
     }
@@ -193,9 +197,11 @@ std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
     if (!scene.values[scene.table.sunShadows]) return "sun shadows are switched off";
     if (scene.alone) return {};
     const glm::dvec3 sun = towardsSun(scene);
-    const bool window = sun.z < -1e-4 && passesThrough(worldBox, sun, windowOpening, 2);
-    const bool oculus = sun.y > 1e-4 && passesThrough(worldBox, sun, oculusOpening, 1);
-    return window || oculus ? std::string() : "the sun does not reach it through window or oculus";
+    const std::vector<render::Box>& openings = scene.model.openings();
+    const bool lit = std::any_of(openings.begin(), openings.end(), [&](const render::Box& opening) {
+        return passesThrough(worldBox, sun, opening, scene.model.room());
+    });
+    return lit ? std::string() : "the sun does not reach it through window or oculus";
 }
 
 std::uint64_t lightKey(const HallScene& scene)

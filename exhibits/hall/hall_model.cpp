@@ -16,6 +16,7 @@ namespace {
 using render::Json;
 
 constexpr int freePlace = 10;
+const render::Box unitBox{glm::dvec3(-1), glm::dvec3(1)};
 
 /// The number of "cloth_7" or "plaque_free" for the prefix "cloth_" or "plaque_".
 std::optional<int> placeNumber(const std::string& name, const std::string& prefix)
@@ -148,10 +149,8 @@ void HallModel::sortParts(const render::Model& model)
             places_[*n].cloth.push_back(part);
         else if (const auto m = placeNumber(part.name, "stand_"))
             places_[*m].stand.push_back(part);
-        else if (const auto b = placeNumber(part.name, "banner_"))
-            places_[*b].stand.push_back(part);
-        else if (const auto t = placeNumber(part.name, "mobile_"))
-            places_[*t].turning.push_back(part);
+        else if (const auto h = placeNumber(part.name, "hanging_"))
+            places_[*h].hanging.push_back(part);
         else if (part.name.rfind("hall_", 0) == 0) {
             walls_.push_back(withTangents(part, material(part.material ? part.material->name : std::string())));
             const render::Box box = part.mesh->bounds.transformed(part.modelFromPart);
@@ -171,6 +170,14 @@ void HallModel::sortMarkers(const render::Model& model)
             places_[*p].worldFromPlaque = rigid(m);
         else if (const auto b = placeNumber(marker.name, "button_"))
             places_[*b].worldFromButton = rigid(m);
+        else if (marker.name.rfind("opening_", 0) == 0)
+            openings_.push_back(unitBox.transformed(m));
+        else if (marker.name == "room")
+            room_ = unitBox.transformed(m);
+        else if (marker.name == "probe")
+            probe_ = glm::dvec3(m[3]);
+        else if (marker.name == "probe_room")
+            probeRoom_ = unitBox.transformed(m);
         else if (marker.name.rfind("collider_box_", 0) == 0)
             colliders_.push_back({glm::inverse(rigid(m)), axisScale(m), false});
         else if (marker.name.rfind("collider_cylinder_", 0) == 0)
@@ -179,6 +186,10 @@ void HallModel::sortMarkers(const render::Model& model)
             occluders_.push_back({glm::dvec3(m[3]), glm::dvec3(m[0]), glm::dvec3(m[1])});
     }
     for (auto& [number, place] : places_) place.number = number;
+    if (openings_.empty() || room_.empty() || probeRoom_.empty())
+        throw Failure(Blame::file,
+                      "assets/models/hall.glb: it has no nodes \"opening_...\", \"room\" and \"probe_room\"; "
+                      "reinstall the program, or make it anew with assets/models/hall.py.");
 }
 
 const HallMaterial& HallModel::material(const std::string& name) const

@@ -21,7 +21,7 @@ struct Place {
     std::optional<glm::dmat4> worldFromButton;  ///< +y the way out of the button.
     std::vector<render::Part> cloth;            ///< Drawn while the place is empty.
     std::vector<render::Part> stand;            ///< Drawn while it is not.
-    std::vector<render::Part> turning;          ///< The same, turned about the y axis of its node.
+    std::vector<render::Part> hanging;          ///< The same, turned about the y axis of its node.
 };
 
 /// An upright obstacle: a box (oriented by its transform) or a cylinder around its y axis.
@@ -48,7 +48,8 @@ struct SunLightmap {
     double scale = 1;      ///< Radiance over the square of the stored value, for sun irradiance 1.
 };
 
-/// The building as read from assets/models: what is drawn, where things stand, what stops a visitor.
+/// The building as read from assets/models: what is drawn, where things stand and light comes in, what stops a visitor.
+/// The named nodes of hall.glb are the one home of all places and sizes: assets/models/hall.py writes them.
 class HallModel {
 public:
     /// Throws Failure (Blame::file) when an asset is missing or broken.
@@ -61,6 +62,13 @@ public:
     [[nodiscard]] const std::vector<Collider>& colliders() const { return colliders_; }
     [[nodiscard]] const std::vector<Occluder>& occluders() const { return occluders_; }
     [[nodiscard]] const render::Box& bounds() const { return bounds_; }
+    /// Through these the sun shines into the hall and the sky is seen: each flat along one axis.
+    [[nodiscard]] const std::vector<render::Box>& openings() const { return openings_; }
+    /// The air between walls, floor and vault.
+    [[nodiscard]] const render::Box& room() const { return room_; }
+    /// Where the reflection probe is captured, and the box that stands for the walls in it.
+    [[nodiscard]] const glm::dvec3& probe() const { return probe_; }
+    [[nodiscard]] const render::Box& probeRoom() const { return probeRoom_; }
 
     [[nodiscard]] std::shared_ptr<const render::Texture> skyLightmap() const { return skyLightmap_; }
     [[nodiscard]] double skyLightmapScale() const { return skyLightmapScale_; }
@@ -78,7 +86,9 @@ private:
     std::map<int, Place> places_;
     std::vector<Collider> colliders_;
     std::vector<Occluder> occluders_;
-    render::Box bounds_;
+    render::Box bounds_, room_, probeRoom_;
+    std::vector<render::Box> openings_;
+    glm::dvec3 probe_{0};
     std::shared_ptr<const render::Texture> skyLightmap_, sunLightmaps_;
     double skyLightmapScale_ = 1;
     std::vector<SunLightmap> sunInfo_;

@@ -45,7 +45,7 @@ std::vector<Part> hanging(const HallScene& scene)
     std::vector<Part> parts;
     for (const auto& [number, place] : scene.model.places()) {
         if (!isOccupied(scene, number)) continue;
-        for (Part part : place.turning) {
+        for (Part part : place.hanging) {
             part.modelFromPart = glm::rotate(part.modelFromPart, turnAt(scene, number), glm::dvec3(0, 1, 0));
             parts.push_back(std::move(part));
         }
@@ -272,7 +272,7 @@ std::vector<Part> partsAt(const HallScene& scene, const Place& place)
 {
     if (!isOccupied(scene, place.number)) return place.cloth;
     std::vector<Part> parts = place.stand;
-    for (Part part : place.turning) {
+    for (Part part : place.hanging) {
         part.modelFromPart = glm::rotate(part.modelFromPart, turnAt(scene, place.number), glm::dvec3(0, 1, 0));
         parts.push_back(std::move(part));
     }

@@ -101,9 +101,7 @@ void planLevel(int level, int levels, int size, int samples, const render::Bound
 
 glm::dvec3 probePosition(const HallScene& scene)
 {
-    if (scene.alone) return glm::dvec3(0);
-    const Place* middle = scene.model.place(1);
-    return middle ? glm::dvec3(middle->worldFromPlace[3]) + glm::dvec3(0, 0.35, 0) : glm::dvec3(0, 1.8, 0);
+    return scene.alone ? glm::dvec3(0) : scene.model.probe();
 }
 
 void planProbe(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)

@@ -63,8 +63,6 @@ struct HallScene {
 [[nodiscard]] glm::dvec3 towardsSun(const HallScene&);
 /// The light for everything in the hall, or for an exhibit alone. `runEverything`: as FramePlan's.
 [[nodiscard]] Surroundings surroundings(const HallScene&, bool runEverything = false);
-/// Whether a point of the world lies between walls, floor and vault.
-[[nodiscard]] bool isInNave(const glm::dvec3&);
 /// Whether an eye there sees through the walls, because it lies within them, or so near their outer faces that the near
 /// plane may cut these away.
 [[nodiscard]] bool isInWalls(const HallModel&, const glm::dvec3& eye);

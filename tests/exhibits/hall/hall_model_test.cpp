@@ -1,0 +1,64 @@
+// What the building's file says by the names of its nodes.
+#include "exhibits/fur/coat.h"
+#include "render/files/assets.h"
+#include "render/scene/gltf.h"
+#include "tests/support/museum_on_paper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+TEST(HallModel, HasAnOpeningInTheFarWallAndOneInTheVault)
+{
+    const HallModel& hall = test::building();
+    const render::Box& room = hall.room();
+    ASSERT_EQ(hall.openings().size(), 2U);
+    const render::Box &window = hall.openings()[0], &oculus = hall.openings()[1];
+    // Each spans the face of the room in which it is, and lies within the room's sides.
+    EXPECT_LT(window.low.z, room.low.z);
+    EXPECT_GT(window.high.z, room.low.z);
+    EXPECT_GT(oculus.high.y, room.high.y);
+    EXPECT_LE(oculus.low.y, room.high.y);
+    for (const int axis : {0, 1}) {
+        EXPECT_GT(window.low[axis], room.low[axis]);
+        EXPECT_LT(window.high[axis], room.high[axis]);
+    }
+    for (const int axis : {0, 2}) {
+        EXPECT_GT(oculus.low[axis], room.low[axis]);
+        EXPECT_LT(oculus.high[axis], room.high[axis]);
+    }
+    // Nothing is there: a ray through the middle of either meets no wall.
+    for (const render::Box& opening : hall.openings()) {
+        const render::Ray out{{0, 1.65, 0.3}, opening.center() - glm::dvec3(0, 1.65, 0.3)};
+        for (const render::Part& part : hall.walls()) EXPECT_GT(render::firstHit(out, part, render::Faces::front), 1);
+    }
+}
+
+TEST(HallModel, CapturesTheProbeInTheAirBetweenTheWallsThatItStandsFor)
+{
+    const HallModel& hall = test::building();
+    EXPECT_TRUE(hall.room().contains(hall.probe()));
+    EXPECT_TRUE(hall.probeRoom().contains(hall.probe()));
+    for (const int axis : {0, 2}) EXPECT_NEAR(hall.probeRoom().high[axis], hall.room().high[axis], 1e-6);
+}
+
+TEST(HallModel, HasThePitThatTheFurIsMadeFor)
+{
+    const render::Model file = render::loadGltf(render::asset("models/hall.glb"));
+    const auto pit = std::find_if(file.markers.begin(), file.markers.end(),
+                                  [](const render::Marker& marker) { return marker.name == "pit_3"; });
+    ASSERT_NE(pit, file.markers.end());
+    const render::Box box = render::Box{glm::dvec3(-1), glm::dvec3(1)}.transformed(
+        glm::inverse(test::building().place(3)->worldFromPlace) * pit->modelFromMarker);
+    EXPECT_NEAR(box.high.x, pitRadius, 1e-6);
+    EXPECT_NEAR(box.high.z, pitRadius, 1e-6);
+    EXPECT_NEAR(box.low.x, -pitRadius, 1e-6);
+    EXPECT_NEAR(box.low.y, 0, 1e-6);
+    EXPECT_NEAR(box.high.y, pitRim, 1e-6);
+}
+
+}  // namespace
+}  // namespace vitrine
