@@ -2,22 +2,20 @@
 
 #include "render/measure/clock.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/main_window.h"
 
 #include <cstdio>
 #include <memory>
 
 namespace vitrine::ui {
 
-void reportFirstPicture(MainWindow& window)
+void reportFirstPicture(Viewport& viewport, QWidget& window)
 {
     if (!qEnvironmentVariableIsSet("VITRINE_FIRST_PICTURE")) return;
-    auto* viewport = window.findChild<Viewport*>();
     const auto drawn = std::make_shared<QSize>();
-    QObject::connect(viewport, &Viewport::drawn, &window,
+    QObject::connect(&viewport, &Viewport::drawn, &window,
                      [drawn](const render::FrameReport&, const QSize& pixels) { *drawn = pixels; });
     // What was drawn is seen when the window's buffers have been swapped.
-    QObject::connect(viewport, &QOpenGLWidget::frameSwapped, &window, [drawn, &window] {
+    QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, &window, [drawn, &window] {
         if (drawn->isEmpty()) return;
         std::printf("first picture at %.6f s, %dx%d\n", render::wallSeconds(), drawn->width(), drawn->height());
         std::fflush(stdout);

@@ -299,7 +299,7 @@ void MainWindow::dropEvent(QDropEvent* event)
 
 void MainWindow::openScreenshotDialog()
 {
-    (new ScreenshotDialog(*this))->show();
+    (new ScreenshotDialog(*this, this))->show();
 }
 
 void MainWindow::openPrintDialog(const QString& print)

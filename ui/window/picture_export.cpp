@@ -3,9 +3,10 @@
 #include "render/failure.h"
 #include "render/measure/memory.h"
 #include "ui/kit/message_of.h"
-#include "ui/presets/preset_shelf.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/presets/look_text.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/main_window.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -24,7 +25,7 @@ bool isLinear(render::PictureFormat format)
 
 }  // namespace
 
-std::filesystem::path freeScreenshotPath(const MainWindow& window, const QString& exhibit)
+std::filesystem::path freeScreenshotPath(const QObject& window, const QString& exhibit)
 {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
     QDir().mkpath(folder.path());
@@ -38,8 +39,9 @@ std::filesystem::path freeScreenshotPath(const MainWindow& window, const QString
     return folder.filePath(name).toStdString();
 }
 
-PictureExport::PictureExport(MainWindow& window, ExportWish wish)
-    : QObject(&window), window_(window), wish_(std::move(wish)), preset_(window.shelf().lookText())
+PictureExport::PictureExport(Workbench& window, ExportWish wish, QObject* parent)
+    : QObject(parent), window_(window), wish_(std::move(wish)),
+      preset_(textOf(window.museum(), window.history().look(), window.chosen(), "Picture"))
 {
 }
 

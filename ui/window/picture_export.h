@@ -13,7 +13,7 @@
 
 namespace vitrine::ui {
 
-class MainWindow;
+class Workbench;
 
 /// What to export.
 struct ExportWish {
@@ -30,7 +30,8 @@ class PictureExport final : public QObject {
     Q_OBJECT
 
 public:
-    PictureExport(MainWindow&, ExportWish);
+    /// The window must outlive it.
+    PictureExport(Workbench&, ExportWish, QObject* parent);
     ~PictureExport() override;
 
     void start();
@@ -57,7 +58,7 @@ private:
     void note(double part);
     void end(const QString& failure);
 
-    MainWindow& window_;
+    Workbench& window_;
     ExportWish wish_;
     std::string preset_;
     std::shared_ptr<std::atomic<Stage>> stage_ = std::make_shared<std::atomic<Stage>>(Stage::drawing);
@@ -66,7 +67,7 @@ private:
     bool running_ = false;
 };
 
-/// "<Pictures>/<exhibit>-<date>-<time>.png", neither taken yet nor by a picture that the window is making.
-[[nodiscard]] std::filesystem::path freeScreenshotPath(const MainWindow&, const QString& exhibit);
+/// "<Pictures>/<exhibit>-<date>-<time>.png", neither taken yet nor by an export that is this window's child.
+[[nodiscard]] std::filesystem::path freeScreenshotPath(const QObject& window, const QString& exhibit);
 
 }  // namespace vitrine::ui

@@ -49,7 +49,7 @@ int runWindow(int& argc, char** argv)
     MainWindow window(museum, renderers);
     QObject::connect(&app, &Application::caught, &window,
                      [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
-    reportFirstPicture(window);
+    reportFirstPicture(window.viewport(), window);
     window.show();
     return QApplication::exec();
 }

@@ -1,8 +1,7 @@
 #include "ui/window/screenshot.h"
 
-#include "ui/presets/preset_shelf.h"
+#include "ui/model/workbench.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/main_window.h"
 #include "ui/window/picture_export.h"
 
 #include <algorithm>
@@ -10,26 +9,26 @@
 
 namespace vitrine::ui {
 
-void saveScreenshot(MainWindow& window)
+void saveScreenshot(Workbench& window, QObject& parent)
 {
     const std::string_view name = window.museum().subject(window.chosen()).name();
     ExportWish wish;
-    wish.path = freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+    wish.path = freeScreenshotPath(parent, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
     Viewport& viewport = window.viewport();
     const double ratio = viewport.devicePixelRatioF();
     wish.size = {std::max(1, static_cast<int>(std::lround(viewport.width() * ratio))),
                  std::max(1, static_cast<int>(std::lround(viewport.height() * ratio)))};
     wish.samples = viewport.schedule().samples();
     wish.asShown = viewport.pictureFinished();
-    auto* work = new PictureExport(window, wish);
-    QObject::connect(work, &PictureExport::finished, &window, [&window](const QString& path) {
-        window.say(MessageStrip::Mood::notice, MainWindow::tr("Screenshot saved to %1.").arg(path),
-                   MainWindow::tr("%1 screenshots saved, the last one to %2."), path);
+    auto* work = new PictureExport(window, wish, &parent);
+    QObject::connect(work, &PictureExport::finished, &parent, [&window](const QString& path) {
+        window.say(MessageStrip::Mood::notice, QObject::tr("Screenshot saved to %1.").arg(path),
+                   QObject::tr("%1 screenshots saved, the last one to %2."), path);
     });
-    QObject::connect(work, &PictureExport::failed, &window,
+    QObject::connect(work, &PictureExport::failed, &parent,
                      [&window](const QString& why) { window.say(MessageStrip::Mood::problem, why); });
     const auto waitsFor = [&viewport](double part) {
-        viewport.showHint(MainWindow::tr("The picture is not finished yet: drawing it for the screenshot, %1 %")
+        viewport.showHint(QObject::tr("The picture is not finished yet: drawing it for the screenshot, %1 %")
                               .arg(std::floor(part * 100)));
     };
     if (!wish.asShown) {

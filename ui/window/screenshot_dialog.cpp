@@ -1,8 +1,8 @@
 #include "ui/window/screenshot_dialog.h"
 
 #include "ui/kit/replace_question.h"
+#include "ui/model/workbench.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/main_window.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -46,8 +46,8 @@ QString duration(double seconds)
 
 }  // namespace
 
-ScreenshotDialog::ScreenshotDialog(MainWindow& window)
-    : QDialog(&window), window_(window), sizes_(new QComboBox(this)), width_(new QSpinBox(this)),
+ScreenshotDialog::ScreenshotDialog(Workbench& window, QWidget* parent)
+    : QDialog(parent), window_(window), sizes_(new QComboBox(this)), width_(new QSpinBox(this)),
       height_(new QSpinBox(this)), samples_(new QSpinBox(this)), format_(new QComboBox(this)),
       transparent_(new QCheckBox(this)), path_(new QLineEdit(this)), progress_(new QProgressBar(this)),
       left_(new QLabel(this)), go_(new QPushButton(tr("Export"), this)), stop_(new QPushButton(tr("Close"), this))
@@ -67,7 +67,7 @@ ScreenshotDialog::ScreenshotDialog(MainWindow& window)
     setBusy(false);
     const auto name = window.museum().subject(window.chosen()).name();
     path_->setText(QString::fromStdString(
-        freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
+        freeScreenshotPath(*parent, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
 }
 
 void ScreenshotDialog::fillInputs()
@@ -223,7 +223,7 @@ void ScreenshotDialog::write(const QString& to)
     if (running_ && running_->running()) return;
     path_->setText(to);
     replaced_.clear();
-    running_ = new PictureExport(window_, wish());
+    running_ = new PictureExport(window_, wish(), parent());
     connect(running_, &PictureExport::progressed, this, [this](double part, double secondsLeft) {
         progress_->setValue(static_cast<int>(part * 1000));
         left_->setText(secondsLeft < 0 ? tr("Drawing …") : tr("About %1 left").arg(duration(secondsLeft)));

@@ -20,7 +20,7 @@ class ScreenshotDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    explicit ScreenshotDialog(MainWindow&);
+    ScreenshotDialog(Workbench&, QWidget* parent);
     void setPath(const QString&);
     [[nodiscard]] QString path() const;
 
@@ -38,7 +38,7 @@ private:
     void setBusy(bool);
     [[nodiscard]] ExportWish wish() const;
 
-    MainWindow& window_;
+    Workbench& window_;
     QComboBox* sizes_;
     QSpinBox *width_, *height_, *samples_;
     QComboBox* format_;

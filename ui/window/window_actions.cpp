@@ -113,7 +113,7 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
     make.separator();
     make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)},
              tr("Saves what the picture shows as PNG, in your pictures folder."),
-             [&window] { saveScreenshot(window); });
+             [&window] { saveScreenshot(window, window); });
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
              tr("Saves the picture at any size, as PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
     make.add(tr("Export &lenticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},

@@ -114,7 +114,7 @@ class MemoryTest : public QObject {
         wish.path = home_->filePath("picture.png").toStdString();
         wish.size = {64, 36};
         wish.samples = 1;
-        auto* work = new PictureExport(*window_, wish);
+        auto* work = new PictureExport(*window_, wish, window_.get());
         QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
         work->start();
         QTRY_VERIFY(finished.count() + failed.count() == 1);

@@ -323,7 +323,7 @@ private slots:
             wish.path = path(name).toStdString();
             wish.size = {64, 36};
             wish.samples = samples;
-            (new PictureExport(*window_, wish))->start();
+            (new PictureExport(*window_, wish, window_.get()))->start();
         };
         const auto answer = [&](const char* button) {
             window_->close();

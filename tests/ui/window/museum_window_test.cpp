@@ -207,7 +207,7 @@ private slots:
         wish.samples = 2;
         settle();
         const long long drawn = window_->viewport().picturesDrawn();
-        auto* work = new PictureExport(*window_, wish);
+        auto* work = new PictureExport(*window_, wish, window_.get());
         QSignalSpy finished(work, &PictureExport::finished), failed(work, &PictureExport::failed);
         work->start();
         QTRY_VERIFY(finished.count() + failed.count() == 1);
@@ -281,7 +281,7 @@ private slots:
         wish.path = home_->filePath("never.png").toStdString();
         wish.size = {640, 360};
         wish.samples = 64;
-        auto* work = new PictureExport(*window_, wish);
+        auto* work = new PictureExport(*window_, wish, window_.get());
         QSignalSpy progressed(work, &PictureExport::progressed);
         work->start();
         QTRY_VERIFY(progressed.count() >= 2);
