@@ -1,12 +1,15 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/prepare.h"
 #include "render/files/asset_store.h"
 #include "render/plan/frame_plan.h"
+#include "render/plan/local_lights.h"
 
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vitrine {
 
@@ -38,6 +41,15 @@ public:
     virtual ~OverFrame() = default;
     /// Called when every exhibit has planned its part, before the sky.
     virtual void planOverFrame(const PlanContext&, render::FramePlan&) const = 0;
+};
+
+/// Carries lamps. The hall may, too.
+class HasLocalLights {
+public:
+    virtual ~HasLocalLights() = default;
+    /// The lamps at this moment, in its own space; asked for however far it is out of view, and before anything is
+    /// prepared. Lights of no intensity cost nothing.
+    [[nodiscard]] virtual std::vector<render::LocalLight> localLights(const ExhibitState&) const = 0;
 };
 
 /// Turns what the building hangs up at its place.

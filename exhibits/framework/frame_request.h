@@ -30,6 +30,9 @@ struct FrameRequest {
     glm::dmat4 exhibitTransform{1};     ///< For `alone` or `subject`: scale and rotation about its own origin.
     std::optional<std::size_t> subject;
     bool runEverything = false;
+    bool cut = false;       ///< The camera jumped: nothing of the frame before is of use.
+    bool finished = false;  ///< It is not drawn again: work of several frames is done in this one, and no program that
+                            ///< is still being built is stood in for.
     bool needsFiles =
         false;  ///< A file that the look names and that cannot be read is a Failure, not a complaint of the plan.
     /// Seconds since each exhibit's button was pressed, in the order of Museum::subjects(); may be shorter.

@@ -13,6 +13,12 @@ void Surroundings::illuminate(render::Pass& pass) const
 {
     pass.blocks[BLOCK_LIGHT] = render::std140Bytes(light);
     pass.inputs.insert(pass.inputs.end(), inputs.begin(), inputs.end());
+    if (!localLights) return;
+    pass.blocks[BLOCK_LOCAL_LIGHTS] = render::std140Bytes(localLights->block);
+    pass.shader.defines.emplace_back("LOCAL_LIGHTS");
+    if (localLights->shadowed.empty()) return;
+    pass.shader.defines.emplace_back("LOCAL_SHADOWS");
+    pass.inputs.push_back({UNIT_LOCAL_SHADOWS, std::string(localShadowImage)});
 }
 
 int flatAxis(const render::Box& opening)

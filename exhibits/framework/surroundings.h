@@ -2,13 +2,18 @@
 
 #include "render/glsl/std140.h"
 #include "render/plan/frame_plan.h"
+#include "render/plan/local_lights.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace vitrine {
+
+/// Shadow maps of the local lights: render::LocalLighting says whose layers are whose.
+inline constexpr const char* localShadowImage = "shadow.local";
 
 #include "shaders/lib/light_block.glsl"
 
@@ -21,6 +26,9 @@ struct Surroundings {
     glm::dvec3 towardsSun{0, 1, 0};  ///< Unit.
     glm::dvec3 sunIrradiance{0};     ///< On a plane that faces the sun; scene-linear.
     double exposure = 1;             ///< Radiance times this is what the film sees.
+
+    /// Of the lamps in the frame; none where no lamp shines. Their shadow maps are in the image "shadow.local".
+    std::optional<render::LocalLighting> localLights;
 
     /// Through these the sun shines into the hall and the sky is seen: each flat along one axis. World space;
     /// none when there is no hall.

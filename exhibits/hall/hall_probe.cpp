@@ -40,9 +40,10 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
 {
     const glm::dvec3 eye = probePosition(scene);
     // The probe must not read itself while it is being made; and it holds the hall alone, for its key does not
-    // tell where the exhibits' shadows lie.
+    // tell where the exhibits' shadows lie, nor which lamps shine.
     Surroundings hallLight = light;
     hallLight.light.exhibitsCastShadow = false;
+    hallLight.localLights.reset();
     std::erase_if(hallLight.inputs, [](const render::Input& input) {
         return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS;
     });

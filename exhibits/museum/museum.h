@@ -126,6 +126,8 @@ private:
     [[nodiscard]] std::vector<Present> presentIn(const Prepared&, const FrameRequest&, const HallScene&,
                                                  const render::View&) const;
     [[nodiscard]] HallScene sceneOf(const Prepared&, bool alone) const;
+    [[nodiscard]] std::vector<render::LocalLight> lampsOf(const Prepared&, const std::vector<Present>&,
+                                                          bool alone) const;
 
     std::shared_ptr<const HallModel> model_;
     std::vector<std::unique_ptr<Exhibit>> guests_;

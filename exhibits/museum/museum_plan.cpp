@@ -5,6 +5,8 @@
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/walk.h"
+#include "exhibits/museum/lamps.h"
+#include "exhibits/museum/present.h"
 #include "render/failure.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
@@ -20,16 +22,6 @@ namespace vitrine {
 namespace {
 
 constexpr double shadowReach = 30;  ///< Metres behind an exhibit at which its shadow still falls on something.
-
-/// The box together with the shadow it throws on the floor (or 15 m of it, where the sun is low).
-render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun)
-{
-    render::Box swept = box;
-    const double fall = towardsSun.y > 1e-3 ? std::min(std::max(box.high.y, 0.0) / towardsSun.y, 15.0) : 15.0;
-    swept.include(box.low - towardsSun * fall);
-    swept.include(box.high - towardsSun * fall);
-    return swept;
-}
 
 /// Empty when the sun may reach the box and the shadow that it then throws may be seen.
 std::string whyNoShadow(const HallScene& scene, const render::Box& box, const render::View& view)
@@ -49,48 +41,7 @@ render::View widened(const render::View& view)
     return wide;
 }
 
-/// The part of the picture that holds everything within the box; nothing when some of it may lie behind the eye.
-std::optional<std::pair<glm::dvec2, glm::dvec2>> screenBox(const render::Box& box, const render::View& view)
-{
-    glm::dvec2 low(1e30);
-    glm::dvec2 high(-1e30);
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 world((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
-                               (corner & 4) != 0 ? box.high.z : box.low.z);
-        const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(world, 1);
-        if (!(clip.w > view.nearPlane)) return std::nullopt;
-        const glm::dvec2 pixel = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(view.raster.size);
-        low = glm::min(low, pixel);
-        high = glm::max(high, pixel);
-    }
-    return std::pair(low, high);
-}
-
-bool movesHangings(const Exhibit& exhibit, const ParameterValues& values)
-{
-    const auto* turns = capability<TurnsHangings>(exhibit);
-    return turns && turns->turnOfHangings(values, 0) != turns->turnOfHangings(values, 1);
-}
-
-render::View wholeView(const FrameRequest& request)
-{
-    render::Raster whole = request.raster;
-    whole.offset = whole.tile = glm::ivec2(0);
-    return render::makeView(request.camera, whole);
-}
-
 }  // namespace
-
-/// An exhibit that stands in the picture's world, seen or not.
-struct Museum::Present {
-    std::size_t index = 0;  ///< Of the subject.
-    const Exhibit& exhibit;
-    glm::dmat4 worldFromExhibit{1};
-    render::Box box;       ///< Its bounds, world space.
-    std::string hidden;    ///< Why it cannot be seen; empty: it may be.
-    std::string unlit;     ///< Why it throws no shadow at all.
-    std::string noShadow;  ///< Why none is drawn: it throws none, or none that may be seen.
-};
 
 /// One frame while it is planned.
 struct Museum::Frame {
@@ -107,11 +58,16 @@ struct Museum::Frame {
     void begin();
     void findPresent();
     void castShadows();
+    void lightLamps();
     void planBuilding();
+    void makeContexts();
     void planExhibits();
     void finish(const render::KeptKeys&);
 
-    void clearPicture();
+    void declareImagesIn(render::FramePlan&) const;
+    void clearPictureIn(render::FramePlan&) const;
+    void addState(render::Hash&, const Present&) const;
+    [[nodiscard]] std::uint64_t castersKey() const;
     [[nodiscard]] render::FramePlan seenFrom(const render::View&) const;
     void planBuildingInto(render::FramePlan&) const;
 };
@@ -134,6 +90,23 @@ HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
             {turns ? turns->turnOfHangings(prepared.look.values[i], prepared.time) : 0, prepared.sincePress(i)});
     }
     return scene;
+}
+
+std::vector<render::LocalLight> Museum::lampsOf(const Prepared& prepared, const std::vector<Present>& present,
+                                                bool alone) const
+{
+    std::vector<render::LocalLight> lamps;
+    const auto take = [&](const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject) {
+        const auto* carrier = capability<HasLocalLights>(subject);
+        if (!carrier) return;
+        for (render::LocalLight lamp : carrier->localLights(state)) {
+            lamp.position = glm::dvec3(worldFromSubject * glm::dvec4(lamp.position, 1));
+            lamps.push_back(lamp);
+        }
+    };
+    if (!alone) take(*hall_, {prepared.look.hall(), prepared.time}, glm::dmat4(1));
+    for (const Present& p : present) take(p.exhibit, prepared.state(p.index), p.worldFromExhibit);
+    return lamps;
 }
 
 std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const FrameRequest& request,
@@ -166,8 +139,11 @@ Prepared Museum::prepare(const Look& look, const FrameRequest& request) const
     const HallScene scene = sceneOf(made, request.alone.has_value());
     const render::View view = wholeView(request);
     for (const render::View& each : {view, widened(view)}) {
-        for (const Present& p : presentIn(made, request, scene, each)) {
-            made.exhibits[p.index].seen |= p.hidden.empty();
+        const std::vector<Present> present = presentIn(made, request, scene, each);
+        // What throws a lamp's shadow is drawn from there, whether one sees it or not.
+        const bool seenByLamps = throwShadows(lampsOf(made, present, request.alone.has_value()));
+        for (const Present& p : present) {
+            made.exhibits[p.index].seen |= p.hidden.empty() || seenByLamps;
             made.exhibits[p.index].shadowSeen |= p.noShadow.empty();
         }
     }
@@ -189,6 +165,8 @@ render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& req
     frame.begin();
     frame.findPresent();
     frame.castShadows();
+    frame.makeContexts();
+    frame.lightLamps();
     frame.planBuilding();
     frame.planExhibits();
     frame.finish(kept);
@@ -205,13 +183,21 @@ void Museum::Frame::begin()
     plan.seed = request.seed;
     plan.sample = request.sample;
     plan.runEverything = request.runEverything;
-    const bool exact = request.averageIn == AverageIn::radiance;
-    plan.image({.name = radianceImage, .format = exact ? render::Format::rgba32f : render::Format::rgba16f});
-    plan.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
-    plan.image({.name = normalImage, .format = render::Format::rgba32f});
-    plan.image({.name = evaluationsImage, .format = render::Format::r32f});
+    plan.cut = request.cut;
+    plan.allParts = request.finished;
+    declareImagesIn(plan);
     light = surroundings(scene, request.runEverything);
     light.light.sampleIndex = request.sample;
+}
+
+/// Those that all draw into.
+void Museum::Frame::declareImagesIn(render::FramePlan& into) const
+{
+    const bool exact = request.averageIn == AverageIn::radiance;
+    into.image({.name = radianceImage, .format = exact ? render::Format::rgba32f : render::Format::rgba16f});
+    into.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
+    into.image({.name = normalImage, .format = render::Format::rgba32f});
+    into.image({.name = evaluationsImage, .format = render::Format::r32f});
 }
 
 /// Who is here, and which files what is shown of them lacks.
@@ -233,6 +219,16 @@ void Museum::Frame::findPresent()
         if (p.hidden.empty() || p.noShadow.empty()) complain(prepared.exhibits[p.index].part.get());
 }
 
+/// Everything that changes how an exhibit looks.
+void Museum::Frame::addState(render::Hash& key, const Present& p) const
+{
+    const ExhibitState state = prepared.state(p.index);
+    derive::addToKey(key, state.values);
+    key.addValue(p.index).addValue(p.worldFromExhibit).addValue(state.prepared ? state.prepared->filesId : 0);
+    if (p.exhibit.nextChangeOf(state) < std::numeric_limits<double>::infinity())
+        key.addValue(state.time).addValue(state.sinceOwnPress);
+}
+
 /// The sun's depth map of the exhibits: each draws into it, all of them or none.
 void Museum::Frame::castShadows()
 {
@@ -247,11 +243,7 @@ void Museum::Frame::castShadows()
         }
         if (!p.noShadow.empty()) continue;
         shadowSeen = true;
-        const ExhibitState state = prepared.state(p.index);
-        derive::addToKey(key, state.values);
-        key.addValue(p.index).addValue(p.worldFromExhibit).addValue(state.prepared ? state.prepared->filesId : 0);
-        const double next = p.exhibit.nextChangeOf(state);
-        if (next < std::numeric_limits<double>::infinity()) key.addValue(state.time).addValue(state.sinceOwnPress);
+        addState(key, p);
     }
     if (!shadowSeen) {
         plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);
@@ -298,10 +290,11 @@ void Museum::Frame::planBuildingInto(render::FramePlan& into) const
 void Museum::Frame::planBuilding()
 {
     planBuildingInto(plan);
-    if (alone || request.cutOut) clearPicture();
+    if (alone || request.cutOut) clearPictureIn(plan);
 }
 
-void Museum::Frame::clearPicture()
+/// Where no walls cover it.
+void Museum::Frame::clearPictureIn(render::FramePlan& into) const
 {
     render::Pass clear;
     clear.name = "clear";
@@ -312,11 +305,11 @@ void Museum::Frame::clearPicture()
     if (request.channels.normal) clear.colors.push_back(render::Attachment::cleared(normalImage));
     if (request.channels.evaluations) clear.colors.push_back(render::Attachment::cleared(evaluationsImage));
     clear.depth = render::Attachment::cleared(depthImage);
-    plan.add(std::move(clear));
+    into.add(std::move(clear));
 }
 
-/// What the exhibits draw, then what they lay over the frame.
-void Museum::Frame::planExhibits()
+/// What each exhibit plans its part with. The light is the frame's, whatever it becomes.
+void Museum::Frame::makeContexts()
 {
     for (const Present& p : present) {
         const ExhibitState state = prepared.state(p.index);
@@ -331,6 +324,11 @@ void Museum::Frame::planExhibits()
                             .sinceOwnPress = state.sinceOwnPress,
                             .prepared = state.prepared});
     }
+}
+
+/// What the exhibits draw, then what they lay over the frame.
+void Museum::Frame::planExhibits()
+{
     for (std::size_t i = 0; i < present.size(); ++i) present[i].exhibit.plan(contexts[i], plan);
     for (std::size_t i = 0; i < present.size(); ++i) {
         const auto* over = capability<OverFrame>(present[i].exhibit);
@@ -362,6 +360,36 @@ render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
     return other;
 }
 
+/// Changes whenever anything that throws a lamp's shadow does.
+std::uint64_t Museum::Frame::castersKey() const
+{
+    render::Hash key;
+    key.addValue(alone).addValue(request.cutOut.has_value()).addValue(lightKey(scene));
+    for (const GuestMoment& moment : scene.moments) key.addValue(moment.turn).addValue(buttonScale(moment.sincePress));
+    for (const Present& p : present) addState(key, p);
+    return key.value();
+}
+
+/// The lamps that are carried here, and what they shine on.
+void Museum::Frame::lightLamps()
+{
+    const std::vector<render::LocalLight> lamps = museum.lampsOf(prepared, present, alone);
+    const glm::dvec3 size = museum.model_->bounds().halfSize();
+    light.localLights = planLamps({.lights = lamps,
+                                   .center = request.camera.target,
+                                   .radius = 2 * glm::length(size),
+                                   .castersKey = lamps.empty() ? 0 : castersKey(),
+                                   .seenFrom =
+                                       [this](const render::View& view) {
+                                           render::FramePlan seen = seenFrom(view);
+                                           declareImagesIn(seen);
+                                           if (alone || request.cutOut) clearPictureIn(seen);
+                                           return seen;
+                                       }},
+                                  plan);
+    if (light.localLights) light.brightest += mostRadianceBy(*light.localLights);
+}
+
 /// What is behind everything, the way the picture is developed, and what of all this is needed.
 void Museum::Frame::finish(const render::KeptKeys& kept)
 {
@@ -374,62 +402,6 @@ void Museum::Frame::finish(const render::KeptKeys& kept)
     if (request.channels.normal) outputs.emplace_back(normalImage);
     if (request.channels.evaluations) outputs.emplace_back(evaluationsImage);
     plan.prune(outputs, kept);
-}
-
-double Museum::nextChange(const Prepared& prepared, const FrameRequest& request) const
-{
-    double next = std::numeric_limits<double>::infinity();
-    for (const double since : prepared.sincePressed)
-        if (since < buttonTime) next = 0;
-    const bool alone = request.alone.has_value();
-    const HallScene scene = sceneOf(prepared, alone);
-    // What is hidden may move unseen, and so may its shadow.
-    for (const Present& p : presentIn(prepared, request, scene, wholeView(request)))
-        if (p.hidden.empty() || (!alone && p.noShadow.empty()))
-            next = std::min(next, p.exhibit.nextChangeOf(prepared.state(p.index)));
-    return next;
-}
-
-std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, const FrameRequest& request) const
-{
-    constexpr double never = std::numeric_limits<double>::infinity();
-    constexpr double shadowEdge = 0.15;  // Metres that a shadow is soft around its edge, and filtered over.
-    constexpr double edge = 2;           // Pixels over which jitter and filters spread what moves.
-    for (const double since : prepared.sincePressed)
-        if (since < buttonTime) return std::nullopt;  // The button itself.
-    const bool alone = request.alone.has_value();
-    const render::View view = wholeView(request);
-    const HallScene scene = sceneOf(prepared, alone);
-    glm::dvec2 low(1e30);
-    glm::dvec2 high(-1e30);
-    bool shadowMoves = false;
-    bool lightInTheAir = false;
-    for (const Present& p : presentIn(prepared, request, scene, view)) {
-        const bool ofLight = capability<OverFrame>(p.exhibit) != nullptr;
-        const bool seen = p.hidden.empty();
-        const bool shadowSeen = !alone && p.noShadow.empty();
-        lightInTheAir = lightInTheAir || (ofLight && seen);
-        if (!(p.exhibit.nextChangeOf(prepared.state(p.index)) < never) || (!seen && !shadowSeen)) continue;
-        if (ofLight || movesHangings(p.exhibit, prepared.look.values[p.index])) return std::nullopt;
-        render::Box reach = p.box;
-        if (shadowSeen) {
-            shadowMoves = true;
-            reach = withShadow(p.box, towardsSun(scene));
-            reach.low -= shadowEdge;
-            reach.high += shadowEdge;
-        }
-        const auto shown = screenBox(reach, view);
-        if (!shown) return std::nullopt;
-        low = glm::min(low, shown->first);
-        high = glm::max(high, shown->second);
-    }
-    if (shadowMoves && lightInTheAir) return std::nullopt;
-    const glm::dvec2 size(request.raster.size);
-    const glm::ivec2 first = glm::ivec2(glm::floor(glm::clamp(low - edge, glm::dvec2(0), size) / 2.0)) * 2;
-    const glm::ivec2 end =
-        glm::min(glm::ivec2(glm::ceil(glm::clamp(high + edge, glm::dvec2(0), size) / 2.0)) * 2, request.raster.size);
-    if (end.x <= first.x || end.y <= first.y) return PictureRegion{};
-    return PictureRegion{first, end - first};
 }
 
 }  // namespace vitrine

@@ -90,6 +90,8 @@ bool PictureMaker::step()
     frame.raster.offset = tile.drawnOffset;
     frame.raster.tile = tile.drawnSize;
     if (frame.sample > 0) frame.channels = {};
+    // A finished picture is a function of what was asked for, whatever was drawn before, other tiles included.
+    frame.cut = frame.finished = true;
     if (!prepared_) prepared_ = museum_.prepare(look_, request_.frame);
     render::FrameReport report = painter_.draw(museum_.plan(*prepared_, frame, painter_.kept()));
     if (stepsDone_ == 0) report_ = std::move(report);

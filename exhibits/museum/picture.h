@@ -11,7 +11,8 @@ namespace vitrine {
 
 /// A finished picture to make: any size, any number of samples, by tiles where the size asks for it.
 struct PictureRequest {
-    FrameRequest frame;  ///< `raster.tile`, `raster.jitter` and `sample` are set here, not by the caller.
+    FrameRequest frame;  ///< `raster.tile`, `raster.jitter`, `sample`, `cut` and `finished` are set here, not by the
+                         ///< caller.
     int samples = 1;     ///< Supersamples per pixel, averaged.
     bool depth = false;  ///< Add the channel "depth.Z". Channels other than color are of the pixel's center.
     int largestTile =

@@ -294,6 +294,7 @@ render::FrameReport Study::drawTimed(const Look& look, std::size_t view)
     for (const std::string& pass : dependentPasses_) kept.passes.erase(pass);
     FrameRequest frame = pictureRequest(look, view).frame;
     frame.channels = {};
+    frame.cut = frame.finished = true;  // As the pictures that it is the time of.
     render::FrameReport report = painter_.draw(museum_.plan(museum_.prepare(look, frame), frame, kept));
     result_.clock = report.clock;
     result_.clockTrusted = report.clockTrusted;

@@ -28,13 +28,13 @@ void ProgramCache::buildWith(std::shared_ptr<SharedContext> context)
     builder_ = context ? std::make_unique<ProgramBuilder>(source_, std::move(context)) : nullptr;
 }
 
-ProgramInUse ProgramCache::use(const ShaderKey& key)
+ProgramInUse ProgramCache::use(const ShaderKey& key, Building building)
 {
     const std::string id = identify(key);
     auto found = programs_.find(id);
     if (found == programs_.end()) {
         found = programs_.emplace(id, Entry{key, {}, {}}).first;
-        if (canWait(key))
+        if (building == Building::goesOn && canWait(key))
             beginInBackground(id, found->second);
         else
             rebuild(found->second);
@@ -42,6 +42,7 @@ ProgramInUse ProgramCache::use(const ShaderKey& key)
     Entry& entry = found->second;
     entry.lastUse = frame_;
     takeWhatIsFinished(id, entry);
+    if (entry.building && building == Building::isWaitedFor) buildNow(id, entry);
     if (entry.build.program) {
         if (!key.slot.empty()) {
             lastGood_[key.slot] = id;
@@ -95,6 +96,15 @@ void ProgramCache::takeWhatIsFinished(const std::string& id, Entry& entry)
     entry.building = false;
     entry.pending.reset();
     take(entry, std::move(*finished));
+}
+
+/// Rather than wait for the thread, which may have others before it.
+void ProgramCache::buildNow(const std::string& id, Entry& entry)
+{
+    if (!entry.pending) builder_->cancel(id);
+    entry.pending.reset();
+    entry.building = false;
+    rebuild(entry);
 }
 
 std::optional<ProgramInUse> ProgramCache::standIn(const Entry& entry)

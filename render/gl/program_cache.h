@@ -38,9 +38,10 @@ public:
     /// Deletes all but `mostIdle` of the programs that this frame has not used.
     void dropIdle();
 
+    enum class Building { goesOn, isWaitedFor };
     /// The program, or one that stands in for it: its last good build, or another of its slot. Throws Failure
     /// (Blame::shader) when there is none.
-    [[nodiscard]] ProgramInUse use(const ShaderKey&);
+    [[nodiscard]] ProgramInUse use(const ShaderKey&, Building = Building::goesOn);
 
     /// Rebuilds programs whose files are newer on disk than their build. Returns whether any was tried.
     bool reloadChanged();
@@ -64,6 +65,7 @@ private:
     void take(Entry&, BuiltProgram);
     void beginInBackground(const std::string& id, Entry&);
     void takeWhatIsFinished(const std::string& id, Entry&);
+    void buildNow(const std::string& id, Entry&);
     void giveUpOthers(const std::string& slot, const std::string& id);
     [[nodiscard]] bool canWait(const ShaderKey&) const;
     [[nodiscard]] std::optional<ProgramInUse> standIn(const Entry&);

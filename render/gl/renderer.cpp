@@ -198,10 +198,10 @@ struct Renderer::State {
     }
 
     /// Returns what it was drawn with.
-    ProgramInUse run(const Pass& pass, const PassRanges& ranges)
+    ProgramInUse run(const Pass& pass, const PassRanges& ranges, ProgramCache::Building building)
     {
         if (pass.work == Work::simulation) return {};
-        const ProgramInUse used = programs.use(pass.shader);
+        const ProgramInUse used = programs.use(pass.shader, building);
         glUseProgram(used.program);
         arena.bind(BLOCK_FRAME, ranges.frame);
         for (const auto& [binding, range] : ranges.blocks) arena.bind(binding, range);
@@ -306,6 +306,7 @@ struct Renderer::State {
     void runPasses(const FramePlan& plan, const std::vector<PassRanges>& ranges, const std::set<std::string>& lost,
                    FrameClock& clock, std::vector<SamplesQuery>& samplesQueries, FrameReport& report)
     {
+        const auto building = plan.allParts ? ProgramCache::Building::isWaitedFor : ProgramCache::Building::goesOn;
         std::size_t next = 0;
         try {
             for (; next < plan.passes().size(); ++next) {
@@ -313,7 +314,7 @@ struct Renderer::State {
                 if (abandoned()) throw Abandoned();
                 const DebugGroup group(pass.name.c_str());
                 if (pass.countSamples) samplesQueries.emplace_back();
-                const ProgramInUse used = run(pass, ranges[next]);
+                const ProgramInUse used = run(pass, ranges[next], building);
                 if (pass.countSamples) SamplesQuery::end();
                 if (used.standIn.empty()) remember(pass, plan, lost);
                 report.unfinished = report.unfinished || used.building;

@@ -183,7 +183,8 @@ public:
     int sample = 0;              ///< Index of the supersample being drawn.
     bool runEverything = false;  ///< The ledger's switch: nothing is pruned or skipped as unchanged.
     bool cut = false;            ///< This frame has nothing to do with the last one: histories start again.
-    bool allParts = false;       ///< Work for several frames is done in this one: for pictures that are not redrawn.
+    bool allParts = false;  ///< Work for several frames is done in this one, and programs are waited for: for pictures
+                            ///< that are not redrawn.
 
     ResourceId image(ImageInfo);
     ResourceId buffer(BufferInfo);

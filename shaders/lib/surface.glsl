@@ -59,6 +59,28 @@ vec3 sunReflected(Surface s, vec3 toEye, float visibility)
     return lightReflected(s, toEye, light.sunDirection, light.sunIrradiance * visibility);
 }
 
+#ifdef LOCAL_LIGHTS
+#include "lib/local_lights.glsl"
+
+// The same of the lamps. A sphere gleams as its middle would.
+vec3 localLightsReflected(Surface s, vec3 toEye)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < min(localLights.count, MOST_LOCAL_LIGHTS); ++i) {
+        LocalLightEntry lamp = localLights.lights[i];
+        vec3 irradiance = localIrradiance(lamp, s.position, s.normal);
+        if (irradiance.x + irradiance.y + irradiance.z <= 0.0) continue;
+        irradiance *= localVisibility(lamp, s.position, s.normal);
+        vec3 l = safeNormalize(lamp.position - s.position, s.normal);
+        float cosL = dot(s.normal, l);
+        // Of a sphere whose middle is below the horizon, a part may be seen.
+        sum += cosL > 1e-3 ? lightReflected(s, toEye, l, irradiance / cosL)
+                           : s.baseColor * (1.0 - s.metalness) / PI * irradiance;
+    }
+    return sum;
+}
+#endif
+
 // Radiance towards the eye without the mirror part.
 vec3 shadeWithoutReflection(Surface s, vec3 toEye, float visibility)
 {
@@ -66,7 +88,11 @@ vec3 shadeWithoutReflection(Surface s, vec3 toEye, float visibility)
     vec2 brdf = environmentBrdf(s.roughness, cosV);
     vec3 reflectance = surfaceF0(s) * brdf.x + brdf.y;
     vec3 diffuse = s.baseColor * (1.0 - s.metalness) * (1.0 - reflectance) * s.ambient;
-    return diffuse + sunReflected(s, toEye, visibility);
+    vec3 color = diffuse + sunReflected(s, toEye, visibility);
+#ifdef LOCAL_LIGHTS
+    color += localLightsReflected(s, toEye);
+#endif
+    return color;
 }
 
 // What the environment's mirror image is multiplied with.

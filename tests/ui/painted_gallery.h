@@ -113,6 +113,7 @@ public:
         report.skipped = {{"probe/capture", "unchanged since the last frame", render::Work::raster}};
         report.skipped.insert(report.skipped.end(), complaints.begin(), complaints.end());
         report.milliseconds = 43.8;
+        report.unfinished = unfinishedFrames > 0 && unfinishedFrames-- > 0;
         report.clock = "process CPU time around glFinish";
         report.clockTrusted = true;
         return report;
@@ -170,6 +171,7 @@ public:
     std::atomic<int> strangers = 0;                                           ///< Pictures drawn on another one.
     std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set while nothing is drawn.
     std::atomic<int> pictureReads = 0;
+    std::atomic<int> unfinishedFrames = 0;  ///< The next so many call for another one.
     std::vector<render::gl::ShaderProblem> shaderProblems;
     std::exception_ptr thrown;                ///< By every frame that is drawn from now on; null: nothing.
     std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.

@@ -23,6 +23,7 @@ void MuseumRenderers::open()
     debugLog_ = std::make_unique<render::gl::DebugLog>();
 #endif
     renderer_ = std::make_unique<render::gl::Renderer>();
+    renderer_->buildInBackground(context_->shared());
     renderer_->timeSteps(timeSteps_);
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
@@ -152,6 +153,7 @@ void Viewport::orderWhole(const DrawOrder& order)
     const double scale = order.scale * pictureQuality(wanted.look.hall()).resolutionScale;
     wanted.request.raster.size =
         glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.request.raster.size) * scale)), glm::ivec2(1));
+    wanted.request.cut = std::exchange(cut_, false);
     wanted.request.sample = order.sample;
     wanted.request.samples = order.samples;
     schedule_.begun(order);
@@ -175,6 +177,7 @@ void Viewport::take(const DrawnPicture& picture)
         takeRegion(picture);
     } else if (picture.abandoned) {
         schedule_.givenUp();
+        cut_ = cut_ || picture.order.request.cut;
     } else if (!picture.failure.isEmpty()) {
         // The last good picture stays; nothing is tried again until something changes.
         schedule_.drawn({1, schedule_.samples() - 1, schedule_.samples()}, 0);
@@ -188,6 +191,7 @@ void Viewport::take(const DrawnPicture& picture)
         ++picturesDrawn_;
         lastFailure_.clear();
         schedule_.drawn(picture.order.order, picture.seconds);
+        if (picture.report.unfinished) schedule_.changed(now());  // Work is left, or a program is still being built.
         const glm::ivec2 size = picture.order.request.raster.size;
         emit drawn(picture.report, QSize(size.x, size.y));
         update();
@@ -375,6 +379,7 @@ void Viewport::goBack()
 
 void Viewport::jumpTo(const render::Camera& camera)
 {
+    cut_ = true;
     control_.jumpTo(camera);
     cameraChanged();
 }

@@ -148,6 +148,7 @@ private:
     std::uint64_t filesDrawn_ = 0;  // Their state, as far as the picture knows.
     double lastTick_ = 0;
     double time_ = 0;         // The exhibits' clock, seconds.
+    bool cut_ = true;         // The camera jumped since the last whole picture, or there was none.
     double changeAt_ = 0;     // On that clock: when the picture next changes by itself, as far as the last tick knows.
     bool clockRuns_ = false;  // Time passed since the last tick, for someone.
     bool paused_ = false;

@@ -4,6 +4,7 @@
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 #include "exhibits/hall/sun.h"
 #include "render/glsl/cpu.h"
+#include "tests/support/block_of.h"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/planned.h"
 
@@ -150,16 +151,14 @@ TEST(RaysPlan, AloneTheWindowShinesWithoutItsHall)
     const render::FramePlan plan = alone.plan();
     EXPECT_TRUE(plan.find("crepuscular_rays/march"));
     // The beam that the hall's window makes, in the exhibit's own space.
-    RaysBlock own;
-    std::memcpy(&own, plan.find("crepuscular_rays/march")->draws[0].object.data(), sizeof own);
+    const BeamBlock own = test::blockOf<RaysBlock>(plan.find("crepuscular_rays/march")->draws[0].object).beams[0];
     Scene hall = atTheWindow(RayTechnique::volume);
-    RaysBlock there;
     const render::FramePlan inHall = hall.plan();
-    std::memcpy(&there, inHall.find("crepuscular_rays/march")->draws[0].object.data(), sizeof there);
+    const BeamBlock there = test::blockOf<RaysBlock>(inHall.find("crepuscular_rays/march")->draws[0].object).beams[0];
     const glm::vec3 place(test::museum().worldFromExhibit(rays)[3]);
-    EXPECT_LT(glm::length(glm::vec3(own.low[0]) + place - glm::vec3(there.low[0])), 1e-5F);
-    EXPECT_LT(glm::length(glm::vec3(own.high[0]) + place - glm::vec3(there.high[0])), 1e-5F);
-    EXPECT_LT(glm::length(glm::vec3(own.airHigh[0]) + place - glm::vec3(there.airHigh[0])), 1e-4F);
+    EXPECT_LT(glm::length(own.openingLow + place - there.openingLow), 1e-5F);
+    EXPECT_LT(glm::length(own.openingHigh + place - there.openingHigh), 1e-5F);
+    EXPECT_LT(glm::length(own.airHigh + place - there.airHigh), 1e-4F);
 }
 
 TEST(RaysPlan, OccludersAreWhateverHidesTheSkyAndNothingElseIsDrawnAgain)

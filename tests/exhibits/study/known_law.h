@@ -74,12 +74,14 @@ class KnownPainter final : public render::Painter {
 public:
     double timeNoise = 0;
     int drawn = 0;
+    int provisional = 0;  ///< Frames that left work for later ones, or built on earlier ones.
 
     void seed(unsigned number) { engine_.seed(number); }
 
     render::FrameReport draw(const render::FramePlan& plan) override
     {
         ++drawn;
+        provisional += plan.allParts && plan.cut ? 0 : 1;
         const render::Pass& pass = *plan.find("known");
         std::memcpy(numbers_, pass.blocks.at(0).data(), sizeof numbers_);
         size_ = plan.view.raster.drawn();

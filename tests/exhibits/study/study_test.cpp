@@ -213,6 +213,14 @@ TEST(Study, FindsTheLawOfSampling)
     EXPECT_FALSE(result.law->slopeInterval.holds(-1)) << "the law of another method";
 }
 
+TEST(Study, MeasuresFinishedPicturesThatDoNotBuildOnEachOther)
+{
+    Subject subject(sumOfParts());
+    (void)subject.run(subject.request({"steps"}));
+    EXPECT_GT(subject.painter.drawn, 10);
+    EXPECT_EQ(subject.painter.provisional, 0);
+}
+
 TEST(Study, OfTwoParametersIsEverySettingOfBoth)
 {
     Subject subject(sumOfParts());

@@ -59,9 +59,10 @@ protected:
         return "float value()\n{\n    return " + std::to_string(value) + ".0;\n}\n";
     }
 
-    float drawn(const ShaderKey& shader)
+    float drawn(const ShaderKey& shader, bool finishedPicture = false)
     {
         FramePlan plan = planOf({2, 2});
+        plan.allParts = finishedPicture;
         Pass pass = fill("filled", "frame", "");
         pass.shader = shader;
         plan.add(std::move(pass));
@@ -150,6 +151,18 @@ TEST_F(GeneratedShaders, AreBuiltOnAThreadWhileTheLastGoodProgramDraws)
     drawUntilFinished(second, 1, 2);
     EXPECT_EQ(drawn(key(returns(1), "scene")), 1) << "which is still there";
     EXPECT_FALSE(report_.unfinished);
+}
+
+TEST_F(GeneratedShaders, AreWaitedForByPicturesThatAreNotDrawnAgain)
+{
+    const auto gate = std::make_shared<GatedContext>(context().shared());
+    renderer().buildInBackground(gate);
+    EXPECT_EQ(drawn(key(returns(1), "scene")), 1);
+    EXPECT_EQ(drawn(key(returns(2), "scene")), 1) << "control: another frame does not wait";
+    EXPECT_EQ(drawn(key(returns(2), "scene"), true), 2) << "what is being built";
+    EXPECT_FALSE(report_.unfinished);
+    EXPECT_EQ(drawn(key(returns(3), "scene"), true), 3) << "what nobody began to build";
+    gate->open();
 }
 
 TEST_F(GeneratedShaders, AreDrawnByWhatTheyNameMeanwhile)

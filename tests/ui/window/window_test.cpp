@@ -571,6 +571,31 @@ private slots:
         gallery_->beforeDrawing = {};
     }
 
+    void aJumpOfTheCameraIsACutAndWhatIsRefinedIsNone()
+    {
+        settle();
+        gallery_->forgetRequests();
+        window_->viewport().jumpTo({{0, 1.65, 8}, {0, 1.5, 0}, 0.9});
+        settle();
+        window_->viewport().lookChanged();
+        settle();
+        const std::vector<FrameRequest> requests = gallery_->requests();
+        QVERIFY(requests.size() >= 32);
+        QVERIFY(requests.front().cut);
+        QCOMPARE(std::count_if(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.cut; }), 1);
+        QVERIFY(std::none_of(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.finished; }));
+    }
+
+    void aFrameWithWorkLeftIsDrawnAgain()
+    {
+        settle();
+        gallery_->unfinishedFrames = 3;
+        window_->viewport().lookChanged();
+        settle();
+        QCOMPARE(int(gallery_->unfinishedFrames), 0);
+        QTRY_VERIFY(window_->viewport().schedule().still());
+    }
+
     void whatIsAskedOfOneMomentIsPreparedOnce()
     {
         Viewport& viewport = window_->viewport();

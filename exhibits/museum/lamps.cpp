@@ -1,0 +1,100 @@
+#include "exhibits/museum/lamps.h"
+
+#include "exhibits/framework/exhibit.h"
+#include "render/hash.h"
+#include "render/plan/elsewhere.h"
+#include "render/scene/cube_views.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+namespace vitrine {
+namespace {
+
+constexpr int localShadowSize = 512;  ///< Texels along one face of a lamp's shadow map.
+constexpr const char* lampReason = "a lamp throws its shadow";
+
+bool isOfThePicture(const render::Attachment& color)
+{
+    return color.image == radianceImage || color.image == normalImage || color.image == evaluationsImage;
+}
+
+/// Of what draws the picture, the depth alone; what only lays color over it is left out. What prepares images of an
+/// exhibit's own stays.
+bool takeDepth(render::Pass& pass)
+{
+    if (pass.colors.empty() || !std::all_of(pass.colors.begin(), pass.colors.end(), isOfThePicture)) return true;
+    pass.colors.clear();
+    return pass.depth && (pass.state.depthWrite || pass.depth->load == render::Load::clear);
+}
+
+void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, int face, render::FramePlan& plan)
+{
+    const render::View view = render::cubeFaceView(light.position, face, localShadowSize, render::localShadowNear);
+    const std::string name = "lamps/shadow/" + std::to_string(map) + '/' + std::to_string(face);
+    render::Pass layer;
+    layer.name = name;
+    layer.reason = lampReason;
+    layer.stage = render::Stage::prepare;
+    layer.view = view;
+    layer.depth = render::Attachment::clearedSlice(localShadowImage, 6 * map + face);
+    layer.key = render::Hash().addValue(lamps.castersKey).addValue(view.clipFromWorld).value();
+    const auto images = render::addElsewhere(plan, lamps.seenFrom(view),
+                                             {.name = name, .reason = lampReason, .view = view, .take = takeDepth});
+    if (const auto depth = images.find(depthImage); depth != images.end()) {
+        layer.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/restore.frag"};
+        layer.state.depthWrite = true;
+        layer.inputs = {{UNIT_SOURCE, depth->second}};
+        layer.draws = {render::Draw{}};
+    }
+    plan.add(std::move(layer));
+}
+
+}  // namespace
+
+bool throwShadows(std::span<const render::LocalLight> lights)
+{
+    return std::any_of(lights.begin(), lights.end(), [](const render::LocalLight& light) { return light.castsShadow; });
+}
+
+std::optional<render::LocalLighting> planLamps(const Lamps& lamps, render::FramePlan& plan)
+{
+    render::LocalLighting lighting = render::localLighting(lamps.lights, lamps.center, lamps.radius);
+    if (lighting.chosen.empty()) {
+        plan.skip("lamps", lamps.lights.empty() ? "no lamp hangs here" : "no lamp shines here");
+        return std::nullopt;
+    }
+    if (lighting.shadowed.empty()) {
+        plan.skip("lamps/shadow", "no lamp throws shadows");
+        return lighting;
+    }
+    const auto count = static_cast<int>(lighting.shadowed.size());
+    plan.image({.name = localShadowImage,
+                .format = render::Format::depth32f,
+                .type = render::TextureType::array,
+                .size = glm::ivec2(localShadowSize),
+                .layers = 6 * count,
+                .kept = true,
+                .comparison = true});
+    for (int map = 0; map < count; ++map)
+        for (int face = 0; face < 6; ++face)
+            planLampFace(lamps, lamps.lights[lighting.shadowed[static_cast<std::size_t>(map)]], map, face, plan);
+    return lighting;
+}
+
+double mostRadianceBy(const render::LocalLighting& lighting)
+{
+    constexpr double mostReflected = 1 / std::numbers::pi + 64;  // As lib/surface.glsl: diffuse, and the peak's limit.
+    double most = 0;
+    for (std::size_t i = 0; i < lighting.chosen.size(); ++i) {
+        const render::LocalLightEntry& light = lighting.block.lights[i];
+        const double nearest = std::max(static_cast<double>(light.radius), render::localShadowNear);
+        const auto intensity = static_cast<double>(std::max({light.intensity.x, light.intensity.y, light.intensity.z}));
+        most += mostReflected * intensity / (nearest * nearest);
+    }
+    return most;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,117 @@
+// What of a picture changes by itself, where, and when.
+#include "exhibits/hall/hall_scene.h"
+#include "exhibits/museum/present.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace vitrine {
+namespace {
+
+constexpr double neverChanges = std::numeric_limits<double>::infinity();
+
+/// The part of the picture that holds everything within the box; nothing when some of it may lie behind the eye.
+std::optional<std::pair<glm::dvec2, glm::dvec2>> screenBox(const render::Box& box, const render::View& view)
+{
+    glm::dvec2 low(1e30);
+    glm::dvec2 high(-1e30);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 world((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+                               (corner & 4) != 0 ? box.high.z : box.low.z);
+        const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(world, 1);
+        if (!(clip.w > view.nearPlane)) return std::nullopt;
+        const glm::dvec2 pixel = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(view.raster.size);
+        low = glm::min(low, pixel);
+        high = glm::max(high, pixel);
+    }
+    return std::pair(low, high);
+}
+
+bool movesHangings(const Exhibit& exhibit, const ParameterValues& values)
+{
+    const auto* turns = capability<TurnsHangings>(exhibit);
+    return turns && turns->turnOfHangings(values, 0) != turns->turnOfHangings(values, 1);
+}
+
+}  // namespace
+
+render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun)
+{
+    render::Box swept = box;
+    const double fall = towardsSun.y > 1e-3 ? std::min(std::max(box.high.y, 0.0) / towardsSun.y, 15.0) : 15.0;
+    swept.include(box.low - towardsSun * fall);
+    swept.include(box.high - towardsSun * fall);
+    return swept;
+}
+
+render::View wholeView(const FrameRequest& request)
+{
+    render::Raster whole = request.raster;
+    whole.offset = whole.tile = glm::ivec2(0);
+    return render::makeView(request.camera, whole);
+}
+
+double Museum::nextChange(const Prepared& prepared, const FrameRequest& request) const
+{
+    double next = neverChanges;
+    for (const double since : prepared.sincePressed)
+        if (since < buttonTime) next = 0;
+    const bool alone = request.alone.has_value();
+    const HallScene scene = sceneOf(prepared, alone);
+    // What is hidden may move unseen, and so may its shadow; but not what lamps shine on or hang in.
+    const std::vector<Present> present = presentIn(prepared, request, scene, wholeView(request));
+    const bool lamps = !lampsOf(prepared, present, alone).empty();
+    for (const Present& p : present)
+        if (lamps || p.hidden.empty() || (!alone && p.noShadow.empty()))
+            next = std::min(next, p.exhibit.nextChangeOf(prepared.state(p.index)));
+    return next;
+}
+
+std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, const FrameRequest& request) const
+{
+    constexpr double shadowEdge = 0.15;  // Metres that a shadow is soft around its edge, and filtered over.
+    constexpr double edge = 2;           // Pixels over which jitter and filters spread what moves.
+    for (const double since : prepared.sincePressed)
+        if (since < buttonTime) return std::nullopt;  // The button itself.
+    const bool alone = request.alone.has_value();
+    const render::View view = wholeView(request);
+    const HallScene scene = sceneOf(prepared, alone);
+    glm::dvec2 low(1e30);
+    glm::dvec2 high(-1e30);
+    bool shadowMoves = false;
+    bool lightInTheAir = false;
+    const std::vector<Present> present = presentIn(prepared, request, scene, view);
+    const bool lamps = !lampsOf(prepared, present, alone).empty();
+    for (const Present& p : present) {
+        const bool ofLight = capability<OverFrame>(p.exhibit) != nullptr;
+        const bool seen = p.hidden.empty();
+        const bool shadowSeen = !alone && p.noShadow.empty();
+        lightInTheAir = lightInTheAir || (ofLight && seen);
+        if (!(p.exhibit.nextChangeOf(prepared.state(p.index)) < neverChanges)) continue;
+        if (lamps) return std::nullopt;  // Their light and their shadows may fall anywhere.
+        if (!seen && !shadowSeen) continue;
+        if (ofLight || movesHangings(p.exhibit, prepared.look.values[p.index])) return std::nullopt;
+        render::Box reach = p.box;
+        if (shadowSeen) {
+            shadowMoves = true;
+            reach = withShadow(p.box, towardsSun(scene));
+            reach.low -= shadowEdge;
+            reach.high += shadowEdge;
+        }
+        const auto shown = screenBox(reach, view);
+        if (!shown) return std::nullopt;
+        low = glm::min(low, shown->first);
+        high = glm::max(high, shown->second);
+    }
+    if (shadowMoves && lightInTheAir) return std::nullopt;
+    const glm::dvec2 size(request.raster.size);
+    const glm::ivec2 first = glm::ivec2(glm::floor(glm::clamp(low - edge, glm::dvec2(0), size) / 2.0)) * 2;
+    const glm::ivec2 end =
+        glm::min(glm::ivec2(glm::ceil(glm::clamp(high + edge, glm::dvec2(0), size) / 2.0)) * 2, request.raster.size);
+    if (end.x <= first.x || end.y <= first.y) return PictureRegion{};
+    return PictureRegion{first, end - first};
+}
+
+}  // namespace vitrine

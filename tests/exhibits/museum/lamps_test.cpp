@@ -1,0 +1,173 @@
+// Lamps that exhibits carry: collected by the museum, thrown into shadow maps, and drawn.
+#include "exhibits/framework/capabilities.h"
+#include "tests/support/gallery.h"
+#include "tests/support/planned.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <set>
+
+namespace vitrine {
+namespace {
+
+class LampsTest : public test::GlTest {};
+
+struct BulbTable final : Parameters {
+    Real strength = real("strength", 4, none, {0, 100}, "W/sr.");
+    Toggle shadow = toggle("shadow", true, "Whether it throws shadows.");
+};
+
+/// A bare bulb, and nothing to see.
+class Bulb final : public Exhibit, public HasLocalLights {
+public:
+    [[nodiscard]] std::string_view name() const override { return "bulb"; }
+    [[nodiscard]] std::string_view title() const override { return "Bulb"; }
+    [[nodiscard]] std::string_view summary() const override { return "A lamp."; }
+    [[nodiscard]] int place() const override { return 1; }
+    [[nodiscard]] const Parameters& parameters() const override { return table; }
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override
+    {
+        return {glm::dvec3(-0.05), glm::dvec3(0.05)};
+    }
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override { return {{0, 1, 4}, {0, 0, 0}, 0.9}; }
+    [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
+    [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState& state) const override
+    {
+        return {{.position = {0, 2, 0},
+                 .intensity = glm::dvec3(state.values[table.strength]),
+                 .castsShadow = state.values[table.shadow]}};
+    }
+
+    inline static const BulbTable table;
+};
+
+/// The bulb above the middle of the hall, without sun, sky and reflections: what is seen is its light.
+struct BulbHall {
+    BulbHall() : museum(exhibits())
+    {
+        look = museum.initialLook();
+        look.hall().set(test::hallTable().sunStrength, 0.0);
+        look.hall().set(test::hallTable().skyStrength, 0.0);
+        look.hall().set(test::hallTable().reflectionProbe, false);
+        look.hall().set(test::hallTable().bakedLight, false);
+        look.hall().set(test::hallTable().shadowMapSize, 256);
+        frame.raster.size = {96, 54};
+        frame.averageIn = AverageIn::radiance;
+        see({0, 8, 2.2}, {0, 0, 2});
+    }
+    static std::vector<std::unique_ptr<Exhibit>> exhibits()
+    {
+        std::vector<std::unique_ptr<Exhibit>> all;
+        all.push_back(std::make_unique<Bulb>());
+        return all;
+    }
+    void see(const glm::dvec3& eye, const glm::dvec3& target) { look.camera = frame.camera = {eye, target, 0.6}; }
+    [[nodiscard]] ParameterValues& bulb() { return look.values[1]; }
+    [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {})
+    {
+        return test::planned(museum, look, frame, kept);
+    }
+    [[nodiscard]] render::Image draw(render::gl::Renderer& renderer)
+    {
+        (void)renderer.draw(plan(renderer.kept()));
+        return renderer.read("frame");
+    }
+
+    Museum museum;
+    Look look;
+    FrameRequest frame;
+};
+
+std::set<std::string> lampPasses(const render::FramePlan& plan)
+{
+    std::set<std::string> names;
+    for (const render::Pass& pass : plan.passes())
+        if (pass.name.rfind("lamps/", 0) == 0) names.insert(pass.name);
+    return names;
+}
+
+TEST_F(LampsTest, CostNothingWhereThereIsNone)
+{
+    test::Shot shot;
+    shot.inHall();
+    const render::FramePlan plan = test::planned(test::gallery().museum, shot.look, shot.request.frame);
+    EXPECT_TRUE(lampPasses(plan).empty());
+    ASSERT_TRUE(plan.findSkipped("lamps"));
+    EXPECT_EQ(plan.findSkipped("lamps")->reason, "no lamp hangs here");
+    for (const render::Pass& pass : plan.passes())
+        for (const std::string& define : pass.shader.defines) EXPECT_NE(define, "LOCAL_LIGHTS") << pass.name;
+}
+
+TEST_F(LampsTest, ThatAreOffCostNothingAndThoseWithoutShadowsNoMaps)
+{
+    BulbHall hall;
+    hall.bulb().set(Bulb::table.shadow, false);
+    EXPECT_TRUE(lampPasses(hall.plan()).empty());
+    EXPECT_EQ(hall.plan().findSkipped("lamps/shadow")->reason, "no lamp throws shadows");
+    hall.bulb().set(Bulb::table.strength, 0.0);
+    EXPECT_EQ(hall.plan().findSkipped("lamps")->reason, "no lamp shines here");
+}
+
+TEST_F(LampsTest, KeepTheirShadowMapsWhileNothingInThemChanges)
+{
+    BulbHall hall;
+    render::gl::Renderer renderer;
+    (void)hall.draw(renderer);
+    EXPECT_GE(lampPasses(hall.plan()).size(), 6U);
+    EXPECT_TRUE(lampPasses(hall.plan(renderer.kept())).empty());
+    hall.see({1, 8, 2.2}, {0, 0, 2});
+    EXPECT_TRUE(lampPasses(hall.plan(renderer.kept())).empty()) << "the eye moved, the shadows did not";
+    hall.bulb().set(Bulb::table.strength, 5.0);
+    EXPECT_FALSE(lampPasses(hall.plan(renderer.kept())).empty()) << "its exhibit changed";
+}
+
+TEST_F(LampsTest, GiveSurfacesLightInProportionToTheirStrength)
+{
+    BulbHall hall;
+    hall.bulb().set(Bulb::table.shadow, false);
+    render::gl::Renderer renderer;
+    const render::Image lit = hall.draw(renderer);
+    hall.bulb().set(Bulb::table.strength, 0.0);
+    const render::Image dark = hall.draw(renderer);
+    hall.bulb().set(Bulb::table.strength, 8.0);
+    const render::Image twice = hall.draw(renderer);
+    double most = 0;
+    for (int y = 0; y < lit.height; ++y) {
+        for (int x = 0; x < lit.width; ++x) {
+            const double one = static_cast<double>(lit.at(x, y, 1)) - static_cast<double>(dark.at(x, y, 1));
+            const double two = static_cast<double>(twice.at(x, y, 1)) - static_cast<double>(dark.at(x, y, 1));
+            most = std::max(most, one);
+            EXPECT_NEAR(two, 2 * one, 1e-3 + 4e-3 * two) << x << ',' << y;
+        }
+    }
+    EXPECT_GT(most, 0.01);
+}
+
+TEST_F(LampsTest, ThrowTheShadowOfThePlinth)
+{
+    // The lamp hangs over the plinth of place 1, 0.8 m wide and 0.9 m high: from 3.45 m it hides the floor around it as
+    // far as 0.4 * 3.45 / (3.45 - 0.9) = 0.54 m from the middle, and no further.
+    BulbHall hall;
+    hall.see({1.6, 6, 0.01}, {0.9, 0, 0});
+    render::gl::Renderer renderer;
+    const render::Image shadowed = hall.draw(renderer);
+    hall.bulb().set(Bulb::table.shadow, false);
+    const render::Image open = hall.draw(renderer);
+    const render::View view = render::makeView(hall.frame.camera, hall.frame.raster);
+    const auto at = [&](const render::Image& image, const glm::dvec3& world) {
+        const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(world, 1);
+        const glm::dvec2 pixel = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(view.raster.size);
+        return static_cast<double>(
+            image.at(static_cast<int>(pixel.x), image.height - 1 - static_cast<int>(pixel.y), 1));
+    };
+    EXPECT_LT(at(shadowed, {0.47, 0, 0}), 0.3 * at(open, {0.47, 0, 0})) << "beside the plinth, in its shadow";
+    for (const double x : {0.75, 1.2, 1.6}) {
+        EXPECT_GT(at(open, {x, 0, -0.2}), 0);
+        EXPECT_NEAR(at(shadowed, {x, 0, -0.2}), at(open, {x, 0, -0.2}), 0.02 * at(open, {x, 0, -0.2})) << x;
+    }
+}
+
+}  // namespace
+}  // namespace vitrine
