@@ -242,7 +242,7 @@ void Lenticular::planShadow(const PlanContext& context, render::FramePlan& plan)
     const Scene scene = sceneOf(table_, context);
     render::Pass pass = meshShadow("lenticular/shadow", context);
     pass.draws = {scene.draw()};
-    pass.draws[0].object = render::bytesOf(surfaceObject(scene.worldFromCard, {}));
+    pass.draws[0].object = render::std140Bytes(surfaceObject(scene.worldFromCard, {}));
     plan.add(std::move(pass));
 }
 

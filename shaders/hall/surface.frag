@@ -2,7 +2,7 @@
 // FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WIPE, WRITE_NORMAL, WRITE_EVALUATIONS.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
-#include "hall/object.glsl"
+#include "kit/surface_object.glsl"
 
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D baseColorMap;
 layout(binding = UNIT_NORMAL) uniform sampler2D normalMap;
@@ -51,10 +51,10 @@ void main()
     base *= texture(baseColorMap, tileUv);
 #endif
 #ifdef ALPHA_MASK
-    if (base.a < object.emissive.w) discard;
+    if (base.a < object.alphaCutoff) discard;
 #endif
 #ifdef WIPE
-    if (framePixel(gl_FragCoord.xy).x < object.tiling.z) discard;
+    if (framePixel(gl_FragCoord.xy).x < object.wipeColumn) discard;
 #endif
 
     vec3 toEye = normalize(frame.eye.xyz - worldPosition);
@@ -66,20 +66,20 @@ void main()
         t = normalize(t);
         vec3 b = cross(n, t) * worldTangent.w;
         vec3 m = texture(normalMap, tileUv).xyz * 2.0 - 1.0;
-        n = normalize(t * (m.x * object.material.z) + b * (m.y * object.material.z) + n * max(m.z, 0.05));
+        n = normalize(t * (m.x * object.normalScale) + b * (m.y * object.normalScale) + n * max(m.z, 0.05));
     }
 #endif
     Surface s;
     s.position = worldPosition;
     s.normal = n;
     s.baseColor = base.rgb;
-    s.metalness = object.material.x;
-    s.roughness = object.material.y;
-    s.specular = object.tiling.w;
+    s.metalness = object.metalness;
+    s.roughness = object.roughness;
+    s.specular = object.specular;
     s.occlusion = 1.0;
 #ifdef ORM_MAP
     vec3 orm = texture(ormMap, tileUv).rgb;
-    s.occlusion = mix(1.0, orm.r, object.material.w);
+    s.occlusion = mix(1.0, orm.r, object.occlusionStrength);
     s.roughness *= orm.g;
     s.metalness *= orm.b;
 #endif
@@ -97,7 +97,7 @@ void main()
 #else
     vec3 color = shadeSurface(s, toEye);
 #endif
-    vec3 emitted = object.emissive.rgb;
+    vec3 emitted = object.emissive;
 #ifdef EMISSIVE_MAP
     emitted *= texture(emissiveMap, tileUv).rgb;
 #endif
