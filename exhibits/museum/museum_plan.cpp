@@ -320,12 +320,21 @@ void Museum::Frame::planExhibits()
                             .time = state.time,
                             .channels = request.channels,
                             .alone = alone,
-                            .hiddenBecause = p.hidden,
-                            .noShadowBecause = p.noShadow,
                             .sinceOwnPress = state.sinceOwnPress,
                             .prepared = state.prepared});
     }
-    for (std::size_t i = 0; i < present.size(); ++i) museum.exhibits_[present[i].index]->plan(contexts[i], plan);
+    for (std::size_t i = 0; i < present.size(); ++i) {
+        const Exhibit& exhibit = *museum.exhibits_[present[i].index];
+        const std::string name(exhibit.name());
+        if (present[i].noShadow.empty())
+            exhibit.planShadow(contexts[i], plan);
+        else
+            plan.skip(name + "/shadow", present[i].noShadow);
+        if (present[i].hidden.empty())
+            exhibit.plan(contexts[i], plan);
+        else if (exhibit.castsShadow())  // What is made of light alone lies over the frame, wherever its bounds are.
+            plan.skip(name, present[i].hidden);
+    }
     for (std::size_t i = 0; i < present.size(); ++i) {
         PlanContext context = contexts[i];
         context.seenFrom = [this](const render::View& view) { return seenFrom(view); };
@@ -343,13 +352,11 @@ render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
     other.sample = plan.sample;
     planBuildingInto(other);
     for (std::size_t i = 0; i < present.size(); ++i) {
+        const std::size_t exhibit = present[i].index;
+        if (!prepared.exhibits[exhibit].seen || !museum.whyHidden(present[i].box, view, alone).empty()) continue;
         PlanContext context = contexts[i];
         context.channels = {};
-        context.hiddenBecause = museum.whyHidden(present[i].box, view, alone);
-        if (context.hiddenBecause.empty() && !prepared.exhibits[present[i].index].seen)
-            context.hiddenBecause = present[i].hidden;
-        context.noShadowBecause = "the frame draws the shadows";
-        museum.exhibits_[present[i].index]->plan(context, other);
+        museum.exhibits_[exhibit]->plan(context, other);
     }
     return other;
 }

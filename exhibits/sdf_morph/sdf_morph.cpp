@@ -1,6 +1,8 @@
 #include "exhibits/sdf_morph/sdf_morph.h"
 
 #include "exhibits/framework/derive.h"
+#include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/pixel_blocks.h"
 #include "exhibits/kit/surface_draw.h"
 #include "exhibits/sdf_morph/sdf_shape.h"
 #include "render/scene/held_bytes.h"
@@ -15,7 +17,6 @@ namespace vitrine {
 namespace {
 
 using render::Attachment;
-using render::Load;
 using render::Pass;
 
 constexpr int blockOfCone =
@@ -25,13 +26,20 @@ struct PreparedMesh final : PreparedPart {
     render::Asset<render::Mesh> mesh;
 };
 
+/// The values with the morph as it is at `time`.
+ParameterValues melted(const SdfMorphTable& table, const ParameterValues& values, double time)
+{
+    ParameterValues now = values;
+    if (values[table.animate]) now.set(table.morph, morphAt(values[table.morph], values[table.speed], time));
+    return now;
+}
+
 /// Everything that the passes of one frame share.
 struct Scene {
     const SdfMorphTable& table;
     const PlanContext& context;
     ParameterValues values;  ///< With the morph as animated.
-    SdfMoment moment;
-    render::Box box;  ///< The rays are marched in it.
+    render::Box box;         ///< The rays are marched in it.
     SdfObject object;
 
     [[nodiscard]] render::Draw proxy() const
@@ -44,33 +52,16 @@ struct Scene {
     }
     [[nodiscard]] Pass pass(std::string name, std::string reason, std::string vertex, std::string fragment) const
     {
-        Pass pass;
-        pass.name = "sdf_morph/" + name;
-        pass.reason = std::move(reason);
-        pass.shader = {std::move(vertex), std::move(fragment), "", {}, derive::uniformBlock(table)};
-        pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
-        return pass;
+        return exhibitPass("sdf_morph/" + name, std::move(reason), values, std::move(vertex), std::move(fragment));
     }
 };
 
-/// The sun's own rays find the object, and write where they did: its shadow has its true outline.
-void planShadow(const Scene& s, render::FramePlan& plan)
+Scene sceneOf(const SdfMorphTable& table, const PlanContext& context)
 {
-    if (!s.context.noShadowBecause.empty()) {
-        plan.skip("sdf_morph/shadow", s.context.noShadowBecause);
-        return;
-    }
-    Pass pass = s.pass("shadow", "the sun reaches it and its shadow may be seen", "sdf_morph/proxy.vert",
-                       "sdf_morph/shadow.frag");
-    pass.stage = render::Stage::shadow;
-    pass.view = s.context.surroundings.exhibitShadowView;
-    pass.key = s.context.surroundings.exhibitShadowKey;
-    pass.bound = s.context.surroundings.sunShadow;
-    pass.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
-    pass.state = {
-        .depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
-    pass.draws = {s.proxy()};
-    plan.add(std::move(pass));
+    const ParameterValues values = melted(table, context.values, context.time);
+    const SdfMoment moment{table, values, values[table.morph]};
+    const render::Box box = resized(momentaryBox(moment), values[table.boxSize]);
+    return {table, context, values, box, sdfObject(moment, box, context.worldFromExhibit)};
 }
 
 void planCone(const Scene& s, render::FramePlan& plan)
@@ -79,17 +70,14 @@ void planCone(const Scene& s, render::FramePlan& plan)
         plan.skip("sdf_morph/cone", "the cone pre-pass is switched off");
         return;
     }
-    // Blocks lie on the grid of the whole picture, so that tiles join to the bit: a tile may begin within one.
-    const render::Raster& raster = plan.view.raster;
-    const glm::ivec2 blocks = (raster.offset % blockOfCone + raster.drawn() + blockOfCone - 1) / blockOfCone;
     plan.image({.name = "sdf_morph.cone",
                 .format = render::Format::rgba32f,
-                .size = glm::max(blocks, glm::ivec2(1)),
+                .size = PixelBlocks(plan.view.raster, blockOfCone).count,
                 .nearest = true});
     Pass pass =
         s.pass("cone", "it saves every ray the way to the object", "lib/fullscreen.vert", "sdf_morph/cone.frag");
     pass.stage = render::Stage::prepare;
-    pass.colors = {{"sdf_morph.cone", Load::clear, {}, -1, 0}};
+    pass.colors = {Attachment::cleared("sdf_morph.cone")};
     pass.draws = {render::Draw{}};
     pass.draws[0].object = render::bytesOf(s.object);
     plan.add(std::move(pass));
@@ -133,9 +121,6 @@ Pass marchPass(const Scene& s, const char* name, std::string reason, render::Fra
 {
     Pass pass = s.pass(name, std::move(reason), "sdf_morph/proxy.vert", "sdf_morph/march.frag");
     pass.draws = {s.proxy()};
-    // Back faces: they are there even when the camera is inside the box.
-    pass.state = {
-        .depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
     if (s.values[s.table.conePrepass]) {
         pass.shader.defines.emplace_back("CONE_PREPASS");
         pass.inputs.push_back({UNIT_EXHIBIT_A, std::string("sdf_morph.cone")});
@@ -156,12 +141,10 @@ Pass marchPass(const Scene& s, const char* name, std::string reason, render::Fra
 void planMarch(const Scene& s, render::FramePlan& plan)
 {
     Pass march = marchPass(s, "march", "in view", plan);
-    march.colors = {{radianceImage, Load::keep, {}, -1, 0}};
-    march.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
-    if (s.context.channels.normal) {
-        march.shader.defines.emplace_back("WRITE_NORMAL");
-        march.colors.push_back({normalImage, Load::keep, {}, -1, 0});
-    }
+    drawSurface(march, {.normal = s.context.channels.normal});
+    // Back faces: they are there even when the camera is inside the box.
+    march.state.cull = render::Cull::front;
+    march.state.depthClamp = true;
     plan.add(std::move(march));
 
     if (!s.context.channels.evaluations) {
@@ -172,7 +155,7 @@ void planMarch(const Scene& s, render::FramePlan& plan)
     Pass count = marchPass(s, "count", "the evaluations channel is asked for", plan);
     count.stage = render::Stage::resolve;
     count.shader.defines.emplace_back("COUNT");
-    count.colors = {{evaluationsImage, Load::keep, {}, -1, 0}};
+    count.colors = {Attachment::whole(evaluationsImage)};
     count.state = {.cull = render::Cull::front, .blend = render::Blend::add, .depthClamp = true};
     plan.add(std::move(count));
 }
@@ -192,13 +175,7 @@ Pass meshPass(const Scene& s, const char* name, std::string reason, std::vector<
     pass.name = std::string("sdf_morph/") + name;
     pass.reason = std::move(reason);
     pass.shader = {"hall/surface.vert", "hall/surface.frag", "", std::move(defines), {}};
-    pass.colors = {{radianceImage, Load::keep, {}, -1, 0}};
-    if (s.context.channels.normal) {
-        pass.shader.defines.emplace_back("WRITE_NORMAL");
-        pass.colors.push_back({normalImage, Load::keep, {}, -1, 0});
-    }
-    pass.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
-    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::back};
+    drawSurface(pass, {.normal = s.context.channels.normal});
     s.context.surroundings.illuminate(pass);
     return pass;
 }
@@ -263,17 +240,10 @@ render::Box SdfMorph::bounds(const ParameterValues& values) const
     return resized(values[table_.animate] ? boxOverMorph(moment) : momentaryBox(moment), values[table_.boxSize]);
 }
 
-ParameterValues SdfMorph::melted(const ParameterValues& values, double time) const
-{
-    ParameterValues now = values;
-    if (values[table_.animate]) now.set(table_.morph, morphAt(values[table_.morph], values[table_.speed], time));
-    return now;
-}
-
 std::shared_ptr<const PreparedPart> SdfMorph::prepare(const PrepareContext& context) const
 {
     if (!context.seen || !context.values[table_.compareMesh]) return nullptr;
-    const ParameterValues values = melted(context.values, context.time);
+    const ParameterValues values = melted(table_, context.values, context.time);
     const auto& t = table_;
     const std::string key = derive::keyOf(values, {t.morph.row, t.majorRadius.row, t.minorRadius.row, t.mugRadius.row,
                                                    t.mugHeight.row, t.wallThickness.row, t.handleRadius.row,
@@ -289,7 +259,7 @@ std::shared_ptr<const PreparedPart> SdfMorph::prepare(const PrepareContext& cont
 
 double SdfMorph::firstHit(const ExhibitState& state, const render::Ray& ray) const
 {
-    const ParameterValues values = melted(state.values, state.time);
+    const ParameterValues values = melted(table_, state.values, state.time);
     return firstHitOf({table_, values, values[table_.morph]}, ray);
 }
 
@@ -331,21 +301,21 @@ std::vector<StudyView> SdfMorph::studyViews(const ParameterValues& values) const
             {"melting, from behind", from({-0.6, 0.3, -1.0}, 0.9), 0, still}};
 }
 
+void SdfMorph::planShadow(const PlanContext& context, render::FramePlan& plan) const
+{
+    // The sun's own rays find the object, and write where they did: its shadow has its true outline.
+    const Scene s = sceneOf(table_, context);
+    Pass pass = s.pass("shadow", shadowReason, "sdf_morph/proxy.vert", "sdf_morph/shadow.frag");
+    castShadow(pass, context);
+    pass.state.cull = render::Cull::front;
+    pass.draws = {s.proxy()};
+    plan.add(std::move(pass));
+}
+
 void SdfMorph::plan(const PlanContext& context, render::FramePlan& plan) const
 {
-    const ParameterValues values = melted(context.values, context.time);
-    const SdfMoment moment{table_, values, values[table_.morph]};
-    const render::Box box = resized(momentaryBox(moment), values[table_.boxSize]);
-    Scene scene{table_, context,
-                values, {table_, values, values[table_.morph]},
-                box,    sdfObject(moment, box, context.worldFromExhibit)};
-
-    planShadow(scene, plan);
-    if (!context.hiddenBecause.empty()) {
-        for (const char* pass : {"sdf_morph/cone", "sdf_morph/march", "sdf_morph/mesh", "sdf_morph/box"})
-            plan.skip(pass, context.hiddenBecause);
-        return;
-    }
+    Scene scene = sceneOf(table_, context);
+    const ParameterValues& values = scene.values;
     const bool compare = values[table_.compareMesh];
     const auto wipe = static_cast<float>(values[table_.wipe] * plan.view.raster.size.x);
     if (compare) {

@@ -32,12 +32,10 @@ public:
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     bool press(ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    void planShadow(const PlanContext&, render::FramePlan&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 
 private:
-    /// The values with the morph as it is at `time`.
-    [[nodiscard]] ParameterValues melted(const ParameterValues&, double time) const;
-
     Table table_;
 };
 
