@@ -1,6 +1,7 @@
 #include "exhibits/hall/hall_scene.h"
 
 #include "exhibits/hall/plaque_text.h"
+#include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/surface_draw.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
@@ -103,6 +104,7 @@ Pass surfacePass(std::string name, std::string reason, std::vector<std::string> 
     pass.stage = render::Stage::opaque;
     pass.shader = {"hall/surface.vert", "hall/surface.frag", "", std::move(defines)};
     drawInto(pass, channels, load);
+    pass.depthOnly = meshDepth();
     return pass;
 }
 
@@ -190,6 +192,7 @@ void planVisitorModel(const HallScene& scene, const Surroundings& light, const C
         surfacePass("hall/visitor", "an object stands on the free plinth",
                     {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP", "EMISSIVE_MAP", "ALPHA_MASK"}, channels, Load::keep);
     pass.state.cull = render::Cull::none;
+    pass.depthOnly.reset();  // Its textures cut holes.
     Pass blended = pass;
     blended.name = "hall/visitor/blended";
     blended.stage = render::Stage::transparent;

@@ -41,6 +41,11 @@ void drawSurface(render::Pass& pass, const Channels& channels, render::Load load
     pass.state.cull = render::Cull::back;
 }
 
+render::DepthOnly meshDepth()
+{
+    return {.shader = {.vertex = "hall/depth.vert", .fragment = "hall/depth.frag"}};
+}
+
 void castShadow(render::Pass& pass, const PlanContext& context)
 {
     const Surroundings& around = context.surroundings;
@@ -59,7 +64,7 @@ render::Pass meshShadow(std::string name, const PlanContext& context)
     render::Pass pass;
     pass.name = std::move(name);
     pass.reason = shadowReason;
-    pass.shader = {.vertex = "hall/depth.vert", .fragment = "hall/depth.frag"};
+    pass.shader = meshDepth().shader;
     castShadow(pass, context);
     pass.state.depthBias = {1.5F, 2};
     return pass;

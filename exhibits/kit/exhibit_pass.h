@@ -16,6 +16,10 @@ namespace vitrine {
 /// the normal at location 1; with `channels.evaluations`, WRITE_EVALUATIONS with the location of the count.
 void drawSurface(render::Pass&, const Channels&, render::Load = render::Load::keep);
 
+/// The depth of meshes, for which their positions tell all: of passes whose every fragment hides what is behind. Their
+/// draws are `surfaceDraw`s, or have their block alone.
+[[nodiscard]] render::DepthOnly meshDepth();
+
 /// Why a shadow that `Exhibit::planShadow` adds is there.
 inline constexpr const char* shadowReason = "the sun reaches it and its shadow may be seen";
 
@@ -23,7 +27,7 @@ inline constexpr const char* shadowReason = "the sun reaches it and its shadow m
 /// about any exhibit's shadow changes, left out where no shadow can be seen. Culling and depth bias stay as they are.
 void castShadow(render::Pass&, const PlanContext&);
 
-/// The shadow of meshes, for which their positions tell all. Its draws are `surfaceDraw`s, or have their block alone.
+/// The shadow of meshes, as `meshDepth`.
 [[nodiscard]] render::Pass meshShadow(std::string name, const PlanContext&);
 
 }  // namespace vitrine

@@ -145,6 +145,8 @@ void planMarch(const Scene& s, render::FramePlan& plan)
     // Back faces: they are there even when the camera is inside the box.
     march.state.cull = render::Cull::front;
     march.state.depthClamp = true;
+    march.depthOnly = {march.shader, march.inputs};
+    march.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
     plan.add(std::move(march));
 
     if (!s.context.channels.evaluations) {
