@@ -2,6 +2,7 @@
 
 #include "render/glsl/shader_source.h"
 #include "render/glsl/std140.h"
+#include "tests/support/block_of.h"
 #include "tests/support/gallery.h"
 
 #include <epoxy/gl.h>
@@ -182,9 +183,9 @@ TEST_F(UniformBlocks, HaveTheirFieldsWhereTheDriverLooksForThem)
     FIELD(vec3, b)                                                                                                     \
     FIELD(bool, c)                                                                                                     \
     FIELD(vec2, d)                                                                                                     \
-    FIELD(int, e) FIELD(vec2, f) FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j)                  \
-        ARRAY(float, k, 3) FIELD(uint, l) ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p)     \
-            FIELD(float, q)
+    FIELD(int, e)                                                                                                      \
+    FIELD(vec2, f) FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j) ARRAY(float, k, 3)             \
+        FIELD(uint, l) ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p) FIELD(float, q)
 BLOCK_STRUCT(AwkwardPart, AWKWARD_PART_FIELDS)
 BLOCK_STRUCT(Awkward140, AWKWARD_FIELDS)
 
@@ -238,7 +239,8 @@ TEST_F(UniformBlocks, HoldTheValuesOfTheirFields)
     EXPECT_EQ(read(0.0F, at.at("block.k[2]")), 2.5F);
     EXPECT_EQ(read(0.0F, at.at("block.m[1].b")), 3.5F);
     EXPECT_EQ(read(glm::vec4(0), at.at("block.p") + 32), glm::vec4(1, 2, 3, 4));
-    EXPECT_EQ(render::std140Bytes(block), bytes);
+    EXPECT_EQ(render::std140Bytes(test::blockOf<Awkward140>(bytes)), bytes);
+    EXPECT_EQ(render::std140Offset<Awkward140>("n"), at.at("block.n"));
 }
 
 }  // namespace
