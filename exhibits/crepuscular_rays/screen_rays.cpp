@@ -25,7 +25,7 @@ std::int64_t pixels(glm::ivec2 size)
 bool isSolidMesh(const Pass& pass)
 {
     const auto& defines = pass.shader.defines;
-    return pass.shader.vertex == "hall/surface.vert" &&
+    return pass.shader.vertex == "kit/surface.vert" &&
            std::none_of(defines.begin(), defines.end(),
                         [](const std::string& d) { return d == "ALPHA_MASK" || d == "WIPE"; });
 }
@@ -40,7 +40,7 @@ void planOccluders(const RaysScene& s, render::FramePlan& plan)
     pass.name = "crepuscular_rays/occluders";
     pass.reason = s.tile ? "a tile does not show the whole sky" : "the mask is made of the occluders";
     pass.stage = render::Stage::prepare;
-    pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    pass.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
     pass.view = s.wholeView;
     pass.depth = Attachment{own, Load::clear, glm::vec4(0), -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true};

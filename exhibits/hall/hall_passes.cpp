@@ -101,7 +101,7 @@ Pass surfacePass(std::string name, std::string reason, std::vector<std::string> 
     pass.name = std::move(name);
     pass.reason = std::move(reason);
     pass.stage = render::Stage::opaque;
-    pass.shader = {"hall/surface.vert", "hall/surface.frag", "", std::move(defines)};
+    pass.shader = {"kit/surface.vert", "kit/surface.frag", "", std::move(defines)};
     drawInto(pass, channels, load);
     return pass;
 }
@@ -221,7 +221,7 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
         pass.name = name;
         pass.reason = reason;
         pass.stage = still.stage;
-        pass.shader = {"hall/depth.vert", "hall/restore.frag", "", {}};
+        pass.shader = {"kit/depth.vert", "hall/restore.frag", "", {}};
         pass.view = still.view;
         pass.depth = Attachment{"shadow.hall", load, glm::vec4(0), -1, 0};
         pass.state = {
@@ -245,7 +245,7 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
     hangings.key = key.value();
     // The probe is kept however they turn, so it must not see them: it is made before they are drawn.
     restore.stage = hangings.stage = render::Stage::prepare;
-    hangings.shader.fragment = "hall/depth.frag";
+    hangings.shader.fragment = "kit/depth.frag";
     hangings.state = still.state;
     hangings.inputs.clear();
     for (const Part& part : turning) {
@@ -299,7 +299,7 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
     pass.name = "hall/shadow";
     pass.reason = "the sun or the walls have changed";
     pass.stage = render::Stage::shadow;
-    pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    pass.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
     pass.view = light.hallShadowView;
     pass.depth = Attachment{turning.empty() ? "shadow.hall" : "shadow.hall.still", Load::clear, glm::vec4(0), -1, 0};
     pass.state = {.depthTest = render::DepthTest::nearer,

@@ -57,7 +57,7 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
     Pass walls = capturePass("walls", face, eye, size, key);
     walls.bound = light.probeLight;
     walls.shader = {
-        "hall/surface.vert", "hall/surface.frag", "", {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
+        "kit/surface.vert", "kit/surface.frag", "", {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
     walls.colors = {{"probe.captured", Load::keep, {}, face, 0}};
     walls.depth = Attachment{"probe.depth", Load::clear, glm::vec4(0), -1, 0};
     walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};

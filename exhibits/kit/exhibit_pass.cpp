@@ -41,6 +41,17 @@ void drawSurface(render::Pass& pass, const Channels& channels, render::Load load
     pass.state.cull = render::Cull::back;
 }
 
+render::Pass surfacePass(std::string name, std::string reason, const PlanContext& context)
+{
+    render::Pass pass;
+    pass.name = std::move(name);
+    pass.reason = std::move(reason);
+    pass.shader = {.vertex = "kit/surface.vert", .fragment = "kit/surface.frag"};
+    drawSurface(pass, {.normal = context.channels.normal});
+    context.surroundings.illuminate(pass);
+    return pass;
+}
+
 void castShadow(render::Pass& pass, const PlanContext& context)
 {
     const Surroundings& around = context.surroundings;
@@ -59,7 +70,7 @@ render::Pass meshShadow(std::string name, const PlanContext& context)
     render::Pass pass;
     pass.name = std::move(name);
     pass.reason = shadowReason;
-    pass.shader = {.vertex = "hall/depth.vert", .fragment = "hall/depth.frag"};
+    pass.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
     castShadow(pass, context);
     pass.state.depthBias = {1.5F, 2};
     return pass;

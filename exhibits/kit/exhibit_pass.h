@@ -16,6 +16,9 @@ namespace vitrine {
 /// the normal at location 1; with `channels.evaluations`, WRITE_EVALUATIONS with the location of the count.
 void drawSurface(render::Pass&, const Channels&, render::Load = render::Load::keep);
 
+/// A pass of meshes with materials, `surfaceDraw`s, in the light of the place; with their normals where asked for.
+[[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const PlanContext&);
+
 /// Why a shadow that `Exhibit::planShadow` adds is there.
 inline constexpr const char* shadowReason = "the sun reaches it and its shadow may be seen";
 

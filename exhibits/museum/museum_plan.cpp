@@ -266,7 +266,7 @@ void Museum::Frame::castShadows()
     clear.name = "exhibits/shadow";
     clear.reason = "an exhibit stands in the sun";
     clear.stage = render::Stage::shadow;
-    clear.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    clear.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
     clear.view = light.exhibitShadowView;
     clear.depth = render::Attachment{exhibitShadowImage, render::Load::clear, glm::vec4(0), -1, 0};
     clear.key = light.exhibitShadowKey;
@@ -301,7 +301,7 @@ void Museum::Frame::clearPicture()
     clear.name = "clear";
     clear.reason = "an empty picture to start from";
     clear.stage = render::Stage::prepare;
-    clear.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    clear.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
     clear.colors = {{radianceImage, render::Load::clear, {}, -1, 0}};
     if (request.channels.normal) clear.colors.push_back({normalImage, render::Load::clear, {}, -1, 0});
     if (request.channels.evaluations) clear.colors.push_back({evaluationsImage, render::Load::clear, {}, -1, 0});

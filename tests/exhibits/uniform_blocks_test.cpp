@@ -1,5 +1,6 @@
 // Every uniform block: where the driver looks for each field, against where C++ puts it.
 
+#include "exhibits/kit/sdf_passes.h"
 #include "exhibits/kit/surface_draw.h"
 #include "render/glsl/shader_source.h"
 #include "render/glsl/std140.h"
@@ -15,6 +16,8 @@
 
 namespace vitrine {
 namespace {
+
+#include "shaders/lib/torus_mug_shape_block.glsl"
 
 using UniformBlocks = test::GlTest;
 
@@ -111,6 +114,8 @@ const std::map<std::string, Described>& blocksOfCpp()
 {
     static const std::map<std::string, Described> blocks{
         {"SurfaceObject", described<SurfaceObject>()},
+        {"SdfObject", described<SdfObject>()},
+        {"TorusMugShape", described<TorusMugShape>()},
     };
     return blocks;
 }
@@ -157,9 +162,12 @@ TEST_F(UniformBlocks, HaveTheirFieldsWhereTheDriverLooksForThem)
 #define AWKWARD_FIELDS(FIELD, ARRAY)                                                                                   \
     FIELD(float, a)                                                                                                    \
     FIELD(vec3, b)                                                                                                     \
-    FIELD(bool, c) FIELD(vec2, d) FIELD(int, e) FIELD(vec2, f) FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i)    \
-        FIELD(float, j) ARRAY(float, k, 3) FIELD(uint, l) ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2)    \
-            FIELD(mat4, p) FIELD(float, q)
+    FIELD(bool, c)                                                                                                     \
+    FIELD(vec2, d)                                                                                                     \
+    FIELD(int, e)                                                                                                      \
+    FIELD(vec2, f)                                                                                                     \
+    FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j) ARRAY(float, k, 3) FIELD(uint, l)             \
+        ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p) FIELD(float, q)
 BLOCK_STRUCT(AwkwardPart, AWKWARD_PART_FIELDS)
 BLOCK_STRUCT(Awkward140, AWKWARD_FIELDS)
 
