@@ -278,7 +278,7 @@ std::vector<Part> partsAt(const HallScene& scene, const Place& place)
 
 void planHallShadow(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
 {
-    if (light.light.sunIrradiance.w < 0.5F) {
+    if (!light.hallCastsShadow) {
         plan.skip("hall/shadow", scene.alone ? "there is no hall to cast it" : "sun shadows are switched off");
         return;
     }

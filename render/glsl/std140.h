@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -112,6 +113,19 @@ private:
 
     std::vector<std::byte> bytes_;
 };
+
+/// Where a field of the struct begins, in bytes; 0 where there is none of that name.
+template <BlockStruct T> [[nodiscard]] std::size_t std140Offset(std::string_view field)
+{
+    Std140Writer writer;
+    std::size_t offset = 0;
+    const T block{};
+    T::visitFields(block, [&](std::string_view name, const auto& value) {
+        const std::size_t begin = writer.put(value);
+        if (name == field) offset = begin;
+    });
+    return offset;
+}
 
 /// The bytes of a uniform block whose only member is this.
 template <BlockStruct T> [[nodiscard]] std::vector<std::byte> std140Bytes(const T& block)

@@ -27,7 +27,7 @@ void main()
     s.specular = 0.05;
     s.ambient = probeAmbient(s.normal);
     s.occlusion = 0.25;
-    vec3 toEye = normalize(frame.eye.xyz - worldPosition);
+    vec3 toEye = normalize(frame.eye - worldPosition);
     // Premultiplied.
     radiance = vec4(shadeSurface(s, toEye), 1.0) * coverage * object.baseColor.a;
 }

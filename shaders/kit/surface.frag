@@ -33,14 +33,14 @@ vec3 squared(vec3 c)
 
 vec3 bakedAmbient()
 {
-    vec3 sky = squared(textureLod(skyLightmap, atlasUv, 0.0).rgb) * light.skyZenith.w;
-    vec3 ambient = sky * mix(light.skyHorizon.rgb, light.skyZenith.rgb, 0.4);
+    vec3 sky = squared(textureLod(skyLightmap, atlasUv, 0.0).rgb) * light.skyLightmapScale;
+    vec3 ambient = sky * mix(light.skyHorizon, light.skyZenith, 0.4);
     vec3 bounced = vec3(0.0);
     for (int i = 0; i < 3; ++i) {
-        float weight = light.sunLightmap[i];
+        float weight = light.sunLightmapWeights[i];
         if (weight > 0.0) bounced += squared(textureLod(sunLightmaps, vec3(atlasUv, float(i)), 0.0).rgb) * weight;
     }
-    return ambient + bounced * light.sunIrradiance.rgb;
+    return ambient + bounced * light.sunIrradiance;
 }
 
 void main()
@@ -54,7 +54,7 @@ void main()
     if (base.a < object.alphaCutoff) discard;
 #endif
 
-    vec3 toEye = normalize(frame.eye.xyz - worldPosition);
+    vec3 toEye = normalize(frame.eye - worldPosition);
     vec3 n = safeNormalize(worldNormal, toEye);  // A visitor's file may hold normals without length.
     if (!gl_FrontFacing) n = -n;
 #ifdef NORMAL_MAP
@@ -85,7 +85,7 @@ void main()
     s.ambient = bakedAmbient();
     // The probe stands for the whole room; where the baked light is far below the room's, so is the mirror image.
     float local = dot(s.ambient, vec3(0.3333)) / max(dot(probeAmbient(n), vec3(0.3333)), 1e-4);
-    s.occlusion *= mix(1.0, clamp(local, 0.15, 1.0), light.filtering.w * (0.35 + 0.65 * s.roughness));
+    s.occlusion *= mix(1.0, clamp(local, 0.15, 1.0), light.bakedOcclusion * (0.35 + 0.65 * s.roughness));
 #else
     s.ambient = probeAmbient(n) * s.occlusion;
 #endif

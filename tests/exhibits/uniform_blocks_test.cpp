@@ -1,7 +1,5 @@
 // Every uniform block: where the driver looks for each field, against where C++ puts it.
 
-#include "exhibits/kit/sdf_passes.h"
-#include "exhibits/kit/surface_draw.h"
 #include "render/glsl/shader_source.h"
 #include "render/glsl/std140.h"
 #include "tests/support/gallery.h"
@@ -17,9 +15,20 @@
 namespace vitrine {
 namespace {
 
-#include "shaders/lib/torus_mug_shape_block.glsl"
-
 using UniformBlocks = test::GlTest;
+
+#include "shaders/crepuscular_rays/rays_block.glsl"
+#include "shaders/fur/body_block.glsl"
+#include "shaders/hall/probe_block.glsl"
+#include "shaders/kit/sdf/object_block.glsl"
+#include "shaders/kit/surface_object_block.glsl"
+#include "shaders/lenticular/card_block.glsl"
+#include "shaders/lib/clock_load_block.glsl"
+#include "shaders/lib/frame_block.glsl"
+#include "shaders/lib/light_block.glsl"
+#include "shaders/lib/local_lights_block.glsl"
+#include "shaders/lib/temporal_block.glsl"
+#include "shaders/lib/torus_mug_shape_block.glsl"
 
 /// Byte offset of every number, vector and matrix by its GLSL name.
 using Offsets = std::map<std::string, std::size_t>;
@@ -113,8 +122,21 @@ template <typename Block> Described described()
 const std::map<std::string, Described>& blocksOfCpp()
 {
     static const std::map<std::string, Described> blocks{
-        {"SurfaceObject", described<SurfaceObject>()},
+        {"BeamBlock", described<BeamBlock>()},
+        {"CardObject", described<CardObject>()},
+        {"CardPrintBlock", described<CardPrintBlock>()},
+        {"ClockLoadBlock", described<ClockLoadBlock>()},
+        {"FrameBlock", described<FrameBlock>()},
+        {"FurBodies", described<FurBodies>()},
+        {"FurBody", described<FurBody>()},
+        {"LightBlock", described<LightBlock>()},
+        {"LocalLightEntry", described<LocalLightEntry>()},
+        {"LocalLightsBlock", described<LocalLightsBlock>()},
+        {"ProbeLevel", described<ProbeLevel>()},
+        {"RaysBlock", described<RaysBlock>()},
         {"SdfObject", described<SdfObject>()},
+        {"SurfaceObject", described<SurfaceObject>()},
+        {"TemporalBlock", described<TemporalBlock>()},
         {"TorusMugShape", described<TorusMugShape>()},
     };
     return blocks;
@@ -165,9 +187,8 @@ TEST_F(UniformBlocks, HaveTheirFieldsWhereTheDriverLooksForThem)
     FIELD(bool, c)                                                                                                     \
     FIELD(vec2, d)                                                                                                     \
     FIELD(int, e)                                                                                                      \
-    FIELD(vec2, f)                                                                                                     \
-    FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j) ARRAY(float, k, 3) FIELD(uint, l)             \
-        ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p) FIELD(float, q)
+    FIELD(vec2, f) FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j) ARRAY(float, k, 3)             \
+        FIELD(uint, l) ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p) FIELD(float, q)
 BLOCK_STRUCT(AwkwardPart, AWKWARD_PART_FIELDS)
 BLOCK_STRUCT(Awkward140, AWKWARD_FIELDS)
 

@@ -19,7 +19,7 @@ void main()
     FieldMaterial material = fieldMaterial(localPosition);
     Surface s;
     s.position = (object.worldFromLocal * vec4(localPosition, 1.0)).xyz;
-    vec3 toEye = normalize(frame.eye.xyz - s.position);
+    vec3 toEye = normalize(frame.eye - s.position);
     s.normal = safeNormalize(worldNormal, toEye);
     if (!gl_FrontFacing) s.normal = -s.normal;
     s.baseColor = material.baseColor;

@@ -16,11 +16,11 @@ LocalRay localRay(vec2 fragCoord)
     vec3 d = mat3(object.localFromWorld) * world;
     r.perDepth = length(d);
     r.direction = d / r.perDepth;
-    r.origin = (object.localFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
+    r.origin = (object.localFromWorld * vec4(frame.eye, 1.0)).xyz;
     // A world width shrinks by at most the largest scale on its way into the object's space.
-    r.halfPixel = 0.5 * frame.timing.w / (r.perDepth * object.largestScale);
+    r.halfPixel = 0.5 * frame.pixelAngle / (r.perDepth * object.largestScale);
     r.span = rayBox(r.origin, r.direction, object.boxLow, object.boxHigh);
-    r.span.x = max(r.span.x, frame.eye.w * r.perDepth);
+    r.span.x = max(r.span.x, frame.nearPlane * r.perDepth);
     return r;
 }
 

@@ -39,7 +39,7 @@ Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
 float selfVisibility(Hit hit)
 {
     if (parameters.shadowMethod == shadowMethod_none) return 1.0;
-    vec3 toSun = normalize(mat3(object.localFromWorld) * light.sunDirection.xyz);
+    vec3 toSun = normalize(mat3(object.localFromWorld) * light.sunDirection);
     if (dot(hit.localNormal, toSun) <= 0.0) return 0.0;
     vec3 start = hit.local + hit.localNormal * (2.0 * hit.tolerance);
     float tMin = 0.004;
@@ -52,7 +52,7 @@ float selfVisibility(Hit hit)
     else if (parameters.shadowMethod == shadowMethod_signed) s = shadowSigned(start, toSun, width, tMin, tMax, parameters.stepLimit);
     else {
         uvec2 pixel = uvec2(framePixel(gl_FragCoord.xy));
-        uint bits = pcg(pixel.x + 65536u * pixel.y + 747796405u * uint(frame.timing.y));
+        uint bits = pcg(pixel.x + 65536u * pixel.y + 747796405u * uint(float(frame.sampleIndex)));
         s = shadowArea(start, toSun, width, tMin, tMax, parameters.stepLimit, parameters.shadowRays, 6.2831853 * unitFromBits(bits));
     }
     evaluations += s.evaluations;
@@ -64,10 +64,10 @@ float selfVisibility(Hit hit)
 float othersVisibility(Hit hit)
 {
 #ifdef OTHERS_SHADOWS
-    if (light.sunLightmap.w < 0.5) return 1.0;
-    vec3 rise = transpose(mat3(object.worldFromLocal)) * light.sunDirection.xyz;
+    if (!light.exhibitsCastShadow) return 1.0;
+    vec3 rise = transpose(mat3(object.worldFromLocal)) * light.sunDirection;
     vec3 corner = mix(object.boxLow, object.boxHigh, greaterThan(rise, vec3(0.0)));
-    return sunVisibilityOfExhibits(hit.world + light.sunDirection.xyz * max(dot(corner - hit.local, rise), 0.0), light.sunDirection.xyz);
+    return sunVisibilityOfExhibits(hit.world + light.sunDirection * max(dot(corner - hit.local, rise), 0.0), light.sunDirection);
 #else
     return 1.0;
 #endif
@@ -76,7 +76,7 @@ float othersVisibility(Hit hit)
 // Walls and what else stands in the sun's way, then the object itself.
 float sunReaches(Hit hit)
 {
-    if (dot(hit.worldNormal, light.sunDirection.xyz) <= 0.0 || dot(light.sunIrradiance.rgb, vec3(1.0)) <= 0.0) return 0.0;
+    if (dot(hit.worldNormal, light.sunDirection) <= 0.0 || dot(light.sunIrradiance, vec3(1.0)) <= 0.0) return 0.0;
     float visible = sunVisibilityOfHall(hit.world, hit.worldNormal);
     if (visible > 0.0) visible *= othersVisibility(hit);
     return visible > 0.0 ? visible * selfVisibility(hit) : 0.0;
