@@ -103,7 +103,7 @@ std::vector<StudyView> CrepuscularRays::studyViews(const ParameterValues& values
 {
     return {{"best view", bestView(values), 0, values},
             {"window ahead", {{0, -0.85, 4.5}, {0, 2.2, -3.5}, 0.959931}, 0, values},
-            {"sun beyond the edge", {{-2.2, -0.85, 6.5}, {-3.6, 0.6, -3.0}, 0.7}, 0, values},
+            {"sun beyond the edge", {{-2.2, -0.85, 6.5}, {-3.6, -1.85, -3.0}, 0.7}, 0, values},
             {"banner in the beam", {{3.3, -0.2, 8.5}, {0.6, 1.4, 0.5}, 0.8}, 0, values}};
 }
 
