@@ -9,7 +9,7 @@ namespace vitrine {
 /// rasterized geometry. This folder is the exemplar of an exhibit; it is written to be read in this order:
 /// the table (what can be set), this file, sdf_morph.cpp (what the numbers mean), then the kit's sdf_exhibit.h and
 /// sdf_passes.cpp (what is drawn).
-class SdfMorph final : public SdfExhibit {
+class SdfMorph final : public SdfExhibit, public HasButton {
 public:
     using Table = SdfMorphTable;
 

@@ -47,9 +47,9 @@ struct BallShot {
     explicit BallShot(const Museum& of = ballMuseum(), const char* exhibit = "ball")
         : museum(of), look(of.initialLook()), subject(*of.find(exhibit))
     {
-        look.values[0].set(hallTable().shadowMapSize, 512);
-        look.values[0].set(hallTable().probeSize, 32);
-        look.values[0].set(hallTable().probeSamples, 16);
+        look.hall().set(hallTable().shadowMapSize, 512);
+        look.hall().set(hallTable().probeSize, 32);
+        look.hall().set(hallTable().probeSamples, 16);
         FrameRequest& frame = request.frame;
         frame.alone = subject;
         frame.transparent = true;
@@ -59,7 +59,7 @@ struct BallShot {
         frame.raster.size = {96, 72};
         frame.camera = {{0, 0, 2}, {0, 0, 0}, 0.6};
     }
-    [[nodiscard]] ParameterValues& hall() { return look.values[0]; }
+    [[nodiscard]] ParameterValues& hall() { return look.hall(); }
     [[nodiscard]] ParameterValues& values() { return look.values[subject]; }
     BallShot& inHall()
     {

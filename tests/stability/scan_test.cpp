@@ -65,11 +65,11 @@ TEST_F(StabilityScan, H84_EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
 {
     // How high layer 0 of a single one lies, as a share, would be 0/0.
     const Museum& museum = gallery().museum;
-    for (std::size_t i = 1; i < museum.exhibits().size(); ++i) {
-        const auto rows = museum.exhibits()[i]->parameters().rows();
+    for (const auto& [i, exhibit] : museum.exhibits()) {
+        const auto rows = exhibit.parameters().rows();
         ScanCase plain = scanCase(museum, i, 1);
         plain.look = museum.initialLook();
-        plain.look.values.front() = cheapestValues(museum.hall().parameters());
+        plain.look.hall() = cheapestValues(museum.hall().parameters());
         plain.frame = {};
         plain.frame.alone = i;
         plain.frame.transparent = true;
@@ -85,9 +85,9 @@ TEST_F(StabilityScan, H84_EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
             for (const double end : {rows[row].range.low, high}) {
                 ScanCase c = plain;
                 c.look.values[i].setRow(row, end);
-                c.frame.camera = museum.exhibits()[i]->bestView(c.look.values[i]);
+                c.frame.camera = exhibit.bestView(c.look.values[i]);
                 EXPECT_EQ(faultOf(museum, gallery().renderer, c), "")
-                    << museum.exhibits()[i]->name() << '.' << rows[row].name << ' ' << end;
+                    << exhibit.name() << '.' << rows[row].name << ' ' << end;
             }
         }
     }

@@ -143,9 +143,9 @@ TEST(Walk, W1_EveryPlaceCanBeReachedOnFoot)
 TEST(Walk, NinePlacesStandReadyAndTheEmptyOnesAreKnown)
 {
     std::vector<int> empty = test::museum().emptyPlaces();
-    for (const auto& exhibit : test::museum().exhibits())
-        EXPECT_EQ(std::count(empty.begin(), empty.end(), exhibit->place()), 0) << exhibit->name();
-    EXPECT_EQ(empty.size() + test::museum().exhibits().size() - 1, 9U);
+    for (const auto& [i, exhibit] : test::museum().exhibits())
+        EXPECT_EQ(std::count(empty.begin(), empty.end(), exhibit.place()), 0) << exhibit.name();
+    EXPECT_EQ(empty.size() + test::museum().exhibits().size(), 9U);
     for (int number = 1; number <= 9; ++number) EXPECT_TRUE(test::building().place(number)) << number;
     EXPECT_TRUE(test::building().place(10)) << "the visitor's plinth";
 }
@@ -192,10 +192,10 @@ TEST(LookedAt, W2_TheButtonAnswersOnlyWhenTheLookRestsOnIt)
 TEST(LookedAt, PressingMeltsAndPressingAgainStops)
 {
     Scene scene;
-    const Exhibit& exhibit = *test::museum().exhibits()[scene.sdf];
-    EXPECT_TRUE(exhibit.press(scene.object()));
+    const HasButton& button = *capability<HasButton>(test::museum().exhibit(scene.sdf));
+    EXPECT_TRUE(button.press(scene.object()));
     EXPECT_TRUE(scene.object()[test::sdfTable().animate]);
-    EXPECT_TRUE(exhibit.press(scene.object()));
+    EXPECT_TRUE(button.press(scene.object()));
     EXPECT_FALSE(scene.object()[test::sdfTable().animate]);
 }
 
@@ -219,8 +219,8 @@ TEST(Pick, FindsTheExhibitUnderThePointer)
     Scene scene;
     // The handle's side: the middle of a torus is a hole.
     const render::Box box = test::museum()
-                                .exhibits()[scene.sdf]
-                                ->bounds(scene.object())
+                                .subject(scene.sdf)
+                                .bounds(scene.object())
                                 .transformed(test::museum().worldFromExhibit(scene.sdf));
     scene.see(dvec3(box.center().x, box.center().y, 3), {box.center().x, box.low.y + 0.1, box.center().z});
     const auto found = pointed(scene);
@@ -240,10 +240,8 @@ TEST(Pick, AWallIsAWallThoughABoxOfAnExhibitIsBeforeIt)
     Scene scene;
     scene.see({0, 1.65, 3}, {6, 1.25, 3});
     const std::size_t fur = *test::museum().find("fur");
-    const render::Box box = test::museum()
-                                .exhibits()[fur]
-                                ->bounds(scene.look.values[fur])
-                                .transformed(test::museum().worldFromExhibit(fur));
+    const render::Box box =
+        test::museum().subject(fur).bounds(scene.look.values[fur]).transformed(test::museum().worldFromExhibit(fur));
     ASSERT_LT(render::firstHit({scene.look.camera.eye, scene.look.camera.target - scene.look.camera.eye}, box), 1);
     EXPECT_FALSE(pointed(scene));
     // Control: what lies in the pit.
