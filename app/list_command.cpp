@@ -1,5 +1,6 @@
 #include "app/command.h"
 
+#include "app/picture_options.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
 #include "exhibits/framework/preset_values.h"
@@ -84,14 +85,36 @@ int manual(const std::string& name)
     throw Failure(Blame::usage, "list --manual: there is no exhibit \"" + name + "\"; `vitrine list` names them.");
 }
 
-int list(bool asJson)
+/// The tables alone: no asset is read, so this answers at once.
+Json initialTables()
 {
-    // The tables alone: no asset is read, so this answers at once.
     const HallTable hall;
     Json all = Json::array();
     all.push_back(exhibitJson("hall", hallTitle, hallSummary, hall));
     for (const auto& exhibit : allExhibits())
         all.push_back(exhibitJson(exhibit->name(), exhibit->title(), exhibit->summary(), exhibit->parameters()));
+    return all;
+}
+
+/// The tables after these assignments: files may give further rows.
+Json tablesWith(const std::vector<std::string>& sets)
+{
+    const Museum museum{allExhibits()};
+    Look look = museum.initialLook();
+    std::vector<std::string> notes;
+    applySets(museum, look, hallIndex, sets, notes);
+    for (const std::string& note : notes) std::fprintf(stderr, "%s\n", note.c_str());
+    Json all = Json::array();
+    for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
+        const Subject& subject = museum.subject(i);
+        all.push_back(exhibitJson(subject.name(), subject.title(), subject.summary(), look.values[i].table()));
+    }
+    return all;
+}
+
+int list(bool asJson, const std::vector<std::string>& sets)
+{
+    const Json all = sets.empty() ? initialTables() : tablesWith(sets);
     if (asJson) {
         std::fputs(render::writeJson(all).c_str(), stdout);
         return 0;
@@ -109,10 +132,18 @@ void addListCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand("list", "List the exhibits and their parameters");
     auto asJson = std::make_shared<bool>(false);
     command->add_flag("--json", *asJson, "Everything about every parameter, as JSON; numbers are in SI units");
+    auto sets = std::make_shared<std::vector<std::string>>();
+    command
+        ->add_option("--set", *sets,
+                     "exhibit.name=value: with the rows that an exhibit has then, where the value is a file that gives "
+                     "it rows")
+        ->take_all()
+        ->allow_extra_args(true);
     auto name = std::make_shared<std::string>();
     command->add_option("--manual", *name, "The parameter table of one exhibit, as Markdown for its README");
-    command->callback(
-        [&chosen, asJson, name] { chosen = [asJson, name] { return name->empty() ? list(*asJson) : manual(*name); }; });
+    command->callback([&chosen, asJson, sets, name] {
+        chosen = [asJson, sets, name] { return name->empty() ? list(*asJson, *sets) : manual(*name); };
+    });
 }
 
 }  // namespace vitrine::app

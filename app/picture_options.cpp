@@ -74,6 +74,26 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
     return m;
 }
 
+/// "exhibit.name=value".
+struct Assignment {
+    std::size_t owner = 0;
+    std::string name, text;
+};
+Assignment assignmentOf(const Museum& museum, std::size_t subject, const std::string& assignment)
+{
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0)
+        throw Failure(Blame::usage, "--set \"" + assignment + "\": give name=value, such as --set morph=0.3.");
+    const std::string name = assignment.substr(0, equals), text = assignment.substr(equals + 1);
+    const std::size_t dot = name.find('.');
+    if (dot == std::string::npos) return {subject, name, text};
+    const auto owner = museum.find(name.substr(0, dot));
+    if (!owner)
+        throw Failure(Blame::usage, "--set " + name + ": there is no exhibit \"" + name.substr(0, dot) +
+                                        "\"; `vitrine list` names them.");
+    return {*owner, name.substr(dot + 1), text};
+}
+
 }  // namespace
 
 std::optional<Value> optionValue(const ParameterInfo& row, const std::string& text)
@@ -174,27 +194,38 @@ void addPictureOptions(CLI::App& command, PictureOptions& o)
     command.add_option("--channels", o.channels, "color,depth,normal,evaluations (EXR)")->capture_default_str();
 }
 
+void readTables(const Museum& museum, Look& look, std::vector<std::string>& notes)
+{
+    TabledLook read = museum.readTables(look);
+    if (!read.unreadable.empty()) throw Failure(Blame::file, read.unreadable.front());
+    look = std::move(read.look);
+    notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+}
+
+void applySets(const Museum& museum, Look& look, std::size_t subject, const std::vector<std::string>& assignments,
+               std::vector<std::string>& notes)
+{
+    std::vector<std::string> rest;
+    for (const std::string& assignment : assignments) {
+        const Assignment a = assignmentOf(museum, subject, assignment);
+        const auto row = look.values[a.owner].table().find(a.name);
+        if (row && look.values[a.owner].rows()[*row].givesRows)
+            applySet(museum, look, subject, assignment, notes);
+        else
+            rest.push_back(assignment);
+    }
+    readTables(museum, look, notes);
+    for (const std::string& assignment : rest) applySet(museum, look, subject, assignment, notes);
+}
+
 void applySet(const Museum& museum, Look& look, std::size_t subject, const std::string& assignment,
               std::vector<std::string>& notes)
 {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos || equals == 0)
-        throw Failure(Blame::usage, "--set \"" + assignment + "\": give name=value, such as --set morph=0.3.");
-    std::string name = assignment.substr(0, equals);
-    const std::string text = assignment.substr(equals + 1);
-    std::size_t owner = subject;
-    if (const std::size_t dot = name.find('.'); dot != std::string::npos) {
-        const auto found = museum.find(name.substr(0, dot));
-        if (!found)
-            throw Failure(Blame::usage, "--set " + name + ": there is no exhibit \"" + name.substr(0, dot) +
-                                            "\"; `vitrine list` names them.");
-        owner = *found;
-        name = name.substr(dot + 1);
-    }
+    const auto [owner, name, text] = assignmentOf(museum, subject, assignment);
     ParameterValues& values = look.values[owner];
     const auto row = values.table().find(name);
     if (!row)
-        throw Failure(Blame::usage, "--set " + name + ": " + std::string(museum.exhibits()[owner]->name()) +
+        throw Failure(Blame::usage, "--set " + name + ": " + std::string(museum.subject(owner).name()) +
                                         " has no parameter of that name; `vitrine list --json` names them.");
     const ParameterInfo& info = values.rows()[*row];
     const std::optional<Value> value = optionValue(info, text);
@@ -211,7 +242,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     const auto subject = museum.find(options.subject);
     if (!subject)
         throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + "\"; `vitrine list` names them.");
-    const bool isHall = *subject == 0;
+    const bool isHall = *subject == hallIndex;
     if (isHall && options.alone)
         throw Failure(Blame::usage, "--alone: the hall cannot be shown without the hall; name an exhibit.");
 
@@ -219,9 +250,9 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     job.subject = *subject;
     job.look = museum.initialLook();
     if (!options.preset.empty()) applyPreset(museum, options.preset, job);
-    for (const std::string& assignment : options.sets) applySet(museum, job.look, *subject, assignment, job.notes);
+    applySets(museum, job.look, *subject, options.sets, job.notes);
     const HallTable names;
-    ParameterValues& hall = job.look.values.front();
+    ParameterValues& hall = job.look.hall();
     if (!options.environment.empty()) hall.set(names.environment, options.environment);
     if (!options.model.empty()) hall.set(names.model, options.model);
 
@@ -234,7 +265,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
         camera.target = glm::dvec3(exhibitFromWorld * glm::dvec4(camera.target, 1));
     }
     if (!job.cameraFromPreset && !isHall)
-        camera = options.alone ? museum.exhibits()[*subject]->bestView(job.look.values[*subject])
+        camera = options.alone ? museum.subject(*subject).bestView(job.look.values[*subject])
                                : museum.bestView(*subject, job.look.values[*subject]);
     if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye);
     if (!options.target.empty()) camera.target = parseTriple("--target", options.target);

@@ -47,6 +47,14 @@ struct RequestedPicture {
 };
 [[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&);
 
+/// Brings the tables up to the files that the look names: a row of a file's has to be there before it can be set.
+/// Throws Failure (Blame::file) where one cannot be read.
+void readTables(const Museum&, Look&, std::vector<std::string>& notes);
+
+/// Sets several, each a "name=value", whatever their order: files that give rows come first.
+void applySets(const Museum&, Look&, std::size_t subject, const std::vector<std::string>& assignments,
+               std::vector<std::string>& notes);
+
 /// Sets one "name=value"; `subject` is what an undotted name belongs to. Plain numbers are in SI units, as
 /// `list --json` and presets have them; "30deg" and "12mm" name their own.
 void applySet(const Museum&, Look&, std::size_t subject, const std::string& assignment,

@@ -101,7 +101,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
         memory[kept.what] = Json{{"count", kept.count}, {"bytes", kept.bytes}};
 
     const Json report{
-        {"exhibit", std::string(museum.exhibits()[job.subject]->name())},
+        {"exhibit", std::string(museum.subject(job.subject).name())},
         {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},
         {"renderer", gl.renderer},
         {"clock",

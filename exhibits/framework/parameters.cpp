@@ -1,5 +1,7 @@
 #include "exhibits/framework/parameters.h"
 
+#include "exhibits/framework/preset_values.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cctype>
@@ -208,7 +210,7 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
 }
 
 ParameterValues::ParameterValues(const Parameters& table)
-    : ParameterValues(std::shared_ptr<const Parameters>(std::shared_ptr<void>(), &table))
+    : ParameterValues(std::shared_ptr<const Parameters>(table.weak_from_this().lock(), &table))
 {
 }
 
@@ -218,19 +220,40 @@ ParameterValues::ParameterValues(std::shared_ptr<const Parameters> table) : tabl
     for (const ParameterInfo& row : rows()) values_.push_back(row.initial);
 }
 
-ParameterValues ParameterValues::under(std::shared_ptr<const Parameters> table) const
+std::vector<std::string> ParameterValues::tableFiles() const
+{
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < rows().size(); ++i)
+        if (rows()[i].givesRows) files.push_back(std::get<std::string>(values_[i]));
+    return files;
+}
+
+ParameterValues ParameterValues::under(std::shared_ptr<const Parameters> table, std::vector<std::string>& notes) const
 {
     ParameterValues result(std::move(table));
+    result.pending_ = pending_;
     for (std::size_t i = 0; i < result.rows().size(); ++i) {
-        const std::optional<std::size_t> here = table_->find(result.rows()[i].name);
-        if (here && rows()[*here].kind == result.rows()[i].kind) result.setRow(i, values_[*here]);
+        const ParameterInfo& row = result.rows()[i];
+        if (const auto here = table_->find(row.name)) {
+            if (rows()[*here].kind == row.kind) result.setRow(i, values_[*here]);
+        } else if (const auto written = pending_.find(std::string(row.name)); written != pending_.end()) {
+            if (const auto value = valueFromText(row, written->second, notes)) result.setRow(i, *value);
+            result.pending_.erase(written->first);
+        }
     }
     return result;
 }
 
+ParameterValues ParameterValues::asShownBy(const ParameterValues& other) const
+{
+    if (table_ == other.table_ || tableFiles() != other.tableFiles()) return *this;
+    std::vector<std::string> notes;
+    return under(other.table_, notes);
+}
+
 bool ParameterValues::operator==(const ParameterValues& other) const
 {
-    if (values_ != other.values_) return false;
+    if (values_ != other.values_ || pending_ != other.pending_) return false;
     return table_ == other.table_ ||
            std::equal(rows().begin(), rows().end(), other.rows().begin(), other.rows().end(),
                       [](const ParameterInfo& a, const ParameterInfo& b) { return a.name == b.name; });

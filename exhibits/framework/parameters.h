@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -72,6 +73,7 @@ struct ParameterInfo {
     std::optional<Word> word = {};           ///< For a real or a count.
     bool groupFolded = false;                ///< Whether the panel shows its group folded at first.
     std::string_view endings = {};           ///< For Kind::file: what a dialog offers, "glb gltf"; empty: everything.
+    bool givesRows = false;                  ///< For Kind::file: its file gives the table further rows.
     std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
     std::size_t element = 0;                 ///< Which group of that array, from 0.
     std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
@@ -120,8 +122,9 @@ class ParameterValues;
 ///     };
 ///
 /// A table copies every text that it is given, so it can be made of a file that is read at run time as well:
-/// `MadeTable`.
-class Parameters {
+/// `MadeTable`, `TableFromFiles::tableFor`. Values of a table that a std::shared_ptr owns keep it alive; any other has
+/// to outlive its values.
+class Parameters : public std::enable_shared_from_this<Parameters> {
 public:
     Parameters(const Parameters&) = delete;  // Handles are only meaningful to their own table.
     Parameters& operator=(const Parameters&) = delete;
@@ -167,6 +170,9 @@ protected:
         std::string_view text;
     };
     [[nodiscard]] static Endings endings(std::string_view text) { return {text}; }
+    struct GivesRows {};
+    /// Of a file row: `TableFromFiles::tableFor` makes further rows of its file.
+    [[nodiscard]] static GivesRows givesRows() { return {}; }
     struct Called {
         std::string_view text;
     };
@@ -300,9 +306,10 @@ private:
         row.exactByMeaning = quality.byMeaning;
     }
     static void say(ParameterInfo& row, const Endings& endings) { row.endings = endings.text; }
+    static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
     static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
     static void say(ParameterInfo& row, const Word& word) { row.word = word; }
-    static void say(ParameterInfo& row, const Condition& condition) { row.actsWhen = condition; }
+    static void say(ParameterInfo& row, const std::optional<Condition>& condition) { row.actsWhen = condition; }
     template <typename... Traits> std::uint16_t append(ParameterInfo row, const Traits&... traits)
     {
         (say(row, traits), ...);
@@ -335,8 +342,10 @@ public:
     using Parameters::Element;
     using Parameters::file;
     using Parameters::foldedGroup;
+    using Parameters::givesRows;
     using Parameters::group;
     using Parameters::groups;
+    using Parameters::quality;
     using Parameters::real;
     using Parameters::toggle;
 };
@@ -349,7 +358,7 @@ public:
 /// sweeps are all just snapshots, and a frame is a function of one.
 class ParameterValues {
 public:
-    /// Initial values of a table that outlives them.
+    /// Initial values of a table that a std::shared_ptr owns, or that outlives them.
     explicit ParameterValues(const Parameters&);
     /// Initial values of a table that they keep alive; not null.
     explicit ParameterValues(std::shared_ptr<const Parameters>);
@@ -374,6 +383,7 @@ public:
     }
 
     [[nodiscard]] const Parameters& table() const { return *table_; }
+    [[nodiscard]] const std::shared_ptr<const Parameters>& sharedTable() const { return table_; }
     [[nodiscard]] std::span<const ParameterInfo> rows() const { return table_->rows(); }
 
     /// Untyped access, for code that walks the table: panels, presets, flags, studies.
@@ -384,9 +394,20 @@ public:
     void resetRow(std::size_t i);
     [[nodiscard]] bool isInitial(std::size_t i) const;
 
-    /// These values under another table: rows of the same name and kind keep theirs, as near as is legal there; others
-    /// are initial.
-    [[nodiscard]] ParameterValues under(std::shared_ptr<const Parameters>) const;
+    /// Values that were read for rows which the table lacks, as JSON by the row's name: the file that gives these rows
+    /// has not been read, or cannot be. Presets and sessions write them again.
+    using PendingRows = std::map<std::string, std::string>;
+    [[nodiscard]] const PendingRows& pending() const { return pending_; }
+    void setPending(PendingRows pending) { pending_ = std::move(pending); }
+    /// The files of the rows that give the table further rows, in their order.
+    [[nodiscard]] std::vector<std::string> tableFiles() const;
+
+    /// These values under another table: rows of the same name and kind keep theirs, as near as is legal there; a row
+    /// that is new takes its pending value; others are initial. What is wrong with a pending value is added to `notes`,
+    /// one sentence each.
+    [[nodiscard]] ParameterValues under(std::shared_ptr<const Parameters>, std::vector<std::string>& notes) const;
+    /// The same under the table of other values where these name the same files for it: else these, as they are.
+    [[nodiscard]] ParameterValues asShownBy(const ParameterValues& other) const;
 
     /// Values of different tables are equal when their rows bear the same names.
     bool operator==(const ParameterValues& other) const;
@@ -394,6 +415,7 @@ public:
 private:
     std::shared_ptr<const Parameters> table_;  ///< Owns nothing where the table outlives the values.
     std::vector<Value> values_;
+    PendingRows pending_;
 };
 
 }  // namespace vitrine

@@ -59,6 +59,26 @@ Opened open(const JsonDocument& document)
     return file;
 }
 
+/// What may be values of rows that a file will give the table: taken from `left`, and from what the file keeps.
+ParameterValues::PendingRows pendingRows(Opened& file, const ParameterValues& values, const std::string& prefix,
+                                         std::map<std::string, const Json*>& left)
+{
+    ParameterValues::PendingRows pending;
+    const std::vector<std::string> files = values.tableFiles();
+    if (std::all_of(files.begin(), files.end(), [](const std::string& path) { return path.empty(); })) return pending;
+    for (auto at = left.lower_bound(prefix); at != left.end() && at->first.starts_with(prefix);) {
+        const std::string name = at->first.substr(prefix.size());
+        if (!isRowName(name)) {
+            ++at;
+            continue;
+        }
+        pending[name] = render::writeJson(*at->second);
+        file.root["values"].erase(at->first);
+        at = left.erase(at);
+    }
+    return pending;
+}
+
 /// Reads the rows of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
 ParameterValues readRows(Opened& file, const Parameters& table, const std::string& prefix,
                          std::map<std::string, const Json*>& left)
@@ -73,6 +93,7 @@ ParameterValues readRows(Opened& file, const Parameters& table, const std::strin
         values.setRow(i, valueFromJson(row, *at->second, file.place("values." + key), key, file.notes));
         left.erase(at);
     }
+    values.setPending(pendingRows(file, values, prefix, left));
     return values;
 }
 
@@ -99,6 +120,7 @@ void writeRows(const ParameterValues& values, const std::string& prefix, std::ma
         else
             out[key] = jsonFromValue(row, values.row(i));
     }
+    for (const auto& [name, json] : values.pending()) out[prefix + name] = render::parseJson(json, name).root();
 }
 
 /// What the file held in `values`, to be overlaid.
@@ -230,10 +252,10 @@ std::string renamedPreset(const JsonDocument& document, std::string_view name)
     return render::writeJson(root);
 }
 
-NamedValues namedValues(std::span<const std::unique_ptr<Exhibit>> exhibits, std::span<const ParameterValues> values)
+NamedValues namedValues(Subjects subjects, std::span<const ParameterValues> values)
 {
     NamedValues named;
-    for (std::size_t i = 0; i < exhibits.size(); ++i) named.emplace_back(std::string(exhibits[i]->name()), values[i]);
+    for (std::size_t i = 0; i < subjects.size(); ++i) named.emplace_back(std::string(subjects[i]->name()), values[i]);
     return named;
 }
 

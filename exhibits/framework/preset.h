@@ -1,11 +1,10 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/subject.h"
 #include "render/files/strict_json.h"
 #include "render/scene/camera.h"
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,17 +49,17 @@ struct Preset {
 /// with a note; values out of range are clamped with a note ("exposure 99 -> 16 (allowed -16 to 16)");
 /// missing values are initial. Throws Failure naming file, line and key for broken JSON, a key that stands
 /// twice, a wrong type, an unknown choice, another format or exhibit, or a newer version; nothing of the
-/// caller's changes. The table must outlive the result.
+/// caller's changes. Keys that may be rows which a file gives the table become pending values of the result.
 [[nodiscard]] Preset parsePreset(std::string text, std::string fileName, std::string_view exhibit, const Parameters&);
 
 /// The text of a preset file, with the unknown keys of `kept`. Throws Failure when a number is not finite.
 [[nodiscard]] std::string presetText(const Preset&);
 
-/// Values of all exhibits by name, in the order of the museum.
+/// Values of all subjects by name, in the order of the museum.
 using NamedValues = std::vector<std::pair<std::string, ParameterValues>>;
 
-/// Values beside the names of the exhibits that they belong to; both in the same order.
-[[nodiscard]] NamedValues namedValues(std::span<const std::unique_ptr<Exhibit>>, std::span<const ParameterValues>);
+/// Values beside the names of the subjects that they belong to; both in the same order.
+[[nodiscard]] NamedValues namedValues(Subjects, std::span<const ParameterValues>);
 
 /// Settings of everything: "format" is "vitrine-exhibition", "exhibit" is the one that was chosen, and the keys of
 /// `values` are "sdf_morph.morph", "hall.exposure", ...

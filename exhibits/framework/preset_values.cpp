@@ -161,6 +161,18 @@ Value valueFromJson(const ParameterInfo& row, const Json& json, const JsonPlace&
     return *legal;
 }
 
+std::optional<Value> valueFromText(const ParameterInfo& row, const std::string& json, std::vector<std::string>& notes)
+{
+    const std::string name(row.name);
+    try {
+        const render::JsonDocument document = render::parseJson(json, name, {});
+        return valueFromJson(row, document.root(), {document, {}, {}}, name, notes);
+    } catch (const Failure& failure) {
+        notes.emplace_back(failure.what());
+        return std::nullopt;
+    }
+}
+
 Json jsonFromCamera(const render::Camera& camera, const Json& kept)
 {
     Json json = Json::object();

@@ -4,6 +4,7 @@
 #include "render/files/strict_json.h"
 #include "render/scene/camera.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,10 @@ struct JsonPlace {
 /// unknown choice or a direction without length.
 [[nodiscard]] Value valueFromJson(const ParameterInfo&, const render::Json&, const JsonPlace&,
                                   std::string_view shownName, std::vector<std::string>& notes);
+
+/// The same of JSON text that stands alone; nothing, and a note, where it is no value of the row.
+[[nodiscard]] std::optional<Value> valueFromText(const ParameterInfo&, const std::string& json,
+                                                 std::vector<std::string>& notes);
 
 /// {"eye": [x, y, z], "target": [x, y, z], "fov": radians}. Keys of `kept` that are none of these stay.
 [[nodiscard]] render::Json jsonFromCamera(const render::Camera&, const render::Json& kept);

@@ -122,12 +122,13 @@ Fur::Fur()
 
 render::Box Fur::bounds(const ParameterValues& values) const
 {
-    return boundsAfterPress(values, never);
+    return boundsOf({values});
 }
 
-render::Box Fur::boundsAfterPress(const ParameterValues& values, double sinceOwnPress) const
+render::Box Fur::boundsOf(const ExhibitState& state) const
 {
-    const bool pressed = sinceOwnPress >= 0 && sinceOwnPress <= Bounce::longest;
+    const ParameterValues& values = state.values;
+    const bool pressed = state.sinceOwnPress >= 0 && state.sinceOwnPress <= Bounce::longest;
     const bool jumping =
         !values[table_.byHand] && (pressed || values[table_.frozenAt] > 0 || values[table_.bouncePeriod] > 0);
     render::Box space = bouncingSpace(table_, values, jumping);

@@ -43,7 +43,19 @@ void drawSurface(render::Pass& pass, const Channels& channels, render::Load load
 
 render::DepthOnly meshDepth()
 {
-    return {.shader = {.vertex = "hall/depth.vert", .fragment = "hall/depth.frag"}};
+    return {.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"}};
+}
+
+render::Pass surfacePass(std::string name, std::string reason, const PlanContext& context)
+{
+    render::Pass pass;
+    pass.name = std::move(name);
+    pass.reason = std::move(reason);
+    pass.shader = {.vertex = "kit/surface.vert", .fragment = "kit/surface.frag"};
+    drawSurface(pass, {.normal = context.channels.normal});
+    pass.depthOnly = meshDepth();
+    context.surroundings.illuminate(pass);
+    return pass;
 }
 
 void castShadow(render::Pass& pass, const PlanContext& context)

@@ -10,20 +10,20 @@
 
 namespace vitrine {
 
-const ParameterInfo& rowOf(Exhibits exhibits, const StudyAxis& axis)
+const ParameterInfo& rowOf(const Look& look, const StudyAxis& axis)
 {
-    return exhibits[axis.exhibit]->parameters().rows()[axis.row];
+    return look.values[axis.subject].rows()[axis.row];
 }
 
-std::string axisName(Exhibits exhibits, std::size_t subject, const StudyAxis& axis)
+std::string axisName(Subjects subjects, const Look& look, std::size_t subject, const StudyAxis& axis)
 {
-    const std::string name(rowOf(exhibits, axis).name);
-    return axis.exhibit == subject ? name : std::string(exhibits[axis.exhibit]->name()) + '.' + name;
+    const std::string name(rowOf(look, axis).name);
+    return axis.subject == subject ? name : std::string(subjects[axis.subject]->name()) + '.' + name;
 }
 
-std::string axisValueText(Exhibits exhibits, const StudyAxis& axis, double value)
+std::string axisValueText(const Look& look, const StudyAxis& axis, double value)
 {
-    const ParameterInfo& row = rowOf(exhibits, axis);
+    const ParameterInfo& row = rowOf(look, axis);
     const std::string unit(info(row.unit).symbol);
     std::string text = formatValue(row, value);
     if (row.kind == Kind::real) {
@@ -35,10 +35,10 @@ std::string axisValueText(Exhibits exhibits, const StudyAxis& axis, double value
     return text + (unit.empty() ? "" : ' ' + unit);
 }
 
-std::optional<StudyAxis> studyAxis(Exhibits exhibits, std::size_t exhibit, std::size_t row, int points)
+std::optional<StudyAxis> studyAxis(const Look& look, std::size_t subject, std::size_t row, int points)
 {
-    StudyAxis axis{exhibit, row, {}};
-    const ParameterInfo& info = rowOf(exhibits, axis);
+    StudyAxis axis{subject, row, {}};
+    const ParameterInfo& info = rowOf(look, axis);
     if (!info.qualityReference) return std::nullopt;
     // One place is the initial value's, unless the sweep meets it anyway.
     axis.values = derive::sweep(info, std::max(points - 1, 2));
@@ -48,15 +48,15 @@ std::optional<StudyAxis> studyAxis(Exhibits exhibits, std::size_t exhibit, std::
     return axis;
 }
 
-std::vector<StudyAxis> qualityAxes(Exhibits exhibits, std::size_t exhibit, int points)
+std::vector<StudyAxis> qualityAxes(const Look& look, std::size_t subject, int points)
 {
-    const auto& rows = exhibits[exhibit]->parameters().rows();
+    const auto& rows = look.values[subject].rows();
     if (points == 0)
         points = usualPoints(static_cast<std::size_t>(std::count_if(
             rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); })));
     std::vector<StudyAxis> axes;
     for (std::size_t row = 0; row < rows.size(); ++row)
-        if (auto axis = studyAxis(exhibits, exhibit, row, points)) axes.push_back(std::move(*axis));
+        if (auto axis = studyAxis(look, subject, row, points)) axes.push_back(std::move(*axis));
     return axes;
 }
 
@@ -98,11 +98,11 @@ Exactness exactness(const ParameterInfo& row, int doublings)
     return result;
 }
 
-std::vector<std::vector<double>> neighborsOf(Exhibits exhibits, const std::vector<StudyAxis>& axes, int doublings)
+std::vector<std::vector<double>> neighborsOf(const Look& look, const std::vector<StudyAxis>& axes, int doublings)
 {
     std::vector<double> exact, first, last;
     for (const StudyAxis& axis : axes) {
-        const Exactness e = exactness(rowOf(exhibits, axis), doublings);
+        const Exactness e = exactness(rowOf(look, axis), doublings);
         exact.push_back(e.exact);
         first.push_back(e.neighbors.empty() ? e.exact : e.neighbors.front());
         last.push_back(e.neighbors.empty() ? e.exact : e.neighbors.back());

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/subject.h"
+#include "exhibits/museum/look.h"
 
 #include <cstddef>
 #include <optional>
@@ -11,31 +12,28 @@ namespace vitrine {
 
 /// One parameter that a study varies, and the values it tries: numbers as `ParameterValues` stores them, ascending.
 struct StudyAxis {
-    std::size_t exhibit = 0;  ///< Its place in Museum::exhibits(): the subject, or 0 for what all pictures share.
+    std::size_t subject = 0;  ///< Whose: that of the study, or the hall, which all pictures share.
     std::size_t row = 0;
     std::vector<double> values;
 
     bool operator==(const StudyAxis&) const = default;
 };
 
-/// All exhibits, the hall first: Museum::exhibits().
-using Exhibits = std::span<const std::unique_ptr<Exhibit>>;
-
 /// Which value of each axis.
 using Setting = std::vector<std::size_t>;
 
-/// The row that an axis varies.
-[[nodiscard]] const ParameterInfo& rowOf(Exhibits, const StudyAxis&);
+/// The row that an axis varies, in the table that the look's values have; the look must outlive it.
+[[nodiscard]] const ParameterInfo& rowOf(const Look&, const StudyAxis&);
 
 /// "stepLimit", or "hall.shadowMapSize" where the hall is not the subject.
-[[nodiscard]] std::string axisName(Exhibits, std::size_t subject, const StudyAxis&);
+[[nodiscard]] std::string axisName(Subjects, const Look&, std::size_t subject, const StudyAxis&);
 
 /// The value of an axis for people: "64", "none", "on".
-[[nodiscard]] std::string axisValueText(Exhibits, const StudyAxis&, double value);
+[[nodiscard]] std::string axisValueText(const Look&, const StudyAxis&, double value);
 
 /// An axis over the comfortable range of a quality row, about `points` values by the row's scale, with the initial
 /// value and the exact one; of a choice or a toggle, all. Nothing for a row that is not marked as quality.
-[[nodiscard]] std::optional<StudyAxis> studyAxis(Exhibits, std::size_t exhibit, std::size_t row, int points);
+[[nodiscard]] std::optional<StudyAxis> studyAxis(const Look&, std::size_t subject, std::size_t row, int points);
 
 /// How many values each axis is given where nobody says: few of a surface, many of a curve, and most where a search
 /// among three axes or more measures only those that matter.
@@ -44,8 +42,8 @@ using Setting = std::vector<std::size_t>;
     return axes == 1 ? 8 : axes == 2 ? 5 : 17;
 }
 
-/// One axis for every quality row of the exhibit; of `usualPoints` values where `points` is 0.
-[[nodiscard]] std::vector<StudyAxis> qualityAxes(Exhibits, std::size_t exhibit, int points = 0);
+/// One axis for every quality row of the subject; of `usualPoints` values where `points` is 0.
+[[nodiscard]] std::vector<StudyAxis> qualityAxes(const Look&, std::size_t subject, int points = 0);
 
 /// The values at which everything that the table marks as quality counts as exact.
 [[nodiscard]] ParameterValues atReference(ParameterValues);
@@ -65,6 +63,7 @@ struct Exactness {
 
 /// The settings, none to two, whose pictures a reference of all these axes is checked against: every axis at its first
 /// neighbor, then every one at its last.
-[[nodiscard]] std::vector<std::vector<double>> neighborsOf(Exhibits, const std::vector<StudyAxis>&, int doublings = 0);
+[[nodiscard]] std::vector<std::vector<double>> neighborsOf(const Look&, const std::vector<StudyAxis>&,
+                                                           int doublings = 0);
 
 }  // namespace vitrine

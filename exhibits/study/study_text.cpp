@@ -44,14 +44,14 @@ Json shotJson(const std::string& view, const StudyShot& shot)
                 {"ms", milliseconds}};
 }
 
-Json pointJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, std::size_t i)
+Json pointJson(Subjects subjects, const StudyRequest& request, const StudyResult& result, std::size_t i)
 {
     const StudyPoint& point = result.points[i];
     Json values = Json::object();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        values[axisName(exhibits, request.subject, axis)] =
-            jsonFromValue(rowOf(exhibits, axis), axis.values[point.setting[a]]);
+        values[axisName(subjects, request.look, request.subject, axis)] =
+            jsonFromValue(rowOf(request.look, axis), axis.values[point.setting[a]]);
     }
     Json json{{"values", values},
               {"error", number(point.error)},
@@ -107,16 +107,16 @@ std::string besidePresent(const StudyResult& result, const StudyPoint& chosen)
 
 }  // namespace
 
-std::string pointText(Exhibits exhibits, const StudyRequest& request, const StudyPoint& point)
+std::string pointText(Subjects subjects, const StudyRequest& request, const StudyPoint& point)
 {
     std::string text;
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
         const bool asAtPresent =
-            std::get<double>(request.look.values[axis.exhibit].row(axis.row)) == axis.values[point.setting[a]];
+            std::get<double>(request.look.values[axis.subject].row(axis.row)) == axis.values[point.setting[a]];
         if (asAtPresent && request.axes.size() > 2) continue;
-        text += (text.empty() ? "" : ", ") + axisName(exhibits, request.subject, axis) + ' ' +
-                axisValueText(exhibits, axis, axis.values[point.setting[a]]);
+        text += (text.empty() ? "" : ", ") + axisName(subjects, request.look, request.subject, axis) + ' ' +
+                axisValueText(request.look, axis, axis.values[point.setting[a]]);
     }
     return text.empty() ? "as at present" : text;
 }
@@ -151,7 +151,7 @@ std::string lawSentence(const StudyResult& result)
     return text + '.';
 }
 
-std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
+std::string choiceSentence(Subjects subjects, const StudyRequest& request, const StudyResult& result)
 {
     if (!result.complete || (!request.maxError && !request.maxMilliseconds)) return {};
     const std::string limit = request.maxError
@@ -160,7 +160,7 @@ std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const
     if (!result.choice) return "No setting that was measured stays within " + limit + '.';
     const StudyPoint& point = result.points[result.choice->point];
     std::string text = std::string(request.maxError ? "Cheapest" : "Best") + " within " + limit + ": " +
-                       pointText(exhibits, request, point) + "; error " + shortNumber(point.worstError) +
+                       pointText(subjects, request, point) + "; error " + shortNumber(point.worstError) +
                        " at worst, " +
                        (point.time ? shortNumber(point.time->median) + " ms a frame"
                                    : shortNumber(point.cost) + ' ' + costTitle(result.costName));
@@ -175,21 +175,21 @@ std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const
                 : ", beyond the limit, and so is every other setting that was measured: study more of the views.");
 }
 
-Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, Json machine)
+Json studyJson(Subjects subjects, const StudyRequest& request, const StudyResult& result, Json machine)
 {
     Json axes = Json::array();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        const ParameterInfo& row = rowOf(exhibits, axis);
+        const ParameterInfo& row = rowOf(request.look, axis);
         Json values = Json::array();
         for (const double value : axis.values) values.push_back(jsonFromValue(row, value));
-        axes.push_back(Json{{"name", axisName(exhibits, request.subject, axis)},
+        axes.push_back(Json{{"name", axisName(subjects, request.look, request.subject, axis)},
                             {"unit", std::string(info(row.unit).storedSymbol)},
                             {"values", values},
                             {"reference", jsonFromValue(row, result.exact[a])}});
     }
     Json points = Json::array();
-    for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back(pointJson(exhibits, request, result, i));
+    for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back(pointJson(subjects, request, result, i));
     Json front = Json::array();
     for (const std::size_t i : result.front) front.push_back(i);
     Json views = Json::array();
@@ -199,7 +199,7 @@ Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult
         {"format", "vitrine-study"},
         {"version", 1},
         {"app", VITRINE_VERSION},
-        {"exhibit", std::string(exhibits[request.subject]->name())},
+        {"exhibit", std::string(subjects[request.subject]->name())},
         {"alone", request.alone},
         {"size", Json::array({request.size.x, request.size.y})},
         {"views", views},
@@ -232,12 +232,12 @@ Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult
                               {"heldOutViews", heldOut},
                               {"heldOutError", number(result.choice->heldOutError)},
                               {"holds", result.choice->holds},
-                              {"sentence", choiceSentence(exhibits, request, result)}};
+                              {"sentence", choiceSentence(subjects, request, result)}};
     }
     return json;
 }
 
-std::string studyCsv(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
+std::string studyCsv(Subjects subjects, const StudyRequest& request, const StudyResult& result)
 {
     std::set<std::string> counters;
     std::set<render::Metric> metrics;
@@ -248,7 +248,7 @@ std::string studyCsv(Exhibits exhibits, const StudyRequest& request, const Study
         }
     }
     std::string text;
-    for (const StudyAxis& axis : request.axes) text += axisName(exhibits, request.subject, axis) + ',';
+    for (const StudyAxis& axis : request.axes) text += axisName(subjects, request.look, request.subject, axis) + ',';
     text += "view";
     for (const render::Metric metric : metrics) text += ',' + std::string(toString(metric));
     if (request.modelError) text += ",model_" + std::string(toString(request.metric));
@@ -258,9 +258,9 @@ std::string studyCsv(Exhibits exhibits, const StudyRequest& request, const Study
         for (std::size_t v = 0; v < point.shots.size(); ++v) {
             const StudyShot& shot = point.shots[v];
             for (std::size_t a = 0; a < request.axes.size(); ++a)
-                text +=
-                    quoted(formatValue(rowOf(exhibits, request.axes[a]), request.axes[a].values[point.setting[a]])) +
-                    ',';
+                text += quoted(formatValue(rowOf(request.look, request.axes[a]),
+                                           request.axes[a].values[point.setting[a]])) +
+                        ',';
             text += quoted(result.views[v]);
             for (const render::Metric metric : metrics)
                 text += ',' + (shot.errors.contains(metric) ? numberText(shot.errors.at(metric)) : std::string());

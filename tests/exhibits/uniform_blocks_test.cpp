@@ -21,6 +21,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/crepuscular_rays/rays_block.glsl"
 #include "shaders/fur/body_block.glsl"
 #include "shaders/hall/probe_block.glsl"
+#include "shaders/kit/sdf/object_block.glsl"
 #include "shaders/kit/surface_object_block.glsl"
 #include "shaders/lenticular/card_block.glsl"
 #include "shaders/lib/clock_load_block.glsl"
@@ -28,6 +29,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/lib/light_block.glsl"
 #include "shaders/lib/local_lights_block.glsl"
 #include "shaders/lib/temporal_block.glsl"
+#include "shaders/lib/torus_mug_shape_block.glsl"
 
 /// Byte offset of every number, vector and matrix by its GLSL name.
 using Offsets = std::map<std::string, std::size_t>;
@@ -133,8 +135,10 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"LocalLightsBlock", described<LocalLightsBlock>()},
         {"ProbeLevel", described<ProbeLevel>()},
         {"RaysBlock", described<RaysBlock>()},
+        {"SdfObject", described<SdfObject>()},
         {"SurfaceObject", described<SurfaceObject>()},
         {"TemporalBlock", described<TemporalBlock>()},
+        {"TorusMugShape", described<TorusMugShape>()},
     };
     return blocks;
 }
@@ -184,8 +188,9 @@ TEST_F(UniformBlocks, HaveTheirFieldsWhereTheDriverLooksForThem)
     FIELD(bool, c)                                                                                                     \
     FIELD(vec2, d)                                                                                                     \
     FIELD(int, e)                                                                                                      \
-    FIELD(vec2, f) FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j) ARRAY(float, k, 3)             \
-        FIELD(uint, l) ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p) FIELD(float, q)
+    FIELD(vec2, f)                                                                                                     \
+    FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j) ARRAY(float, k, 3) FIELD(uint, l)             \
+        ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p) FIELD(float, q)
 BLOCK_STRUCT(AwkwardPart, AWKWARD_PART_FIELDS)
 BLOCK_STRUCT(Awkward140, AWKWARD_FIELDS)
 

@@ -29,6 +29,9 @@ protected:
     std::unique_ptr<PaintedGallery> gallery_;
     std::unique_ptr<ui::MainWindow> window_;
 
+    /// One more for the gallery to show; null: none.
+    [[nodiscard]] virtual std::unique_ptr<Exhibit> anotherExhibit() { return nullptr; }
+
     static void prepare()
     {
         std::setlocale(LC_NUMERIC, "C");
@@ -50,7 +53,7 @@ protected:
     }
     void openWindow()
     {
-        gallery_ = std::make_unique<PaintedGallery>();
+        gallery_ = std::make_unique<PaintedGallery>(anotherExhibit());
         window_ = std::make_unique<ui::MainWindow>(*gallery_);
         window_->resize(1200, 800);
         window_->show();

@@ -1,10 +1,11 @@
 #include "ui/model/history.h"
 
+#include "ui/model/look_change.h"
+
 #include <QUndoCommand>
 
-#include <algorithm>
+#include <memory>
 #include <utility>
-#include <vector>
 
 namespace vitrine::ui {
 
@@ -14,94 +15,67 @@ Gesture newGesture()
     return ++last;
 }
 
-/// What an undo step keeps of a row.
-struct RowChange {
-    std::size_t exhibit = 0, row = 0;
-    Value before, after;
-};
-
-namespace {
-
-std::vector<RowChange> changesBetween(const Look& before, const Look& after)
-{
-    std::vector<RowChange> changes;
-    for (std::size_t e = 0; e < before.values.size(); ++e)
-        for (std::size_t r = 0; r < before.values[e].rows().size(); ++r)
-            if (before.values[e].row(r) != after.values[e].row(r))
-                changes.push_back({e, r, before.values[e].row(r), after.values[e].row(r)});
-    return changes;
-}
-
-}  // namespace
-
-/// From one look to another. Keeps the rows that differ: looks are large, and an afternoon has thousands of steps.
+/// From one look to another, or another piece of work, such as deleting a preset.
 class LookStep final : public QUndoCommand {
 public:
-    LookStep(History& history, const QString& text, std::vector<RowChange> changes, const render::Camera& cameraAfter,
+    LookStep(History& history, const QString& text, LookChange change, const render::Camera& cameraAfter,
              Gesture gesture, History::Camera camera)
-        : QUndoCommand(text), history_(history), changes_(std::move(changes)), cameraBefore_(history.look().camera),
-          cameraAfter_(cameraAfter), gesture_(gesture), camera_(camera)
+        : QUndoCommand(text), history_(history), change_(std::make_unique<LookChange>(std::move(change))),
+          cameraBefore_(history.look().camera), cameraAfter_(cameraAfter), gesture_(gesture), camera_(camera)
     {
+    }
+    LookStep(History& history, const QString& text, std::function<void()> redo, std::function<void()> undo)
+        : LookStep(history, text, {}, history.look().camera, 0, History::Camera::stays)
+    {
+        redo_ = std::move(redo);
+        undo_ = std::move(undo);
     }
 
     [[nodiscard]] int id() const override { return gesture_ == 0 ? -1 : gesture_; }
-    void redo() override { show(&RowChange::after, cameraAfter_); }
-    void undo() override { show(&RowChange::before, cameraBefore_); }
+    void redo() override
+    {
+        if (redo_) redo_();
+        change_->apply(history_.look_);
+        show(cameraAfter_);
+    }
+    void undo() override
+    {
+        if (undo_) undo_();
+        change_->revert(history_.look_);
+        show(cameraBefore_);
+    }
 
     bool mergeWith(const QUndoCommand* next) override
     {
         const auto& later = *static_cast<const LookStep*>(next);
-        for (const RowChange& change : later.changes_) {
-            const auto known = std::find_if(changes_.begin(), changes_.end(), [&](const RowChange& c) {
-                return c.exhibit == change.exhibit && c.row == change.row;
-            });
-            if (known == changes_.end())
-                changes_.push_back(change);
-            else
-                known->after = change.after;
-        }
-        std::erase_if(changes_, [](const RowChange& change) { return change.before == change.after; });
+        change_->append(*later.change_);
         cameraAfter_ = later.cameraAfter_;
-        setObsolete(changes_.empty() && camera_ == History::Camera::stays);
+        setObsolete(change_->empty() && camera_ == History::Camera::stays);
         return true;
     }
 
+    /// What it does to the look: it may get to do more (`History::exchangeTables`).
+    [[nodiscard]] LookChange& change() const { return *change_; }
+
 private:
-    void show(Value RowChange::*value, const render::Camera& camera)
+    void show(const render::Camera& camera)
     {
-        Look& look = history_.look_;
-        for (const RowChange& change : changes_) look.values[change.exhibit].setRow(change.row, change.*value);
-        if (camera_ == History::Camera::moves) look.camera = camera;
-        if (changes_.size() == 1)
-            emit history_.changed(changes_.front().exhibit, changes_.front().row);
-        else
+        const bool moves = camera_ == History::Camera::moves;
+        if (moves) history_.look_.camera = camera;
+        if (const auto one = change_->onlyRow())
+            emit history_.changed(one->first, one->second);
+        else if (moves || !change_->empty())
             emit history_.replaced();
-        if (camera_ == History::Camera::moves) emit history_.cameraMoved();
+        if (moves) emit history_.cameraMoved();
     }
 
     History& history_;
-    std::vector<RowChange> changes_;
+    std::unique_ptr<LookChange> change_;
     render::Camera cameraBefore_, cameraAfter_;
     Gesture gesture_;
     History::Camera camera_;
-};
-
-namespace {
-
-class OtherStep final : public QUndoCommand {
-public:
-    OtherStep(const QString& text, std::function<void()> redo, std::function<void()> undo)
-        : QUndoCommand(text), redo_(std::move(redo)), undo_(std::move(undo))
-    {
-    }
-    void redo() override { redo_(); }
-    void undo() override { undo_(); }
-
-private:
     std::function<void()> redo_, undo_;
 };
-
-}  // namespace
 
 History::History(Look start, QObject* parent) : QObject(parent), look_(std::move(start)) {}
 
@@ -114,20 +88,35 @@ void History::set(std::size_t exhibit, std::size_t row, const Value& value, Gest
     gesture_ = gesture;
     const QString step = text.isEmpty() ? tr("Change %1").arg(QString::fromStdString(label(info)).toLower()) : text;
     stack_.push(
-        new LookStep(*this, step, {{exhibit, row, values.row(row), *legal}}, look_.camera, gesture, Camera::stays));
+        new LookStep(*this, step, LookChange(look_, exhibit, row, *legal), look_.camera, gesture, Camera::stays));
 }
 
-void History::change(const QString& text, const Look& after, Gesture gesture, Camera camera)
+void History::change(const QString& text, const Look& wanted, Gesture gesture, Camera camera)
 {
-    std::vector<RowChange> changes = changesBetween(look_, after);
-    if (changes.empty() && (camera == Camera::stays || after.camera == look_.camera)) return;
+    Look after = wanted;
+    for (std::size_t e = 0; e < after.values.size(); ++e) after.values[e] = after.values[e].asShownBy(look_.values[e]);
+    LookChange change(look_, after);
+    if (change.empty() && (camera == Camera::stays || after.camera == look_.camera)) return;
     gesture_ = gesture;
-    stack_.push(new LookStep(*this, text, std::move(changes), after.camera, gesture, camera));
+    stack_.push(new LookStep(*this, text, std::move(change), after.camera, gesture, camera));
 }
 
 void History::record(const QString& text, std::function<void()> redo, std::function<void()> undo)
 {
-    stack_.push(new OtherStep(text, std::move(redo), std::move(undo)));
+    stack_.push(new LookStep(*this, text, std::move(redo), std::move(undo)));
+}
+
+void History::exchangeTables(const Look& tabled)
+{
+    Look after = look_;
+    for (std::size_t e = 0; e < after.values.size(); ++e) after.values[e] = after.values[e].asShownBy(tabled.values[e]);
+    const LookChange change(look_, after);
+    if (change.empty()) return;
+    if (const QUndoCommand* last = stack_.index() > 0 ? stack_.command(stack_.index() - 1) : nullptr)
+        static_cast<const LookStep*>(last)->change().append(change);  // Nothing else is pushed.
+    change.apply(look_);
+    gesture_ = 0;
+    emit replaced();
 }
 
 void History::restart(const Look& look)

@@ -29,12 +29,16 @@ public:
     /// Sets one value, or the nearest legal one. `text` names the step for people; empty: "Change roughness". A value
     /// equal to the one on show is no step.
     void set(std::size_t exhibit, std::size_t row, const Value&, Gesture, const QString& text = {});
-    /// Sets several values at once: shows `after`. A look equal to the one on show is no step.
+    /// Sets several values at once: shows `after`, under the tables on show where it names the same files for them. A
+    /// look equal to the one on show is no step.
     void change(const QString& text, const Look& after, Gesture = 0, Camera = Camera::stays);
     /// A step that is no change of the look, such as deleting a preset; `redo` is called now.
     void record(const QString& text, std::function<void()> redo, std::function<void()> undo);
     /// The visitor moved: no step, no signal.
     void setCamera(const render::Camera& camera) { look_.camera = camera; }
+    /// Exchanges the tables of exhibits that name the same files as in `tabled`, which has read them. No step of its
+    /// own: undo takes it back with the step that stands last, which is the one that named the files.
+    void exchangeTables(const Look& tabled);
     /// Starts over from `look`, with nothing to undo: a session that comes back.
     void restart(const Look&);
 

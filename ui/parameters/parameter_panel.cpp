@@ -95,21 +95,27 @@ void ParameterPanel::showExhibit(std::size_t exhibit, const QString& name)
     const bool another = exhibit_ != exhibit || name_ != name;
     exhibit_ = exhibit;
     name_ = name;
-    if (another) table_ = nullptr;
+    if (another) table_.reset();
     showAll();
 }
 
 void ParameterPanel::showAll()
 {
     if (name_.isEmpty()) return;  // Nothing is shown yet.
-    const bool sameTable = table_ == &values().table();
-    table_ = &values().table();
+    const bool sameTable = table_ == values().sharedTable();
+    const bool onlyRows = table_ && !sameTable;  // Of the same exhibit: a file gave others.
+    const std::string focused = onlyRows ? focusedRow() : std::string();
+    const int scrolled = onlyRows ? scroll_->verticalScrollBar()->value() : 0;
+    table_ = values().sharedTable();
     if (!sameTable) rebuild();
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->showValue(values().row(i));
     showWhatActs();
     for (ParameterSection* section : sections_) section->refresh();
     // While only changed rows are shown, a row that was just reset stays until the next look.
     if (!sameTable) applyFilter();
+    if (!onlyRows) return;
+    scroll_->verticalScrollBar()->setValue(scrolled);
+    focusRow(focused);
 }
 
 void ParameterPanel::showRow(std::size_t exhibit, std::size_t row)
@@ -142,6 +148,8 @@ void ParameterPanel::rebuild()
         addRow(i);
     }
     layout->addStretch(1);
+    // What asked for other rows may be one of those that go.
+    if (QWidget* before = scroll_->takeWidget()) before->deleteLater();
     scroll_->setWidget(content_);
     orderTabs();
 }
@@ -189,16 +197,36 @@ void ParameterPanel::orderTabs()
     }
 }
 
+namespace {
+
+/// Focuses the first control of a row that takes the focus; returns whether there is one.
+bool focusIn(const ParameterRow& row)
+{
+    for (QWidget* child : row.findChildren<QWidget*>())
+        if ((child->focusPolicy() & Qt::TabFocus) && child->isEnabled() && child->isVisible()) {
+            child->setFocus(Qt::TabFocusReason);
+            return true;
+        }
+    return false;
+}
+
+}  // namespace
+
 void ParameterPanel::focusFirst()
 {
-    for (ParameterRow* row : rows_) {
-        if (!row->isVisible()) continue;
-        for (QWidget* child : row->findChildren<QWidget*>())
-            if ((child->focusPolicy() & Qt::TabFocus) && child->isEnabled() && child->isVisible()) {
-                child->setFocus(Qt::TabFocusReason);
-                return;
-            }
-    }
+    for (const ParameterRow* row : rows_)
+        if (row->isVisible() && focusIn(*row)) return;
+}
+
+std::string ParameterPanel::focusedRow() const
+{
+    const std::optional<std::size_t> row = rowAt(QApplication::focusWidget());
+    return row ? std::string(table_->rows()[*row].name) : std::string();
+}
+
+void ParameterPanel::focusRow(std::string_view name)
+{
+    if (const ParameterRow* found = row(name)) focusIn(*found);
 }
 
 QString ParameterPanel::filterText() const

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -77,6 +78,9 @@ private:
     void applyFilter();
     void focusFirst();
     void orderTabs();
+    /// The row that has the focus; empty: none.
+    [[nodiscard]] std::string focusedRow() const;
+    void focusRow(std::string_view name);
     void openMenu(std::size_t row, const QPoint& at);
     void copy(std::size_t row) const;
     void paste(std::size_t row);
@@ -97,7 +101,7 @@ private:
     std::vector<ParameterSection*> sections_;
     std::vector<ParameterSection*> sectionOf_;  // By row.
     std::vector<bool> foldedAtFirst_;           // By section.
-    const Parameters* table_ = nullptr;         // Whose rows are built; null: none yet.
+    std::shared_ptr<const Parameters> table_;   // Whose rows are built; null: none yet.
     std::size_t exhibit_ = 0;
     QString name_;
     QSet<QString> folded_;

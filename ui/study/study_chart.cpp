@@ -360,7 +360,7 @@ void StudyChart::changeEvent(QEvent* event)
     if (event->type() == QEvent::PaletteChange) applyColors();
 }
 
-std::vector<ChartPoint> chartPoints(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
+std::vector<ChartPoint> chartPoints(Subjects subjects, const StudyRequest& request, const StudyResult& result)
 {
     std::vector<ChartPoint> points;
     const bool timed = result.costName == "ms";
@@ -377,9 +377,9 @@ std::vector<ChartPoint> chartPoints(Exhibits exhibits, const StudyRequest& reque
         c.error = p.error;
         c.errorLow = p.lowestError;
         c.errorHigh = p.worstError;
-        const std::string text = request.axes.size() == 1
-                                     ? axisValueText(exhibits, request.axes[0], request.axes[0].values[p.setting[0]])
-                                     : pointText(exhibits, request, p);
+        const std::string text = request.axes.size() == 1 ? axisValueText(request.look, request.axes[0],
+                                                                          request.axes[0].values[p.setting[0]])
+                                                          : pointText(subjects, request, p);
         c.text = QString::fromStdString(request.axes.size() > 2 ? std::string() : text);
         c.dominated = p.dominated;
         c.onFront = std::find(result.front.begin(), result.front.end(), i) != result.front.end();

@@ -174,6 +174,9 @@ void StudyDock::connectParts()
     };
     connect(&history_, &History::changed, this, refreshWhileSeen);
     connect(&history_, &History::replaced, this, refreshWhileSeen);
+    connect(&history_, &History::replaced, this, [this] {
+        if (table_ && table_ != history_.look().values[subject_].sharedTable()) setSubject(subject_);
+    });
 }
 
 StudyDock::~StudyDock()
@@ -195,14 +198,16 @@ void StudyDock::setEffort(glm::ivec2 size, int runs)
 
 void StudyDock::setSubject(std::size_t exhibit)
 {
+    const QString before = exhibit == subject_ ? parameter_->currentText() : QString();
     subject_ = exhibit;
     parameter_->clear();
     parameter_->addItem(tr("All parameters together"), -1);
-    const auto rows = gallery_.exhibits()[exhibit]->parameters().rows();
+    table_ = history_.look().values[exhibit].sharedTable();
+    const auto rows = table_->rows();
     for (std::size_t row = 0; row < rows.size(); ++row)
         if (rows[row].qualityReference)
             parameter_->addItem(QString::fromStdString(label(rows[row])), static_cast<int>(row));
-    if (parameter_->count() > 1) parameter_->setCurrentIndex(1);
+    if (parameter_->count() > 1) parameter_->setCurrentIndex(std::max(parameter_->findText(before), 1));
     go_->setEnabled(running() || parameter_->count() > 1);
 }
 
@@ -229,10 +234,10 @@ void StudyDock::measure()
 {
     const int row = parameter_->currentData().toInt();
     if (row < 0) {
-        start(requestFor(qualityAxes(gallery_.exhibits(), subject_)));
+        start(requestFor(qualityAxes(history_.look(), subject_)));
         return;
     }
-    if (auto axis = studyAxis(gallery_.exhibits(), subject_, static_cast<std::size_t>(row), usualPoints(1)))
+    if (auto axis = studyAxis(history_.look(), subject_, static_cast<std::size_t>(row), usualPoints(1)))
         start(requestFor({std::move(*axis)}));
 }
 
@@ -245,7 +250,7 @@ void StudyDock::find(bool byError)
                             .arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
         return;
     }
-    StudyRequest request = requestFor(qualityAxes(gallery_.exhibits(), subject_));
+    StudyRequest request = requestFor(qualityAxes(history_.look(), subject_));
     (byError ? request.maxError : request.maxMilliseconds) = *limit;
     request.modelError = false;
     start(std::move(request));
@@ -370,10 +375,10 @@ void StudyDock::suggestTime()
 QByteArray StudyDock::exported(const QString& suffix) const
 {
     if (suffix == QLatin1String("csv"))
-        return QByteArray::fromStdString(studyCsv(gallery_.exhibits(), request_, result()));
+        return QByteArray::fromStdString(studyCsv(gallery_.subjects(), request_, result()));
     if (suffix == QLatin1String("json"))
         return QByteArray::fromStdString(
-            render::writeJson(studyJson(gallery_.exhibits(), request_, result(), render::Json::object())));
+            render::writeJson(studyJson(gallery_.subjects(), request_, result(), render::Json::object())));
     const QSize size(960, 600);
     if (suffix == QLatin1String("svg")) return chart_->svg(size);
     QByteArray bytes;
@@ -402,6 +407,11 @@ void StudyDock::save()
     }
 }
 
+std::optional<std::size_t> StudyDock::rowNow(const StudyAxis& axis) const
+{
+    return history_.look().values[axis.subject].table().find(rowOf(request_.look, axis).name);
+}
+
 std::optional<std::size_t> StudyDock::presentPoint() const
 {
     const Look& look = history_.look();
@@ -409,8 +419,9 @@ std::optional<std::size_t> StudyDock::presentPoint() const
         bool same = true;
         for (std::size_t a = 0; a < request_.axes.size(); ++a) {
             const StudyAxis& axis = request_.axes[a];
-            same = same && std::get<double>(look.values[axis.exhibit].row(axis.row)) ==
-                               axis.values[result().points[i].setting[a]];
+            const std::optional<std::size_t> row = rowNow(axis);
+            same =
+                same && row && look.values[axis.subject].row(*row) == Value(axis.values[result().points[i].setting[a]]);
         }
         if (same) return i;
     }
@@ -421,7 +432,7 @@ void StudyDock::refresh()
 {
     if (request_.axes.empty()) return;
     const std::optional<std::size_t> present = presentPoint();
-    std::vector<ChartPoint> points = chartPoints(gallery_.exhibits(), request_, result());
+    std::vector<ChartPoint> points = chartPoints(gallery_.subjects(), request_, result());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].present = present == i;
     chart_->setTitles(
         QString::fromStdString(costTitle(result().costName.empty() ? "ms" : result().costName)),
@@ -431,7 +442,7 @@ void StudyDock::refresh()
     if (result().clock.empty()) return;
     QStringList sentences;
     for (const std::string& sentence :
-         {lawSentence(result()), choiceSentence(gallery_.exhibits(), request_, result()), result().convergence})
+         {lawSentence(result()), choiceSentence(gallery_.subjects(), request_, result()), result().convergence})
         if (!sentence.empty()) sentences << QString::fromStdString(sentence);
     sentences << tr("Clock: %1, %2.")
                      .arg(QString::fromStdString(result().clock),
@@ -466,7 +477,7 @@ void StudyDock::showPoint(int wanted)
            "%1 (%2).")
             .arg(shortNumber(full), QString::fromUtf8(title(request_.metric).data(),
                                                       static_cast<qsizetype>(title(request_.metric).size()))));
-    QString text = QString::fromStdString(pointText(gallery_.exhibits(), request_, p)) +
+    QString text = QString::fromStdString(pointText(gallery_.subjects(), request_, p)) +
                    tr(": error %1").arg(shortNumber(p.error));
     if (result().costName != "ms")
         text += tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(p.cost)),
@@ -486,11 +497,12 @@ void StudyDock::apply(std::size_t point)
     Look next = history_.look();
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
-        next.values[axis.exhibit].setRow(axis.row, axis.values[result().points[point].setting[a]]);
+        if (const auto row = rowNow(axis))
+            next.values[axis.subject].setRow(*row, axis.values[result().points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
     history_.change(
-        one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.exhibits(), request_, result().points[point])))
+        one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.subjects(), request_, result().points[point])))
             : tr("Set what the study found"),
         next);
 }

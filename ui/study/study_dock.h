@@ -84,6 +84,8 @@ private:
     void save();
     void suggestTime();
     [[nodiscard]] StudyRequest requestFor(std::vector<StudyAxis>) const;
+    /// The row of an axis of what is shown, in the table that its exhibit has now: a file may have given it others.
+    [[nodiscard]] std::optional<std::size_t> rowNow(const StudyAxis&) const;
     [[nodiscard]] std::optional<std::size_t> presentPoint() const;
 
     Gallery& gallery_;
@@ -94,7 +96,8 @@ private:
     StudyRequest request_;  ///< Of what is shown.
     StudyRequest running_;  ///< Of the study that runs.
     bool showsRunning_ = false;
-    StudyResult result_;  ///< Of what is shown.
+    StudyResult result_;                       ///< Of what is shown.
+    std::shared_ptr<const Parameters> table_;  ///< Whose rows can be chosen; null: none yet.
     std::size_t subject_ = 0;
     glm::ivec2 size_{320, 180};
     int runs_ = 5;

@@ -33,9 +33,9 @@ class Gallery {
 public:
     virtual ~Gallery() = default;
 
-    [[nodiscard]] virtual std::span<const std::unique_ptr<Exhibit>> exhibits() const = 0;  ///< The hall first.
+    [[nodiscard]] virtual Subjects subjects() const = 0;
     [[nodiscard]] virtual Look initialLook() const = 0;
-    [[nodiscard]] virtual render::Camera bestView(std::size_t exhibit, const ParameterValues&) const = 0;
+    [[nodiscard]] virtual render::Camera bestView(std::size_t subject, const ParameterValues&) const = 0;
     [[nodiscard]] virtual glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const = 0;
     [[nodiscard]] virtual std::optional<LookedAt> lookedAt(const Look&) const = 0;
     [[nodiscard]] virtual std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const = 0;
@@ -50,6 +50,9 @@ public:
     /// Which files that the look names and needs for what it shows cannot be read, and why: one full sentence each,
     /// that begins with the parameter's label.
     [[nodiscard]] virtual std::vector<std::string> unreadableFiles(const Look&) const { return {}; }
+
+    /// As Museum::readTables.
+    [[nodiscard]] virtual TabledLook readTables(const Look& look) const { return {look, {}, {}}; }
 
     // On the render thread, from `open` to `close`:
 

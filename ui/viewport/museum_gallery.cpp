@@ -14,9 +14,9 @@ QImage imageOf(const render::gl::ScreenPixels& pixels)
 
 }  // namespace
 
-std::span<const std::unique_ptr<Exhibit>> MuseumGallery::exhibits() const
+Subjects MuseumGallery::subjects() const
 {
-    return museum_.exhibits();
+    return museum_.subjects();
 }
 
 Look MuseumGallery::initialLook() const
@@ -66,6 +66,11 @@ std::vector<std::string> MuseumGallery::unreadableFiles(const Look& look) const
     FrameRequest request;
     request.camera = look.camera;
     return museum_.prepare(look, request).unreadableFiles();
+}
+
+TabledLook MuseumGallery::readTables(const Look& look) const
+{
+    return museum_.readTables(look);
 }
 
 void MuseumGallery::open()

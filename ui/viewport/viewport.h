@@ -77,6 +77,8 @@ signals:
     /// The visitor pressed this exhibit's button.
     void pressed(std::size_t exhibit);
     void drawn(const vitrine::render::FrameReport& report, const QSize& pixels);
+    /// A file that the look names, or one beside it, is another one now.
+    void filesChanged();
     /// Drawing failed; the last good picture stays.
     void failed(const QString& message);
 
@@ -167,10 +169,10 @@ private:
 
     struct Former {
         CameraControl::Standpoint standpoint;
-        std::size_t subject = 0;
+        std::size_t subject = hallIndex;
     };
     std::vector<Former> former_;  // The last one last.
-    std::size_t subject_ = 0;
+    std::size_t subject_ = hallIndex;
 
     QTimer hoverTimer_;
     std::optional<QPointF> hoverPoint_;  // Where the pointer is while it is over the picture and no button is down.

@@ -88,7 +88,7 @@ TEST_F(Rays, OfTheVolumeLeaveAWhiteFurnaceWhite)
     const std::size_t rays = *gallery().museum.find("crepuscular_rays");
     shot.request.frame.alone = rays;
     shot.request.frame.transparent = false;
-    shot.request.frame.camera = gallery().museum.exhibits()[rays]->bestView(shot.rays());
+    shot.request.frame.camera = gallery().museum.subject(rays).bestView(shot.rays());
     shot.size(64, 36);
     shot.hall().set(hallTable().environment, (folder / "white.hdr").string());
     shot.hall().set(hallTable().reflectionProbe, true);
@@ -191,7 +191,7 @@ TEST_F(Rays, OfTheVolumeAloneAreTheBeamOfTheWindowAndNothingElse)
     const std::size_t rays = *gallery().museum.find("crepuscular_rays");
     shot.request.frame.alone = rays;
     shot.request.frame.transparent = true;
-    shot.request.frame.camera = gallery().museum.exhibits()[rays]->bestView(shot.rays());
+    shot.request.frame.camera = gallery().museum.subject(rays).bestView(shot.rays());
     shot.size(96, 54);
     const Picture p = shot.take();
     int lit = 0;

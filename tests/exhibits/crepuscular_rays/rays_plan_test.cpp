@@ -122,7 +122,7 @@ TEST(RaysPlan, NothingToSeeAddsNoPassAndSaysWhy)
 
     Scene alone = atTheWindow();
     alone.request.alone = *test::museum().find("crepuscular_rays");
-    alone.look.values[0].set(test::hallTable().sunAzimuth, 3.0);
+    alone.look.hall().set(test::hallTable().sunAzimuth, 3.0);
     EXPECT_EQ(reasonFor(alone.plan(), "crepuscular_rays/march"), "the sun does not shine through the window");
 }
 
@@ -147,7 +147,7 @@ TEST(RaysPlan, AloneTheWindowShinesWithoutItsHall)
     Scene alone = atTheWindow(RayTechnique::volume);
     const std::size_t rays = *test::museum().find("crepuscular_rays");
     alone.request.alone = rays;
-    alone.see(test::museum().exhibits()[rays]->bestView(alone.rays()));
+    alone.see(test::museum().subject(rays).bestView(alone.rays()));
     const render::FramePlan plan = alone.plan();
     EXPECT_TRUE(plan.find("crepuscular_rays/march"));
     // The beam that the hall's window makes, in the exhibit's own space.

@@ -123,7 +123,9 @@ TEST(MadeTable, ValuesGoOverToAnotherTableByName)
     values.setRow(before->find("speed").value(), 7.0);
     values.setRow(before->find("blueRadius").value(), 9.0);
     values.setRow(before->find("blueFinish").value(), 2.0);
-    const ParameterValues moved = values.under(after);
+    std::vector<std::string> notes;
+    const ParameterValues moved = values.under(after, notes);
+    EXPECT_TRUE(notes.empty());
     EXPECT_EQ(&moved.table(), after.get());
     EXPECT_EQ(moved.row(after->find("speed").value()), Value(7.0));
     EXPECT_EQ(moved.row(after->find("blueRadius").value()), Value(2.0));  // The nearest that is legal there.

@@ -115,8 +115,8 @@ TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
         return test::planned(empty, empty.initialLook(), scene.request, kept);
     };
     const FramePlan first = scene.plan();
-    for (const auto& exhibit : test::museum().exhibits().subspan(1))
-        EXPECT_FALSE(runs(first, std::string(exhibit->name()) + '/')) << exhibit->name();
+    for (const auto& [i, exhibit] : test::museum().exhibits())
+        EXPECT_FALSE(runs(first, std::string(exhibit.name()) + '/')) << exhibit.name();
     EXPECT_FALSE(runs(first, "exhibits/"));
     EXPECT_EQ(reasonFor(first, "crepuscular_rays/march"), "the beams are out of view");
     const FramePlan later = scene.plan(keptAfter(first));
@@ -237,7 +237,7 @@ TEST(MuseumPlan, AloneThereIsNoHall)
 {
     Scene scene;
     scene.request.alone = scene.sdf;
-    scene.see(test::museum().exhibits()[scene.sdf]->bestView(scene.object()));
+    scene.see(test::museum().subject(scene.sdf).bestView(scene.object()));
     const FramePlan plan = scene.plan();
     EXPECT_EQ(reasonFor(plan, "hall/walls"), "the exhibit is shown alone");
     EXPECT_EQ(reasonFor(plan, "hall/shadow"), "there is no hall to cast it");
@@ -261,7 +261,7 @@ TEST(MuseumPlan, AloneItsShadowIsDrawnOnlyForAMeshToFallOn)
 {
     Scene scene;
     scene.request.alone = scene.sdf;
-    scene.see(test::museum().exhibits()[scene.sdf]->bestView(scene.object()));
+    scene.see(test::museum().subject(scene.sdf).bestView(scene.object()));
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "nothing reads what it writes");
     EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "nothing reads what it writes");
     scene.object().set(test::sdfTable().compareMesh, true);

@@ -1,3 +1,4 @@
+#include "tests/support/balls.h"
 #include "tests/ui/sample_tables.h"
 
 #include "ui/model/history.h"
@@ -9,6 +10,7 @@
 
 using namespace vitrine;
 using namespace vitrine::ui;
+using vitrine::test::rowOf;
 
 class HistoryTest : public QObject {
     Q_OBJECT
@@ -154,6 +156,83 @@ private slots:
         }
         while (history.stack().canUndo()) history.stack().undo();
         QVERIFY(history.look() == start());
+    }
+
+    // Tables that a file gives:
+
+    void tablesThatAreReadBelongToTheStepThatNamedTheirFile()
+    {
+        const test::BallTable none({});
+        const auto two = std::make_shared<const test::BallTable>(std::vector<test::Ball>{{"red", 0.5}, {"blue", 2}});
+        const auto other = std::make_shared<const test::BallTable>(std::vector<test::Ball>{{"blue", 1}});
+        History history({{none.initial()}, {}});
+        const std::size_t scene = *none.find("scene");
+        const auto named = [&](const char* file, const std::shared_ptr<const test::BallTable>& table) {
+            history.set(0, scene, std::string(file), newGesture());
+            Look tabled = history.look();
+            std::vector<std::string> notes;
+            tabled.values[0] = tabled.values[0].under(table, notes);
+            history.exchangeTables(tabled);
+        };
+        named("two.json", two);
+        QCOMPARE(history.stack().count(), 1);
+        history.set(0, *two->find("redRadius"), 3.0, newGesture());
+        history.set(0, *two->find("blueRadius"), 4.0, newGesture());
+        named("other.json", other);
+        QCOMPARE(history.stack().count(), 4);
+        QVERIFY(!rowOf(history.look().values[0], "redRadius"));
+        QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(4.0));
+
+        history.stack().undo();
+        QCOMPARE(rowOf(history.look().values[0], "redRadius").value(), Value(3.0));
+        QCOMPARE(rowOf(history.look().values[0], "scene").value(), Value(std::string("two.json")));
+        history.stack().undo();
+        QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(2.0));
+        history.stack().undo();
+        QCOMPARE(rowOf(history.look().values[0], "redRadius").value(), Value(0.5));
+        history.stack().undo();
+        QVERIFY(!rowOf(history.look().values[0], "redRadius"));
+        QVERIFY(history.look().values[0] == none.initial());
+        for (int i = 0; i < 4; ++i) history.stack().redo();
+        QCOMPARE(&history.look().values[0].table(), static_cast<const Parameters*>(other.get()));
+        QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(4.0));
+    }
+
+    void aFileReadAgainLeavesOlderAndNewerStepsTheirRows()
+    {
+        const test::BallTable none({});
+        const auto before = std::make_shared<const test::BallTable>(std::vector<test::Ball>{{"red", 0.5}, {"blue", 2}});
+        const auto after = std::make_shared<const test::BallTable>(std::vector<test::Ball>{{"blue", 1}});
+        Look start{{ParameterValues(before)}, {}};
+        History history(start);
+        history.set(0, *before->find("blueRadius"), 4.0, newGesture());
+        history.set(0, *before->find("blueRings"), 16.0, newGesture());
+        history.stack().undo();
+        Look tabled = history.look();
+        tabled.values[0] = ParameterValues(after);
+        history.exchangeTables(tabled);
+        QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(4.0));
+        // The row of the newer step stands elsewhere now.
+        history.stack().redo();
+        QCOMPARE(rowOf(history.look().values[0], "blueRings").value(), Value(16.0));
+        QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(4.0));
+        history.stack().undo();
+        history.stack().undo();
+        QVERIFY(history.look() == start);
+    }
+
+    void withoutAStepTablesAreExchangedWithNothingToUndo()
+    {
+        const test::BallTable none({});
+        const auto one = std::make_shared<const test::BallTable>(std::vector<test::Ball>{{"red", 0.5}});
+        History history({{none.initial()}, {}});
+        QSignalSpy replaced(&history, &History::replaced);
+        history.exchangeTables({{ParameterValues(one)}, {}});
+        QCOMPARE(replaced.count(), 1);
+        QVERIFY(!history.stack().canUndo());
+        QVERIFY(rowOf(history.look().values[0], "redRadius").has_value());
+        history.exchangeTables({{ParameterValues(one)}, {}});
+        QCOMPARE(replaced.count(), 1);
     }
 };
 

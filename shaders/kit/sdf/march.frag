@@ -1,8 +1,8 @@
 // The object, one ray per pixel, inside its bounding mesh, with the depth of what the ray found.
-// Permutations: CONE_PREPASS, GLASS, HEAT_MAP, WRITE_NORMAL, COUNT (writes evaluations, discards nothing),
+// Permutations: CONE_PREPASS (pixels along a side of its blocks), GLASS, HEAT_MAP, WRITE_NORMAL, COUNT (writes evaluations, discards nothing),
 // DEPTH_ONLY (shades nothing), OTHERS_SHADOWS.
-#include "sdf_morph/ray.glsl"
-#include "sdf_morph/shade.glsl"
+#include "kit/sdf/ray.glsl"
+#include "kit/sdf/shade.glsl"
 #include "lib/tonemap.glsl"
 
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D coneStart;
@@ -49,7 +49,7 @@ void main()
     MarchSettings settings = tableSettings(ray.span.x, ray.span.y, ray.halfPixel);
     March march = sphereTrace(ray.origin, ray.direction, settings);
     evaluations += march.evaluations;
-    bool beyondWipe = framePixel(gl_FragCoord.xy).x >= object.wipe.x;
+    bool beyondWipe = framePixel(gl_FragCoord.xy).x >= wipeColumn();
 
 #ifdef COUNT
     if (march.hit && !beyondWipe) shadeHit(ray, march, settings);

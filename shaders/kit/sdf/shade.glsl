@@ -19,12 +19,6 @@ vec3 worldDirection(vec3 local)
     return normalize(mat3(object.worldFromLocal) * local);
 }
 
-// Normals go by the inverse transpose, or a scaled object would be lit as if it were not.
-vec3 worldNormalOf(vec3 localNormal)
-{
-    return normalize(transpose(mat3(object.localFromWorld)) * localNormal);
-}
-
 Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
 {
     Hit hit;
@@ -45,11 +39,11 @@ Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
 float selfVisibility(Hit hit)
 {
     if (parameters.shadowMethod == shadowMethod_none) return 1.0;
-    vec3 toSun = normalize(mat3(object.localFromWorld) * light.sunDirection.xyz);
+    vec3 toSun = normalize(mat3(object.localFromWorld) * light.sunDirection);
     if (dot(hit.localNormal, toSun) <= 0.0) return 0.0;
     vec3 start = hit.local + hit.localNormal * (2.0 * hit.tolerance);
     float tMin = 0.004;
-    float tMax = rayBox(start, toSun, object.boxLow.xyz, object.boxHigh.xyz).y;
+    float tMax = rayBox(start, toSun, object.boxLow, object.boxHigh).y;
     float width = tan(0.5 * parameters.sunWidth);
     Shadow s;
     if (parameters.shadowMethod == shadowMethod_hard) s = shadowHard(start, toSun, tMin, tMax, parameters.stepLimit);
@@ -71,9 +65,9 @@ float othersVisibility(Hit hit)
 {
 #ifdef OTHERS_SHADOWS
     if (!light.exhibitsCastShadow) return 1.0;
-    vec3 rise = transpose(mat3(object.worldFromLocal)) * light.sunDirection.xyz;
-    vec3 corner = mix(object.boxLow.xyz, object.boxHigh.xyz, greaterThan(rise, vec3(0.0)));
-    return sunVisibilityOfExhibits(hit.world + light.sunDirection.xyz * max(dot(corner - hit.local, rise), 0.0), light.sunDirection.xyz);
+    vec3 rise = transpose(mat3(object.worldFromLocal)) * light.sunDirection;
+    vec3 corner = mix(object.boxLow, object.boxHigh, greaterThan(rise, vec3(0.0)));
+    return sunVisibilityOfExhibits(hit.world + light.sunDirection * max(dot(corner - hit.local, rise), 0.0), light.sunDirection);
 #else
     return 1.0;
 #endif
@@ -82,24 +76,24 @@ float othersVisibility(Hit hit)
 // Walls and what else stands in the sun's way, then the object itself.
 float sunReaches(Hit hit)
 {
-    if (dot(hit.worldNormal, light.sunDirection.xyz) <= 0.0 || dot(light.sunIrradiance.rgb, vec3(1.0)) <= 0.0) return 0.0;
+    if (dot(hit.worldNormal, light.sunDirection) <= 0.0 || dot(light.sunIrradiance, vec3(1.0)) <= 0.0) return 0.0;
     float visible = sunVisibilityOfHall(hit.world, hit.worldNormal);
     if (visible > 0.0) visible *= othersVisibility(hit);
     return visible > 0.0 ? visible * selfVisibility(hit) : 0.0;
 }
 
-Surface surfaceOf(Hit hit)
+Surface surfaceOf(Hit hit, FieldMaterial material)
 {
     Surface s;
     s.position = hit.world;
     s.normal = hit.worldNormal;
-    s.baseColor = parameters.baseColor;
-    s.metalness = parameters.metalness;
-    s.roughness = max(parameters.roughness, 0.02);
-    s.specular = parameters.specular;
+    s.baseColor = material.baseColor;
+    s.metalness = material.metalness;
+    s.roughness = max(material.roughness, 0.02);
+    s.specular = material.specular;
     s.occlusion = 1.0;
     if (parameters.ambientOcclusion) {
-        s.occlusion = fieldOcclusion(hit.local, hit.localNormal, 0.25 * length(object.boxHigh.xyz - object.boxLow.xyz));
+        s.occlusion = fieldOcclusion(hit.local, hit.localNormal, 0.25 * length(object.boxHigh - object.boxLow));
         evaluations += 5;
     }
     s.ambient = probeAmbient(s.normal) * s.occlusion;
@@ -109,7 +103,7 @@ Surface surfaceOf(Hit hit)
 // The next surface along a ray that starts on a surface. `side`: 1 outside the solid, -1 inside.
 March onward(vec3 start, vec3 direction, float side, MarchSettings settings, float travelled)
 {
-    float tMax = rayBox(start, direction, object.boxLow.xyz, object.boxHigh.xyz).y;
+    float tMax = rayBox(start, direction, object.boxLow, object.boxHigh).y;
     MarchSettings s = settings;
     s.tMin = 0.0;
     s.tMax = tMax;
@@ -127,7 +121,7 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
     vec3 color = vec3(0.0);
     vec3 throughput = vec3(1.0);
     for (int bounce = 0; bounce <= 4; ++bounce) {
-        Surface s = surfaceOf(hit);
+        Surface s = surfaceOf(hit, fieldMaterial(hit.local));
         color += throughput * shadeWithoutReflection(s, toEye, sunReaches(hit));
         throughput *= reflectance(s, toEye);
         vec3 mirrored = reflect(-toEye, s.normal);
@@ -151,11 +145,12 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
 }
 
 // Through every wall, in and out: Fresnel splits off a mirror image at the first, the rest goes on.
-// Beer's law colors it: baseColor is what 10 cm leave of white.
+// Beer's law colors it, and the material is that of the first surface.
 vec3 shadeGlass(vec3 toEye, Hit hit, MarchSettings settings)
 {
-    float index = max(parameters.refractiveIndex, 1.0);
-    Surface s = surfaceOf(hit);
+    FieldMaterial material = fieldMaterial(hit.local);
+    float index = max(material.refractiveIndex, 1.0);
+    Surface s = surfaceOf(hit, material);
     s.metalness = 0.0;
     float cosine = clamp(dot(s.normal, toEye), 0.0, 1.0);
     float mirror = fresnelDielectric(cosine, index);
@@ -164,7 +159,7 @@ vec3 shadeGlass(vec3 toEye, Hit hit, MarchSettings settings)
     vec3 color = mirror * probeRadiance(hit.world, mirrored, s.roughness) + sunReflected(s, toEye, sunReaches(hit));
     vec3 throughput = vec3(1.0 - mirror);
 
-    vec3 absorption = -log(clamp(parameters.baseColor, 0.02, 1.0)) / 0.1;
+    vec3 absorption = -log(clamp(material.baseColor, 0.02, 1.0)) / 0.1;
     vec3 direction = refract(-toEye, s.normal, 1.0 / index);
     float side = -1.0;
     int interfaces = 2 + 2 * parameters.bounces;

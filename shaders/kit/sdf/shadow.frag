@@ -1,7 +1,6 @@
 // The object in the sun's depth map, by the sun's own parallel rays; depth is where they hit, not where
 // the bounding mesh is.
-#include "lib/frame.glsl"
-#include "sdf_morph/object.glsl"
+#include "kit/sdf/object.glsl"
 
 layout(depth_any) out float gl_FragDepth;
 
@@ -13,11 +12,11 @@ void main()
     vec3 origin = (object.localFromWorld * (frame.worldFromView * vec4(view, 1.0))).xyz;
     vec3 d = mat3(object.localFromWorld) * (mat3(frame.worldFromView) * vec3(0.0, 0.0, -1.0));
     float perMetre = length(d);
-    vec2 span = rayBox(origin, d / perMetre, object.boxLow.xyz, object.boxHigh.xyz);
+    vec2 span = rayBox(origin, d / perMetre, object.boxLow, object.boxHigh);
     if (span.x > span.y) discard;
     MarchSettings s = tableSettings(span.x, span.y, 0.0);
     // Parallel rays: half a texel is as wide everywhere.
-    s.toleranceFloor = 0.25 / (frame.clipFromView[0][0] * frame.size.x * object.boxLow.w);
+    s.toleranceFloor = 0.25 / (frame.clipFromView[0][0] * frame.size.x * object.largestScale);
     March march = sphereTrace(origin, d / perMetre, s);
     if (!march.hit) discard;
     float z = view.z - march.t / perMetre;

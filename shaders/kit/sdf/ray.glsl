@@ -1,6 +1,5 @@
 // The eye's rays in the object's own space.
-#include "lib/frame.glsl"
-#include "sdf_morph/object.glsl"
+#include "kit/sdf/object.glsl"
 
 struct LocalRay {
     vec3 origin;
@@ -17,19 +16,21 @@ LocalRay localRay(vec2 fragCoord)
     vec3 d = mat3(object.localFromWorld) * world;
     r.perDepth = length(d);
     r.direction = d / r.perDepth;
-    r.origin = (object.localFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
+    r.origin = (object.localFromWorld * vec4(frame.eye, 1.0)).xyz;
     // A world width shrinks by at most the largest scale on its way into the object's space.
-    r.halfPixel = 0.5 * frame.pixelAngle / (r.perDepth * object.boxLow.w);
-    r.span = rayBox(r.origin, r.direction, object.boxLow.xyz, object.boxHigh.xyz);
+    r.halfPixel = 0.5 * frame.pixelAngle / (r.perDepth * object.largestScale);
+    r.span = rayBox(r.origin, r.direction, object.boxLow, object.boxHigh);
     r.span.x = max(r.span.x, frame.nearPlane * r.perDepth);
     return r;
 }
 
+#ifdef CONE_PREPASS
 // Pixels along a side of the block that one cone covers; blocks lie on the grid of the whole picture.
-const float BLOCK = 8.0;
+const float BLOCK = float(CONE_PREPASS);
 
 // Where the tile begins within its first block.
 vec2 tileInBlock()
 {
     return mod(frameTile(), BLOCK);
 }
+#endif

@@ -1,4 +1,4 @@
-// Meshes of the hall, props and the visitor's own models.
+// A mesh with a material.
 #include "lib/frame.glsl"
 #include "kit/surface_object.glsl"
 

@@ -1,6 +1,6 @@
-// One cone for each block of 8 x 8 pixels: where the rays of the block may start. x: local distance,
+// One cone for each block of CONE_PREPASS x CONE_PREPASS pixels: where the rays of the block may start. x: local distance,
 // beyond everything for an empty block; y: evaluations spent.
-#include "sdf_morph/ray.glsl"
+#include "kit/sdf/ray.glsl"
 
 layout(location = 0) out vec4 start;
 
@@ -14,7 +14,7 @@ void main()
         vec3 d = mat3(object.localFromWorld) * frameRay(corner + offset);
         chord = max(chord, coneChord(axis.direction, normalize(d)));
     }
-    vec2 span = coneBox(axis.origin, axis.direction, chord, object.boxLow.xyz, object.boxHigh.xyz);
+    vec2 span = coneBox(axis.origin, axis.direction, chord, object.boxLow, object.boxHigh);
     start = vec4(1.0e30, 0.0, 0.0, 0.0);
     if (span.x > span.y) return;
     ConeMarch cone = coneMarch(axis.origin, axis.direction, chord, tableSettings(span.x, span.y, axis.halfPixel));

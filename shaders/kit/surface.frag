@@ -1,5 +1,5 @@
-// A surface of the hall. Permutations: BASE_COLOR_MAP, NORMAL_MAP, ORM_MAP, EMISSIVE_MAP, LIGHTMAP,
-// FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WIPE, WRITE_NORMAL, WRITE_EVALUATIONS.
+// A mesh with a material. Permutations: BASE_COLOR_MAP, NORMAL_MAP, ORM_MAP, EMISSIVE_MAP, LIGHTMAP,
+// FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WRITE_NORMAL, WRITE_EVALUATIONS.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
 #include "kit/surface_object.glsl"
@@ -52,9 +52,6 @@ void main()
 #endif
 #ifdef ALPHA_MASK
     if (base.a < object.alphaCutoff) discard;
-#endif
-#ifdef WIPE
-    if (framePixel(gl_FragCoord.xy).x < object.wipeColumn) discard;
 #endif
 
     vec3 toEye = normalize(frame.eye - worldPosition);

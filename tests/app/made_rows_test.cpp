@@ -1,0 +1,133 @@
+// Rows that a file gives, on the command line: `--set`, presets and studies.
+
+#include "app/picture_options.h"
+#include "app/study/study_options.h"
+#include "exhibits/framework/preset.h"
+#include "render/failure.h"
+#include "tests/exhibits/study/known_law.h"
+#include "tests/support/balls.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace vitrine {
+namespace {
+
+using test::rowOf;
+
+/// The more rings a red ball has, the smaller the error of its picture, and the more it costs.
+class KnownBalls final : public test::BallsExhibit {
+public:
+    void plan(const PlanContext& context, render::FramePlan& plan) const override
+    {
+        const auto& table = static_cast<const test::BallTable&>(context.values.table());
+        const double rings = context.values[table.rings.at(0)];
+        const double numbers[2] = {0.1 / rings, 0};
+        render::Pass pass;
+        pass.name = "known";
+        pass.blocks[0] = render::bytesOf(numbers);
+        pass.counts["work"] = std::llround(1000 * rings);
+        pass.colors = {{radianceImage, render::Load::keep, {}, -1, 0}};
+        plan.add(std::move(pass));
+    }
+};
+
+class MadeRows : public testing::Test {
+protected:
+    MadeRows() : museum_(exhibits()) { test::writeBalls(folder_ / "two.json", {{"red", 0.5}, {"blue", 2}}); }
+
+    static std::vector<std::unique_ptr<Exhibit>> exhibits()
+    {
+        std::vector<std::unique_ptr<Exhibit>> all;
+        all.push_back(std::make_unique<KnownBalls>());
+        return all;
+    }
+    [[nodiscard]] std::string file() const { return (folder_ / "two.json").string(); }
+    [[nodiscard]] ParameterValues with(const std::vector<std::string>& sets, const std::string& preset = {}) const
+    {
+        app::PictureOptions options;
+        options.subject = "balls";
+        options.sets = sets;
+        options.preset = preset;
+        return app::requestedPicture(museum_, options).look.values[1];
+    }
+
+    test::TemporaryFolder folder_;
+    Museum museum_;
+};
+
+TEST_F(MadeRows, AreSetAsAnyOtherWhateverTheOrder)
+{
+    for (const std::vector<std::string>& sets :
+         {std::vector<std::string>{"scene=" + file(), "redRadius=3", "balls.blueRings=16"},
+          std::vector<std::string>{"balls.blueRings=16", "redRadius=3", "scene=" + file()}}) {
+        const ParameterValues values = with(sets);
+        EXPECT_EQ(rowOf(values, "redRadius"), Value(3.0));
+        EXPECT_EQ(rowOf(values, "blueRings"), Value(16.0));
+        EXPECT_EQ(rowOf(values, "redRings"), Value(8.0));
+    }
+}
+
+TEST_F(MadeRows, AreUnknownWithoutTheirFile)
+{
+    EXPECT_THROW(static_cast<void>(with({"redRadius=3"})), Failure);
+    try {
+        static_cast<void>(with({"scene=" + (folder_ / "gone.json").string(), "redRadius=3"}));
+        FAIL();
+    } catch (const Failure& failure) {
+        EXPECT_NE(std::string(failure.what()).find("gone.json"), std::string::npos) << failure.what();
+    }
+}
+
+TEST_F(MadeRows, ComeFromPresetsToo)
+{
+    const ParameterValues values = with({"scene=" + file(), "redRadius=3"});
+    const std::string preset = (folder_ / "large.json").string();
+    std::ofstream(preset) << presetText({"balls", "Large", values, std::nullopt});
+    EXPECT_EQ(with({}, preset), values);
+    EXPECT_EQ(rowOf(with({"blueRadius=4"}, preset), "blueRadius"), Value(4.0));
+}
+
+TEST_F(MadeRows, AreStudied)
+{
+    app::StudyOptions options;
+    options.subject = "balls";
+    options.sets = {"scene=" + file()};
+    options.parameters = {"redRings"};
+    options.size = "16x9";
+    options.alone = true;
+    options.noModelError = true;
+    std::vector<std::string> notes;
+    const StudyRequest request = app::studyRequest(museum_, options, notes);
+    EXPECT_EQ(rowOf(request.look, request.axes.at(0)).name, "redRings");
+    test::KnownPainter painter;
+    Study study(museum_, painter, request);
+    while (study.step()) {
+    }
+    const std::vector<StudyPoint>& points = study.result().points;
+    ASSERT_GE(points.size(), 4U);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        EXPECT_LT(points[i].error, points[i - 1].error);
+        EXPECT_GT(points[i].cost, points[i - 1].cost);
+    }
+    EXPECT_EQ(test::rowOf(study.lookOf(points.front()).values[1], "redRings"), Value(request.axes[0].values.front()));
+}
+
+TEST_F(MadeRows, AreNamedWhereAStudyOfAnotherIsAskedFor)
+{
+    app::StudyOptions options;
+    options.subject = "balls";
+    options.sets = {"scene=" + file()};
+    options.parameters = {"redRadius"};
+    std::vector<std::string> notes;
+    try {
+        static_cast<void>(app::studyRequest(museum_, options, notes));
+        FAIL();
+    } catch (const Failure& failure) {
+        EXPECT_NE(std::string(failure.what()).find("give one of redRings, blueRings"), std::string::npos)
+            << failure.what();
+    }
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,158 @@
+#include "tests/support/balls.h"
+#include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
+
+#include "ui/parameters/number_field.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/study/study_dock.h"
+
+#include <QComboBox>
+
+#include <semaphore>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+using vitrine::test::rowOf;
+
+/// An exhibit whose rows are those that a file describes, in the window.
+class MadeRowsTest : public test::OpenWindow {
+    Q_OBJECT
+
+    static constexpr std::size_t balls = 2;
+    test::BallsExhibit* exhibit_ = nullptr;
+
+    std::unique_ptr<Exhibit> anotherExhibit() override
+    {
+        auto exhibit = std::make_unique<test::BallsExhibit>();
+        exhibit_ = exhibit.get();
+        return exhibit;
+    }
+    [[nodiscard]] std::string path(const char* name) const { return home_->filePath(name).toStdString(); }
+    [[nodiscard]] const ParameterValues& values() { return window_->history().look().values[balls]; }
+    void name(const std::string& file)
+    {
+        window_->history().set(balls, *exhibit_->parameters().find("scene"), file, newGesture());
+    }
+    void undo() { window_->history().stack().undo(); }
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init()
+    {
+        start();
+        test::writeBalls(path("two.json"), {{"red", 0.5}, {"blue", 2}});
+        test::writeBalls(path("other.json"), {{"blue", 1}, {"green", 3}});
+        window_->choose(balls);
+    }
+    void cleanup() { finish(); }
+
+    void thePanelShowsTheRowsOfTheFileAndTheirSlidersAct()
+    {
+        QVERIFY(!window_->panel().row("redRadius"));
+        name(path("two.json"));
+        QTRY_VERIFY(window_->panel().row("redRadius"));
+        auto* slider = in<ValueSlider>("redRadius");
+        QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() - 14, slider->height() / 2));
+        const Value set = rowOf(values(), "redRadius").value();
+        QVERIFY(std::get<double>(set) > 5);
+        QTRY_COMPARE(rowOf(gallery_->drawn().values[balls], "redRadius").value_or(Value(0.0)), set);
+
+        name(path("other.json"));
+        QTRY_VERIFY(window_->panel().row("greenRadius"));
+        QVERIFY(!window_->panel().row("redRadius"));
+        undo();
+        QCOMPARE(rowOf(values(), "redRadius").value(), set);
+        QVERIFY(window_->panel().row("redRadius"));
+        undo();
+        QCOMPARE(rowOf(values(), "redRadius").value(), Value(0.5));
+        undo();
+        QVERIFY(!window_->panel().row("redRadius"));
+        QVERIFY(!window_->history().stack().canUndo());
+    }
+
+    void theWindowGoesOnWhileTheFileIsRead()
+    {
+        std::counting_semaphore<> mayRead(0);
+        std::atomic<bool> elsewhere = false;
+        exhibit_->beforeReading = [&, here = std::this_thread::get_id()] {
+            elsewhere = std::this_thread::get_id() != here;
+            mayRead.acquire();
+        };
+        name(path("two.json"));
+        // The reader waits, the window does not: a value is set meanwhile.
+        window_->history().set(balls, *exhibit_->parameters().find("spin"), 7.0, newGesture());
+        QTest::qWait(50);
+        QVERIFY(!rowOf(values(), "redRadius"));
+        mayRead.release(100);
+        QTRY_VERIFY(rowOf(values(), "redRadius"));
+        QVERIFY(elsewhere);
+        QCOMPARE(rowOf(values(), "spin").value(), Value(7.0));
+        exhibit_->beforeReading = nullptr;
+    }
+
+    void aFileThatCannotBeReadLeavesTheRowsAndIsSaid()
+    {
+        name(path("two.json"));
+        QTRY_VERIFY(window_->panel().row("redRadius"));
+        QSignalSpy said(window_->findChild<MessageStrip*>(), &MessageStrip::said);
+        name(path("gone.json"));
+        QTRY_COMPARE(said.count(), 1);
+        QVERIFY(said[0][0].toString().contains("gone.json"));
+        QVERIFY(window_->panel().row("redRadius"));
+    }
+
+    void aFileThatIsWrittenAnewGivesItsRowsAnew()
+    {
+        name(path("two.json"));
+        QTRY_VERIFY(window_->panel().row("redRadius"));
+        window_->history().set(balls, *values().table().find("blueRadius"), 4.5, newGesture());
+        test::writeBalls(path("two.json"), {{"blue", 2}, {"white", 1}});
+        QTRY_VERIFY_WITH_TIMEOUT(window_->panel().row("whiteRadius"), vitrine::test::patience);
+        QCOMPARE(rowOf(values(), "blueRadius").value(), Value(4.5));
+    }
+
+    void presetsAndSessionsBringTheRowsBack()
+    {
+        name(path("two.json"));
+        QTRY_VERIFY(window_->panel().row("redRadius"));
+        window_->history().set(balls, *values().table().find("redRadius"), 3.5, newGesture());
+        window_->shelf().saveUnder("Large");
+        name(path("other.json"));
+        QTRY_VERIFY(window_->panel().row("greenRadius"));
+        window_->shelf().load(rowsNamed("Large").front()->data(Qt::UserRole).toString());
+        QTRY_VERIFY(rowOf(values(), "redRadius").has_value());
+        QCOMPARE(rowOf(values(), "redRadius").value(), Value(3.5));
+        QVERIFY(!window_->shelf().titleOfUse().contains('*'));
+
+        closeWindow();
+        openWindow();
+        QTRY_VERIFY(rowOf(values(), "redRadius").has_value());
+        QCOMPARE(rowOf(values(), "redRadius").value(), Value(3.5));
+        QVERIFY(!window_->history().stack().canUndo());
+
+        // Away for a whole session, and there again.
+        closeWindow();
+        QVERIFY(QFile::rename(home_->filePath("two.json"), home_->filePath("aside.json")));
+        openWindow();
+        QVERIFY(!rowOf(values(), "redRadius"));
+        closeWindow();
+        QVERIFY(QFile::rename(home_->filePath("aside.json"), home_->filePath("two.json")));
+        openWindow();
+        QTRY_VERIFY(rowOf(values(), "redRadius").has_value());
+        QCOMPARE(rowOf(values(), "redRadius").value(), Value(3.5));
+    }
+
+    void studiesOfferTheRowsOfTheFile()
+    {
+        auto* choices = window_->findChild<StudyDock*>()->findChild<QComboBox*>();
+        QCOMPARE(choices->accessibleName(), QString("What to measure"));
+        QCOMPARE(choices->count(), 1);
+        name(path("two.json"));
+        QTRY_COMPARE(choices->count(), 3);
+        QCOMPARE(choices->itemText(2), QString("Blue rings"));
+    }
+};
+
+VITRINE_TEST_MAIN(MadeRowsTest)
+
+#include "made_rows_test.moc"

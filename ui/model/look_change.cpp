@@ -1,0 +1,95 @@
+#include "ui/model/look_change.h"
+
+#include <algorithm>
+
+namespace vitrine::ui {
+
+LookChange::LookChange(const Look& before, const Look& after)
+{
+    for (std::size_t e = 0; e < before.values.size(); ++e) {
+        const ParameterValues &from = before.values[e], &to = after.values[e];
+        if (from.sharedTable() != to.sharedTable() || from.pending() != to.pending()) {
+            tables_.push_back({e, from, to});
+            continue;
+        }
+        for (std::size_t r = 0; r < from.rows().size(); ++r)
+            if (from.row(r) != to.row(r)) rows_.push_back({e, r, from.sharedTable(), from.row(r), to.row(r)});
+    }
+}
+
+LookChange::LookChange(const Look& before, std::size_t exhibit, std::size_t row, const Value& after)
+    : rows_{{exhibit, row, before.values[exhibit].sharedTable(), before.values[exhibit].row(row), after}}
+{
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> LookChange::onlyRow() const
+{
+    if (rows_.size() != 1 || !tables_.empty()) return std::nullopt;
+    return std::pair(rows_.front().exhibit, rows_.front().row);
+}
+
+void LookChange::set(ParameterValues& values, const Row& change, const Value& value)
+{
+    if (values.sharedTable() == change.table) {
+        values.setRow(change.row, value);
+        return;
+    }
+    // A file was read again since: the row is where its name is.
+    const ParameterInfo& info = change.table->rows()[change.row];
+    const std::optional<std::size_t> row = values.table().find(info.name);
+    if (row && values.rows()[*row].kind == info.kind) values.setRow(*row, value);
+}
+
+void LookChange::apply(Look& look) const
+{
+    for (const Row& change : rows_) set(look.values[change.exhibit], change, change.after);
+    for (const Table& change : tables_) look.values[change.exhibit] = change.after;
+}
+
+void LookChange::revert(Look& look) const
+{
+    for (auto change = rows_.rbegin(); change != rows_.rend(); ++change)
+        set(look.values[change->exhibit], *change, change->before);
+    for (const Table& change : tables_) look.values[change.exhibit] = change.before;
+}
+
+void LookChange::append(const LookChange& later)
+{
+    for (const Row& change : later.rows_) appendRow(change);
+    for (const Table& change : later.tables_) appendTable(change);
+    std::erase_if(rows_, [](const Row& change) { return change.before == change.after; });
+    std::erase_if(tables_, [](const Table& change) {
+        return change.before.sharedTable() == change.after.sharedTable() && change.before == change.after;
+    });
+}
+
+void LookChange::appendRow(const Row& later)
+{
+    for (Table& change : tables_)
+        if (change.exhibit == later.exhibit) {
+            set(change.after, later, later.after);
+            return;
+        }
+    for (Row& change : rows_)
+        if (change.exhibit == later.exhibit && change.row == later.row && change.table == later.table) {
+            change.after = later.after;
+            return;
+        }
+    rows_.push_back(later);
+}
+
+void LookChange::appendTable(const Table& later)
+{
+    for (Table& change : tables_)
+        if (change.exhibit == later.exhibit) {
+            change.after = later.after;
+            return;
+        }
+    Table change = later;
+    for (auto row = rows_.rbegin(); row != rows_.rend(); ++row)
+        if (row->exhibit == later.exhibit) set(change.before, *row, row->before);
+    std::erase_if(rows_, [&](const Row& row) { return row.exhibit == later.exhibit; });
+    tables_.push_back(std::move(change));
+}
+
+}  // namespace vitrine::ui

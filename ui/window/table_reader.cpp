@@ -1,0 +1,58 @@
+#include "ui/window/table_reader.h"
+
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/viewport/gallery.h"
+#include "ui/viewport/viewport.h"
+
+namespace vitrine::ui {
+
+TableReader::TableReader(Workbench& window, QObject* parent) : QObject(parent), window_(window), asked_(named())
+{
+    History& history = window.history();
+    connect(&history, &History::changed, this, [this, &history](std::size_t exhibit, std::size_t row) {
+        if (history.look().values[exhibit].rows()[row].givesRows) read();
+    });
+    connect(&history, &History::replaced, this, &TableReader::read);
+    connect(&window.viewport(), &Viewport::filesChanged, this, &TableReader::readAgain);
+}
+
+std::vector<TableReader::Named> TableReader::named() const
+{
+    std::vector<Named> all;
+    for (const ParameterValues& values : window_.history().look().values)
+        if (std::vector<std::string> files = values.tableFiles(); !files.empty())
+            all.push_back({std::move(files), values.sharedTable()});
+    return all;
+}
+
+void TableReader::read()
+{
+    if (!taking_ && named() != asked_) readAgain();
+}
+
+void TableReader::readAgain()
+{
+    asked_ = named();
+    if (asked_.empty()) return;
+    window_.viewport().renderThread().post(
+        [this, &gallery = window_.gallery(), look = window_.history().look()]() -> std::function<void()> {
+            auto tabled = std::make_shared<const TabledLook>(gallery.readTables(look));
+            return [this, tabled] { take(*tabled); };
+        });
+}
+
+void TableReader::take(const TabledLook& tabled)
+{
+    for (const std::string& why : tabled.unreadable)
+        window_.say(MessageStrip::Mood::problem, QString::fromStdString(why));
+    for (const std::string& note : tabled.notes) window_.say(MessageStrip::Mood::notice, QString::fromStdString(note));
+    taking_ = true;
+    window_.history().exchangeTables(tabled.look);
+    taking_ = false;
+    asked_ = named();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_table_reader.cpp"
