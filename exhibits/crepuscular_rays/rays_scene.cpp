@@ -1,8 +1,8 @@
 #include "exhibits/crepuscular_rays/rays_scene.h"
 
+#include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/pixel_blocks.h"
-#include "render/glsl/cpu.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>

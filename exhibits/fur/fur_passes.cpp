@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace vitrine {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 using render::Attachment;
 using render::Pass;
 
-constexpr const char* foundImage = "fur.found";
 constexpr const char* statesName = "fur.bodies";
 constexpr const char* names[furBodyCount] = {"ball", "roll", "ring"};
 
@@ -33,6 +33,7 @@ struct Planner {
     const FurTable& table;
     FurBodies all;
     bool inView[furBodyCount] = {};
+    std::optional<render::ResourceId> found = {};  ///< What the eye meets of strands; where a coat is in view.
 
     Planner(const FurScene& s, render::FramePlan& p) : scene(s), plan(p), table(s.coats.table)
     {
@@ -126,10 +127,10 @@ struct Planner {
             for (const char* name : {"fur/coat", "fur/fins", "fur/shade"}) plan.skip(name, "out of view");
             return false;
         }
-        plan.image({.name = foundImage, .format = render::Format::rgba32f, .nearest = true});
+        found = plan.image({.name = "fur.found", .format = render::Format::rgba32f, .nearest = true});
         made.reason = "in view: " + seenBodies;
-        attach(made, Attachment::cleared(foundImage));
-        attach(fins, Attachment::whole(foundImage));
+        attach(made, Attachment::cleared(*found));
+        attach(fins, Attachment::whole(*found));
         plan.add(std::move(made));
         if (fins.draws.empty()) {
             plan.skip("fur/fins", "silhouettes are not filled with fins");
@@ -140,11 +141,11 @@ struct Planner {
         }
         return true;
     }
-    void attach(Pass& made, Attachment found) const
+    void attach(Pass& made, Attachment strands) const
     {
         made.countSamples = true;
         drawSurface(made, {.normal = scene.context.channels.normal});
-        made.colors.front() = std::move(found);  // Its radiance follows in a pass of its own.
+        made.colors.front() = std::move(strands);  // Its radiance follows in a pass of its own.
     }
 
     void shade() const
@@ -157,7 +158,7 @@ struct Planner {
         made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::farther, .cull = render::Cull::front, .depthClamp = true};
         scene.context.surroundings.illuminate(made);
-        made.inputs.push_back({UNIT_EXHIBIT_A, std::string(foundImage)});
+        made.inputs.push_back({UNIT_EXHIBIT_A, *found});
         for (int i = 0; i < furBodyCount; ++i) {
             if (!inView[i]) continue;
             FurBodies lit = all;

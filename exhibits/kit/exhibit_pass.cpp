@@ -41,15 +41,22 @@ void drawSurface(render::Pass& pass, const Channels& channels, render::Load load
     pass.state.cull = render::Cull::back;
 }
 
-render::Pass surfacePass(std::string name, std::string reason, const PlanContext& context)
+render::Pass surfacePass(std::string name, std::string reason, const Surroundings& light, const Channels& channels,
+                         std::vector<std::string> defines, render::Load load)
 {
     render::Pass pass;
     pass.name = std::move(name);
     pass.reason = std::move(reason);
-    pass.shader = {.vertex = "kit/surface.vert", .fragment = "kit/surface.frag"};
-    drawSurface(pass, {.normal = context.channels.normal});
-    context.surroundings.illuminate(pass);
+    pass.shader = {.vertex = "kit/surface.vert", .fragment = "kit/surface.frag", .defines = std::move(defines)};
+    drawSurface(pass, channels, load);
+    light.illuminate(pass);
+    pass.depthOnly = meshDepth();
     return pass;
+}
+
+render::DepthOnly meshDepth()
+{
+    return {.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"}};
 }
 
 void castShadow(render::Pass& pass, const PlanContext& context)
@@ -70,7 +77,7 @@ render::Pass meshShadow(std::string name, const PlanContext& context)
     render::Pass pass;
     pass.name = std::move(name);
     pass.reason = shadowReason;
-    pass.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
+    pass.shader = meshDepth().shader;
     castShadow(pass, context);
     pass.state.depthBias = {1.5F, 2};
     return pass;

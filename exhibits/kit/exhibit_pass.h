@@ -4,6 +4,7 @@
 #include "render/plan/frame_plan.h"
 
 #include <string>
+#include <vector>
 
 namespace vitrine {
 
@@ -16,8 +17,14 @@ namespace vitrine {
 /// the normal at location 1; with `channels.evaluations`, WRITE_EVALUATIONS with the location of the count.
 void drawSurface(render::Pass&, const Channels&, render::Load = render::Load::keep);
 
-/// A pass of meshes with materials, `surfaceDraw`s, in the light of the place; with their normals where asked for.
-[[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const PlanContext&);
+/// The depth of meshes, for which their positions tell all: of passes whose every fragment hides what is behind. Their
+/// draws are `surfaceDraw`s, or have their block alone.
+[[nodiscard]] render::DepthOnly meshDepth();
+
+/// A pass of meshes with materials, `surfaceDraw`s, in this light, as by `drawSurface`. `defines` are permutations of
+/// shaders/kit/surface.frag.
+[[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const Surroundings&, const Channels&,
+                                       std::vector<std::string> defines = {}, render::Load = render::Load::keep);
 
 /// Why a shadow that `Exhibit::planShadow` adds is there.
 inline constexpr const char* shadowReason = "the sun reaches it and its shadow may be seen";
@@ -26,7 +33,7 @@ inline constexpr const char* shadowReason = "the sun reaches it and its shadow m
 /// about any exhibit's shadow changes, left out where no shadow can be seen. Culling and depth bias stay as they are.
 void castShadow(render::Pass&, const PlanContext&);
 
-/// The shadow of meshes, for which their positions tell all. Its draws are `surfaceDraw`s, or have their block alone.
+/// The shadow of meshes, as `meshDepth`.
 [[nodiscard]] render::Pass meshShadow(std::string name, const PlanContext&);
 
 }  // namespace vitrine

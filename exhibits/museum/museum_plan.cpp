@@ -107,13 +107,13 @@ struct Museum::Frame {
     void begin();
     void findPresent();
     void castShadows();
-    void planBuilding();
+    void declareImages(render::FramePlan&) const;
+    void planBuilding(render::FramePlan&) const;
     void planExhibits();
     void finish(const render::KeptKeys&);
 
-    void clearPicture();
+    void clearPicture(render::FramePlan&) const;
     [[nodiscard]] render::FramePlan seenFrom(const render::View&) const;
-    void planBuildingInto(render::FramePlan&) const;
 };
 
 std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
@@ -189,7 +189,7 @@ render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& req
     frame.begin();
     frame.findPresent();
     frame.castShadows();
-    frame.planBuilding();
+    frame.planBuilding(frame.plan);
     frame.planExhibits();
     frame.finish(kept);
     return std::move(frame.plan);
@@ -205,13 +205,18 @@ void Museum::Frame::begin()
     plan.seed = request.seed;
     plan.sample = request.sample;
     plan.runEverything = request.runEverything;
-    const bool exact = request.averageIn == AverageIn::radiance;
-    plan.image({.name = radianceImage, .format = exact ? render::Format::rgba32f : render::Format::rgba16f});
-    plan.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
-    plan.image({.name = normalImage, .format = render::Format::rgba32f});
-    plan.image({.name = evaluationsImage, .format = render::Format::r32f});
+    declareImages(plan);
     light = surroundings(scene, request.runEverything);
     light.light.sampleIndex = request.sample;
+}
+
+void Museum::Frame::declareImages(render::FramePlan& into) const
+{
+    const bool exact = request.averageIn == AverageIn::radiance;
+    into.image({.name = radianceImage, .format = exact ? render::Format::rgba32f : render::Format::rgba16f});
+    into.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
+    into.image({.name = normalImage, .format = render::Format::rgba32f});
+    into.image({.name = evaluationsImage, .format = render::Format::r32f});
 }
 
 /// Who is here, and which files what is shown of them lacks.
@@ -282,7 +287,8 @@ void Museum::Frame::castShadows()
     plan.add(std::move(clear));
 }
 
-void Museum::Frame::planBuildingInto(render::FramePlan& into) const
+/// Walls, shadows of walls, and the probe; or an empty picture where there are none.
+void Museum::Frame::planBuilding(render::FramePlan& into) const
 {
     planHallShadow(scene, light, into);
     planProbe(scene, light, into);
@@ -292,16 +298,10 @@ void Museum::Frame::planBuildingInto(render::FramePlan& into) const
         into.skip("hall/walls", "one exhibit is asked for without what is around it");
     else
         planWalls(scene, light, request.channels, into);
+    if (alone || request.cutOut) clearPicture(into);
 }
 
-/// Walls, shadows of walls, and the probe; or an empty picture where there are none.
-void Museum::Frame::planBuilding()
-{
-    planBuildingInto(plan);
-    if (alone || request.cutOut) clearPicture();
-}
-
-void Museum::Frame::clearPicture()
+void Museum::Frame::clearPicture(render::FramePlan& into) const
 {
     render::Pass clear;
     clear.name = "clear";
@@ -312,7 +312,7 @@ void Museum::Frame::clearPicture()
     if (request.channels.normal) clear.colors.push_back(render::Attachment::cleared(normalImage));
     if (request.channels.evaluations) clear.colors.push_back(render::Attachment::cleared(evaluationsImage));
     clear.depth = render::Attachment::cleared(depthImage);
-    plan.add(std::move(clear));
+    into.add(std::move(clear));
 }
 
 /// What the exhibits draw, then what they lay over the frame.
@@ -358,7 +358,8 @@ render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
     other.time = plan.time;
     other.seed = plan.seed;
     other.sample = plan.sample;
-    planBuildingInto(other);
+    declareImages(other);
+    planBuilding(other);
     for (std::size_t i = 0; i < present.size(); ++i) {
         const std::size_t exhibit = present[i].index;
         if (!prepared.exhibits[exhibit].seen || !museum.whyHidden(present[i].box, view, alone).empty()) continue;

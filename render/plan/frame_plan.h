@@ -114,6 +114,13 @@ struct Effect {
     Bound bound;
 };
 
+/// How the depth of a raster pass is drawn without the rest of it: by its own draws, state and blocks, with another
+/// program and these inputs in place of the pass's and its draws'.
+struct DepthOnly {
+    ShaderKey shader;
+    std::vector<Input> inputs = {};
+};
+
 /// One step of a frame: a simulation step on the CPU, a raster pass or a compute dispatch.
 struct Pass {
     std::string name;    ///< Unique in the plan: "sdf_morph/march".
@@ -133,8 +140,9 @@ struct Pass {
     std::map<int, Bytes> blocks;      ///< std140 blocks by BLOCK_ binding; FRAME is the renderer's.
     std::optional<View> view;         ///< In place of the plan's: a light, a face of a probe.
     std::vector<Draw> draws;
-    glm::ivec3 groups{1};              ///< Compute.
-    std::vector<std::string> mipmaps;  ///< Images whose lower levels are made from level 0 afterwards.
+    std::optional<DepthOnly> depthOnly;  ///< For whoever asks for no more; unset: only its own program finds its depth.
+    glm::ivec3 groups{1};                ///< Compute.
+    std::vector<std::string> mipmaps;    ///< Images whose lower levels are made from level 0 afterwards.
     /// Work that the plan knows this pass does, by counter name ("fetches", "marchSteps"): added to the
     /// report's counters when it runs.
     std::map<std::string, std::int64_t> counts;

@@ -2,6 +2,7 @@
 
 #include "render/glsl/shader_source.h"
 #include "render/glsl/std140.h"
+#include "tests/support/block_of.h"
 #include "tests/support/gallery.h"
 
 #include <epoxy/gl.h>
@@ -28,7 +29,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/lib/light_block.glsl"
 #include "shaders/lib/local_lights_block.glsl"
 #include "shaders/lib/temporal_block.glsl"
-#include "shaders/lib/torus_mug_shape_block.glsl"
+#include "shaders/sdf_morph/torus_mug_shape_block.glsl"
 
 /// Byte offset of every number, vector and matrix by its GLSL name.
 using Offsets = std::map<std::string, std::size_t>;
@@ -243,7 +244,8 @@ TEST_F(UniformBlocks, HoldTheValuesOfTheirFields)
     EXPECT_EQ(read(0.0F, at.at("block.k[2]")), 2.5F);
     EXPECT_EQ(read(0.0F, at.at("block.m[1].b")), 3.5F);
     EXPECT_EQ(read(glm::vec4(0), at.at("block.p") + 32), glm::vec4(1, 2, 3, 4));
-    EXPECT_EQ(render::std140Bytes(block), bytes);
+    EXPECT_EQ(render::std140Bytes(test::blockOf<Awkward140>(bytes)), bytes);
+    EXPECT_EQ(render::std140Offset<Awkward140>("n"), at.at("block.n"));
 }
 
 }  // namespace

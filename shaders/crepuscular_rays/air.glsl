@@ -1,6 +1,6 @@
 // Light that air scatters towards the eye: dust of a density that thins with height, in a box.
 //
-// This file is GLSL 4.50 and C++ (render/glsl/cpu.h); needs lib/numerics.glsl.
+// This file is GLSL 4.50 and C++ (exhibits/crepuscular_rays/rays_cpu.h); needs lib/numerics.glsl.
 
 // Metres beyond which a ray has left all air: an endless one has a length, too.
 const float AIR_FARTHEST = 1.0e9;

@@ -1,4 +1,4 @@
-#include "render/scene/rigid_bodies.h"
+#include "exhibits/fur/rigid_bodies.h"
 
 #include <btBulletDynamicsCommon.h>
 
@@ -8,7 +8,7 @@
 
 extern btScalar gDeactivationTime;
 
-namespace vitrine::render {
+namespace vitrine {
 namespace {
 
 btVector3 bulletOf(const glm::dvec3& v)
@@ -211,4 +211,4 @@ bool RigidBodies::asleep(int body) const
     return !world_->at(body).isActive();
 }
 
-}  // namespace vitrine::render
+}  // namespace vitrine

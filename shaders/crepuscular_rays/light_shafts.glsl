@@ -9,7 +9,7 @@
 // the two agree near p, both are even for decay 1, and a power depends on p and L by their ratio alone, so that
 // geometric steps compose exactly and a running sum along log-polar lines gives I with one look-up.
 //
-// This file is GLSL 4.50 and C++ (render/glsl/cpu.h); needs lib/numerics.glsl.
+// This file is GLSL 4.50 and C++ (exhibits/crepuscular_rays/rays_cpu.h); needs lib/numerics.glsl.
 
 // Steps that decay is told in: those of the museum's original.
 const float SHAFT_STEPS = 128.0;

@@ -5,7 +5,7 @@
 // way), one per cell. A cell seen at an angle covers more surface, so cells are dropped at random where the
 // surface faces its plane squarely: the density is the same everywhere, on any mesh, without poles or seams.
 //
-// GLSL 4.50 and C++ (render/glsl/cpu.h).
+// GLSL 4.50 and C++ (exhibits/fur/strand_cpu.h).
 
 const int STRAND_MATRIX_MIX = 0;
 const int STRAND_NLERP = 1;

@@ -4,7 +4,7 @@
 // Across the lens lies x, 0 on its axis; z points out of the sheet, 0 on the lens's top; the print lies at
 // z = -thickness. All lengths in one unit, of the caller's choice.
 //
-// GLSL 4.50 and C++ (render/glsl/cpu.h).
+// GLSL 4.50 and C++ (exhibits/printing/lens_cpu.h).
 
 struct LensShape {
     float pitch;
