@@ -3,6 +3,7 @@
 #include "render/files/atomic_write.h"
 #include "render/files/strict_json.h"
 #include "render/measure/memory.h"
+#include "render/plan/step_costs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,9 +63,8 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     const Prepared preparedAll = museum.prepare(job.look, everything);
     (void)renderer.draw(museum.plan(preparedAll, everything));
     renderer.timeSteps(true);
-    std::map<std::string, double> wouldCost;
-    for (const render::StepReport& step : renderer.draw(museum.plan(preparedAll, everything)).ran)
-        wouldCost[step.name] = step.milliseconds;
+    render::StepCosts wouldCost;
+    wouldCost.note(renderer.draw(museum.plan(preparedAll, everything)));
     renderer.timeSteps(false);
 
     const render::FrameReport& first = maker.report();
@@ -81,11 +81,11 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     }
     Json skipped = Json::array();
     for (const render::Skipped& step : first.skipped) {
-        const auto known = wouldCost.find(step.name);
+        const double known = wouldCost.of(step.name);
         skipped.push_back(Json{{"name", step.name},
                                {"kind", toString(step.work)},
                                {"reason", step.reason},
-                               {"wouldCostMs", known == wouldCost.end() ? Json(nullptr) : Json(known->second)},
+                               {"wouldCostMs", known < 0 ? Json(nullptr) : Json(known)},
                                {"boundIsZero", step.boundIsZero}});
     }
 

@@ -45,12 +45,10 @@ struct PlanContext {
         1};           ///< Its place in the hall, or identity when alone, times the caller's scale and rotation.
     double time = 0;  ///< Seconds since the exhibit's clock started.
     Channels channels;
-    bool alone = false;           ///< No hall: the environment is the only light.
-    std::string hiddenBecause;    ///< Empty when its bounds may be visible from the camera.
-    std::string noShadowBecause;  ///< Empty when its shadow may be seen and the sun may reach its bounds.
+    bool alone = false;  ///< No hall: the environment is the only light.
     double sinceOwnPress =
         std::numeric_limits<double>::infinity();  ///< Seconds since its button was pressed; infinity: never.
-    const PreparedPart* prepared = nullptr;  ///< What `prepare` made; null where neither it nor its shadow may be seen.
+    const PreparedPart* prepared = nullptr;       ///< What `prepare` made.
     /// What the hall and all exhibits plan for another view of the same frame, without shadows and what lies over the
     /// frame. Only for OverFrame::planOverFrame; unpruned.
     std::function<render::FramePlan(const render::View&)> seenFrom = {};
@@ -85,6 +83,12 @@ public:
         return nextChange(state.values, state.time);
     }
 
+    // Planning. Where one of the first two is not called, the ledger has one line that says why: "fur/shadow", "fur".
+
+    /// Its part of the exhibits' shadow map (`castShadow` of the kit), before `plan`. Called only while the sun may
+    /// reach its bounds and the shadow may be seen.
+    virtual void planShadow(const PlanContext&, render::FramePlan&) const {}
+    /// Its part of the picture. Called only while its bounds may be seen.
     virtual void plan(const PlanContext&, render::FramePlan&) const {}
 };
 

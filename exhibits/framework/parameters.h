@@ -309,7 +309,7 @@ private:
     static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
     static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
     static void say(ParameterInfo& row, const Word& word) { row.word = word; }
-    static void say(ParameterInfo& row, const Condition& condition) { row.actsWhen = condition; }
+    static void say(ParameterInfo& row, const std::optional<Condition>& condition) { row.actsWhen = condition; }
     template <typename... Traits> std::uint16_t append(ParameterInfo row, const Traits&... traits)
     {
         (say(row, traits), ...);

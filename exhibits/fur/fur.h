@@ -9,6 +9,8 @@
 
 namespace vitrine {
 
+struct FurScene;
+
 /// Three furry bodies in a pit that bounce when the red button is pressed. Shell texturing: the skin is drawn
 /// many times, each time a little further out, and keeps only what is inside a strand.
 class Fur final : public Exhibit, public HasButton {
@@ -39,10 +41,14 @@ public:
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    void planShadow(const PlanContext&, render::FramePlan&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 
 private:
     struct Prepared;
+    /// The simulation's line in the ledger, once in a plan: shadow and picture both read its state.
+    void planMotion(const PlanContext&, render::FramePlan&) const;
+    [[nodiscard]] FurScene sceneOf(const PlanContext&, std::uint32_t seed) const;
     void findMotion(const PrepareContext&, Prepared&) const;
 
     Table table_;

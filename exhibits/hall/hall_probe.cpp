@@ -59,8 +59,8 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
 
     Pass walls = capturePass("walls", face, eye, size, key);
     walls.bound = light.probeLight;
-    walls.shader = {.vertex = "hall/surface.vert",
-                    .fragment = "hall/surface.frag",
+    walls.shader = {.vertex = "kit/surface.vert",
+                    .fragment = "kit/surface.frag",
                     .defines = {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
     walls.colors = {Attachment::slice("probe.captured", face)};
     walls.depth = Attachment::cleared("probe.depth");

@@ -35,6 +35,7 @@ public:
     bool press(ParameterValues&) const override;
     [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    void planShadow(const PlanContext&, render::FramePlan&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 
 private:

@@ -16,20 +16,6 @@ namespace {
 constexpr int localShadowSize = 512;  ///< Texels along one face of a lamp's shadow map.
 constexpr const char* lampReason = "a lamp throws its shadow";
 
-bool isOfThePicture(const render::Attachment& color)
-{
-    return color.image == radianceImage || color.image == normalImage || color.image == evaluationsImage;
-}
-
-/// Of what draws the picture, the depth alone; what only lays color over it is left out. What prepares images of an
-/// exhibit's own stays.
-bool takeDepth(render::Pass& pass)
-{
-    if (pass.colors.empty() || !std::all_of(pass.colors.begin(), pass.colors.end(), isOfThePicture)) return true;
-    pass.colors.clear();
-    return pass.depth && (pass.state.depthWrite || pass.depth->load == render::Load::clear);
-}
-
 void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, int face, render::FramePlan& plan)
 {
     const render::View view = render::cubeFaceView(light.position, face, localShadowSize, render::localShadowNear);
@@ -42,7 +28,7 @@ void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, 
     layer.depth = render::Attachment::clearedSlice(localShadowImage, 6 * map + face);
     layer.key = render::Hash().addValue(lamps.castersKey).addValue(view.clipFromWorld).value();
     const auto images = render::addElsewhere(plan, lamps.seenFrom(view),
-                                             {.name = name, .reason = lampReason, .view = view, .take = takeDepth});
+                                             {.name = name, .reason = lampReason, .view = view, .depthOnly = true});
     if (const auto depth = images.find(depthImage); depth != images.end()) {
         layer.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/restore.frag"};
         layer.state.depthWrite = true;

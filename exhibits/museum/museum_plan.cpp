@@ -58,18 +58,17 @@ struct Museum::Frame {
     void begin();
     void findPresent();
     void castShadows();
-    void lightLamps();
-    void planBuilding();
     void makeContexts();
+    void lightLamps();
+    void declareImages(render::FramePlan&) const;
+    void planBuilding(render::FramePlan&) const;
     void planExhibits();
     void finish(const render::KeptKeys&);
 
-    void declareImagesIn(render::FramePlan&) const;
-    void clearPictureIn(render::FramePlan&) const;
+    void clearPicture(render::FramePlan&) const;
     void addState(render::Hash&, const Present&) const;
     [[nodiscard]] std::uint64_t castersKey() const;
     [[nodiscard]] render::FramePlan seenFrom(const render::View&) const;
-    void planBuildingInto(render::FramePlan&) const;
 };
 
 std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
@@ -167,7 +166,7 @@ render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& req
     frame.castShadows();
     frame.makeContexts();
     frame.lightLamps();
-    frame.planBuilding();
+    frame.planBuilding(frame.plan);
     frame.planExhibits();
     frame.finish(kept);
     return std::move(frame.plan);
@@ -185,13 +184,13 @@ void Museum::Frame::begin()
     plan.runEverything = request.runEverything;
     plan.cut = request.cut;
     plan.allParts = request.finished;
-    declareImagesIn(plan);
+    declareImages(plan);
     light = surroundings(scene, request.runEverything);
     light.light.sampleIndex = request.sample;
 }
 
 /// Those that all draw into.
-void Museum::Frame::declareImagesIn(render::FramePlan& into) const
+void Museum::Frame::declareImages(render::FramePlan& into) const
 {
     const bool exact = request.averageIn == AverageIn::radiance;
     into.image({.name = radianceImage, .format = exact ? render::Format::rgba32f : render::Format::rgba16f});
@@ -266,7 +265,7 @@ void Museum::Frame::castShadows()
     clear.name = "exhibits/shadow";
     clear.reason = "an exhibit stands in the sun";
     clear.stage = render::Stage::shadow;
-    clear.shader = {.vertex = "hall/depth.vert", .fragment = "hall/depth.frag"};
+    clear.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
     clear.view = light.exhibitShadowView;
     clear.depth = render::Attachment::cleared(exhibitShadowImage);
     clear.key = light.exhibitShadowKey;
@@ -274,7 +273,8 @@ void Museum::Frame::castShadows()
     plan.add(std::move(clear));
 }
 
-void Museum::Frame::planBuildingInto(render::FramePlan& into) const
+/// Walls, shadows of walls, and the probe; or an empty picture where there are none.
+void Museum::Frame::planBuilding(render::FramePlan& into) const
 {
     planHallShadow(scene, light, into);
     planProbe(scene, light, into);
@@ -284,23 +284,17 @@ void Museum::Frame::planBuildingInto(render::FramePlan& into) const
         into.skip("hall/walls", "one exhibit is asked for without what is around it");
     else
         planWalls(scene, light, request.channels, into);
-}
-
-/// Walls, shadows of walls, and the probe; or an empty picture where there are none.
-void Museum::Frame::planBuilding()
-{
-    planBuildingInto(plan);
-    if (alone || request.cutOut) clearPictureIn(plan);
+    if (alone || request.cutOut) clearPicture(into);
 }
 
 /// Where no walls cover it.
-void Museum::Frame::clearPictureIn(render::FramePlan& into) const
+void Museum::Frame::clearPicture(render::FramePlan& into) const
 {
     render::Pass clear;
     clear.name = "clear";
     clear.reason = "an empty picture to start from";
     clear.stage = render::Stage::prepare;
-    clear.shader = {.vertex = "hall/depth.vert", .fragment = "hall/depth.frag"};
+    clear.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
     clear.colors = {render::Attachment::cleared(radianceImage)};
     if (request.channels.normal) clear.colors.push_back(render::Attachment::cleared(normalImage));
     if (request.channels.evaluations) clear.colors.push_back(render::Attachment::cleared(evaluationsImage));
@@ -319,8 +313,6 @@ void Museum::Frame::makeContexts()
                             .time = state.time,
                             .channels = request.channels,
                             .alone = alone,
-                            .hiddenBecause = p.hidden,
-                            .noShadowBecause = p.noShadow,
                             .sinceOwnPress = state.sinceOwnPress,
                             .prepared = state.prepared});
     }
@@ -329,7 +321,18 @@ void Museum::Frame::makeContexts()
 /// What the exhibits draw, then what they lay over the frame.
 void Museum::Frame::planExhibits()
 {
-    for (std::size_t i = 0; i < present.size(); ++i) present[i].exhibit.plan(contexts[i], plan);
+    for (std::size_t i = 0; i < present.size(); ++i) {
+        const Exhibit& exhibit = present[i].exhibit;
+        const std::string name(exhibit.name());
+        if (present[i].noShadow.empty())
+            exhibit.planShadow(contexts[i], plan);
+        else
+            plan.skip(name + "/shadow", present[i].noShadow);
+        if (present[i].hidden.empty())
+            exhibit.plan(contexts[i], plan);
+        else if (!capability<OverFrame>(exhibit))  // That lies over the frame wherever its bounds are.
+            plan.skip(name, present[i].hidden);
+    }
     for (std::size_t i = 0; i < present.size(); ++i) {
         const auto* over = capability<OverFrame>(present[i].exhibit);
         if (!over) continue;
@@ -347,14 +350,13 @@ render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
     other.time = plan.time;
     other.seed = plan.seed;
     other.sample = plan.sample;
-    planBuildingInto(other);
+    declareImages(other);
+    planBuilding(other);
     for (std::size_t i = 0; i < present.size(); ++i) {
+        const std::size_t exhibit = present[i].index;
+        if (!prepared.exhibits[exhibit].seen || !museum.whyHidden(present[i].box, view, alone).empty()) continue;
         PlanContext context = contexts[i];
         context.channels = {};
-        context.hiddenBecause = museum.whyHidden(present[i].box, view, alone);
-        if (context.hiddenBecause.empty() && !prepared.exhibits[present[i].index].seen)
-            context.hiddenBecause = present[i].hidden;
-        context.noShadowBecause = "the frame draws the shadows";
         present[i].exhibit.plan(context, other);
     }
     return other;
@@ -379,13 +381,7 @@ void Museum::Frame::lightLamps()
                                    .center = request.camera.target,
                                    .radius = 2 * glm::length(size),
                                    .castersKey = lamps.empty() ? 0 : castersKey(),
-                                   .seenFrom =
-                                       [this](const render::View& view) {
-                                           render::FramePlan seen = seenFrom(view);
-                                           declareImagesIn(seen);
-                                           if (alone || request.cutOut) clearPictureIn(seen);
-                                           return seen;
-                                       }},
+                                   .seenFrom = [this](const render::View& view) { return seenFrom(view); }},
                                   plan);
     if (light.localLights) light.brightest += mostRadianceBy(*light.localLights);
 }

@@ -85,8 +85,8 @@ StabilityResult meanOfThousands(render::Painter& painter)
     const auto pass = [](std::string name, const char* target, render::Load load, float value) {
         render::Pass p;
         p.name = std::move(name);
-        p.shader = {"lib/fullscreen.vert", "lib/copy.frag", "", {}};
-        p.colors = {{target, load, glm::vec4(value), -1, 0}};
+        p.shader = {.vertex = "lib/fullscreen.vert", .fragment = "lib/copy.frag"};
+        p.colors = {{.image = target, .load = load, .clear = glm::vec4(value)}};
         p.inputs = {{UNIT_SOURCE, std::string("one")}};
         return p;
     };

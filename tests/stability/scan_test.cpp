@@ -115,7 +115,7 @@ struct Broken final : Exhibit {
     {
         render::Pass glow;
         glow.name = "broken/glow";
-        glow.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+        glow.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
         const auto light = static_cast<float>(1 / context.values[table.divisor]);
         glow.colors = {{radianceImage, render::Load::clear, glm::vec4(light, light, light, 1), -1, 0}};
         plan.add(std::move(glow));
@@ -123,7 +123,7 @@ struct Broken final : Exhibit {
         plan.image({.name = "broken.source", .format = render::Format::rgba16f});
         render::Pass half;  // Writes nothing: there is nothing to draw.
         half.name = "broken/half";
-        half.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+        half.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
         half.colors = {{"broken.source", render::Load::keep, {}, -1, 0}};
         plan.add(std::move(half));
         render::Pass copy;

@@ -1,7 +1,7 @@
 // The sunbeams that are marched through the air, as drawn, against closed forms.
 
+#include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
-#include "render/glsl/cpu.h"
 #include "tests/exhibits/crepuscular_rays/ray_shot.h"
 #include "tests/support/temporary_folder.h"
 

@@ -85,8 +85,7 @@ TEST(CardPlan, OutOfViewNothingOfItIsPlanned)
     CardScene scene;
     scene.see({0, 1.65, 3}, {6, 1.65, 3});
     const FramePlan plan = scene.plan();
-    EXPECT_EQ(reasonFor(plan, "lenticular/card"), "out of view");
-    EXPECT_EQ(reasonFor(plan, "lenticular/count"), "out of view");
+    EXPECT_EQ(reasonFor(plan, "lenticular"), "out of view");
     EXPECT_FALSE(test::runs(plan, "lenticular/card"));
 }
 

@@ -1,8 +1,8 @@
 // The visitor: where he can walk, what he can press, and what he points at.
 
 #include "exhibits/hall/walk.h"
+#include "exhibits/kit/surface_net.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
-#include "exhibits/sdf_morph/sdf_shape.h"
 #include "render/files/assets.h"
 #include "render/scene/ray.h"
 #include "tests/stability/fields.h"
@@ -301,15 +301,16 @@ TEST(Pick, AFieldIsHitWhereItsMeshIs)
     test::Random random(6);
     Scene scene;
     scene.object().set(test::sdfTable().morph, 0.6);
-    const SdfMoment moment{test::sdfTable(), scene.object(), 0.6};
-    const auto mesh = meshOf(moment, 96);
+    const SdfMorph exhibit;
+    const SdfBody body = exhibit.body(scene.object(), 0);
+    const auto mesh = surfaceNet(body.distance, body.box, 96, "mesh");
     const double cell =
         2 * std::max({mesh->bounds.halfSize().x, mesh->bounds.halfSize().y, mesh->bounds.halfSize().z}) / 96;
     int hits = 0, wrong = 0;
     for (int i = 0; i < 600; ++i) {
         const dvec3 eye = mesh->bounds.center() + random.direction() * random.number(1.2, 4);
         const render::Ray ray{eye, mesh->bounds.center() + random.point(0.5) - eye};
-        const double field = firstHitOf(moment, ray);
+        const double field = exhibit.firstHit({scene.object()}, ray);
         const double triangles = render::firstHit(ray, *mesh, render::Faces::both);
         hits += std::isfinite(field);
         // Rays that graze it part ways by chance.

@@ -247,7 +247,7 @@ private slots:
         ledger->runEverything().setChecked(true);
         settle();
         QCOMPARE(difference(before, picture()), 0.0);
-        QVERIFY(ledger->view().lastCost("sdf_morph/march") >= 0);
+        QVERIFY(ledger->view().costs().of("sdf_morph/march") >= 0);
         ledger->runEverything().setChecked(false);
         settle();
         QTRY_VERIFY(ledger->reasonText().contains("nothing to draw, because"));
