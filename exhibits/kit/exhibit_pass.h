@@ -22,7 +22,7 @@ void drawSurface(render::Pass&, const Channels&, render::Load = render::Load::ke
 [[nodiscard]] render::DepthOnly meshDepth();
 
 /// A pass of meshes with materials, `surfaceDraw`s, in this light, as by `drawSurface`. `defines` are permutations of
-/// shaders/kit/surface.frag.
+/// shaders/kit/surface.frag. Its depth alone is `meshDepth`: one whose textures cut holes unsets `depthOnly`.
 [[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const Surroundings&, const Channels&,
                                        std::vector<std::string> defines = {}, render::Load = render::Load::keep);
 
