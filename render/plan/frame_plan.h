@@ -86,14 +86,6 @@ struct RasterState {
     bool depthClamp = false;
 };
 
-/// The bytes of a trivially copyable struct that mirrors a std140 block.
-template <typename T> [[nodiscard]] Bytes bytesOf(const T& block)
-{
-    static_assert(std::is_trivially_copyable_v<T>);
-    const auto* first = reinterpret_cast<const std::byte*>(&block);
-    return Bytes(first, first + sizeof(T));
-}
-
 /// One draw call. Without a mesh: one triangle that covers the target.
 struct Draw {
     std::shared_ptr<const Mesh> mesh;

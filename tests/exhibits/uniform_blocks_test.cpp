@@ -189,8 +189,17 @@ TEST_F(UniformBlocks, HaveTheirFieldsWhereTheDriverLooksForThem)
     FIELD(vec2, d)                                                                                                     \
     FIELD(int, e)                                                                                                      \
     FIELD(vec2, f)                                                                                                     \
-    FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j) ARRAY(float, k, 3) FIELD(uint, l)             \
-        ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p) FIELD(float, q)
+    FIELD(vec3, g)                                                                                                     \
+    FIELD(ivec2, h)                                                                                                    \
+    FIELD(AwkwardPart, i)                                                                                              \
+    FIELD(float, j)                                                                                                    \
+    ARRAY(float, k, 3)                                                                                                 \
+    FIELD(uint, l)                                                                                                     \
+    ARRAY(AwkwardPart, m, 2)                                                                                           \
+    FIELD(bool, n)                                                                                                     \
+    ARRAY(vec3, o, 2)                                                                                                  \
+    FIELD(mat4, p)                                                                                                     \
+    FIELD(float, q)
 BLOCK_STRUCT(AwkwardPart, AWKWARD_PART_FIELDS)
 BLOCK_STRUCT(Awkward140, AWKWARD_FIELDS)
 

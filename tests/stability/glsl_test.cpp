@@ -79,13 +79,14 @@ TEST(Library, CompilesAsGlslThatTheReferenceCompilerAccepts)
     fs::remove_all(folder);
 }
 
-/// The shader files that render/glsl/cpu.h, or an exhibit's header like it, compiles as C++, too. The rest of shaders/
-/// is GLSL alone.
+/// The shader files that render/glsl/cpu.h and the exhibits' *_cpu.h compile as C++, too. The rest is GLSL alone.
 std::vector<fs::path> sharedWithCpp()
 {
-    std::vector<fs::path> headers{fs::path(VITRINE_SOURCE_DIR) / "render" / "glsl" / "cpu.h"};
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(VITRINE_SOURCE_DIR) / "exhibits"))
-        if (entry.path().string().ends_with("_cpu.h")) headers.push_back(entry.path());
+    const fs::path root(VITRINE_SOURCE_DIR);
+    std::vector<fs::path> headers{root / "render" / "glsl" / "cpu.h"};
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / "exhibits"))
+        if (entry.path().filename().string().ends_with("_cpu.h")) headers.push_back(entry.path());
+    EXPECT_GE(headers.size(), 4U);
     std::vector<fs::path> files;
     for (const fs::path& path : headers) {
         std::ifstream header(path);
@@ -93,7 +94,7 @@ std::vector<fs::path> sharedWithCpp()
             const std::size_t start = line.find("#include \"shaders/");
             if (start == std::string::npos) continue;
             const std::size_t open = line.find('"', start) + 1;
-            files.emplace_back(fs::path(VITRINE_SOURCE_DIR) / line.substr(open, line.find('"', open) - open));
+            files.emplace_back(root / line.substr(open, line.find('"', open) - open));
         }
     }
     return files;
