@@ -48,11 +48,12 @@ QLineEdit* numberField(const QString& name, const QString& start, QWidget* paren
 
 }  // namespace
 
-StudyDock::StudyDock(Gallery& gallery, History& history, RenderThread& thread, QWidget* parent)
-    : QWidget(parent), gallery_(gallery), history_(history), thread_(thread), parameter_(new QComboBox(this)),
-      view_(new QComboBox(this)), go_(new QPushButton(this)), copy_(new QToolButton(this)),
-      save_(new QToolButton(this)), progress_(new QProgressBar(this)), doing_(new QLabel(this)),
-      words_(new QLabel(this)), caption_(new QLabel(this)),
+StudyDock::StudyDock(const Museum& museum, Renderers& renderers, History& history, RenderThread& thread,
+                     QWidget* parent)
+    : QWidget(parent), museum_(museum), renderers_(renderers), history_(history), thread_(thread),
+      parameter_(new QComboBox(this)), view_(new QComboBox(this)), go_(new QPushButton(this)),
+      copy_(new QToolButton(this)), save_(new QToolButton(this)), progress_(new QProgressBar(this)),
+      doing_(new QLabel(this)), words_(new QLabel(this)), caption_(new QLabel(this)),
       error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
       milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this)),
       chart_(new StudyChart(this)), pictures_(new StudyPictures(this))
@@ -257,7 +258,7 @@ void StudyDock::find(bool byError)
 }
 
 struct StudyDock::Work {
-    Gallery& gallery;
+    Renderers& renderers;
     StudyRequest request;
     StudyJob job;
     QElapsedTimer shown;
@@ -266,7 +267,7 @@ struct StudyDock::Work {
 bool StudyDock::step(Work& work, const RenderThread::Tell& tell, const std::function<void(std::shared_ptr<News>)>& take)
 {
     if (!work.job.study) {
-        work.job = work.gallery.makeStudy(work.request);
+        work.job = work.renderers.makeStudy(work.request);
         work.shown.start();
         if (!work.job.study) throw Failure(Blame::openGl, "Nothing can be measured: there is no graphics context.");
     }
@@ -291,7 +292,7 @@ void StudyDock::start(StudyRequest request)
     stop();
     running_ = request;
     isRunning_ = true;
-    auto work = std::make_shared<Work>(Work{gallery_, std::move(request), {}, {}});
+    auto work = std::make_shared<Work>(Work{renderers_, std::move(request), {}, {}});
     go_->setText(tr("Cancel"));
     go_->setEnabled(true);
     progress_->setValue(0);
@@ -375,10 +376,10 @@ void StudyDock::suggestTime()
 QByteArray StudyDock::exported(const QString& suffix) const
 {
     if (suffix == QLatin1String("csv"))
-        return QByteArray::fromStdString(studyCsv(gallery_.subjects(), request_, result()));
+        return QByteArray::fromStdString(studyCsv(museum_.subjects(), request_, result()));
     if (suffix == QLatin1String("json"))
         return QByteArray::fromStdString(
-            render::writeJson(studyJson(gallery_.subjects(), request_, result(), render::Json::object())));
+            render::writeJson(studyJson(museum_.subjects(), request_, result(), render::Json::object())));
     const QSize size(960, 600);
     if (suffix == QLatin1String("svg")) return chart_->svg(size);
     QByteArray bytes;
@@ -432,7 +433,7 @@ void StudyDock::refresh()
 {
     if (request_.axes.empty()) return;
     const std::optional<std::size_t> present = presentPoint();
-    std::vector<ChartPoint> points = chartPoints(gallery_.subjects(), request_, result());
+    std::vector<ChartPoint> points = chartPoints(museum_.subjects(), request_, result());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].present = present == i;
     chart_->setTitles(
         QString::fromStdString(costTitle(result().costName.empty() ? "ms" : result().costName)),
@@ -442,7 +443,7 @@ void StudyDock::refresh()
     if (result().clock.empty()) return;
     QStringList sentences;
     for (const std::string& sentence :
-         {lawSentence(result()), choiceSentence(gallery_.subjects(), request_, result()), result().convergence})
+         {lawSentence(result()), choiceSentence(museum_.subjects(), request_, result()), result().convergence})
         if (!sentence.empty()) sentences << QString::fromStdString(sentence);
     sentences << tr("Clock: %1, %2.")
                      .arg(QString::fromStdString(result().clock),
@@ -477,8 +478,8 @@ void StudyDock::showPoint(int wanted)
            "%1 (%2).")
             .arg(shortNumber(full), QString::fromUtf8(title(request_.metric).data(),
                                                       static_cast<qsizetype>(title(request_.metric).size()))));
-    QString text = QString::fromStdString(pointText(gallery_.subjects(), request_, p)) +
-                   tr(": error %1").arg(shortNumber(p.error));
+    QString text =
+        QString::fromStdString(pointText(museum_.subjects(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
     if (result().costName != "ms")
         text += tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(p.cost)),
                                   QString::fromStdString(costTitle(result().costName)));
@@ -502,7 +503,7 @@ void StudyDock::apply(std::size_t point)
     }
     const bool one = request_.axes.size() == 1;
     history_.change(
-        one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.subjects(), request_, result().points[point])))
+        one ? tr("Set %1").arg(QString::fromStdString(pointText(museum_.subjects(), request_, result().points[point])))
             : tr("Set what the study found"),
         next);
 }

@@ -154,14 +154,10 @@ void Viewport::click(const QPointF& at)
     emit visited(found->exhibit);
 }
 
-std::optional<Pointed> Viewport::pointedAt(const QPointF& at) const
+std::optional<Pointed> Viewport::pointedAt(const QPointF& at)
 {
     if (width() <= 0 || height() <= 0) return std::nullopt;
-    try {
-        return gallery_.pick(history_.look(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
-    } catch (const std::exception&) {
-        return std::nullopt;  // What cannot be read is told of where it is drawn.
-    }
+    return museum_.pick(prepared(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
 }
 
 void Viewport::hover()
