@@ -21,8 +21,8 @@ void drawSurface(render::Pass&, const Channels&, render::Load = render::Load::ke
 /// draws are `surfaceDraw`s, or have their block alone.
 [[nodiscard]] render::DepthOnly meshDepth();
 
-/// A pass of solid meshes with materials, `surfaceDraw`s, in this light, as by `drawSurface`. `defines` are
-/// permutations of shaders/kit/surface.frag.
+/// A pass of meshes with materials, `surfaceDraw`s, in this light, as by `drawSurface`. `defines` are permutations of
+/// shaders/kit/surface.frag. Its depth alone is `meshDepth`: one whose textures cut holes unsets `depthOnly`.
 [[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const Surroundings&, const Channels&,
                                        std::vector<std::string> defines = {}, render::Load = render::Load::keep);
 
