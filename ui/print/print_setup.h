@@ -5,7 +5,6 @@
 
 #include <QObject>
 #include <QStringList>
-#include <QUndoStack>
 
 #include <string>
 
@@ -35,7 +34,9 @@ public:
     void change(const QString& text, PrintState after, Gesture = 0);
     /// The same, for the values only.
     void change(const QString& text, const ParameterValues&, Gesture = 0);
-    [[nodiscard]] QUndoStack& stack() { return stack_; }
+    /// The values, for a panel.
+    [[nodiscard]] History& history() { return history_; }
+    [[nodiscard]] QUndoStack& stack() { return history_.stack(); }
 
     /// Everything that is set, as a print's own JSON has it.
     [[nodiscard]] std::string text() const;
@@ -53,12 +54,14 @@ signals:
     void changed(bool views);
 
 private:
-    friend class PrintStep;
-    void show(const PrintState&);
+    /// Says what is another than what was said last.
+    void follow();
     [[nodiscard]] PrintState possible(PrintState) const;
 
-    PrintState state_;
-    QUndoStack stack_;
+    History history_{Look{{printing::printTable().initial()}, {}}};
+    QStringList files_;
+    std::string sheet_;
+    PrintState state_;  ///< What was said last.
     bool canShow_;
 };
 
