@@ -6,12 +6,12 @@
 #include "render/files/atomic_write.h"
 #include "render/measure/distance.h"
 #include "render/measure/memory.h"
-#include "ui/kit/progress_job.h"
+#include "ui/kit/picture_file.h"
+#include "ui/kit/time_left.h"
 #include "ui/study/study_chart.h"
 #include "ui/study/study_pictures.h"
 
 #include <QApplication>
-#include <QBuffer>
 #include <QClipboard>
 #include <QComboBox>
 #include <QFileDialog>
@@ -320,11 +320,9 @@ void StudyDock::take(News news)
         for (const std::string& view : news.result.views) view_->addItem(QString::fromStdString(view));
     }
     progress_->setValue(static_cast<int>(100 * news.progress));
-    const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
+    const double left = secondsLeft(news.progress, elapsed_);
     doing_->setText(QString::fromStdString(news.doing) +
-                    (news.progress > 0.05 && !done
-                         ? QStringLiteral(", ") + timeLeft(seconds / news.progress * (1 - news.progress))
-                         : QString()));
+                    (left >= 0 && !done ? QStringLiteral(", ") + timeLeft(left) : QString()));
     if (!showsRunning_) return;
     result_ = std::move(news.result);
     refresh();
@@ -381,10 +379,7 @@ QByteArray StudyDock::exported(const QString& suffix) const
             render::writeJson(studyJson(gallery_.exhibits(), request_, result(), render::Json::object())));
     const QSize size(960, 600);
     if (suffix == QLatin1String("svg")) return chart_->svg(size);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    chart_->picture(size, 2).save(&buffer, "PNG");
-    return bytes;
+    return pngOf(chart_->picture(size, 2));
 }
 
 void StudyDock::save()

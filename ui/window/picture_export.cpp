@@ -3,6 +3,7 @@
 #include "render/failure.h"
 #include "render/measure/memory.h"
 #include "ui/kit/message_of.h"
+#include "ui/kit/time_left.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -130,7 +131,7 @@ bool PictureExport::cancel()
 
 void PictureExport::note(double part)
 {
-    emit progressed(part, RenderThread::secondsLeft(part, elapsed_));
+    emit progressed(part, secondsLeft(part, elapsed_));
 }
 
 void PictureExport::end(const QString& failure)
