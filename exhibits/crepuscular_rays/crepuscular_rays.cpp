@@ -45,9 +45,9 @@ void planComposite(const RaysScene& s, int shown, render::Bound bound, render::F
         pass.inputs.push_back(
             {UNIT_EXHIBIT_A, std::string(polar ? "crepuscular_rays.polar" : "crepuscular_rays.rays")});
         pass.counts["fetches"] = static_cast<std::int64_t>(plan.view.raster.drawn().x) * plan.view.raster.drawn().y *
-                                 (polar                ? 2
-                                  : s.block.grid.x > 1 ? 9
-                                                       : 1);
+                                 (polar                  ? 2
+                                  : s.block.cellSize > 1 ? 9
+                                                         : 1);
     }
     if (view != RayView::mask && (shown & volumeBit) != 0) {
         pass.shader.defines.emplace_back("VOLUME");
@@ -56,7 +56,7 @@ void planComposite(const RaysScene& s, int shown, render::Bound bound, render::F
             if (input.unit == UNIT_PROBE_IRRADIANCE) pass.inputs.push_back(input);
     }
     if (view != RayView::picture) pass.shader.defines.emplace_back("REPLACE");
-    pass.blocks[BLOCK_LIGHT] = render::bytesOf(s.context.surroundings.light);
+    pass.blocks[BLOCK_LIGHT] = render::std140Bytes(s.context.surroundings.light);
     plan.add(std::move(pass));
 }
 
@@ -103,7 +103,7 @@ std::vector<StudyView> CrepuscularRays::studyViews(const ParameterValues& values
 {
     return {{"best view", bestView(values), 0, values},
             {"window ahead", {{0, -0.85, 4.5}, {0, 2.2, -3.5}, 0.959931}, 0, values},
-            {"sun beyond the edge", {{-2.2, -0.85, 6.5}, {-3.6, 0.6, -3.0}, 0.7}, 0, values},
+            {"sun beyond the edge", {{-2.2, -0.85, 6.5}, {-3.6, -1.85, -3.0}, 0.7}, 0, values},
             {"banner in the beam", {{3.3, -0.2, 8.5}, {0.6, 1.4, 0.5}, 0.8}, 0, values}};
 }
 

@@ -39,14 +39,17 @@ render::View viewOfWhole(const render::View& view, glm::ivec2 size)
 
 void fillBeams(const std::vector<Beam>& beams, RaysBlock& block)
 {
-    const std::size_t opened = std::min<std::size_t>(beams.size(), 2);
+    const std::size_t opened = std::min<std::size_t>(beams.size(), MOST_BEAMS);
     for (std::size_t i = 0; i < opened; ++i) {
-        block.low[i] = glm::vec4(glm::vec3(beams[i].opening.low), static_cast<float>(beams[i].axis));
-        block.high[i] = glm::vec4(glm::vec3(beams[i].opening.high), static_cast<float>(beams[i].plane));
-        block.airLow[i] = glm::vec4(glm::vec3(beams[i].box.low), 0);
-        block.airHigh[i] = glm::vec4(glm::vec3(beams[i].box.high), 0);
+        BeamBlock& beam = block.beams[i];
+        beam.openingLow = glm::vec3(beams[i].opening.low);
+        beam.openingHigh = glm::vec3(beams[i].opening.high);
+        beam.axis = beams[i].axis;
+        beam.plane = static_cast<float>(beams[i].plane);
+        beam.airLow = glm::vec3(beams[i].box.low);
+        beam.airHigh = glm::vec3(beams[i].box.high);
     }
-    block.airLow[0].w = static_cast<float>(opened);
+    block.beamCount = static_cast<int>(opened);
 }
 
 }  // namespace
@@ -59,58 +62,64 @@ render::Pass RaysScene::pass(const char* name, std::string reason, std::string f
     pass.shader = {"lib/fullscreen.vert", std::move(fragment), "", {}, derive::uniformBlock(table)};
     pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
     pass.draws = {render::Draw{}};
-    pass.draws[0].object = render::bytesOf(block);
+    pass.draws[0].object = render::std140Bytes(block);
     return pass;
 }
 
 RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& context, const render::FramePlan& plan)
 {
     const ParameterValues& values = context.values;
-    const LightBlock& light = context.surroundings.light;
+    const Surroundings& around = context.surroundings;
     const render::Raster& raster = plan.view.raster;
     RaysScene s{table, context, values, {}, raster.drawn() != raster.size, {}, {}, 0, 0, {}, {}, {}};
-    const glm::dvec3 towardsSun = glm::normalize(glm::dvec3(light.sunDirection));
 
     // Mask pixels are picture pixels, unless a tile asks for the whole of a picture that is very large.
     const double maskScale =
         s.tile ? std::min(1.0, static_cast<double>(largestMask) / std::max(raster.size.x, raster.size.y)) : 1.0;
     s.maskSize = glm::max(glm::ivec2(glm::round(glm::dvec2(raster.size) * maskScale)), glm::ivec2(1));
     s.wholeView = viewOfWhole(plan.view, s.maskSize);
-    s.sun = sunInPicture(s.wholeView, towardsSun);
+    s.sun = sunInPicture(s.wholeView, around.towardsSun);
     // Dust is told only where the sun shines through it.
-    if (glm::vec3(light.sunIrradiance) != glm::vec3(0))
-        s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, towardsSun)
-                                : beams(context.surroundings.openings, context.surroundings.room, towardsSun);
+    if (around.sunIrradiance != glm::dvec3(0))
+        s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, around.towardsSun)
+                                : beams(around.openings, around.room, around.towardsSun);
 
     // Cells lie on the grid of the whole picture, so that tiles join.
     const int cell = cellSize(values[table.resolution]);
     const glm::ivec2 first = raster.offset / cell;
     s.coarseSize = (raster.offset + raster.drawn() + cell - 1) / cell - first;
     RaysBlock& b = s.block;
-    b.grid = {cell, first.x, first.y, maskScale};
+    b.cellSize = static_cast<float>(cell);
+    b.firstCell = glm::vec2(first);
+    b.maskScale = static_cast<float>(maskScale);
 
     const bool compare = values[table.compare];
     s.left = static_cast<int>(values[table.technique]);
     s.right = static_cast<int>(compare ? values[table.compareWith] : values[table.technique]);
-    b.sides = {s.left, s.right, compare ? std::round(values[table.wipe] * raster.size.x) : 1e9,
-               static_cast<int>(values[table.view])};
+    b.leftTechnique = s.left;
+    b.rightTechnique = s.right;
+    b.wipeColumn = compare ? static_cast<float>(std::round(values[table.wipe] * raster.size.x)) : 1e9F;
 
     const double height = s.maskSize.y;
     const double distance = glm::length(s.sun.pixel - 0.5 * glm::dvec2(s.maskSize)) / height;
     const bool plain = values[table.sum] == RaySum::plain;
     const double reach = plain ? 1 : std::max(distance / values[table.streak], 1.0);
-    b.source = glm::vec4(s.sun.pixel - s.wholeView.raster.jitter, glsl::shaftExponentAt(values[table.decay], reach),
-                         glsl::shaftDensity(values[table.density], reach));
-    const glm::dvec3 sunLight(light.sunIrradiance);
+    b.sun = glm::vec2(s.sun.pixel - s.wholeView.raster.jitter);
+    b.exponent = static_cast<float>(glsl::shaftExponentAt(values[table.decay], reach));
+    b.gathered = static_cast<float>(glsl::shaftDensity(values[table.density], reach));
+    const glm::dvec3& sunLight = around.sunIrradiance;
     const glm::dvec3 sunColor = sunLight / std::max({sunLight.x, sunLight.y, sunLight.z, 1e-6});
     const double fade = plain ? (s.sun.inFront ? 1 : 0) : glsl::shaftEdgeFade(s.sun.beyond, values[table.edgeFade]);
     // Strength is told in the light of the finished picture, whatever its exposure is, under the sun that the hall
     // begins with; a weaker sun makes weaker rays.
-    const double strength = values[table.weight] * std::exp2(values[table.rayExposure]) * fade *
-                            context.surroundings.sunShare / std::max(static_cast<double>(light.probeHigh.w), 1e-9);
-    b.strength = glm::vec4(values[table.tint].value * sunColor * strength, 1 / std::max(light.probeHigh.w, 1e-9F));
-    b.mask = {values[table.threshold], values[table.lightSize], values[table.skyColor] ? 1 : 0,
-              values[table.jitter] ? 1 : 0};
+    const double strength = values[table.weight] * std::exp2(values[table.rayExposure]) * fade * around.sunShare /
+                            std::max(around.exposure, 1e-9);
+    b.strength = glm::vec3(values[table.tint].value * sunColor * strength);
+    b.inverseExposure = static_cast<float>(1 / std::max(around.exposure, 1e-9));
+    b.threshold = static_cast<float>(values[table.threshold]);
+    b.lightAngle = static_cast<float>(values[table.lightSize]);
+    b.skyColors = values[table.skyColor];
+    b.shiftSamples = values[table.jitter];
     fillBeams(s.beams, b);
     return s;
 }
@@ -118,7 +127,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
 render::Bound screenRaysBound(const RaysScene& s)
 {
     const bool plain = s.values[s.table.sum] == RaySum::plain;
-    const bool still = plain && s.block.source.w <= 0 && !(s.values[s.table.density] > 0);
+    const bool still = plain && s.block.gathered <= 0 && !(s.values[s.table.density] > 0);
     const auto& openings = s.context.surroundings.openings;
     const bool outside = !s.context.surroundings.room.contains(s.wholeView.eye);
     const bool sky = s.context.alone || outside ||
@@ -149,7 +158,7 @@ render::Bound airBound(const RaysScene& s, const render::View& view)
     }
     const double hidden = -std::expm1(-s.values[s.table.airDensity] * way);
     const double ahead = glsl::airPhase(1.0, std::abs(s.values[s.table.anisotropy]));
-    const double sun = largest(glm::dvec3(around.light.sunIrradiance));
+    const double sun = largest(around.sunIrradiance);
     const double drift = 1 + 1.5 * s.values[s.table.unevenness];
     const double scattered =
         largest(s.values[s.table.airColor].value) *

@@ -3,6 +3,7 @@
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 #include "exhibits/framework/exhibit.h"
+#include "render/glsl/std140.h"
 
 #include <glm/glm.hpp>
 
@@ -11,21 +12,7 @@
 
 namespace vitrine {
 
-/// Mirrors the std140 block Object of shaders/crepuscular_rays/block.glsl.
-struct RaysBlock {
-    glm::vec4 source{0};
-    glm::vec4 strength{0};
-    glm::vec4 taps{0};
-    glm::vec4 polar{0};
-    glm::vec4 polarSize{0};
-    glm::vec4 grid{1, 0, 0, 1};
-    glm::vec4 sides{0};
-    glm::vec4 mask{0};
-    glm::vec4 low[2]{};
-    glm::vec4 high[2]{};
-    glm::vec4 airLow[2]{};
-    glm::vec4 airHigh[2]{};
-};
+#include "shaders/crepuscular_rays/rays_block.glsl"
 
 /// Everything that the passes of one frame share.
 struct RaysScene {

@@ -96,7 +96,7 @@ void planLoop(const RaysScene& s, render::FramePlan& plan)
 {
     const bool plain = s.values[s.table.sum] == RaySum::plain;
     // Without a way to go, one look tells all, and the mask comes through to the bit.
-    const int samples = !plain && s.block.source.w <= 0 ? 1 : s.values[s.table.samples];
+    const int samples = !plain && s.block.gathered <= 0 ? 1 : s.values[s.table.samples];
     const bool inPlaceOfPasses = s.tile && !plain && s.values[s.table.method] == RayMethod::threePasses;
     Pass pass = s.pass("loop",
                        inPlaceOfPasses ? "a tile cannot look into its neighbors' passes, so one loop takes their place"
@@ -109,8 +109,9 @@ void planLoop(const RaysScene& s, render::FramePlan& plan)
                    {UNIT_EXHIBIT_C, blueNoise()},
                    {UNIT_SOURCE, std::string(depthImage)}};
     RaysBlock block = s.block;
-    block.taps = {samples, static_cast<float>(s.values[s.table.decay]), 1, 0};
-    pass.draws[0].object = render::bytesOf(block);
+    block.samples = samples;
+    block.ratio = static_cast<float>(s.values[s.table.decay]);
+    pass.draws[0].object = render::std140Bytes(block);
     pass.counts["fetches"] = pixels(s.coarseSize) * samples;
     plan.add(std::move(pass));
 }
@@ -118,7 +119,7 @@ void planLoop(const RaysScene& s, render::FramePlan& plan)
 void planTaps(const RaysScene& s, render::FramePlan& plan)
 {
     const double taps = std::max(std::round(std::cbrt(s.values[s.table.samples])), 1.0);
-    const double ratio = glsl::shaftRatio(s.block.source.w, s.block.source.z, taps, passesOfTaps);
+    const double ratio = glsl::shaftRatio(s.block.gathered, s.block.exponent, taps, passesOfTaps);
     const char* names[passesOfTaps] = {"taps/1", "taps/2", "taps/3"};
     const char* images[passesOfTaps] = {"crepuscular_rays.near", "crepuscular_rays.middle", "crepuscular_rays.rays"};
     for (int i = 0; i < passesOfTaps; ++i) {
@@ -131,8 +132,10 @@ void planTaps(const RaysScene& s, render::FramePlan& plan)
                        {UNIT_EXHIBIT_C, blueNoise()},
                        {UNIT_SOURCE, std::string(depthImage)}};
         RaysBlock block = s.block;
-        block.taps = {taps, std::pow(ratio, std::pow(taps, i)), i == 0 ? 1 : 0, 0};
-        pass.draws[0].object = render::bytesOf(block);
+        block.samples = static_cast<int>(taps);
+        block.ratio = static_cast<float>(std::pow(ratio, std::pow(taps, i)));
+        block.isFirstPass = i == 0;
+        pass.draws[0].object = render::std140Bytes(block);
         pass.counts["fetches"] = pixels(s.coarseSize) * static_cast<std::int64_t>(taps);
         plan.add(std::move(pass));
     }
@@ -140,11 +143,16 @@ void planTaps(const RaysScene& s, render::FramePlan& plan)
 
 void planPolar(RaysScene& s, render::FramePlan& plan)
 {
-    const PolarGrid grid = polarGrid(glm::dvec2(s.block.source), s.maskSize, s.values[s.table.samples]);
+    const PolarGrid grid = polarGrid(glm::dvec2(s.block.sun), s.maskSize, s.values[s.table.samples]);
     const double span = std::log(grid.lastRadius / grid.firstRadius);
-    s.block.polar = {grid.firstAngle, grid.span, std::log(grid.firstRadius), span};
-    s.block.polarSize = {grid.radii, grid.angles, std::exp(-s.block.source.z * span / grid.radii), 0};
-    s.block.taps.z = grid.around ? 0 : 1;
+    s.block.firstAngle = static_cast<float>(grid.firstAngle);
+    s.block.angleSpan = static_cast<float>(grid.span);
+    s.block.logFirstRadius = static_cast<float>(std::log(grid.firstRadius));
+    s.block.logRadiusSpan = static_cast<float>(span);
+    s.block.radii = grid.radii;
+    s.block.angles = grid.angles;
+    s.block.keep = static_cast<float>(std::exp(-s.block.exponent * span / grid.radii));
+    s.block.sunIsBeyondEdge = !grid.around;
     plan.image({.name = "crepuscular_rays.polar",
                 .format = render::Format::rgba16f,
                 .size = {grid.radii, grid.angles},
@@ -157,7 +165,7 @@ void planPolar(RaysScene& s, render::FramePlan& plan)
     pass.storage = {{"crepuscular_rays.polar", Load::keep, {}, -1, 0}};
     pass.inputs = {{UNIT_EXHIBIT_A, std::string("crepuscular_rays.mask")}};
     pass.draws.clear();
-    pass.blocks[BLOCK_OBJECT] = render::bytesOf(s.block);
+    pass.blocks[BLOCK_OBJECT] = render::std140Bytes(s.block);
     pass.groups = {(grid.angles + 31) / 32, 1, 1};
     pass.counts["fetches"] = static_cast<std::int64_t>(grid.radii) * grid.angles;
     plan.add(std::move(pass));
@@ -170,7 +178,7 @@ RayMethod methodOf(const RaysScene& s)
     if (s.values[s.table.sum] == RaySum::plain) return RayMethod::loop;
     const RayMethod method = s.values[s.table.method];
     // The running sum gives a short stretch of the way as a small difference of large numbers.
-    const double stretch = 1 - glsl::shaftWeightBelow(1.0 - s.block.source.w, s.block.source.z);
+    const double stretch = 1 - glsl::shaftWeightBelow(1.0 - s.block.gathered, s.block.exponent);
     if (method == RayMethod::polar && stretch < 0.1) return RayMethod::loop;
     return s.tile && method == RayMethod::threePasses ? RayMethod::loop : method;
 }
@@ -190,7 +198,7 @@ void planMask(const RaysScene& s, render::FramePlan& plan)
     pass.inputs = {{UNIT_SOURCE, std::string(occluders ? "crepuscular_rays.occluders"
                                              : alpha   ? radianceImage
                                                        : depthImage)}};
-    pass.blocks[BLOCK_LIGHT] = render::bytesOf(s.context.surroundings.light);
+    pass.blocks[BLOCK_LIGHT] = render::std140Bytes(s.context.surroundings.light);
     for (const render::Input& input : s.context.surroundings.inputs)
         if (input.unit == UNIT_ENVIRONMENT) pass.inputs.push_back(input);
     pass.counts["fetches"] = pixels(s.maskSize);

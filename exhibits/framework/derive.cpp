@@ -1,13 +1,13 @@
 #include "exhibits/framework/derive.h"
 
 #include "exhibits/framework/value_text.h"
+#include "render/glsl/std140.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
 #include <bit>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <set>
 
 namespace vitrine::derive {
@@ -25,13 +25,6 @@ std::string_view glslType(Kind kind)
     case Kind::file: return "";
     }
     return "";
-}
-
-template <typename T> void put(render::Bytes& bytes, const T& value, std::size_t alignment)
-{
-    const std::size_t offset = (bytes.size() + alignment - 1) / alignment * alignment;
-    bytes.resize(offset + sizeof(T));
-    std::memcpy(bytes.data() + offset, &value, sizeof(T));
 }
 
 std::string rangeText(const ParameterInfo& row)
@@ -96,18 +89,18 @@ std::string uniformBlock(const Parameters& table)
 
 render::Bytes uniformBytes(const ParameterValues& values)
 {
-    render::Bytes bytes;
+    render::Std140Writer block;
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
         const ParameterInfo& row = values.rows()[i];
         if (row.kind == Kind::file) continue;
         if (const auto* v = std::get_if<glm::dvec3>(&values.row(i)))
-            put(bytes, glm::vec3(*v), 16);
+            block.put(glm::vec3(*v));
         else if (row.kind == Kind::real)
-            put(bytes, static_cast<float>(std::get<double>(values.row(i))), 4);
+            block.put(static_cast<float>(std::get<double>(values.row(i))));
         else
-            put(bytes, static_cast<std::int32_t>(std::get<double>(values.row(i))), 4);
+            block.put(static_cast<std::int32_t>(std::get<double>(values.row(i))));
     }
-    return bytes;
+    return block.take();
 }
 
 std::string manualTable(const Parameters& table)

@@ -11,7 +11,7 @@ namespace vitrine {
 
 void Surroundings::illuminate(render::Pass& pass) const
 {
-    pass.blocks[BLOCK_LIGHT] = render::bytesOf(light);
+    pass.blocks[BLOCK_LIGHT] = render::std140Bytes(light);
     pass.inputs.insert(pass.inputs.end(), inputs.begin(), inputs.end());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/glsl/std140.h"
 #include "render/plan/frame_plan.h"
 
 #include <glm/glm.hpp>
@@ -9,27 +10,17 @@
 
 namespace vitrine {
 
-/// Mirrors the std140 block Light of shaders/lib/light.glsl; the shader says what each field means.
-struct LightBlock {
-    glm::mat4 hallShadowFromWorld{1};
-    glm::mat4 exhibitShadowFromWorld{1};
-    glm::vec4 sunDirection{0, 1, 0, 0};
-    glm::vec4 sunIrradiance{0};
-    glm::vec4 skyZenith{0};
-    glm::vec4 skyHorizon{0};
-    glm::vec4 sunLightmap{0};
-    glm::vec4 probePosition{0};
-    glm::vec4 probeLow{0};
-    glm::vec4 probeHigh{0, 0, 0, 1};
-    glm::vec4 filtering{0};
-    glm::vec4 disk{0};
-};
+#include "shaders/lib/light_block.glsl"
 
 /// The light that falls on whatever stands in the hall (or alone in its environment): what an exhibit
 /// needs to be lit like everything around it, and to cast its shadow.
 struct Surroundings {
-    LightBlock light;
+    LightBlock light;                   ///< What shaders read; the numbers below are what plans are made by.
     std::vector<render::Input> inputs;  ///< Shadow maps, probe, environment picture.
+
+    glm::dvec3 towardsSun{0, 1, 0};  ///< Unit.
+    glm::dvec3 sunIrradiance{0};     ///< On a plane that faces the sun; scene-linear.
+    double exposure = 1;             ///< Radiance times this is what the film sees.
 
     /// Through these the sun shines into the hall and the sky is seen: each flat along one axis. World space;
     /// none when there is no hall.
@@ -44,9 +35,9 @@ struct Surroundings {
     /// The sun's strength against the one that the hall's table begins with.
     double sunShare = 1;
 
-    /// The sun's view of walls and furniture, for their shadow map "shadow.hall". Meaningful while the sun throws
-    /// shadows there.
+    /// The sun's view of walls and furniture, for their shadow map "shadow.hall". Meaningful while `hallCastsShadow`.
     render::View hallShadowView;
+    bool hallCastsShadow = false;
     /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while `castsShadows`.
     render::View exhibitShadowView;
     bool castsShadows = false;

@@ -81,32 +81,32 @@ FurBody Coats::body(int index) const
     FurBody body;
     body.worldFromBody = glm::mat4(worldFromBody(index));
     body.bodyFromWorld = glm::mat4(glm::inverse(worldFromBody(index)));
-    body.pull = glm::vec4(glm::vec3(bodyFromPit * state.pull), static_cast<float>(state.grown));
+    body.pull = glm::vec3(bodyFromPit * state.pull);
+    body.grown = static_cast<float>(state.grown);
     body.turn = vec4Of(bodyFromPit * state.lag * state.turn);
-    const double gusts = std::fmod(0.35 * time, 1.0) * 2 * std::numbers::pi;
-    body.wind = glm::vec4(glm::vec3(bodyFromPit * (values[table.windDirection].value * values[table.wind])),
-                          static_cast<float>(gusts));
+    body.wind = glm::vec3(bodyFromPit * (values[table.windDirection].value * values[table.wind]));
+    body.gustPhase = static_cast<float>(std::fmod(0.35 * time, 1.0) * 2 * std::numbers::pi);
 
-    const double cell = 1 / std::sqrt(std::sqrt(3.0) * values[rows.density]);
-    body.coat = {static_cast<float>(length), static_cast<float>(cell), static_cast<float>(0.5 * values[rows.thickness]),
-                 static_cast<float>(values[rows.uniformity])};
-    body.rootColor = glm::vec4(glm::vec3(values[rows.root].value), static_cast<float>(index + 1));
-    body.tipColor = glm::vec4(glm::vec3(values[rows.tip].value), 0);
-    body.shells = {
-        static_cast<float>(length > 0 ? values[table.shellCount] : 1),
-        static_cast<float>(values[table.silhouette] == FurSilhouette::march ? values[table.samplesBetween] : 1),
-        static_cast<float>((seed + 131U * static_cast<unsigned>(index)) % 65536U),
-        values[table.drawOrder] == FurOrder::innerFirst ? 1.0F : 0.0F};
-    body.spine = {static_cast<float>(index == furRoll ? rollHalfLength : 0),
-                  static_cast<float>(index == furRing && !(modelRadius > 0) ? ringRadius : 0),
-                  static_cast<float>(radius(index)), 0};
+    body.strandLength = static_cast<float>(length);
+    body.cellSize = static_cast<float>(1 / std::sqrt(std::sqrt(3.0) * values[rows.density]));
+    body.strandRadius = static_cast<float>(0.5 * values[rows.thickness]);
+    body.leastLength = static_cast<float>(values[rows.uniformity]);
+    body.rootColor = glm::vec3(values[rows.root].value);
+    body.tipColor = glm::vec3(values[rows.tip].value);
+    body.number = index + 1;
+    body.shellCount = static_cast<float>(length > 0 ? values[table.shellCount] : 1);
+    body.samplesBetween = values[table.silhouette] == FurSilhouette::march ? values[table.samplesBetween] : 1;
+    body.innerFirst = values[table.drawOrder] == FurOrder::innerFirst;
+    body.seed = (seed + 131U * static_cast<unsigned>(index)) % 65536U;
+    body.halfLength = static_cast<float>(index == furRoll ? rollHalfLength : 0);
+    body.ringRadius = static_cast<float>(index == furRing && !(modelRadius > 0) ? ringRadius : 0);
+    body.radius = static_cast<float>(radius(index));
 
-    int planes = 0;
     const auto press = [&](const glm::dvec3& normal, double distance) {
         // From pit space, where points p with dot(normal, p) > distance are free, to body space.
-        if (planes < 4)
-            body.planes[planes++] = glm::vec4(glm::vec3(bodyFromPit * normal),
-                                              static_cast<float>(distance - glm::dot(normal, state.position)));
+        if (body.planeCount < FUR_PLANES)
+            body.planes[static_cast<std::size_t>(body.planeCount++)] = glm::vec4(
+                glm::vec3(bodyFromPit * normal), static_cast<float>(distance - glm::dot(normal, state.position)));
     };
     press({0, 1, 0}, 0);
     const double out = std::hypot(state.position.x, state.position.z);
@@ -133,7 +133,6 @@ FurBody Coats::body(int index) const
         const glm::dvec3 normal = (mine - its) / apart;
         press(normal, glm::dot(normal, its) + itsRadius + 0.5 * room);
     }
-    body.tipColor.w = static_cast<float>(planes);
     return body;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/fur/fur_table.h"
+#include "render/glsl/std140.h"
 #include "render/scene/camera.h"
 #include "render/scene/mesh.h"
 
@@ -28,29 +29,8 @@ struct FurState {
 };
 using FurStates = std::array<FurState, furBodyCount>;
 
-/// Mirrors FurBody of shaders/fur/body.glsl.
-struct FurBody {
-    glm::mat4 worldFromBody{1};
-    glm::mat4 bodyFromWorld{1};
-    glm::vec4 pull{0, 0, 0, 1};
-    glm::vec4 turn{0, 0, 0, 1};
-    glm::vec4 wind{0};
-    glm::vec4 coat{0};
-    glm::vec4 rootColor{0};
-    glm::vec4 tipColor{0};
-    glm::vec4 shells{0};
-    glm::vec4 planes[4]{};
-    glm::vec4 spine{0};
-};
-
-/// Mirrors the block Object of shaders/fur/bodies.glsl.
-struct FurBodies {
-    FurBody body[furBodyCount];
-    glm::mat4 worldFromPit{1};
-    glm::mat4 pitFromWorld{1};
-    glm::vec4 pit{0};
-    glm::vec4 middle{0}, halfSize{0};
-};
+#include "shaders/fur/body_block.glsl"
+static_assert(FUR_BODIES == furBodyCount);
 
 /// A coat at one moment, ready to be drawn.
 struct Coats {

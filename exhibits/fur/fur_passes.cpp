@@ -21,7 +21,8 @@ constexpr const char* statesName = "fur.bodies";
 constexpr const char* names[furBodyCount] = {"ball", "roll", "ring"};
 
 // A shadow is a silhouette seen from far away: few shells fill it.
-constexpr float shadowShells = 8, shadowSamples = 3;
+constexpr float shadowShells = 8;
+constexpr int shadowSamples = 3;
 /// Of shells by angle: so many times as many where the coat is seen from the side.
 constexpr int grazingShells = 4;
 /// A visitor's model may have any number of triangles; all its shells together have no more than this.
@@ -31,15 +32,15 @@ struct Planner {
     const FurScene& scene;
     render::FramePlan& plan;
     const FurTable& table;
-    FurBodies bodies;
+    FurBodies all;
     bool inView[furBodyCount] = {};
 
     Planner(const FurScene& s, render::FramePlan& p) : scene(s), plan(p), table(s.coats.table)
     {
-        for (int i = 0; i < furBodyCount; ++i) bodies.body[i] = scene.coats.body(i);
-        bodies.worldFromPit = glm::mat4(scene.context.worldFromExhibit);
-        bodies.pitFromWorld = glm::mat4(glm::inverse(scene.context.worldFromExhibit));
-        bodies.pit = {static_cast<float>(pitRadius), static_cast<float>(pitRim), 0, 0};
+        for (std::size_t i = 0; i < furBodyCount; ++i) all.bodies[i] = scene.coats.body(static_cast<int>(i));
+        all.worldFromPit = glm::mat4(scene.context.worldFromExhibit);
+        all.pitFromWorld = glm::mat4(glm::inverse(scene.context.worldFromExhibit));
+        all.pitRadius = static_cast<float>(pitRadius);
     }
     [[nodiscard]] const ParameterValues& values() const { return scene.coats.values; }
     [[nodiscard]] render::Box bounds(int i) const { return scene.coats.bounds(i, scene.skins[i]->bounds); }
@@ -69,20 +70,21 @@ struct Planner {
         draw.mesh = std::move(mesh);
         draw.instances = instances;
         draw.mirrored = mirrored();
-        draw.object = render::bytesOf(body);
+        draw.object = render::std140Bytes(body);
         return draw;
     }
     [[nodiscard]] static int shellsOf(const FurBody& body)
     {
-        return std::max(static_cast<int>(std::ceil(body.shells.x)), 1);
+        return std::max(static_cast<int>(std::ceil(body.shellCount)), 1);
     }
     [[nodiscard]] bool byAngle() const { return values()[table.silhouette] == FurSilhouette::byAngle; }
 
     [[nodiscard]] FurBody affordable(int i) const
     {
-        FurBody body = bodies.body[i];
+        FurBody body = all.bodies[static_cast<std::size_t>(i)];
         const double triangles = static_cast<double>(scene.skins[i]->indices.size()) / 3;
-        body.shells.x = static_cast<float>(std::min<double>(body.shells.x, std::max(mostTriangles / triangles, 1.0)));
+        body.shellCount =
+            static_cast<float>(std::min<double>(body.shellCount, std::max(mostTriangles / triangles, 1.0)));
         return body;
     }
 
@@ -102,8 +104,8 @@ struct Planner {
         made.state.depthClamp = true;
         for (int i = 0; i < furBodyCount; ++i) {
             FurBody body = affordable(i);
-            body.shells.x = std::min(body.shells.x, shadowShells);
-            body.shells.y = std::min(body.shells.y, shadowSamples);
+            body.shellCount = std::min(body.shellCount, shadowShells);
+            body.samplesBetween = std::min(body.samplesBetween, shadowSamples);
             made.draws.push_back(draw(scene.skins[i], body, shellsOf(body)));
         }
         plan.add(std::move(made));
@@ -118,8 +120,8 @@ struct Planner {
         const double distance =
             std::max(glm::length(plan.view.eye - box.center()) - glm::length(box.halfSize()) * 0.5, 0.1);
         const double angle = 2 * plan.view.tanHalfFov.y / plan.view.raster.size.y;
-        body.shells.x =
-            static_cast<float>(shellsAtDistance(static_cast<int>(body.shells.x), body.coat.x, distance, angle));
+        body.shellCount =
+            static_cast<float>(shellsAtDistance(static_cast<int>(body.shellCount), body.strandLength, distance, angle));
         return body;
     }
 
@@ -133,7 +135,7 @@ struct Planner {
             if (!plan.runEverything && !plan.view.mayContain(bounds(i))) continue;
             const FurBody body = seen(i);
             made.draws.push_back(
-                draw(scene.skins[i], body, shellsOf(body) * (byAngle() && body.shells.x > 1 ? grazingShells : 1)));
+                draw(scene.skins[i], body, shellsOf(body) * (byAngle() && body.shellCount > 1 ? grazingShells : 1)));
             inView[i] = true;
             if (scene.fins[i]) fins.draws.push_back(draw(scene.fins[i], body, 1));
             made.counts["shells"] += made.draws.back().instances;
@@ -180,15 +182,15 @@ struct Planner {
         made.inputs.push_back({UNIT_EXHIBIT_A, std::string(foundImage)});
         for (int i = 0; i < furBodyCount; ++i) {
             if (!inView[i]) continue;
-            FurBodies lit = bodies;
-            std::swap(lit.body[0], lit.body[i]);
+            FurBodies lit = all;
+            std::swap(lit.bodies[0], lit.bodies[static_cast<std::size_t>(i)]);
             const render::Box box = scene.coats.space(i, scene.skins[i]->bounds);
-            lit.middle = glm::vec4(glm::vec3(box.center()), 0);
-            lit.halfSize = glm::vec4(glm::vec3(box.halfSize()), 0);
+            lit.boxCenter = glm::vec3(box.center());
+            lit.boxHalfSize = glm::vec3(box.halfSize());
             render::Draw one;
             one.mesh = boxMesh();
             one.mirrored = mirrored();
-            one.object = render::bytesOf(lit);
+            one.object = render::std140Bytes(lit);
             made.draws.push_back(std::move(one));
         }
         plan.add(std::move(made));
@@ -213,7 +215,7 @@ struct Planner {
         scene.context.surroundings.illuminate(made);
         made.draws = {render::Draw{}};
         made.draws[0].mesh = diskMesh();
-        made.draws[0].object = render::bytesOf(bodies);
+        made.draws[0].object = render::std140Bytes(all);
         plan.add(std::move(made));
     }
 };

@@ -58,7 +58,7 @@ render::Bound shadowBound(const Sun& sun)
                            {{sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"}});
 }
 
-double largest(const glm::vec4& color)
+double largest(const glm::vec3& color)
 {
     return std::max({color.x, color.y, color.z});
 }
@@ -70,8 +70,9 @@ double brightestAround(const HallScene& scene, const LightBlock& light)
     const double sky = std::max(largest(light.skyZenith), largest(light.skyHorizon));
     const double sun = largest(light.sunIrradiance);
     // Lightmaps hold 0 to 1 of these scales; around the sun the sky glows (lib/sky.glsl).
-    const double baked = sky * static_cast<double>(light.skyZenith.w) +
-                         sun * static_cast<double>(light.sunLightmap.x + light.sunLightmap.y + light.sunLightmap.z);
+    const double baked =
+        sky * static_cast<double>(light.skyLightmapScale) +
+        sun * static_cast<double>(light.sunLightmapWeights.x + light.sunLightmapWeights.y + light.sunLightmapWeights.z);
     return std::max(scene.environment ? scene.environmentBrightest : sky + 0.35 * sun, baked + mostReflected * sun);
 }
 
@@ -127,22 +128,32 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
     const bool shadows = values[table.sunShadows] && !scene.alone;
     const int mapSize = values[table.shadowMapSize];
 
-    light.sunDirection = glm::vec4(sun, 0);
-    light.sunIrradiance = glm::vec4(sunColor, shadows ? 1 : 0);
-    light.skyZenith = glm::vec4(skyColor * 0.8, scene.model.skyLightmapScale());
-    light.skyHorizon = glm::vec4(glm::mix(skyColor, sunColor / 9.0, 0.25) * 1.25, scene.environment ? 1
-                                                                                  : scene.alone     ? 2
-                                                                                                    : 0);
-    light.filtering = {static_cast<float>(static_cast<int>(values[table.shadowFilter])), 0,
-                       static_cast<float>(values[table.environmentTurn]), values[table.bakedLight] ? 1.0F : 0.0F};
-    light.disk = {std::tan(values[table.sunDisk] / 2), values[table.diskSamples], 0, 0};
-    light.probeHigh.w =
+    result.towardsSun = sun;
+    result.sunIrradiance = sunColor;
+    light.sunDirection = glm::vec3(sun);
+    light.sunIrradiance = glm::vec3(sunColor);
+    light.skyZenith = glm::vec3(skyColor * 0.8);
+    light.skyLightmapScale = static_cast<float>(scene.model.skyLightmapScale());
+    light.skyHorizon = glm::vec3(glm::mix(skyColor, sunColor / 9.0, 0.25) * 1.25);
+    light.background = scene.environment ? BACKGROUND_PANORAMA : scene.alone ? BACKGROUND_STUDIO : BACKGROUND_SKY;
+    light.environmentTurn = static_cast<float>(values[table.environmentTurn]);
+    light.bakedOcclusion = values[table.bakedLight] ? 1.0F : 0.0F;
+    light.shadowFilter = static_cast<int>(values[table.shadowFilter]);
+    static_assert(static_cast<int>(ShadowFilter::hard) == SHADOW_FILTER_HARD &&
+                  static_cast<int>(ShadowFilter::tent3) == SHADOW_FILTER_TENT_3 &&
+                  static_cast<int>(ShadowFilter::tent5) == SHADOW_FILTER_TENT_5 &&
+                  static_cast<int>(ShadowFilter::disk) == SHADOW_FILTER_SUN_DISK);
+    light.sunTanHalfWidth = static_cast<float>(std::tan(values[table.sunDisk] / 2));
+    light.sunDiskSamples = values[table.diskSamples];
+    light.exposure =
         static_cast<float>(baseExposure * std::exp2(values[table.exposure])) * (scene.alone ? 0.16F : 1.0F);
+    result.exposure = light.exposure;
 
+    result.hallCastsShadow = light.hallCastsShadow = shadows;
     if (shadows) {
         result.hallShadowView = lightView(scene.model.bounds(), sun, glm::ivec2(mapSize), 0.5);
         light.hallShadowFromWorld = shadowFromWorld(result.hallShadowView);
-        light.sunDirection.w = static_cast<float>(2 / result.hallShadowView.clipFromView[0][0] / mapSize);
+        light.hallShadowTexel = static_cast<float>(2 / result.hallShadowView.clipFromView[0][0] / mapSize);
         result.inputs.push_back({UNIT_SHADOW_HALL, std::string("shadow.hall")});
     }
     if (!scene.alone) {
@@ -150,7 +161,7 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
         result.room = room;
         const glm::dvec3 weights = lightmapWeights(scene.model.sunLightmapInfo(), source.elevation);
         for (int i = 0; i < 3; ++i)
-            light.sunLightmap[i] =
+            light.sunLightmapWeights[i] =
                 static_cast<float>(weights[i] * scene.model.sunLightmapInfo()[static_cast<std::size_t>(i)].scale);
     }
     result.sunShadow = shadowBound(source);
@@ -158,14 +169,15 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
     result.brightest = brightestAround(scene, light);
     result.probeLight = render::boundOf(0, mostAmbient, {{result.brightest, "there is no light to reflect"}});
     if (values[table.reflectionProbe] && (runEverything || !result.probeLight.isZero())) {
-        light.probePosition = glm::vec4(probePosition(scene), 1);
+        light.probePosition = glm::vec3(probePosition(scene));
+        light.hasProbe = true;
         const int size = values[table.probeSize];
-        light.probeLow.w =
+        light.probeLastLevel =
             static_cast<float>(std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(size))) - 3, 1));
         if (!scene.alone) {
             // The nave; niches are shallow enough to count as wall.
-            light.probeLow = glm::vec4(-6, 0, -12, light.probeLow.w);
-            light.probeHigh = glm::vec4(6, 8.6, 12, light.probeHigh.w);
+            light.probeLow = glm::vec3(-6, 0, -12);
+            light.probeHigh = glm::vec3(6, 8.6, 12);
         }
         result.inputs.push_back({UNIT_PROBE, std::string("probe")});
         result.inputs.push_back({UNIT_PROBE_IRRADIANCE, std::string("probe.irradiance")});

@@ -164,10 +164,10 @@ void planPlaques(const HallScene& scene, const Surroundings& light, render::Fram
         if (!plan.view.mayContain(plaque.mesh->bounds.transformed(plaque.worldFromPlaque))) continue;
         SurfaceObject object = surfaceObject(plaque.worldFromPlaque, {});
         object.baseColor = {0.012F, 0.009F, 0.006F, 0.97F};
-        object.tiling.x = static_cast<float>(2 * scene.text->spread());
+        object.fontSpread = static_cast<float>(2 * scene.text->spread());
         Draw draw;
         draw.mesh = plaque.mesh;
-        draw.object = render::bytesOf(object);
+        draw.object = render::std140Bytes(object);
         draw.inputs = {{UNIT_FONT, scene.text->atlas()}};
         pass.draws.push_back(std::move(draw));
     }
@@ -278,7 +278,7 @@ std::vector<Part> partsAt(const HallScene& scene, const Place& place)
 
 void planHallShadow(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
 {
-    if (light.light.sunIrradiance.w < 0.5F) {
+    if (!light.hallCastsShadow) {
         plan.skip("hall/shadow", scene.alone ? "there is no hall to cast it" : "sun shadows are switched off");
         return;
     }

@@ -1,6 +1,7 @@
 #include "exhibits/hall/hall_scene.h"
 
 #include "exhibits/kit/surface_draw.h"
+#include "render/glsl/std140.h"
 #include "render/scene/cube_views.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -13,6 +14,8 @@ namespace {
 using render::Attachment;
 using render::Load;
 using render::Pass;
+
+#include "shaders/hall/probe_block.glsl"
 
 constexpr int smallestFace = 4;  ///< Texels along a face of the roughest level.
 
@@ -40,7 +43,7 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
     // The probe must not read itself while it is being made; and it holds the hall alone, for its key does not
     // tell where the exhibits' shadows lie.
     Surroundings hallLight = light;
-    hallLight.light.sunLightmap.w = 0;
+    hallLight.light.exhibitsCastShadow = false;
     std::erase_if(hallLight.inputs, [](const render::Input& input) {
         return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS;
     });
@@ -82,11 +85,12 @@ void planLevel(int level, int levels, int size, int samples, const render::Bound
     pass.reason = "what the probe sees has changed";
     pass.stage = render::Stage::prepare;
     pass.work = render::Work::compute;
-    pass.shader = {"", "", "probe/prefilter.comp", {}};
+    pass.shader = {"", "", "hall/probe_prefilter.comp", {}};
     pass.storage = {{"probe", Load::keep, {}, -1, level}};
     pass.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
     // Level follows the square root of roughness (lib/light.glsl), so roughness is its square.
-    pass.blocks[BLOCK_OBJECT] = render::bytesOf(glm::vec4(t * t, level == 0 ? 1 : samples, size, 0));
+    pass.blocks[BLOCK_OBJECT] =
+        render::std140Bytes(ProbeLevel{.roughness = t * t, .samples = level == 0 ? 1 : samples, .capturedSize = size});
     pass.groups = {(side + 7) / 8, (side + 7) / 8, 6};
     pass.bound = bound;
     pass.key = key;
@@ -140,10 +144,11 @@ void planProbe(const HallScene& scene, const Surroundings& light, render::FrameP
     sum.reason = "what the probe sees has changed";
     sum.stage = render::Stage::prepare;
     sum.work = render::Work::compute;
-    sum.shader = {"", "", "probe/irradiance.comp", {}};
+    sum.shader = {"", "", "hall/probe_irradiance.comp", {}};
     sum.storage = {{"probe.irradiance", Load::keep, {}, -1, 0}};
     sum.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
-    sum.blocks[BLOCK_OBJECT] = render::bytesOf(glm::vec4(level, std::max(size >> level, 1), 0, 0));
+    sum.blocks[BLOCK_OBJECT] =
+        render::std140Bytes(ProbeLevel{.capturedLevel = level, .capturedSize = std::max(size >> level, 1)});
     sum.key = key;
     sum.bound = light.probeLight;
     plan.add(std::move(sum));

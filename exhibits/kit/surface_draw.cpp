@@ -45,11 +45,14 @@ SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Mate
     object.baseColor = material.baseColor;
     // An occlusion map of its own is not read here; only the red channel beside roughness and metalness is.
     const bool packedOcclusion = material.occlusionMap && material.occlusionMap == material.metallicRoughnessMap;
-    object.material = {material.metalness, material.roughness, std::clamp(material.normalScale, -100.0F, 100.0F),
-                       packedOcclusion ? material.occlusionStrength : 0.0F};
-    object.emissive =
-        glm::vec4(material.emissive, material.alphaMode == render::AlphaMode::mask ? material.alphaCutoff : -1.0F);
-    object.tiling.x = static_cast<float>(1 / textureTile);
+    object.occlusionStrength = packedOcclusion ? material.occlusionStrength : 0.0F;
+    object.metalness = material.metalness;
+    object.roughness = material.roughness;
+    object.specular = 0.5F;
+    object.normalScale = std::clamp(material.normalScale, -100.0F, 100.0F);
+    object.emissive = material.emissive;
+    object.alphaCutoff = material.alphaMode == render::AlphaMode::mask ? material.alphaCutoff : -1.0F;
+    object.textureRepeats = static_cast<float>(1 / textureTile);
     return object;
 }
 
@@ -59,7 +62,7 @@ render::Draw surfaceDraw(std::shared_ptr<const render::Mesh> mesh, const glm::dm
     render::Draw draw;
     draw.mesh = std::move(mesh);
     draw.mirrored = glm::determinant(glm::dmat3(worldFromModel)) < 0;
-    draw.object = render::bytesOf(surfaceObject(worldFromModel, material, textureTile));
+    draw.object = render::std140Bytes(surfaceObject(worldFromModel, material, textureTile));
     draw.inputs = {{UNIT_BASE_COLOR, orNeutral(material.baseColorMap, UNIT_BASE_COLOR)},
                    {UNIT_NORMAL, orNeutral(material.normalMap, UNIT_NORMAL)},
                    {UNIT_ORM, orNeutral(material.metallicRoughnessMap, UNIT_ORM)},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/glsl/std140.h"
 #include "render/plan/frame_plan.h"
 #include "render/scene/mesh.h"
 
@@ -7,15 +8,7 @@
 
 namespace vitrine {
 
-/// Mirrors the std140 block Object of shaders/hall/object.glsl.
-struct SurfaceObject {
-    glm::mat4 worldFromModel{1};
-    glm::mat4 worldFromModelNormals{1};
-    glm::vec4 baseColor{1};
-    glm::vec4 material{0, 0.7F, 1, 1};
-    glm::vec4 emissive{0, 0, 0, -1};
-    glm::vec4 tiling{1, 0, 0, 0.5F};
-};
+#include "shaders/kit/surface_object_block.glsl"
 
 /// What turns a model's normals into the world's, up to a positive factor: the direction of the inverse
 /// transpose, its largest column of length 1. Made of cofactors, so that a model which is scaled to a plane keeps

@@ -52,10 +52,15 @@ CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& va
     if (!result.texture) return result;
     const int texels = lying ? result.texture->height : result.texture->width;
     const bool byLens = flat && texels == columns;
-    result.block.area = glm::vec4(half, source.views.count(), pitch);
-    result.block.strips =
-        glm::vec4(ratio, values[table.phase], std::tan(values[table.rotation]), byLens ? 1.0 / columns : 1 / lenses);
-    result.block.size = glm::vec4(result.texture->width, result.texture->height, 0, 0);
+    CardPrintBlock& block = result.block;
+    block.halfSize = glm::vec2(half);
+    block.views = source.views.count();
+    block.pitch = static_cast<float>(pitch);
+    block.pitchRatio = static_cast<float>(ratio);
+    block.phase = static_cast<float>(values[table.phase]);
+    block.slope = static_cast<float>(std::tan(values[table.rotation]));
+    block.texturePerLens = static_cast<float>(byLens ? 1.0 / columns : 1 / lenses);
+    block.size = glm::vec2(result.texture->width, result.texture->height);
     return result;
 }
 
@@ -66,10 +71,15 @@ CardPicture rasterPicture(const LenticularTable& table, const ParameterValues& v
     result.texture = source.raster;
     const glm::dvec2 half = pictureHalfSize(table, values, source.aspect);
     const double width = 2 * across(half, source.lying);
-    result.block.area = glm::vec4(half, source.print.views, width / source.lenses);
-    result.block.strips = glm::vec4(1 / (1 + values[table.pitchError]), values[table.phase],
-                                    std::tan(values[table.rotation]), source.rasterSize.x / source.lenses);
-    result.block.size = glm::vec4(source.rasterSize, 0, 0);
+    CardPrintBlock& block = result.block;
+    block.halfSize = glm::vec2(half);
+    block.views = source.print.views;
+    block.pitch = static_cast<float>(width / source.lenses);
+    block.pitchRatio = static_cast<float>(1 / (1 + values[table.pitchError]));
+    block.phase = static_cast<float>(values[table.phase]);
+    block.slope = static_cast<float>(std::tan(values[table.rotation]));
+    block.texturePerLens = static_cast<float>(source.rasterSize.x / source.lenses);
+    block.size = glm::vec2(source.rasterSize);
     return result;
 }
 
@@ -145,9 +155,12 @@ CardPicture cardPicture(const LenticularTable& table, const ParameterValues& val
     const double pitch = sheet.pitch();
     // A Gauss curve is replaced by the box of its variance.
     const double ink = std::sqrt(12.0) * values[table.inkSpread] * 1e3 / pitch;
-    picture.block.shape = glm::vec4(sheet.radius / pitch, sheet.thickness / pitch, sheet.conic, ink);
-    picture.block.index = glm::vec4(
-        values[table.dispersion] ? dispersedIndex(sheet.index, values[table.abbeNumber]) : glm::dvec3(sheet.index), 0);
+    picture.block.radius = static_cast<float>(sheet.radius / pitch);
+    picture.block.thickness = static_cast<float>(sheet.thickness / pitch);
+    picture.block.conic = static_cast<float>(sheet.conic);
+    picture.block.blur = static_cast<float>(ink);
+    picture.block.index = glm::vec3(values[table.dispersion] ? dispersedIndex(sheet.index, values[table.abbeNumber])
+                                                             : glm::dvec3(sheet.index));
     return picture;
 }
 

@@ -1,15 +1,17 @@
 #pragma once
 
-#include "exhibits/lenticular/card_object.h"
 #include "exhibits/lenticular/card_prints.h"
 #include "exhibits/lenticular/lenticular_table.h"
 #include "exhibits/printing/sheet.h"
+#include "render/glsl/std140.h"
 
 #include <string>
 
 namespace vitrine::lenticular {
 
 using printing::Sheet;
+
+#include "shaders/lenticular/card_block.glsl"
 
 /// Half the card's width, height and thickness, in meters.
 inline const glm::dvec3 cardHalfSize{0.3, 0.2, 0.0025};

@@ -99,7 +99,7 @@ void planShadow(const Scene& s, render::FramePlan& plan)
                   .depthBias = {1.5F, 2},
                   .depthClamp = true};
     pass.draws = {s.draw()};
-    pass.draws[0].object = render::bytesOf(surfaceObject(s.worldFromCard, {}));
+    pass.draws[0].object = render::std140Bytes(surfaceObject(s.worldFromCard, {}));
     plan.add(std::move(pass));
 }
 
@@ -115,19 +115,18 @@ CardObject cardObject(const Scene& s, const render::View& view, double roll)
     const double apart = eyes == CardEyes::off ? 0 : values[s.table.eyeDistance];
     const double left = eyes == CardEyes::right ? 0.5 : -0.5;
     const double other = eyes == CardEyes::left ? -0.5 : 0.5;
-    object.eyes[0] =
-        glm::vec4(glm::dvec4(glm::dvec3(cardFromWorld * glm::dvec4(view.eye + right * (left * apart), 1)), 0));
-    object.eyes[1] =
-        glm::vec4(glm::dvec4(glm::dvec3(cardFromWorld * glm::dvec4(view.eye + right * (other * apart), 1)), 0));
-    object.card = glm::vec4(glm::dvec4(cardHalfSize, roll));
+    object.leftEye = glm::vec3(cardFromWorld * glm::dvec4(view.eye + right * (left * apart), 1));
+    object.rightEye = glm::vec3(cardFromWorld * glm::dvec4(view.eye + right * (other * apart), 1));
+    object.halfSize = glm::vec3(cardHalfSize);
+    object.scroll = static_cast<float>(roll);
     return object;
 }
 
 /// Binds one of the prints; `slot` 0 is the one that rests or leaves.
 void addPicture(Pass& pass, CardObject& object, int slot, const CardPicture& picture)
 {
-    object.prints[slot] = picture.block;
-    pass.counts["views"] += static_cast<std::int64_t>(picture.block.area.z);
+    object.prints[static_cast<std::size_t>(slot)] = picture.block;
+    pass.counts["views"] += picture.block.views;
     pass.inputs.push_back({slot == 0 ? UNIT_EXHIBIT_A : UNIT_EXHIBIT_B, picture.texture});
     if (picture.raster) pass.shader.defines.emplace_back(slot == 0 ? "FIRST_RASTER" : "SECOND_RASTER");
 }
@@ -137,7 +136,7 @@ void addPicture(Pass& pass, CardObject& object, int slot, const CardPicture& pic
 render::Bound dispersionBound(const Scene& s)
 {
     const Surroundings& around = s.context.surroundings;
-    const glm::vec4& sun = around.light.sunIrradiance;
+    const glm::dvec3& sun = around.sunIrradiance;
     const double paper = around.probeLight.radiance +
                          (std::max({sun.x, sun.y, sun.z}) + 1.3 * s.context.values[s.table.lamp]) / std::numbers::pi;
     return render::boundOf(0, 1, {{paper, "no light falls on the card"}});
@@ -158,7 +157,8 @@ Pass cardPass(const Scene& s, const Moment& moment, const PreparedCard& prepared
         pass.shader.defines.emplace_back("SCROLLING");
         addPicture(pass, object, 1, prepared.face(otherFace(moment.first)).picture);
     }
-    object.axes = lying ? glm::vec4(0, -1, 1, 0) : glm::vec4(1, 0, 0, 1);
+    object.across = lying ? glm::vec2(0, -1) : glm::vec2(1, 0);
+    object.along = lying ? glm::vec2(1, 0) : glm::vec2(0, 1);
     if (!values[s.table.dispersion])
         plan.skip("lenticular/dispersion", "dispersion is switched off");
     else if (plan.needs(pass, {"lenticular/dispersion", dispersionBound(s)}))
@@ -166,7 +166,7 @@ Pass cardPass(const Scene& s, const Moment& moment, const PreparedCard& prepared
     if (values[s.table.strips] == CardStrips::squeezed) pass.shader.defines.emplace_back("SQUEEZED");
     if (values[s.table.eyes] == CardEyes::anaglyph) pass.shader.defines.emplace_back("ANAGLYPH");
     pass.draws = {s.draw()};
-    pass.draws[0].object = render::bytesOf(object);
+    pass.draws[0].object = render::std140Bytes(object);
     pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::back};
     s.context.surroundings.illuminate(pass);
     return pass;

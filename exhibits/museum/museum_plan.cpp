@@ -202,7 +202,7 @@ void Museum::Frame::begin()
     plan.image({.name = normalImage, .format = render::Format::rgba32f});
     plan.image({.name = evaluationsImage, .format = render::Format::r32f});
     light = surroundings(scene, request.runEverything);
-    light.light.disk.z = static_cast<float>(request.sample);
+    light.light.sampleIndex = request.sample;
 }
 
 /// Who is here, and which files what is shown of them lacks.
@@ -253,8 +253,8 @@ void Museum::Frame::castShadows()
     light.castsShadows = true;
     light.exhibitShadowView = steadyLightView(casters, towardsSun(scene), glm::ivec2(size), shadowReach);
     light.light.exhibitShadowFromWorld = shadowFromWorld(light.exhibitShadowView);
-    light.light.sunLightmap.w = 1;
-    light.light.filtering.y = static_cast<float>(2 / light.exhibitShadowView.clipFromView[0][0] / size);
+    light.light.exhibitsCastShadow = true;
+    light.light.exhibitShadowTexel = static_cast<float>(2 / light.exhibitShadowView.clipFromView[0][0] / size);
     light.exhibitShadowKey = key.addValue(light.exhibitShadowView.clipFromWorld).value();
     light.inputs.push_back({UNIT_SHADOW_EXHIBITS, std::string(exhibitShadowImage)});
     plan.image({.name = exhibitShadowImage,

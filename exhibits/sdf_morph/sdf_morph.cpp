@@ -208,9 +208,9 @@ void planMesh(const Scene& s, std::shared_ptr<const render::Mesh> mesh, float wi
     Pass pass = meshPass(s, "mesh", "compared with the marched object", {"WIPE"});
     render::Draw draw = surfaceDraw(std::move(mesh), s.context.worldFromExhibit, materialOf(s));
     SurfaceObject object = surfaceObject(s.context.worldFromExhibit, materialOf(s));
-    object.tiling.z = wipe;
-    object.tiling.w = static_cast<float>(s.values[s.table.specular]);
-    draw.object = render::bytesOf(object);
+    object.wipeColumn = wipe;
+    object.specular = static_cast<float>(s.values[s.table.specular]);
+    draw.object = render::std140Bytes(object);
     pass.draws = {std::move(draw)};
     plan.add(std::move(pass));
 }

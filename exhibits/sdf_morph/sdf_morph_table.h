@@ -42,7 +42,8 @@ struct SdfMorphTable final : Parameters {
     Real metalness = real("metalness", 1.0, none, {0, 1}, "0 is a glaze over a colored body, 1 is bare metal.",
                           when(material, SdfMaterial::opaque) || whenLater("compareMesh", 1));
     Real specular =
-        real("specular", 0.5, none, {0, 1}, "Reflectance of what is not metal: 0.5 is the 4 % of most glazes.");
+        real("specular", 0.5, none, {0, 1}, "Reflectance of what is not metal: 0.5 is the 4 % of most glazes.",
+             whenNot(metalness, 1) || when(material, SdfMaterial::glass));
     Real refractiveIndex = real("refractiveIndex", 1.5, none, Range{1, 3}.soft(1, 2.4),
                                 "Of the glass: 1 bends nothing, 2.4 is diamond.", when(material, SdfMaterial::glass));
     Count bounces = count("bounces", 2, {0, 4},

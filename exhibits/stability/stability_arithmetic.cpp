@@ -1,6 +1,7 @@
 #include "exhibits/stability/stability_cases.h"
 
 #include "render/glsl/cpu.h"
+#include "render/glsl/std140.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
@@ -217,9 +218,11 @@ std::vector<StabilityResult> arithmeticCases(render::Painter& painter)
         std::copy(arithmetic[row].inputs.begin(), arithmetic[row].inputs.end(),
                   inputs.begin() + static_cast<std::ptrdiff_t>(row) * inputCount);
     const int rows = static_cast<int>(arithmetic.size());
+    render::Std140Writer inputBlock;
+    inputBlock.put(inputs);
     const render::Image image = computed(painter, "lib/hard_cases.frag",
                                          {"INPUTS " + std::to_string(inputCount), "CASES " + std::to_string(rows)},
-                                         render::bytesOf(inputs), {inputCount, rows});
+                                         inputBlock.take(), {inputCount, rows});
     std::vector<StabilityResult> results;
     for (int row = 0; row < rows; ++row)
         results.push_back(judged(arithmetic[static_cast<std::size_t>(row)], row, image));

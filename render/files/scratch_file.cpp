@@ -9,18 +9,30 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
 namespace vitrine::render {
 
-ScratchFile::ScratchFile()
+namespace {
+
+/// TMPDIR where it is set. Else /var/tmp, because /tmp is memory on many systems (Debian 13 among them).
+std::filesystem::path scratchFolder()
 {
+    const std::filesystem::path large = "/var/tmp";
+    if (!std::getenv("TMPDIR") && ::access(large.c_str(), W_OK | X_OK) == 0) return large;
     std::error_code error;
-    folder_ = std::filesystem::temp_directory_path(error);
-    if (error)
-        throw Failure(Blame::file, "There is no folder for temporary files (" + error.message() +
-                                       "); let TMPDIR name one that you may write to.");
+    const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+    if (!error) return folder;
+    throw Failure(Blame::file, "There is no folder for temporary files (" + error.message() +
+                                   "); let TMPDIR name one that you may write to.");
+}
+
+}  // namespace
+
+ScratchFile::ScratchFile() : folder_(scratchFolder())
+{
     std::string name = (folder_ / "vitrine-XXXXXX").string();
     file_ = Descriptor(::mkostemp(name.data(), O_CLOEXEC));
     if (!file_.open()) fail("creating a file there");

@@ -8,14 +8,15 @@
 
 namespace vitrine::render {
 
-/// Working data too large for memory, in the system's folder for temporary files (TMPDIR). The file has no name:
-/// it is gone when the program ends, however it ends.
+/// Working data too large for memory, in the folder that TMPDIR names, else in /var/tmp. The file has no name: it is
+/// gone when the program ends, however it ends.
 class ScratchFile {
 public:
     /// Throws Failure naming the folder when no file can be made there.
     ScratchFile();
 
-    [[nodiscard]] std::uint64_t size() const { return size_; }
+    [[nodiscard]] std::uint64_t size() const { return size_; }  ///< Bytes.
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
     /// Throws Failure naming the folder, the cause (a full disk) and what to do.
     void append(const void* bytes, std::size_t count);

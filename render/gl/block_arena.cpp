@@ -14,13 +14,13 @@ BlockArena::BlockArena()
     alignment_ = static_cast<std::size_t>(std::max(alignment, 16));
 }
 
-BlockArena::Range BlockArena::add(const void* data, std::size_t size)
+BlockArena::Range BlockArena::add(const Bytes& block)
 {
     const std::size_t offset = (bytes_.size() + alignment_ - 1) / alignment_ * alignment_;
     // std140 blocks end on a multiple of 16 bytes; a shorter upload would leave the block's tail unbacked.
-    const std::size_t padded = (size + 15) / 16 * 16;
+    const std::size_t padded = (block.size() + 15) / 16 * 16;
     bytes_.resize(offset + padded);
-    std::copy_n(static_cast<const std::byte*>(data), size, bytes_.begin() + static_cast<std::ptrdiff_t>(offset));
+    std::copy(block.begin(), block.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(offset));
     return {static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(padded)};
 }
 

@@ -15,7 +15,7 @@ public:
 
     BlockArena();
     void clear() { bytes_.clear(); }
-    [[nodiscard]] Range add(const void* data, std::size_t size);
+    [[nodiscard]] Range add(const Bytes& block);
     void upload();
     void bind(int binding, Range) const;
     void abandon() { buffer_.abandon(); }

@@ -17,11 +17,17 @@ FrameBlock frameBlock(const View& view, double time, int sample, std::uint32_t s
     block.clipFromView = glm::mat4(view.clipFromView);
     block.clipFromWorld = glm::mat4(view.clipFromWorld);
     block.worldFromView = glm::mat4(glm::affineInverse(view.viewFromWorld));
-    block.eye = glm::vec4(glm::vec3(view.eye), static_cast<float>(view.nearPlane));
-    block.size = glm::vec4(size, 1.0 / size);
-    block.sampling = glm::vec4(glm::dvec2(raster.offset) + raster.jitter, view.tanHalfFov);
-    block.shift = glm::vec4(view.tanShift, 0, 0);
-    block.timing = glm::vec4(wrapped, sample, seed, 2 * view.tanHalfFov.y / size.y);
+    block.eye = glm::vec3(view.eye);
+    block.nearPlane = static_cast<float>(view.nearPlane);
+    block.size = glm::vec2(size);
+    block.inverseSize = glm::vec2(1.0 / size);
+    block.tileOrigin = glm::vec2(glm::dvec2(raster.offset) + raster.jitter);
+    block.tanHalfFov = glm::vec2(view.tanHalfFov);
+    block.tanShift = glm::vec2(view.tanShift);
+    block.time = static_cast<float>(wrapped);
+    block.sampleIndex = sample;
+    block.seed = seed;
+    block.pixelAngle = static_cast<float>(2 * view.tanHalfFov.y / size.y);
     block.clipPlane = glm::vec4(view.clipPlane.value_or(glm::dvec4(0, 0, 0, 1)));
     return block;
 }
@@ -30,8 +36,12 @@ TemporalBlock temporalBlock(const Pass& pass, int part, bool valid)
 {
     Raster raster = pass.past.lastView.raster;
     raster.jitter = glm::dvec2(0);
-    return {glm::mat4(withRaster(pass.past.lastView, raster).clipFromWorld),
-            glm::vec4(valid ? 1 : 0, part, pass.parts, 0)};
+    TemporalBlock block;
+    block.previousClipFromWorld = glm::mat4(withRaster(pass.past.lastView, raster).clipFromWorld);
+    block.isValid = valid;
+    block.part = part;
+    block.parts = pass.parts;
+    return block;
 }
 
 }  // namespace vitrine::render::gl

@@ -3,6 +3,7 @@
 #include "render/gl/pass_state.h"
 #include "render/gl/program.h"
 #include "render/gl/texture.h"
+#include "render/glsl/std140.h"
 #include "render/measure/clock.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -13,6 +14,8 @@
 
 namespace vitrine::render::gl {
 namespace {
+
+#include "shaders/lib/clock_load_block.glsl"
 
 constexpr int side = 256;                // 16 of llvmpipe's tiles: a query that sees only the last one shows.
 constexpr double smallestLoad = 0.7e-3;  // Seconds: far above what starting and reading a clock takes.
@@ -35,7 +38,8 @@ public:
         glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, target_.name(), 0);
         glCreateBuffers(1, &name);
         block_ = BufferName(name);
-        glNamedBufferStorage(name, 4 * sizeof(GLint), nullptr, GL_DYNAMIC_STORAGE_BIT);
+        glNamedBufferStorage(name, static_cast<GLsizeiptr>(std140Bytes(ClockLoadBlock{}).size()), nullptr,
+                             GL_DYNAMIC_STORAGE_BIT);
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &callersFramebuffer_);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
         glViewport(0, 0, side, side);
@@ -59,8 +63,8 @@ public:
 
     [[nodiscard]] ClockSample timed(int rounds, int load) const
     {
-        const GLint block[4] = {rounds * load, 0, 0, 0};
-        glNamedBufferSubData(block_.name(), 0, sizeof block, block);
+        const std::vector<std::byte> block = std140Bytes(ClockLoadBlock{.rounds = rounds * load});
+        glNamedBufferSubData(block_.name(), 0, static_cast<GLsizeiptr>(block.size()), block.data());
         glFinish();
         FrameClock query(ClockMethod::query);
         const double cpu = processCpuSeconds();

@@ -119,8 +119,7 @@ struct Renderer::State {
                 own = &image->second;
         if (!pass.view && !own) return planFrame;
         const View view = pass.view ? *pass.view : viewOfOwnPixels(plan.view, *own);
-        const FrameBlock block = frameBlock(view, plan.time, own ? 0 : plan.sample, plan.seed);
-        return arena.add(&block, sizeof block);
+        return arena.add(std140Bytes(frameBlock(view, plan.time, own ? 0 : plan.sample, plan.seed)));
     }
 
     PassRanges gather(const Pass& pass, const FramePlan& plan, BlockArena::Range planFrame,
@@ -138,16 +137,14 @@ struct Renderer::State {
                                                        pass.parts == 1 && !madeByNow(plan, image));
                 });
             });
-            for (int part = pass.past.firstPart; part < pass.past.endPart; ++part) {
-                const TemporalBlock block = temporalBlock(pass, part, pass.past.valid && !missing);
-                ranges.temporal.push_back(arena.add(&block, sizeof block));
-            }
+            for (int part = pass.past.firstPart; part < pass.past.endPart; ++part)
+                ranges.temporal.push_back(
+                    arena.add(std140Bytes(temporalBlock(pass, part, pass.past.valid && !missing))));
         }
         for (const auto& [binding, bytes] : pass.blocks)
-            if (!bytes.empty()) ranges.blocks.emplace_back(binding, arena.add(bytes.data(), bytes.size()));
+            if (!bytes.empty()) ranges.blocks.emplace_back(binding, arena.add(bytes));
         for (const Draw& draw : pass.draws)
-            ranges.objects.push_back(draw.object.empty() ? BlockArena::Range{}
-                                                         : arena.add(draw.object.data(), draw.object.size()));
+            ranges.objects.push_back(draw.object.empty() ? BlockArena::Range{} : arena.add(draw.object));
         return ranges;
     }
 
@@ -155,8 +152,8 @@ struct Renderer::State {
     std::vector<PassRanges> uploadBlocks(const FramePlan& plan, const std::set<std::string>& lost)
     {
         arena.clear();
-        const FrameBlock frame = frameBlock(plan.view, plan.time, plan.sample, plan.seed);
-        const BlockArena::Range planFrame = arena.add(&frame, sizeof frame);
+        const BlockArena::Range planFrame =
+            arena.add(std140Bytes(frameBlock(plan.view, plan.time, plan.sample, plan.seed)));
         std::vector<PassRanges> ranges;
         for (const Pass& pass : plan.passes()) ranges.push_back(gather(pass, plan, planFrame, lost));
         arena.upload();

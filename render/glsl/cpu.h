@@ -27,10 +27,22 @@ using mat2 = glm::dmat2;
 using mat3 = glm::dmat3;
 using mat4 = glm::dmat4;
 
+// Structs of uniform blocks, at float64.
+#pragma push_macro("BLOCK_STRUCT")
+#undef BLOCK_STRUCT
+#define BLOCK_STRUCT(name, FIELDS)                                                                                     \
+    struct name {                                                                                                      \
+        FIELDS(VITRINE_GLSL_FIELD, VITRINE_GLSL_ARRAY)                                                                 \
+    };
+#define VITRINE_GLSL_FIELD(type, name) type name;
+#define VITRINE_GLSL_ARRAY(type, name, count) type name[count];
+
 #define float double
 #include "shaders/lib/numerics.glsl"
 
 #include "shaders/lib/hash.glsl"
+
+#include "shaders/lib/local_lights_block.glsl"
 
 #include "shaders/lib/local_light.glsl"
 
@@ -62,6 +74,7 @@ template <typename Field> struct Tracer {
 };
 template <typename Field> Tracer(Field) -> Tracer<Field>;
 #undef float
+#pragma pop_macro("BLOCK_STRUCT")
 
 }  // namespace
 }  // namespace vitrine::glsl

@@ -32,14 +32,17 @@ LocalLighting localLighting(std::span<const LocalLight> lights, const glm::dvec3
         return strengthAt(lights[a], center) > strengthAt(lights[b], center);
     });
     if (result.chosen.size() > mostLocalLights) result.chosen.resize(mostLocalLights);
-    result.block.count.x = static_cast<float>(result.chosen.size());
+    result.block.count = static_cast<int>(result.chosen.size());
     for (std::size_t i = 0; i < result.chosen.size(); ++i) {
         const LocalLight& light = lights[result.chosen[i]];
-        LocalLightBlock::Light& entry = result.block.lights[i];
-        entry = {glm::vec3(light.position), static_cast<float>(std::max(light.radius, 0.0)), glm::vec3(light.intensity),
-                 static_cast<float>(light.range)};
+        LocalLightEntry& entry = result.block.lights[i];
+        entry.position = glm::vec3(light.position);
+        entry.radius = static_cast<float>(std::max(light.radius, 0.0));
+        entry.intensity = glm::vec3(light.intensity);
+        entry.range = static_cast<float>(light.range);
         if (!light.castsShadow || result.shadowed.size() >= mostLocalShadows) continue;
-        entry.shadow = static_cast<float>(6 * result.shadowed.size());
+        entry.castsShadow = true;
+        entry.firstLayer = static_cast<int>(6 * result.shadowed.size());
         entry.nearPlane = static_cast<float>(localShadowNear);
         result.shadowed.push_back(result.chosen[i]);
     }

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "render/glsl/std140.h"
 #include "render/scene/camera.h"
 
 #include <glm/glm.hpp>
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -20,28 +20,15 @@ struct LocalLight {
     bool castsShadow = false;  ///< If it is among the strongest.
 };
 
-inline constexpr std::size_t mostLocalLights = 32;  ///< As MOST_LOCAL_LIGHTS of shaders/lib/local_lights.glsl.
+#include "shaders/lib/local_lights_block.glsl"
+
+inline constexpr std::size_t mostLocalLights = MOST_LOCAL_LIGHTS;
 inline constexpr std::size_t mostLocalShadows = 4;  ///< Each takes six layers of the shadow maps.
 inline constexpr double localShadowNear = 0.01;     ///< Metres: what is nearer to a light throws no shadow.
 
-/// Mirrors the std140 block LocalLights of shaders/lib/local_lights.glsl.
-struct LocalLightBlock {
-    struct Light {
-        glm::vec3 position{0};
-        float radius = 0;
-        glm::vec3 intensity{0};
-        float range = 0;
-        float shadow = -1;
-        float nearPlane = 0;
-        glm::vec2 pad{0};
-    };
-    glm::vec4 count{0};
-    std::array<Light, mostLocalLights> lights;
-};
-
 /// The lights that a frame reckons with.
 struct LocalLighting {
-    LocalLightBlock block;
+    LocalLightsBlock block;
     std::vector<std::size_t> chosen;  ///< Which of the given lights stand in the block, strongest first.
     std::vector<std::size_t>
         shadowed;  ///< Which of them have shadow maps: layers 6 i to 6 i + 5 belong to `shadowed[i]`.

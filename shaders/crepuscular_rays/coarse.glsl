@@ -14,8 +14,8 @@ float depthAt(vec2 pixel)
 // that along an edge there is always a neighbor on either side of it.
 float coarseDepth(vec2 cell)
 {
-    float last = rays.grid.x - 1.0;
-    vec2 first = cell * rays.grid.x;
+    float last = rays.cellSize - 1.0;
+    vec2 first = cell * rays.cellSize;
     float a = depthAt(first);
     if (last < 0.5) return a;
     vec4 corners = vec4(a, depthAt(first + vec2(last, 0.0)), depthAt(first + vec2(0.0, last)), depthAt(first + vec2(last)));
@@ -28,8 +28,8 @@ float coarseDepth(vec2 cell)
 vec3 broughtUp(sampler2D coarse, vec2 pixel, float depth)
 {
     ivec2 size = textureSize(coarse, 0);
-    if (rays.grid.x < 1.5) return texelFetch(coarse, ivec2(pixel), 0).rgb;
-    vec2 at = (floor(pixel) + 0.5 + frameTile()) / rays.grid.x - rays.grid.yz;
+    if (rays.cellSize < 1.5) return texelFetch(coarse, ivec2(pixel), 0).rgb;
+    vec2 at = (floor(pixel) + 0.5 + frameTile()) / rays.cellSize - rays.firstCell;
     vec2 middle = floor(at);
     vec3 sum = vec3(0.0);
     float all = 0.0;

@@ -18,11 +18,11 @@ vec3 meanWithin(vec2 way, float t)
     vec2 size = vec2(textureSize(mask, 0));
     float radius = length(way) * t;
     // Cell i ends at the radius first * ratio^i.
-    float i = (log(max(radius, 1e-3)) - rays.polar.z) / rays.polar.w * size.x;
-    if (rays.taps.z > 0.5 && i < 0.0) return vec3(0.0);  // The sun is beyond the edge: nothing shines so near to it.
+    float i = (log(max(radius, 1e-3)) - rays.logFirstRadius) / rays.logRadiusSpan * size.x;
+    if (rays.sunIsBeyondEdge && i < 0.0) return vec3(0.0);  // The sun is beyond the edge: nothing shines so near to it.
     float angle = angleOf(way.y, way.x);
-    float turns = (angle - rays.polar.x) / (2.0 * PI);
-    float line = fract(turns) * 2.0 * PI / rays.polar.y;
+    float turns = (angle - rays.firstAngle) / (2.0 * PI);
+    float line = fract(turns) * 2.0 * PI / rays.angleSpan;
     return textureLod(mask, vec2(clamp((i + 0.5) / size.x, 0.5 / size.x, 1.0 - 0.5 / size.x), line), 0.0).rgb;
 }
 #endif
@@ -30,15 +30,15 @@ vec3 meanWithin(vec2 way, float t)
 vec3 screenRays(float depth)
 {
 #if defined(POLAR)
-    vec2 pixel = (floor(gl_FragCoord.xy) + 0.5 + frameTile()) * rays.grid.w;
-    vec2 way = pixel - rays.source.xy;
-    float exponent = rays.source.z;
-    float left = shaftWeightBelow(1.0 - rays.source.w, exponent);
+    vec2 pixel = (floor(gl_FragCoord.xy) + 0.5 + frameTile()) * rays.maskScale;
+    vec2 way = pixel - rays.sun;
+    float exponent = rays.exponent;
+    float left = shaftWeightBelow(1.0 - rays.gathered, exponent);
     vec3 mean = meanWithin(way, 1.0);
-    if (left > 1e-5) mean = max(mean - left * meanWithin(way, 1.0 - rays.source.w), vec3(0.0)) / max(1.0 - left, 1e-6);
-    return mean * rays.strength.rgb;
+    if (left > 1e-5) mean = max(mean - left * meanWithin(way, 1.0 - rays.gathered), vec3(0.0)) / max(1.0 - left, 1e-6);
+    return mean * rays.strength;
 #elif defined(SCREEN)
-    return broughtUp(mask, gl_FragCoord.xy, depth) * rays.strength.rgb;
+    return broughtUp(mask, gl_FragCoord.xy, depth) * rays.strength;
 #else
     return vec3(0.0);
 #endif
@@ -48,11 +48,11 @@ void main()
 {
     vec2 pixel = floor(gl_FragCoord.xy) + frameTile();
 #ifdef SHOW_MASK
-    over = vec4(inverseTonemap(maskAt((pixel + 0.5) * rays.grid.w) * 0.98) * rays.strength.w, 1.0);
+    over = vec4(inverseTonemap(maskAt((pixel + 0.5) * rays.maskScale) * 0.98) * rays.inverseExposure, 1.0);
     return;
 #endif
     float depth = depthAt(pixel);
-    int technique = int(pixel.x < rays.sides.z ? rays.sides.x : rays.sides.y);
+    int technique = pixel.x < rays.wipeColumn ? rays.leftTechnique : rays.rightTechnique;
     over = vec4(0.0);
     if ((technique & 1) != 0) over.rgb += screenRays(depth);
 #ifdef VOLUME
@@ -60,12 +60,12 @@ void main()
         vec3 ray = frameRay(gl_FragCoord.xy);
         float stretch = length(ray);
         vec3 direction = ray / stretch;
-        float hidden = airScattered(1.0, airThrough(frame.eye.xyz, direction, airStretches(frame.eye.xyz, direction), depth * stretch));
+        float hidden = airScattered(1.0, airThrough(frame.eye, direction, airStretches(frame.eye, direction), depth * stretch));
         // Alone there are no walls to end the air: its box would be seen, so there is none but what the beam lights.
-        if (light.skyHorizon.w > 1.5) {
+        if (light.background == BACKGROUND_STUDIO) {
             over.rgb += broughtUp(scattered, gl_FragCoord.xy, depth);
         } else if (hidden > 0.0) {
-            vec3 hallLight = light.probePosition.w < 0.5 ? light.skyZenith.rgb * 0.05 : max(texelFetch(probeIrradiance, ivec2(0), 0).rgb, vec3(0.0));
+            vec3 hallLight = light.hasProbe ? max(texelFetch(probeIrradiance, ivec2(0), 0).rgb, vec3(0.0)) : light.skyZenith * 0.05;
             over.rgb += parameters.airColor * hallLight * (hidden * parameters.ambient);
             over.a = hidden;
             over.rgb += broughtUp(scattered, gl_FragCoord.xy, depth);

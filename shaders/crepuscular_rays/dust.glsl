@@ -5,8 +5,8 @@
 vec4 airStretches(vec3 eye, vec3 direction)
 {
     vec2 none = vec2(0.0, -1.0);
-    vec2 a = rays.airLow[0].w > 0.5 ? airBox(eye, direction, rays.airLow[0].xyz, rays.airHigh[0].xyz) : none;
-    vec2 b = rays.airLow[0].w > 1.5 ? airBox(eye, direction, rays.airLow[1].xyz, rays.airHigh[1].xyz) : none;
+    vec2 a = rays.beamCount > 0 ? airBox(eye, direction, rays.beams[0].airLow, rays.beams[0].airHigh) : none;
+    vec2 b = rays.beamCount > 1 ? airBox(eye, direction, rays.beams[1].airLow, rays.beams[1].airHigh) : none;
     a.x = max(a.x, 0.0);
     b.x = max(b.x, 0.0);
     if (a.y < a.x) return vec4(b, none);

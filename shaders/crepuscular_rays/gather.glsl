@@ -3,7 +3,7 @@
 #include "lib/hash.glsl"
 #include "lib/numerics.glsl"
 #include "lib/light_shafts.glsl"
-#include "crepuscular_rays/block.glsl"
+#include "crepuscular_rays/rays.glsl"
 
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D mask;
 layout(binding = UNIT_EXHIBIT_C) uniform sampler2D grain;
@@ -19,19 +19,19 @@ vec3 maskAt(vec2 pixel)
 // Blue noise of a cell of the whole picture, -0.5 to 0.5, another one for every supersample; 0 when switched off.
 float grainAt(vec2 cell)
 {
-    if (rays.mask.w < 0.5) return 0.0;
+    if (!rays.shiftSamples) return 0.0;
     ivec2 size = textureSize(grain, 0);
     float noise = texelFetch(grain, ivec2(mod(cell, vec2(size))), 0).r * (255.0 / 256.0);
-    return fract(noise + 0.618033989 * frame.timing.y) - 0.5;
+    return fract(noise + 0.618033989 * float(frame.sampleIndex)) - 0.5;
 }
 
 // Cell of the whole picture that this fragment of a coarser image stands for, and its middle in mask pixels.
 vec2 cellOf(vec2 fragCoord)
 {
-    return floor(fragCoord) + rays.grid.yz;
+    return floor(fragCoord) + rays.firstCell;
 }
 
 vec2 maskPixel(vec2 cell)
 {
-    return (cell + 0.5) * rays.grid.x * rays.grid.w;
+    return (cell + 0.5) * rays.cellSize * rays.maskScale;
 }

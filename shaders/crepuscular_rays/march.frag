@@ -11,8 +11,8 @@ layout(location = 0) out vec4 scattered;
 
 float sunInAir(vec3 world)
 {
-    float lit = light.sunIrradiance.w < 0.5 ? 1.0 : shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, world), 0);
-    if (light.sunLightmap.w > 0.5 && lit > 0.0) lit *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, world), 0);
+    float lit = light.hallCastsShadow ? shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, world), SHADOW_FILTER_HARD) : 1.0;
+    if (light.exhibitsCastShadow && lit > 0.0) lit *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, world), SHADOW_FILTER_HARD);
     return lit;
 }
 
@@ -20,19 +20,19 @@ void main()
 {
     vec2 cell = cellOf(gl_FragCoord.xy);
     float depth = coarseDepth(cell);
-    vec3 ray = frameRay((cell + 0.5) * rays.grid.x - frameTile());
+    vec3 ray = frameRay((cell + 0.5) * rays.cellSize - frameTile());
     float stretch = length(ray);
     vec3 direction = ray / stretch;
-    vec3 eye = frame.eye.xyz;
+    vec3 eye = frame.eye;
     vec4 air = airStretches(eye, direction);
     float end = depth * stretch;
     float shift = grainAt(cell);
     float sum = 0.0;
     vec2 before = vec2(1.0, -1.0);
-    for (int beam = 0; beam < int(rays.airLow[0].w); ++beam) {
-        int axis = int(rays.low[beam].w);
-        vec3 along = light.sunDirection.xyz / light.sunDirection[axis];
-        vec2 inside = airBeam(eye, direction, rays.low[beam].xyz, rays.high[beam].xyz, axis, rays.high[beam].w, along, rays.airLow[beam].xyz, rays.airHigh[beam].xyz);
+    for (int b = 0; b < rays.beamCount; ++b) {
+        BeamBlock beam = rays.beams[b];
+        vec3 along = light.sunDirection / light.sunDirection[beam.axis];
+        vec2 inside = airBeam(eye, direction, beam.openingLow, beam.openingHigh, beam.axis, beam.plane, along, beam.airLow, beam.airHigh);
         float first = max(inside.x, 0.0);
         float way = min(inside.y, end) - first;
         if (!(way > 0.0)) continue;
@@ -51,6 +51,6 @@ void main()
         }
         before = vec2(first, first + way);
     }
-    float phase = airPhase(dot(direction, light.sunDirection.xyz), parameters.anisotropy);
-    scattered = vec4(min(parameters.airColor * light.sunIrradiance.rgb * (sum * phase * parameters.beamStrength), vec3(6e4)), depth);
+    float phase = airPhase(dot(direction, light.sunDirection), parameters.anisotropy);
+    scattered = vec4(min(parameters.airColor * light.sunIrradiance * (sum * phase * parameters.beamStrength), vec3(6e4)), depth);
 }

@@ -2,7 +2,7 @@
 // (coverage before the sky is drawn), otherwise from depth: the picture's own, or that of the occluders alone.
 #include "lib/frame.glsl"
 #include "lib/sky.glsl"
-#include "crepuscular_rays/block.glsl"
+#include "crepuscular_rays/rays.glsl"
 
 layout(binding = UNIT_SOURCE) uniform sampler2D source;
 
@@ -21,15 +21,15 @@ void main()
 
     vec3 direction = normalize(frameRay(gl_FragCoord.xy));
     vec3 color = vec3(1.0);
-    if (rays.mask.z > 0.5 || rays.mask.x > 0.0) {
-        vec3 sky = min(max(skyRadiance(direction, frame.timing.w), vec3(0.0)) * light.probeHigh.w, vec3(1.0));
+    if (rays.skyColors || rays.threshold > 0.0) {
+        vec3 sky = min(max(skyRadiance(direction, frame.pixelAngle), vec3(0.0)) * light.exposure, vec3(1.0));
         float brightness = dot(sky, vec3(0.2126, 0.7152, 0.0722));
-        if (rays.mask.x > 0.0) open *= smoothStep(0.9 * rays.mask.x, rays.mask.x, brightness);
-        if (rays.mask.z > 0.5) color = sky;
+        if (rays.threshold > 0.0) open *= smoothStep(0.9 * rays.threshold, rays.threshold, brightness);
+        if (rays.skyColors) color = sky;
     }
-    if (rays.mask.y < 3.1415) {
-        float angle = safeAcos(dot(direction, light.sunDirection.xyz));
-        open *= 1.0 - smoothStep(0.5 * rays.mask.y, rays.mask.y, angle);
+    if (rays.lightAngle < 3.1415) {
+        float angle = safeAcos(dot(direction, light.sunDirection));
+        open *= 1.0 - smoothStep(0.5 * rays.lightAngle, rays.lightAngle, angle);
     }
     mask = vec4(color * open, open);
 }

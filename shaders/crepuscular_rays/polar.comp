@@ -11,27 +11,27 @@ float exitRadius(vec2 direction)
 {
     vec2 size = vec2(textureSize(mask, 0));
     vec2 safe = mix(direction, vec2(1e-6), lessThan(abs(direction), vec2(1e-6)));
-    vec2 far = max((vec2(0.5) - rays.source.xy) / safe, (size - 0.5 - rays.source.xy) / safe);
+    vec2 far = max((vec2(0.5) - rays.sun) / safe, (size - 0.5 - rays.sun) / safe);
     return min(far.x, far.y);
 }
 
 void main()
 {
     int line = int(gl_GlobalInvocationID.x);
-    int radii = int(rays.polarSize.x);
-    if (line >= int(rays.polarSize.y)) return;
-    float angle = rays.polar.x + rays.polar.y * (float(line) + 0.5) / rays.polarSize.y;
+    int radii = rays.radii;
+    if (line >= rays.angles) return;
+    float angle = rays.firstAngle + rays.angleSpan * (float(line) + 0.5) / float(rays.angles);
     vec2 direction = vec2(cos(angle), sin(angle));
-    float ratio = exp(rays.polar.w / rays.polarSize.x);
-    float keep = rays.polarSize.z;
-    float middle = shaftTapPlace(1.0 / ratio, rays.source.z, 0.5);
+    float ratio = exp(rays.logRadiusSpan / float(rays.radii));
+    float keep = rays.keep;
+    float middle = shaftTapPlace(1.0 / ratio, rays.exponent, 0.5);
     // Within the first radius, and where the mask is not known, its own first value goes on.
-    float radius = exp(rays.polar.z);
+    float radius = exp(rays.logFirstRadius);
     // A cell that reaches over the edge is what it was at the edge: its pixels lie on this side.
     float exit = exitRadius(direction);
-    vec3 mean = maskAt(rays.source.xy + direction * radius);
+    vec3 mean = maskAt(rays.sun + direction * radius);
     for (int i = 0; i < radii; ++i) {
-        mean = mean * keep + maskAt(rays.source.xy + direction * min(radius * middle, max(exit, 0.0))) * (1.0 - keep);
+        mean = mean * keep + maskAt(rays.sun + direction * min(radius * middle, max(exit, 0.0))) * (1.0 - keep);
         imageStore(within, ivec2(i, line), vec4(mean, 1.0));
         radius *= ratio;
     }

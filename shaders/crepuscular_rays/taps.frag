@@ -9,14 +9,14 @@ layout(location = 0) out vec4 gathered;
 void main()
 {
     vec2 cell = cellOf(gl_FragCoord.xy);
-    vec2 from = (floor(gl_FragCoord.xy) + 0.5 + (rays.taps.z > 0.5 ? rays.grid.yz : vec2(0.0))) * (rays.taps.z > 0.5 ? rays.grid.x * rays.grid.w : 1.0);
-    vec2 source = rays.taps.z > 0.5 ? rays.source.xy : rays.source.xy / (rays.grid.x * rays.grid.w) - rays.grid.yz;
+    vec2 from = (floor(gl_FragCoord.xy) + 0.5 + (rays.isFirstPass ? rays.firstCell : vec2(0.0))) * (rays.isFirstPass ? rays.cellSize * rays.maskScale : 1.0);
+    vec2 source = rays.isFirstPass ? rays.sun : rays.sun / (rays.cellSize * rays.maskScale) - rays.firstCell;
     // The first pass looks into the middle of each step's weight.
-    float ratio = rays.taps.y;
-    float t = rays.taps.z > 0.5 ? shaftTapPlace(ratio, rays.source.z, 0.5 + grainAt(cell)) : 1.0;
+    float ratio = rays.ratio;
+    float t = rays.isFirstPass ? shaftTapPlace(ratio, rays.exponent, 0.5 + grainAt(cell)) : 1.0;
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < int(rays.taps.x); ++i) {
-        sum += maskAt(source + (from - source) * t) * shaftTapWeight(float(i), rays.taps.x, ratio, rays.source.z);
+    for (int i = 0; i < rays.samples; ++i) {
+        sum += maskAt(source + (from - source) * t) * shaftTapWeight(float(i), float(rays.samples), ratio, rays.exponent);
         t *= ratio;
     }
     gathered = vec4(sum, coarseDepth(cell));

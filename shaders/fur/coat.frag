@@ -47,9 +47,9 @@ void main()
 {
     vec3 n = normalize(skinNormal);
     bool bare = height <= 0.0;
-    uint seed = uint(body.shells.z);
-    float strandLength = body.coat.x;
-    float cellSize = body.coat.y;
+    uint seed = body.seed;
+    float strandLength = body.strandLength;
+    float cellSize = body.cellSize;
     float distance_ = length(seenAlong);
     vec3 v = seenAlong / distance_;
 
@@ -57,7 +57,7 @@ void main()
     float rise = max(dot(way, n), 0.12);
     float into = dot(v, n);
     // Along the ray, per metre: skin passed under it, and height lost; the skin bends away below it.
-    float shrink = 1.0 / (body.pull.w * max(1.0 + curvature * height * strandLength * rise, 0.25));
+    float shrink = 1.0 / (body.grown * max(1.0 + curvature * height * strandLength * rise, 0.25));
     vec3 passing = (v - way * (into / rise)) * shrink;
     float falling = into / (rise * strandLength);
     float bulge = 0.5 * max(curvature, 0.0) * dot(v - n * into, v - n * into) / strandLength;
@@ -65,14 +65,14 @@ void main()
     int steps = 1;
     float far = 0.0;
 #if !defined(FIN) && !defined(BY_ANGLE)
-    if (body.shells.y > 1.5 && gap > 0.0) {
+    if (body.samplesBetween > 1 && gap > 0.0) {
         float a = max(-falling, 1e-4);
         float root = a * a - 4.0 * bulge * gap;
         far = root > 0.0 ? 2.0 * gap / (a + sqrt(root)) : min(a / max(bulge, 1e-6), 2.0 * gap / a);
         far = min(far, 14.0 * cellSize / max(length(passing), 1e-3));
         // Half a cell at a time, or less, where strands are thinner than that and stand far apart.
-        float stride = min(cellSize / 2.2, 0.85 * max(body.coat.z, 0.5 * frame.timing.w * distance_));
-        steps = clamp(int(ceil(far * length(passing) / stride)), 1, int(body.shells.y));
+        float stride = min(cellSize / 2.2, 0.85 * max(body.strandRadius, 0.5 * frame.pixelAngle * distance_));
+        steps = clamp(int(ceil(far * length(passing) / stride)), 1, body.samplesBetween);
     }
 #endif
 
@@ -82,8 +82,8 @@ void main()
     vec3 tuft = tuftField(skin * waves);
     tuft = (tuft - n * dot(n, tuft)) / (4.0 * waves);
 #endif
-    float widest = body.coat.z / cellSize;
-    float pixel = 0.5 * frame.timing.w * distance_ * shrink / cellSize;
+    float widest = body.strandRadius / cellSize;
+    float pixel = 0.5 * frame.pixelAngle * distance_ * shrink / cellSize;
 #ifdef SHADOW
     pixel = 0.0;
 #endif
@@ -122,7 +122,7 @@ void main()
         q += (curlSide * cos(phase) + curlAcross * sin(phase)) * at;
 #endif
         RootedStrand s = strandInCell(lattice, q, 0.8);
-        float end = mix(body.coat.w, 1.0, s.rank);
+        float end = mix(body.leastLength, 1.0, s.rank);
         float own = widest * (1.0 - parameters.thicknessVariation * s.girth);
         // A strand thinner than half a pixel is drawn half a pixel wide, but not every such strand.
         float shown = min(own / max(pixel, 1e-9), 1.0);
@@ -144,7 +144,7 @@ void main()
     seen.coatNormal = normalize(coatNormal);
     seen.height = h;
     seen.rank = strand.rank;
-    seen.body = int(body.rootColor.w + 0.5);
+    seen.body = body.number;
     seen.viewDepth = 1.0 / gl_FragCoord.w;
     found = packedStrand(seen);
 #ifdef WRITE_NORMAL

@@ -36,22 +36,22 @@ vec3 swirl(vec3 p)
 
 void main()
 {
-    float grown = body.pull.w;
-    float strandLength = body.coat.x;
+    float grown = body.grown;
+    float strandLength = body.strandLength;
     vec3 n = safeNormalize(normal, safeNormalize(position, vec3(0.0, 1.0, 0.0)));
     vec3 root = position * grown;
-    vec3 eye = (body.bodyFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
+    vec3 eye = (body.bodyFromWorld * vec4(frame.eye, 1.0)).xyz;
 
-    vec3 pull = body.pull.xyz + swirl(position * 7.0) * parameters.disorder;
-    vec3 gust = body.wind.xyz;
+    vec3 pull = body.pull + swirl(position * 7.0) * parameters.disorder;
+    vec3 gust = body.wind;
     if (dot(gust, gust) > 0.0) {
-        float wave = sin(body.wind.w + dot(root, gust) * 9.0 / length(gust)) + 0.6 * sin(2.7 * body.wind.w + root.y * 13.0 + root.x * 7.0);
+        float wave = sin(body.gustPhase + dot(root, gust) * 9.0 / length(gust)) + 0.6 * sin(2.7 * body.gustPhase + root.y * 13.0 + root.x * 7.0);
         pull += gust * max(1.0 + parameters.gustiness * 0.6 * wave, 0.0);
     }
     vec3 combed = parameters.comb * (vec3(0.45, -0.75, 0.3) - n * dot(n, vec3(0.45, -0.75, 0.3)));
     vec3 tip = safeNormalize(turned(body.turn, n) + pull + combed, n);
     float bend = parameters.curvature;
-    for (int i = 0; i < int(body.tipColor.w); ++i) {
+    for (int i = 0; i < body.planeCount; ++i) {
         vec4 plane = body.planes[i];
         float room = (dot(plane.xyz, root) - plane.w) / max(strandLength, 1e-6);
         tip = strandPressed(n, tip, plane.xyz, room);
@@ -63,9 +63,9 @@ void main()
 #ifdef FIN
     height = form.y;
 #else
-    int instance = int(body.spine.w) + gl_InstanceID;
-    int shell = body.shells.w > 0.5 ? int(ceil(body.shells.x)) * BY_ANGLE - 1 - instance : instance;
-    float count = body.shells.x;
+    int instance = body.firstShell + gl_InstanceID;
+    int shell = body.innerFirst ? int(ceil(body.shellCount)) * BY_ANGLE - 1 - instance : instance;
+    float count = body.shellCount;
     vec3 fromEye = root - eye;
     if (BY_ANGLE > 1 && count > 1.0) count *= clamp(1.0 / max(abs(dot(n, safeNormalize(fromEye, n))), 1e-3), 1.0, float(BY_ANGLE));
     height = powPositive(shellHeight(float(shell), count), parameters.distanceAttenuation);

@@ -15,12 +15,12 @@ void main()
 {
     turnDisk(framePixel(gl_FragCoord.xy));
     float open = left.x * left.x;
-    float r = length((pitFromWorld * vec4(world, 1.0)).xz) / pit.x;
+    float r = length((fur.pitFromWorld * vec4(world, 1.0)).xz) / fur.pitRadius;
     vec3 lamp = lampOnFloor * (left.y * open);
 #ifdef ALONE
     float there = 1.0 - smoothStep(0.35, 1.0, r);
-    float lit = sunVisibility(world, upwards) * max(dot(upwards, light.sunDirection.xyz), 0.0);
-    vec3 color = vec3(0.34, 0.31, 0.28) * (ambient * open + light.sunIrradiance.rgb * (lit / PI) + lamp);
+    float lit = sunVisibility(world, upwards) * max(dot(upwards, light.sunDirection), 0.0);
+    vec3 color = vec3(0.34, 0.31, 0.28) * (ambient * open + light.sunIrradiance * (lit / PI) + lamp);
     radiance = vec4(color, 1.0) * there;
 #else
     // Premultiplied: it darkens what is there, and adds the lamp's light on a dark felt, out to the wall.

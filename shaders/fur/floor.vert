@@ -13,14 +13,14 @@ flat out vec3 lampOnFloor;
 
 void main()
 {
-    vec4 p = worldFromPit * vec4(position.x * pit.x, 0.003, position.z * pit.x, 1.0);
+    vec4 p = fur.worldFromPit * vec4(position.x * fur.pitRadius, 0.003, position.z * fur.pitRadius, 1.0);
     world = p.xyz;
-    vec3 up = normalize(mat3(worldFromPit) * vec3(0.0, 1.0, 0.0));
+    vec3 up = normalize(mat3(fur.worldFromPit) * vec3(0.0, 1.0, 0.0));
     vec3 toLamp = lampDirection();
     upwards = up;
     ambient = probeAmbient(up);
     lampOnFloor = lampLight() * (max(dot(up, toLamp), 0.0) / PI);
     left = vec2(1.0);
-    for (int i = 0; i < FUR_BODIES; ++i) left *= openTo(body[i], world, up, toLamp);
+    for (int i = 0; i < FUR_BODIES; ++i) left *= openTo(fur.bodies[i], world, up, toLamp);
     gl_Position = frame.clipFromWorld * p;
 }

@@ -24,8 +24,8 @@ float hairLobe(vec3 along, vec3 toLight, vec3 toEye, float shift, float exponent
 float sunOnFur(vec3 world)
 {
     float visible = 1.0;
-    if (light.sunIrradiance.w > 0.5) visible = shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, world), 0);
-    if (light.sunLightmap.w > 0.5) visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, world), 0);
+    if (light.hallCastsShadow) visible = shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, world), SHADOW_FILTER_HARD);
+    if (light.exhibitsCastShadow) visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, world), SHADOW_FILTER_HARD);
     return visible;
 }
 
@@ -49,30 +49,30 @@ vec3 directLight(vec3 irradiance, vec3 l, vec3 albedo, vec3 normal, vec3 skinNor
 void main()
 {
     FoundStrand found = unpackedStrand(texelFetch(coatFound, ivec2(gl_FragCoord.xy), 0));
-    if (found.body != int(body[0].rootColor.w + 0.5)) discard;
+    if (found.body != fur.bodies[0].number) discard;
     float height = found.height;
-    vec3 albedo = mix(body[0].rootColor.rgb, body[0].tipColor.rgb, powPositive(height, parameters.gradient));
+    vec3 albedo = mix(fur.bodies[0].rootColor, fur.bodies[0].tipColor, powPositive(height, parameters.gradient));
     albedo = clamp(albedo * (1.0 + parameters.colorVariation * (found.rank - 0.5)), 0.0, 1.0);
     vec3 ray = frameRay(gl_FragCoord.xy);
-    vec3 world = frame.eye.xyz + ray * found.viewDepth;
+    vec3 world = frame.eye + ray * found.viewDepth;
     vec3 toEye = -normalize(ray);
 
-    mat3 outwards = transpose(mat3(body[0].bodyFromWorld));
+    mat3 outwards = transpose(mat3(fur.bodies[0].bodyFromWorld));
     vec3 hairNormal = normalize(outwards * found.normal);
     vec3 skinNormal = normalize(outwards * found.coatNormal);
-    vec3 pull = mat3(body[0].worldFromBody) * (body[0].pull.xyz + body[0].wind.xyz);
+    vec3 pull = mat3(fur.bodies[0].worldFromBody) * (fur.bodies[0].pull + fur.bodies[0].wind);
     vec3 along = normalize(skinNormal + (pull + (hairNormal - skinNormal) * 0.5) * height);
 
     // What the coat hides from itself.
     float occlusion = coatOcclusion(height, parameters.occlusionAttenuation, parameters.occlusionBias);
     // What the other bodies, the floor and the wall of the pit hide.
     vec2 left = vec2(1.0);
-    for (int i = 1; i < FUR_BODIES; ++i) left *= openTo(body[i], world, skinNormal, toLamp);
+    for (int i = 1; i < FUR_BODIES; ++i) left *= openTo(fur.bodies[i], world, skinNormal, toLamp);
     float open = left.x;
-    vec3 inPit = (pitFromWorld * vec4(world, 1.0)).xyz;
+    vec3 inPit = (fur.pitFromWorld * vec4(world, 1.0)).xyz;
     float below = 0.5 - 0.5 * skinNormal.y;
     open *= 1.0 - 0.9 * below * exp(-max(inPit.y, 0.0) * 1.1);
-    float wallShade = exp(-max(pit.x - length(inPit.xz), 0.0) * 4.0) * exp(-max(inPit.y, 0.0) * 3.0);
+    float wallShade = exp(-max(fur.pitRadius - length(inPit.xz), 0.0) * 4.0) * exp(-max(inPit.y, 0.0) * 3.0);
     open *= 1.0 - 0.35 * wallShade;
 
     vec3 bent = normalize(mix(skinNormal, hairNormal, 0.6));
@@ -82,10 +82,10 @@ void main()
     vec3 color = albedo * ambient * occlusion;
     color += ambient * (parameters.sheen * occlusion * open * 0.4 * hairLobe(along, keyDirection, toEye, -0.06, 12.0)) * mix(vec3(0.3), albedo, 0.7);
 
-    if (dot(light.sunIrradiance.rgb, vec3(1.0)) > 0.0) {
-        vec3 l = light.sunDirection.xyz;
+    if (dot(light.sunIrradiance, vec3(1.0)) > 0.0) {
+        vec3 l = light.sunDirection;
         // Looked up a little towards the sun, so that a strand is not kept off the light by its own shell.
-        vec3 sun = light.sunIrradiance.rgb * sunOnFur(world + l * 0.012);
+        vec3 sun = light.sunIrradiance * sunOnFur(world + l * 0.012);
         color += directLight(sun, l, albedo, bent, skinNormal, along, toEye, height, occlusion);
     }
     if (parameters.lamp > 0.0) {

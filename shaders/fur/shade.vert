@@ -17,10 +17,10 @@ void main()
 {
     // The first-order coefficients point there (Sloan 2008, "Stupid Spherical Harmonics Tricks").
     keyDirection = vec3(0.0, 1.0, 0.0);
-    if (light.probePosition.w > 0.5) {
+    if (light.hasProbe) {
         vec3 weights = vec3(0.2126, 0.7152, 0.0722);
         keyDirection = safeNormalize(vec3(dot(firstOrder(3), weights), dot(firstOrder(1), weights), dot(firstOrder(2), weights)), keyDirection);
     }
     toLamp = lampDirection();
-    gl_Position = frame.clipFromWorld * (body[0].worldFromBody * vec4(middle.xyz + halfSize.xyz * position, 1.0));
+    gl_Position = frame.clipFromWorld * (fur.bodies[0].worldFromBody * vec4(fur.boxCenter + fur.boxHalfSize * position, 1.0));
 }

@@ -1,6 +1,6 @@
 // Positions only: for shadow maps.
 #include "lib/frame.glsl"
-#include "hall/object.glsl"
+#include "kit/surface_object.glsl"
 
 layout(location = 0) in vec3 position;
 

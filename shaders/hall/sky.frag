@@ -6,5 +6,5 @@ layout(location = 0) out vec4 radiance;
 
 void main()
 {
-    radiance = vec4(min(skyRadiance(frameRay(gl_FragCoord.xy), frame.timing.w), vec3(6e4)), 1.0);
+    radiance = vec4(min(skyRadiance(frameRay(gl_FragCoord.xy), frame.pixelAngle), vec3(6e4)), 1.0);
 }

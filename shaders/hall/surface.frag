@@ -2,7 +2,7 @@
 // FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WIPE, WRITE_NORMAL, WRITE_EVALUATIONS.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
-#include "hall/object.glsl"
+#include "kit/surface_object.glsl"
 
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D baseColorMap;
 layout(binding = UNIT_NORMAL) uniform sampler2D normalMap;
@@ -33,14 +33,14 @@ vec3 squared(vec3 c)
 
 vec3 bakedAmbient()
 {
-    vec3 sky = squared(textureLod(skyLightmap, atlasUv, 0.0).rgb) * light.skyZenith.w;
-    vec3 ambient = sky * mix(light.skyHorizon.rgb, light.skyZenith.rgb, 0.4);
+    vec3 sky = squared(textureLod(skyLightmap, atlasUv, 0.0).rgb) * light.skyLightmapScale;
+    vec3 ambient = sky * mix(light.skyHorizon, light.skyZenith, 0.4);
     vec3 bounced = vec3(0.0);
     for (int i = 0; i < 3; ++i) {
-        float weight = light.sunLightmap[i];
+        float weight = light.sunLightmapWeights[i];
         if (weight > 0.0) bounced += squared(textureLod(sunLightmaps, vec3(atlasUv, float(i)), 0.0).rgb) * weight;
     }
-    return ambient + bounced * light.sunIrradiance.rgb;
+    return ambient + bounced * light.sunIrradiance;
 }
 
 void main()
@@ -51,13 +51,13 @@ void main()
     base *= texture(baseColorMap, tileUv);
 #endif
 #ifdef ALPHA_MASK
-    if (base.a < object.emissive.w) discard;
+    if (base.a < object.alphaCutoff) discard;
 #endif
 #ifdef WIPE
-    if (framePixel(gl_FragCoord.xy).x < object.tiling.z) discard;
+    if (framePixel(gl_FragCoord.xy).x < object.wipeColumn) discard;
 #endif
 
-    vec3 toEye = normalize(frame.eye.xyz - worldPosition);
+    vec3 toEye = normalize(frame.eye - worldPosition);
     vec3 n = safeNormalize(worldNormal, toEye);  // A visitor's file may hold normals without length.
     if (!gl_FrontFacing) n = -n;
 #ifdef NORMAL_MAP
@@ -66,20 +66,20 @@ void main()
         t = normalize(t);
         vec3 b = cross(n, t) * worldTangent.w;
         vec3 m = texture(normalMap, tileUv).xyz * 2.0 - 1.0;
-        n = normalize(t * (m.x * object.material.z) + b * (m.y * object.material.z) + n * max(m.z, 0.05));
+        n = normalize(t * (m.x * object.normalScale) + b * (m.y * object.normalScale) + n * max(m.z, 0.05));
     }
 #endif
     Surface s;
     s.position = worldPosition;
     s.normal = n;
     s.baseColor = base.rgb;
-    s.metalness = object.material.x;
-    s.roughness = object.material.y;
-    s.specular = object.tiling.w;
+    s.metalness = object.metalness;
+    s.roughness = object.roughness;
+    s.specular = object.specular;
     s.occlusion = 1.0;
 #ifdef ORM_MAP
     vec3 orm = texture(ormMap, tileUv).rgb;
-    s.occlusion = mix(1.0, orm.r, object.material.w);
+    s.occlusion = mix(1.0, orm.r, object.occlusionStrength);
     s.roughness *= orm.g;
     s.metalness *= orm.b;
 #endif
@@ -88,7 +88,7 @@ void main()
     s.ambient = bakedAmbient();
     // The probe stands for the whole room; where the baked light is far below the room's, so is the mirror image.
     float local = dot(s.ambient, vec3(0.3333)) / max(dot(probeAmbient(n), vec3(0.3333)), 1e-4);
-    s.occlusion *= mix(1.0, clamp(local, 0.15, 1.0), light.filtering.w * (0.35 + 0.65 * s.roughness));
+    s.occlusion *= mix(1.0, clamp(local, 0.15, 1.0), light.bakedOcclusion * (0.35 + 0.65 * s.roughness));
 #else
     s.ambient = probeAmbient(n) * s.occlusion;
 #endif
@@ -97,7 +97,7 @@ void main()
 #else
     vec3 color = shadeSurface(s, toEye);
 #endif
-    vec3 emitted = object.emissive.rgb;
+    vec3 emitted = object.emissive;
 #ifdef EMISSIVE_MAP
     emitted *= texture(emissiveMap, tileUv).rgb;
 #endif

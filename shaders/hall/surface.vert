@@ -1,6 +1,6 @@
 // Meshes of the hall, props and the visitor's own models.
 #include "lib/frame.glsl"
-#include "hall/object.glsl"
+#include "kit/surface_object.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -20,7 +20,7 @@ void main()
     worldPosition = world.xyz;
     worldNormal = mat3(object.worldFromModelNormals) * normal;
     worldTangent = vec4(mat3(object.worldFromModel) * tangent.xyz, tangent.w);
-    tileUv = uv * object.tiling.x;
+    tileUv = uv * object.textureRepeats;
     atlasUv = lightmapUv;
     gl_Position = frame.clipFromWorld * world;
 }

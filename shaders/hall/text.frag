@@ -1,7 +1,7 @@
 // Engraved letters, from a signed distance field (Green 2007, "Improved Alpha-Tested Magnification").
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
-#include "hall/object.glsl"
+#include "kit/surface_object.glsl"
 
 layout(binding = UNIT_FONT) uniform sampler2D font;
 
@@ -15,7 +15,7 @@ void main()
 {
     float d = texture(font, glyphUv).r - 0.5;
     // Half a screen pixel of blur on either side of the outline, and never sharper than the field resolves.
-    float width = clamp(length(fwidth(glyphUv) * vec2(textureSize(font, 0))) * 0.7 / object.tiling.x, 0.01, 0.5);
+    float width = clamp(length(fwidth(glyphUv) * vec2(textureSize(font, 0))) * 0.7 / object.fontSpread, 0.01, 0.5);
     float coverage = smoothstep(-width, width, d);
     if (coverage <= 0.003) discard;
     Surface s;
@@ -27,7 +27,7 @@ void main()
     s.specular = 0.05;
     s.ambient = probeAmbient(s.normal);
     s.occlusion = 0.25;
-    vec3 toEye = normalize(frame.eye.xyz - worldPosition);
+    vec3 toEye = normalize(frame.eye - worldPosition);
     // Premultiplied.
     radiance = vec4(shadeSurface(s, toEye), 1.0) * coverage * object.baseColor.a;
 }

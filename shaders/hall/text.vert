@@ -1,6 +1,6 @@
 // Letters engraved in a plaque: quads in world space, texture coordinates of the font's distance field.
 #include "lib/frame.glsl"
-#include "hall/object.glsl"
+#include "kit/surface_object.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

@@ -1,7 +1,7 @@
 // The card in the hall: the print through its lenses under a glossy surface; clear edges, a white back.
 // Permutations: those of print.glsl, ANAGLYPH, WRITE_NORMAL, COUNT (writes rays traced instead of light).
 #include "lib/frame.glsl"
-#include "lenticular/object.glsl"
+#include "lenticular/card.glsl"
 #include "lenticular/print.glsl"
 #include "lenticular/gloss.glsl"
 
@@ -23,12 +23,12 @@ Patch patchOf(vec3 eye)
 {
     mat3 turn = mat3(object.cardFromWorld);
     vec3 d = turn * frameRay(gl_FragCoord.xy);
-    vec3 dx = turn * (mat3(frame.worldFromView) * vec3(2.0 * frame.sampling.z * frame.size.z, 0.0, 0.0));
-    vec3 dy = turn * (mat3(frame.worldFromView) * vec3(0.0, 2.0 * frame.sampling.w * frame.size.w, 0.0));
+    vec3 dx = turn * (mat3(frame.worldFromView) * vec3(2.0 * frame.tanHalfFov.x * frame.inverseSize.x, 0.0, 0.0));
+    vec3 dy = turn * (mat3(frame.worldFromView) * vec3(0.0, 2.0 * frame.tanHalfFov.y * frame.inverseSize.y, 0.0));
     float dz = min(d.z, -1.0e-5);
     float t = -eye.z / dz;
     Patch p;
-    p.place = clamp(eye.xy + d.xy * t, -object.card.xy, object.card.xy);
+    p.place = clamp(eye.xy + d.xy * t, -object.halfSize.xy, object.halfSize.xy);
     p.stepX = clamp(t * (dx.xy - d.xy * (dx.z / dz)), -1.0, 1.0);
     p.stepY = clamp(t * (dy.xy - d.xy * (dy.z / dz)), -1.0, 1.0);
     return p;
@@ -55,20 +55,20 @@ void main()
     turnDisk(framePixel(gl_FragCoord.xy));
     vec3 world = (object.worldFromCard * vec4(cardPosition, 1.0)).xyz;
     vec3 worldNormal = normalize(transpose(mat3(object.cardFromWorld)) * normalize(cardNormal));
-    vec3 eye = (object.cardFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
+    vec3 eye = (object.cardFromWorld * vec4(frame.eye, 1.0)).xyz;
     vec3 color = vec3(0.0);
     if (cardNormal.z < 0.999 || eye.z <= 0.0) {
 #ifndef COUNT
-        color = slabColor(world, worldNormal, normalize(frame.eye.xyz - world));
+        color = slabColor(world, worldNormal, normalize(frame.eye - world));
 #endif
     } else {
         Patch p = patchOf(eye);
 #ifdef ANAGLYPH
-        vec3 left = printedColor(p.place, object.eyes[0].xyz, p.stepX, p.stepY);
-        vec3 right = printedColor(p.place, object.eyes[1].xyz, p.stepX, p.stepY);
+        vec3 left = printedColor(p.place, object.leftEye, p.stepX, p.stepY);
+        vec3 right = printedColor(p.place, object.rightEye, p.stepX, p.stepY);
         vec3 printed = vec3(dot(left, vec3(0.45, 0.5, 0.05)), right.gb);
 #else
-        vec3 printed = printedColor(p.place, object.eyes[0].xyz, p.stepX, p.stepY);
+        vec3 printed = printedColor(p.place, object.leftEye, p.stepX, p.stepY);
 #endif
 #ifndef COUNT
         world = (object.worldFromCard * vec4(p.place, 0.0, 1.0)).xyz;
@@ -76,9 +76,9 @@ void main()
         float visibility = sunVisibility(world, worldNormal);
         vec4 mirrored = gloss(p.place, toEye, p.stepX, p.stepY, visibility, world);
         // The paper under the plastic scatters what reaches it.
-        float cosL = max(dot(worldNormal, light.sunDirection.xyz), 0.0);
+        float cosL = max(dot(worldNormal, light.sunDirection), 0.0);
         float into = 1.0 - fresnelDielectric(cosL, object.prints[0].index.g);
-        vec3 falls = probeAmbient(worldNormal) + light.sunIrradiance.rgb * (cosL * visibility * into / PI);
+        vec3 falls = probeAmbient(worldNormal) + light.sunIrradiance * (cosL * visibility * into / PI);
         vec3 toLamp = normalize(LAMP - vec3(p.place, 0.0));
         falls += lampIrradiance(p.place) * (toLamp.z * (1.0 - fresnelDielectric(toLamp.z, object.prints[0].index.g)) / PI);
         color = printed * falls * (1.0 - mirrored.a) + mirrored.rgb;

@@ -1,6 +1,6 @@
 // The card: a slab with rounded corners and beveled edges.
 #include "lib/frame.glsl"
-#include "lenticular/object.glsl"
+#include "lenticular/card.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

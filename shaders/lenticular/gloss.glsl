@@ -50,13 +50,13 @@ vec3 lampIrradiance(vec2 place)
 // Mirrored light and, in w, its share of all light.
 vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec3 worldPosition)
 {
-    Print print = object.prints[0];
-    vec2 across = object.axes.xy;
-    vec2 along = object.axes.zw;
+    CardPrintBlock print = object.prints[0];
+    vec2 across = object.across;
+    vec2 along = object.along;
     vec2 pixel = vec2(abs(dot(stepX, across)) + abs(dot(stepY, across)), abs(dot(stepX, along)) + abs(dot(stepY, along)));
     vec3 rib = ribs(vec2(dot(place, across), dot(place, along)), pixel);
-    float lenses = dot(place, across) / print.area.w;
-    float width = pixel.x / print.area.w;
+    float lenses = dot(place, across) / print.pitch;
+    float width = pixel.x / print.pitch;
     // From afar a quarter of the lens's slopes is enough: the rest is in the roughness.
     float wide = min(width + (1.0 - width) * smoothStep(0.25, 0.5, width), 1.0);
     // A whole lens is always cut in the same places, or the cuts would beat with the pixels.

@@ -36,13 +36,13 @@ struct Spot {
     float along;      // the eye's direction along the lenses, sine
 };
 
-LensShape lensShape(Print print, float index, float along)
+LensShape lensShape(CardPrintBlock print, float index, float along)
 {
     LensShape s;
     s.pitch = 1.0;
-    s.radius = print.shape.x;
-    s.thickness = print.shape.y;
-    s.conic = print.shape.z;
+    s.radius = print.radius;
+    s.thickness = print.thickness;
+    s.conic = print.conic;
     s.index = lensIndexAskew(index, along);
     return s;
 }
@@ -108,27 +108,27 @@ bool isRaster(int slot)
 }
 
 // View `k` as lens `lens` shows it; `inStrip`: where in the strip, 0 to 1, for squeezed strips.
-vec3 viewColor(int slot, Print print, Spot spot, float lens, float k, float inStrip)
+vec3 viewColor(int slot, CardPrintBlock print, Spot spot, float lens, float k, float inStrip)
 {
 #ifdef SQUEEZED
     lens += 0.5 - inStrip;
 #endif
     // Along the lens the ray is displaced by its way through the sheet.
-    float down = dot(spot.place, object.axes.zw) - print.area.w * print.shape.y * spot.along / print.index.g;
-    vec2 uv = object.axes.zw * (down / (2.0 * print.area.xy)) + object.axes.xy * ((lens - print.strips.y) * print.strips.w);
-    vec2 texels = abs(object.axes.xy) * (spot.width * print.strips.w) + abs(object.axes.zw) * (spot.length_ / (2.0 * print.area.xy));
+    float down = dot(spot.place, object.along) - print.pitch * print.thickness * spot.along / print.index.g;
+    vec2 uv = object.along * (down / (2.0 * print.halfSize)) + object.across * ((lens - print.phase) * print.texturePerLens);
+    vec2 texels = abs(object.across) * (spot.width * print.texturePerLens) + abs(object.along) * (spot.length_ / (2.0 * print.halfSize));
     float level = log2(max(max(texels.x * print.size.x, texels.y * print.size.y), 1.0));
     return pictureTexel(slot, vec3(0.5 + uv.x, 0.5 - uv.y, k), level);
 }
 
 // The raster's pixel `column`, counted across the lenses; along them its rows are averaged over the pixel of
 // the screen, in a stack of halvings.
-vec3 rasterColor(int slot, Print print, Spot spot, float column)
+vec3 rasterColor(int slot, CardPrintBlock print, Spot spot, float column)
 {
-    bool upright = object.axes.x > 0.5;
+    bool upright = object.across.x > 0.5;
     // The stack halves along the lenses, whatever their direction: the texture is turned for horizontal ones.
-    float down = dot(spot.place, object.axes.zw) - print.area.w * print.shape.y * spot.along / print.index.g;
-    float extent = upright ? print.area.y : print.area.x;
+    float down = dot(spot.place, object.along) - print.pitch * print.thickness * spot.along / print.index.g;
+    float extent = upright ? print.halfSize.y : print.halfSize.x;
     float share = 0.5 - 0.5 * down / extent;
     float rows = print.size.y;
     float level = clamp(floor(log2(max(spot.length_ / (2.0 * extent) * rows, 1.0))), 0.0, 12.0);
@@ -146,7 +146,7 @@ vec3 rasterColor(int slot, Print print, Spot spot, float column)
 }
 
 // Sum of color times weight, and the weight, of the piece [from, to] of lens `lens`. Channel 3 is all three.
-vec4 lensPiece(int slot, Print print, Spot spot, float lens, float from, float to, int parts, int channel)
+vec4 lensPiece(int slot, CardPrintBlock print, Spot spot, float lens, float from, float to, int parts, int channel)
 {
     LensShape s = lensShape(print, channel == 0 ? print.index.r : channel == 2 ? print.index.b : print.index.g, spot.along);
     float middle = spotMiddle(s, spot.eyePlane);
@@ -155,10 +155,10 @@ vec4 lensPiece(int slot, Print print, Spot spot, float lens, float from, float t
     float low = 1.0e9;
     float high = -1.0e9;
     float total = 0.0;
-    vec2 left = landing(s, from, spot.eyePlane, middle, print.area.z);
+    vec2 left = landing(s, from, spot.eyePlane, middle, float(print.views));
     for (int i = 0; i < parts; ++i) {
-        vec2 at = landing(s, mix(from, to, (float(i) + 0.5) / float(parts)), spot.eyePlane, middle, print.area.z);
-        vec2 right = landing(s, mix(from, to, (float(i) + 1.0) / float(parts)), spot.eyePlane, middle, print.area.z);
+        vec2 at = landing(s, mix(from, to, (float(i) + 0.5) / float(parts)), spot.eyePlane, middle, float(print.views));
+        vec2 right = landing(s, mix(from, to, (float(i) + 1.0) / float(parts)), spot.eyePlane, middle, float(print.views));
         if (at.y > 0.0) {
             float a = left.y > 0.0 ? left.x : at.x;
             float b = right.y > 0.0 ? right.x : at.x;
@@ -172,11 +172,11 @@ vec4 lensPiece(int slot, Print print, Spot spot, float lens, float from, float t
     }
     if (found == 0) return vec4(0.0);
 
-    float cells = isRaster(slot) ? print.strips.w : print.area.z;  // strips, or pixels, per lens
-    float blur = (print.shape.w + spot.blur) * cells;
+    float cells = isRaster(slot) ? print.texturePerLens : float(print.views);  // strips, or pixels, per lens
+    float blur = (print.blur + spot.blur) * cells;
     // In cells, 0 at the left end of the print's lens `lens`.
-    float ratio = print.strips.x;
-    float offset = lens * (ratio - 1.0) + print.strips.y + print.strips.z * dot(spot.place, object.axes.zw) / print.area.w + spot.slide + 0.5;
+    float ratio = print.pitchRatio;
+    float offset = lens * (ratio - 1.0) + print.phase + print.slope * dot(spot.place, object.along) / print.pitch + spot.slide + 0.5;
     // Pixels of a raster do not begin where the print's lens does.
     float column = isRaster(slot) ? (lens - 0.5) * cells + 0.5 * print.size.x : 0.0;
     float start = offset * cells + column - floor(column);
@@ -212,7 +212,7 @@ vec4 lensPiece(int slot, Print print, Spot spot, float lens, float from, float t
 }
 
 // The window of a pixel on the lenses, cut at the cusps.
-vec3 windowColor(int slot, Print print, Spot spot, int channel)
+vec3 windowColor(int slot, CardPrintBlock print, Spot spot, int channel)
 {
     // A pixel wider than a quarter of a lens begins to see more of it, and from half a lens on the whole: a box
     // of just one pitch leaves nothing of what repeats every pitch.
@@ -247,15 +247,15 @@ vec3 printedColor(vec2 place, vec3 eye, vec2 stepX, vec2 stepY)
     spot.place = place;
     int slot = 0;
 #ifdef SCROLLING
-    spot.place.y -= 2.0 * object.card.y * object.card.w;
-    if (spot.place.y < -object.card.y) {
-        spot.place.y += 2.0 * object.card.y;
+    spot.place.y -= 2.0 * object.halfSize.y * object.scroll;
+    if (spot.place.y < -object.halfSize.y) {
+        spot.place.y += 2.0 * object.halfSize.y;
         slot = 1;
     }
 #endif
-    Print print = object.prints[slot];
-    vec2 across = object.axes.xy;
-    vec2 along = object.axes.zw;
+    CardPrintBlock print = object.prints[slot];
+    vec2 across = object.across;
+    vec2 along = object.along;
     vec3 toEye = normalize(eye - vec3(place, 0.0));
     // 87 degrees is as far as anything can be told apart; beyond, Fresnel leaves only the mirror image.
     toEye.z = max(toEye.z, 0.05);
@@ -263,17 +263,17 @@ vec3 printedColor(vec2 place, vec3 eye, vec2 stepX, vec2 stepY)
     spot.along = dot(toEye.xy, along);
     float inPlane = sqrt(max(1.0 - spot.along * spot.along, 1.0e-6));
     spot.eyePlane = vec2(dot(toEye.xy, across), toEye.z) / inPlane;
-    spot.lenses = dot(place, across) / print.area.w;
-    spot.slide = dot(spot.place - place, across) / print.area.w;
-    spot.width = (abs(dot(stepX, across)) + abs(dot(stepY, across))) / print.area.w;
+    spot.lenses = dot(place, across) / print.pitch;
+    spot.slide = dot(spot.place - place, across) / print.pitch;
+    spot.width = (abs(dot(stepX, across)) + abs(dot(stepY, across))) / print.pitch;
     spot.length_ = abs(dot(stepX, along)) + abs(dot(stepY, along));
-    float rate = spotRate(lensShape(print, print.index.g, spot.along), spot.eyePlane) * print.area.w / max(eye.z, 1.0e-3);
-    float perLens = print.strips.x * (1.0 + rate) - 1.0;
-    spot.blur = parameters.prefilter ? abs(perLens) * spot.width + abs(print.strips.z) * spot.length_ / print.area.w : 0.0;
+    float rate = spotRate(lensShape(print, print.index.g, spot.along), spot.eyePlane) * print.pitch / max(eye.z, 1.0e-3);
+    float perLens = print.pitchRatio * (1.0 + rate) - 1.0;
+    spot.blur = parameters.prefilter ? abs(perLens) * spot.width + abs(print.slope) * spot.length_ / print.pitch : 0.0;
 
     // Around the picture there is paper.
     vec2 wide = max(abs(stepX) + abs(stepY), vec2(1.0e-6));
-    vec2 inside = clamp((print.area.xy - abs(spot.place)) / wide + 0.5, 0.0, 1.0);
+    vec2 inside = clamp((print.halfSize - abs(spot.place)) / wide + 0.5, 0.0, 1.0);
     float covered = inside.x * inside.y;
     if (covered <= 0.0) return PAPER;
 #ifdef DISPERSION

@@ -1,5 +1,12 @@
 // Binding numbers that shaders and C++ share. Plain macros, so that both languages can include this.
 
+// For the files *_block.glsl, which say what a uniform block holds: what C++ makes of them is in render/glsl/std140.h.
+#ifndef __cplusplus
+#define BLOCK_STRUCT(name, FIELDS) struct name { FIELDS(BLOCK_FIELD, BLOCK_ARRAY) };
+#define BLOCK_FIELD(type, name) type name;
+#define BLOCK_ARRAY(type, name, count) type name[count];
+#endif
+
 // std140 blocks.
 #define BLOCK_FRAME 0
 #define BLOCK_PARAMETERS 1

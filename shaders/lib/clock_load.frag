@@ -1,8 +1,9 @@
 // Work of a known amount, to try clocks with: its cost is proportional to the rounds.
 #include "lib/bindings.glsl"
+#include "lib/clock_load_block.glsl"
 
 layout(std140, binding = BLOCK_OBJECT) uniform Load {
-    ivec4 load;  // x: rounds per pixel.
+    ClockLoadBlock load;
 };
 
 layout(location = 0) out vec4 result;
@@ -11,6 +12,6 @@ void main()
 {
     // Each round needs the one before, so that no compiler folds them.
     uint state = uint(gl_FragCoord.x) * 1973u + uint(gl_FragCoord.y) * 9277u + 1u;
-    for (int i = 0; i < load.x; ++i) state = (state ^ (state >> 15u)) * 747796405u + 2891336453u;
+    for (int i = 0; i < load.rounds; ++i) state = (state ^ (state >> 15u)) * 747796405u + 2891336453u;
     result = vec4(float(state >> 8u) / 16777216.0);
 }

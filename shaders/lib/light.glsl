@@ -1,23 +1,11 @@
-// The light block and what reads it: sun, sky, shadow maps, reflection probe. Mirrored by LightBlock in
-// exhibits/framework/surroundings.h.
+// The light block and what reads it: sun, sky, shadow maps, reflection probe.
 #include "lib/bindings.glsl"
+#include "lib/light_block.glsl"
 #include "lib/numerics.glsl"
 
 layout(std140, binding = BLOCK_LIGHT) uniform Light {
-    mat4 hallShadowFromWorld;     // xy: texture coordinates, z: reversed depth
-    mat4 exhibitShadowFromWorld;
-    vec4 sunDirection;            // towards the sun, unit; w: width of one texel of the hall's map, metres
-    vec4 sunIrradiance;           // on a plane that faces it; w: 1 when the hall's shadow map is valid
-    vec4 skyZenith;               // radiance; w: scale of the sky lightmap
-    vec4 skyHorizon;              // radiance; w: 1 when an environment picture replaces the sky
-    vec4 sunLightmap;             // xyz: weight times scale of the three sun lightmaps; w: 1 when the exhibits' map is valid
-    vec4 probePosition;           // world space; w: 1 when the probe is valid
-    vec4 probeLow;                // box of the parallax correction; w: last level of the probe
-    vec4 probeHigh;               // w: exposure, a factor
-    vec4 filtering;               // x: shadow filter (0 hard, 1 tent 3x3, 2 tent 5x5, 3 the sun's disk), y: width of an exhibits' texel, metres,
-                                  // z: rotation of the environment, radians, w: strength of baked occlusion, 0 to 1
-    vec4 disk;                    // x: tangent of half the sun's width, y: comparisons over its disk, z: number of the supersample
-} light;
+    LightBlock light;
+};
 
 layout(binding = UNIT_SHADOW_HALL) uniform sampler2DShadow hallShadow;
 layout(binding = UNIT_SHADOW_EXHIBITS) uniform sampler2DShadow exhibitShadow;
@@ -29,20 +17,20 @@ float shadowTap(sampler2DShadow map, vec2 base, vec2 offset, float depth)
     return texture(map, vec3((base + offset) / vec2(textureSize(map, 0)), depth));
 }
 
-// Share of the light that reaches `position` in one map. Kind 0: one bilinear comparison. Kinds 1 and 2: a
+// Share of the light that reaches `position` in one map. SHADOW_FILTER_HARD: one bilinear comparison. The others: a
 // tent over 3x3 or 5x5 texels in 4 or 9 bilinear comparisons, each placed between two texels in proportion
 // to their weights, so that the result moves smoothly with the position (Castano 2013, "Shadow Mapping
 // Summary").
 float shadowMapLight(sampler2DShadow map, vec3 position, int filterKind)
 {
     if (any(lessThan(position, vec3(0.0))) || any(greaterThan(position, vec3(1.0)))) return 1.0;
-    if (filterKind == 0) return texture(map, position);
+    if (filterKind == SHADOW_FILTER_HARD) return texture(map, position);
     vec2 texel = position.xy * vec2(textureSize(map, 0));
     vec2 base = floor(texel + 0.5);
     vec2 s = texel + 0.5 - base;
     base -= 0.5;
     float z = position.z;
-    if (filterKind == 1) {
+    if (filterKind == SHADOW_FILTER_TENT_3) {
         vec2 w0 = 3.0 - 2.0 * s, w1 = 1.0 + 2.0 * s;
         vec2 o0 = (2.0 - s) / w0 - 1.0, o1 = s / w1 + 1.0;
         return (w0.x * w0.y * shadowTap(map, base, o0, z) + w1.x * w0.y * shadowTap(map, base, vec2(o1.x, o0.y), z) +
@@ -70,7 +58,7 @@ float diskTurn = 0.0;
 void turnDisk(vec2 pixel)
 {
     float noise = fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715))));
-    diskTurn = 2.0 * PI * fract(noise + 0.618033989 * light.disk.z);
+    diskTurn = 2.0 * PI * fract(noise + 0.618033989 * float(light.sampleIndex));
 }
 
 // Point i of n, spread evenly over the unit disk: a spiral of the golden angle (Vogel 1979, "A better way to construct
@@ -88,15 +76,16 @@ vec2 diskPoint(float i, float n)
 float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3 normal)
 {
     const float farthest = 16.0;  // metres: from the floor to the window
-    float looks = clamp(0.75 * light.disk.y, 12.0, 64.0);
+    float samples = float(light.sunDiskSamples);
+    float looks = clamp(0.75 * samples, 12.0, 64.0);
     vec3 position = shadowPosition(shadowFromWorld, world);
     if (any(lessThan(position, vec3(0.0))) || any(greaterThan(position, vec3(1.0)))) return 1.0;
     mat3 rows = transpose(mat3(shadowFromWorld));
     vec3 perMetre = vec3(length(rows[0]), length(rows[1]), length(rows[2]));
     vec2 texel = 1.0 / vec2(textureSize(map, 0));
     // Rise of the surface towards the sun, over texture coordinates.
-    vec2 rise = -vec2(dot(normal, rows[0]), dot(normal, rows[1])) / (perMetre.xy * perMetre.xy) / max(dot(normal, light.sunDirection.xyz), 0.1) * perMetre.z;
-    vec2 widest = max(perMetre.xy * (light.disk.x * farthest), texel);
+    vec2 rise = -vec2(dot(normal, rows[0]), dot(normal, rows[1])) / (perMetre.xy * perMetre.xy) / max(dot(normal, light.sunDirection), 0.1) * perMetre.z;
+    vec2 widest = max(perMetre.xy * (light.sunTanHalfWidth * farthest), texel);
     float hidden = 0.0;
     for (float i = 0.0; i < looks; i += 1.0) {
         vec2 offset = diskPoint(i, looks) * widest;
@@ -118,13 +107,13 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec
         mean += farther * (d - last);
         last = d;
     }
-    vec2 radius = max(perMetre.xy * (light.disk.x * mean / hidden), 0.75 * texel);
+    vec2 radius = max(perMetre.xy * (light.sunTanHalfWidth * mean / hidden), 0.75 * texel);
     float lit = 0.0;
-    for (float i = 0.0; i < light.disk.y; i += 1.0) {
-        vec2 offset = diskPoint(i, light.disk.y) * radius;
+    for (float i = 0.0; i < samples; i += 1.0) {
+        vec2 offset = diskPoint(i, samples) * radius;
         lit += texture(map, position + vec3(offset, dot(offset, rise)));
     }
-    return lit / light.disk.y;
+    return lit / samples;
 }
 
 // How far a point is lifted off its surface before it is looked up, in texels: more where light grazes.
@@ -136,27 +125,27 @@ float shadowLift(float cosine)
 // Share of the sun that walls and furniture let through, 0 to 1; 0 where `normal` faces away.
 float sunVisibilityOfHall(vec3 world, vec3 normal)
 {
-    float cosine = dot(normal, light.sunDirection.xyz);
+    float cosine = dot(normal, light.sunDirection);
     if (cosine <= 0.0) return 0.0;
-    if (light.sunIrradiance.w < 0.5) return 1.0;
-    vec3 lifted = world + normal * (light.sunDirection.w * shadowLift(cosine));
-    if (light.filtering.x > 2.5) return shadowDiskLight(hallShadow, light.hallShadowFromWorld, lifted, normal);
-    return shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, lifted), int(light.filtering.x));
+    if (!light.hallCastsShadow) return 1.0;
+    vec3 lifted = world + normal * (light.hallShadowTexel * shadowLift(cosine));
+    if (light.shadowFilter == SHADOW_FILTER_SUN_DISK) return shadowDiskLight(hallShadow, light.hallShadowFromWorld, lifted, normal);
+    return shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, lifted), light.shadowFilter);
 }
 
 // Share of the sun that the exhibits let through, where their map is valid.
 float sunVisibilityOfExhibits(vec3 world, vec3 normal)
 {
-    vec3 lifted = world + normal * (light.filtering.y * shadowLift(dot(normal, light.sunDirection.xyz)));
-    if (light.filtering.x > 2.5) return shadowDiskLight(exhibitShadow, light.exhibitShadowFromWorld, lifted, normal);
-    return shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), int(light.filtering.x));
+    vec3 lifted = world + normal * (light.exhibitShadowTexel * shadowLift(dot(normal, light.sunDirection)));
+    if (light.shadowFilter == SHADOW_FILTER_SUN_DISK) return shadowDiskLight(exhibitShadow, light.exhibitShadowFromWorld, lifted, normal);
+    return shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), light.shadowFilter);
 }
 
 // Both.
 float sunVisibility(vec3 world, vec3 normal)
 {
     float visible = sunVisibilityOfHall(world, normal);
-    if (light.sunLightmap.w > 0.5 && visible > 0.0) visible *= sunVisibilityOfExhibits(world, normal);
+    if (light.exhibitsCastShadow && visible > 0.0) visible *= sunVisibilityOfExhibits(world, normal);
     return visible;
 }
 
@@ -166,18 +155,18 @@ vec3 parallaxCorrected(vec3 world, vec3 direction)
 {
     if (light.probeHigh.x <= light.probeLow.x) return direction;
     vec3 safe = mix(direction, vec3(1e-5), lessThan(abs(direction), vec3(1e-5)));
-    vec3 toHigh = (light.probeHigh.xyz - world) / safe;
-    vec3 toLow = (light.probeLow.xyz - world) / safe;
+    vec3 toHigh = (light.probeHigh - world) / safe;
+    vec3 toLow = (light.probeLow - world) / safe;
     vec3 exits = max(toHigh, toLow);
     float t = min(exits.x, min(exits.y, exits.z));
-    return t > 0.0 ? world + direction * t - light.probePosition.xyz : direction;
+    return t > 0.0 ? world + direction * t - light.probePosition : direction;
 }
 
 // Radiance that arrives from `direction`, blurred by `roughness` (perceptual, 0 to 1).
 vec3 probeRadiance(vec3 world, vec3 direction, float roughness)
 {
-    if (light.probePosition.w < 0.5) return mix(light.skyHorizon.rgb, light.skyZenith.rgb, 0.5 + 0.5 * direction.y) * 0.05;
-    float level = light.probeLow.w * sqrt(clamp(roughness, 0.0, 1.0));
+    if (!light.hasProbe) return mix(light.skyHorizon, light.skyZenith, 0.5 + 0.5 * direction.y) * 0.05;
+    float level = light.probeLastLevel * sqrt(clamp(roughness, 0.0, 1.0));
     return textureLod(probe, parallaxCorrected(world, direction), level).rgb;
 }
 
@@ -185,7 +174,7 @@ vec3 probeRadiance(vec3 world, vec3 direction, float roughness)
 // cosine lobe; Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps").
 vec3 probeAmbient(vec3 n)
 {
-    if (light.probePosition.w < 0.5) return light.skyZenith.rgb * 0.05;
+    if (!light.hasProbe) return light.skyZenith * 0.05;
     vec3 sum = texelFetch(probeIrradiance, ivec2(0, 0), 0).rgb;
     sum += texelFetch(probeIrradiance, ivec2(1, 0), 0).rgb * n.y + texelFetch(probeIrradiance, ivec2(2, 0), 0).rgb * n.z +
            texelFetch(probeIrradiance, ivec2(3, 0), 0).rgb * n.x;

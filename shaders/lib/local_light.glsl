@@ -1,19 +1,10 @@
 // One light that stands somewhere: a point, or a sphere of even radiance. What it sends to a surface, and where its
 // shadow map is looked up. GLSL 4.50 and C++ (render/glsl/cpu.h).
 #ifndef __cplusplus
+#include "lib/bindings.glsl"
+#include "lib/local_lights_block.glsl"
 #include "lib/numerics.glsl"
 #endif
-
-struct LocalLight {
-    vec3 position;   // world space, metres
-    float radius;    // of the sphere, metres; 0: a point
-    vec3 intensity;  // radiant intensity, W/sr: of a sphere pi radius^2 times its radiance
-    float range;     // metres: beyond, it is not seen; 0: no end
-    float shadow;    // first of its six layers in the shadow maps; below 0: it throws no shadow
-    float nearPlane; // of these maps, metres
-    float pad0;
-    float pad1;
-};
 
 // Fades to 0 at `range`, smoothly, and is near 1 before half of it. Karis 2013, "Real Shading in Unreal Engine 4".
 float localWindow(float distance, float range)
@@ -42,7 +33,7 @@ float sphereFormFactor(float cosine, float distance, float radius)
 }
 
 // Irradiance on a surface at `place` with unit `normal`, without shadow.
-vec3 localIrradiance(LocalLight light, vec3 place, vec3 normal)
+vec3 localIrradiance(LocalLightEntry light, vec3 place, vec3 normal)
 {
     vec3 towards = light.position - place;
     float squared = dot(towards, towards);

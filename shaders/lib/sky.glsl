@@ -9,7 +9,7 @@ layout(binding = UNIT_ENVIRONMENT) uniform sampler2D environmentPicture;
 vec2 equirectangular(vec3 d)
 {
     bool pole = abs(d.x) + abs(d.z) < 1e-6;
-    float u = pole ? 0.5 : fract(atan(d.x, -d.z) / (2.0 * PI) + 0.5 + light.filtering.z / (2.0 * PI));
+    float u = pole ? 0.5 : fract(atan(d.x, -d.z) / (2.0 * PI) + 0.5 + light.environmentTurn / (2.0 * PI));
     return vec2(u, acos(clamp(d.y, -1.0, 1.0)) / PI);
 }
 
@@ -64,21 +64,21 @@ vec3 studioRadiance(vec3 d)
 vec3 skyRadiance(vec3 direction, float angle)
 {
     vec3 d = normalize(direction);
-    if (light.skyHorizon.w > 1.5) return studioRadiance(d);
-    if (light.skyHorizon.w > 0.5) return panoramaRadiance(d, angle);
+    if (light.background == BACKGROUND_STUDIO) return studioRadiance(d);
+    if (light.background == BACKGROUND_PANORAMA) return panoramaRadiance(d, angle);
     float up = max(d.y, 0.0);
     float haze = exp2(-4.0 * up);
-    vec3 sky = mix(light.skyZenith.rgb, light.skyHorizon.rgb, haze);
+    vec3 sky = mix(light.skyZenith, light.skyHorizon, haze);
     // Thin cloud in streaks, so that a window shows weather and not paper.
     vec2 high = d.xz / (up + 0.12) * 1.7;
     float streaks = 0.5 + 0.5 * sin(high.x * 1.3 + 1.7 * sin(high.y * 0.7) + 0.6 * sin(high.x * 3.1 - high.y * 1.9));
     sky *= mix(0.72, 1.0, streaks);
-    float toSun = max(dot(d, light.sunDirection.xyz), 0.0);
-    sky += light.sunIrradiance.rgb * (0.05 * pow(toSun, 24.0) + 0.3 * pow(toSun, 400.0));
+    float toSun = max(dot(d, light.sunDirection), 0.0);
+    sky += light.sunIrradiance * (0.05 * pow(toSun, 24.0) + 0.3 * pow(toSun, 400.0));
 #ifndef CAPTURE
     sky *= 0.4;  // To the eye, the panes of a tall old window dim the sky; what lights the room is not dimmed.
 #endif
     // The ground outside, seen only from above.
-    vec3 ground = light.skyHorizon.rgb * vec3(0.16, 0.15, 0.13);
+    vec3 ground = light.skyHorizon * vec3(0.16, 0.15, 0.13);
     return d.y < 0.0 ? mix(sky, ground, clamp(-d.y * 18.0, 0.0, 1.0)) : sky;
 }

@@ -56,7 +56,7 @@ vec3 lightReflected(Surface s, vec3 toEye, vec3 l, vec3 irradiance)
 vec3 sunReflected(Surface s, vec3 toEye, float visibility)
 {
     if (visibility <= 0.0) return vec3(0.0);
-    return lightReflected(s, toEye, light.sunDirection.xyz, light.sunIrradiance.rgb * visibility);
+    return lightReflected(s, toEye, light.sunDirection, light.sunIrradiance * visibility);
 }
 
 // Radiance towards the eye without the mirror part.

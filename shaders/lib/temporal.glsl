@@ -1,27 +1,27 @@
 // What a pass may know of the frames before: for passes that read history images or the results of work over several
 // frames, or that do such work. Filled by the renderer.
 #include "lib/bindings.glsl"
+#include "lib/temporal_block.glsl"
 
 layout(std140, binding = BLOCK_TEMPORAL) uniform Temporal {
-    mat4 previousClipFromWorld;  // of the frame that drew the histories, without its jitter
-    vec4 state;  // x: 1 when all that it reads of the frames before is usable, else 0; y: part, from 0; z: parts
-} temporal;
+    TemporalBlock temporal;
+};
 
 // Whether history images, and results of work over several frames, hold something that can be used.
 bool temporalIsValid()
 {
-    return temporal.state.x > 0.5;
+    return temporal.isValid;
 }
 
 // Which part of the work this frame does, 0 to temporalParts() - 1.
 int temporalPart()
 {
-    return int(temporal.state.y + 0.5);
+    return temporal.part;
 }
 
 int temporalParts()
 {
-    return int(temporal.state.z + 0.5);
+    return temporal.parts;
 }
 
 // Where a point of the world was in the history image, as texture coordinates; outside 0 to 1 it was not in view.

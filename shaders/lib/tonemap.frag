@@ -8,6 +8,6 @@ layout(location = 0) out vec4 display;
 void main()
 {
     vec4 radiance = texelFetch(source, ivec2(gl_FragCoord.xy), 0);
-    display = vec4(tonemap(radiance.rgb * light.probeHigh.w), radiance.a);
+    display = vec4(tonemap(radiance.rgb * light.exposure), radiance.a);
     if (radiance.a <= 0.0) display.rgb = vec3(0.0);
 }

@@ -32,7 +32,7 @@ vec3 heat(March march, Hit hit)
     else if (parameters.heatMap == heatMap_evaluations) shown = heatColor(float(evaluations) / parameters.heatScale);
     else if (parameters.heatMap == heatMap_normals) shown = hit.worldNormal * 0.5 + 0.5;
     else shown = heatColor(0.5 + 0.5 * march.distance / max(4.0 * hit.tolerance, 1e-7));
-    return inverseTonemap(shown * 0.98) / light.probeHigh.w;
+    return inverseTonemap(shown * 0.98) / light.exposure;
 }
 
 void main()
@@ -57,7 +57,7 @@ void main()
 #else
     if (!march.hit || beyondWipe) discard;
     // Distance along the view axis, then reversed depth.
-    gl_FragDepth = frame.eye.w / (march.t / ray.perDepth);
+    gl_FragDepth = frame.nearPlane / (march.t / ray.perDepth);
 #ifndef DEPTH_ONLY
     Hit hit = findHit(ray.origin, ray.direction, march, settings);
     vec3 color = shadeFound(ray, hit, settings);

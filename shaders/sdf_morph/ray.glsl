@@ -19,9 +19,9 @@ LocalRay localRay(vec2 fragCoord)
     r.direction = d / r.perDepth;
     r.origin = (object.localFromWorld * vec4(frame.eye.xyz, 1.0)).xyz;
     // A world width shrinks by at most the largest scale on its way into the object's space.
-    r.halfPixel = 0.5 * frame.timing.w / (r.perDepth * object.boxLow.w);
+    r.halfPixel = 0.5 * frame.pixelAngle / (r.perDepth * object.boxLow.w);
     r.span = rayBox(r.origin, r.direction, object.boxLow.xyz, object.boxHigh.xyz);
-    r.span.x = max(r.span.x, frame.eye.w * r.perDepth);
+    r.span.x = max(r.span.x, frame.nearPlane * r.perDepth);
     return r;
 }
 

@@ -58,7 +58,7 @@ float selfVisibility(Hit hit)
     else if (parameters.shadowMethod == shadowMethod_signed) s = shadowSigned(start, toSun, width, tMin, tMax, parameters.stepLimit);
     else {
         uvec2 pixel = uvec2(framePixel(gl_FragCoord.xy));
-        uint bits = pcg(pixel.x + 65536u * pixel.y + 747796405u * uint(frame.timing.y));
+        uint bits = pcg(pixel.x + 65536u * pixel.y + 747796405u * uint(float(frame.sampleIndex)));
         s = shadowArea(start, toSun, width, tMin, tMax, parameters.stepLimit, parameters.shadowRays, 6.2831853 * unitFromBits(bits));
     }
     evaluations += s.evaluations;
@@ -70,7 +70,7 @@ float selfVisibility(Hit hit)
 float othersVisibility(Hit hit)
 {
 #ifdef OTHERS_SHADOWS
-    if (light.sunLightmap.w < 0.5) return 1.0;
+    if (!light.exhibitsCastShadow) return 1.0;
     vec3 rise = transpose(mat3(object.worldFromLocal)) * light.sunDirection.xyz;
     vec3 corner = mix(object.boxLow.xyz, object.boxHigh.xyz, greaterThan(rise, vec3(0.0)));
     return sunVisibilityOfExhibits(hit.world + light.sunDirection.xyz * max(dot(corner - hit.local, rise), 0.0), light.sunDirection.xyz);

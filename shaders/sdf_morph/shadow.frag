@@ -7,7 +7,7 @@ layout(depth_any) out float gl_FragDepth;
 
 void main()
 {
-    vec2 ndc = framePixel(gl_FragCoord.xy) * frame.size.zw * 2.0 - 1.0;
+    vec2 ndc = framePixel(gl_FragCoord.xy) * frame.inverseSize * 2.0 - 1.0;
     // The view is orthographic: undo scale and shift of each axis; start where depth is 1.
     vec3 view = (vec3(ndc, 1.0) - frame.clipFromView[3].xyz) / vec3(frame.clipFromView[0][0], frame.clipFromView[1][1], frame.clipFromView[2][2]);
     vec3 origin = (object.localFromWorld * (frame.worldFromView * vec4(view, 1.0))).xyz;

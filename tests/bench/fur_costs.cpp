@@ -179,10 +179,7 @@ public:
                 for (int shell = 0; shell < draw.instances; ++shell) {
                     render::Draw one = draw;
                     one.instances = 1;
-                    FurBody body;
-                    std::memcpy(&body, one.object.data(), sizeof body);
-                    body.spine.w = static_cast<float>(shell);
-                    one.object = render::bytesOf(body);
+                    std::memcpy(one.object.data() + render::std140Offset<FurBody>("firstShell"), &shell, sizeof shell);
                     pass.draws.push_back(std::move(one));
                 }
             }

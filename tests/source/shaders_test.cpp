@@ -71,6 +71,42 @@ TEST(Shaders, IncludeOnlyFilesThatExist)
                 << file << ':' << include.line << ' ' << include.target;
 }
 
+/// Members of the uniform blocks that are declared by hand: neither one struct of a `*_block.glsl` nor one array of
+/// vec4.
+std::vector<std::string> membersByHand(const std::string& source, const std::string& described)
+{
+    static const std::regex block(R"(layout\s*\(\s*std140[^)]*\)\s*uniform\s+\w+\s*\{([^}]*)\})");
+    static const std::regex structMember(R"(^\s*(\w+)\s+\w+;\s*$)");
+    static const std::regex arrayMember(R"(^\s*vec4\s+\w+\[[^\]]*\];\s*$)");
+    const std::string text = test::withoutComments(source);
+    std::vector<std::string> found;
+    for (auto i = std::sregex_iterator(text.begin(), text.end(), block); i != std::sregex_iterator(); ++i) {
+        const std::string members = (*i)[1];
+        std::smatch match;
+        if (std::regex_match(members, arrayMember)) continue;
+        if (std::regex_match(members, match, structMember) &&
+            described.find("\nBLOCK_STRUCT(" + match[1].str() + ",") != std::string::npos)
+            continue;
+        found.push_back(members);
+    }
+    return found;
+}
+
+TEST(Shaders, DeclareNoUniformBlockByHand)
+{
+    std::string described;
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
+        described += test::sourceText(file);
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
+        for (const std::string& members : membersByHand(test::sourceText(file), described))
+            ADD_FAILURE() << file << ": describe this block in a file *_block.glsl, for C++ reads it too:" << members;
+
+    const std::string known = "\nBLOCK_STRUCT(Lamp, LAMP_FIELDS)";
+    EXPECT_EQ(membersByHand("layout(std140, binding = 2) uniform A { Lamp lamp; };", known).size(), 0U);
+    EXPECT_EQ(membersByHand("layout(std140, binding = 2) uniform A { Lump lamp; };", known).size(), 1U);
+    EXPECT_EQ(membersByHand("layout(std140, binding = 2) uniform A {\n  vec4 a;\n  vec4 b;\n} x;", known).size(), 1U);
+}
+
 TEST(Shaders, OfTheLibraryKnowNoExhibit)
 {
     for (const std::string& file : test::sourceFiles("shaders/lib", test::glslExtensions))
@@ -95,9 +131,10 @@ TEST(Shaders, NamedInPlansExist)
             }
         }
     }
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(VITRINE_SOURCE_DIR) / "shaders"))
-        EXPECT_GT(found[entry.path().filename().string()], 0)
-            << "no plan was seen to name a shader of " << entry.path().filename();
+    for (const std::string& stage : test::sourceFiles("shaders", {".vert", ".frag", ".comp"})) {
+        const std::string path = stage.substr(std::string("shaders/").size());
+        EXPECT_GT(found[path.substr(0, path.find('/'))], 0) << "no plan was seen to name a shader beside " << stage;
+    }
 }
 
 TEST(Shaders, EveryStageIsNamedByAPlanOrATest)

@@ -210,7 +210,7 @@ TEST(Tables, RowsBearNamesThatAreKeysFlagsAndFields)
 
 TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)
 {
-    // Rules of OpenGL 4.5, 7.6.2.2: scalars align to 4, vec3 to 16 and takes 12.
+    // Rules of OpenGL 4.5, 7.6.2.2: scalars align to 4, vec3 to 16 and takes 12; a block ends on a multiple of 16.
     for (const auto& [exhibit, table] : tables()) {
         std::size_t expected = 0;
         for (const ParameterInfo& row : table->rows()) {
@@ -218,7 +218,7 @@ TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)
             const bool vector = row.kind == Kind::color || row.kind == Kind::direction;
             expected = vector ? (expected + 15) / 16 * 16 + 12 : expected + 4;
         }
-        EXPECT_EQ(derive::uniformBytes(table->initial()).size(), expected) << exhibit;
+        EXPECT_EQ(derive::uniformBytes(table->initial()).size(), (expected + 15) / 16 * 16) << exhibit;
     }
 }
 
@@ -226,7 +226,7 @@ TEST(Tables, TheManualShowsTheTableAsItIs)
 {
     for (const auto& [exhibit, table] : tables()) {
         const std::string file = "exhibits/" + exhibit + "/README.md";
-        if (!std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / file)) continue;
+        ASSERT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / file)) << file;
         EXPECT_NE(test::sourceText(file).find(derive::manualTable(*table)), std::string::npos)
             << file << ": its parameter table is not the one derived from the rows; it should read\n"
             << derive::manualTable(*table);

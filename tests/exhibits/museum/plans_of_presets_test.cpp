@@ -1,22 +1,16 @@
-// What every shipped preset draws: by its properties, and word for word.
+// What every shipped preset draws.
 
 #include "tests/support/scenes_of_presets.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <set>
 
 namespace vitrine {
 namespace {
 
 using namespace test;
-namespace fs = std::filesystem;
-
-const fs::path snapshotFile = fs::path(VITRINE_SOURCE_DIR) / "tests" / "exhibits" / "museum" / "plans_of_presets.txt";
 
 /// "sdf_morph/glass" -> its plan, seen from the preset's own place or the exhibit's best view.
 std::map<std::string, render::FramePlan> plansOfPresets(bool everything = false)
@@ -29,16 +23,6 @@ std::map<std::string, render::FramePlan> plansOfPresets(bool everything = false)
         plans.emplace(name, scene.plan());
     }
     return plans;
-}
-
-std::map<std::string, std::string> snapshot()
-{
-    std::map<std::string, std::string> lines;
-    std::ifstream file(snapshotFile);
-    for (std::string line; std::getline(file, line);)
-        if (const std::size_t colon = line.find(": "); colon != std::string::npos)
-            lines[line.substr(0, colon)] = line.substr(colon + 2);
-    return lines;
 }
 
 TEST(PlansOfPresets, RunEachStepOnceInTheOrderOfTheStagesAndForAReason)
@@ -76,27 +60,6 @@ TEST(PlansOfPresets, LeaveOutWhatTheyDoNotShow)
     EXPECT_EQ(plans.at("sdf_morph/old-gold").find("sdf_morph/mesh"), nullptr);
     EXPECT_NE(plans.at("sdf_morph/a-box-too-small").find("sdf_morph/box"), nullptr);
     EXPECT_EQ(plans.at("sdf_morph/glass").find("sdf_morph/box"), nullptr);
-}
-
-TEST(PlansOfPresets, AreWordForWordWhatTheyWere)
-{
-    const auto plans = plansOfPresets();
-    if (std::getenv("VITRINE_UPDATE_SNAPSHOTS")) {
-        std::ofstream file(snapshotFile);
-        for (const auto& [name, plan] : plans) file << name << ": " << toString(plan) << '\n';
-        return;
-    }
-    const auto known = snapshot();
-    for (const auto& [name, plan] : plans) {
-        const auto line = known.find(name);
-        ASSERT_NE(line, known.end()) << name
-                                     << " is new: run this test with VITRINE_UPDATE_SNAPSHOTS=1, read the change of "
-                                        "tests/exhibits/museum/plans_of_presets.txt, and commit it";
-        EXPECT_EQ(toString(plan), line->second) << name
-                                                << ": if this is meant, run this test with VITRINE_UPDATE_SNAPSHOTS=1 "
-                                                   "and read the change of tests/exhibits/museum/plans_of_presets.txt";
-    }
-    for (const auto& [name, line] : known) EXPECT_TRUE(plans.contains(name)) << name << " is not shipped any more";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "exhibits/printing/print_json.h"
 #include "exhibits/printing/print_raster.h"
 #include "exhibits/printing/proof.h"
+#include "render/files/scratch_file.h"
 #include "render/image/image_io.h"
 #include "tests/exhibits/printing/samples.h"
 #include "tests/support/failures.h"
@@ -106,16 +107,27 @@ TEST(LargeViews, ViewsOnDiskGiveThePrintThatViewsInMemoryGive)
     }
 }
 
-/// Of files, in memory of this process.
+/// Of files, in memory of this process; those of a file system in memory (TMPDIR may name one) included.
 std::size_t residentFileBytes()
 {
     std::ifstream status("/proc/self/status");
-    std::string word;
-    while (status >> word)
-        if (word == "RssFile:") break;
     std::size_t kilobytes = 0;
-    status >> kilobytes;
+    for (std::string word; status >> word;) {
+        if (word != "RssFile:" && word != "RssShmem:") continue;
+        std::size_t more = 0;
+        status >> more;
+        kilobytes += more;
+    }
     return kilobytes * 1024;
+}
+
+TEST(LargeViews, LieOnDiskWhereTmpIsMemory)
+{
+    ::unsetenv("TMPDIR");
+    EXPECT_EQ(render::ScratchFile().folder(), "/var/tmp");
+    const TemporaryFolder folder;
+    const TemporaryFilesIn here(folder.path().string());
+    EXPECT_EQ(render::ScratchFile().folder(), folder.path());
 }
 
 TEST(LargeViews, APrintOfThemTakesFewOfTheirRowsIntoMemory)

@@ -30,7 +30,7 @@ Pass floorPass(const Pass& filled, const LocalLighting& lighting, bool shadows)
         pass.shader.defines = {"LOCAL_SHADOWS"};
         pass.inputs = {{UNIT_LOCAL_SHADOWS, std::string("maps")}};
     }
-    pass.blocks[BLOCK_LOCAL_LIGHTS] = bytesOf(lighting.block);
+    pass.blocks[BLOCK_LOCAL_LIGHTS] = std140Bytes(lighting.block);
     return pass;
 }
 
@@ -52,7 +52,7 @@ TEST_F(LocalLightsOnTheDriver, AddUpAsAtFloat64)
         for (int x = 0; x < side; ++x) {
             glm::dvec3 sum(0);
             for (const LocalLight& light : lights)
-                sum += glsl::localIrradiance({light.position, light.radius, light.intensity, light.range, -1, 0, 0, 0},
+                sum += glsl::localIrradiance({light.position, light.radius, light.intensity, light.range, false, 0, 0},
                                              placeOf(x + 0.5, side - y - 0.5), {0, 1, 0});
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(frame.at(x, y, c), sum[c], 2e-3 * sum[c] + 1e-5) << x << ',' << y;
         }

@@ -70,7 +70,8 @@ TEST_F(OwnPixels, AreTheSameForEveryTileJitterAndSupersample)
             plan.view = makeView({{0.4, 0.2, 5}, {0, 0, 0}}, raster);
             plan.sample = sample;
             plan.image(info);
-            plan.add(fill("own", "own", "color = vec4(frameRay(gl_FragCoord.xy), frame.timing.y + frameTile().x);",
+            plan.add(fill("own", "own",
+                          "color = vec4(frameRay(gl_FragCoord.xy), float(frame.sampleIndex) + frameTile().x);",
                           frameInclude));
             Pass show = fill("show", "frame", "color = texture(source, vec2(0.999, 0.999) * 0.5);", sourceSampler);
             show.inputs = {{unitSource, std::string("own")}};

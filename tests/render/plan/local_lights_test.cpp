@@ -17,15 +17,15 @@ namespace {
 using render::localLighting;
 constexpr double pi = std::numbers::pi;
 
-glsl::LocalLight lightAt(const glm::dvec3& position, double radius = 0, double range = 0)
+glsl::LocalLightEntry lightAt(const glm::dvec3& position, double radius = 0, double range = 0)
 {
-    return {position, radius, glm::dvec3(2, 3, 5), range, -1, 0, 0, 0};
+    return {position, radius, glm::dvec3(2, 3, 5), range, false, 0, 0};
 }
 
 // All that a point sends downward falls on the plane below it: half of 4 pi I.
 TEST(LocalLight, AsAPointSendsHalfOfItsFluxOntoAPlane)
 {
-    const glsl::LocalLight light = lightAt({0, 1.7, 0});
+    const glsl::LocalLightEntry light = lightAt({0, 1.7, 0});
     double flux = 0;
     const int steps = 20000;
     for (int i = 0; i < steps; ++i) {

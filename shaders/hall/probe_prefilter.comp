@@ -4,12 +4,13 @@
 #include "lib/bindings.glsl"
 #include "lib/cube.glsl"
 #include "lib/hash.glsl"
+#include "hall/probe_block.glsl"
 
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 
-layout(std140, binding = BLOCK_OBJECT) uniform Level {
-    vec4 level;  // x: perceptual roughness, y: samples, z: size of the captured faces in texels
-} object;
+layout(std140, binding = BLOCK_OBJECT) uniform Object {
+    ProbeLevel object;
+};
 
 layout(binding = UNIT_SOURCE) uniform samplerCube captured;
 layout(rgba16f, binding = 0) uniform writeonly imageCube filtered;
@@ -22,8 +23,8 @@ void main()
     ivec2 size = imageSize(filtered);
     if (any(greaterThanEqual(texel.xy, size))) return;
     vec3 n = normalize(cubeDirection(texel.z, cubeTexel(vec2(texel.xy), float(size.x))));
-    float roughness = object.level.x;
-    int count = int(object.level.y);
+    float roughness = object.roughness;
+    int count = object.samples;
     if (roughness <= 0.0 || count <= 1) {
         imageStore(filtered, texel, vec4(textureLod(captured, n, 0.0).rgb, 1.0));
         return;
@@ -34,7 +35,8 @@ void main()
     float turn = float(pcg(uint(texel.x + 251 * texel.y + 65521 * texel.z)) & 0xFFFFu) / 65536.0;
     vec3 sum = vec3(0.0);
     float weights = 0.0;
-    float texelSolidAngle = 4.0 * PI / (6.0 * object.level.z * object.level.z);
+    float faceSize = float(object.capturedSize);
+    float texelSolidAngle = 4.0 * PI / (6.0 * faceSize * faceSize);
     for (int i = 0; i < count; ++i) {
         float u = (float(i) + 0.5) / float(count);
         float phi = 2.0 * PI * fract(float(i) * 0.61803398875 + turn);

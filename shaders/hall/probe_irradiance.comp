@@ -3,12 +3,13 @@
 // Ramamoorthi and Hanrahan 2001. One group of 64 threads walks one small mip level.
 #include "lib/bindings.glsl"
 #include "lib/cube.glsl"
+#include "hall/probe_block.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(std140, binding = BLOCK_OBJECT) uniform Source {
-    vec4 level;  // x: mip level to read, y: its width in texels
-} object;
+layout(std140, binding = BLOCK_OBJECT) uniform Object {
+    ProbeLevel object;
+};
 
 layout(binding = UNIT_SOURCE) uniform samplerCube captured;
 layout(rgba32f, binding = 0) uniform writeonly image2D coefficients;
@@ -19,7 +20,7 @@ shared float weights[64];
 void main()
 {
     int me = int(gl_LocalInvocationIndex);
-    int size = int(object.level.y);
+    int size = object.capturedSize;
     for (int k = 0; k < 9; ++k) sums[me][k] = vec3(0.0);
     float weight = 0.0;
     for (int i = me; i < 6 * size * size; i += 64) {
@@ -28,7 +29,7 @@ void main()
         float length2 = dot(d, d);
         float solidAngle = 1.0 / (length2 * sqrt(length2));
         vec3 n = d * inversesqrt(length2);
-        vec3 radiance = textureLod(captured, n, object.level.x).rgb * solidAngle;
+        vec3 radiance = textureLod(captured, n, float(object.capturedLevel)).rgb * solidAngle;
         sums[me][0] += radiance;
         sums[me][1] += radiance * n.y;
         sums[me][2] += radiance * n.z;

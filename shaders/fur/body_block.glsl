@@ -1,0 +1,40 @@
+// Bodies and their coats. Body space: metres, turns with the body. GLSL and C++: render/glsl/std140.h.
+#define FUR_BODIES 3
+#define FUR_PLANES 4
+
+#define FUR_BODY_FIELDS(FIELD, ARRAY) \
+    FIELD(mat4, worldFromBody) \
+    FIELD(mat4, bodyFromWorld) \
+    FIELD(vec3, pull)             /* where tips are drawn, strand lengths, body space */ \
+    FIELD(float, grown)           /* drawn skin over skin at rest */ \
+    FIELD(vec4, turn)             /* what the tips lag behind the body's turning: unit quaternion, w last, body space */ \
+    FIELD(vec3, wind)             /* strand lengths, body space */ \
+    FIELD(float, gustPhase)       /* radians, wrapped */ \
+    FIELD(float, strandLength)    /* metres */ \
+    FIELD(float, cellSize)        /* metres */ \
+    FIELD(float, strandRadius)    /* metres */ \
+    FIELD(float, leastLength)     /* of a strand against the longest, 0 to 1 */ \
+    FIELD(vec3, rootColor)        /* linear Rec. 709 */ \
+    FIELD(int, number)            /* of the body, from 1 */ \
+    FIELD(vec3, tipColor)         /* linear Rec. 709 */ \
+    FIELD(int, planeCount) \
+    ARRAY(vec4, planes, FUR_PLANES)  /* xyz: unit normal, body space, away from what presses; w: its distance from the body's origin */ \
+    FIELD(float, shellCount)      /* need not be whole */ \
+    FIELD(int, samplesBetween)    /* two shells */ \
+    FIELD(int, firstShell)        /* drawn by instance 0 */ \
+    FIELD(bool, innerFirst)       /* inner shells are drawn first */ \
+    FIELD(uint, seed) \
+    FIELD(float, halfLength)      /* of the straight spine along x, metres */ \
+    FIELD(float, ringRadius)      /* of the round spine about y, metres; 0: it is straight */ \
+    FIELD(float, radius)          /* of the skin at rest around the spine, metres */
+BLOCK_STRUCT(FurBody, FUR_BODY_FIELDS)
+
+// All bodies at once, for what looks from one to another.
+#define FUR_SCENE_FIELDS(FIELD, ARRAY) \
+    ARRAY(FurBody, bodies, FUR_BODIES) \
+    FIELD(mat4, worldFromPit) \
+    FIELD(mat4, pitFromWorld) \
+    FIELD(float, pitRadius)    /* metres */ \
+    FIELD(vec3, boxCenter)     /* of the box that body 0 fills with its fur, body space */ \
+    FIELD(vec3, boxHalfSize)
+BLOCK_STRUCT(FurBodies, FUR_SCENE_FIELDS)

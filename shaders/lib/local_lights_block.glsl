@@ -1,0 +1,18 @@
+// The local lights of a frame. GLSL and C++: render/glsl/std140.h.
+#define MOST_LOCAL_LIGHTS 32
+
+// One of them: a point, or a sphere of even radiance.
+#define LOCAL_LIGHT_FIELDS(FIELD, ARRAY) \
+    FIELD(vec3, position)     /* world space, metres */ \
+    FIELD(float, radius)      /* of the sphere, metres; 0: a point */ \
+    FIELD(vec3, intensity)    /* radiant intensity, W/sr: of a sphere pi radius^2 times its radiance */ \
+    FIELD(float, range)       /* metres: beyond, it is not seen; 0: no end */ \
+    FIELD(bool, castsShadow)  /* it has shadow maps */ \
+    FIELD(int, firstLayer)    /* of its six layers in the shadow maps */ \
+    FIELD(float, nearPlane)   /* of these maps, metres */
+BLOCK_STRUCT(LocalLightEntry, LOCAL_LIGHT_FIELDS)
+
+#define LOCAL_LIGHTS_FIELDS(FIELD, ARRAY) \
+    FIELD(int, count) \
+    ARRAY(LocalLightEntry, lights, MOST_LOCAL_LIGHTS)  /* the first `count` of them */
+BLOCK_STRUCT(LocalLightsBlock, LOCAL_LIGHTS_FIELDS)

@@ -1,0 +1,219 @@
+// Every row of every exhibit changes the picture somewhere: at its initial values, or in the setting in which its table
+// says that it acts. A slider that moves nothing would be a lie.
+
+#include "exhibits/hall/hall_model.h"
+#include "tests/support/gallery.h"
+#include "tests/support/temporary_folder.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace vitrine {
+namespace {
+
+using namespace test;
+
+/// Sets the rows that the condition looks at, and those that these look at, so that it holds. Of several ways the first
+/// one.
+using FileFor = std::function<std::string(const ParameterInfo&)>;
+void satisfy(ParameterValues& values, const Condition& condition, const FileFor& fileFor)
+{
+    if (condition.test == Condition::Test::all || condition.test == Condition::Test::any) {
+        for (const Condition& part : condition.parts) {
+            satisfy(values, part, fileFor);
+            if (condition.test == Condition::Test::any) return;
+        }
+        return;
+    }
+    const std::size_t row = values.table().find(condition.row).value();
+    const ParameterInfo& info = values.table().rows()[row];
+    if (info.actsWhen) satisfy(values, *info.actsWhen, fileFor);
+    switch (condition.test) {
+    case Condition::Test::among: values.setRow(row, condition.values.front()); break;
+    case Condition::Test::differs: {
+        double other = info.range.low;
+        while (std::find(condition.values.begin(), condition.values.end(), other) != condition.values.end()) ++other;
+        values.setRow(row, other);
+        break;
+    }
+    case Condition::Test::above:
+        if (!(std::get<double>(values.row(row)) > condition.values.front())) values.setRow(row, info.range.softHigh);
+        break;
+    case Condition::Test::given: values.setRow(row, fileFor(info)); break;
+    case Condition::Test::all:
+    case Condition::Test::any: break;
+    }
+}
+
+/// Other values of a row, as far from its present one as its slider goes.
+std::vector<Value> others(const ParameterInfo& row, const Value& now, const std::string& file)
+{
+    std::vector<Value> values;
+    switch (row.kind) {
+    case Kind::real:
+    case Kind::count: values = {row.range.softHigh, row.range.softLow}; break;
+    case Kind::toggle:
+    case Kind::choice:
+        for (double x = row.range.low; x <= row.range.high; ++x) values.emplace_back(x);
+        break;
+    case Kind::color: values = {glm::dvec3(0.1, 0.8, 0.9), glm::dvec3(0.9, 0.1, 0.2)}; break;
+    case Kind::direction: values = {glm::dvec3(0.6, 0.64, 0.48), glm::dvec3(-0.6, 0.0, 0.8)}; break;
+    case Kind::file: values = {file}; break;
+    }
+    std::erase(values, now);
+    return values;
+}
+
+/// Where and when one looks, and at what.
+struct Situation {
+    ParameterValues values;
+    render::Camera camera;  ///< In the world.
+    double time = 0.7;      ///< Seconds.
+    double sincePressed = std::numeric_limits<double>::infinity();
+    bool alone = false;
+};
+
+/// Before the free plinth, where the visitor's object stands.
+render::Camera beforeThePlinth()
+{
+    const glm::dmat4 world = HallModel().place(10)->worldFromPlace;
+    return {glm::dvec3(world * glm::dvec4(0, 1.2, 1.6, 1)), glm::dvec3(world * glm::dvec4(0, 0.9, 0, 1)), 0.9};
+}
+
+std::vector<Situation> situationsOf(std::size_t exhibit, const ParameterValues& start)
+{
+    const Museum& museum = gallery().museum;
+    const Exhibit& shown = *museum.exhibits()[exhibit];
+    std::vector<Situation> all{{start, museum.bestView(exhibit, start)}};
+    Situation later = all.front();
+    later.time = 11.3;
+    Situation pressed = all.front();
+    pressed.sincePressed = 0.5;
+    Situation near = all.front();
+    near.camera.eye = near.camera.target + (near.camera.eye - near.camera.target) / 3.0;
+    all.insert(all.end(), {later, pressed, near});
+    if (exhibit == 0) all.push_back({start, beforeThePlinth()});
+    const glm::dmat4 world = museum.worldFromExhibit(exhibit);
+    for (const StudyView& view : shown.studyViews(start)) {
+        render::Camera camera = view.camera;
+        if (exhibit != 0) all.push_back({view.values, camera, view.time, pressed.sincePressed, true});
+        camera.eye = glm::dvec3(world * glm::dvec4(camera.eye, 1));
+        camera.target = glm::dvec3(world * glm::dvec4(camera.target, 1));
+        all.push_back({view.values, camera, view.time, pressed.sincePressed, false});
+    }
+    return all;
+}
+
+/// The hall with small maps and without supersampling, so that a picture costs little.
+ParameterValues cheap(ParameterValues hall)
+{
+    hall.set(hallTable().shadowMapSize, 512);
+    hall.set(hallTable().probeSize, 32);
+    hall.set(hallTable().probeSamples, 16);
+    hall.set(hallTable().supersamples, 1);
+    return hall;
+}
+
+class ActingRows : public GlTest {
+protected:
+    /// As the window shows it, but small.
+    Picture take(std::size_t exhibit, const ParameterValues& values, const Situation& situation)
+    {
+        const Museum& museum = gallery().museum;
+        Shot shot;
+        shot.look = museum.initialLook();
+        if (exhibit != 0) shot.hall() = cheap(shot.hall());
+        shot.look.values[exhibit] = values;
+        const PictureQuality quality = pictureQuality(shot.hall());
+        FrameRequest& frame = shot.request.frame;
+        shot.request.samples = quality.supersamples;
+        frame.raster.size = glm::max(glm::ivec2(glm::dvec2(96, 60) * quality.resolutionScale), glm::ivec2(1));
+        frame.transparent = false;
+        frame.alone = situation.alone ? std::optional<std::size_t>(exhibit) : std::nullopt;
+        frame.subject = std::nullopt;
+        frame.averageIn = AverageIn::display;
+        frame.camera = situation.camera;
+        frame.time = situation.time;
+        frame.sincePressed.assign(museum.exhibits().size(), situation.sincePressed);
+        return shot.take();
+    }
+
+    /// A picture and a model to stand in for the user's files.
+    std::string fileFor(const ParameterInfo& row)
+    {
+        const std::filesystem::path assets = std::filesystem::path(VITRINE_SOURCE_DIR) / "assets";
+        if (row.endings.find("glb") != std::string_view::npos) return (assets / "models" / "teddy.glb").string();
+        const std::filesystem::path panorama = folder_.path() / "panorama.hdr";
+        if (!std::filesystem::exists(panorama))
+            writePanorama(panorama,
+                          [](const glm::dvec3& d) { return d.y > 0 ? glm::dvec3(2, 1, 0.5) + d.x : glm::dvec3(0); });
+        return panorama.string();
+    }
+
+    /// Empty when some other value of the row changes a pixel; else what was tried.
+    std::string whyIdle(std::size_t exhibit, std::size_t row)
+    {
+        ParameterValues start = gallery().museum.exhibits()[exhibit]->parameters().initial();
+        if (exhibit == 0) start = cheap(start);
+        const ParameterInfo& info = start.table().rows()[row];
+        if (info.actsWhen && !acts(start, row))
+            satisfy(start, *info.actsWhen, [this](const ParameterInfo& file) { return fileFor(file); });
+        if (!acts(start, row)) return "its condition cannot be met";
+        int tried = 0;
+        for (const Situation& situation : situationsOf(exhibit, start)) {
+            if (!acts(situation.values, row)) continue;
+            const Picture before = take(exhibit, situation.values, situation);
+            for (const Value& value : others(info, situation.values.row(row), fileFor(info))) {
+                ParameterValues changed = situation.values;
+                changed.setRow(row, value);
+                ++tried;
+                if (largestDifference(before.image, take(exhibit, changed, situation).image) > 0) return {};
+            }
+        }
+        return "none of " + std::to_string(tried) + " other pictures differs";
+    }
+
+    void expectEveryRowActs(std::string_view exhibit, const std::set<std::string_view>& exceptions = {})
+    {
+        const std::size_t index = exhibit == "hall" ? 0 : gallery().museum.find(exhibit).value();
+        const Parameters& table = gallery().museum.exhibits()[index]->parameters();
+        ASSERT_FALSE(table.rows().empty());
+        for (std::size_t row = 0; row < table.rows().size(); ++row) {
+            const std::string_view name = table.rows()[row].name;
+            // Of an exception, that nothing changes is what its table promises.
+            EXPECT_EQ(whyIdle(index, row).empty(), !exceptions.contains(name)) << exhibit << '.' << name;
+        }
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(ActingRows, EveryRowOfTheHallActs)
+{
+    expectEveryRowActs("hall");
+}
+
+TEST_F(ActingRows, EveryRowOfTheTorusMugActs)
+{
+    expectEveryRowActs("sdf_morph");
+}
+
+TEST_F(ActingRows, EveryRowOfTheLenticularCardActs)
+{
+    expectEveryRowActs("lenticular");
+}
+
+TEST_F(ActingRows, EveryRowOfTheFurActs)
+{
+    // What is hidden is drawn first or not at all.
+    expectEveryRowActs("fur", {"drawOrder"});
+}
+
+TEST_F(ActingRows, EveryRowOfTheSunbeamsActs)
+{
+    expectEveryRowActs("crepuscular_rays");
+}
+
+}  // namespace
+}  // namespace vitrine
