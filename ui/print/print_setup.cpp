@@ -36,6 +36,11 @@ PrintSetup::PrintSetup(bool canShow, QObject* parent) : QObject(parent), canShow
     connect(&stack(), &QUndoStack::indexChanged, this, &PrintSetup::follow);  // Files or a sheet alone.
 }
 
+PrintSetup::~PrintSetup()
+{
+    stack().disconnect(this);  // It says that it is empty when it goes.
+}
+
 PrintState PrintSetup::possible(PrintState state) const
 {
     const auto& origin = printing::printTable().origin;

@@ -26,6 +26,7 @@ class PrintSetup final : public QObject {
 public:
     /// `canShow`: there is a picture in the window to render views from. Without one, views come from files.
     PrintSetup(bool canShow, QObject* parent);
+    ~PrintSetup() override;
 
     [[nodiscard]] const PrintState& state() const { return state_; }
     [[nodiscard]] const ParameterValues& values() const { return state_.values; }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "tests/ui/patience.h"
-
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/number_field.h"
