@@ -63,7 +63,7 @@ private:
     {
         const bool moves = camera_ == History::Camera::moves;
         if (moves) history_.look_.camera = camera;
-        if (const auto one = change_->onlyRow())
+        if (const auto one = change_->onlyRow(history_.look_))
             emit history_.changed(one->first, one->second);
         else if (moves || !change_->empty())
             emit history_.replaced();
