@@ -4,6 +4,7 @@
 #include "render/failure.h"
 #include "ui/kit/message_of.h"
 #include "ui/viewport/overlay.h"
+#include "ui/viewport/viewport_input.h"
 
 #include <QPainter>
 #include <QWindow>
@@ -18,7 +19,6 @@ constexpr double buttonTime = 0.25;  // Seconds in which a pressed button is sti
 constexpr double longestTick = 0.5;
 constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
 constexpr double firstTick = 1.0 / 60;  // After a rest no time has passed for those who walk.
-constexpr int hoverDelay = 30;          // Milliseconds after which a resting pointer is told what is under it.
 constexpr std::size_t mostFormer = 100;
 constexpr int hiddenWait = 250;          // Milliseconds after which a hidden viewport looks whether it is seen again.
 constexpr double largestRegion = 0.25;   // Of the picture, that is drawn by itself where something moves.
@@ -43,7 +43,7 @@ QSurfaceFormat viewportFormat()
 Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     : QOpenGLWidget(parent), gallery_(gallery), history_(history), hint_(new Overlay(Overlay::Place::bottom, this)),
       label_(new Overlay(Overlay::Place::center, this)), problems_(new Overlay(Overlay::Place::topLeft, this)),
-      name_(new Overlay(Overlay::Place::pointer, this))
+      input_(std::make_unique<ViewportInput>(*this, control_, [this](const QPointF& at) { return pointedAt(at); }))
 {
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
@@ -60,9 +60,14 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &Viewport::tick);
-    hoverTimer_.setSingleShot(true);
-    hoverTimer_.setInterval(hoverDelay);
-    connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::hover);
+    connect(input_.get(), &ViewportInput::walking, this, [this] {
+        if (!timer_.isActive()) timer_.start(0);
+    });
+    connect(input_.get(), &ViewportInput::turned, this, &Viewport::cameraChanged);
+    connect(input_.get(), &ViewportInput::clicked, this, &Viewport::click);
+    connect(input_.get(), &ViewportInput::walkOnAsked, this, &Viewport::walkOn);
+    connect(input_.get(), &ViewportInput::goBackAsked, this, &Viewport::goBack);
+    connect(input_.get(), &ViewportInput::pressAsked, this, &Viewport::press);
     fileWatch_.setInterval(lookAtFilesEvery);
     connect(&fileWatch_, &QTimer::timeout, this, [this] {
         if (stateOfFiles(history_.look()) == filesDrawn_) return;
@@ -244,7 +249,7 @@ void Viewport::scheduleNext()
 {
     if (drawing_) return;  // Its arrival goes on.
     const double wait = schedule_.wait(now());
-    const bool walking = keys_.any() && hasFocus();
+    const bool walking = input_->keys().any() && hasFocus();
     if (wait <= 0 || walking || control_.moving()) {
         timer_.start(canBeSeen() ? 0 : hiddenWait);
         return;
@@ -257,7 +262,7 @@ void Viewport::scheduleNext()
 
 std::optional<PictureRegion> Viewport::smallRegion() const
 {
-    if (keys_.any() || control_.moving() || runEverything_ ||
+    if (input_->keys().any() || control_.moving() || runEverything_ ||
         pictureQuality(history_.look().values.front()).resolutionScale != 1)
         return std::nullopt;
     const FrameRequest wanted = request(time_);
@@ -275,14 +280,14 @@ void Viewport::advanceClock(double at)
     lastTick_ = at;
 
     const CameraControl::Mode modeBefore = control_.mode();
-    if (control_.advance(seconds, keys_)) cameraChanged();
+    if (control_.advance(seconds, input_->keys())) cameraChanged();
     if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) emit walkedOn();
 
     const bool buttons =
         !paused_ && std::any_of(pressedAt_.begin(), pressedAt_.end(), [&](double t) { return time_ - t < buttonTime; });
     const double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request(time_));
     const bool animated = change <= 0 || buttons;
-    clockRuns_ = std::isfinite(change) || buttons || keys_.any() || control_.moving();
+    clockRuns_ = std::isfinite(change) || buttons || input_->keys().any() || control_.moving();
     region_ = std::isfinite(change) && !buttons ? smallRegion() : std::nullopt;
     if (region_) {
         // The picture around it stands still and is refined; what moves is drawn by itself.
@@ -300,7 +305,7 @@ void Viewport::advanceClock(double at)
         time_ += since;
         if (change <= since) schedule_.changed(at);
     }
-    schedule_.setMoving(animated || keys_.any() || control_.moving(), at);
+    schedule_.setMoving(animated || input_->keys().any() || control_.moving(), at);
 }
 
 void Viewport::tick()
@@ -336,7 +341,7 @@ void Viewport::cameraChanged()
     Look look = history_.look();
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? gallery_.lookedAt(look) : std::nullopt;
     label_->say(lookedAt_ ? QString::fromStdString(lookedAt_->text) : QString());
-    if (hoverPoint_) hoverTimer_.start();
+    input_->lookAgain();
     lookChanged();
 }
 
@@ -379,6 +384,32 @@ void Viewport::walkOn()
     control_.walkOn();
     cameraChanged();
     emit walkedOn();
+}
+
+void Viewport::click(const QPointF& at)
+{
+    const std::optional<Pointed> found = pointedAt(at);
+    if (!found) return;
+    const bool orbited = control_.mode() == CameraControl::Mode::orbit && found->exhibit == subject_;
+    if (found->button && (found->inReach || orbited)) {
+        pressButton(found->exhibit);
+        return;
+    }
+    remember();
+    subject_ = found->exhibit;
+    control_.visit(found->view);
+    cameraChanged();
+    emit visited(found->exhibit);
+}
+
+std::optional<Pointed> Viewport::pointedAt(const QPointF& at) const
+{
+    if (width() <= 0 || height() <= 0) return std::nullopt;
+    try {
+        return gallery_.pick(history_.look(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
+    } catch (const std::exception&) {
+        return std::nullopt;  // What cannot be read is told of where it is drawn.
+    }
 }
 
 void Viewport::press()
