@@ -115,6 +115,27 @@ glm::dvec3 towardsSun(const HallScene& scene)
     return sunOf(scene.table, scene.values).towards();
 }
 
+namespace {
+
+void addProbe(const HallScene& scene, Surroundings& result)
+{
+    LightBlock& light = result.light;
+    light.probePosition = glm::vec3(probePosition(scene));
+    light.hasProbe = true;
+    const int size = scene.values[scene.table.probeSize];
+    light.probeLastLevel =
+        static_cast<float>(std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(size))) - 3, 1));
+    if (!scene.alone) {
+        // The nave; niches are shallow enough to count as wall.
+        light.probeLow = glm::vec3(-6, 0, -12);
+        light.probeHigh = glm::vec3(6, 8.6, 12);
+    }
+    result.inputs.push_back({UNIT_PROBE, std::string("probe")});
+    result.inputs.push_back({UNIT_PROBE_IRRADIANCE, std::string("probe.irradiance")});
+}
+
+}  // namespace
+
 Surroundings surroundings(const HallScene& scene, bool runEverything)
 {
     const HallTable& table = scene.table;
@@ -168,20 +189,7 @@ Surroundings surroundings(const HallScene& scene, bool runEverything)
     result.sunShare = source.strength / std::get<double>(table.rows()[table.sunStrength.row].initial);
     result.brightest = brightestAround(scene, light);
     result.probeLight = render::boundOf(0, mostAmbient, {{result.brightest, "there is no light to reflect"}});
-    if (values[table.reflectionProbe] && (runEverything || !result.probeLight.isZero())) {
-        light.probePosition = glm::vec3(probePosition(scene));
-        light.hasProbe = true;
-        const int size = values[table.probeSize];
-        light.probeLastLevel =
-            static_cast<float>(std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(size))) - 3, 1));
-        if (!scene.alone) {
-            // The nave; niches are shallow enough to count as wall.
-            light.probeLow = glm::vec3(-6, 0, -12);
-            light.probeHigh = glm::vec3(6, 8.6, 12);
-        }
-        result.inputs.push_back({UNIT_PROBE, std::string("probe")});
-        result.inputs.push_back({UNIT_PROBE_IRRADIANCE, std::string("probe.irradiance")});
-    }
+    if (values[table.reflectionProbe] && (runEverything || !result.probeLight.isZero())) addProbe(scene, result);
     if (scene.environment) result.inputs.push_back({UNIT_ENVIRONMENT, scene.environment});
     return result;
 }

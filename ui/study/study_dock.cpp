@@ -3,19 +3,16 @@
 #include "exhibits/framework/expression.h"
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
-#include "render/files/atomic_write.h"
 #include "render/measure/distance.h"
 #include "render/measure/memory.h"
-#include "ui/kit/picture_file.h"
 #include "ui/kit/time_left.h"
 #include "ui/study/study_chart.h"
+#include "ui/study/study_export.h"
 #include "ui/study/study_pictures.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -372,34 +369,13 @@ void StudyDock::suggestTime()
 
 QByteArray StudyDock::exported(const QString& suffix) const
 {
-    if (suffix == QLatin1String("csv"))
-        return QByteArray::fromStdString(studyCsv(gallery_.exhibits(), request_, result()));
-    if (suffix == QLatin1String("json"))
-        return QByteArray::fromStdString(
-            render::writeJson(studyJson(gallery_.exhibits(), request_, result(), render::Json::object())));
-    const QSize size(960, 600);
-    if (suffix == QLatin1String("svg")) return chart_->svg(size);
-    return pngOf(chart_->picture(size, 2));
+    return studyFile(suffix, gallery_.exhibits(), request_, result(), *chart_);
 }
 
 void StudyDock::save()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the measurements"), QStringLiteral("study.csv"),
-                                                      tr("Tables and charts (*.csv *.json *.png *.svg)"));
-    if (path.isEmpty()) return;
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    if (suffix != QLatin1String("csv") && suffix != QLatin1String("json") && suffix != QLatin1String("png") &&
-        suffix != QLatin1String("svg")) {
-        emit failed(tr("%1 was not saved: its name must end in .csv, .json, .png or .svg.").arg(path));
-        return;
-    }
-    try {
-        const QByteArray bytes = exported(suffix);
-        render::atomicWrite(path.toStdString(),
-                            std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
-    } catch (const Failure& failure) {
-        emit failed(QString::fromUtf8(failure.what()));
-    }
+    const QString why = askAndSaveStudy(this, [this](const QString& suffix) { return exported(suffix); });
+    if (!why.isEmpty()) emit failed(why);
 }
 
 std::optional<std::size_t> StudyDock::rowNow(const StudyAxis& axis) const
