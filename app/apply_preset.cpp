@@ -35,22 +35,22 @@ void applyPreset(const Museum& museum, const std::string& file, RequestedPicture
     const PresetHeader header = presetHeader(render::parseJson(text, file, presetLimits));
     if (header.isExhibition) {
         Exhibition exhibition =
-            parseExhibition(text, file, namedValues(museum.exhibits(), museum.initialLook().values));
+            parseExhibition(text, file, namedValues(museum.subjects(), museum.initialLook().values));
         for (auto& [name, values] : exhibition.values)
             if (const auto i = museum.find(name)) job.look.values[*i] = values;
         job.look.camera = exhibition.camera;
-        job.cameraFromPreset = job.subject == 0;
+        job.cameraFromPreset = job.subject == hallIndex;
         append(job.notes, file, exhibition.notes);
         return;
     }
     // In the hall, a preset of any exhibit may be shown; elsewhere it must be the subject's.
     const std::string expected =
-        job.subject == 0 ? header.exhibit : std::string(museum.exhibits()[job.subject]->name());
+        job.subject == hallIndex ? header.exhibit : std::string(museum.subject(job.subject).name());
     const auto owner = museum.find(expected);
     if (!owner)
         throw Failure(Blame::file,
                       file + ": it is a preset of \"" + header.exhibit + "\", which is not in this museum.");
-    Preset preset = parsePreset(text, file, expected, museum.exhibits()[*owner]->parameters());
+    Preset preset = parsePreset(text, file, expected, museum.subject(*owner).parameters());
     job.look.values[*owner] = preset.values;
     if (preset.camera) {
         job.look.camera = *preset.camera;

@@ -102,12 +102,12 @@ Json tablesWith(const std::vector<std::string>& sets)
     const Museum museum{allExhibits()};
     Look look = museum.initialLook();
     std::vector<std::string> notes;
-    applySets(museum, look, 0, sets, notes);
+    applySets(museum, look, hallIndex, sets, notes);
     for (const std::string& note : notes) std::fprintf(stderr, "%s\n", note.c_str());
     Json all = Json::array();
-    for (std::size_t i = 0; i < museum.exhibits().size(); ++i) {
-        const Exhibit& exhibit = *museum.exhibits()[i];
-        all.push_back(exhibitJson(exhibit.name(), exhibit.title(), exhibit.summary(), look.values[i].table()));
+    for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
+        const Subject& subject = museum.subject(i);
+        all.push_back(exhibitJson(subject.name(), subject.title(), subject.summary(), look.values[i].table()));
     }
     return all;
 }

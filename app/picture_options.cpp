@@ -248,7 +248,7 @@ void applySet(const Museum& museum, Look& look, std::size_t subject, const std::
     ParameterValues& values = look.values[owner];
     const auto row = values.table().find(name);
     if (!row)
-        throw Failure(Blame::usage, "--set " + name + ": " + std::string(museum.exhibits()[owner]->name()) +
+        throw Failure(Blame::usage, "--set " + name + ": " + std::string(museum.subject(owner).name()) +
                                         " has no parameter of that name; `vitrine list --json` names them.");
     const ParameterInfo& info = values.rows()[*row];
     const std::optional<Value> value = optionValue(info, text);
@@ -265,7 +265,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     const auto subject = museum.find(options.subject);
     if (!subject)
         throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + "\"; `vitrine list` names them.");
-    const bool isHall = *subject == 0;
+    const bool isHall = *subject == hallIndex;
     if (isHall && options.alone)
         throw Failure(Blame::usage, "--alone: the hall cannot be shown without the hall; name an exhibit.");
 
@@ -275,7 +275,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     if (!options.preset.empty()) applyPreset(museum, options.preset, job);
     applySets(museum, job.look, *subject, options.sets, job.notes);
     const HallTable names;
-    ParameterValues& hall = job.look.values.front();
+    ParameterValues& hall = job.look.hall();
     if (!options.environment.empty()) hall.set(names.environment, options.environment);
     if (!options.model.empty()) hall.set(names.model, options.model);
 
@@ -288,7 +288,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
         camera.target = glm::dvec3(exhibitFromWorld * glm::dvec4(camera.target, 1));
     }
     if (!job.cameraFromPreset && !isHall)
-        camera = options.alone ? museum.exhibits()[*subject]->bestView(job.look.values[*subject])
+        camera = options.alone ? museum.subject(*subject).bestView(job.look.values[*subject])
                                : museum.bestView(*subject, job.look.values[*subject]);
     setCamera(options, camera);
     if (!std::isfinite(options.time)) throw Failure(Blame::usage, "--time: give a finite number of seconds.");

@@ -25,15 +25,15 @@ struct RenderOptions {
     bool sixteenBit = false;
 };
 
-/// The preset that brings this picture back: of the exhibit, or of everything.
+/// The preset that brings this picture back: of the subject, or of everything.
 std::string presetOf(const Museum& museum, const RequestedPicture& job)
 {
-    if (job.subject != 0) {
-        const Exhibit& exhibit = *museum.exhibits()[job.subject];
+    if (job.subject != hallIndex) {
+        const Subject& subject = museum.subject(job.subject);
         return presetText(
-            Preset{std::string(exhibit.name()), "Picture", job.look.values[job.subject], job.look.camera});
+            Preset{std::string(subject.name()), "Picture", job.look.values[job.subject], job.look.camera});
     }
-    return exhibitionText({"Picture", namedValues(museum.exhibits(), job.look.values), job.look.camera});
+    return exhibitionText({"Picture", namedValues(museum.subjects(), job.look.values), job.look.camera});
 }
 
 int renderPicture(const RenderOptions& options)
@@ -64,9 +64,9 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
     if (error)
         throw Failure(Blame::file,
                       folder + ": the folder cannot be made (" + error.message() + "); choose another with --out.");
-    for (const auto& exhibit : museum.exhibits()) {
+    for (const Subject* subject : museum.subjects()) {
         PictureOptions options;
-        options.subject = exhibit->name();
+        options.subject = subject->name();
         options.size = size;
         options.samples = samples;
         options.out = (std::filesystem::path(folder) / (options.subject + ".png")).string();

@@ -3,6 +3,7 @@
 #include "render/files/atomic_write.h"
 #include "render/files/strict_json.h"
 #include "render/measure/memory.h"
+#include "render/plan/step_costs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,19 +95,18 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     const Prepared preparedAll = museum.prepare(job.look, everything);
     (void)renderer.draw(museum.plan(preparedAll, everything));
     renderer.timeSteps(true);
-    std::map<std::string, double> wouldCost;
-    for (const render::StepReport& step : renderer.draw(museum.plan(preparedAll, everything)).ran)
-        wouldCost[step.name] = step.milliseconds;
+    render::StepCosts wouldCost;
+    wouldCost.note(renderer.draw(museum.plan(preparedAll, everything)));
     renderer.timeSteps(false);
 
     const render::FrameReport& first = maker.report();
     Json skipped = Json::array();
     for (const render::Skipped& step : first.skipped) {
-        const auto known = wouldCost.find(step.name);
+        const double known = wouldCost.of(step.name);
         skipped.push_back(Json{{"name", step.name},
                                {"kind", toString(step.work)},
                                {"reason", step.reason},
-                               {"wouldCostMs", known == wouldCost.end() ? Json(nullptr) : Json(known->second)},
+                               {"wouldCostMs", known < 0 ? Json(nullptr) : Json(known)},
                                {"boundIsZero", step.boundIsZero}});
     }
 
@@ -118,7 +118,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     counters["evaluations"] = total(renderer.read(evaluationsImage));
 
     const Json report{
-        {"exhibit", std::string(museum.exhibits()[job.subject]->name())},
+        {"exhibit", std::string(museum.subject(job.subject).name())},
         {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},
         {"renderer", gl.renderer},
         {"clock",

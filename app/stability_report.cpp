@@ -78,8 +78,8 @@ int stabilityReport(const StabilityOptions& options)
     const bool watched = ::isatty(STDERR_FILENO) == 1;
     std::vector<StabilityResult> results = arithmeticCases(renderer);
     for (StabilityResult& r : pictureCases(museum, renderer)) results.push_back(std::move(r));
-    for (std::size_t i = 0; i < museum.exhibits().size(); ++i) {
-        const std::string name(museum.exhibits()[i]->name());
+    for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
+        const std::string name(museum.subject(i).name());
         results.push_back(scanExhibit(museum, renderer, i, options.firstSeed, options.presets, [&](int drawn) {
             if (watched) std::fprintf(stderr, "\r\033[K%s: %d of %d", name.c_str(), drawn, options.presets);
         }));

@@ -1,6 +1,5 @@
 #include "render/library_versions.h"
 
-#include <LinearMath/btScalar.h>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <png.h>
@@ -22,7 +21,7 @@ std::string dotted(int major, int minor, int patch)
 
 std::map<std::string, std::string> libraryVersions()
 {
-    return {{"Bullet", dotted(BT_BULLET_VERSION / 100, BT_BULLET_VERSION % 100)},
+    return {{"Bullet", VITRINE_BULLET_VERSION},
             {"GLM", dotted(GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH)},
             {"libepoxy", VITRINE_EPOXY_VERSION},
             {"libpng", png_get_libpng_ver(nullptr)},

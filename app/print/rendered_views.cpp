@@ -106,9 +106,9 @@ std::string depthText(double meters)
 /// The preset that brings one view back.
 std::string presetOf(const Museum& museum, const RequestedPicture& job, const ViewShot& shot)
 {
-    if (job.subject == 0)
-        return exhibitionText({"View", namedValues(museum.exhibits(), shot.look.values), shot.look.camera});
-    return presetText(Preset{std::string(museum.exhibits()[job.subject]->name()), "View", shot.look.values[job.subject],
+    if (job.subject == hallIndex)
+        return exhibitionText({"View", namedValues(museum.subjects(), shot.look.values), shot.look.camera});
+    return presetText(Preset{std::string(museum.subject(job.subject).name()), "View", shot.look.values[job.subject],
                              shot.look.camera});
 }
 

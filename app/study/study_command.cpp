@@ -48,7 +48,7 @@ private:
     int shown_ = -1;
 };
 
-void printTable(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
+void printTable(Subjects subjects, const StudyRequest& request, const StudyResult& result)
 {
     std::printf("%-44s %12s %14s %12s %10s\n", "setting", std::string(toString(request.metric)).c_str(),
                 costTitle(result.costName).c_str(), "ms, median", "spread");
@@ -67,13 +67,13 @@ void printTable(Exhibits exhibits, const StudyRequest& request, const StudyResul
         if (result.present == i) marks += " present";
         if (p.dominated) marks += " dominated";
         if (p.uncertain) marks += " uncertain";
-        std::printf("%-44s %12.4g %14.8g %12.3f %10.3f%s\n", pointText(exhibits, request, p).c_str(), p.error, p.cost,
+        std::printf("%-44s %12.4g %14.8g %12.3f %10.3f%s\n", pointText(subjects, request, p).c_str(), p.error, p.cost,
                     p.time ? p.time->median : 0.0, p.time ? p.time->spread : 0.0, marks.c_str());
     }
     std::printf("Clock: %s, %s; taking a time adds %.4f ms to a picture.\n%s\n", result.clock.c_str(),
                 result.clockTrusted ? "trusted" : "not trusted", result.overheadMilliseconds,
                 result.convergence.c_str());
-    for (const std::string& sentence : {lawSentence(result), choiceSentence(exhibits, request, result)})
+    for (const std::string& sentence : {lawSentence(result), choiceSentence(subjects, request, result)})
         if (!sentence.empty()) std::printf("%s\n", sentence.c_str());
 }
 
@@ -86,10 +86,9 @@ std::string chosenPreset(const Museum& museum, const Study& study)
     const std::size_t subject = study.request().subject;
     const std::string name = "Chosen by a study";
     for (const StudyAxis& axis : study.request().axes)
-        if (axis.exhibit != subject)
-            return exhibitionText({name, namedValues(museum.exhibits(), look.values), look.camera});
-    return presetText(
-        Preset{std::string(museum.exhibits()[subject]->name()), name, look.values[subject], std::nullopt});
+        if (axis.subject != subject)
+            return exhibitionText({name, namedValues(museum.subjects(), look.values), look.camera});
+    return presetText(Preset{std::string(museum.subject(subject).name()), name, look.values[subject], std::nullopt});
 }
 
 int runStudy(const StudyOptions& options)
@@ -113,8 +112,8 @@ int runStudy(const StudyOptions& options)
                        {"software", gl.software},
                        {"processors", sysconf(_SC_NPROCESSORS_ONLN)}};
     const std::string preset = chosenPreset(museum, study);
-    writeStudyFolder(options.out, museum.exhibits(), study, machine, preset);
-    printTable(museum.exhibits(), study.request(), study.result());
+    writeStudyFolder(options.out, museum.subjects(), study, machine, preset);
+    printTable(museum.subjects(), study.request(), study.result());
     std::printf("The study is in %s/index.html\n", options.out.c_str());
     if (!options.maxError && !options.maxMilliseconds) return 0;
     if (!preset.empty()) {
@@ -122,7 +121,7 @@ int runStudy(const StudyOptions& options)
         return 0;
     }
     std::fprintf(stderr, "vitrine: %s Nothing was chosen; allow more, or study other parameters.\n",
-                 choiceSentence(museum.exhibits(), study.request(), study.result()).c_str());
+                 choiceSentence(museum.subjects(), study.request(), study.result()).c_str());
     return static_cast<int>(Blame::check);
 }
 

@@ -84,7 +84,7 @@ bool isShown(const StudyRequest& request, const StudyResult& result, std::size_t
            std::find(result.front.begin(), result.front.end(), point) != result.front.end();
 }
 
-std::vector<StudyPagePoint> writePictures(const fs::path& folder, Exhibits exhibits, const Study& study)
+std::vector<StudyPagePoint> writePictures(const fs::path& folder, Subjects subjects, const Study& study)
 {
     const StudyResult& result = study.result();
     for (std::size_t v = 0; v < result.references.size(); ++v)
@@ -114,7 +114,7 @@ std::vector<StudyPagePoint> writePictures(const fs::path& folder, Exhibits exhib
     }
     for (std::size_t i = 0; i < result.points.size(); ++i)
         points.push_back(
-            {pointText(exhibits, study.request(), result.points[i]), isShown(study.request(), result, i), {}});
+            {pointText(subjects, study.request(), result.points[i]), isShown(study.request(), result, i), {}});
     return points;
 }
 
@@ -146,14 +146,14 @@ void requireStudyFolder(const fs::path& folder)
                       "--out " + folder.string() + ": this folder holds something else than a study; name another.");
 }
 
-void writeStudyFolder(const fs::path& folder, Exhibits exhibits, const Study& study, const render::Json& machine,
+void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& study, const render::Json& machine,
                       const std::string& presetText)
 {
     requireStudyFolder(folder);
     const StudyRequest& request = study.request();
     const StudyResult& result = study.result();
     const PartFolder part(folder);
-    std::vector<StudyPagePoint> points = writePictures(part.path() / "pictures", exhibits, study);
+    std::vector<StudyPagePoint> points = writePictures(part.path() / "pictures", subjects, study);
 
     ensureApplication();
     ui::StudyChart chart;
@@ -161,7 +161,7 @@ void writeStudyFolder(const fs::path& folder, Exhibits exhibits, const Study& st
         QString::fromStdString(costTitle(result.costName) +
                                (result.costName == "ms" ? " of a frame, " + result.clock : " in all views")),
         QString::fromStdString(std::string(title(request.metric))));
-    chart.setPoints(ui::chartPoints(exhibits, request, result));
+    chart.setPoints(ui::chartPoints(subjects, request, result));
     const QByteArray png = ui::pngOf(chart.picture(chartSize, chartScale));
     const QByteArray svg = chart.svg(chartSize);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -174,12 +174,12 @@ void writeStudyFolder(const fs::path& folder, Exhibits exhibits, const Study& st
             folder.string() +
                 ": the chart could not be drawn; check that Qt's offscreen platform and a font are installed.");
 
-    const render::Json json = studyJson(exhibits, request, result, machine);
+    const render::Json json = studyJson(subjects, request, result, machine);
     render::atomicWrite(part.path() / "study.json", render::writeJson(json));
-    render::atomicWrite(part.path() / "study.csv", studyCsv(exhibits, request, result));
+    render::atomicWrite(part.path() / "study.csv", studyCsv(subjects, request, result));
     render::atomicWrite(part.path() / "chart.svg", svg.toStdString());
     render::atomicWrite(part.path() / "chart.png", png.toStdString());
-    render::atomicWrite(part.path() / "index.html", studyPage(exhibits, request, result, svg.toStdString(),
+    render::atomicWrite(part.path() / "index.html", studyPage(subjects, request, result, svg.toStdString(),
                                                               {chartSize.width(), chartSize.height()}, points));
     if (!presetText.empty()) render::atomicWrite(part.path() / "preset.json", presetText);
     part.publish();

@@ -14,7 +14,7 @@ void requireStudyFolder(const std::filesystem::path&);
 /// Writes study.json, study.csv, chart.svg, chart.png, pictures, heat maps and index.html, and `presetText` as
 /// preset.json when it is not empty. All of it is written beside the folder first, which is then replaced: it holds
 /// all of the old study or all of the new. `machine` goes into the file as it is. Throws Failure (Blame::file).
-void writeStudyFolder(const std::filesystem::path&, Exhibits, const Study&, const render::Json& machine,
+void writeStudyFolder(const std::filesystem::path&, Subjects, const Study&, const render::Json& machine,
                       const std::string& presetText);
 
 }  // namespace vitrine::app

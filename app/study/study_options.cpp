@@ -37,7 +37,7 @@ StudyAxis axisNamed(const Museum& museum, const Look& look, std::size_t subject,
     const std::optional<StudyAxis> axis = row ? studyAxis(look, exhibit, *row, points) : std::nullopt;
     if (!axis)
         throw Failure(Blame::usage,
-                      "study " + text + ": " + std::string(museum.exhibits()[exhibit]->name()) +
+                      "study " + text + ": " + std::string(museum.subject(exhibit).name()) +
                           (row ? " has it, but accuracy does not depend on it" : " has no such parameter") +
                           "; give one of " + qualityNames(look, exhibit) + '.');
     return *axis;
@@ -126,7 +126,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     request.metric = metricOption("--metric", options.metric);
     request.pixelsPerDegree = options.pixelsPerDegree;
     request.needsFiles = true;
-    request.alone = options.alone && job.subject != 0;
+    request.alone = options.alone && job.subject != hallIndex;
     request.modelError = !options.noModelError;
     request.settings = options.settings;
     request.maxError = options.maxError;
@@ -137,7 +137,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
         request.axes.push_back(axisNamed(museum, request.look, job.subject, name, points));
     for (std::size_t i = 0; i < request.axes.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (request.axes[i].exhibit == request.axes[j].exhibit && request.axes[i].row == request.axes[j].row)
+            if (request.axes[i].subject == request.axes[j].subject && request.axes[i].row == request.axes[j].row)
                 throw Failure(Blame::usage,
                               "study " + options.parameters[i] + ": named twice; name each parameter once.");
     if (!options.values.empty()) {

@@ -167,14 +167,14 @@ std::string table(const StudyRequest& request, const StudyResult& result, const 
 
 }  // namespace
 
-std::string studyPage(Exhibits exhibits, const StudyRequest& request, const StudyResult& result,
+std::string studyPage(Subjects subjects, const StudyRequest& request, const StudyResult& result,
                       const std::string& chartSvg, glm::ivec2 chartSize, const std::vector<StudyPagePoint>& points)
 {
-    const Exhibit& exhibit = *exhibits[request.subject];
+    const Subject& subject = *subjects[request.subject];
     std::string names;
     for (const StudyAxis& axis : request.axes)
-        names += (names.empty() ? "" : ", ") + axisName(exhibits, request.look, request.subject, axis);
-    const std::string title = std::string(exhibit.title()) + ": what " +
+        names += (names.empty() ? "" : ", ") + axisName(subjects, request.look, request.subject, axis);
+    const std::string title = std::string(subject.title()) + ": what " +
                               (request.axes.size() > 2 ? std::string("accuracy") : names) + " costs";
 
     std::string page = with(head, "@TITLE@", escaped(title));
@@ -188,7 +188,7 @@ std::string studyPage(Exhibits exhibits, const StudyRequest& request, const Stud
     page += "<p class=\"dim\">" + escaped(result.convergence) + "</p>\n";
     if (const std::string law = lawSentence(result); !law.empty())
         page += "<p class=\"law\">" + escaped(law) + "</p>\n";
-    if (const std::string choice = choiceSentence(exhibits, request, result); !choice.empty())
+    if (const std::string choice = choiceSentence(subjects, request, result); !choice.empty())
         page += "<p class=\"law\">" + escaped(choice) + "</p>\n";
 
     // The drawing alone: within HTML there is no place for an XML declaration.

@@ -18,7 +18,7 @@ struct StudyPagePoint {
 
 /// One page of HTML that shows chart, pictures, heat maps and numbers together, with a wipe against the reference.
 /// It needs the folder pictures/ beside it, and no network.
-[[nodiscard]] std::string studyPage(Exhibits, const StudyRequest&, const StudyResult&, const std::string& chartSvg,
+[[nodiscard]] std::string studyPage(Subjects, const StudyRequest&, const StudyResult&, const std::string& chartSvg,
                                     glm::ivec2 chartSize, const std::vector<StudyPagePoint>&);
 
 }  // namespace vitrine::app

@@ -4,15 +4,15 @@
 
 namespace vitrine {
 
-void planMarch(const RaysScene& s, render::FramePlan& plan)
+render::ResourceId planMarch(const RaysScene& s, render::FramePlan& plan)
 {
-    plan.image({.name = "crepuscular_rays.scattered",
-                .format = render::Format::rgba16f,
-                .size = s.coarseSize,
-                .nearest = true});
+    const render::ResourceId scattered = plan.image({.name = "crepuscular_rays.scattered",
+                                                     .format = render::Format::rgba16f,
+                                                     .size = s.coarseSize,
+                                                     .nearest = true});
     render::Pass pass = s.pass("march", "the sun's beams are in view", "crepuscular_rays/march.frag");
     pass.stage = render::Stage::volume;
-    pass.colors = {{"crepuscular_rays.scattered", render::Load::clear, {}, -1, 0}};
+    pass.colors = {render::Attachment::cleared(scattered)};
     s.context.surroundings.illuminate(pass);
     std::erase_if(pass.inputs, [](const render::Input& input) {
         return input.unit != UNIT_SHADOW_HALL && input.unit != UNIT_SHADOW_EXHIBITS;
@@ -22,6 +22,7 @@ void planMarch(const RaysScene& s, render::FramePlan& plan)
     const std::int64_t rays = static_cast<std::int64_t>(s.coarseSize.x) * s.coarseSize.y;
     pass.counts["marchSteps"] = rays * s.values[s.table.volumeSteps] * static_cast<std::int64_t>(s.beams.size());
     plan.add(std::move(pass));
+    return scattered;
 }
 
 }  // namespace vitrine

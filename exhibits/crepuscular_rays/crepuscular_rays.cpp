@@ -6,12 +6,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace vitrine {
 namespace {
 
-constexpr int screenBit = static_cast<int>(RayTechnique::screen);
-constexpr int volumeBit = static_cast<int>(RayTechnique::volume);
+/// What a frame makes before it is laid over the picture.
+struct RayImages {
+    std::optional<render::ResourceId> mask, gathered, scattered;
+};
 
 /// Whether a technique is drawn; otherwise its passes are listed with the reason. What is invisible may be drawn all
 /// the same, to prove that it is; what cannot be drawn may not: its bound says why where it is 0, else `cannot` does.
@@ -24,8 +27,8 @@ bool isDrawn(bool asked, bool drawable, const render::Bound& bound, const char* 
     return false;
 }
 
-/// Lays what was made over the frame. `shown` says what there is, by the bits of the techniques.
-void planComposite(const RaysScene& s, int shown, render::Bound bound, render::FramePlan& plan)
+/// Lays what was made over the frame.
+void planComposite(const RaysScene& s, const RayImages& made, render::Bound bound, render::FramePlan& plan)
 {
     const RayView view = s.values[s.table.view];
     render::Pass pass = s.pass(
@@ -33,25 +36,24 @@ void planComposite(const RaysScene& s, int shown, render::Bound bound, render::F
         "crepuscular_rays/composite.frag");
     pass.stage = render::Stage::volume;
     pass.bound = std::move(bound);
-    pass.colors = {{radianceImage, render::Load::keep, {}, -1, 0}};
+    pass.colors = {render::Attachment::whole(radianceImage)};
     pass.state.blend = view == RayView::picture ? render::Blend::premultiplied : render::Blend::none;
     pass.inputs = {{UNIT_SOURCE, std::string(depthImage)}};
     if (view == RayView::mask) {
         pass.shader.defines.emplace_back("SHOW_MASK");
-        pass.inputs.push_back({UNIT_EXHIBIT_A, std::string("crepuscular_rays.mask")});
-    } else if ((shown & screenBit) != 0) {
+        pass.inputs.push_back({UNIT_EXHIBIT_A, *made.mask});
+    } else if (made.gathered) {
         const bool polar = methodOf(s) == RayMethod::polar;
         pass.shader.defines.emplace_back(polar ? "POLAR" : "SCREEN");
-        pass.inputs.push_back(
-            {UNIT_EXHIBIT_A, std::string(polar ? "crepuscular_rays.polar" : "crepuscular_rays.rays")});
+        pass.inputs.push_back({UNIT_EXHIBIT_A, *made.gathered});
         pass.counts["fetches"] = static_cast<std::int64_t>(plan.view.raster.drawn().x) * plan.view.raster.drawn().y *
                                  (polar                  ? 2
                                   : s.block.cellSize > 1 ? 9
                                                          : 1);
     }
-    if (view != RayView::mask && (shown & volumeBit) != 0) {
+    if (view != RayView::mask && made.scattered) {
         pass.shader.defines.emplace_back("VOLUME");
-        pass.inputs.push_back({UNIT_EXHIBIT_B, std::string("crepuscular_rays.scattered")});
+        pass.inputs.push_back({UNIT_EXHIBIT_B, *made.scattered});
         for (const render::Input& input : s.context.surroundings.inputs)
             if (input.unit == UNIT_PROBE_IRRADIANCE) pass.inputs.push_back(input);
     }
@@ -122,16 +124,17 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     const bool airShown = isDrawn(s.uses(RayTechnique::volume) && !maskShown, !s.beams.empty(), air,
                                   "the sun makes no beam", {"crepuscular_rays/march"}, plan);
 
+    RayImages made;
     if (raysShown) {
-        planMask(s, plan);
-        if (!maskShown) planGathering(s, plan);
+        made.mask = planMask(s, plan);
+        if (!maskShown) made.gathered = planGathering(s, *made.mask, plan);
     }
-    if (airShown) planMarch(s, plan);
+    if (airShown) made.scattered = planMarch(s, plan);
     render::Bound both;
     if (effect) both = {airShown ? air.share : 0, (airShown ? air.radiance : 0) + (raysShown ? rays.radiance : 0), {}};
     const bool asked = s.uses(RayTechnique::screen) || s.uses(RayTechnique::volume);
     if (raysShown || airShown || (!effect && asked))
-        planComposite(s, (raysShown ? screenBit : 0) | (airShown ? volumeBit : 0), std::move(both), plan);
+        planComposite(s, made, std::move(both), plan);
     else
         plan.skip("crepuscular_rays/composite",
                   plan.findSkipped(s.uses(RayTechnique::volume) ? "crepuscular_rays/march" : "crepuscular_rays/mask")

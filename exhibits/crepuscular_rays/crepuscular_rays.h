@@ -8,7 +8,7 @@ namespace vitrine {
 /// Sunbeams through the tall window, laid over the finished frame: smeared from the sky in screen space, or marched
 /// through the hall's air. Read the table, then this file's plan, then sun_in_picture.h (where the sun is) and
 /// screen_rays.cpp and air_beams.cpp (what is drawn).
-class CrepuscularRays final : public Exhibit {
+class CrepuscularRays final : public Exhibit, public HasButton, public OverFrame, public TurnsHangings {
 public:
     using Table = CrepuscularRaysTable;
 
@@ -31,7 +31,6 @@ public:
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     bool press(ParameterValues&) const override;
     void planOverFrame(const PlanContext&, render::FramePlan&) const override;
-    [[nodiscard]] bool castsShadow() const override { return false; }
     [[nodiscard]] double turnOfHangings(const ParameterValues&, double time) const override;
 
 private:

@@ -1,7 +1,8 @@
 #include "exhibits/crepuscular_rays/rays_scene.h"
 
-#include "exhibits/framework/derive.h"
-#include "render/glsl/cpu.h"
+#include "exhibits/crepuscular_rays/rays_cpu.h"
+#include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/pixel_blocks.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
@@ -56,11 +57,8 @@ void fillBeams(const std::vector<Beam>& beams, RaysBlock& block)
 
 render::Pass RaysScene::pass(const char* name, std::string reason, std::string fragment) const
 {
-    render::Pass pass;
-    pass.name = std::string("crepuscular_rays/") + name;
-    pass.reason = std::move(reason);
-    pass.shader = {"lib/fullscreen.vert", std::move(fragment), "", {}, derive::uniformBlock(table)};
-    pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
+    render::Pass pass = exhibitPass(std::string("crepuscular_rays/") + name, std::move(reason), values,
+                                    "lib/fullscreen.vert", std::move(fragment));
     pass.draws = {render::Draw{}};
     pass.draws[0].object = render::std140Bytes(block);
     return pass;
@@ -84,13 +82,11 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
         s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, around.towardsSun)
                                 : beams(around.openings, around.room, around.towardsSun);
 
-    // Cells lie on the grid of the whole picture, so that tiles join.
-    const int cell = cellSize(values[table.resolution]);
-    const glm::ivec2 first = raster.offset / cell;
-    s.coarseSize = (raster.offset + raster.drawn() + cell - 1) / cell - first;
+    const PixelBlocks cells(raster, cellSize(values[table.resolution]));
+    s.coarseSize = cells.count;
     RaysBlock& b = s.block;
-    b.cellSize = static_cast<float>(cell);
-    b.firstCell = glm::vec2(first);
+    b.cellSize = static_cast<float>(cells.side);
+    b.firstCell = glm::vec2(cells.first);
     b.maskScale = static_cast<float>(maskScale);
 
     const bool compare = values[table.compare];

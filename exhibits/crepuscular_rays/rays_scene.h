@@ -45,16 +45,17 @@ struct RaysScene {
 
 // screen_rays.cpp
 
-/// The mask, and the image that is gathered from it: "crepuscular_rays.rays" or "crepuscular_rays.polar".
-void planMask(const RaysScene&, render::FramePlan&);
-void planGathering(RaysScene&, render::FramePlan&);
+/// What shines, in the whole picture.
+[[nodiscard]] render::ResourceId planMask(const RaysScene&, render::FramePlan&);
+/// What is gathered of the mask: its mean along the rays, or the running sum on the polar grid.
+[[nodiscard]] render::ResourceId planGathering(RaysScene&, const render::ResourceId& mask, render::FramePlan&);
 /// The method in use: tiles cannot look into each other's passes, the plain sum is a loop, and so is a way that is
 /// too short for a running sum.
 [[nodiscard]] RayMethod methodOf(const RaysScene&);
 
 // air_beams.cpp
 
-/// The light scattered in the sun's beams: the image "crepuscular_rays.scattered".
-void planMarch(const RaysScene&, render::FramePlan&);
+/// The light scattered in the sun's beams.
+[[nodiscard]] render::ResourceId planMarch(const RaysScene&, render::FramePlan&);
 
 }  // namespace vitrine

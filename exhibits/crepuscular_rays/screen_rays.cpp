@@ -1,18 +1,20 @@
 #include "exhibits/crepuscular_rays/blue_noise.h"
+#include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/rays_scene.h"
-#include "render/glsl/cpu.h"
+#include "render/plan/elsewhere.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
+#include <string>
 
 namespace vitrine {
 namespace {
 
 using render::Attachment;
-using render::Load;
 using render::Pass;
+using render::ResourceId;
 
 constexpr int passesOfTaps = 3;
 
@@ -21,78 +23,17 @@ std::int64_t pixels(glm::ivec2 size)
     return static_cast<std::int64_t>(size.x) * size.y;
 }
 
-/// Whether every fragment of it hides what is behind: then its mesh tells all, and its material nothing.
-bool isSolidMesh(const Pass& pass)
+/// The depth of everything that hides the sky, drawn once more for the whole picture.
+std::string planOccluders(const RaysScene& s, render::FramePlan& plan)
 {
-    const auto& defines = pass.shader.defines;
-    return pass.shader.vertex == "hall/surface.vert" &&
-           std::none_of(defines.begin(), defines.end(),
-                        [](const std::string& d) { return d == "ALPHA_MASK" || d == "WIPE"; });
+    const char* reason = s.tile ? "a tile does not show the whole sky" : "the mask is made of the occluders";
+    const std::map<std::string, std::string> images = render::addElsewhere(
+        plan, s.context.seenFrom(s.wholeView),
+        {.name = "crepuscular_rays/occluders", .reason = reason, .view = s.wholeView, .depthOnly = true});
+    return images.at(depthImage);
 }
 
-/// Draws everything once more that hides the sky, seen in the whole picture: meshes in one pass by their positions
-/// alone, whatever finds its own depth (marched, or cut out) by its own shaders.
-void planOccluders(const RaysScene& s, render::FramePlan& plan)
-{
-    constexpr const char* own = "crepuscular_rays.occluders";
-    plan.image({.name = own, .format = render::Format::depth32f, .size = s.maskSize, .nearest = true});
-    Pass pass;
-    pass.name = "crepuscular_rays/occluders";
-    pass.reason = s.tile ? "a tile does not show the whole sky" : "the mask is made of the occluders";
-    pass.stage = render::Stage::prepare;
-    pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
-    pass.view = s.wholeView;
-    pass.depth = Attachment{own, Load::clear, glm::vec4(0), -1, 0};
-    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true};
-
-    const render::FramePlan seen = s.context.seenFrom(s.wholeView);
-    std::vector<Pass> others;
-    std::set<std::string> renamed;
-    const auto ownName = [&](const std::string& image) { return std::string(own) + '.' + image; };
-    for (const Pass& drawn : seen.passes()) {
-        const bool hides = drawn.stage == render::Stage::opaque && drawn.depth && drawn.depth->image == depthImage &&
-                           drawn.state.depthWrite;
-        if (hides && isSolidMesh(drawn)) {
-            pass.draws.insert(pass.draws.end(), drawn.draws.begin(), drawn.draws.end());
-            continue;
-        }
-        // What another pass of the same view prepares, a cone for every block of pixels, is prepared anew, too.
-        const bool prepares = drawn.stage == render::Stage::prepare && !drawn.key;
-        if (!hides && !prepares) continue;
-        Pass copy = drawn;
-        copy.name = pass.name + '/' + drawn.name;
-        copy.reason = pass.reason;
-        copy.stage = render::Stage::prepare;
-        copy.view = s.wholeView;
-        if (hides) {
-            copy.shader.defines.emplace_back("DEPTH_ONLY");
-            copy.colors.clear();
-            copy.depth = Attachment{own, Load::keep, glm::vec4(0), -1, 0};
-        }
-        for (std::vector<Attachment>* attachments : {&copy.colors, &copy.storage}) {
-            for (Attachment& attachment : *attachments) {
-                renamed.insert(attachment.image);
-                attachment.image = ownName(attachment.image);
-            }
-        }
-        for (render::Input& input : copy.inputs)
-            if (auto* image = std::get_if<std::string>(&input.source); image && renamed.contains(*image))
-                *image = ownName(*image);
-        others.push_back(std::move(copy));
-    }
-    for (const std::string& image : renamed) {
-        render::ImageInfo info = seen.images().at(image);
-        info.name = ownName(image);
-        if (info.size == glm::ivec2(0))
-            info.size = glm::max(glm::ivec2(glm::dvec2(s.maskSize) * info.scale), glm::ivec2(1));
-        plan.image(std::move(info));
-    }
-    for (render::Draw& draw : pass.draws) draw.inputs.clear();
-    plan.add(std::move(pass));
-    for (Pass& other : others) plan.add(std::move(other));
-}
-
-void planLoop(const RaysScene& s, render::FramePlan& plan)
+void planLoop(const RaysScene& s, const ResourceId& mask, const ResourceId& rays, render::FramePlan& plan)
 {
     const bool plain = s.values[s.table.sum] == RaySum::plain;
     // Without a way to go, one look tells all, and the mask comes through to the bit.
@@ -104,10 +45,8 @@ void planLoop(const RaysScene& s, render::FramePlan& plan)
                        "crepuscular_rays/loop.frag");
     pass.stage = render::Stage::volume;
     if (plain) pass.shader.defines.emplace_back("PLAIN_SUM");
-    pass.colors = {{"crepuscular_rays.rays", Load::clear, {}, -1, 0}};
-    pass.inputs = {{UNIT_EXHIBIT_A, std::string("crepuscular_rays.mask")},
-                   {UNIT_EXHIBIT_C, blueNoise()},
-                   {UNIT_SOURCE, std::string(depthImage)}};
+    pass.colors = {Attachment::cleared(rays)};
+    pass.inputs = {{UNIT_EXHIBIT_A, mask}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, std::string(depthImage)}};
     RaysBlock block = s.block;
     block.samples = samples;
     block.ratio = static_cast<float>(s.values[s.table.decay]);
@@ -116,21 +55,22 @@ void planLoop(const RaysScene& s, render::FramePlan& plan)
     plan.add(std::move(pass));
 }
 
-void planTaps(const RaysScene& s, render::FramePlan& plan)
+void planTaps(const RaysScene& s, const ResourceId& mask, const ResourceId& rays, render::FramePlan& plan)
 {
     const double taps = std::max(std::round(std::cbrt(s.values[s.table.samples])), 1.0);
     const double ratio = glsl::shaftRatio(s.block.gathered, s.block.exponent, taps, passesOfTaps);
     const char* names[passesOfTaps] = {"taps/1", "taps/2", "taps/3"};
-    const char* images[passesOfTaps] = {"crepuscular_rays.near", "crepuscular_rays.middle", "crepuscular_rays.rays"};
+    const auto between = [&](const char* name) {
+        return plan.image({.name = name, .format = render::Format::rgba16f, .size = s.coarseSize});
+    };
+    const ResourceId images[passesOfTaps + 1] = {mask, between("crepuscular_rays.near"),
+                                                 between("crepuscular_rays.middle"), rays};
     for (int i = 0; i < passesOfTaps; ++i) {
-        if (i < passesOfTaps - 1)
-            plan.image({.name = images[i], .format = render::Format::rgba16f, .size = s.coarseSize});
         Pass pass = s.pass(names[i], "the sky shines into the picture", "crepuscular_rays/taps.frag");
         pass.stage = render::Stage::volume;
-        pass.colors = {{images[i], Load::clear, {}, -1, 0}};
-        pass.inputs = {{UNIT_EXHIBIT_A, std::string(i == 0 ? "crepuscular_rays.mask" : images[i - 1])},
-                       {UNIT_EXHIBIT_C, blueNoise()},
-                       {UNIT_SOURCE, std::string(depthImage)}};
+        pass.colors = {Attachment::cleared(images[i + 1])};
+        pass.inputs = {
+            {UNIT_EXHIBIT_A, images[i]}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, std::string(depthImage)}};
         RaysBlock block = s.block;
         block.samples = static_cast<int>(taps);
         block.ratio = static_cast<float>(std::pow(ratio, std::pow(taps, i)));
@@ -141,7 +81,7 @@ void planTaps(const RaysScene& s, render::FramePlan& plan)
     }
 }
 
-void planPolar(RaysScene& s, render::FramePlan& plan)
+ResourceId planPolar(RaysScene& s, const ResourceId& mask, render::FramePlan& plan)
 {
     const PolarGrid grid = polarGrid(glm::dvec2(s.block.sun), s.maskSize, s.values[s.table.samples]);
     const double span = std::log(grid.lastRadius / grid.firstRadius);
@@ -153,22 +93,23 @@ void planPolar(RaysScene& s, render::FramePlan& plan)
     s.block.angles = grid.angles;
     s.block.keep = static_cast<float>(std::exp(-s.block.exponent * span / grid.radii));
     s.block.sunIsBeyondEdge = !grid.around;
-    plan.image({.name = "crepuscular_rays.polar",
-                .format = render::Format::rgba16f,
-                .size = {grid.radii, grid.angles},
-                .repeat = true});
+    const ResourceId polar = plan.image({.name = "crepuscular_rays.polar",
+                                         .format = render::Format::rgba16f,
+                                         .size = {grid.radii, grid.angles},
+                                         .repeat = true});
     Pass pass = s.pass("polar", "the sky shines into the picture", "");
     pass.work = render::Work::compute;
     pass.stage = render::Stage::volume;
     pass.shader.vertex.clear();
     pass.shader.compute = "crepuscular_rays/polar.comp";
-    pass.storage = {{"crepuscular_rays.polar", Load::keep, {}, -1, 0}};
-    pass.inputs = {{UNIT_EXHIBIT_A, std::string("crepuscular_rays.mask")}};
+    pass.storage = {Attachment::whole(polar)};
+    pass.inputs = {{UNIT_EXHIBIT_A, mask}};
     pass.draws.clear();
     pass.blocks[BLOCK_OBJECT] = render::std140Bytes(s.block);
     pass.groups = {(grid.angles + 31) / 32, 1, 1};
     pass.counts["fetches"] = static_cast<std::int64_t>(grid.radii) * grid.angles;
     plan.add(std::move(pass));
+    return polar;
 }
 
 }  // namespace
@@ -183,37 +124,39 @@ RayMethod methodOf(const RaysScene& s)
     return s.tile && method == RayMethod::threePasses ? RayMethod::loop : method;
 }
 
-void planMask(const RaysScene& s, render::FramePlan& plan)
+ResourceId planMask(const RaysScene& s, render::FramePlan& plan)
 {
     const bool occluders = s.tile || s.values[s.table.mask] == RayMask::occluders;
     const bool alpha = !occluders && s.values[s.table.mask] == RayMask::alpha;
-    if (occluders) planOccluders(s, plan);
-    plan.image({.name = "crepuscular_rays.mask", .format = render::Format::rgba16f, .size = s.maskSize});
+    const std::string hides = occluders ? planOccluders(s, plan) : alpha ? radianceImage : depthImage;
+    const ResourceId mask =
+        plan.image({.name = "crepuscular_rays.mask", .format = render::Format::rgba16f, .size = s.maskSize});
     Pass pass = s.pass("mask", "the sky is in view", "crepuscular_rays/mask.frag");
     // What is not covered tells the sky only as long as the sky is not drawn; depth is ready when all is.
     pass.stage = alpha ? render::Stage::opaque : render::Stage::volume;
     if (alpha) pass.shader.defines.emplace_back("FROM_ALPHA");
     if (occluders) pass.view = s.wholeView;
-    pass.colors = {{"crepuscular_rays.mask", Load::clear, {}, -1, 0}};
-    pass.inputs = {{UNIT_SOURCE, std::string(occluders ? "crepuscular_rays.occluders"
-                                             : alpha   ? radianceImage
-                                                       : depthImage)}};
+    pass.colors = {Attachment::cleared(mask)};
+    pass.inputs = {{UNIT_SOURCE, hides}};
     pass.blocks[BLOCK_LIGHT] = render::std140Bytes(s.context.surroundings.light);
     for (const render::Input& input : s.context.surroundings.inputs)
         if (input.unit == UNIT_ENVIRONMENT) pass.inputs.push_back(input);
     pass.counts["fetches"] = pixels(s.maskSize);
     plan.add(std::move(pass));
+    return mask;
 }
 
-void planGathering(RaysScene& s, render::FramePlan& plan)
+ResourceId planGathering(RaysScene& s, const ResourceId& mask, render::FramePlan& plan)
 {
     const RayMethod method = methodOf(s);
-    if (method == RayMethod::polar) return planPolar(s, plan);
-    plan.image({.name = "crepuscular_rays.rays", .format = render::Format::rgba16f, .size = s.coarseSize});
+    if (method == RayMethod::polar) return planPolar(s, mask, plan);
+    const ResourceId rays =
+        plan.image({.name = "crepuscular_rays.rays", .format = render::Format::rgba16f, .size = s.coarseSize});
     if (method == RayMethod::loop)
-        planLoop(s, plan);
+        planLoop(s, mask, rays, plan);
     else
-        planTaps(s, plan);
+        planTaps(s, mask, rays, plan);
+    return rays;
 }
 
 }  // namespace vitrine

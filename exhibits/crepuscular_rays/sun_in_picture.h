@@ -33,7 +33,8 @@ struct PolarGrid {
 };
 [[nodiscard]] PolarGrid polarGrid(glm::dvec2 source, glm::dvec2 size, int samples);
 
-/// The beam that the sun makes of an opening, as far as it stays inside the room: for shaders/lib/air.glsl.
+/// The beam that the sun makes of an opening, as far as it stays inside the room: for
+/// shaders/crepuscular_rays/air.glsl.
 struct Beam {
     render::Box opening;  ///< Flat along `axis`.
     int axis = 2;

@@ -23,15 +23,16 @@ struct FrameRequest {
     int samples = 1;  ///< ... of so many.
     AverageIn averageIn = AverageIn::display;
     Channels channels;
-    bool transparent = false;           ///< No sky or environment behind what is drawn: alpha 0 there.
-    std::optional<std::size_t> alone;   ///< Only this exhibit, in the environment's light.
+    bool transparent = false;  ///< No sky or environment behind what is drawn: alpha 0 there.
+    std::optional<std::size_t>
+        alone;  ///< Only this exhibit (by its index in Museum::subjects()), in the environment's light.
     std::optional<std::size_t> cutOut;  ///< Only this exhibit, where it stands, in the hall's light: alpha 0 around it.
     glm::dmat4 exhibitTransform{1};     ///< For `alone` or `subject`: scale and rotation about its own origin.
     std::optional<std::size_t> subject;
     bool runEverything = false;
     bool needsFiles =
         false;  ///< A file that the look names and that cannot be read is a Failure, not a complaint of the plan.
-    /// Seconds since each exhibit's button was pressed, in the order of Museum::exhibits(); may be shorter.
+    /// Seconds since each exhibit's button was pressed, in the order of Museum::subjects(); may be shorter.
     std::vector<double> sincePressed;
 };
 

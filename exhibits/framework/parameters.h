@@ -122,8 +122,8 @@ class ParameterValues;
 ///     };
 ///
 /// A table copies every text that it is given, so it can be made of a file that is read at run time as well:
-/// `MadeTable`, `Exhibit::tableFor`. Values of a table that a std::shared_ptr owns keep it alive; any other has to
-/// outlive its values.
+/// `MadeTable`, `TableFromFiles::tableFor`. Values of a table that a std::shared_ptr owns keep it alive; any other has
+/// to outlive its values.
 class Parameters : public std::enable_shared_from_this<Parameters> {
 public:
     Parameters(const Parameters&) = delete;  // Handles are only meaningful to their own table.
@@ -171,7 +171,7 @@ protected:
     };
     [[nodiscard]] static Endings endings(std::string_view text) { return {text}; }
     struct GivesRows {};
-    /// Of a file row: `Exhibit::tableFor` makes further rows of its file.
+    /// Of a file row: `TableFromFiles::tableFor` makes further rows of its file.
     [[nodiscard]] static GivesRows givesRows() { return {}; }
     struct Called {
         std::string_view text;
@@ -309,7 +309,7 @@ private:
     static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
     static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
     static void say(ParameterInfo& row, const Word& word) { row.word = word; }
-    static void say(ParameterInfo& row, const Condition& condition) { row.actsWhen = condition; }
+    static void say(ParameterInfo& row, const std::optional<Condition>& condition) { row.actsWhen = condition; }
     template <typename... Traits> std::uint16_t append(ParameterInfo row, const Traits&... traits)
     {
         (say(row, traits), ...);

@@ -252,10 +252,10 @@ std::string renamedPreset(const JsonDocument& document, std::string_view name)
     return render::writeJson(root);
 }
 
-NamedValues namedValues(std::span<const std::unique_ptr<Exhibit>> exhibits, std::span<const ParameterValues> values)
+NamedValues namedValues(Subjects subjects, std::span<const ParameterValues> values)
 {
     NamedValues named;
-    for (std::size_t i = 0; i < exhibits.size(); ++i) named.emplace_back(std::string(exhibits[i]->name()), values[i]);
+    for (std::size_t i = 0; i < subjects.size(); ++i) named.emplace_back(std::string(subjects[i]->name()), values[i]);
     return named;
 }
 

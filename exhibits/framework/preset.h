@@ -1,11 +1,10 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/subject.h"
 #include "render/files/strict_json.h"
 #include "render/scene/camera.h"
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,11 +55,11 @@ struct Preset {
 /// The text of a preset file, with the unknown keys of `kept`. Throws Failure when a number is not finite.
 [[nodiscard]] std::string presetText(const Preset&);
 
-/// Values of all exhibits by name, in the order of the museum.
+/// Values of all subjects by name, in the order of the museum.
 using NamedValues = std::vector<std::pair<std::string, ParameterValues>>;
 
-/// Values beside the names of the exhibits that they belong to; both in the same order.
-[[nodiscard]] NamedValues namedValues(std::span<const std::unique_ptr<Exhibit>>, std::span<const ParameterValues>);
+/// Values beside the names of the subjects that they belong to; both in the same order.
+[[nodiscard]] NamedValues namedValues(Subjects, std::span<const ParameterValues>);
 
 /// Settings of everything: "format" is "vitrine-exhibition", "exhibit" is the one that was chosen, and the keys of
 /// `values` are "sdf_morph.morph", "hall.exposure", ...

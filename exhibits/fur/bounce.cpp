@@ -1,6 +1,6 @@
 #include "exhibits/fur/bounce.h"
 
-#include "render/scene/rigid_bodies.h"
+#include "exhibits/fur/rigid_bodies.h"
 
 #include <algorithm>
 #include <bit>
@@ -85,13 +85,13 @@ double heightOfStart(const BounceSettings& s, int body)
                                                 : ringRadius + ringTube);
 }
 
-render::RigidShape shapeOf(const BounceSettings& s, int body)
+RigidShape shapeOf(const BounceSettings& s, int body)
 {
     const double radius = skinRadius(body) + s.cushion[body];
-    if (body == furBall) return render::BallShape{radius};
-    if (body == furRoll) return render::RollShape{radius, rollHalfLength};
-    if (!s.model) return render::RingShape{ringRadius, radius};
-    render::HullShape hull;
+    if (body == furBall) return BallShape{radius};
+    if (body == furRoll) return RollShape{radius, rollHalfLength};
+    if (!s.model) return RingShape{ringRadius, radius};
+    HullShape hull;
     hull.margin = s.cushion[body];
     // Bullet's hulls are for few points; a thousand of a large model show its shape well enough.
     const std::size_t stride = s.model->vertices.size() / 1000 + 1;
@@ -191,7 +191,7 @@ FurStates restStates(const BounceSettings& s, double since)
 }
 
 struct Bounce::World {
-    render::RigidBodies bodies{{pitRadius, pitRim, pitPadRadius, pitPadLift, gravity}};
+    RigidBodies bodies{{pitRadius, pitRim, pitPadRadius, pitPadLift, gravity}};
     double nextHop[furBodyCount] = {};  ///< Seconds; before it, one that has hopped is still in the air.
     glm::dvec3 lastVelocity[furBodyCount] = {};
     glm::dvec3 lastSpin[furBodyCount] = {};
@@ -255,7 +255,7 @@ bool Bounce::home(double now)
 {
     bool all = true;
     for (int i = 0; i < furBodyCount; ++i) {
-        const render::RigidPose pose = world_->bodies.pose(i);
+        const RigidPose pose = world_->bodies.pose(i);
         glm::dvec3 away = homes[i] - pose.position;
         away.y = 0;
         const glm::dvec3 turn = rotationVector(homeTurn(i) * glm::conjugate(pose.turn));
@@ -313,7 +313,7 @@ Bounce::Moment Bounce::stepBodies()
     world_->bodies.step(dt);
     hold();
     for (int i = 0; i < furBodyCount; ++i) {
-        const render::RigidPose pose = world_->bodies.pose(i);
+        const RigidPose pose = world_->bodies.pose(i);
         next.position[i] = pose.position;
         next.turn[i] = pose.turn;
     }

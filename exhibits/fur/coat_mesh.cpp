@@ -22,7 +22,7 @@ Vertex skinVertex(const glm::dvec3& position, const glm::dvec3& normal, double c
     Vertex v;
     v.position = glm::vec3(position);
     v.normal = glm::vec3(normal);
-    v.lightmapUv = {static_cast<float>(std::max(curvature, 0.0)), 0};
+    v.extra = {static_cast<float>(std::max(curvature, 0.0)), 0};
     return v;
 }
 
@@ -132,7 +132,7 @@ std::shared_ptr<const Mesh> finsOf(const Mesh& skin, int rows)
             if (!edges.insert({std::min(a, b), std::max(a, b)}).second) continue;
             addGrid(*fins, 1, rows, [&](double u, double v) {
                 Vertex vertex = skin.vertices[u > 0.5 ? b : a];
-                vertex.lightmapUv.y = static_cast<float>(v);
+                vertex.extra.y = static_cast<float>(v);
                 return vertex;
             });
         }

@@ -8,7 +8,7 @@
 
 namespace vitrine {
 
-// Skins that can wear a coat. Vertex::lightmapUv.x carries the mean curvature, 1/metre (never below 0: a
+// Skins that can wear a coat. Vertex::extra.x carries the mean curvature, 1/metre (never below 0: a
 // hollow bulges nothing). Vertices that share a place share a normal, so that shells do not
 // tear along edges.
 
@@ -35,7 +35,7 @@ namespace vitrine {
 /// 0: its edges alone are too many.
 [[nodiscard]] int finRows(const render::Mesh& skin);
 
-/// A quad on every edge of a skin, standing on it; Vertex::lightmapUv.y is the height, 0 or 1 in `rows` steps.
+/// A quad on every edge of a skin, standing on it; Vertex::extra.y is the height, 0 or 1 in `rows` steps.
 [[nodiscard]] std::shared_ptr<const render::Mesh> finsOf(const render::Mesh& skin, int rows);
 
 /// A flat disk of radius 1 on y = 0, facing up, in rings fine enough for light computed at its vertices.

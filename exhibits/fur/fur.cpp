@@ -122,12 +122,13 @@ Fur::Fur()
 
 render::Box Fur::bounds(const ParameterValues& values) const
 {
-    return boundsAfterPress(values, never);
+    return boundsOf({values});
 }
 
-render::Box Fur::boundsAfterPress(const ParameterValues& values, double sinceOwnPress) const
+render::Box Fur::boundsOf(const ExhibitState& state) const
 {
-    const bool pressed = sinceOwnPress >= 0 && sinceOwnPress <= Bounce::longest;
+    const ParameterValues& values = state.values;
+    const bool pressed = state.sinceOwnPress >= 0 && state.sinceOwnPress <= Bounce::longest;
     const bool jumping =
         !values[table_.byHand] && (pressed || values[table_.frozenAt] > 0 || values[table_.bouncePeriod] > 0);
     render::Box space = bouncingSpace(table_, values, jumping);
@@ -261,51 +262,60 @@ void Fur::findMotion(const PrepareContext& context, Prepared& m) const
         m.reason = (byItself ? "jumped by themselves " : "woken by the button ") + seconds(since) + " ago";
 }
 
-void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
+void Fur::planMotion(const PlanContext& context, render::FramePlan& plan) const
 {
-    const ParameterValues& values = context.values;
     constexpr const char* motion = "fur/motion";
-    const bool right = clockIsRight(context.time, context.sinceOwnPress);
+    if (plan.find(motion) || plan.findSkipped(motion)) return;
     // Without a number, so that it stays one line in the log however the clock goes on.
-    if (!right)
+    if (!clockIsRight(context.time, context.sinceOwnPress))
         plan.complain("fur/clock",
                       "the time is no number, or lies before the press of the button; the bodies are shown at rest "
                       "until it is right",
                       render::Work::simulation);
-    if (!context.hiddenBecause.empty() && !context.noShadowBecause.empty()) {
-        // Nobody sees where they are; when somebody does again, the jump is simulated up to then.
-        plan.skip(motion, context.hiddenBecause, render::Work::simulation);
-        for (const char* name : {"fur/coat", "fur/fins", "fur/shade", "fur/floor"})
-            plan.skip(name, context.hiddenBecause);
-        plan.skip("fur/shadow", context.noShadowBecause);
+    const auto& now = static_cast<const Prepared&>(*context.prepared);
+    if (!now.moving) {
+        plan.skip(motion, now.reason, render::Work::simulation);
         return;
     }
+    render::Pass pass;
+    pass.name = motion;
+    pass.reason = now.reason;
+    pass.stage = render::Stage::simulate;
+    pass.work = render::Work::simulation;
+    pass.writes = {"fur.bodies"};
+    pass.counts["simulationSteps"] = now.steps;
+    plan.add(std::move(pass));
+}
+
+FurScene Fur::sceneOf(const PlanContext& context, std::uint32_t seed) const
+{
     const auto& now = static_cast<const Prepared&>(*context.prepared);
-    if (now.moving) {
-        render::Pass pass;
-        pass.name = motion;
-        pass.reason = now.reason;
-        pass.stage = render::Stage::simulate;
-        pass.work = render::Work::simulation;
-        pass.writes = {"fur.bodies"};
-        pass.counts["simulationSteps"] = now.steps;
-        plan.add(std::move(pass));
-    } else {
-        plan.skip(motion, now.reason, render::Work::simulation);
-    }
-    FurScene scene{context,
-                   {table_, values, now.states, context.worldFromExhibit, right ? context.time : 0, plan.seed,
-                    now.model ? now.model->radius : 0},
-                   {},
-                   {}};
-    for (std::size_t i = 0; i < furBodyCount; ++i) {
-        scene.skins[i] = now.skins[i];
-        scene.fins[i] = now.fins[i];
-        if (values[table_.silhouette] == FurSilhouette::fins && !now.fins[i])
+    const double time = clockIsRight(context.time, context.sinceOwnPress) ? context.time : 0;
+    FurScene scene{
+        context,
+        {table_, context.values, now.states, context.worldFromExhibit, time, seed, now.model ? now.model->radius : 0},
+        {},
+        {}};
+    std::copy(now.skins.begin(), now.skins.end(), scene.skins);
+    std::copy(now.fins.begin(), now.fins.end(), scene.fins);
+    return scene;
+}
+
+void Fur::planShadow(const PlanContext& context, render::FramePlan& plan) const
+{
+    planMotion(context, plan);
+    planCoatShadow(sceneOf(context, plan.seed), plan);
+}
+
+void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
+{
+    planMotion(context, plan);
+    const auto& now = static_cast<const Prepared&>(*context.prepared);
+    for (std::size_t i = 0; i < furBodyCount; ++i)
+        if (context.values[table_.silhouette] == FurSilhouette::fins && !now.fins[i])
             plan.complain("fur/model fins", whyUnfinned(now.skins[i]));
-    }
     if (now.model && !now.model->notes.empty()) plan.complain("fur/model", joined(now.model->notes));
-    planCoats(scene, plan);
+    planCoats(sceneOf(context, plan.seed), plan);
 }
 
 }  // namespace vitrine

@@ -9,9 +9,11 @@
 
 namespace vitrine {
 
+struct FurScene;
+
 /// Three furry bodies in a pit that bounce when the red button is pressed. Shell texturing: the skin is drawn
 /// many times, each time a little further out, and keeps only what is inside a strand.
-class Fur final : public Exhibit {
+class Fur final : public Exhibit, public HasButton {
 public:
     using Table = FurTable;
 
@@ -31,7 +33,7 @@ public:
     [[nodiscard]] int place() const override { return 3; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
-    [[nodiscard]] render::Box boundsAfterPress(const ParameterValues&, double sinceOwnPress) const override;
+    [[nodiscard]] render::Box boundsOf(const ExhibitState&) const override;
     /// The visitor's model, the skins with their fins, and where the bodies are.
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     [[nodiscard]] double firstHit(const ExhibitState&, const render::Ray&) const override;
@@ -39,10 +41,14 @@ public:
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    void planShadow(const PlanContext&, render::FramePlan&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 
 private:
     struct Prepared;
+    /// The simulation's line in the ledger, once in a plan: shadow and picture both read its state.
+    void planMotion(const PlanContext&, render::FramePlan&) const;
+    [[nodiscard]] FurScene sceneOf(const PlanContext&, std::uint32_t seed) const;
     void findMotion(const PrepareContext&, Prepared&) const;
 
     Table table_;

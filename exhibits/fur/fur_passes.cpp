@@ -1,22 +1,21 @@
 #include "exhibits/fur/fur_passes.h"
 
-#include "exhibits/framework/derive.h"
 #include "exhibits/fur/coat_mesh.h"
+#include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/surface_draw.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace vitrine {
 namespace {
 
 using render::Attachment;
-using render::Load;
 using render::Pass;
 
-constexpr const char* foundImage = "fur.found";
 constexpr const char* statesName = "fur.bodies";
 constexpr const char* names[furBodyCount] = {"ball", "roll", "ring"};
 
@@ -34,6 +33,7 @@ struct Planner {
     const FurTable& table;
     FurBodies all;
     bool inView[furBodyCount] = {};
+    std::optional<render::ResourceId> found = {};  ///< What the eye meets of strands; where a coat is in view.
 
     Planner(const FurScene& s, render::FramePlan& p) : scene(s), plan(p), table(s.coats.table)
     {
@@ -45,18 +45,9 @@ struct Planner {
     [[nodiscard]] const ParameterValues& values() const { return scene.coats.values; }
     [[nodiscard]] render::Box bounds(int i) const { return scene.coats.bounds(i, scene.skins[i]->bounds); }
 
-    [[nodiscard]] Pass pass(std::string name, std::string reason, std::string vertex, std::string fragment) const
-    {
-        Pass pass;
-        pass.name = std::move(name);
-        pass.reason = std::move(reason);
-        pass.shader = {std::move(vertex), std::move(fragment), "", {}, derive::uniformBlock(table)};
-        pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values());
-        return pass;
-    }
     [[nodiscard]] Pass coatPass(std::string name, std::string reason) const
     {
-        Pass made = pass(std::move(name), std::move(reason), "fur/coat.vert", "fur/coat.frag");
+        Pass made = exhibitPass(std::move(name), std::move(reason), values(), "fur/coat.vert", "fur/coat.frag");
         if (values()[table.clump] > 0) made.shader.defines.emplace_back("CLUMPS");
         if (values()[table.curl] > 0) made.shader.defines.emplace_back("CURLS");
         made.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::back};
@@ -90,18 +81,9 @@ struct Planner {
 
     void shadow() const
     {
-        if (!scene.context.noShadowBecause.empty()) {
-            plan.skip("fur/shadow", scene.context.noShadowBecause);
-            return;
-        }
-        Pass made = coatPass("fur/shadow", "the sun reaches it and its shadow may be seen");
-        made.stage = render::Stage::shadow;
-        made.view = scene.context.surroundings.exhibitShadowView;
-        made.key = scene.context.surroundings.exhibitShadowKey;
-        made.bound = scene.context.surroundings.sunShadow;
+        Pass made = coatPass("fur/shadow", shadowReason);
+        castShadow(made, scene.context);
         made.shader.defines.emplace_back("SHADOW");
-        made.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
-        made.state.depthClamp = true;
         for (int i = 0; i < furBodyCount; ++i) {
             FurBody body = affordable(i);
             body.shellCount = std::min(body.shellCount, shadowShells);
@@ -145,10 +127,10 @@ struct Planner {
             for (const char* name : {"fur/coat", "fur/fins", "fur/shade"}) plan.skip(name, "out of view");
             return false;
         }
-        plan.image({.name = foundImage, .format = render::Format::rgba32f, .nearest = true});
+        found = plan.image({.name = "fur.found", .format = render::Format::rgba32f, .nearest = true});
         made.reason = "in view: " + seenBodies;
-        attach(made, Load::clear);
-        attach(fins, Load::keep);
+        attach(made, Attachment::cleared(*found));
+        attach(fins, Attachment::whole(*found));
         plan.add(std::move(made));
         if (fins.draws.empty()) {
             plan.skip("fur/fins", "silhouettes are not filled with fins");
@@ -159,27 +141,24 @@ struct Planner {
         }
         return true;
     }
-    void attach(Pass& made, Load load) const
+    void attach(Pass& made, Attachment strands) const
     {
         made.countSamples = true;
-        made.colors = {{foundImage, load, {}, -1, 0}};
-        made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
-        if (scene.context.channels.normal) {
-            made.shader.defines.emplace_back("WRITE_NORMAL");
-            made.colors.push_back({normalImage, Load::keep, {}, -1, 0});
-        }
+        drawSurface(made, {.normal = scene.context.channels.normal});
+        made.colors.front() = std::move(strands);  // Its radiance follows in a pass of its own.
     }
 
     void shade() const
     {
-        Pass made = pass("fur/shade", "light on the strands that were found", "fur/shade.vert", "fur/shade.frag");
-        made.colors = {{radianceImage, Load::keep, {}, -1, 0}};
+        Pass made = exhibitPass("fur/shade", "light on the strands that were found", values(), "fur/shade.vert",
+                                "fur/shade.frag");
+        made.colors = {Attachment::whole(radianceImage)};
         // Far sides of boxes around the fur, where something is in front of them: few pixels without a strand are
         // asked.
-        made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+        made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::farther, .cull = render::Cull::front, .depthClamp = true};
         scene.context.surroundings.illuminate(made);
-        made.inputs.push_back({UNIT_EXHIBIT_A, std::string(foundImage)});
+        made.inputs.push_back({UNIT_EXHIBIT_A, *found});
         for (int i = 0; i < furBodyCount; ++i) {
             if (!inView[i]) continue;
             FurBodies lit = all;
@@ -198,9 +177,9 @@ struct Planner {
 
     void floor() const
     {
-        Pass made =
-            pass("fur/floor", scene.context.alone ? "they stand on something" : "the bodies keep light off the floor",
-                 "fur/floor.vert", "fur/floor.frag");
+        Pass made = exhibitPass("fur/floor",
+                                scene.context.alone ? "they stand on something" : "the bodies keep light off the floor",
+                                values(), "fur/floor.vert", "fur/floor.frag");
         made.stage = render::Stage::transparent;
         if (scene.context.alone)
             made.shader.defines.emplace_back("ALONE");
@@ -208,8 +187,8 @@ struct Planner {
             made.bound = {1,
                           values()[table.lamp] * 0.05 / std::numbers::pi,
                           {}};  // As the shader: all light is kept off, and a dark felt is lit.
-        made.colors = {{radianceImage, Load::keep, {}, -1, 0}};
-        made.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+        made.colors = {Attachment::whole(radianceImage)};
+        made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};
         made.reads = {statesName};
         scene.context.surroundings.illuminate(made);
@@ -222,15 +201,14 @@ struct Planner {
 
 }  // namespace
 
+void planCoatShadow(const FurScene& scene, render::FramePlan& plan)
+{
+    Planner(scene, plan).shadow();
+}
+
 void planCoats(const FurScene& scene, render::FramePlan& plan)
 {
     Planner planner(scene, plan);
-    planner.shadow();
-    if (!scene.context.hiddenBecause.empty()) {
-        for (const char* name : {"fur/coat", "fur/fins", "fur/shade", "fur/floor"})
-            plan.skip(name, scene.context.hiddenBecause);
-        return;
-    }
     if (planner.coat()) planner.shade();
     planner.floor();
 }

@@ -16,7 +16,11 @@ struct FurScene {
     std::shared_ptr<const render::Mesh> fins[furBodyCount];  ///< Null unless silhouettes are filled with fins.
 };
 
-/// Shadow, shells, light and floor, or why not. The shells read the simulation state "fur.bodies".
+// Both read the simulation state "fur.bodies".
+
+/// A few shells of each body, in the exhibits' shadow map.
+void planCoatShadow(const FurScene&, render::FramePlan&);
+/// Shells, fins, light and floor, or why not.
 void planCoats(const FurScene&, render::FramePlan&);
 
 }  // namespace vitrine

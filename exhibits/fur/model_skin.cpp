@@ -39,7 +39,7 @@ void bendIt(Mesh& mesh)
         }
     }
     for (std::size_t i = 0; i < bend.size(); ++i)
-        mesh.vertices[i].lightmapUv.x = weight[i] > 0 ? static_cast<float>(std::max(bend[i] / weight[i], 0.0)) : 0;
+        mesh.vertices[i].extra.x = weight[i] > 0 ? static_cast<float>(std::max(bend[i] / weight[i], 0.0)) : 0;
 }
 
 /// Triangles of parts become one skin: what lies in one place is one vertex, with the normal of all around it.

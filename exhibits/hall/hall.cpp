@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vitrine {
 
@@ -48,10 +47,9 @@ render::AssetStore::Made<render::Model> readModel(const std::string& path)
 
 }  // namespace
 
-void Hall::setGuests(std::vector<Guest> guests)
+Hall::Hall(std::shared_ptr<const HallModel> model, std::vector<Guest> guests)
+    : model_(std::move(model)), guests_(std::move(guests)), text_(std::make_shared<PlaqueText>(*model_, guests_))
 {
-    guests_ = std::move(guests);
-    text_ = std::make_shared<PlaqueText>(*model_, guests_);
 }
 
 render::Box Hall::bounds(const ParameterValues&) const
@@ -73,14 +71,8 @@ std::vector<StudyView> Hall::studyViews(const ParameterValues& values) const
             {"into the window", {{1.2, 1.65, -5.5}, {-0.4, 3.6, -12}, 0.959931}, 0, values}};
 }
 
-double Hall::nextChange(const ParameterValues&, double) const
+std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values, render::AssetStore& assets) const
 {
-    return std::numeric_limits<double>::infinity();
-}
-
-std::shared_ptr<const PreparedPart> Hall::prepare(const PrepareContext& context) const
-{
-    const ParameterValues& values = context.values;
     auto made = std::make_shared<PreparedHall>();
     render::Hash files;
     const auto complain = [&](const char* step, File row, const std::string& failure) {
@@ -89,7 +81,7 @@ std::shared_ptr<const PreparedPart> Hall::prepare(const PrepareContext& context)
                                         "It is left out until it can be read."});
     };
     if (const std::string path = values[table_.environment]; !path.empty()) {
-        const render::Asset<Panorama> found = context.assets.get<Panorama>("hall.environment", path, readPanorama);
+        const render::Asset<Panorama> found = assets.get<Panorama>("hall.environment", path, readPanorama);
         complain("hall/environment", table_.environment, found.failure);
         files.addValue(found.id);
         if (found.value) {
@@ -98,7 +90,7 @@ std::shared_ptr<const PreparedPart> Hall::prepare(const PrepareContext& context)
         }
     }
     if (const std::string path = values[table_.model]; !path.empty()) {
-        render::Asset<render::Model> found = context.assets.get<render::Model>("hall.model", path, readModel);
+        render::Asset<render::Model> found = assets.get<render::Model>("hall.model", path, readModel);
         complain("hall/model", table_.model, found.failure);
         files.addValue(found.id);
         made->visitorModel = std::move(found.value);
@@ -107,15 +99,15 @@ std::shared_ptr<const PreparedPart> Hall::prepare(const PrepareContext& context)
     return made;
 }
 
-HallScene Hall::scene(const ParameterValues& values, bool alone, const PreparedPart* prepared) const
+HallScene Hall::scene(const ParameterValues& values, bool alone, const PreparedHall* prepared) const
 {
-    HallScene scene{*model_, table_, values, alone, nullptr, 0, nullptr, glm::dmat4(1), text_, guests_, 0, {}};
+    HallScene scene{
+        .model = *model_, .table = table_, .values = values, .alone = alone, .text = text_, .guests = guests_};
     if (prepared) {
-        const auto& found = static_cast<const PreparedHall&>(*prepared);
-        scene.environment = found.environment;
-        scene.environmentBrightest = found.environmentBrightest;
-        scene.filesId = found.filesId;
-        if (!alone) scene.visitorModel = found.visitorModel;
+        scene.environment = prepared->environment;
+        scene.environmentBrightest = prepared->environmentBrightest;
+        scene.filesId = prepared->filesId;
+        if (!alone) scene.visitorModel = prepared->visitorModel;
     }
     if (!scene.visitorModel) return scene;
 

@@ -12,9 +12,9 @@ render::Pass fullscreen(std::string name, std::string fragment, std::string sour
     render::Pass pass;
     pass.name = std::move(name);
     pass.reason = std::move(reason);
-    pass.shader = {"lib/fullscreen.vert", std::move(fragment), "", {}};
+    pass.shader = {.vertex = "lib/fullscreen.vert", .fragment = std::move(fragment)};
     pass.inputs = {{UNIT_SOURCE, std::move(source)}};
-    pass.colors = {{std::move(target), render::Load::keep, {}, -1, 0}};
+    pass.colors = {render::Attachment::whole(std::move(target))};
     pass.draws = {render::Draw{}};
     return pass;
 }

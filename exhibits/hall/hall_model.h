@@ -1,6 +1,5 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
 #include "render/scene/mesh.h"
 
 #include <glm/glm.hpp>

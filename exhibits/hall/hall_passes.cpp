@@ -1,6 +1,7 @@
 #include "exhibits/hall/hall_scene.h"
 
 #include "exhibits/hall/plaque_text.h"
+#include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/surface_draw.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
@@ -25,8 +26,8 @@ bool isOccupied(const HallScene& scene, int place)
 
 double turnAt(const HallScene& scene, int place)
 {
-    for (std::size_t i = 0; i < scene.guests.size() && i < scene.turns.size(); ++i)
-        if (scene.guests[i].place == place) return scene.turns[i];
+    for (std::size_t i = 0; i < scene.guests.size() && i < scene.moments.size(); ++i)
+        if (scene.guests[i].place == place) return scene.moments[i].turn;
     return 0;
 }
 
@@ -79,16 +80,19 @@ Draw partDraw(const HallScene& scene, const Part& part)
 /// Attachments of everything that draws surfaces of the picture; `load` says whether they are cleared first.
 void drawInto(Pass& pass, const Channels& channels, Load load)
 {
-    pass.colors = {{radianceImage, load, glm::vec4(0), -1, 0}};
+    const auto attachment = [load](const char* image) {
+        return load == Load::clear ? Attachment::cleared(image) : Attachment::whole(image);
+    };
+    pass.colors = {attachment(radianceImage)};
     if (channels.normal) {
         pass.shader.defines.emplace_back("WRITE_NORMAL");
-        pass.colors.push_back({normalImage, load, glm::vec4(0), -1, 0});
+        pass.colors.push_back(attachment(normalImage));
     }
     if (channels.evaluations) {
         pass.shader.defines.push_back("WRITE_EVALUATIONS " + std::to_string(pass.colors.size()));
-        pass.colors.push_back({evaluationsImage, load, glm::vec4(0), -1, 0});
+        pass.colors.push_back(attachment(evaluationsImage));
     }
-    pass.depth = Attachment{depthImage, load, glm::vec4(0), -1, 0};
+    pass.depth = attachment(depthImage);
     pass.state.depthTest = render::DepthTest::nearer;
     pass.state.depthWrite = true;
     pass.state.cull = render::Cull::back;
@@ -101,8 +105,9 @@ Pass surfacePass(std::string name, std::string reason, std::vector<std::string> 
     pass.name = std::move(name);
     pass.reason = std::move(reason);
     pass.stage = render::Stage::opaque;
-    pass.shader = {"hall/surface.vert", "hall/surface.frag", "", std::move(defines)};
+    pass.shader = {.vertex = "kit/surface.vert", .fragment = "kit/surface.frag", .defines = std::move(defines)};
     drawInto(pass, channels, load);
+    pass.depthOnly = meshDepth();
     return pass;
 }
 
@@ -118,18 +123,17 @@ const render::Material& buttonMaterial()
     return red;
 }
 
-void planButtons(const HallScene& scene, const Surroundings& light, const Channels& channels,
-                 std::span<const double> sincePressed, render::FramePlan& plan)
+void planButtons(const HallScene& scene, const Surroundings& light, const Channels& channels, render::FramePlan& plan)
 {
     Pass pass = surfacePass("hall/buttons", "", {}, channels, Load::keep);
     int moving = 0;
     for (std::size_t i = 0; i < scene.guests.size(); ++i) {
         const Guest& guest = scene.guests[i];
-        const Place* place = guest.buttonText.empty() ? nullptr : scene.model.place(guest.place);
+        const Place* place = guest.hasButton ? scene.model.place(guest.place) : nullptr;
         if (!place || !place->worldFromButton) continue;
         const glm::dvec3 at((*place->worldFromButton)[3]);
         if (!plan.view.mayContain({at - 0.06, at + 0.06})) continue;
-        const double squash = i < sincePressed.size() ? buttonScale(sincePressed[i]) : 1;
+        const double squash = i < scene.moments.size() ? buttonScale(scene.moments[i].sincePress) : 1;
         moving += squash < 1;
         const glm::dmat4 world = *place->worldFromButton * glm::scale(glm::dmat4(1), 0.035 * glm::dvec3(1, squash, 1));
         pass.draws.push_back(surfaceDraw(domeMesh(), world, buttonMaterial()));
@@ -153,9 +157,9 @@ void planPlaques(const HallScene& scene, const Surroundings& light, render::Fram
     pass.name = "hall/plaques";
     pass.reason = "a plaque is in view";
     pass.stage = render::Stage::transparent;
-    pass.shader = {"hall/text.vert", "hall/text.frag", "", {}};
-    pass.colors = {{radianceImage, Load::keep, {}, -1, 0}};
-    pass.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+    pass.shader = {.vertex = "hall/text.vert", .fragment = "hall/text.frag"};
+    pass.colors = {Attachment::whole(radianceImage)};
+    pass.depth = Attachment::whole(depthImage);
     pass.state = {.depthTest = render::DepthTest::nearerOrEqual,
                   .cull = render::Cull::back,
                   .blend = render::Blend::premultiplied,
@@ -190,6 +194,7 @@ void planVisitorModel(const HallScene& scene, const Surroundings& light, const C
         surfacePass("hall/visitor", "an object stands on the free plinth",
                     {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP", "EMISSIVE_MAP", "ALPHA_MASK"}, channels, Load::keep);
     pass.state.cull = render::Cull::none;
+    pass.depthOnly.reset();  // Its textures cut holes.
     Pass blended = pass;
     blended.name = "hall/visitor/blended";
     blended.stage = render::Stage::transparent;
@@ -216,14 +221,14 @@ void planVisitorModel(const HallScene& scene, const Surroundings& light, const C
 void planTurningShadow(const HallScene& scene, const Pass& still, const std::vector<Part>& turning,
                        render::FramePlan& plan)
 {
-    const auto follow = [&](const char* name, const char* reason, Load load) {
+    const auto follow = [&](const char* name, const char* reason, Attachment depth) {
         Pass pass;
         pass.name = name;
         pass.reason = reason;
         pass.stage = still.stage;
-        pass.shader = {"hall/depth.vert", "hall/restore.frag", "", {}};
+        pass.shader = {.vertex = "kit/depth.vert", .fragment = "hall/restore.frag"};
         pass.view = still.view;
-        pass.depth = Attachment{"shadow.hall", load, glm::vec4(0), -1, 0};
+        pass.depth = std::move(depth);
         pass.state = {
             .depthTest = render::DepthTest::none, .depthWrite = true, .cull = render::Cull::front, .depthClamp = true};
         pass.inputs = {{UNIT_SOURCE, std::string("shadow.hall.still")}};
@@ -231,21 +236,21 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
         pass.bound = still.bound;
         return pass;
     };
-    Pass copy = follow("hall/shadow/copy", still.reason.c_str(), Load::clear);
+    Pass copy = follow("hall/shadow/copy", still.reason.c_str(), Attachment::cleared("shadow.hall"));
     copy.shader.vertex = "lib/fullscreen.vert";
     copy.state.cull = render::Cull::none;
     copy.draws = {Draw{}};
 
     render::Hash key;
     key.addValue(*still.key);
-    for (const double turn : scene.turns) key.addValue(turn);
-    Pass restore = follow("hall/shadow/restore", "what hangs here has turned", Load::keep);
+    for (const GuestMoment& moment : scene.moments) key.addValue(moment.turn);
+    Pass restore = follow("hall/shadow/restore", "what hangs here has turned", Attachment::whole("shadow.hall"));
     restore.key = key.value();
-    Pass hangings = follow("hall/shadow/hangings", "what hangs here has turned", Load::keep);
+    Pass hangings = follow("hall/shadow/hangings", "what hangs here has turned", Attachment::whole("shadow.hall"));
     hangings.key = key.value();
     // The probe is kept however they turn, so it must not see them: it is made before they are drawn.
     restore.stage = hangings.stage = render::Stage::prepare;
-    hangings.shader.fragment = "hall/depth.frag";
+    hangings.shader.fragment = "kit/depth.frag";
     hangings.state = still.state;
     hangings.inputs.clear();
     for (const Part& part : turning) {
@@ -260,8 +265,9 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
 
 double buttonScale(double seconds)
 {
-    if (!(seconds >= 0) || seconds >= 0.2) return 1;
-    const double t = seconds < 0.1 ? seconds / 0.1 : (0.2 - seconds) / 0.1;
+    constexpr double half = buttonTime / 2;
+    if (!(seconds >= 0) || seconds >= buttonTime) return 1;
+    const double t = seconds < half ? seconds / half : (buttonTime - seconds) / half;
     return 1 - 0.9 * t;
 }
 
@@ -299,9 +305,9 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
     pass.name = "hall/shadow";
     pass.reason = "the sun or the walls have changed";
     pass.stage = render::Stage::shadow;
-    pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    pass.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
     pass.view = light.hallShadowView;
-    pass.depth = Attachment{turning.empty() ? "shadow.hall" : "shadow.hall.still", Load::clear, glm::vec4(0), -1, 0};
+    pass.depth = Attachment::cleared(turning.empty() ? "shadow.hall" : "shadow.hall.still");
     pass.state = {.depthTest = render::DepthTest::nearer,
                   .depthWrite = true,
                   .cull = render::Cull::none,
@@ -320,8 +326,7 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
         plan.add(std::move(pass));
 }
 
-void planWalls(const HallScene& scene, const Surroundings& light, const Channels& channels,
-               std::span<const double> sincePressed, render::FramePlan& plan)
+void planWalls(const HallScene& scene, const Surroundings& light, const Channels& channels, render::FramePlan& plan)
 {
     Pass walls = surfacePass("hall/walls", "the hall is around the visitor",
                              {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, channels, Load::clear);
@@ -348,7 +353,7 @@ void planWalls(const HallScene& scene, const Surroundings& light, const Channels
         plan.add(std::move(props));
 
     planVisitorModel(scene, light, channels, plan);
-    planButtons(scene, light, channels, sincePressed, plan);
+    planButtons(scene, light, channels, plan);
     planPlaques(scene, light, plan);
 }
 
@@ -359,9 +364,9 @@ void planSky(const HallScene& scene, const Surroundings& light, render::FramePla
     sky.reason = scene.alone ? "the environment is behind the exhibit" : "it may be seen through window and oculus";
     // Last of the opaque ones: what is translucent is blended over it.
     sky.stage = render::Stage::opaque;
-    sky.shader = {"lib/fullscreen.vert", "hall/sky.frag", "", {}};
-    sky.colors = {{radianceImage, Load::keep, {}, -1, 0}};
-    sky.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+    sky.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/sky.frag"};
+    sky.colors = {Attachment::whole(radianceImage)};
+    sky.depth = Attachment::whole(depthImage);
     sky.state.depthTest = render::DepthTest::nearerOrEqual;  // The triangle lies at depth 0, the far plane.
     sky.draws = {Draw{}};
     light.illuminate(sky);

@@ -12,7 +12,6 @@ namespace vitrine {
 namespace {
 
 using render::Attachment;
-using render::Load;
 using render::Pass;
 
 #include "shaders/hall/probe_block.glsl"
@@ -48,8 +47,8 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
         return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS;
     });
     Pass sky = capturePass("sky", face, eye, size, key);
-    sky.shader = {"lib/fullscreen.vert", "hall/sky.frag", "", {"CAPTURE"}};
-    sky.colors = {{"probe.captured", Load::keep, {}, face, 0}};
+    sky.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/sky.frag", .defines = {"CAPTURE"}};
+    sky.colors = {Attachment::slice("probe.captured", face)};
     sky.draws = {render::Draw{}};
     sky.bound = light.probeLight;
     hallLight.illuminate(sky);
@@ -59,10 +58,11 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
 
     Pass walls = capturePass("walls", face, eye, size, key);
     walls.bound = light.probeLight;
-    walls.shader = {
-        "hall/surface.vert", "hall/surface.frag", "", {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
-    walls.colors = {{"probe.captured", Load::keep, {}, face, 0}};
-    walls.depth = Attachment{"probe.depth", Load::clear, glm::vec4(0), -1, 0};
+    walls.shader = {.vertex = "kit/surface.vert",
+                    .fragment = "kit/surface.frag",
+                    .defines = {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
+    walls.colors = {Attachment::slice("probe.captured", face)};
+    walls.depth = Attachment::cleared("probe.depth");
     walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};
     for (const render::Part& part : scene.model.walls()) {
         const HallMaterial& material = scene.model.material(part.material ? part.material->name : std::string());
@@ -85,8 +85,8 @@ void planLevel(int level, int levels, int size, int samples, const render::Bound
     pass.reason = "what the probe sees has changed";
     pass.stage = render::Stage::prepare;
     pass.work = render::Work::compute;
-    pass.shader = {"", "", "hall/probe_prefilter.comp", {}};
-    pass.storage = {{"probe", Load::keep, {}, -1, level}};
+    pass.shader = {.compute = "hall/probe_prefilter.comp"};
+    pass.storage = {{.image = "probe", .level = level}};
     pass.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
     // Level follows the square root of roughness (lib/light.glsl), so roughness is its square.
     pass.blocks[BLOCK_OBJECT] =
@@ -144,8 +144,8 @@ void planProbe(const HallScene& scene, const Surroundings& light, render::FrameP
     sum.reason = "what the probe sees has changed";
     sum.stage = render::Stage::prepare;
     sum.work = render::Work::compute;
-    sum.shader = {"", "", "hall/probe_irradiance.comp", {}};
-    sum.storage = {{"probe.irradiance", Load::keep, {}, -1, 0}};
+    sum.shader = {.compute = "hall/probe_irradiance.comp"};
+    sum.storage = {Attachment::whole("probe.irradiance")};
     sum.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
     sum.blocks[BLOCK_OBJECT] =
         render::std140Bytes(ProbeLevel{.capturedLevel = level, .capturedSize = std::max(size >> level, 1)});

@@ -7,7 +7,9 @@
 #include "exhibits/hall/hall_table.h"
 #include "render/plan/frame_plan.h"
 
+#include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,14 @@ class PlaqueText;
 /// An exhibit as the hall knows it: where it stands and what its plaque says.
 struct Guest {
     int place = 0;
-    std::string title, summary, tryThis, buttonText;
+    std::string title, summary, tryThis;
+    bool hasButton = false;
+};
+
+/// What moves at an exhibit's place, at one moment.
+struct GuestMoment {
+    double turn = 0;  ///< How far what hangs there has turned about its upright axis, radians.
+    double sincePress = std::numeric_limits<double>::infinity();  ///< Of the button, seconds; infinity: never.
 };
 
 /// The user's panorama and object, as far as they can be read.
@@ -33,15 +42,15 @@ struct HallScene {
     const HallModel& model;
     const HallTable& table;
     const ParameterValues& values;
-    bool alone = false;                                  ///< No walls: an exhibit in the environment's light.
-    std::shared_ptr<const render::Texture> environment;  ///< Null: the sky, or the studio when alone.
-    double environmentBrightest = 0;                     ///< The panorama's largest value.
-    std::shared_ptr<const render::Model> visitorModel;
+    bool alone = false;                                       ///< No walls: an exhibit in the environment's light.
+    std::shared_ptr<const render::Texture> environment = {};  ///< Null: the sky, or the studio when alone.
+    double environmentBrightest = 0;                          ///< The panorama's largest value.
+    std::shared_ptr<const render::Model> visitorModel = {};
     glm::dmat4 worldFromVisitorModel{1};
     std::shared_ptr<const PlaqueText> text;
     std::span<const Guest> guests;
-    std::uint64_t filesId = 0;  ///< As PreparedPart's.
-    std::vector<double> turns;  ///< How far the hangings of each guest's place have turned, radians; may be shorter.
+    std::uint64_t filesId = 0;              ///< As PreparedPart's.
+    std::vector<GuestMoment> moments = {};  ///< One for each guest; may be shorter.
 };
 
 /// What is drawn at a place beside its exhibit: a cloth over an empty one, else its stand and what hangs there, as far
@@ -69,8 +78,7 @@ struct HallScene {
 /// The sun's depth map of walls and furniture, kept while neither moves.
 void planHallShadow(const HallScene&, const Surroundings&, render::FramePlan&);
 /// Walls, furniture, cloths over empty places, the visitor's object, buttons and plaques.
-void planWalls(const HallScene&, const Surroundings&, const Channels&, std::span<const double> sincePressed,
-               render::FramePlan&);
+void planWalls(const HallScene&, const Surroundings&, const Channels&, render::FramePlan&);
 /// What is behind everything: sky, panorama, or the studio of an exhibit alone.
 void planSky(const HallScene&, const Surroundings&, render::FramePlan&);
 
@@ -87,7 +95,9 @@ void planProbe(const HallScene&, const Surroundings&, render::FramePlan&);
 /// What every picture ends with: tone mapping and the mean over supersamples, into the image "frame".
 void planDevelop(const Surroundings&, const FrameRequest&, render::FramePlan&);
 
-/// Vertical scale of a button, `seconds` after it was pressed: 1 to 0.1 in 0.1 s and back in 0.1 s.
+/// Seconds for which a pressed button moves.
+inline constexpr double buttonTime = 0.2;
+/// Vertical scale of a button, `seconds` after it was pressed: 1 to 0.1 in half of `buttonTime`, and back in the other.
 [[nodiscard]] double buttonScale(double seconds);
 
 }  // namespace vitrine

@@ -1,6 +1,6 @@
 #include "exhibits/lenticular/lenticular.h"
 
-#include "exhibits/framework/derive.h"
+#include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/surface_draw.h"
 #include "exhibits/lenticular/card_mesh.h"
 #include "exhibits/lenticular/card_sheet.h"
@@ -24,7 +24,6 @@ using lenticular::cardMesh;
 using lenticular::CardObject;
 using lenticular::CardPicture;
 using render::Attachment;
-using render::Load;
 using render::Pass;
 
 constexpr double rollTime = 1.2;  ///< Seconds in which the button rolls the other print in.
@@ -78,29 +77,9 @@ struct Scene {
     }
 };
 
-void planShadow(const Scene& s, render::FramePlan& plan)
+Scene sceneOf(const LenticularTable& table, const PlanContext& context)
 {
-    if (!s.context.noShadowBecause.empty()) {
-        plan.skip("lenticular/shadow", s.context.noShadowBecause);
-        return;
-    }
-    Pass pass;
-    pass.name = "lenticular/shadow";
-    pass.reason = "the sun reaches it and its shadow may be seen";
-    pass.stage = render::Stage::shadow;
-    pass.shader = {"hall/depth.vert", "hall/depth.frag", "", {}, {}};
-    pass.view = s.context.surroundings.exhibitShadowView;
-    pass.key = s.context.surroundings.exhibitShadowKey;
-    pass.bound = s.context.surroundings.sunShadow;
-    pass.depth = Attachment{exhibitShadowImage, Load::keep, {}, -1, 0};
-    pass.state = {.depthTest = render::DepthTest::nearer,
-                  .depthWrite = true,
-                  .cull = render::Cull::none,
-                  .depthBias = {1.5F, 2},
-                  .depthClamp = true};
-    pass.draws = {s.draw()};
-    pass.draws[0].object = render::std140Bytes(surfaceObject(s.worldFromCard, {}));
-    plan.add(std::move(pass));
+    return {table, context, context.worldFromExhibit * glm::translate(glm::dmat4(1), cardMiddle()), "in view"};
 }
 
 CardObject cardObject(const Scene& s, const render::View& view, double roll)
@@ -145,11 +124,7 @@ render::Bound dispersionBound(const Scene& s)
 Pass cardPass(const Scene& s, const Moment& moment, const PreparedCard& prepared, render::FramePlan& plan)
 {
     const ParameterValues& values = s.context.values;
-    Pass pass;
-    pass.name = "lenticular/card";
-    pass.reason = s.reason;
-    pass.shader = {"lenticular/card.vert", "lenticular/card.frag", "", {}, derive::uniformBlock(s.table)};
-    pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(values);
+    Pass pass = exhibitPass("lenticular/card", s.reason, values, "lenticular/card.vert", "lenticular/card.frag");
     CardObject object = cardObject(s, plan.view, moment.roll);
     addPicture(pass, object, 0, prepared.face(moment.first).picture);
     const bool lying = prepared.face(moment.first).lying;
@@ -167,7 +142,6 @@ Pass cardPass(const Scene& s, const Moment& moment, const PreparedCard& prepared
     if (values[s.table.eyes] == CardEyes::anaglyph) pass.shader.defines.emplace_back("ANAGLYPH");
     pass.draws = {s.draw()};
     pass.draws[0].object = render::std140Bytes(object);
-    pass.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::back};
     s.context.surroundings.illuminate(pass);
     return pass;
 }
@@ -263,31 +237,30 @@ std::vector<StudyView> Lenticular::studyViews(const ParameterValues& values) con
             view("close up", {0.03, 0.02, 0.12}, 0.5)};
 }
 
+void Lenticular::planShadow(const PlanContext& context, render::FramePlan& plan) const
+{
+    const Scene scene = sceneOf(table_, context);
+    render::Pass pass = meshShadow("lenticular/shadow", context);
+    pass.draws = {scene.draw()};
+    pass.draws[0].object = render::std140Bytes(surfaceObject(scene.worldFromCard, {}));
+    plan.add(std::move(pass));
+}
+
 void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
 {
-    Scene scene{table_, context, context.worldFromExhibit * glm::translate(glm::dmat4(1), cardMiddle()), "in view"};
-    planShadow(scene, plan);
-    if (!context.hiddenBecause.empty()) {
-        for (const char* pass : {"lenticular/card", "lenticular/count"}) plan.skip(pass, context.hiddenBecause);
-        return;
-    }
+    Scene scene = sceneOf(table_, context);
     const auto& prepared = static_cast<const PreparedCard&>(*context.prepared);
     const Moment moment = momentAt(table_, context.values, context.time, context.sinceOwnPress);
     if (!prepared.face(moment.first).picture.texture ||
         (moment.roll > 0 && !prepared.face(otherFace(moment.first)).picture.texture)) {
-        for (const char* pass : {"lenticular/card", "lenticular/count"}) plan.skip(pass, "its prints cannot be shown");
+        plan.skip("lenticular/card", "its prints cannot be shown");
         return;
     }
     if (moment.roll > 0) scene.reason += ", and one print rolls in after the other";
     if (!prepared.sheetNote.empty()) scene.reason += "; the sheet cannot be: " + prepared.sheetNote;
     Pass card = cardPass(scene, moment, prepared, plan);
     Pass count = card;
-    card.colors = {{radianceImage, Load::keep, {}, -1, 0}};
-    card.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
-    if (context.channels.normal) {
-        card.shader.defines.emplace_back("WRITE_NORMAL");
-        card.colors.push_back({normalImage, Load::keep, {}, -1, 0});
-    }
+    drawSurface(card, {.normal = context.channels.normal});
     plan.add(std::move(card));
     if (!context.channels.evaluations) {
         plan.skip("lenticular/count", "nobody asks for counts");
@@ -297,8 +270,8 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
     count.reason = "the evaluations channel is asked for";
     count.stage = render::Stage::resolve;
     count.shader.defines.emplace_back("COUNT");
-    count.colors = {{evaluationsImage, Load::keep, {}, -1, 0}};
-    count.depth = Attachment{depthImage, Load::keep, {}, -1, 0};
+    count.colors = {Attachment::whole(evaluationsImage)};
+    count.depth = Attachment::whole(depthImage);
     count.state = {.depthTest = render::DepthTest::equal, .cull = render::Cull::back, .blend = render::Blend::add};
     plan.add(std::move(count));
 }

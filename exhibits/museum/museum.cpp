@@ -5,36 +5,58 @@
 #include "exhibits/hall/walk.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace vitrine {
-Museum::Museum(std::vector<std::unique_ptr<Exhibit>> guests)
-    : model_(std::make_shared<const HallModel>()), assets_(std::make_unique<render::AssetStore>())
+namespace {
+
+std::vector<Guest> guestsOf(const std::vector<std::unique_ptr<Exhibit>>& exhibits)
 {
-    auto hall = std::make_unique<Hall>(model_);
-    std::vector<Guest> plaques;
-    for (const auto& guest : guests)
-        plaques.push_back({guest->place(), std::string(guest->title()), std::string(guest->summary()),
-                           std::string(guest->tryThis()), std::string(guest->buttonText())});
-    hall->setGuests(std::move(plaques));
-    hall_ = hall.get();
-    exhibits_.push_back(std::move(hall));
-    for (auto& guest : guests) exhibits_.push_back(std::move(guest));
+    std::vector<Guest> guests;
+    for (const auto& e : exhibits)
+        guests.push_back({e->place(), std::string(e->title()), std::string(e->summary()), std::string(e->tryThis()),
+                          capability<HasButton>(*e) != nullptr});
+    return guests;
+}
+
+}  // namespace
+
+Museum::Museum(std::vector<std::unique_ptr<Exhibit>> exhibits)
+    : model_(std::make_shared<const HallModel>()), guests_(std::move(exhibits)),
+      hall_(std::make_unique<const Hall>(model_, guestsOf(guests_))), subjects_{hall_.get()},
+      assets_(std::make_unique<render::AssetStore>())
+{
+    for (const auto& guest : guests_) {
+        exhibits_.push_back({subjects_.size(), *guest});
+        subjects_.push_back(guest.get());
+    }
 }
 
 Museum::~Museum() = default;
 
+const Subject& Museum::hall() const
+{
+    return *hall_;
+}
+
+const Exhibit& Museum::exhibit(std::size_t i) const
+{
+    assert(i != hallIndex);
+    return exhibits_[i - hallIndex - 1].exhibit;
+}
+
 std::optional<std::size_t> Museum::find(std::string_view name) const
 {
-    for (std::size_t i = 0; i < exhibits_.size(); ++i)
-        if (exhibits_[i]->name() == name) return i;
+    for (std::size_t i = 0; i < subjects_.size(); ++i)
+        if (subjects_[i]->name() == name) return i;
     return std::nullopt;
 }
 
 Look Museum::initialLook() const
 {
     Look look;
-    for (const auto& exhibit : exhibits_) look.values.push_back(exhibit->parameters().initial());
-    look.camera = hall().bestView(look.values.front());
+    for (const Subject* each : subjects_) look.values.push_back(each->parameters().initial());
+    look.camera = hall_->bestView(look.hall());
     return look;
 }
 
@@ -50,14 +72,14 @@ PictureQuality pictureQuality(const ParameterValues& hall)
 
 glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
 {
-    const Place* place = model_->place(exhibits_[i]->place());
+    const Place* place = i == hallIndex ? nullptr : model_->place(exhibit(i).place());
     return place ? place->worldFromPlace : glm::dmat4(1);
 }
 
 render::Camera Museum::bestView(std::size_t i, const ParameterValues& values) const
 {
     const glm::dmat4 world = worldFromExhibit(i);
-    render::Camera camera = exhibits_[i]->bestView(values);
+    render::Camera camera = subjects_[i]->bestView(values);
     camera.eye = glm::dvec3(world * glm::dvec4(camera.eye, 1));
     camera.target = glm::dvec3(world * glm::dvec4(camera.target, 1));
     return camera;
@@ -72,7 +94,7 @@ std::vector<int> Museum::emptyPlaces() const
 {
     std::vector<int> empty;
     for (int number = 1; number <= 9; ++number)
-        if (std::none_of(exhibits_.begin() + 1, exhibits_.end(), [&](const auto& e) { return e->place() == number; }))
+        if (std::none_of(guests_.begin(), guests_.end(), [&](const auto& e) { return e->place() == number; }))
             empty.push_back(number);
     return empty;
 }

@@ -14,6 +14,12 @@
 
 namespace vitrine {
 
+/// An exhibit of a museum.
+struct MuseumExhibit {
+    std::size_t index;  ///< In Museum::subjects() and Look::values.
+    const Exhibit& exhibit;
+};
+
 /// What the visitor's look rests on.
 struct LookedAt {
     std::size_t exhibit = 0;
@@ -22,7 +28,7 @@ struct LookedAt {
 
 /// What the visitor points at, and where going there leads.
 struct Pointed {
-    std::size_t exhibit = 0;  ///< 0: the hall; then it is the visitor's own object.
+    std::size_t exhibit = 0;  ///< `hallIndex`: none; then it is the visitor's own object.
     std::string name;         ///< "Torus to Mug", "Your object", "E – melt it".
     double distance = 0;      ///< Metres from the eye.
     bool button = false;      ///< It is the button of `exhibit` ...
@@ -50,22 +56,30 @@ public:
     explicit Museum(std::vector<std::unique_ptr<Exhibit>> guests);
     ~Museum();
 
-    [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const { return exhibits_; }
-    [[nodiscard]] const Exhibit& hall() const { return *exhibits_.front(); }
+    /// The building.
+    [[nodiscard]] const Subject& hall() const;
+    /// What stands in it, in the order visitors meet it.
+    [[nodiscard]] std::span<const MuseumExhibit> exhibits() const { return exhibits_; }
+    /// The hall and the exhibits: whose tables can be set. Everything that is not the hall's alone goes by its index
+    /// here.
+    [[nodiscard]] Subjects subjects() const { return subjects_; }
+    [[nodiscard]] const Subject& subject(std::size_t i) const { return *subjects_[i]; }
+    /// That subject, which must not be the hall.
+    [[nodiscard]] const Exhibit& exhibit(std::size_t i) const;
     /// What prepared pictures are made of, and how often it was made.
     [[nodiscard]] const render::AssetStore& assets() const { return *assets_; }
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     [[nodiscard]] Look initialLook() const;
 
-    /// Where exhibit `i` stands.
+    /// Where subject `i` stands; the hall is the world itself.
     [[nodiscard]] glm::dmat4 worldFromExhibit(std::size_t i) const;
-    /// The exhibit's best view, in the world.
+    /// The subject's best view, in the world.
     [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues&) const;
 
     /// As the function of that name, through the museum's asset store.
     [[nodiscard]] TabledLook readTables(const Look& look) const
     {
-        return vitrine::readTables(exhibits_, *assets_, look);
+        return vitrine::readTables(subjects_, *assets_, look);
     }
 
     /// Resolves what pictures of this look at the request's moment, from its camera, take to plan: the only place where
@@ -113,9 +127,11 @@ private:
                                                  const render::View&) const;
     [[nodiscard]] HallScene sceneOf(const Prepared&, bool alone) const;
 
-    std::vector<std::unique_ptr<Exhibit>> exhibits_;
-    const Hall* hall_;  ///< The first of them.
     std::shared_ptr<const HallModel> model_;
+    std::vector<std::unique_ptr<Exhibit>> guests_;
+    std::unique_ptr<const Hall> hall_;
+    std::vector<const Subject*> subjects_;
+    std::vector<MuseumExhibit> exhibits_;
     std::unique_ptr<render::AssetStore> assets_;
 };
 

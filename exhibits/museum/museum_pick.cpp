@@ -17,6 +17,11 @@ constexpr double radiusOfPress =
     0.05;  ///< Metres around a button's middle that count as clicking it: it is 0.035 wide.
 constexpr double never = std::numeric_limits<double>::infinity();
 
+std::string buttonLine(const HasButton& button)
+{
+    return "E – " + std::string(button.buttonText());
+}
+
 /// The visitor's own object from the front, all of it in the picture.
 render::Camera viewOf(const render::Box& worldBox)
 {
@@ -51,24 +56,24 @@ Museum::Seen Museum::firstSeen(const Prepared& prepared, const render::Ray& ray)
     Seen seen;
     const HallScene scene = sceneOf(prepared, false);
     for (const render::Part& part : model_->walls())
-        seen.take(building, 0, render::firstHit(ray, part, render::Faces::front));
+        seen.take(building, hallIndex, render::firstHit(ray, part, render::Faces::front));
     if (scene.visitorModel) {
         seen.visitorsBox = scene.visitorModel->bounds.transformed(scene.worldFromVisitorModel);
         const render::Ray local = ray.transformed(glm::inverse(scene.worldFromVisitorModel));
         for (const render::Part& part : scene.visitorModel->parts)
-            seen.take(visitorsObject, 0, render::firstHit(local, part, render::Faces::both));
+            seen.take(visitorsObject, hallIndex, render::firstHit(local, part, render::Faces::both));
     }
     for (const auto& [number, place] : model_->places()) {
-        const auto here = std::find_if(exhibits_.begin() + 1, exhibits_.end(),
-                                       [&, n = number](const auto& e) { return e->place() == n; });
+        const auto here = std::find_if(exhibits_.begin(), exhibits_.end(),
+                                       [&, n = number](const MuseumExhibit& e) { return e.exhibit.place() == n; });
         const bool empty = here == exhibits_.end();
-        const auto i = empty ? std::size_t{0} : static_cast<std::size_t>(here - exhibits_.begin());
+        const std::size_t i = empty ? hallIndex : here->index;
         for (const render::Part& part : partsAt(scene, place))
             seen.take(empty ? building : guest, i, render::firstHit(ray, part, render::Faces::both));
         if (empty) continue;
         const render::Ray own = ray.transformed(glm::inverse(worldFromExhibit(i)));
-        seen.take(guest, i, (*here)->firstHit(prepared.state(i), own));
-        if (!place.worldFromButton || (*here)->buttonText().empty()) continue;
+        seen.take(guest, i, here->exhibit.firstHit(prepared.state(i), own));
+        if (!place.worldFromButton || !capability<HasButton>(here->exhibit)) continue;
         seen.take(button, i, render::firstHit(ray, glm::dvec3((*place.worldFromButton)[3]), radiusOfPress));
     }
     return seen;
@@ -92,8 +97,8 @@ std::optional<Pointed> Museum::pick(const Prepared& prepared, const FrameRequest
         found.view = viewOf(seen.visitorsBox);
         return found;
     }
-    const Exhibit& exhibit = *exhibits_[seen.exhibit];
-    found.name = found.inReach ? "E – " + std::string(exhibit.buttonText()) : std::string(exhibit.title());
+    const Exhibit& shown = exhibit(seen.exhibit);
+    found.name = found.inReach ? buttonLine(*capability<HasButton>(shown)) : std::string(shown.title());
     found.view = bestView(seen.exhibit, prepared.look.values[seen.exhibit]);
     return found;
 }
@@ -110,8 +115,9 @@ std::optional<LookedAt> Museum::lookedAt(const Prepared& prepared) const
     const glm::dvec3 toTarget = look.camera.target - look.camera.eye;
     if (!(glm::length(toTarget) > 1e-9)) return std::nullopt;
     const glm::dvec3 forward = glm::normalize(toTarget);
-    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
-        const Place* place = exhibits_[i]->buttonText().empty() ? nullptr : model_->place(exhibits_[i]->place());
+    for (const auto& [i, shown] : exhibits_) {
+        const auto* button = capability<HasButton>(shown);
+        const Place* place = button ? model_->place(shown.place()) : nullptr;
         if (!place || !place->worldFromButton) continue;
         const glm::dvec3 toButton = glm::dvec3((*place->worldFromButton)[3]) - look.camera.eye;
         const double along = glm::dot(toButton, forward);
@@ -119,7 +125,7 @@ std::optional<LookedAt> Museum::lookedAt(const Prepared& prepared) const
         // Straight to the button, which the look itself may miss by a little.
         const Seen seen = firstSeen(prepared, {look.camera.eye, toButton});
         if (seen.what != Seen::What::button || seen.exhibit != i) continue;
-        return LookedAt{i, "E – " + std::string(exhibits_[i]->buttonText())};
+        return LookedAt{i, buttonLine(*button)};
     }
     return std::nullopt;
 }

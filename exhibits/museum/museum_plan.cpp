@@ -19,7 +19,6 @@
 namespace vitrine {
 namespace {
 
-constexpr double buttonTime = 0.2;  ///< Seconds for which a pressed button moves; as `buttonScale`.
 constexpr double shadowReach = 30;  ///< Metres behind an exhibit at which its shadow still falls on something.
 
 /// The box together with the shadow it throws on the floor (or 15 m of it, where the sun is low).
@@ -67,6 +66,12 @@ std::optional<std::pair<glm::dvec2, glm::dvec2>> screenBox(const render::Box& bo
     return std::pair(low, high);
 }
 
+bool movesHangings(const Exhibit& exhibit, const ParameterValues& values)
+{
+    const auto* turns = capability<TurnsHangings>(exhibit);
+    return turns && turns->turnOfHangings(values, 0) != turns->turnOfHangings(values, 1);
+}
+
 render::View wholeView(const FrameRequest& request)
 {
     render::Raster whole = request.raster;
@@ -78,7 +83,8 @@ render::View wholeView(const FrameRequest& request)
 
 /// An exhibit that stands in the picture's world, seen or not.
 struct Museum::Present {
-    std::size_t index = 0;
+    std::size_t index = 0;  ///< Of the subject.
+    const Exhibit& exhibit;
     glm::dmat4 worldFromExhibit{1};
     render::Box box;       ///< Its bounds, world space.
     std::string hidden;    ///< Why it cannot be seen; empty: it may be.
@@ -101,13 +107,13 @@ struct Museum::Frame {
     void begin();
     void findPresent();
     void castShadows();
-    void planBuilding();
+    void declareImages(render::FramePlan&) const;
+    void planBuilding(render::FramePlan&) const;
     void planExhibits();
     void finish(const render::KeptKeys&);
 
-    void clearPicture();
+    void clearPicture(render::FramePlan&) const;
     [[nodiscard]] render::FramePlan seenFrom(const render::View&) const;
-    void planBuildingInto(render::FramePlan&) const;
 };
 
 std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
@@ -121,9 +127,12 @@ std::string Museum::whyHidden(const render::Box& box, const render::View& view, 
 
 HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
 {
-    HallScene scene = hall_->scene(prepared.look.values.front(), alone, prepared.exhibits.front().part.get());
-    for (std::size_t i = 1; i < exhibits_.size(); ++i)
-        scene.turns.push_back(exhibits_[i]->turnOfHangings(prepared.look.values[i], prepared.time));
+    HallScene scene = hall_->scene(prepared.look.hall(), alone, prepared.hall.get());
+    for (const auto& [i, exhibit] : exhibits_) {
+        const auto* turns = capability<TurnsHangings>(exhibit);
+        scene.moments.push_back(
+            {turns ? turns->turnOfHangings(prepared.look.values[i], prepared.time) : 0, prepared.sincePress(i)});
+    }
     return scene;
 }
 
@@ -131,15 +140,13 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
                                                const HallScene& scene, const render::View& view) const
 {
     std::vector<Present> present;
-    for (std::size_t i = 1; i < exhibits_.size(); ++i) {
+    for (const auto& [i, exhibit] : exhibits_) {
         if ((request.alone && i != *request.alone) || (request.cutOut && i != *request.cutOut)) continue;
-        Present p{i, scene.alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}, {}, {}};
+        Present p{i, exhibit, scene.alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}, {}, {}};
         if (request.subject == i || request.alone == i)
             p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
-        p.box = exhibits_[i]
-                    ->boundsAfterPress(prepared.look.values[i], prepared.sincePress(i))
-                    .transformed(p.worldFromExhibit);
-        p.unlit = exhibits_[i]->castsShadow() ? whyUnlit(scene, p.box) : "it is made of light";
+        p.box = exhibit.boundsOf(prepared.state(i)).transformed(p.worldFromExhibit);
+        p.unlit = capability<OverFrame>(exhibit) ? "it is made of light" : whyUnlit(scene, p.box);
         p.hidden = request.runEverything ? std::string() : whyHidden(p.box, view, scene.alone);
         p.noShadow = !p.unlit.empty() || request.runEverything ? p.unlit : whyNoShadow(scene, p.box, view);
         present.push_back(std::move(p));
@@ -149,17 +156,13 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
 
 Prepared Museum::prepare(const Look& look, const FrameRequest& request) const
 {
-    Prepared made{look, request.time, request.sincePressed, std::vector<PreparedExhibit>(exhibits_.size())};
-    const auto prepareOne = [&](std::size_t i) {
-        PreparedExhibit& exhibit = made.exhibits[i];
-        if (!exhibit.seen && !exhibit.shadowSeen) return;
-        exhibit.part = exhibits_[i]->prepare(
-            {made.look.values[i], made.time, made.sincePress(i), exhibit.seen, exhibit.shadowSeen, *assets_});
-        if (request.needsFiles && exhibit.part && !exhibit.part->unreadable.empty())
-            throw Failure(Blame::file, exhibit.part->unreadable.front().why);
+    Prepared made{look, request.time, request.sincePressed, {}, std::vector<PreparedExhibit>(subjects_.size())};
+    const auto complainOf = [&](const PreparedPart* part) {
+        if (request.needsFiles && part && !part->unreadable.empty())
+            throw Failure(Blame::file, part->unreadable.front().why);
     };
-    made.exhibits.front().seen = true;
-    prepareOne(0);
+    made.hall = hall_->prepare(made.look.hall(), *assets_);
+    complainOf(made.hall.get());
     const HallScene scene = sceneOf(made, request.alone.has_value());
     const render::View view = wholeView(request);
     for (const render::View& each : {view, widened(view)}) {
@@ -168,7 +171,13 @@ Prepared Museum::prepare(const Look& look, const FrameRequest& request) const
             made.exhibits[p.index].shadowSeen |= p.noShadow.empty();
         }
     }
-    for (std::size_t i = 1; i < exhibits_.size(); ++i) prepareOne(i);
+    for (const auto& [i, exhibit] : exhibits_) {
+        PreparedExhibit& part = made.exhibits[i];
+        if (!part.seen && !part.shadowSeen) continue;
+        part.part =
+            exhibit.prepare({made.look.values[i], made.time, made.sincePress(i), part.seen, part.shadowSeen, *assets_});
+        complainOf(part.part.get());
+    }
     return made;
 }
 
@@ -180,7 +189,7 @@ render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& req
     frame.begin();
     frame.findPresent();
     frame.castShadows();
-    frame.planBuilding();
+    frame.planBuilding(frame.plan);
     frame.planExhibits();
     frame.finish(kept);
     return std::move(frame.plan);
@@ -196,13 +205,18 @@ void Museum::Frame::begin()
     plan.seed = request.seed;
     plan.sample = request.sample;
     plan.runEverything = request.runEverything;
-    const bool exact = request.averageIn == AverageIn::radiance;
-    plan.image({.name = radianceImage, .format = exact ? render::Format::rgba32f : render::Format::rgba16f});
-    plan.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
-    plan.image({.name = normalImage, .format = render::Format::rgba32f});
-    plan.image({.name = evaluationsImage, .format = render::Format::r32f});
+    declareImages(plan);
     light = surroundings(scene, request.runEverything);
     light.light.sampleIndex = request.sample;
+}
+
+void Museum::Frame::declareImages(render::FramePlan& into) const
+{
+    const bool exact = request.averageIn == AverageIn::radiance;
+    into.image({.name = radianceImage, .format = exact ? render::Format::rgba32f : render::Format::rgba16f});
+    into.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
+    into.image({.name = normalImage, .format = render::Format::rgba32f});
+    into.image({.name = evaluationsImage, .format = render::Format::r32f});
 }
 
 /// Who is here, and which files what is shown of them lacks.
@@ -215,14 +229,13 @@ void Museum::Frame::findPresent()
         if (p.hidden.empty() && !exhibit.seen) p.hidden = notPrepared;
         if (p.noShadow.empty() && !exhibit.shadowSeen) p.noShadow = notPrepared;
     }
-    const auto complain = [&](std::size_t i) {
-        if (!prepared.exhibits[i].part) return;
-        for (const UnreadableFile& file : prepared.exhibits[i].part->unreadable)
-            plan.complainOfFile(file.step, file.why, file.instead);
+    const auto complain = [&](const PreparedPart* part) {
+        if (!part) return;
+        for (const UnreadableFile& file : part->unreadable) plan.complainOfFile(file.step, file.why, file.instead);
     };
-    complain(0);
+    complain(prepared.hall.get());
     for (const Present& p : present)
-        if (p.hidden.empty() || p.noShadow.empty()) complain(p.index);
+        if (p.hidden.empty() || p.noShadow.empty()) complain(prepared.exhibits[p.index].part.get());
 }
 
 /// The sun's depth map of the exhibits: each draws into it, all of them or none.
@@ -242,7 +255,7 @@ void Museum::Frame::castShadows()
         const ExhibitState state = prepared.state(p.index);
         derive::addToKey(key, state.values);
         key.addValue(p.index).addValue(p.worldFromExhibit).addValue(state.prepared ? state.prepared->filesId : 0);
-        const double next = museum.exhibits_[p.index]->nextChangeOf(state);
+        const double next = p.exhibit.nextChangeOf(state);
         if (next < std::numeric_limits<double>::infinity()) key.addValue(state.time).addValue(state.sinceOwnPress);
     }
     if (!shadowSeen) {
@@ -266,18 +279,17 @@ void Museum::Frame::castShadows()
     clear.name = "exhibits/shadow";
     clear.reason = "an exhibit stands in the sun";
     clear.stage = render::Stage::shadow;
-    clear.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    clear.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
     clear.view = light.exhibitShadowView;
-    clear.depth = render::Attachment{exhibitShadowImage, render::Load::clear, glm::vec4(0), -1, 0};
+    clear.depth = render::Attachment::cleared(exhibitShadowImage);
     clear.key = light.exhibitShadowKey;
     clear.bound = light.sunShadow;
     plan.add(std::move(clear));
 }
 
-void Museum::Frame::planBuildingInto(render::FramePlan& into) const
+/// Walls, shadows of walls, and the probe; or an empty picture where there are none.
+void Museum::Frame::planBuilding(render::FramePlan& into) const
 {
-    const std::span<const double> presses =
-        std::span(prepared.sincePressed).subspan(std::min<std::size_t>(prepared.sincePressed.size(), 1));
     planHallShadow(scene, light, into);
     planProbe(scene, light, into);
     if (alone)
@@ -285,28 +297,22 @@ void Museum::Frame::planBuildingInto(render::FramePlan& into) const
     else if (request.cutOut)
         into.skip("hall/walls", "one exhibit is asked for without what is around it");
     else
-        planWalls(scene, light, request.channels, presses, into);
+        planWalls(scene, light, request.channels, into);
+    if (alone || request.cutOut) clearPicture(into);
 }
 
-/// Walls, shadows of walls, and the probe; or an empty picture where there are none.
-void Museum::Frame::planBuilding()
-{
-    planBuildingInto(plan);
-    if (alone || request.cutOut) clearPicture();
-}
-
-void Museum::Frame::clearPicture()
+void Museum::Frame::clearPicture(render::FramePlan& into) const
 {
     render::Pass clear;
     clear.name = "clear";
     clear.reason = "an empty picture to start from";
     clear.stage = render::Stage::prepare;
-    clear.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
-    clear.colors = {{radianceImage, render::Load::clear, {}, -1, 0}};
-    if (request.channels.normal) clear.colors.push_back({normalImage, render::Load::clear, {}, -1, 0});
-    if (request.channels.evaluations) clear.colors.push_back({evaluationsImage, render::Load::clear, {}, -1, 0});
-    clear.depth = render::Attachment{depthImage, render::Load::clear, {}, -1, 0};
-    plan.add(std::move(clear));
+    clear.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
+    clear.colors = {render::Attachment::cleared(radianceImage)};
+    if (request.channels.normal) clear.colors.push_back(render::Attachment::cleared(normalImage));
+    if (request.channels.evaluations) clear.colors.push_back(render::Attachment::cleared(evaluationsImage));
+    clear.depth = render::Attachment::cleared(depthImage);
+    into.add(std::move(clear));
 }
 
 /// What the exhibits draw, then what they lay over the frame.
@@ -320,16 +326,27 @@ void Museum::Frame::planExhibits()
                             .time = state.time,
                             .channels = request.channels,
                             .alone = alone,
-                            .hiddenBecause = p.hidden,
-                            .noShadowBecause = p.noShadow,
                             .sinceOwnPress = state.sinceOwnPress,
                             .prepared = state.prepared});
     }
-    for (std::size_t i = 0; i < present.size(); ++i) museum.exhibits_[present[i].index]->plan(contexts[i], plan);
     for (std::size_t i = 0; i < present.size(); ++i) {
+        const Exhibit& exhibit = present[i].exhibit;
+        const std::string name(exhibit.name());
+        if (present[i].noShadow.empty())
+            exhibit.planShadow(contexts[i], plan);
+        else
+            plan.skip(name + "/shadow", present[i].noShadow);
+        if (present[i].hidden.empty())
+            exhibit.plan(contexts[i], plan);
+        else if (!capability<OverFrame>(exhibit))  // That lies over the frame wherever its bounds are.
+            plan.skip(name, present[i].hidden);
+    }
+    for (std::size_t i = 0; i < present.size(); ++i) {
+        const auto* over = capability<OverFrame>(present[i].exhibit);
+        if (!over) continue;
         PlanContext context = contexts[i];
         context.seenFrom = [this](const render::View& view) { return seenFrom(view); };
-        museum.exhibits_[present[i].index]->planOverFrame(context, plan);
+        over->planOverFrame(context, plan);
     }
 }
 
@@ -341,15 +358,14 @@ render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
     other.time = plan.time;
     other.seed = plan.seed;
     other.sample = plan.sample;
-    planBuildingInto(other);
+    declareImages(other);
+    planBuilding(other);
     for (std::size_t i = 0; i < present.size(); ++i) {
+        const std::size_t exhibit = present[i].index;
+        if (!prepared.exhibits[exhibit].seen || !museum.whyHidden(present[i].box, view, alone).empty()) continue;
         PlanContext context = contexts[i];
         context.channels = {};
-        context.hiddenBecause = museum.whyHidden(present[i].box, view, alone);
-        if (context.hiddenBecause.empty() && !prepared.exhibits[present[i].index].seen)
-            context.hiddenBecause = present[i].hidden;
-        context.noShadowBecause = "the frame draws the shadows";
-        museum.exhibits_[present[i].index]->plan(context, other);
+        present[i].exhibit.plan(context, other);
     }
     return other;
 }
@@ -378,7 +394,7 @@ double Museum::nextChange(const Prepared& prepared, const FrameRequest& request)
     // What is hidden may move unseen, and so may its shadow.
     for (const Present& p : presentIn(prepared, request, scene, wholeView(request)))
         if (p.hidden.empty() || (!alone && p.noShadow.empty()))
-            next = std::min(next, exhibits_[p.index]->nextChangeOf(prepared.state(p.index)));
+            next = std::min(next, p.exhibit.nextChangeOf(prepared.state(p.index)));
     return next;
 }
 
@@ -397,14 +413,12 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
     bool shadowMoves = false;
     bool lightInTheAir = false;
     for (const Present& p : presentIn(prepared, request, scene, view)) {
-        const Exhibit& exhibit = *exhibits_[p.index];
-        const ParameterValues& values = prepared.look.values[p.index];
+        const bool ofLight = capability<OverFrame>(p.exhibit) != nullptr;
         const bool seen = p.hidden.empty();
         const bool shadowSeen = !alone && p.noShadow.empty();
-        if (!exhibit.castsShadow() && seen) lightInTheAir = true;
-        if (!(exhibit.nextChangeOf(prepared.state(p.index)) < never) || (!seen && !shadowSeen)) continue;
-        if (!exhibit.castsShadow() || exhibit.turnOfHangings(values, 0) != exhibit.turnOfHangings(values, 1))
-            return std::nullopt;
+        lightInTheAir = lightInTheAir || (ofLight && seen);
+        if (!(p.exhibit.nextChangeOf(prepared.state(p.index)) < never) || (!seen && !shadowSeen)) continue;
+        if (ofLight || movesHangings(p.exhibit, prepared.look.values[p.index])) return std::nullopt;
         render::Box reach = p.box;
         if (shadowSeen) {
             shadowMoves = true;

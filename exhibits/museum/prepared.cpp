@@ -1,5 +1,7 @@
 #include "exhibits/museum/prepared.h"
 
+#include "exhibits/hall/hall_scene.h"
+
 #include <limits>
 
 namespace vitrine {
@@ -7,10 +9,12 @@ namespace vitrine {
 std::vector<std::string> Prepared::unreadableFiles() const
 {
     std::vector<std::string> sentences;
-    for (const PreparedExhibit& exhibit : exhibits) {
-        if (!exhibit.part) continue;
-        for (const UnreadableFile& file : exhibit.part->unreadable) sentences.push_back(file.why);
-    }
+    const auto take = [&](const PreparedPart* part) {
+        if (!part) return;
+        for (const UnreadableFile& file : part->unreadable) sentences.push_back(file.why);
+    };
+    take(hall.get());
+    for (const PreparedExhibit& exhibit : exhibits) take(exhibit.part.get());
     return sentences;
 }
 

@@ -8,6 +8,8 @@
 
 namespace vitrine {
 
+struct PreparedHall;
+
 /// One exhibit's share of a prepared picture.
 struct PreparedExhibit {
     bool seen = false, shadowSeen = false;  ///< What `part` was prepared for.
@@ -18,13 +20,14 @@ struct PreparedExhibit {
 /// prepared. Holds what it names: nothing in it changes or goes while it lives. Made by Museum::prepare.
 struct Prepared {
     Look look;
-    double time = 0;                        ///< Seconds.
-    std::vector<double> sincePressed;       ///< As in FrameRequest.
-    std::vector<PreparedExhibit> exhibits;  ///< In the order of Museum::exhibits().
+    double time = 0;                   ///< Seconds.
+    std::vector<double> sincePressed;  ///< As in FrameRequest.
+    std::shared_ptr<const PreparedHall> hall;
+    std::vector<PreparedExhibit> exhibits;  ///< By subject; that of the hall stays empty.
 
     /// Which files it needs and cannot read, and why: full sentences.
     [[nodiscard]] std::vector<std::string> unreadableFiles() const;
-    /// Seconds since the button of exhibit `i` was pressed; infinity: never.
+    /// Seconds since the button of subject `i` was pressed; infinity: never.
     [[nodiscard]] double sincePress(std::size_t i) const;
     [[nodiscard]] ExhibitState state(std::size_t i) const;
 };

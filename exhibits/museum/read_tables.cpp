@@ -2,18 +2,19 @@
 
 namespace vitrine {
 
-TabledLook readTables(std::span<const std::unique_ptr<Exhibit>> exhibits, render::AssetStore& assets, const Look& look)
+TabledLook readTables(Subjects subjects, render::AssetStore& assets, const Look& look)
 {
     TabledLook read{look, {}, {}};
-    for (std::size_t i = 0; i < exhibits.size(); ++i) {
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
         ParameterValues& values = read.look.values[i];
-        if (values.tableFiles().empty()) continue;
-        const CalledTable called = exhibits[i]->tableFor(values, assets);
+        const auto* made = capability<TableFromFiles>(*subjects[i]);
+        if (!made || values.tableFiles().empty()) continue;
+        const CalledTable called = made->tableFor(values, assets);
         if (!called.why.empty()) read.unreadable.push_back(called.why);
         if (!called.table || called.table == values.sharedTable()) continue;
         values = values.under(called.table, read.notes);
         for (const auto& [name, json] : values.pending())
-            read.notes.push_back(std::string(exhibits[i]->name()) + '.' + name + " is not known here; it is kept");
+            read.notes.push_back(std::string(subjects[i]->name()) + '.' + name + " is not known here; it is kept");
     }
     return read;
 }

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/capabilities.h"
+#include "exhibits/framework/subject.h"
 #include "exhibits/museum/look.h"
 
-#include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +19,6 @@ struct TabledLook {
 
 /// Reads the files in rows that give rows, through the asset store, and exchanges the tables: values of rows with the
 /// same name and kind stay. Any thread may call it, several at once. Never throws for a file that cannot be read.
-[[nodiscard]] TabledLook readTables(std::span<const std::unique_ptr<Exhibit>>, render::AssetStore&, const Look&);
+[[nodiscard]] TabledLook readTables(Subjects, render::AssetStore&, const Look&);
 
 }  // namespace vitrine

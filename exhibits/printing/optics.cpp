@@ -1,6 +1,6 @@
 #include "exhibits/printing/optics.h"
 
-#include "render/glsl/cpu.h"
+#include "exhibits/printing/lens_cpu.h"
 
 #include <algorithm>
 #include <cmath>

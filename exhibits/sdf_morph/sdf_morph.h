@@ -1,18 +1,19 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/kit/sdf_exhibit.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
-
-#include <memory>
 
 namespace vitrine {
 
 /// A torus that melts into a mug and back: a signed distance field, marched inside its bounding mesh among
 /// rasterized geometry. This folder is the exemplar of an exhibit; it is written to be read in this order:
-/// the table (what can be set), this file, the shape (what the numbers mean), the passes (what is drawn).
-class SdfMorph final : public Exhibit {
+/// the table (what can be set), this file, sdf_morph.cpp (what the numbers mean), then the kit's sdf_exhibit.h and
+/// sdf_passes.cpp (what is drawn).
+class SdfMorph final : public SdfExhibit, public HasButton {
 public:
     using Table = SdfMorphTable;
+
+    SdfMorph() : SdfExhibit({.field = "sdf_morph/field.glsl"}) {}
 
     [[nodiscard]] std::string_view name() const override { return "sdf_morph"; }
     [[nodiscard]] std::string_view title() const override { return "Torus to Mug"; }
@@ -24,19 +25,16 @@ public:
     [[nodiscard]] std::string_view buttonText() const override { return "let it melt"; }
     [[nodiscard]] int place() const override { return 1; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
-    [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
-    /// The mesh that the object is compared with: the same for the same shape, whoever asks.
-    [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
-    [[nodiscard]] double firstHit(const ExhibitState&, const render::Ray&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     bool press(ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
-    void plan(const PlanContext&, render::FramePlan&) const override;
+    [[nodiscard]] SdfBody body(const ParameterValues&, double time) const override;
 
 private:
-    /// The values with the morph as it is at `time`.
-    [[nodiscard]] ParameterValues melted(const ParameterValues&, double time) const;
+    [[nodiscard]] const SdfRows& rows() const override { return table_; }
+    [[nodiscard]] const SdfMaterialRows* materialRows() const override { return &table_; }
+    [[nodiscard]] render::Box boxOverTime(const ParameterValues&) const override;
 
     Table table_;
 };

@@ -125,8 +125,8 @@ render::Image computed(render::Painter& painter, const char* fragment, std::vect
     render::Pass pass;
     pass.name = "stability";
     pass.reason = "the library's numbers are asked for";
-    pass.shader = {"lib/fullscreen.vert", fragment, "", std::move(defines)};
-    pass.colors = {{"found", render::Load::clear, {}, -1, 0}};
+    pass.shader = {.vertex = "lib/fullscreen.vert", .fragment = fragment, .defines = std::move(defines)};
+    pass.colors = {render::Attachment::cleared("found")};
     pass.draws = {render::Draw{}};
     pass.draws[0].object = std::move(block);
     plan.add(std::move(pass));

@@ -25,7 +25,7 @@ double difference(const render::Image& a, const render::Image& b)
     return largest;
 }
 
-/// Exhibit `i` as visitors see it first, alone, in a light that costs little to capture.
+/// The exhibit at index `i` as visitors see it first, alone, in a light that costs little to capture.
 struct Still {
     Look look;
     PictureRequest request;
@@ -34,9 +34,9 @@ struct Still {
 Still still(const Museum& museum, std::size_t i)
 {
     Still s{museum.initialLook(), {}};
-    s.look.values.front() = cheapestValues(museum.hall().parameters());
+    s.look.hall() = cheapestValues(museum.hall().parameters());
     s.request.frame.alone = i;
-    s.request.frame.camera = museum.exhibits()[i]->bestView(s.look.values[i]);
+    s.request.frame.camera = museum.subject(i).bestView(s.look.values[i]);
     s.request.frame.raster.size = {45, 27};
     s.request.frame.averageIn = AverageIn::radiance;
     return s;
@@ -64,12 +64,12 @@ StabilityResult overExhibits(const Museum& museum, std::string number, std::stri
                              const Difference& differenceOf)
 {
     StabilityResult result{std::move(number), std::move(what), true, 0, limit, {}};
-    for (std::size_t i = 1; i < museum.exhibits().size(); ++i) {
+    for (const auto& [i, exhibit] : museum.exhibits()) {
         const double d = differenceOf(i);
         if (d <= result.value) continue;
         result.value = d;
         result.passed = d <= limit;
-        result.detail = std::string(museum.exhibits()[i]->name());
+        result.detail = std::string(exhibit.name());
     }
     return result;
 }
@@ -85,8 +85,8 @@ StabilityResult meanOfThousands(render::Painter& painter)
     const auto pass = [](std::string name, const char* target, render::Load load, float value) {
         render::Pass p;
         p.name = std::move(name);
-        p.shader = {"lib/fullscreen.vert", "lib/copy.frag", "", {}};
-        p.colors = {{target, load, glm::vec4(value), -1, 0}};
+        p.shader = {.vertex = "lib/fullscreen.vert", .fragment = "lib/copy.frag"};
+        p.colors = {{.image = target, .load = load, .clear = glm::vec4(value)}};
         p.inputs = {{UNIT_SOURCE, std::string("one")}};
         return p;
     };
@@ -149,7 +149,7 @@ StabilityResult scanExhibit(const Museum& museum, render::Painter& painter, std:
                             int count, const std::function<void(int)>& progress)
 {
     StabilityResult result{"",
-                           std::string(museum.exhibits()[exhibit]->name()) + ": NaN, infinity or unwritten texels in " +
+                           std::string(museum.subject(exhibit).name()) + ": NaN, infinity or unwritten texels in " +
                                std::to_string(count) + " pictures",
                            true,
                            0,

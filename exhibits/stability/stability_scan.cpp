@@ -21,11 +21,11 @@ constexpr double farAway = 1e5;  ///< Metres: a float32 position there has steps
 constexpr glm::ivec2 plainSize{24, 16};
 constexpr std::uint64_t sharedBy = 32;  ///< Neighboring seeds that share light and hall.
 
-render::Camera randomCamera(const Exhibit& exhibit, const ParameterValues& values, RandomNumbers& random)
+render::Camera randomCamera(const Subject& subject, const ParameterValues& values, RandomNumbers& random)
 {
-    render::Camera camera = exhibit.bestView(values);
+    render::Camera camera = subject.bestView(values);
     if (random.chance(0.4)) return camera;
-    const render::Box box = exhibit.bounds(values);
+    const render::Box box = subject.bounds(values);
     const double reach = std::clamp(glm::length(box.halfSize()), 1e-3, 1e3);
     switch (random.index(5)) {
     case 0:  // Inside.
@@ -88,7 +88,7 @@ glm::dmat4 randomPlace(RandomNumbers& random)
 /// The camera in the space that the frame is drawn in, from the exhibit's own.
 render::Camera placed(const Museum& museum, const ScanCase& c, render::Camera camera)
 {
-    if (c.exhibit == 0) return camera;
+    if (c.exhibit == hallIndex) return camera;
     glm::dmat4 worldFromExhibit = c.frame.exhibitTransform;
     if (!c.frame.alone) worldFromExhibit = museum.worldFromExhibit(c.exhibit) * worldFromExhibit;
     camera.eye = glm::dvec3(worldFromExhibit * glm::dvec4(camera.eye, 1));
@@ -100,7 +100,7 @@ render::Camera placed(const Museum& museum, const ScanCase& c, render::Camera ca
 Look plainLook(const Museum& museum)
 {
     Look look = museum.initialLook();
-    look.values.front() = cheapestValues(museum.hall().parameters());
+    look.hall() = cheapestValues(museum.hall().parameters());
     return look;
 }
 
@@ -127,17 +127,17 @@ std::string settingText(const ParameterValues& values, std::size_t row)
 ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
 {
     RandomNumbers random(seed);
-    const Exhibit& subject = *museum.exhibits()[exhibit];
+    const Subject& subject = museum.subject(exhibit);
     ScanCase c{exhibit, plainLook(museum), {}};
     // Light that changes has to be captured again, and so has a hall that comes and goes: neighbors share theirs.
     RandomNumbers shared(seed / sharedBy);
-    const bool inHall = exhibit == 0 || shared.chance(0.15);
-    if (exhibit != 0 && shared.chance(0.5)) c.look.values.front() = randomLight(museum, shared);
-    if (exhibit == 0)
-        c.look.values.front() = randomLight(museum, random);
+    const bool inHall = exhibit == hallIndex || shared.chance(0.15);
+    if (exhibit != hallIndex && shared.chance(0.5)) c.look.hall() = randomLight(museum, shared);
+    if (exhibit == hallIndex)
+        c.look.hall() = randomLight(museum, random);
     else
         c.look.values[exhibit] = randomValues(subject.parameters(), random, random.chance(0.5) ? 0.5 : 1);
-    if (exhibit != 0) {
+    if (exhibit != hallIndex) {
         c.frame.subject = exhibit;
         if (!inHall) c.frame.alone = exhibit;
         c.frame.exhibitTransform = randomPlace(random);
@@ -168,7 +168,7 @@ std::string faultOf(const Museum& museum, render::Painter& painter, const ScanCa
 std::vector<std::string> causesOf(const Museum& museum, render::Painter& painter, ScanCase c)
 {
     std::vector<std::string> causes;
-    const Exhibit& subject = *museum.exhibits()[c.exhibit];
+    const Subject& subject = museum.subject(c.exhibit);
     // Each in turn is set back; where the fault stays away with it, it is a cause and stays as it was.
     const auto tryPlain = [&](const std::string& name, const std::function<void(ScanCase&)>& setBack) {
         ScanCase plain = c;
@@ -193,12 +193,12 @@ std::vector<std::string> causesOf(const Museum& museum, render::Painter& painter
              [&](ScanCase& s) { s.frame.camera = placed(museum, s, subject.bestView(s.look.values[s.exhibit])); });
     tryPlain("the channels", [&](ScanCase& s) { s.frame.channels = {}; });
     const Look plain = plainLook(museum);
-    for (const std::size_t table : std::set<std::size_t>{0, c.exhibit}) {
+    for (const std::size_t table : std::set<std::size_t>{hallIndex, c.exhibit}) {
         for (std::size_t row = 0; row < c.look.values[table].rows().size(); ++row) {
             const Value& value = plain.values[table].row(row);
             if (c.look.values[table].row(row) == value) continue;
             const std::string name =
-                std::string(museum.exhibits()[table]->name()) + '.' + settingText(c.look.values[table], row);
+                std::string(museum.subject(table).name()) + '.' + settingText(c.look.values[table], row);
             tryPlain(name, [&](ScanCase& s) { s.look.values[table].setRow(row, value); });
         }
     }

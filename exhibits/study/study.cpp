@@ -79,9 +79,9 @@ render::Image resampled(const render::Image& from, glm::ivec2 size)
 }  // namespace
 
 Study::Study(const Museum& museum, render::Painter& painter, StudyRequest request)
-    : museum_(museum), painter_(painter), request_(std::move(request)), judge_(museum.exhibits(), request_),
+    : museum_(museum), painter_(painter), request_(std::move(request)), judge_(museum.subjects(), request_),
       search_(
-          museum.exhibits(), request_, result_, [this](const Setting& setting) { addSetting(setting); },
+          museum.subjects(), request_, result_, [this](const Setting& setting) { addSetting(setting); },
           [this] { judge(); })
 {
     if (request_.axes.empty())
@@ -91,7 +91,7 @@ Study::Study(const Museum& museum, render::Painter& painter, StudyRequest reques
         throw Failure(Blame::usage,
                       "A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.");
     request_.runs = std::max(request_.runs, 1);
-    if (request_.subject == 0) request_.alone = false;
+    if (request_.subject == hallIndex) request_.alone = false;
     addViews();
     for (const StudyAxis& axis : request_.axes) result_.exact.push_back(exactness(rowOf(request_.look, axis)).exact);
     findDependentPasses();
@@ -118,7 +118,7 @@ Study::~Study() = default;
 void Study::addViews()
 {
     const std::vector<StudyView> all =
-        museum_.exhibits()[request_.subject]->studyViews(request_.look.values[request_.subject]);
+        museum_.subject(request_.subject).studyViews(request_.look.values[request_.subject]);
     for (const std::size_t i : spread(all.size(), static_cast<std::size_t>(std::max(request_.views, 1))))
         views_.push_back({all[i], {}, {}, {}, false});
     for (const View& view : views_) result_.views.push_back(view.view.name);
@@ -148,9 +148,9 @@ Look Study::lookAt(const std::vector<double>& axisValues, std::size_t view) cons
     Look look = request_.look;
     look.values[request_.subject] = views_[view].view.values;
     for (std::size_t i = 0; i < request_.axes.size(); ++i)
-        look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, axisValues[i]);
+        look.values[request_.axes[i].subject].setRow(request_.axes[i].row, axisValues[i]);
     look.camera = views_[view].view.camera;
-    if (!request_.alone && request_.subject != 0) {
+    if (!request_.alone && request_.subject != hallIndex) {
         const glm::dmat4 world = museum_.worldFromExhibit(request_.subject);
         look.camera.eye = glm::dvec3(world * glm::dvec4(look.camera.eye, 1));
         look.camera.target = glm::dvec3(world * glm::dvec4(look.camera.target, 1));
@@ -163,7 +163,7 @@ Look Study::lookOf(const StudyPoint& point) const
     Look look = request_.look;
     const std::vector<double> values = valuesOf(point.setting);
     for (std::size_t i = 0; i < request_.axes.size(); ++i)
-        look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, values[i]);
+        look.values[request_.axes[i].subject].setRow(request_.axes[i].row, values[i]);
     return look;
 }
 
@@ -177,9 +177,9 @@ std::vector<double> Study::valuesOf(const Setting& setting) const
 PictureRequest Study::pictureRequest(const Look& look, std::size_t view) const
 {
     PictureRequest request;
-    const PictureQuality quality = pictureQuality(look.values.front());
+    const PictureQuality quality = pictureQuality(look.hall());
     const bool supersampled = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& a) {
-        return a.exhibit == 0 && rowOf(request_.look, a).name == supersamplesRow;
+        return a.subject == hallIndex && rowOf(request_.look, a).name == supersamplesRow;
     });
     request.samples = supersampled ? quality.supersamples : 1;
     request.frame.raster.size =
@@ -189,7 +189,7 @@ PictureRequest Study::pictureRequest(const Look& look, std::size_t view) const
     request.frame.needsFiles = request_.needsFiles;
     if (request_.alone)
         request.frame.alone = request_.subject;
-    else if (request_.subject != 0)
+    else if (request_.subject != hallIndex)
         request.frame.subject = request_.subject;
     request.frame.channels = {.normal = true, .evaluations = true};
     request.depth = true;
@@ -418,7 +418,7 @@ void Study::nextPhase()
             Look look = lookAt(result_.exact, view);
             look.values[request_.subject] = atReference(look.values[request_.subject]);
             for (std::size_t i = 0; i < request_.axes.size(); ++i)
-                look.values[request_.axes[i].exhibit].setRow(request_.axes[i].row, result_.exact[i]);
+                look.values[request_.axes[i].subject].setRow(request_.axes[i].row, result_.exact[i]);
             addPicture("everything exact, " + views_[view].view.name, look, view, [this, view](render::Image picture) {
                 views_[view].exact = std::move(picture);
                 for (StudyPoint& point : result_.points)

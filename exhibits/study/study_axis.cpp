@@ -12,13 +12,13 @@ namespace vitrine {
 
 const ParameterInfo& rowOf(const Look& look, const StudyAxis& axis)
 {
-    return look.values[axis.exhibit].rows()[axis.row];
+    return look.values[axis.subject].rows()[axis.row];
 }
 
-std::string axisName(Exhibits exhibits, const Look& look, std::size_t subject, const StudyAxis& axis)
+std::string axisName(Subjects subjects, const Look& look, std::size_t subject, const StudyAxis& axis)
 {
     const std::string name(rowOf(look, axis).name);
-    return axis.exhibit == subject ? name : std::string(exhibits[axis.exhibit]->name()) + '.' + name;
+    return axis.subject == subject ? name : std::string(subjects[axis.subject]->name()) + '.' + name;
 }
 
 std::string axisValueText(const Look& look, const StudyAxis& axis, double value)
@@ -35,9 +35,9 @@ std::string axisValueText(const Look& look, const StudyAxis& axis, double value)
     return text + (unit.empty() ? "" : ' ' + unit);
 }
 
-std::optional<StudyAxis> studyAxis(const Look& look, std::size_t exhibit, std::size_t row, int points)
+std::optional<StudyAxis> studyAxis(const Look& look, std::size_t subject, std::size_t row, int points)
 {
-    StudyAxis axis{exhibit, row, {}};
+    StudyAxis axis{subject, row, {}};
     const ParameterInfo& info = rowOf(look, axis);
     if (!info.qualityReference) return std::nullopt;
     // One place is the initial value's, unless the sweep meets it anyway.
@@ -48,15 +48,15 @@ std::optional<StudyAxis> studyAxis(const Look& look, std::size_t exhibit, std::s
     return axis;
 }
 
-std::vector<StudyAxis> qualityAxes(const Look& look, std::size_t exhibit, int points)
+std::vector<StudyAxis> qualityAxes(const Look& look, std::size_t subject, int points)
 {
-    const auto& rows = look.values[exhibit].rows();
+    const auto& rows = look.values[subject].rows();
     if (points == 0)
         points = usualPoints(static_cast<std::size_t>(std::count_if(
             rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); })));
     std::vector<StudyAxis> axes;
     for (std::size_t row = 0; row < rows.size(); ++row)
-        if (auto axis = studyAxis(look, exhibit, row, points)) axes.push_back(std::move(*axis));
+        if (auto axis = studyAxis(look, subject, row, points)) axes.push_back(std::move(*axis));
     return axes;
 }
 

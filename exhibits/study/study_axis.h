@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/subject.h"
 #include "exhibits/museum/look.h"
 
 #include <cstddef>
@@ -12,15 +12,12 @@ namespace vitrine {
 
 /// One parameter that a study varies, and the values it tries: numbers as `ParameterValues` stores them, ascending.
 struct StudyAxis {
-    std::size_t exhibit = 0;  ///< Its place in Museum::exhibits(): the subject, or 0 for what all pictures share.
+    std::size_t subject = 0;  ///< Whose: that of the study, or the hall, which all pictures share.
     std::size_t row = 0;
     std::vector<double> values;
 
     bool operator==(const StudyAxis&) const = default;
 };
-
-/// All exhibits, the hall first: Museum::exhibits().
-using Exhibits = std::span<const std::unique_ptr<Exhibit>>;
 
 /// Which value of each axis.
 using Setting = std::vector<std::size_t>;
@@ -29,14 +26,14 @@ using Setting = std::vector<std::size_t>;
 [[nodiscard]] const ParameterInfo& rowOf(const Look&, const StudyAxis&);
 
 /// "stepLimit", or "hall.shadowMapSize" where the hall is not the subject.
-[[nodiscard]] std::string axisName(Exhibits, const Look&, std::size_t subject, const StudyAxis&);
+[[nodiscard]] std::string axisName(Subjects, const Look&, std::size_t subject, const StudyAxis&);
 
 /// The value of an axis for people: "64", "none", "on".
 [[nodiscard]] std::string axisValueText(const Look&, const StudyAxis&, double value);
 
 /// An axis over the comfortable range of a quality row, about `points` values by the row's scale, with the initial
 /// value and the exact one; of a choice or a toggle, all. Nothing for a row that is not marked as quality.
-[[nodiscard]] std::optional<StudyAxis> studyAxis(const Look&, std::size_t exhibit, std::size_t row, int points);
+[[nodiscard]] std::optional<StudyAxis> studyAxis(const Look&, std::size_t subject, std::size_t row, int points);
 
 /// How many values each axis is given where nobody says: few of a surface, many of a curve, and most where a search
 /// among three axes or more measures only those that matter.
@@ -45,8 +42,8 @@ using Setting = std::vector<std::size_t>;
     return axes == 1 ? 8 : axes == 2 ? 5 : 17;
 }
 
-/// One axis for every quality row of the exhibit; of `usualPoints` values where `points` is 0.
-[[nodiscard]] std::vector<StudyAxis> qualityAxes(const Look&, std::size_t exhibit, int points = 0);
+/// One axis for every quality row of the subject; of `usualPoints` values where `points` is 0.
+[[nodiscard]] std::vector<StudyAxis> qualityAxes(const Look&, std::size_t subject, int points = 0);
 
 /// The values at which everything that the table marks as quality counts as exact.
 [[nodiscard]] ParameterValues atReference(ParameterValues);

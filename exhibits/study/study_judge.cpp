@@ -125,7 +125,7 @@ void StudyJudge::judge(StudyResult& result, int doublings) const
         std::all_of(result.points.begin(), result.points.end(), isDrawn)) {
         std::string names;
         for (const StudyAxis& axis : request_.axes)
-            names += (names.empty() ? "" : " or ") + axisName(exhibits_, request_.look, request_.subject, axis);
+            names += (names.empty() ? "" : " or ") + axisName(subjects_, request_.look, request_.subject, axis);
         result.convergence =
             "Nothing depends on " + names +
             " at present: every setting gives the same picture. Switch on what it acts on, and study again.";
@@ -155,7 +155,7 @@ bool StudyJudge::isPresent(const StudyPoint& point) const
 {
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
-        if (std::get<double>(request_.look.values[axis.exhibit].row(axis.row)) != axis.values[point.setting[a]])
+        if (std::get<double>(request_.look.values[axis.subject].row(axis.row)) != axis.values[point.setting[a]])
             return false;
     }
     return true;
@@ -167,7 +167,7 @@ std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size
     const auto listed = [&](const std::vector<StudyAxis>& axes, const std::vector<double>& values) {
         std::string text;
         for (std::size_t i = 0; i < axes.size(); ++i)
-            text += (text.empty() ? "" : ", ") + axisName(exhibits_, request_.look, request_.subject, axes[i]) + ' ' +
+            text += (text.empty() ? "" : ", ") + axisName(subjects_, request_.look, request_.subject, axes[i]) + ' ' +
                     axisValueText(request_.look, axes[i], values[i]);
         return text;
     };

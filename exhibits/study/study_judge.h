@@ -12,8 +12,8 @@ namespace vitrine {
 /// What the pictures and times of a study come to.
 class StudyJudge {
 public:
-    /// Exhibits and request must outlive it.
-    StudyJudge(Exhibits exhibits, const StudyRequest& request) : exhibits_(exhibits), request_(request) {}
+    /// Subjects and request must outlive it.
+    StudyJudge(Subjects subjects, const StudyRequest& request) : subjects_(subjects), request_(request) {}
 
     [[nodiscard]] Errors errorsOf(const render::Image& reference, const render::Image& picture) const;
     /// One number for all views: root mean square of RMS errors, largest of maxima, else the mean.
@@ -30,7 +30,7 @@ private:
     void judgeCosts(StudyResult&) const;
     void fitLaw(StudyResult&, std::span<const render::CostAndError>) const;
 
-    Exhibits exhibits_;
+    Subjects subjects_;
     const StudyRequest& request_;
 };
 

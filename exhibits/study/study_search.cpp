@@ -73,7 +73,7 @@ void StudySearch::addEachAlone()
     // Each parameter alone: what it gives and what it costs.
     Setting present;
     for (const StudyAxis& axis : request_.axes)
-        present.push_back(nearest(axis.values, std::get<double>(request_.look.values[axis.exhibit].row(axis.row))));
+        present.push_back(nearest(axis.values, std::get<double>(request_.look.values[axis.subject].row(axis.row))));
     add_(present);
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];

@@ -14,9 +14,9 @@ public:
 
     /// All must outlive it. `add` makes a point of a setting that is new, to be measured; `judge` brings the result up
     /// to date with what was measured.
-    StudySearch(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, Add add,
+    StudySearch(Subjects subjects, const StudyRequest& request, const StudyResult& result, Add add,
                 std::function<void()> judge)
-        : request_(request), result_(result), errors_(exhibits, request), add_(std::move(add)), judge_(std::move(judge))
+        : request_(request), result_(result), errors_(subjects, request), add_(std::move(add)), judge_(std::move(judge))
     {
     }
 

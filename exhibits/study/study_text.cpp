@@ -44,13 +44,13 @@ Json shotJson(const std::string& view, const StudyShot& shot)
                 {"ms", milliseconds}};
 }
 
-Json pointJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, std::size_t i)
+Json pointJson(Subjects subjects, const StudyRequest& request, const StudyResult& result, std::size_t i)
 {
     const StudyPoint& point = result.points[i];
     Json values = Json::object();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        values[axisName(exhibits, request.look, request.subject, axis)] =
+        values[axisName(subjects, request.look, request.subject, axis)] =
             jsonFromValue(rowOf(request.look, axis), axis.values[point.setting[a]]);
     }
     Json json{{"values", values},
@@ -107,15 +107,15 @@ std::string besidePresent(const StudyResult& result, const StudyPoint& chosen)
 
 }  // namespace
 
-std::string pointText(Exhibits exhibits, const StudyRequest& request, const StudyPoint& point)
+std::string pointText(Subjects subjects, const StudyRequest& request, const StudyPoint& point)
 {
     std::string text;
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
         const bool asAtPresent =
-            std::get<double>(request.look.values[axis.exhibit].row(axis.row)) == axis.values[point.setting[a]];
+            std::get<double>(request.look.values[axis.subject].row(axis.row)) == axis.values[point.setting[a]];
         if (asAtPresent && request.axes.size() > 2) continue;
-        text += (text.empty() ? "" : ", ") + axisName(exhibits, request.look, request.subject, axis) + ' ' +
+        text += (text.empty() ? "" : ", ") + axisName(subjects, request.look, request.subject, axis) + ' ' +
                 axisValueText(request.look, axis, axis.values[point.setting[a]]);
     }
     return text.empty() ? "as at present" : text;
@@ -151,7 +151,7 @@ std::string lawSentence(const StudyResult& result)
     return text + '.';
 }
 
-std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
+std::string choiceSentence(Subjects subjects, const StudyRequest& request, const StudyResult& result)
 {
     if (!result.complete || (!request.maxError && !request.maxMilliseconds)) return {};
     const std::string limit = request.maxError
@@ -160,7 +160,7 @@ std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const
     if (!result.choice) return "No setting that was measured stays within " + limit + '.';
     const StudyPoint& point = result.points[result.choice->point];
     std::string text = std::string(request.maxError ? "Cheapest" : "Best") + " within " + limit + ": " +
-                       pointText(exhibits, request, point) + "; error " + shortNumber(point.worstError) +
+                       pointText(subjects, request, point) + "; error " + shortNumber(point.worstError) +
                        " at worst, " +
                        (point.time ? shortNumber(point.time->median) + " ms a frame"
                                    : shortNumber(point.cost) + ' ' + costTitle(result.costName));
@@ -177,7 +177,7 @@ std::string choiceSentence(Exhibits exhibits, const StudyRequest& request, const
 
 namespace {
 
-Json axesJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
+Json axesJson(Subjects subjects, const StudyRequest& request, const StudyResult& result)
 {
     Json axes = Json::array();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
@@ -185,7 +185,7 @@ Json axesJson(Exhibits exhibits, const StudyRequest& request, const StudyResult&
         const ParameterInfo& row = rowOf(request.look, axis);
         Json values = Json::array();
         for (const double value : axis.values) values.push_back(jsonFromValue(row, value));
-        axes.push_back(Json{{"name", axisName(exhibits, request.look, request.subject, axis)},
+        axes.push_back(Json{{"name", axisName(subjects, request.look, request.subject, axis)},
                             {"unit", std::string(info(row.unit).storedSymbol)},
                             {"values", values},
                             {"reference", jsonFromValue(row, result.exact[a])}});
@@ -195,10 +195,10 @@ Json axesJson(Exhibits exhibits, const StudyRequest& request, const StudyResult&
 
 }  // namespace
 
-Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult& result, Json machine)
+Json studyJson(Subjects subjects, const StudyRequest& request, const StudyResult& result, Json machine)
 {
     Json points = Json::array();
-    for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back(pointJson(exhibits, request, result, i));
+    for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back(pointJson(subjects, request, result, i));
     Json front = Json::array();
     for (const std::size_t i : result.front) front.push_back(i);
     Json views = Json::array();
@@ -208,11 +208,11 @@ Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult
         {"format", "vitrine-study"},
         {"version", 1},
         {"app", VITRINE_VERSION},
-        {"exhibit", std::string(exhibits[request.subject]->name())},
+        {"exhibit", std::string(subjects[request.subject]->name())},
         {"alone", request.alone},
         {"size", Json::array({request.size.x, request.size.y})},
         {"views", views},
-        {"parameters", axesJson(exhibits, request, result)},
+        {"parameters", axesJson(subjects, request, result)},
         {"metric", std::string(toString(request.metric))},
         {"errorsAreOf",
          "display-referred linear light, one sample at each pixel's center unless supersamples are studied"},
@@ -241,12 +241,12 @@ Json studyJson(Exhibits exhibits, const StudyRequest& request, const StudyResult
                               {"heldOutViews", heldOut},
                               {"heldOutError", number(result.choice->heldOutError)},
                               {"holds", result.choice->holds},
-                              {"sentence", choiceSentence(exhibits, request, result)}};
+                              {"sentence", choiceSentence(subjects, request, result)}};
     }
     return json;
 }
 
-std::string studyCsv(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
+std::string studyCsv(Subjects subjects, const StudyRequest& request, const StudyResult& result)
 {
     std::set<std::string> counters;
     std::set<render::Metric> metrics;
@@ -257,7 +257,7 @@ std::string studyCsv(Exhibits exhibits, const StudyRequest& request, const Study
         }
     }
     std::string text;
-    for (const StudyAxis& axis : request.axes) text += axisName(exhibits, request.look, request.subject, axis) + ',';
+    for (const StudyAxis& axis : request.axes) text += axisName(subjects, request.look, request.subject, axis) + ',';
     text += "view";
     for (const render::Metric metric : metrics) text += ',' + std::string(toString(metric));
     if (request.modelError) text += ",model_" + std::string(toString(request.metric));

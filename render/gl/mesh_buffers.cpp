@@ -39,7 +39,7 @@ MeshBuffers::MeshBuffers(const Mesh& mesh)
     attribute(array, 1, 3, offsetof(Vertex, normal));
     attribute(array, 2, 4, offsetof(Vertex, tangent));
     attribute(array, 3, 2, offsetof(Vertex, uv));
-    attribute(array, 4, 2, offsetof(Vertex, lightmapUv));
+    attribute(array, 4, 2, offsetof(Vertex, extra));
 }
 
 void MeshBuffers::draw(int instances) const

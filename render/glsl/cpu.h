@@ -8,36 +8,13 @@
 ///     double d = vitrine::glsl::sdfTorus(dvec3(0.5, 0, 0), 0.35, 0.12);
 ///
 /// Definitions have internal linkage: include this in source files, and keep shader structs out of the
-/// members of classes that headers declare. lib/sphere_tracing.glsl needs a field: see `Tracer`.
+/// members of classes that headers declare. lib/sphere_tracing.glsl needs a field: see `Tracer`. An exhibit's own
+/// GLSL becomes C++ in a header of its folder: see render/glsl/begin_cpu.h.
 ///
-/// The same at float32, as the GPU rounds: render/glsl/cpu32.h (tests only; its copy of the sources is
-/// made by the build, with an `f` after each literal).
+/// The same at float32, as the GPU rounds: render/glsl/cpu32.h (tests only; the build makes it).
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
+#include "render/glsl/begin_cpu.h"
 
-namespace vitrine::glsl {
-namespace {
-
-using namespace glm;
-using vec2 = glm::dvec2;
-using vec3 = glm::dvec3;
-using vec4 = glm::dvec4;
-using mat2 = glm::dmat2;
-using mat3 = glm::dmat3;
-using mat4 = glm::dmat4;
-
-// Structs of uniform blocks, at float64.
-#pragma push_macro("BLOCK_STRUCT")
-#undef BLOCK_STRUCT
-#define BLOCK_STRUCT(name, FIELDS)                                                                                     \
-    struct name {                                                                                                      \
-        FIELDS(VITRINE_GLSL_FIELD, VITRINE_GLSL_ARRAY)                                                                 \
-    };
-#define VITRINE_GLSL_FIELD(type, name) type name;
-#define VITRINE_GLSL_ARRAY(type, name, count) type name[count];
-
-#define float double
 #include "shaders/lib/numerics.glsl"
 
 #include "shaders/lib/hash.glsl"
@@ -46,19 +23,25 @@ using mat4 = glm::dmat4;
 
 #include "shaders/lib/local_light.glsl"
 
-#include "shaders/lib/light_shafts.glsl"
-
-#include "shaders/lib/air.glsl"
-
 #include "shaders/lib/sdf.glsl"
 
 #include "shaders/lib/sdf_operators.glsl"
 
+// What uniform blocks hold, at this precision.
+#pragma push_macro("BLOCK_STRUCT")
+#undef BLOCK_STRUCT
+#define BLOCK_STRUCT(Block, FIELDS)                                                                                    \
+    struct Block {                                                                                                     \
+        FIELDS(VITRINE_GLSL_FIELD, VITRINE_GLSL_ARRAY)                                                                 \
+    };
+#define VITRINE_GLSL_FIELD(type, name) type name;
+#define VITRINE_GLSL_ARRAY(type, name, count) type name[count];
+#include "shaders/lib/torus_mug_shape_block.glsl"
+#undef VITRINE_GLSL_FIELD
+#undef VITRINE_GLSL_ARRAY
+#pragma pop_macro("BLOCK_STRUCT")
+
 #include "shaders/lib/torus_mug.glsl"
-
-#include "shaders/lib/lens.glsl"
-
-#include "shaders/lib/strand.glsl"
 
 /// lib/sphere_tracing.glsl around one field. GLSL finds `fieldDistance` because the shader defines it
 /// first; here the file is the body of a class, and `Field` is anything callable with a point:
@@ -73,10 +56,5 @@ template <typename Field> struct Tracer {
 #include "shaders/lib/sphere_tracing.glsl"
 };
 template <typename Field> Tracer(Field) -> Tracer<Field>;
-#undef float
-#pragma pop_macro("BLOCK_STRUCT")
 
-}  // namespace
-}  // namespace vitrine::glsl
-
-#pragma GCC diagnostic pop
+#include "render/glsl/end_cpu.h"

@@ -82,6 +82,36 @@ View moved(const View& view, const glm::dmat4& worldFromBefore, const glm::dmat4
     return other;
 }
 
+/// Makes it a pass that draws its depth alone; false for one that hides nothing.
+bool keepDepth(Pass& pass)
+{
+    const bool writes = pass.depth && (pass.state.depthWrite || pass.depth->load == Load::clear);
+    if (!writes || pass.stage > Stage::opaque) return false;
+    pass.colors.clear();
+    if (!pass.depthOnly) return true;
+    pass.shader = pass.depthOnly->shader;
+    pass.inputs = pass.depthOnly->inputs;
+    for (Draw& draw : pass.draws) draw.inputs.clear();
+    return true;
+}
+
+/// Leaves of these passes, which are in their order, those that write depth, and those that prepare something for them.
+std::vector<Pass> depthOf(std::vector<Pass> passes)
+{
+    std::vector<Pass> kept;
+    std::set<std::string> read;
+    for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
+        const std::vector<std::string> outputs = outputsOf(*pass);
+        const bool prepares =
+            pass->stage == Stage::prepare &&
+            std::any_of(outputs.begin(), outputs.end(), [&](const std::string& name) { return read.contains(name); });
+        if (!keepDepth(*pass) && !prepares) continue;
+        for (const std::string& name : inputsOf(*pass)) read.insert(name);
+        kept.insert(kept.begin(), std::move(*pass));
+    }
+    return kept;
+}
+
 }  // namespace
 
 std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan& seen, const Elsewhere& elsewhere)
@@ -92,6 +122,7 @@ std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan
         if (dependsOnView(pass) && (!elsewhere.take || elsewhere.take(copy))) passes.push_back(std::move(copy));
     }
     std::stable_sort(passes.begin(), passes.end(), [](const Pass& a, const Pass& b) { return a.stage < b.stage; });
+    if (elsewhere.depthOnly) passes = depthOf(std::move(passes));
     Renamed renamed(seen, elsewhere);
     for (const Pass& pass : passes)
         for (const std::string& image : outputsOf(pass))

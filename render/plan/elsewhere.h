@@ -15,6 +15,8 @@ struct Elsewhere {
     View view;                     ///< `raster.size` is that of its images; no tile.
     Stage stage = Stage::prepare;  ///< When all of it is drawn: before whoever reads it.
     bool mirrored = false;         ///< Seen by a `mirroredView`: front faces run the other way round.
+    bool depthOnly = false;        ///< Only what hides what: passes that write depth, without color, up to the opaque
+                                   ///< ones, by their `Pass::depthOnly`, and what they need.
     /// What of the scene belongs here, and what is changed of it: false leaves a pass out. Empty: all of it.
     std::function<bool(Pass&)> take = {};
 };

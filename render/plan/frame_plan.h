@@ -86,14 +86,6 @@ struct RasterState {
     bool depthClamp = false;
 };
 
-/// The bytes of a trivially copyable struct that mirrors a std140 block.
-template <typename T> [[nodiscard]] Bytes bytesOf(const T& block)
-{
-    static_assert(std::is_trivially_copyable_v<T>);
-    const auto* first = reinterpret_cast<const std::byte*>(&block);
-    return Bytes(first, first + sizeof(T));
-}
-
 /// One draw call. Without a mesh: one triangle that covers the target.
 struct Draw {
     std::shared_ptr<const Mesh> mesh;
@@ -112,6 +104,13 @@ enum class Work : std::uint8_t { simulation, raster, compute };
 struct Effect {
     std::string name;  ///< "sdf_morph/occlusion".
     Bound bound;
+};
+
+/// How the depth of a raster pass is drawn without the rest of it: by its own draws, state and blocks, with another
+/// program and these inputs in place of the pass's and its draws'.
+struct DepthOnly {
+    ShaderKey shader;
+    std::vector<Input> inputs = {};
 };
 
 /// One step of a frame: a simulation step on the CPU, a raster pass or a compute dispatch.
@@ -133,8 +132,9 @@ struct Pass {
     std::map<int, Bytes> blocks;      ///< std140 blocks by BLOCK_ binding; FRAME is the renderer's.
     std::optional<View> view;         ///< In place of the plan's: a light, a face of a probe.
     std::vector<Draw> draws;
-    glm::ivec3 groups{1};              ///< Compute.
-    std::vector<std::string> mipmaps;  ///< Images whose lower levels are made from level 0 afterwards.
+    std::optional<DepthOnly> depthOnly;  ///< For whoever asks for no more; unset: only its own program finds its depth.
+    glm::ivec3 groups{1};                ///< Compute.
+    std::vector<std::string> mipmaps;    ///< Images whose lower levels are made from level 0 afterwards.
     /// Work that the plan knows this pass does, by counter name ("fetches", "marchSteps"): added to the
     /// report's counters when it runs.
     std::map<std::string, std::int64_t> counts;

@@ -24,10 +24,10 @@ private:
 
 /// Shader files under shaders/ and the permutation to build: {"SHADOW_METHOD 2", "GLASS"}.
 struct ShaderKey {
-    std::string vertex;
-    std::string fragment;
-    std::string compute;
-    std::vector<std::string> defines;
+    std::string vertex = {};
+    std::string fragment = {};
+    std::string compute = {};
+    std::vector<std::string> defines = {};
     std::string prelude = {};  ///< GLSL before the files: the parameter block derived from a table.
     std::shared_ptr<const ShaderSources> sources = {};
     /// Programs that take each other's place, by a name of their own: while a new one is built in the background, or

@@ -236,7 +236,7 @@ private:
         else if (attribute == "TEXCOORD_0")
             vertex.uv = glm::make_vec2(x);
         else
-            vertex.lightmapUv = glm::make_vec2(x);
+            vertex.extra = glm::make_vec2(x);
     }
 
     /// `v` at unit length, unchanged when it already is; `fallback` when it has no direction.

@@ -37,7 +37,9 @@ struct Vertex {
     glm::vec3 normal{0, 1, 0};
     glm::vec4 tangent{1, 0, 0, 1};  ///< w is the sign of the bitangent.
     glm::vec2 uv{0};                ///< TEXCOORD_0.
-    glm::vec2 lightmapUv{0};        ///< TEXCOORD_1.
+    /// Two numbers that mean what the shaders of the mesh say: of a glTF TEXCOORD_1, where a lightmap is looked up; of
+    /// a skin under a coat its curvature, and a height.
+    glm::vec2 extra{0};
 };
 
 /// Indexed triangles, counter-clockwise seen from the front. Immutable once shared: the renderer

@@ -1,7 +1,7 @@
 // Lays the beams over the picture: what they add, and in the alpha what the dust takes out of it. Permutations: SCREEN
 // (a gathered image), POLAR (the running sum, looked up here), VOLUME, REPLACE (the light alone, or the mask).
 #include "lib/light.glsl"
-#include "lib/air.glsl"
+#include "crepuscular_rays/air.glsl"
 #include "lib/tonemap.glsl"
 #include "crepuscular_rays/gather.glsl"
 #include "crepuscular_rays/coarse.glsl"

@@ -2,7 +2,7 @@
 #include "lib/frame.glsl"
 #include "lib/hash.glsl"
 #include "lib/numerics.glsl"
-#include "lib/light_shafts.glsl"
+#include "crepuscular_rays/light_shafts.glsl"
 #include "crepuscular_rays/rays.glsl"
 
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D mask;

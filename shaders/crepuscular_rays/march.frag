@@ -2,7 +2,7 @@
 // window or oculus, and asks the shadow maps what lies in the way of the light. What a step scatters is what its dust
 // takes out of the ray, by the closed form, so that no number of steps makes more or less light.
 #include "lib/light.glsl"
-#include "lib/air.glsl"
+#include "crepuscular_rays/air.glsl"
 #include "crepuscular_rays/gather.glsl"
 #include "crepuscular_rays/coarse.glsl"
 #include "crepuscular_rays/dust.glsl"

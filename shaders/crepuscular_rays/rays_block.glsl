@@ -18,7 +18,7 @@ BLOCK_STRUCT(BeamBlock, BEAM_FIELDS)
     FIELD(vec3, strength)          /* what a white mean adds to the radiance */ \
     FIELD(float, inverseExposure)  /* 1 over the exposure of the picture */ \
     FIELD(int, samples)            /* or taps, of this pass */ \
-    FIELD(float, ratio)            /* of neighboring samples: their weights' in the plain sum, their places' for taps */ \
+    FIELD(float, ratio)            /* of neighbors: of weights in the plain sum, of places for taps */ \
     FIELD(bool, isFirstPass)       /* of several with taps */ \
     FIELD(bool, sunIsBeyondEdge)   /* the polar grid does not go around it */ \
     FIELD(float, firstAngle)       /* of the polar grid, radians */ \

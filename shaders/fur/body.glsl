@@ -2,7 +2,7 @@
 #include "lib/bindings.glsl"
 #include "lib/numerics.glsl"
 #include "lib/hash.glsl"
-#include "lib/strand.glsl"
+#include "fur/strand.glsl"
 #include "fur/body_block.glsl"
 
 // Height of shell `i`, the outermost being 0 and the skin the last, before `distanceAttenuation`.

@@ -7,7 +7,7 @@
     FIELD(mat4, bodyFromWorld) \
     FIELD(vec3, pull)             /* where tips are drawn, strand lengths, body space */ \
     FIELD(float, grown)           /* drawn skin over skin at rest */ \
-    FIELD(vec4, turn)             /* what the tips lag behind the body's turning: unit quaternion, w last, body space */ \
+    FIELD(vec4, turn)             /* what the tips lag behind the body's turning: quaternion, w last, body space */ \
     FIELD(vec3, wind)             /* strand lengths, body space */ \
     FIELD(float, gustPhase)       /* radians, wrapped */ \
     FIELD(float, strandLength)    /* metres */ \
@@ -18,7 +18,7 @@
     FIELD(int, number)            /* of the body, from 1 */ \
     FIELD(vec3, tipColor)         /* linear Rec. 709 */ \
     FIELD(int, planeCount) \
-    ARRAY(vec4, planes, FUR_PLANES)  /* xyz: unit normal, body space, away from what presses; w: its distance from the body's origin */ \
+    ARRAY(vec4, planes, FUR_PLANES)  /* of what presses: xyz unit normal away from it, body space; w distance */ \
     FIELD(float, shellCount)      /* need not be whole */ \
     FIELD(int, samplesBetween)    /* two shells */ \
     FIELD(int, firstShell)        /* drawn by instance 0 */ \

@@ -11,6 +11,5 @@
     FIELD(float, normalScale)           /* of the normal map's x and y */ \
     FIELD(float, occlusionStrength)     /* share of the occlusion map that counts, 0 to 1 */ \
     FIELD(float, textureRepeats)        /* per unit of uv */ \
-    FIELD(float, fontSpread)            /* texels of the font over which its distance goes from 0 to 1: letters only */ \
-    FIELD(float, wipeColumn)            /* first pixel to the right of the wipe */
+    FIELD(float, fontSpread)            /* texels of the font over which its distance goes from 0 to 1: letters only */
 BLOCK_STRUCT(SurfaceObject, SURFACE_OBJECT_FIELDS)

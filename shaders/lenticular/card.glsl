@@ -1,7 +1,7 @@
 // The card and its two prints.
 #include "lib/bindings.glsl"
 #include "lib/numerics.glsl"
-#include "lib/lens.glsl"
+#include "printing/lens.glsl"
 #include "lenticular/card_block.glsl"
 
 layout(std140, binding = BLOCK_OBJECT) uniform Object {

@@ -1,5 +1,5 @@
-// The card and its two prints. The card's own space: metres, the middle of its front at the origin, x to the right, y up,
-// z towards the viewer. GLSL and C++: render/glsl/std140.h.
+// The card and its two prints. The card's own space: metres, the middle of its front at the origin, x to the right, y
+// up, z towards the viewer. GLSL and C++: render/glsl/std140.h.
 #define CARD_PRINT_FIELDS(FIELD, ARRAY) \
     FIELD(vec2, halfSize)      /* of the picture, metres */ \
     FIELD(int, views) \

@@ -14,6 +14,7 @@
 #define BLOCK_LIGHT 3
 #define BLOCK_TEMPORAL 4
 #define BLOCK_LOCAL_LIGHTS 5
+#define BLOCK_EXHIBIT 6  // What is the same for all draws of an exhibit.
 
 // std430 buffers.
 #define STORAGE_INSTANCES 0

@@ -26,7 +26,7 @@
     FIELD(float, environmentTurn)        /* rotation of the panorama, radians */ \
     FIELD(vec3, probePosition)           /* world space */ \
     FIELD(float, probeLastLevel)         /* mip level of the roughest mirror image */ \
-    FIELD(vec3, probeLow)                /* box of the parallax correction, world space; none where high is not above low */ \
+    FIELD(vec3, probeLow)                /* box of the parallax correction, world space; none where high <= low */ \
     FIELD(float, bakedOcclusion)         /* how much baked light dims the probe's mirror image, 0 to 1 */ \
     FIELD(vec3, probeHigh) \
     FIELD(float, exposure)               /* radiance times this is what the film sees */ \

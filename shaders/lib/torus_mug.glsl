@@ -15,6 +15,8 @@
 // GLSL 4.50 and C++ (render/glsl/cpu.h).
 
 #ifndef __cplusplus
+#include "lib/bindings.glsl"
+#include "lib/torus_mug_shape_block.glsl"
 #include "lib/numerics.glsl"
 #include "lib/sdf.glsl"
 #include "lib/sdf_operators.glsl"
@@ -31,29 +33,6 @@ struct TorusMug {
     float handleRadius;     // Center to the middle of the handle. Good: 0.155.
     float handleThickness;  // Diameter of the handle. Good: 0.09.
     float blend;            // Width of the fillet between handle and cup. Good: 0.06.
-};
-
-// The same for one morph, ready to be asked at many points: compute once per frame, draw or ray.
-// Heights and the ring's center are relative to the body's center, which lies on the cup's axis.
-struct TorusMugShape {
-    float morph;
-    vec3 bodyCenter;
-    float bodyRadius;
-    float bodyHalfHeight;
-    float bodyRoundingAbove;
-    float bodyRoundingBelow;
-    float cavityRadius;
-    float cavityBottom;
-    float cavityRounding;
-    float footRadius;
-    float footHeight;   // Of the middle of the foot's bead.
-    float footTube;
-    vec2 ringCenter;
-    float ringRadius;
-    float ringTube;
-    float ringStretch;  // Half the length by which the ring is drawn apart along y.
-    float joint;        // Blend of ring and body.
-    float lip;          // Blend of body and cavity.
 };
 
 // Lowest point of the shape, relative to the body's center.

@@ -78,7 +78,7 @@ public:
     Bench(glm::ivec2 size, int rounds) : rounds_(rounds), fur_(*museum_.find("fur")), look_(museum_.initialLook())
     {
         request_.alone = fur_;
-        request_.camera = museum_.exhibits()[fur_]->bestView(look_.values[fur_]);
+        request_.camera = museum_.subject(fur_).bestView(look_.values[fur_]);
         request_.raster.size = size;
         request_.transparent = true;
         renderer_.timeSteps(true);
@@ -86,10 +86,7 @@ public:
             "Picture: %d x %d, %d rounds in turn after 2 warm-up frames; times are medians of process CPU time.\n",
             size.x, size.y, rounds);
     }
-    [[nodiscard]] const FurTable& table() const
-    {
-        return static_cast<const Fur&>(*museum_.exhibits()[fur_]).parameters();
-    }
+    [[nodiscard]] const FurTable& table() const { return static_cast<const Fur&>(museum_.exhibit(fur_)).parameters(); }
     [[nodiscard]] Row row(std::string name, const std::function<void(ParameterValues&)>& change) const
     {
         Row row{std::move(name), museum_.initialLook().values[fur_], {}, {}, {}, {}, 0};

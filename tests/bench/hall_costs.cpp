@@ -110,7 +110,7 @@ int main(int argc, char** argv)
     near.camera = museum.bestView(sdf, look.values[sdf]);
     FrameRequest alone = entrance;
     alone.alone = sdf;
-    alone.camera = museum.exhibits()[sdf]->bestView(look.values[sdf]);
+    alone.camera = museum.subject(sdf).bestView(look.values[sdf]);
     const auto draw = [&](const FrameRequest& request) {
         return [&museum, &renderer, &look, request] {
             return renderer.draw(test::planned(museum, look, request, renderer.kept()));
@@ -141,7 +141,7 @@ int main(int argc, char** argv)
                 passes(rows[1]), passes(rows[0]), median(rows[1].cpu) / median(rows[0].cpu));
 
     std::vector<Row> sliders;
-    const auto& table = static_cast<const SdfMorph&>(*museum.exhibits()[sdf]).parameters();
+    const auto& table = static_cast<const SdfMorph&>(museum.exhibit(sdf)).parameters();
     double morph = 0;
     render::gl::Renderer morphRenderer;
     sliders.push_back({"exhibit before the visitor: nothing moved", draw(near), {}, {}, {}});
@@ -158,8 +158,8 @@ int main(int argc, char** argv)
     sliders.push_back({"hall's slider that develops only (exposure)",
                        [&] {
                            Look changed = look;
-                           changed.values[0].setRow(*changed.values[0].table().find("exposure"),
-                                                    exposure = exposure < 1 ? exposure + 0.1 : -1.0);
+                           changed.hall().setRow(*changed.hall().table().find("exposure"),
+                                                 exposure = exposure < 1 ? exposure + 0.1 : -1.0);
                            return renderer.draw(test::planned(museum, changed, near, renderer.kept()));
                        },
                        {},
@@ -170,8 +170,8 @@ int main(int argc, char** argv)
     sliders.push_back({"hall's slider that lights anew (sun elevation)",
                        [&] {
                            Look changed = look;
-                           changed.values[0].setRow(*changed.values[0].table().find("sunElevation"),
-                                                    elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
+                           changed.hall().setRow(*changed.hall().table().find("sunElevation"),
+                                                 elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
                            return sunRenderer.draw(test::planned(museum, changed, near, sunRenderer.kept()));
                        },
                        {},

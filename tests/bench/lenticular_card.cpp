@@ -71,7 +71,7 @@ int main(int argc, char** argv)
     const Museum museum{allExhibits()};
     render::gl::Renderer renderer;
     const std::size_t card = *museum.find("lenticular");
-    const auto& exhibit = static_cast<const Lenticular&>(*museum.exhibits()[card]);
+    const auto& exhibit = static_cast<const Lenticular&>(museum.exhibit(card));
     const LenticularTable& t = exhibit.parameters();
 
     struct View {

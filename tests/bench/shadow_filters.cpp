@@ -53,7 +53,7 @@ struct Bench {
         const std::size_t rays = *museum.find("crepuscular_rays");
         look.values[rays].setRow(*look.values[rays].table().find("technique"), 0.0);
     }
-    ParameterValues& hall() { return look.values[0]; }
+    ParameterValues& hall() { return look.hall(); }
     render::Image draw()
     {
         PictureMaker maker(museum, renderer, look, {.frame = frame});

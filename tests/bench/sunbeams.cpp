@@ -129,7 +129,7 @@ void screenRays(Bench& bench)
     rays.set(table.lightSize, 3.141593);
     rays.set(table.jitter, false);
     // White is 1.
-    bench.look.values[0].set(hallTable.exposure, -std::log2(6.5));
+    bench.look.hall().set(hallTable.exposure, -std::log2(6.5));
     const auto run = [&](RayMethod method, int samples, RayResolution resolution, bool timed) {
         rays.set(table.method, method);
         rays.set(table.samples, samples);
@@ -182,7 +182,7 @@ void volume(Bench& bench)
     ParameterValues& rays = bench.rays();
     rays = ParameterValues(table);
     rays.set(table.view, RayView::light);
-    bench.look.values[0].set(hallTable.exposure, -std::log2(6.5));
+    bench.look.hall().set(hallTable.exposure, -std::log2(6.5));
     const auto run = [&](int steps, RayResolution resolution, bool jitter, bool timed) {
         rays.set(table.volumeSteps, steps);
         rays.set(table.resolution, resolution);
@@ -285,7 +285,7 @@ int main(int argc, char** argv)
         "Time is that of the exhibit's own passes, median of five, by the process's CPU time around glFinish.\n");
     bench.size = sizes.back();
     entrance(bench);
-    const Exhibit& exhibit = *bench.museum.exhibits()[bench.exhibit];
+    const Exhibit& exhibit = bench.museum.exhibit(bench.exhibit);
     const auto look = [&](const StudyView& view) {
         const glm::dmat4 world = bench.museum.worldFromExhibit(bench.exhibit);
         bench.camera = view.camera;

@@ -2,6 +2,7 @@
 
 #include "render/glsl/shader_source.h"
 #include "render/glsl/std140.h"
+#include "tests/support/block_of.h"
 #include "tests/support/gallery.h"
 
 #include <epoxy/gl.h>
@@ -20,6 +21,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/crepuscular_rays/rays_block.glsl"
 #include "shaders/fur/body_block.glsl"
 #include "shaders/hall/probe_block.glsl"
+#include "shaders/kit/sdf/object_block.glsl"
 #include "shaders/kit/surface_object_block.glsl"
 #include "shaders/lenticular/card_block.glsl"
 #include "shaders/lib/clock_load_block.glsl"
@@ -27,6 +29,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/lib/light_block.glsl"
 #include "shaders/lib/local_lights_block.glsl"
 #include "shaders/lib/temporal_block.glsl"
+#include "shaders/lib/torus_mug_shape_block.glsl"
 
 /// Byte offset of every number, vector and matrix by its GLSL name.
 using Offsets = std::map<std::string, std::size_t>;
@@ -132,8 +135,10 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"LocalLightsBlock", described<LocalLightsBlock>()},
         {"ProbeLevel", described<ProbeLevel>()},
         {"RaysBlock", described<RaysBlock>()},
+        {"SdfObject", described<SdfObject>()},
         {"SurfaceObject", described<SurfaceObject>()},
         {"TemporalBlock", described<TemporalBlock>()},
+        {"TorusMugShape", described<TorusMugShape>()},
     };
     return blocks;
 }
@@ -182,9 +187,10 @@ TEST_F(UniformBlocks, HaveTheirFieldsWhereTheDriverLooksForThem)
     FIELD(vec3, b)                                                                                                     \
     FIELD(bool, c)                                                                                                     \
     FIELD(vec2, d)                                                                                                     \
-    FIELD(int, e) FIELD(vec2, f) FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j)                  \
-        ARRAY(float, k, 3) FIELD(uint, l) ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p)     \
-            FIELD(float, q)
+    FIELD(int, e)                                                                                                      \
+    FIELD(vec2, f)                                                                                                     \
+    FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j) ARRAY(float, k, 3) FIELD(uint, l)             \
+        ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p) FIELD(float, q)
 BLOCK_STRUCT(AwkwardPart, AWKWARD_PART_FIELDS)
 BLOCK_STRUCT(Awkward140, AWKWARD_FIELDS)
 
@@ -238,7 +244,8 @@ TEST_F(UniformBlocks, HoldTheValuesOfTheirFields)
     EXPECT_EQ(read(0.0F, at.at("block.k[2]")), 2.5F);
     EXPECT_EQ(read(0.0F, at.at("block.m[1].b")), 3.5F);
     EXPECT_EQ(read(glm::vec4(0), at.at("block.p") + 32), glm::vec4(1, 2, 3, 4));
-    EXPECT_EQ(render::std140Bytes(block), bytes);
+    EXPECT_EQ(render::std140Bytes(test::blockOf<Awkward140>(bytes)), bytes);
+    EXPECT_EQ(render::std140Offset<Awkward140>("n"), at.at("block.n"));
 }
 
 }  // namespace

@@ -107,11 +107,27 @@ TEST(Shaders, DeclareNoUniformBlockByHand)
     EXPECT_EQ(membersByHand("layout(std140, binding = 2) uniform A {\n  vec4 a;\n  vec4 b;\n} x;", known).size(), 1U);
 }
 
-TEST(Shaders, OfTheLibraryKnowNoExhibit)
+TEST(Shaders, IncludeWhatTheirRoomMay)
 {
-    for (const std::string& file : test::sourceFiles("shaders/lib", test::glslExtensions))
+    const auto folderOf = [](const std::string& path) { return path.substr(0, path.find('/')); };
+    for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions)) {
+        const std::string own = folderOf(file.substr(std::string("shaders/").size()));
+        for (const test::Include& include : test::includesOf(file)) {
+            const std::string other = folderOf(include.target);
+            const bool kit = other == "kit" && own != "lib";
+            const bool printing = other == "printing" && own != "lib" && own != "kit" && own != "hall";
+            EXPECT_TRUE(other == own || other == "lib" || kit || printing)
+                << file << ':' << include.line << ' ' << include.target;
+        }
+    }
+}
+
+TEST(Shaders, OfTheKitKnowNoExhibit)
+{
+    for (const std::string& file : test::sourceFiles("shaders/kit", test::glslExtensions))
         for (const test::Include& include : test::includesOf(file))
-            EXPECT_EQ(include.target.rfind("lib/", 0), 0U) << file << ':' << include.line << ' ' << include.target;
+            EXPECT_TRUE(include.target.starts_with("lib/") || include.target.starts_with("kit/"))
+                << file << ':' << include.line << ' ' << include.target;
 }
 
 TEST(Shaders, NamedInPlansExist)

@@ -3,6 +3,7 @@
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall_table.h"
+#include "exhibits/kit/sdf_rows.h"
 #include "exhibits/study/study_axis.h"
 #include "tests/source/source_files.h"
 
@@ -34,6 +35,17 @@ struct DeclaredRow {
     std::string member, name;
 };
 
+/// The table of an exhibit as it is written, with the rows that it takes from the kit.
+std::string tableText(const std::string& exhibit)
+{
+    const std::string file = "exhibits/" + exhibit + '/' + exhibit + "_table.h";
+    std::string text = test::withoutComments(test::sourceText(file));
+    for (const test::Include& include : test::includesOf(file))
+        if (include.target.starts_with("exhibits/kit/"))
+            text += test::withoutComments(test::sourceText(include.target));
+    return text;
+}
+
 /// The rows as they are written in a table's header.
 std::vector<DeclaredRow> declaredRows(const std::string& text)
 {
@@ -47,8 +59,7 @@ std::vector<DeclaredRow> declaredRows(const std::string& text)
 TEST(Tables, EveryRowIsNamedAfterItsMember)
 {
     for (const auto& [exhibit, table] : tables()) {
-        const std::vector<DeclaredRow> rows =
-            declaredRows(test::withoutComments(test::sourceText("exhibits/" + exhibit + '/' + exhibit + "_table.h")));
+        const std::vector<DeclaredRow> rows = declaredRows(tableText(exhibit));
         std::set<std::string> declared, made;
         for (const DeclaredRow& row : rows) {
             EXPECT_EQ(row.member, row.name) << exhibit;
@@ -137,7 +148,7 @@ TEST(Tables, RangesHoldTheInitialValueAndTheComfortableRange)
 }
 
 /// The program text in which a row of an exhibit may be read: its own, but for the table that declares it. What every
-/// hall has is read by the museum, too.
+/// hall has is read by the museum, too, and rows of the kit by the kit.
 std::string readersOf(const std::string& exhibit)
 {
     std::string text;
@@ -148,6 +159,11 @@ std::string readersOf(const std::string& exhibit)
     for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
         if (file.starts_with("shaders/" + exhibit + '/')) append(file);
     if (exhibit == "hall") append("exhibits/museum/museum.cpp");
+    if (tableText(exhibit).find("struct SdfRows") != std::string::npos) {
+        for (const std::string& file : test::sourceFiles("exhibits/kit", test::cppExtensions))
+            if (!file.ends_with("_rows.h")) append(file);
+        for (const std::string& file : test::sourceFiles("shaders/kit/sdf", test::glslExtensions)) append(file);
+    }
     return text;
 }
 
@@ -156,9 +172,9 @@ bool isRead(const std::string& text, const ParameterInfo& row)
     // Either C++ takes it from the table, or from the rows of one group of an array, or a shader from its block; what
     // is no part of the picture shown is found by a name that a constant holds: `supersamplesRow`.
     const std::string name(row.array.empty() ? row.name : row.elementRow);
-    const std::string from = row.array.empty() ? "\\b(parameters|table|table_|t|parameters\\(\\))"
+    const std::string from = row.array.empty() ? "\\b(parameters|table|table_|t|parameters\\(\\)|rows\\(\\))"
                                                : "(\\b" + std::string(row.array) + "\\[[^;]*\\]|\\brows)";
-    return std::regex_search(text, std::regex(from + "\\." + name + "\\b")) ||
+    return std::regex_search(text, std::regex(from + "(\\.|->)" + name + "\\b")) ||
            text.find("find(" + name + "Row)") != std::string::npos;
 }
 
@@ -180,6 +196,19 @@ TEST(Tables, EveryRowIsReadByItsOwnExhibit)
     EXPECT_FALSE(isRead(readersOf("hall"), "wipe"));
 }
 
+/// The table whose fields a shader may use; null: none.
+const Parameters* tableFor(const std::string& file, const std::string& exhibit)
+{
+    // A field's shaders know the rows that every field has, and the material of one kind those of a material.
+    struct FieldTable final : SdfRows {};
+    struct MaterialTable final : SdfMaterialRows {};
+    static const FieldTable field;
+    static const MaterialTable material;
+    if (file == "shaders/kit/sdf/even_material.glsl") return &material;
+    if (exhibit == "kit") return &field;
+    return tables().contains(exhibit) ? tables().at(exhibit) : nullptr;
+}
+
 TEST(Tables, ShadersUseOnlyFieldsThatTheirTableHas)
 {
     static const std::regex field(R"(\bparameters\.(\w+))");
@@ -189,11 +218,11 @@ TEST(Tables, ShadersUseOnlyFieldsThatTheirTableHas)
         const std::string text = test::withoutComments(test::sourceText(file));
         for (auto match = std::sregex_iterator(text.begin(), text.end(), field); match != std::sregex_iterator();
              ++match) {
-            ASSERT_TRUE(tables().contains(exhibit)) << file << " uses " << match->str() << " but belongs to no exhibit";
+            const Parameters* table = tableFor(file, exhibit);
+            ASSERT_TRUE(table) << file << " uses " << match->str() << " but belongs to no exhibit";
             const std::string name = (*match)[1];
             ++found;
-            EXPECT_NE(derive::uniformBlock(*tables().at(exhibit)).find(' ' + name + ';'), std::string::npos)
-                << file << ": " << name;
+            EXPECT_NE(derive::uniformBlock(*table).find(' ' + name + ';'), std::string::npos) << file << ": " << name;
         }
     }
     EXPECT_GT(found, 10);

@@ -1,8 +1,8 @@
 // Light that dust in the air scatters: the very source that the GPU runs, at float64 and at float32, against the
 // equation of radiative transport and the hard cases of fog.
 
-#include "render/glsl/cpu.h"
-#include "render/glsl/cpu32.h"
+#include "exhibits/crepuscular_rays/rays_cpu.h"
+#include "exhibits/crepuscular_rays/rays_cpu32.h"
 
 #include <gtest/gtest.h>
 

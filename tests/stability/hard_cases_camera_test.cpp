@@ -55,9 +55,9 @@ TEST(HardCases, H12_NormalsFromHalfFloatDepthAreStairsAndNoDepthHereIsHalf)
     const Museum museum{allExhibits()};
     const Look look = museum.initialLook();
     int depths = 0;
-    for (std::size_t i = 0; i < museum.exhibits().size(); ++i) {
+    for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         FrameRequest request;
-        request.camera = i == 0 ? look.camera : museum.bestView(i, look.values[i]);
+        request.camera = museum.bestView(i, look.values[i]);
         request.runEverything = true;
         const render::FramePlan plan = test::planned(museum, look, request);
         for (const render::Pass& pass : plan.passes()) {

@@ -41,7 +41,7 @@ render::FramePlan spoiled(const Shot& shot, int i, int n)
     render::Pass spoil;
     spoil.name = "spoil";
     spoil.stage = render::Stage::present;
-    spoil.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+    spoil.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
     spoil.colors = {{"frame", render::Load::clear, glm::vec4(std::numeric_limits<float>::quiet_NaN()), -1, 0}};
     plan.add(std::move(spoil));
     return plan;
@@ -105,7 +105,7 @@ TEST_F(HardCases, H115_FourThousandSamplesOfOneAverageToOne)
     };
     for (const auto& [image, value] : {std::pair("one", 1.0F), std::pair("sum", 0.0F), std::pair("mean", 0.0F)}) {
         render::Pass clear = pass(std::string("clear ") + image, image);
-        clear.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+        clear.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
         clear.colors[0] = {image, render::Load::clear, glm::vec4(value), -1, 0};
         clear.inputs.clear();
         clear.draws.clear();

@@ -1,10 +1,10 @@
 // The hard cases of motion: clocks that stop, jump and run backwards, springs and rotations where their formulas divide
 // by zero, and coming to rest. Each shows what the plain formula does beside what ours does.
 
+#include "exhibits/fur/rigid_bodies.h"
 #include "exhibits/fur/spring.h"
-#include "render/glsl/cpu.h"
-#include "render/glsl/cpu32.h"
-#include "render/scene/rigid_bodies.h"
+#include "exhibits/fur/strand_cpu.h"
+#include "exhibits/fur/strand_cpu32.h"
 #include "tests/stability/flush_to_zero.h"
 
 #include <gtest/gtest.h>
@@ -277,10 +277,10 @@ TEST(Bending, H82_IsDefinedAtNothingAndAtHalfATurn)
 
 TEST(Bodies, H90_ComeToRestOnTheFloorAndSleepUntilTheyAreDisturbed)
 {
-    render::RigidBodies world({.radius = 1.6});
-    const int ball = world.add(render::BallShape{0.3}, {{0, 0.5, 0}}, 1);
-    const int roll = world.add(render::RollShape{0.2, 0.2}, {{0.8, 0.4, 0}}, 1);
-    const int ring = world.add(render::RingShape{0.35, 0.15}, {{-0.8, 0.4, 0}}, 1);
+    RigidBodies world({.radius = 1.6});
+    const int ball = world.add(BallShape{0.3}, {{0, 0.5, 0}}, 1);
+    const int roll = world.add(RollShape{0.2, 0.2}, {{0.8, 0.4, 0}}, 1);
+    const int ring = world.add(RingShape{0.35, 0.15}, {{-0.8, 0.4, 0}}, 1);
     // Who waits until nothing moves to the bit draws for minutes: what is left of a spring only ever grows less.
     EXPECT_NE(stepped({{1, 0, 0}, {}}, {}, {14, 0.3}, 60, 3600, closed).value, dvec3(0));
     for (int i = 0; i < 240 * 15 && !(world.asleep(ball) && world.asleep(roll) && world.asleep(ring)); ++i)

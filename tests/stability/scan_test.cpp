@@ -65,11 +65,11 @@ TEST_F(StabilityScan, H84_EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
 {
     // How high layer 0 of a single one lies, as a share, would be 0/0.
     const Museum& museum = gallery().museum;
-    for (std::size_t i = 1; i < museum.exhibits().size(); ++i) {
-        const auto rows = museum.exhibits()[i]->parameters().rows();
+    for (const auto& [i, exhibit] : museum.exhibits()) {
+        const auto rows = exhibit.parameters().rows();
         ScanCase plain = scanCase(museum, i, 1);
         plain.look = museum.initialLook();
-        plain.look.values.front() = cheapestValues(museum.hall().parameters());
+        plain.look.hall() = cheapestValues(museum.hall().parameters());
         plain.frame = {};
         plain.frame.alone = i;
         plain.frame.transparent = true;
@@ -85,9 +85,9 @@ TEST_F(StabilityScan, H84_EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
             for (const double end : {rows[row].range.low, high}) {
                 ScanCase c = plain;
                 c.look.values[i].setRow(row, end);
-                c.frame.camera = museum.exhibits()[i]->bestView(c.look.values[i]);
+                c.frame.camera = exhibit.bestView(c.look.values[i]);
                 EXPECT_EQ(faultOf(museum, gallery().renderer, c), "")
-                    << museum.exhibits()[i]->name() << '.' << rows[row].name << ' ' << end;
+                    << exhibit.name() << '.' << rows[row].name << ' ' << end;
             }
         }
     }
@@ -115,7 +115,7 @@ struct Broken final : Exhibit {
     {
         render::Pass glow;
         glow.name = "broken/glow";
-        glow.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+        glow.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
         const auto light = static_cast<float>(1 / context.values[table.divisor]);
         glow.colors = {{radianceImage, render::Load::clear, glm::vec4(light, light, light, 1), -1, 0}};
         plan.add(std::move(glow));
@@ -123,7 +123,7 @@ struct Broken final : Exhibit {
         plan.image({.name = "broken.source", .format = render::Format::rgba16f});
         render::Pass half;  // Writes nothing: there is nothing to draw.
         half.name = "broken/half";
-        half.shader = {"hall/depth.vert", "hall/depth.frag", "", {}};
+        half.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
         half.colors = {{"broken.source", render::Load::keep, {}, -1, 0}};
         plan.add(std::move(half));
         render::Pass copy;

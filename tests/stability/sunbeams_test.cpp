@@ -1,8 +1,8 @@
 // The arithmetic of the sunbeams of the screen: weights along a line towards the light. The very source that the GPU
 // runs, at float64 and at float32. What air scatters is in air_test.cpp.
 
-#include "render/glsl/cpu.h"
-#include "render/glsl/cpu32.h"
+#include "exhibits/crepuscular_rays/rays_cpu.h"
+#include "exhibits/crepuscular_rays/rays_cpu32.h"
 
 #include <gtest/gtest.h>
 

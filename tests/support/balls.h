@@ -50,7 +50,7 @@ struct BallTable final : Parameters {
 };
 
 /// An exhibit whose rows are those of the balls that its file describes.
-class BallsExhibit : public Exhibit {
+class BallsExhibit : public Exhibit, public TableFromFiles {
 public:
     [[nodiscard]] std::string_view name() const override { return "balls"; }
     [[nodiscard]] std::string_view title() const override { return "Balls"; }

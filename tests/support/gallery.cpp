@@ -60,7 +60,7 @@ Shot::Shot()
     frame.channels.normal = true;
     request.depth = true;
     frame.raster.size = {96, 54};
-    frame.camera = museum.exhibits()[sdf]->bestView(object());
+    frame.camera = museum.subject(sdf).bestView(object());
 }
 
 Shot& Shot::inHall()

@@ -79,7 +79,7 @@ struct Shot {
     PictureRequest request;
     std::size_t sdf = 0;
 
-    [[nodiscard]] ParameterValues& hall() { return look.values[0]; }
+    [[nodiscard]] ParameterValues& hall() { return look.hall(); }
     [[nodiscard]] ParameterValues& object() { return look.values[sdf]; }
     /// In the hall, from the exhibit's best view there.
     Shot& inHall();

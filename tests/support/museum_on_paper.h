@@ -35,7 +35,7 @@ struct Scene {
     }
     void see(const render::Camera& camera) { request.camera = look.camera = camera; }
     void see(const glm::dvec3& eye, const glm::dvec3& target) { see({eye, target, 0.96}); }
-    [[nodiscard]] ParameterValues& hall() { return look.values[0]; }
+    [[nodiscard]] ParameterValues& hall() { return look.hall(); }
     [[nodiscard]] ParameterValues& object() { return look.values[sdf]; }
     [[nodiscard]] ParameterValues& rays() { return look.values[*museum().find("crepuscular_rays")]; }
     [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {}) const

@@ -35,7 +35,7 @@ std::string textOf(const std::shared_ptr<const Mesh>& mesh)
     return remembered(mesh, [](const Mesh& m) {
         Hash hash;
         for (const Vertex& v : m.vertices)
-            hash.addValue(v.position).addValue(v.normal).addValue(v.uv).addValue(v.lightmapUv);
+            hash.addValue(v.position).addValue(v.normal).addValue(v.uv).addValue(v.extra);
         hash.add(bytesIn(m.indices));
         return m.name + '#' + std::to_string(m.vertices.size()) + '#' + std::to_string(hash.value());
     });

@@ -16,19 +16,18 @@ inline std::map<std::string, Scene> scenesOfPresets()
     namespace fs = std::filesystem;
     const fs::path presetsFolder = fs::path(VITRINE_SOURCE_DIR) / "assets" / "presets";
     std::map<std::string, Scene> scenes;
-    for (std::size_t i = 0; i < museum().exhibits().size(); ++i) {
-        const Exhibit& exhibit = *museum().exhibits()[i];
-        const fs::path folder = presetsFolder / exhibit.name();
+    for (std::size_t i = 0; i < museum().subjects().size(); ++i) {
+        const Subject& subject = museum().subject(i);
+        const fs::path folder = presetsFolder / subject.name();
         if (!fs::is_directory(folder)) continue;
         for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
             if (entry.path().extension() != ".json") continue;
             const Preset preset = parsePreset(render::readFile(entry.path(), presetLimits.bytes), entry.path().string(),
-                                              exhibit.name(), exhibit.parameters());
+                                              subject.name(), subject.parameters());
             Scene scene;
             scene.look.values[i] = preset.values;
-            scene.see(
-                preset.camera.value_or(i == 0 ? exhibit.bestView(preset.values) : museum().bestView(i, preset.values)));
-            scenes.emplace(std::string(exhibit.name()) + '/' + entry.path().stem().string(), std::move(scene));
+            scene.see(preset.camera.value_or(museum().bestView(i, preset.values)));
+            scenes.emplace(std::string(subject.name()) + '/' + entry.path().stem().string(), std::move(scene));
         }
     }
     return scenes;

@@ -13,7 +13,7 @@
 namespace vitrine::test {
 
 /// An exhibit with a table and nothing to draw.
-class PlainExhibit final : public Exhibit {
+class PlainExhibit final : public Exhibit, public HasButton {
 public:
     PlainExhibit(std::string_view name, std::string_view title, int place) : name_(name), title_(title), place_(place)
     {
@@ -25,7 +25,7 @@ public:
     {
         return "One solid with one hole, from torus to mug and back.";
     }
-    [[nodiscard]] std::string_view buttonText() const override { return place_ > 0 ? "melt it" : ""; }
+    [[nodiscard]] std::string_view buttonText() const override { return "melt it"; }
     [[nodiscard]] int place() const override { return place_; }
     [[nodiscard]] const Parameters& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {{-1, 0, -1}, {1, 2, 1}}; }
@@ -34,7 +34,6 @@ public:
         return {{0, 1.5, 3}, {0, 1, 0}, 0.9};
     }
     [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
-    void plan(const PlanContext&, render::FramePlan&) const override {}
     [[nodiscard]] const SampleTable& table() const { return table_; }
 
 private:
@@ -43,26 +42,41 @@ private:
     SampleTable table_;
 };
 
+/// A building with a table and nothing to draw.
+class PlainHall final : public Subject {
+public:
+    [[nodiscard]] std::string_view name() const override { return "hall"; }
+    [[nodiscard]] std::string_view title() const override { return "Hall"; }
+    [[nodiscard]] std::string_view summary() const override { return "Walls and light."; }
+    [[nodiscard]] const SampleTable& parameters() const override { return table_; }
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {{-6, 0, -12}, {6, 9, 12}}; }
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override
+    {
+        return {{0, 1.5, 3}, {0, 1, 0}, 0.9};
+    }
+
+private:
+    SampleTable table_;
+};
+
 /// A gallery of plain exhibits whose picture is one color: roughness of exhibit 1 is its red.
 class PaintedGallery final : public ui::Gallery {
 public:
     /// With another exhibit after the plain ones, or none.
-    explicit PaintedGallery(std::unique_ptr<Exhibit> another = nullptr)
+    explicit PaintedGallery(std::unique_ptr<Exhibit> another = nullptr) : another_(std::move(another))
     {
-        exhibits_.push_back(std::make_unique<PlainExhibit>("hall", "Hall", 0));
-        exhibits_.push_back(std::make_unique<PlainExhibit>("sdf_morph", "Torus to mug", 1));
-        if (another) exhibits_.push_back(std::move(another));
+        if (another_) subjects_.push_back(another_.get());
     }
     [[nodiscard]] const SampleTable& table(std::size_t i) const
     {
-        return static_cast<PlainExhibit&>(*exhibits_[i]).table();
+        return i == hallIndex ? hall_.parameters() : exhibit_.table();
     }
 
-    [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const override { return exhibits_; }
+    [[nodiscard]] Subjects subjects() const override { return subjects_; }
     [[nodiscard]] Look initialLook() const override
     {
         Look look;
-        for (const auto& exhibit : exhibits_) look.values.push_back(exhibit->parameters().initial());
+        for (const Subject* subject : subjects_) look.values.push_back(subject->parameters().initial());
         return look;
     }
     [[nodiscard]] render::Camera bestView(std::size_t, const ParameterValues&) const override
@@ -92,7 +106,7 @@ public:
 
     [[nodiscard]] TabledLook readTables(const Look& look) const override
     {
-        return vitrine::readTables(exhibits_, assets_, look);
+        return vitrine::readTables(subjects_, assets_, look);
     }
 
     void open() override
@@ -188,7 +202,10 @@ public:
     std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.
 
 private:
-    std::vector<std::unique_ptr<Exhibit>> exhibits_;
+    PlainHall hall_;
+    PlainExhibit exhibit_{"sdf_morph", "Torus to mug", 1};
+    std::unique_ptr<Exhibit> another_;
+    std::vector<const Subject*> subjects_{&hall_, &exhibit_};
     float red_ = 0;
     mutable std::mutex mutex_;
     std::vector<FrameRequest> requests_;

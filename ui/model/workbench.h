@@ -18,7 +18,7 @@ public:
     [[nodiscard]] virtual Gallery& gallery() const = 0;
     [[nodiscard]] virtual History& history() = 0;
     [[nodiscard]] virtual Viewport& viewport() const = 0;
-    /// The exhibit that is visited; 0 is the hall.
+    /// The subject that is visited: an exhibit, or the hall.
     [[nodiscard]] virtual std::size_t chosen() const = 0;
     /// Whose parameters the panel shows: the chosen exhibit, or the hall beside it.
     [[nodiscard]] virtual std::size_t shown() const = 0;

@@ -9,15 +9,15 @@ namespace {
 
 std::size_t chosenIn(const Gallery& gallery, const Look& look, const std::string& name)
 {
-    for (std::size_t i = 0; i < gallery.exhibits().size(); ++i)
-        if (gallery.exhibits()[i]->name() == name) return i;
+    for (std::size_t i = 0; i < gallery.subjects().size(); ++i)
+        if (gallery.subjects()[i]->name() == name) return i;
     try {
         FrameRequest request;
         request.camera = look.camera;
         const std::optional<Pointed> middle = gallery.pick(look, request, {0, 0});
-        return middle ? middle->exhibit : 0;
+        return middle ? middle->exhibit : hallIndex;
     } catch (const std::exception&) {
-        return 0;  // A file that cannot be read is told of where it is drawn.
+        return hallIndex;  // A file that cannot be read is told of where it is drawn.
     }
 }
 
@@ -27,9 +27,9 @@ std::string textOf(const Gallery& gallery, const Look& look, std::size_t chosen,
 {
     Exhibition everything;
     everything.name = name;
-    everything.chosen = std::string(gallery.exhibits()[chosen]->name());
+    everything.chosen = std::string(gallery.subjects()[chosen]->name());
     everything.camera = look.camera;
-    everything.values = namedValues(gallery.exhibits(), look.values);
+    everything.values = namedValues(gallery.subjects(), look.values);
     return exhibitionText(everything);
 }
 
@@ -37,7 +37,7 @@ Look lookFrom(const Gallery& gallery, std::string text, std::string fileName, st
               std::size_t* chosen)
 {
     Look look = gallery.initialLook();
-    const NamedValues initial = namedValues(gallery.exhibits(), look.values);
+    const NamedValues initial = namedValues(gallery.subjects(), look.values);
     Exhibition read = parseExhibition(std::move(text), std::move(fileName), initial);
     for (auto& [name, values] : read.values) {
         const auto at =

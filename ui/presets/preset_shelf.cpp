@@ -64,12 +64,12 @@ PresetShelf::PresetShelf(Workbench& window, PresetList& list, PresetStore store)
 
 std::string PresetShelf::exhibitName() const
 {
-    return std::string(window_.gallery().exhibits()[window_.shown()]->name());
+    return std::string(window_.gallery().subjects()[window_.shown()]->name());
 }
 
 const Parameters& PresetShelf::table() const
 {
-    return window_.gallery().exhibits()[window_.shown()]->parameters();
+    return window_.gallery().subjects()[window_.shown()]->parameters();
 }
 
 void PresetShelf::trySafely(const std::function<void()>& work)
@@ -208,8 +208,8 @@ void PresetShelf::save()
 
 void PresetShelf::saveAs()
 {
-    const Exhibit& exhibit = *window_.gallery().exhibits()[window_.shown()];
-    const QString title = QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()));
+    const Subject& subject = *window_.gallery().subjects()[window_.shown()];
+    const QString title = QString::fromUtf8(subject.title().data(), static_cast<qsizetype>(subject.title().size()));
     const StoredPreset* used = inUse();
     auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(used ? words(used->preset.name) : title),
                                list_.window());
@@ -254,7 +254,7 @@ void PresetShelf::keepMissingThumbnail()
     // Of an exhibit that nobody stands before, the picture shows something else.
     const bool fromItsOwnView = used->preset.camera == window_.history().look().camera;
     const bool before = window_.viewport().mode() == CameraControl::Mode::orbit && window_.chosen() == window_.shown();
-    if (window_.shown() != 0 && !fromItsOwnView && !before) return;
+    if (window_.shown() != hallIndex && !fromItsOwnView && !before) return;
     keepThumbnail(used->path);
     refresh();
 }
@@ -372,10 +372,10 @@ void PresetShelf::loadText(const std::string& text, const QString& origin)
         window_.choose(chosen);
         return;
     }
-    for (std::size_t i = 0; i < window_.gallery().exhibits().size(); ++i) {
-        const Exhibit& exhibit = *window_.gallery().exhibits()[i];
-        if (exhibit.name() != header.exhibit) continue;
-        const Preset preset = parsePreset(text, origin.toStdString(), exhibit.name(), exhibit.parameters());
+    for (std::size_t i = 0; i < window_.gallery().subjects().size(); ++i) {
+        const Subject& subject = *window_.gallery().subjects()[i];
+        if (subject.name() != header.exhibit) continue;
+        const Preset preset = parsePreset(text, origin.toStdString(), subject.name(), subject.parameters());
         tell(origin, preset.notes);
         window_.choose(i);
         show(preset, i, tr("Load %1").arg(words(preset.name)));

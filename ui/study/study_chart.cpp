@@ -390,7 +390,7 @@ void StudyChart::changeEvent(QEvent* event)
     if (event->type() == QEvent::PaletteChange) applyColors();
 }
 
-std::vector<ChartPoint> chartPoints(Exhibits exhibits, const StudyRequest& request, const StudyResult& result)
+std::vector<ChartPoint> chartPoints(Subjects subjects, const StudyRequest& request, const StudyResult& result)
 {
     std::vector<ChartPoint> points;
     const bool timed = result.costName == "ms";
@@ -409,7 +409,7 @@ std::vector<ChartPoint> chartPoints(Exhibits exhibits, const StudyRequest& reque
         c.errorHigh = p.worstError;
         const std::string text = request.axes.size() == 1 ? axisValueText(request.look, request.axes[0],
                                                                           request.axes[0].values[p.setting[0]])
-                                                          : pointText(exhibits, request, p);
+                                                          : pointText(subjects, request, p);
         c.text = QString::fromStdString(request.axes.size() > 2 ? std::string() : text);
         c.dominated = p.dominated;
         c.onFront = std::find(result.front.begin(), result.front.end(), i) != result.front.end();

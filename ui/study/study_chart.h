@@ -80,6 +80,6 @@ private:
 };
 
 /// The points of a study that are measured so far, as the chart shows them.
-[[nodiscard]] std::vector<ChartPoint> chartPoints(Exhibits, const StudyRequest&, const StudyResult&);
+[[nodiscard]] std::vector<ChartPoint> chartPoints(Subjects, const StudyRequest&, const StudyResult&);
 
 }  // namespace vitrine::ui

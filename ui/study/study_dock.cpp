@@ -369,7 +369,7 @@ void StudyDock::suggestTime()
 
 QByteArray StudyDock::exported(const QString& suffix) const
 {
-    return studyFile(suffix, gallery_.exhibits(), request_, result(), *chart_);
+    return studyFile(suffix, gallery_.subjects(), request_, result(), *chart_);
 }
 
 void StudyDock::save()
@@ -380,7 +380,7 @@ void StudyDock::save()
 
 std::optional<std::size_t> StudyDock::rowNow(const StudyAxis& axis) const
 {
-    return history_.look().values[axis.exhibit].table().find(rowOf(request_.look, axis).name);
+    return history_.look().values[axis.subject].table().find(rowOf(request_.look, axis).name);
 }
 
 std::optional<std::size_t> StudyDock::presentPoint() const
@@ -392,7 +392,7 @@ std::optional<std::size_t> StudyDock::presentPoint() const
             const StudyAxis& axis = request_.axes[a];
             const std::optional<std::size_t> row = rowNow(axis);
             same =
-                same && row && look.values[axis.exhibit].row(*row) == Value(axis.values[result().points[i].setting[a]]);
+                same && row && look.values[axis.subject].row(*row) == Value(axis.values[result().points[i].setting[a]]);
         }
         if (same) return i;
     }
@@ -403,7 +403,7 @@ void StudyDock::refresh()
 {
     if (request_.axes.empty()) return;
     const std::optional<std::size_t> present = presentPoint();
-    std::vector<ChartPoint> points = chartPoints(gallery_.exhibits(), request_, result());
+    std::vector<ChartPoint> points = chartPoints(gallery_.subjects(), request_, result());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].present = present == i;
     chart_->setTitles(
         QString::fromStdString(costTitle(result().costName.empty() ? "ms" : result().costName)),
@@ -413,7 +413,7 @@ void StudyDock::refresh()
     if (result().clock.empty()) return;
     QStringList sentences;
     for (const std::string& sentence :
-         {lawSentence(result()), choiceSentence(gallery_.exhibits(), request_, result()), result().convergence})
+         {lawSentence(result()), choiceSentence(gallery_.subjects(), request_, result()), result().convergence})
         if (!sentence.empty()) sentences << QString::fromStdString(sentence);
     sentences << tr("Clock: %1, %2.")
                      .arg(QString::fromStdString(result().clock),
@@ -448,7 +448,7 @@ void StudyDock::showPoint(int wanted)
            "%1 (%2).")
             .arg(shortNumber(full), QString::fromUtf8(title(request_.metric).data(),
                                                       static_cast<qsizetype>(title(request_.metric).size()))));
-    QString text = QString::fromStdString(pointText(gallery_.exhibits(), request_, p)) +
+    QString text = QString::fromStdString(pointText(gallery_.subjects(), request_, p)) +
                    tr(": error %1").arg(shortNumber(p.error));
     if (result().costName != "ms")
         text += tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(p.cost)),
@@ -469,11 +469,11 @@ void StudyDock::apply(std::size_t point)
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
         if (const auto row = rowNow(axis))
-            next.values[axis.exhibit].setRow(*row, axis.values[result().points[point].setting[a]]);
+            next.values[axis.subject].setRow(*row, axis.values[result().points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
     history_.change(
-        one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.exhibits(), request_, result().points[point])))
+        one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.subjects(), request_, result().points[point])))
             : tr("Set what the study found"),
         next);
 }

@@ -11,13 +11,13 @@
 
 namespace vitrine::ui {
 
-QByteArray studyFile(const QString& suffix, Exhibits exhibits, const StudyRequest& request, const StudyResult& result,
+QByteArray studyFile(const QString& suffix, Subjects subjects, const StudyRequest& request, const StudyResult& result,
                      StudyChart& chart)
 {
-    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(studyCsv(exhibits, request, result));
+    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(studyCsv(subjects, request, result));
     if (suffix == QLatin1String("json"))
         return QByteArray::fromStdString(
-            render::writeJson(studyJson(exhibits, request, result, render::Json::object())));
+            render::writeJson(studyJson(subjects, request, result, render::Json::object())));
     const QSize size(960, 600);
     return suffix == QLatin1String("svg") ? chart.svg(size) : pngOf(chart.picture(size, 2));
 }

@@ -14,7 +14,7 @@ namespace vitrine::ui {
 class StudyChart;
 
 /// What was measured, as a file that ends in "csv" or "json"; or the chart, in "svg" or "png".
-[[nodiscard]] QByteArray studyFile(const QString& suffix, Exhibits, const StudyRequest&, const StudyResult&,
+[[nodiscard]] QByteArray studyFile(const QString& suffix, Subjects, const StudyRequest&, const StudyResult&,
                                    StudyChart&);
 
 /// Asks for a file name and writes what `contentOf` makes for its ending. Returns why it could not be saved, for

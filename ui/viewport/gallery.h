@@ -33,9 +33,9 @@ class Gallery {
 public:
     virtual ~Gallery() = default;
 
-    [[nodiscard]] virtual std::span<const std::unique_ptr<Exhibit>> exhibits() const = 0;  ///< The hall first.
+    [[nodiscard]] virtual Subjects subjects() const = 0;
     [[nodiscard]] virtual Look initialLook() const = 0;
-    [[nodiscard]] virtual render::Camera bestView(std::size_t exhibit, const ParameterValues&) const = 0;
+    [[nodiscard]] virtual render::Camera bestView(std::size_t subject, const ParameterValues&) const = 0;
     [[nodiscard]] virtual glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const = 0;
     [[nodiscard]] virtual std::optional<LookedAt> lookedAt(const Look&) const = 0;
     [[nodiscard]] virtual std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const = 0;

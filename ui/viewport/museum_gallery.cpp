@@ -14,9 +14,9 @@ QImage imageOf(const render::gl::ScreenPixels& pixels)
 
 }  // namespace
 
-std::span<const std::unique_ptr<Exhibit>> MuseumGallery::exhibits() const
+Subjects MuseumGallery::subjects() const
 {
-    return museum_.exhibits();
+    return museum_.subjects();
 }
 
 Look MuseumGallery::initialLook() const

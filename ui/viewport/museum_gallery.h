@@ -10,7 +10,7 @@ class MuseumGallery final : public Gallery {
 public:
     explicit MuseumGallery(const Museum& museum) : museum_(museum) {}
 
-    [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const override;
+    [[nodiscard]] Subjects subjects() const override;
     [[nodiscard]] Look initialLook() const override;
     [[nodiscard]] render::Camera bestView(std::size_t exhibit, const ParameterValues&) const override;
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const override;

@@ -52,10 +52,10 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     setAccessibleName(tr("Museum"));
     setAccessibleDescription(tr("The picture. W A S D walk, dragging looks around, a click visits an exhibit."));
     steady_.start();
-    pressedAt_.assign(gallery.exhibits().size(), -1e9);
+    pressedAt_.assign(gallery.subjects().size(), -1e9);
     control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return gallery_.walk(from, to); });
     control_.jumpTo(history.look().camera);
-    schedule_.setSamples(pictureQuality(history.look().values.front()).supersamples);
+    schedule_.setSamples(pictureQuality(history.look().hall()).supersamples);
     watchFiles();
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
@@ -155,7 +155,7 @@ void Viewport::orderWhole(const DrawOrder& order)
 {
     if (order.sample == 0) pictureTime_ = time_;
     PictureOrder wanted{history_.look(), request(pictureTime_), order, devicePixels(), std::nullopt};
-    const double scale = order.scale * pictureQuality(wanted.look.values.front()).resolutionScale;
+    const double scale = order.scale * pictureQuality(wanted.look.hall()).resolutionScale;
     wanted.request.raster.size =
         glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.request.raster.size) * scale)), glm::ivec2(1));
     wanted.request.sample = order.sample;
@@ -263,7 +263,7 @@ void Viewport::scheduleNext()
 std::optional<PictureRegion> Viewport::smallRegion() const
 {
     if (input_->keys().any() || control_.moving() || runEverything_ ||
-        pictureQuality(history_.look().values.front()).resolutionScale != 1)
+        pictureQuality(history_.look().hall()).resolutionScale != 1)
         return std::nullopt;
     const FrameRequest wanted = request(time_);
     const std::optional<PictureRegion> region = gallery_.movingRegion(history_.look(), wanted);
@@ -328,7 +328,7 @@ void Viewport::valuesChanged()
 void Viewport::lookChanged()
 {
     ++lookNumber_;
-    schedule_.setSamples(pictureQuality(history_.look().values.front()).supersamples);
+    schedule_.setSamples(pictureQuality(history_.look().hall()).supersamples);
     schedule_.changed(now());
     watchFiles();
     if (!timer_.isActive()) timer_.start(0);
@@ -350,7 +350,7 @@ void Viewport::visit(std::size_t exhibit)
     remember();
     subject_ = exhibit;
     control_.glideTo({gallery_.bestView(exhibit, history_.look().values[exhibit]),
-                      exhibit == 0 ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
+                      exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     cameraChanged();
 }
 
@@ -414,7 +414,7 @@ std::optional<Pointed> Viewport::pointedAt(const QPointF& at) const
 
 void Viewport::press()
 {
-    if (control_.mode() == CameraControl::Mode::orbit && !gallery_.exhibits()[subject_]->buttonText().empty())
+    if (control_.mode() == CameraControl::Mode::orbit && capability<HasButton>(*gallery_.subjects()[subject_]))
         pressButton(subject_);
     else if (lookedAt_)
         pressButton(lookedAt_->exhibit);
@@ -439,7 +439,7 @@ QString Viewport::reason() const
 
 bool Viewport::pictureFinished() const
 {
-    const bool whole = pictureQuality(history_.look().values.front()).resolutionScale == 1;
+    const bool whole = pictureQuality(history_.look().hall()).resolutionScale == 1;
     return whole && !shown_.isNull() && regionImage_.isNull() && schedule_.still() && lastFailure_.isEmpty();
 }
 

@@ -155,10 +155,10 @@ private:
 
     struct Former {
         CameraControl::Standpoint standpoint;
-        std::size_t subject = 0;
+        std::size_t subject = hallIndex;
     };
     std::vector<Former> former_;  // The last one last.
-    std::size_t subject_ = 0;
+    std::size_t subject_ = hallIndex;
 
     Overlay* hint_;
     Overlay* label_;

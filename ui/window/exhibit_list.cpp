@@ -25,7 +25,7 @@ ExhibitList::ExhibitList(QWidget* parent) : QListWidget(parent)
             [this](QListWidgetItem* item) { emit chosen(item->data(exhibitRole).toULongLong()); });
 }
 
-void ExhibitList::fill(std::span<const std::unique_ptr<Exhibit>> exhibits, const std::vector<int>& emptyPlaces)
+void ExhibitList::fill(Subjects subjects, const std::vector<int>& emptyPlaces)
 {
     clear();
     struct Entry {
@@ -33,7 +33,10 @@ void ExhibitList::fill(std::span<const std::unique_ptr<Exhibit>> exhibits, const
         std::optional<std::size_t> exhibit;
     };
     std::vector<Entry> entries;
-    for (std::size_t i = 0; i < exhibits.size(); ++i) entries.push_back({exhibits[i]->place(), i});
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+        const auto* exhibit = dynamic_cast<const Exhibit*>(subjects[i]);
+        entries.push_back({exhibit ? exhibit->place() : 0, i});  // The hall comes first.
+    }
     for (const int place : emptyPlaces) entries.push_back({place, std::nullopt});
     std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.place < b.place; });
     for (const Entry& entry : entries) {
@@ -46,11 +49,11 @@ void ExhibitList::fill(std::span<const std::unique_ptr<Exhibit>> exhibits, const
             item->setFlags(Qt::NoItemFlags);
             continue;
         }
-        const Exhibit& exhibit = *exhibits[*entry.exhibit];
-        item->setText(text(exhibit.title()));
+        const Subject& subject = *subjects[*entry.exhibit];
+        item->setText(text(subject.title()));
         item->setData(exhibitRole, static_cast<qulonglong>(*entry.exhibit));
         item->setData(TileDelegate::secondLine, numbered ? tr("Place %1").arg(entry.place) : QString());
-        item->setToolTip(text(exhibit.summary()));
+        item->setToolTip(text(subject.summary()));
     }
 }
 

@@ -4,8 +4,6 @@
 
 #include <QListWidget>
 
-#include <memory>
-#include <span>
 #include <vector>
 
 namespace vitrine::ui {
@@ -17,7 +15,7 @@ class ExhibitList final : public QListWidget {
 public:
     explicit ExhibitList(QWidget* parent = nullptr);
 
-    void fill(std::span<const std::unique_ptr<Exhibit>>, const std::vector<int>& emptyPlaces);
+    void fill(Subjects, const std::vector<int>& emptyPlaces);
     void setThumbnail(std::size_t exhibit, const QPixmap&);
     [[nodiscard]] bool hasThumbnail(std::size_t exhibit) const;
     /// Marks it as chosen; emits nothing.

@@ -42,26 +42,26 @@ FileOpener::FileOpener(Workbench& window, PresetShelf& shelf, QObject* parent)
 void FileOpener::setHallFile(const char* parameter, const QString& path)
 {
     Look next = window_.history().look();
-    const auto row = next.values[0].table().find(parameter);
+    const auto row = next.hall().table().find(parameter);
     if (!row) {
         window_.say(
             MessageStrip::Mood::problem,
             tr("%1 cannot be shown: this hall has no parameter \"%2\" for it.").arg(path, QLatin1String(parameter)));
         return;
     }
-    next.values[0].setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
+    next.hall().setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
     // Reading a large file takes seconds.
     window_.viewport().renderThread().post(
         [this, &gallery = window_.gallery(), next, row = *row, path]() -> std::function<void()> {
             for (const std::string& why : gallery.unreadableFiles(next))
-                if (why.starts_with(label(next.values[0].rows()[row]) + " of "))
+                if (why.starts_with(label(next.hall().rows()[row]) + " of "))
                     return [this, why] {
                         window_.say(MessageStrip::Mood::problem,
                                     tr("%1 Nothing was changed.").arg(QString::fromStdString(why)));
                     };
-            return [this, row, path, file = next.values[0].row(row)] {
+            return [this, row, path, file = next.hall().row(row)] {
                 Look changed = window_.history().look();
-                changed.values[0].setRow(row, file);
+                changed.hall().setRow(row, file);
                 window_.history().change(tr("Put %1 into the hall").arg(QFileInfo(path).fileName()), changed);
             };
         });

@@ -35,8 +35,7 @@ LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
 void LedgerView::note(const render::FrameReport& report)
 {
     report_ = report;
-    for (const render::StepReport& s : report.ran)
-        if (s.milliseconds >= 0) lastCost_[s.name] = s.milliseconds;
+    costs_.note(report);
     if (isVisible() && !timer_.isActive()) timer_.start();
 }
 
@@ -49,13 +48,8 @@ QString LedgerView::stepText(const QString& name) const
 {
     const qsizetype slash = name.indexOf(QLatin1Char('/'));
     const auto title = titles_.constFind(name.left(slash));
-    return slash < 0 || title == titles_.constEnd() ? name : *title + QStringLiteral(": ") + name.mid(slash + 1);
-}
-
-double LedgerView::lastCost(const std::string& name) const
-{
-    const auto known = lastCost_.find(name);
-    return known == lastCost_.end() ? -1 : known->second;
+    if (title == titles_.constEnd()) return name;
+    return slash < 0 ? *title : *title + QStringLiteral(": ") + name.mid(slash + 1);
 }
 
 void LedgerView::showEvent(QShowEvent* event)
@@ -99,7 +93,7 @@ void LedgerView::renew()
                  e.bound.isKnown() ? toString(e.bound) : tr("may change any pixel").toStdString(), true);
     }
     for (const render::Skipped& s : report_.skipped)
-        fill(s.name, s.work, tr("skipped"), milliseconds(lastCost(s.name)),
+        fill(s.name, s.work, tr("skipped"), milliseconds(costs_.of(s.name)),
              s.reason + (s.boundIsZero ? "; would change nothing" : ""), false);
 }
 

@@ -1,13 +1,10 @@
 #pragma once
 
-#include "render/plan/painter.h"
+#include "render/plan/step_costs.h"
 
 #include <QHash>
 #include <QTimer>
 #include <QTreeWidget>
-
-#include <map>
-#include <string>
 
 namespace vitrine::ui {
 
@@ -17,8 +14,7 @@ class LedgerView final : public QTreeWidget {
 
 public:
     explicit LedgerView(QWidget* parent = nullptr);
-    /// Milliseconds that a step took when it last ran and was timed; negative: never.
-    [[nodiscard]] double lastCost(const std::string& step) const;
+    [[nodiscard]] const render::StepCosts& costs() const { return costs_; }
     /// What stands for the part of a step's name before the slash: "Torus to Mug: cone" for "sdf_morph/cone".
     void setTitles(const QHash<QString, QString>&);
     /// Shown twice a second at most, and only while visible.
@@ -33,7 +29,7 @@ private:
 
     QHash<QString, QString> titles_;
     render::FrameReport report_;
-    std::map<std::string, double> lastCost_;  // Milliseconds by step, of the last frame in which it ran and was timed.
+    render::StepCosts costs_;
     QTimer timer_;
 };
 

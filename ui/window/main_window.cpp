@@ -43,10 +43,10 @@
 namespace vitrine::ui {
 namespace {
 
-QString thumbnailPath(const Exhibit& exhibit)
+QString thumbnailPath(const Subject& subject)
 {
     const QString cache = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation);
-    return cache + QStringLiteral("/vitrine/thumbnails/") + text(exhibit.name()) + QStringLiteral(".png");
+    return cache + QStringLiteral("/vitrine/thumbnails/") + text(subject.name()) + QStringLiteral(".png");
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
     connectViewport();
     new TableReader(*this, this);
     showShippedThumbnails();
-    choose(0);
+    choose(hallIndex);
     keeper_ = new SessionKeeper(*this);
     if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
     keeper_->watch();
@@ -95,11 +95,11 @@ void MainWindow::buildMiddle()
 
 void MainWindow::showShippedThumbnails()
 {
-    for (std::size_t i = 0; i < gallery_.exhibits().size(); ++i) {
+    for (std::size_t i = 0; i < gallery_.subjects().size(); ++i) {
         // The shipped one shows the exhibit's best view; one kept from the screen serves those that ship none.
-        const std::string shipped = "thumbnails/" + std::string(gallery_.exhibits()[i]->name()) + ".png";
+        const std::string shipped = "thumbnails/" + std::string(gallery_.subjects()[i]->name()) + ".png";
         QPixmap kept(QString::fromStdString(render::asset(shipped).string()));
-        if (kept.isNull()) kept.load(thumbnailPath(*gallery_.exhibits()[i]));
+        if (kept.isNull()) kept.load(thumbnailPath(*gallery_.subjects()[i]));
         if (!kept.isNull()) docks_->exhibits().setThumbnail(i, kept);
     }
 }
@@ -128,8 +128,9 @@ void MainWindow::connectViewport()
     connect(viewport_, &Viewport::visited, this, &MainWindow::choose);
     connect(viewport_, &Viewport::pressed, this, [this](std::size_t exhibit) {
         Look next = history_.look();
-        if (gallery_.exhibits()[exhibit]->press(next.values[exhibit]))
-            history_.change(tr("Press the button of %1").arg(text(gallery_.exhibits()[exhibit]->title())), next);
+        const Subject& subject = *gallery_.subjects()[exhibit];
+        if (const auto* button = capability<HasButton>(subject); button && button->press(next.values[exhibit]))
+            history_.change(tr("Press the button of %1").arg(text(subject.title())), next);
     });
     connect(viewport_, &Viewport::failed, this,
             [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
@@ -210,17 +211,17 @@ QSize MainWindow::firstSize(const QSize& room)
 void MainWindow::showTitle()
 {
     const QString use = shelf_->titleOfUse();
-    QStringList parts{text(gallery_.exhibits()[shown()]->title())};
+    QStringList parts{text(gallery_.subjects()[shown()]->title())};
     if (!use.isEmpty()) parts << use;
     setWindowTitle(tr("%1 – Vitrine").arg(parts.join(QStringLiteral(": "))));
 }
 
 void MainWindow::resetEverything()
 {
-    const Exhibit& exhibit = *gallery_.exhibits()[shown()];
+    const Subject& subject = *gallery_.subjects()[shown()];
     Look next = history_.look();
-    next.values[shown()] = exhibit.parameters().initial();
-    history_.change(tr("Reset %1").arg(text(exhibit.title())), next);
+    next.values[shown()] = subject.parameters().initial();
+    history_.change(tr("Reset %1").arg(text(subject.title())), next);
 }
 
 void MainWindow::keepThumbnail()
@@ -228,7 +229,7 @@ void MainWindow::keepThumbnail()
     if (!viewport_->schedule().still()) return;
     QMetaObject::invokeMethod(shelf_, &PresetShelf::keepMissingThumbnail, Qt::QueuedConnection);
     if (docks_->exhibits().hasThumbnail(chosen_)) return;
-    const auto posed = chosen_ == 0 ? CameraControl::Mode::walk : CameraControl::Mode::orbit;
+    const auto posed = chosen_ == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit;
     if (viewport_->mode() != posed) return;
     QMetaObject::invokeMethod(
         this,
@@ -237,7 +238,7 @@ void MainWindow::keepThumbnail()
             if (picture.isNull()) return;
             const QPixmap small = thumbnailOf(picture);
             docks_->exhibits().setThumbnail(chosen_, small);
-            saveThumbnail(thumbnailPath(*gallery_.exhibits()[chosen_]), small.toImage());
+            saveThumbnail(thumbnailPath(*gallery_.subjects()[chosen_]), small.toImage());
         },
         Qt::QueuedConnection);
 }

@@ -93,7 +93,7 @@ private:
     QStringList unreadable_;         // What the strip says about files that cannot be read.
     std::unique_ptr<WindowActions> actions_;
     bool bare_ = false;  // Panels, menu and status line are hidden.
-    std::size_t chosen_ = 0;
+    std::size_t chosen_ = hallIndex;
 };
 
 }  // namespace vitrine::ui

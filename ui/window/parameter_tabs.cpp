@@ -9,8 +9,8 @@
 
 namespace vitrine::ui {
 
-ParameterTabs::ParameterTabs(std::span<const std::unique_ptr<Exhibit>> exhibits, History& history, QWidget* parent)
-    : QWidget(parent), exhibits_(exhibits), history_(history), tabs_(new QTabBar(this)),
+ParameterTabs::ParameterTabs(Subjects subjects, History& history, QWidget* parent)
+    : QWidget(parent), subjects_(subjects), history_(history), tabs_(new QTabBar(this)),
       panel_(new ParameterPanel(history, this))
 {
     auto* layout = new QVBoxLayout(this);
@@ -31,15 +31,15 @@ ParameterTabs::ParameterTabs(std::span<const std::unique_ptr<Exhibit>> exhibits,
             [this] { tabs_->setCurrentIndex(1 - tabs_->currentIndex()); });
 }
 
-void ParameterTabs::choose(std::size_t exhibit)
+void ParameterTabs::choose(std::size_t subject)
 {
     {
         const QSignalBlocker quiet(tabs_);
         while (tabs_->count() > 0) tabs_->removeTab(0);
-        for (const std::size_t i : exhibit == 0 ? std::vector<std::size_t>{0} : std::vector<std::size_t>{exhibit, 0}) {
-            const int tab = tabs_->addTab(text(exhibits_[i]->title()));
+        for (const std::size_t i : subject == hallIndex ? std::vector{hallIndex} : std::vector{subject, hallIndex}) {
+            const int tab = tabs_->addTab(text(subjects_[i]->title()));
             tabs_->setTabData(tab, static_cast<qulonglong>(i));
-            tabs_->setTabToolTip(tab, text(exhibits_[i]->summary()));
+            tabs_->setTabToolTip(tab, text(subjects_[i]->summary()));
         }
         tabs_->updateGeometry();  // A tab bar that is not shown yet does not tell its layout that it has grown.
     }
@@ -53,8 +53,8 @@ std::size_t ParameterTabs::shown() const
 
 void ParameterTabs::show()
 {
-    const auto exhibit = static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
-    panel_->showExhibit(exhibit, text(exhibits_[exhibit]->name()));
+    const auto subject = static_cast<std::size_t>(tabs_->tabData(tabs_->currentIndex()).toULongLong());
+    panel_->showExhibit(subject, text(subjects_[subject]->name()));
 }
 
 void ParameterTabs::searchElsewhere()
@@ -73,7 +73,7 @@ void ParameterTabs::searchElsewhere()
     }
     const QString more = found.size() > 3 ? tr(" and %1 more").arg(found.size() - 3) : QString();
     panel_->offerElsewhere(
-        tr("%1: %2%3").arg(text(exhibits_[other]->title()), found.mid(0, 3).join(QStringLiteral(", ")), more));
+        tr("%1: %2%3").arg(text(subjects_[other]->title()), found.mid(0, 3).join(QStringLiteral(", ")), more));
 }
 
 }  // namespace vitrine::ui

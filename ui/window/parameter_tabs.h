@@ -1,11 +1,9 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/subject.h"
+#include "exhibits/museum/look.h"
 
 #include <QWidget>
-
-#include <memory>
-#include <span>
 
 class QTabBar;
 
@@ -20,10 +18,10 @@ class ParameterTabs final : public QWidget {
 
 public:
     /// Both must outlive it.
-    ParameterTabs(std::span<const std::unique_ptr<Exhibit>>, History&, QWidget* parent = nullptr);
+    ParameterTabs(Subjects, History&, QWidget* parent = nullptr);
 
-    /// Shows this exhibit's parameters; 0 is the hall.
-    void choose(std::size_t exhibit);
+    /// Shows the parameters of this subject and, beside them, of the hall.
+    void choose(std::size_t subject);
     /// Whose parameters the panel shows.
     [[nodiscard]] std::size_t shown() const;
     [[nodiscard]] ParameterPanel& panel() const { return *panel_; }
@@ -36,7 +34,7 @@ private:
     void show();
     void searchElsewhere();
 
-    std::span<const std::unique_ptr<Exhibit>> exhibits_;
+    Subjects subjects_;
     const History& history_;
     QTabBar* tabs_;
     ParameterPanel* panel_;

@@ -172,8 +172,8 @@ void SessionKeeper::saveLayout() const
     settings.setValue(QStringLiteral("folded"), window_.panel().foldedGroups());
     settings.setValue(
         QStringLiteral("chosen"),
-        QString::fromUtf8(window_.gallery().exhibits()[window_.chosen()]->name().data(),
-                          static_cast<qsizetype>(window_.gallery().exhibits()[window_.chosen()]->name().size())));
+        QString::fromUtf8(window_.gallery().subjects()[window_.chosen()]->name().data(),
+                          static_cast<qsizetype>(window_.gallery().subjects()[window_.chosen()]->name().size())));
 }
 
 void SessionKeeper::restoreLayout()
@@ -183,8 +183,8 @@ void SessionKeeper::restoreLayout()
     window_.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
     window_.panel().setFoldedGroups(settings.value(QStringLiteral("folded")).toStringList());
     const std::string chosen = settings.value(QStringLiteral("chosen")).toString().toStdString();
-    for (std::size_t i = 0; i < window_.gallery().exhibits().size(); ++i)
-        if (window_.gallery().exhibits()[i]->name() == chosen) window_.choose(i);
+    for (std::size_t i = 0; i < window_.gallery().subjects().size(); ++i)
+        if (window_.gallery().subjects()[i]->name() == chosen) window_.choose(i);
 }
 
 int SessionKeeper::timesRestored() const

@@ -208,7 +208,7 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("E&xhibit"));
     make.add(tr("&Entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)}, tr("Back to where the visit begins."),
-             [&window] { window.visit(0); });
+             [&window] { window.visit(hallIndex); });
     make.add(tr("&Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)},
              tr("To where you stood before; Backspace does the same while the picture has the focus."),
              [&window] { window.viewport().goBack(); });
@@ -216,8 +216,10 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
              tr("The red button of the exhibit that you look at; E does the same while the picture has the focus."),
              [&window] { window.viewport().press(); });
     make.separator();
-    for (std::size_t i = 1; i < window.gallery().exhibits().size(); ++i) {
-        const Exhibit& exhibit = *window.gallery().exhibits()[i];
+    for (std::size_t i = 0; i < window.gallery().subjects().size(); ++i) {
+        const auto* found = dynamic_cast<const Exhibit*>(window.gallery().subjects()[i]);
+        if (!found) continue;
+        const Exhibit& exhibit = *found;
         const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
                               ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))}
                               : Keys{};

@@ -28,7 +28,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
     window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     addLists();
-    parameters_ = new ParameterTabs(workbench_.gallery().exhibits(), workbench_.history());
+    parameters_ = new ParameterTabs(workbench_.gallery().subjects(), workbench_.history());
     parametersDock_ = add(tr("Parameters"), "parameters", parameters_, Qt::RightDockWidgetArea);
     addStudy();
     addLedgerAndLog();
@@ -55,7 +55,7 @@ void WindowDocks::addLists()
     presets_ = new PresetList;
     add(tr("Exhibits"), "exhibits", exhibits_, Qt::LeftDockWidgetArea);
     add(tr("Presets"), "presets", presets_, Qt::LeftDockWidgetArea);
-    exhibits_->fill(workbench_.gallery().exhibits(), workbench_.gallery().emptyPlaces());
+    exhibits_->fill(workbench_.gallery().subjects(), workbench_.gallery().emptyPlaces());
 }
 
 void WindowDocks::addStudy()
@@ -80,7 +80,7 @@ void WindowDocks::addLedgerAndLog()
     Viewport& viewport = workbench_.viewport();
     ledger_ = new LedgerDock([&viewport] { return viewport.reason(); });
     QHash<QString, QString> titles;
-    for (const auto& exhibit : workbench_.gallery().exhibits())
+    for (const auto& exhibit : workbench_.gallery().subjects())
         titles.insert(QString::fromUtf8(exhibit->name().data(), static_cast<qsizetype>(exhibit->name().size())),
                       QString::fromUtf8(exhibit->title().data(), static_cast<qsizetype>(exhibit->title().size())));
     ledger_->view().setTitles(titles);

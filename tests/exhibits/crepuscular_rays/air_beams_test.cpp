@@ -1,7 +1,7 @@
 // The sunbeams that are marched through the air, as drawn, against closed forms.
 
+#include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
-#include "render/glsl/cpu.h"
 #include "tests/exhibits/crepuscular_rays/ray_shot.h"
 #include "tests/support/temporary_folder.h"
 
@@ -88,7 +88,7 @@ TEST_F(Rays, OfTheVolumeLeaveAWhiteFurnaceWhite)
     const std::size_t rays = *gallery().museum.find("crepuscular_rays");
     shot.request.frame.alone = rays;
     shot.request.frame.transparent = false;
-    shot.request.frame.camera = gallery().museum.exhibits()[rays]->bestView(shot.rays());
+    shot.request.frame.camera = gallery().museum.subject(rays).bestView(shot.rays());
     shot.size(64, 36);
     shot.hall().set(hallTable().environment, (folder / "white.hdr").string());
     shot.hall().set(hallTable().reflectionProbe, true);
@@ -191,7 +191,7 @@ TEST_F(Rays, OfTheVolumeAloneAreTheBeamOfTheWindowAndNothingElse)
     const std::size_t rays = *gallery().museum.find("crepuscular_rays");
     shot.request.frame.alone = rays;
     shot.request.frame.transparent = true;
-    shot.request.frame.camera = gallery().museum.exhibits()[rays]->bestView(shot.rays());
+    shot.request.frame.camera = gallery().museum.subject(rays).bestView(shot.rays());
     shot.size(96, 54);
     const Picture p = shot.take();
     int lit = 0;

@@ -45,7 +45,7 @@ struct RayShot : Shot {
     /// Largest component of the color in which a white mask comes out.
     [[nodiscard]] glm::dvec3 white() const
     {
-        const glm::dvec3 color = blackBodyColor(look.values[0][hallTable().sunTemperature]);
+        const glm::dvec3 color = blackBodyColor(look.hall()[hallTable().sunTemperature]);
         return color / std::max({color.x, color.y, color.z});
     }
 };

@@ -1,7 +1,7 @@
 // What the sunbeams of the screen keep to whatever is set and wherever the sun is.
 
+#include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
-#include "render/glsl/cpu.h"
 #include "tests/exhibits/crepuscular_rays/ray_shot.h"
 #include "tests/support/planned.h"
 

@@ -1,9 +1,10 @@
 // The sunbeams' part of a plan: what is added, what is not and why; where the sun stands in a picture.
 
+#include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/rays_scene.h"
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 #include "exhibits/hall/sun.h"
-#include "render/glsl/cpu.h"
+#include "tests/support/block_of.h"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/planned.h"
 
@@ -42,8 +43,8 @@ void expectNothingOfTheScreen(const Scene& scene, const char* why)
     const render::FramePlan plan = scene.plan();
     for (const char* pass : screenPasses) EXPECT_EQ(reasonFor(plan, pass), why);
     for (const char* pass :
-         {"crepuscular_rays/loop", "crepuscular_rays/taps/1", "crepuscular_rays/polar", "crepuscular_rays/occluders"})
-        EXPECT_EQ(plan.find(pass), nullptr);
+         {"crepuscular_rays/loop", "crepuscular_rays/taps", "crepuscular_rays/polar", "crepuscular_rays/occluders"})
+        EXPECT_FALSE(runs(plan, pass)) << pass;
 }
 
 /// No pass, no image that anything uses, no program.
@@ -121,7 +122,7 @@ TEST(RaysPlan, NothingToSeeAddsNoPassAndSaysWhy)
 
     Scene alone = atTheWindow();
     alone.request.alone = *test::museum().find("crepuscular_rays");
-    alone.look.values[0].set(test::hallTable().sunAzimuth, 3.0);
+    alone.look.hall().set(test::hallTable().sunAzimuth, 3.0);
     EXPECT_EQ(reasonFor(alone.plan(), "crepuscular_rays/march"), "the sun does not shine through the window");
 }
 
@@ -146,20 +147,18 @@ TEST(RaysPlan, AloneTheWindowShinesWithoutItsHall)
     Scene alone = atTheWindow(RayTechnique::volume);
     const std::size_t rays = *test::museum().find("crepuscular_rays");
     alone.request.alone = rays;
-    alone.see(test::museum().exhibits()[rays]->bestView(alone.rays()));
+    alone.see(test::museum().subject(rays).bestView(alone.rays()));
     const render::FramePlan plan = alone.plan();
     EXPECT_TRUE(plan.find("crepuscular_rays/march"));
     // The beam that the hall's window makes, in the exhibit's own space.
-    RaysBlock own;
-    std::memcpy(&own, plan.find("crepuscular_rays/march")->draws[0].object.data(), sizeof own);
+    const BeamBlock own = test::blockOf<RaysBlock>(plan.find("crepuscular_rays/march")->draws[0].object).beams[0];
     Scene hall = atTheWindow(RayTechnique::volume);
-    RaysBlock there;
     const render::FramePlan inHall = hall.plan();
-    std::memcpy(&there, inHall.find("crepuscular_rays/march")->draws[0].object.data(), sizeof there);
+    const BeamBlock there = test::blockOf<RaysBlock>(inHall.find("crepuscular_rays/march")->draws[0].object).beams[0];
     const glm::vec3 place(test::museum().worldFromExhibit(rays)[3]);
-    EXPECT_LT(glm::length(glm::vec3(own.low[0]) + place - glm::vec3(there.low[0])), 1e-5F);
-    EXPECT_LT(glm::length(glm::vec3(own.high[0]) + place - glm::vec3(there.high[0])), 1e-5F);
-    EXPECT_LT(glm::length(glm::vec3(own.airHigh[0]) + place - glm::vec3(there.airHigh[0])), 1e-4F);
+    EXPECT_LT(glm::length(own.openingLow + place - there.openingLow), 1e-5F);
+    EXPECT_LT(glm::length(own.openingHigh + place - there.openingHigh), 1e-5F);
+    EXPECT_LT(glm::length(own.airHigh + place - there.airHigh), 1e-4F);
 }
 
 TEST(RaysPlan, OccludersAreWhateverHidesTheSkyAndNothingElseIsDrawnAgain)
@@ -171,10 +170,14 @@ TEST(RaysPlan, OccludersAreWhateverHidesTheSkyAndNothingElseIsDrawnAgain)
     const render::Pass* marched = plan.find("crepuscular_rays/occluders/sdf_morph/march");
     ASSERT_TRUE(marched);
     EXPECT_TRUE(marched->colors.empty());
-    EXPECT_EQ(marched->depth->image, "crepuscular_rays.occluders");
+    EXPECT_EQ(marched->depth->image, "crepuscular_rays/occluders.depth");
     EXPECT_NE(std::find(marched->shader.defines.begin(), marched->shader.defines.end(), "DEPTH_ONLY"),
               marched->shader.defines.end());
     EXPECT_TRUE(plan.find("crepuscular_rays/occluders/sdf_morph/cone"));
+    // Of the walls their places tell all: neither material nor light is looked up.
+    const render::Pass* walls = plan.find("crepuscular_rays/occluders/hall/walls");
+    ASSERT_TRUE(walls);
+    EXPECT_TRUE(walls->colors.empty() && walls->inputs.empty() && walls->draws[0].inputs.empty());
     for (const char* shadow :
          {"crepuscular_rays/occluders/hall/shadow", "crepuscular_rays/occluders/sky",
           "crepuscular_rays/occluders/sdf_morph/shadow", "crepuscular_rays/occluders/hall/plaques"})
@@ -238,7 +241,7 @@ TEST(RaysPlan, ATileTakesItsMaskFromTheWholePicture)
     scene.rays().set(raysTable().method, RayMethod::threePasses);
     scene.request.raster = {.size = {6400, 3600}, .offset = {1000, 1000}, .tile = {500, 300}};
     const render::FramePlan plan = scene.plan();
-    ASSERT_TRUE(plan.find("crepuscular_rays/occluders"));
+    ASSERT_TRUE(runs(plan, "crepuscular_rays/occluders/"));
     EXPECT_EQ(plan.images().at("crepuscular_rays.mask").size, glm::ivec2(2048, 1152));
     EXPECT_TRUE(plan.find("crepuscular_rays/loop"));  // Passes cannot look into the next tile.
     EXPECT_EQ(plan.find("crepuscular_rays/taps/1"), nullptr);

@@ -91,8 +91,8 @@ void expectBlockOf(const Parameters& table, const std::string& exhibit)
 
 TEST_F(UniformBlock, HasEveryParameterWhereTheDriverLooksForIt)
 {
-    for (const auto& exhibit : test::gallery().museum.exhibits())
-        expectBlockOf(exhibit->parameters(), std::string(exhibit->name()));
+    for (const Subject* subject : test::gallery().museum.subjects())
+        expectBlockOf(subject->parameters(), std::string(subject->name()));
 }
 
 /// What std140 pads: a number after a vector, a vector after one, two and three numbers, vectors in a row.

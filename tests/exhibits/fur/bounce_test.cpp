@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/random_values.h"
 #include "exhibits/fur/bounce.h"
-#include "render/scene/rigid_bodies.h"
+#include "exhibits/fur/rigid_bodies.h"
 
 #include <gtest/gtest.h>
 
@@ -289,8 +289,8 @@ TEST(Bounce, RestsOnTheFloorWhateverTheFurCarries)
 
 TEST(Bodies, FallAsFastAsGalileoSays)
 {
-    render::RigidBodies world({.radius = 10});
-    const int ball = world.add(render::BallShape{0.1}, {{0, 3, 0}}, 1);
+    RigidBodies world({.radius = 10});
+    const int ball = world.add(BallShape{0.1}, {{0, 3, 0}}, 1);
     for (int i = 0; i < 120; ++i) world.step(1.0 / 240);
     // Half a second: 1.226 m, less what the air's 5 % a second holds back and the step's first order adds.
     EXPECT_NEAR(3 - world.pose(ball).position.y, 1.226, 0.02);
@@ -299,9 +299,9 @@ TEST(Bodies, FallAsFastAsGalileoSays)
 TEST(Bodies, MeetThePaddedRimWhereItIsDrawnAndNothingAboveIt)
 {
     // assets/models/hall_props.py: the leather's top lies 0.18 m above the ground, 0.14 m outside the pit's wall.
-    const render::RigidPit pit{.radius = pitRadius, .depth = pitRim, .padRadius = pitPadRadius, .padLift = pitPadLift};
-    render::RigidBodies world(pit);
-    const int ball = world.add(render::BallShape{0.2}, {{pitRadius + 0.14, 1.2, 0}}, 1);
+    const RigidPit pit{.radius = pitRadius, .depth = pitRim, .padRadius = pitPadRadius, .padLift = pitPadLift};
+    RigidBodies world(pit);
+    const int ball = world.add(BallShape{0.2}, {{pitRadius + 0.14, 1.2, 0}}, 1);
     double lowest = 2;
     for (int i = 0; i < 120; ++i) {
         world.step(1.0 / 240);
@@ -309,9 +309,9 @@ TEST(Bodies, MeetThePaddedRimWhereItIsDrawnAndNothingAboveIt)
     }
     EXPECT_NEAR(lowest, pitRim + 0.18 + 0.2, 0.02);
     // A slow one is held by the wall, a high one flies over the rim and comes down on the ground outside.
-    render::RigidBodies other(pit);
-    const int slow = other.add(render::BallShape{0.2}, {{0, 0.2, 0}}, 1);
-    const int high = other.add(render::BallShape{0.2}, {{0, 1.5, 0.8}}, 1);
+    RigidBodies other(pit);
+    const int slow = other.add(BallShape{0.2}, {{0, 0.2, 0}}, 1);
+    const int high = other.add(BallShape{0.2}, {{0, 1.5, 0.8}}, 1);
     other.accelerate(slow, {2, 0, 0}, {});
     other.accelerate(high, {0, 0, 5}, {});
     double reached = 0;

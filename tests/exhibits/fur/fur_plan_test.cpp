@@ -119,8 +119,8 @@ TEST(FurPlan, OutOfViewTakesNoStepAndNoPass)
     scene.see({-2, 1.65, 3}, {-6, 1.65, 3.2});
     const render::FramePlan plan = scene.plan();
     EXPECT_FALSE(runs(plan, "fur/"));
-    EXPECT_EQ(reasonFor(plan, "fur/motion"), "out of view");
-    EXPECT_EQ(reasonFor(plan, "fur/coat"), "out of view");
+    EXPECT_EQ(reasonFor(plan, "fur"), "out of view");
+    EXPECT_EQ(reasonFor(plan, "fur/motion"), "not in the plan");
     scene.press(5);
     EXPECT_EQ(scene.next(), never);
 }

@@ -96,7 +96,7 @@ TEST_F(FurQuality, IsNearTheReferenceAtSixteenSamplesPerPixel)
 
 TEST_F(FurQuality, EachStudyHasAViewThatTellsItsMethodsApart)
 {
-    const Exhibit& exhibit = *gallery().museum.exhibits()[*gallery().museum.find("fur")];
+    const Exhibit& exhibit = gallery().museum.exhibit(*gallery().museum.find("fur"));
     const auto shot = [&](std::string_view name, const auto& change) {
         FurShot s;
         for (const StudyView& view : exhibit.studyViews(s.object())) {

@@ -27,7 +27,7 @@ Shot furShot()
     Shot shot;
     shot.sdf = *gallery().museum.find("fur");
     shot.request.frame.alone = shot.sdf;
-    shot.request.frame.camera = gallery().museum.exhibits()[shot.sdf]->bestView(shot.object());
+    shot.request.frame.camera = gallery().museum.subject(shot.sdf).bestView(shot.object());
     ParameterValues& values = shot.object();
     values.set(table().byHand, true);
     for (const Real pull : {table().handX, table().handY, table().handZ, table().comb, table().disorder, table().clump,

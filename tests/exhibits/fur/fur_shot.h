@@ -17,7 +17,7 @@ struct FurShot : Shot {
     {
         sdf = *gallery().museum.find("fur");
         request.frame.alone = sdf;
-        request.frame.camera = gallery().museum.exhibits()[sdf]->bestView(object());
+        request.frame.camera = gallery().museum.subject(sdf).bestView(object());
         size(128, 80);
     }
     FurShot& shells(int count, FurSilhouette silhouette, FurOrder order = FurOrder::outerFirst)

@@ -123,7 +123,7 @@ TEST(ModelSkin, OfABallBendsAsOneOverItsRadiusEverywhere)
     const auto skin = modelSkin(modelOf(*ballSkin(7, 8)), "ball.glb", 0.5, notes);
     // It fits the sphere around its bounding box.
     const double radius = glm::length(skin->vertices[0].position);
-    for (const auto& v : skin->vertices) EXPECT_NEAR(v.lightmapUv.x * radius, 1, 0.02);
+    for (const auto& v : skin->vertices) EXPECT_NEAR(v.extra.x * radius, 1, 0.02);
 }
 
 TEST(ModelSkin, BendsAsTheFormulasOfRollAndRingSay)
@@ -144,7 +144,7 @@ TEST(ModelSkin, BendsAsTheFormulasOfRollAndRingSay)
             if (same == known->vertices.end()) continue;
             // Where a cap meets the straight part the curvature jumps; a mesh goes over it in one edge.
             if (known->name == "roll" && std::abs(std::abs(same->position.x) - 0.26) < 0.08) continue;
-            EXPECT_NEAR(v.lightmapUv.x * scale, same->lightmapUv.x, 0.06 * same->lightmapUv.x + 0.06)
+            EXPECT_NEAR(v.extra.x * scale, same->extra.x, 0.06 * same->extra.x + 0.06)
                 << known->name << " at " << same->position.x << ", " << same->position.y;
             ++compared;
         }
@@ -157,11 +157,11 @@ TEST(ModelSkin, DoesNotBendWhereItIsFlatOrHollow)
     std::vector<std::string> notes;
     const auto sheet =
         modelSkin(modelOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 3}), "sheet.glb", 0.5, notes);
-    for (const auto& v : sheet->vertices) EXPECT_NEAR(v.lightmapUv.x, 0, 1e-5);
+    for (const auto& v : sheet->vertices) EXPECT_NEAR(v.extra.x, 0, 1e-5);
     Mesh hollow = *ballSkin(1, 6);
     for (std::size_t i = 0; i + 2 < hollow.indices.size(); i += 3)
         std::swap(hollow.indices[i + 1], hollow.indices[i + 2]);
-    for (const auto& v : modelSkin(modelOf(hollow), "hollow.glb", 0.5, notes)->vertices) EXPECT_EQ(v.lightmapUv.x, 0);
+    for (const auto& v : modelSkin(modelOf(hollow), "hollow.glb", 0.5, notes)->vertices) EXPECT_EQ(v.extra.x, 0);
 }
 
 TEST(Fins, HaveFewerRowsWhereThereAreManyEdges)
@@ -199,7 +199,7 @@ TEST(Fins, StandOnEveryEdgeOnce)
     const auto skin = ballSkin(0.3, 4);
     const auto fins = finsOf(*skin, 3);
     std::map<float, int> heights;
-    for (const auto& v : fins->vertices) ++heights[v.lightmapUv.y];
+    for (const auto& v : fins->vertices) ++heights[v.extra.y];
     EXPECT_EQ(heights.size(), 4U);
     // Each face of the cube has 40 edges of cells and 16 diagonals.
     EXPECT_EQ(fins->indices.size(), 6U * (40 + 16) * 3 * 2 * 3);

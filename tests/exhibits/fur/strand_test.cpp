@@ -1,7 +1,7 @@
 // Strands: as dense on one side of a body as on the other, as long bent as straight. The shader's own code
 // at float64.
 
-#include "render/glsl/cpu.h"
+#include "exhibits/fur/strand_cpu.h"
 
 #include <gtest/gtest.h>
 

@@ -59,7 +59,7 @@ Shot shotOf(const Case& c, std::uint64_t seed)
     hall.set(hallTable().sunElevation, random.number(0.2, 0.8));
     hall.set(hallTable().sunAzimuth, random.number(-0.4, 0.4));
     const std::size_t index = *museum.find(c.exhibit);
-    if (index != 0) shot.look.values[index] = randomValues(museum.exhibits()[index]->parameters(), random, 0.5);
+    if (index != hallIndex) shot.look.values[index] = randomValues(museum.subject(index).parameters(), random, 0.5);
     if (c.prepare) c.prepare(shot);
     FrameRequest& frame = shot.request.frame;
     frame.raster.size = {48, 27};
@@ -67,9 +67,9 @@ Shot shotOf(const Case& c, std::uint64_t seed)
     frame.averageIn = AverageIn::radiance;
     frame.channels = {};
     frame.alone = c.inHall ? std::nullopt : std::optional(index);
-    frame.subject = index == 0 || !c.inHall ? std::nullopt : std::optional(index);
-    const render::Camera best = museum.exhibits()[index]->bestView(shot.look.values[index]);
-    frame.camera = index == 0 || !c.inHall ? best : museum.bestView(index, shot.look.values[index]);
+    frame.subject = index == hallIndex || !c.inHall ? std::nullopt : std::optional(index);
+    const render::Camera best = museum.subject(index).bestView(shot.look.values[index]);
+    frame.camera = index == hallIndex || !c.inHall ? best : museum.bestView(index, shot.look.values[index]);
     return shot;
 }
 

@@ -67,14 +67,14 @@ protected:
         frame.averageIn = AverageIn::radiance;
         frame.camera = gallery().museum.bestView(exhibit, gallery().museum.initialLook().values[exhibit]);
         frame.time = 0.7;
-        frame.sincePressed.assign(gallery().museum.exhibits().size(), 0.5);
+        frame.sincePressed.assign(gallery().museum.subjects().size(), 0.5);
         shot.look.values[exhibit] = values;
         return shot.take();
     }
 
     void expectIdleRowsChangeNothing(std::size_t exhibit)
     {
-        const Parameters& table = gallery().museum.exhibits()[exhibit]->parameters();
+        const Parameters& table = gallery().museum.subject(exhibit).parameters();
         RandomNumbers random(20260101);
         std::set<std::size_t> proven;
         for (const State& state : statesOf(exhibit)) {
@@ -138,8 +138,8 @@ TEST_F(IdleRows, ChangeNoPixelOfTheSunbeams)
 TEST_F(IdleRows, ChangeNoPixelInRandomStates)
 {
     RandomNumbers random(7);
-    for (std::size_t exhibit = 0; exhibit < gallery().museum.exhibits().size(); ++exhibit) {
-        const Parameters& table = gallery().museum.exhibits()[exhibit]->parameters();
+    for (std::size_t exhibit = 0; exhibit < gallery().museum.subjects().size(); ++exhibit) {
+        const Parameters& table = gallery().museum.subject(exhibit).parameters();
         for (int state = 0; state < 4; ++state) {
             ParameterValues values = Shot().look.values[exhibit];
             for (std::size_t row = 0; row < table.rows().size(); ++row)
@@ -148,7 +148,7 @@ TEST_F(IdleRows, ChangeNoPixelInRandomStates)
             const ParameterValues same = actingValues(values);
             if (same == values) continue;
             EXPECT_EQ(largestDifference(take(exhibit, values).image, take(exhibit, same).image), 0)
-                << gallery().museum.exhibits()[exhibit]->name() << ", random state " << state;
+                << gallery().museum.subject(exhibit).name() << ", random state " << state;
         }
     }
 }

@@ -22,10 +22,10 @@ Shot shotOf(std::size_t exhibit, bool alone)
     frame.averageIn = AverageIn::display;
     frame.raster.size = {64, 36};
     frame.alone = alone ? std::optional(exhibit) : std::nullopt;
-    frame.subject = alone || exhibit == 0 ? std::nullopt : std::optional(exhibit);
+    frame.subject = alone || exhibit == hallIndex ? std::nullopt : std::optional(exhibit);
     const Museum& museum = gallery().museum;
-    frame.camera = alone || exhibit == 0 ? museum.exhibits()[exhibit]->bestView(shot.look.values[exhibit])
-                                         : museum.bestView(exhibit, shot.look.values[exhibit]);
+    frame.camera = alone || exhibit == hallIndex ? museum.subject(exhibit).bestView(shot.look.values[exhibit])
+                                                 : museum.bestView(exhibit, shot.look.values[exhibit]);
     return shot;
 }
 
@@ -46,9 +46,9 @@ TEST_F(Ledger, RunningEverythingChangesNoBitOfTheHall)
 TEST_F(Ledger, RunningEverythingChangesNoBitOfAnyExhibit)
 {
     const Museum& museum = gallery().museum;
-    for (std::size_t i = 1; i < museum.exhibits().size(); ++i) {
-        EXPECT_EQ(changeByRunningEverything(shotOf(i, false)), 0) << museum.exhibits()[i]->name() << " in the hall";
-        EXPECT_EQ(changeByRunningEverything(shotOf(i, true)), 0) << museum.exhibits()[i]->name() << " alone";
+    for (const auto& [i, exhibit] : museum.exhibits()) {
+        EXPECT_EQ(changeByRunningEverything(shotOf(i, false)), 0) << exhibit.name() << " in the hall";
+        EXPECT_EQ(changeByRunningEverything(shotOf(i, true)), 0) << exhibit.name() << " alone";
     }
 }
 
@@ -96,7 +96,7 @@ TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
     for (const Switch& s : switches) {
         SCOPED_TRACE(std::string(s.exhibit) + '.' + s.row);
         const std::size_t exhibit = *gallery().museum.find(s.exhibit);
-        Shot on = shotOf(exhibit == 0 && s.alone ? *gallery().museum.find("sdf_morph") : exhibit, s.alone);
+        Shot on = shotOf(exhibit == hallIndex && s.alone ? *gallery().museum.find("sdf_morph") : exhibit, s.alone);
         const std::size_t row = *on.look.values[exhibit].table().find(s.row);
         Shot off = on;
         on.look.values[exhibit].setRow(row, s.on);

@@ -124,7 +124,7 @@ TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
     Look other = look_;
     const auto fur = museum_.find("fur").value();
     other.values[fur].setRow(*other.values[fur].table().find("ballLength"), 0.1);
-    other.values[0].setRow(*other.values[0].table().find("shadowMapSize"), 512.0);
+    other.hall().setRow(*other.hall().table().find("shadowMapSize"), 512.0);
     const Look first = look_;
     const auto fresh = test::gallery().renderer.sibling();
     const render::gl::ScreenPixels wanted = whole(*fresh, at(0));

@@ -276,8 +276,8 @@ TEST_F(PictureTest, OutOfViewTheExhibitsCostWhatAHallWithoutExhibitsCosts)
     const auto counters = [](const Museum& museum, const glm::dvec3& target) {
         render::gl::Renderer renderer;
         Look look = museum.initialLook();
-        look.values[0].set(hallTable().shadowMapSize, 512);
-        look.values[0].set(hallTable().probeSize, 32);
+        look.hall().set(hallTable().shadowMapSize, 512);
+        look.hall().set(hallTable().probeSize, 32);
         FrameRequest frame;
         frame.raster.size = {64, 36};
         frame.camera = {{0.5, 1.65, 9}, target, 0.959931};

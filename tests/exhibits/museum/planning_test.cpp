@@ -34,22 +34,22 @@ std::string textOf(const Museum& museum, const Scene& scene)
 std::map<std::string, Scene> randomScenes(int ofEach)
 {
     std::map<std::string, Scene> scenes;
-    for (std::size_t i = 0; i < museum().exhibits().size(); ++i) {
-        const Exhibit& exhibit = *museum().exhibits()[i];
+    for (std::size_t i = 0; i < museum().subjects().size(); ++i) {
+        const Subject& subject = museum().subject(i);
         for (int seed = 1; seed <= ofEach; ++seed) {
             RandomNumbers random(static_cast<std::uint64_t>(seed) * 1000 + i);
             Scene scene;
-            scene.look.values[i] = randomValues(exhibit.parameters(), random, 0.7);
-            scene.see(i == 0 ? exhibit.bestView(scene.look.values[i]) : museum().bestView(i, scene.look.values[i]));
+            scene.look.values[i] = randomValues(subject.parameters(), random, 0.7);
+            scene.see(museum().bestView(i, scene.look.values[i]));
             scene.request.time = random.number(0, 20);
-            if (random.chance(0.5)) scene.request.sincePressed.assign(museum().exhibits().size(), random.number(0, 3));
+            if (random.chance(0.5)) scene.request.sincePressed.assign(museum().subjects().size(), random.number(0, 3));
             scene.request.channels = {random.chance(0.3), random.chance(0.3)};
             scene.request.runEverything = random.chance(0.2);
-            if (i > 0 && random.chance(0.3)) {
+            if (i != hallIndex && random.chance(0.3)) {
                 scene.request.alone = i;
-                scene.see(exhibit.bestView(scene.look.values[i]));
+                scene.see(subject.bestView(scene.look.values[i]));
             }
-            scenes.emplace(std::string(exhibit.name()) + " with random values " + std::to_string(seed),
+            scenes.emplace(std::string(subject.name()) + " with random values " + std::to_string(seed),
                            std::move(scene));
         }
     }
@@ -241,9 +241,9 @@ TEST(Planning, WhatWasNotPreparedForAViewIsLeftOutOfItAndTheLedgerSaysSo)
     scene.see({-2, 1.65, 3}, {-6, 1.65, 3.2});
     scene.hall().set(test::hallTable().sunShadows, false);
     const Prepared prepared = museum().prepare(scene.look, scene.request);
-    ASSERT_EQ(test::reasonFor(museum().plan(prepared, scene.request), "fur/coat"), "out of view");
+    ASSERT_EQ(test::reasonFor(museum().plan(prepared, scene.request), "fur"), "out of view");
     scene.see(museum().bestView(fur, scene.look.values[fur]));
-    EXPECT_EQ(test::reasonFor(museum().plan(prepared, scene.request), "fur/coat"), "it was not prepared for this view");
+    EXPECT_EQ(test::reasonFor(museum().plan(prepared, scene.request), "fur"), "it was not prepared for this view");
     EXPECT_EQ(test::reasonFor(scene.plan(), "fur/coat"), "it ran");
 }
 

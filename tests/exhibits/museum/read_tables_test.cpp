@@ -17,9 +17,7 @@ using test::writeBalls;
 
 class ReadTables : public testing::Test {
 protected:
-    ReadTables() { exhibits_.push_back(std::make_unique<test::BallsExhibit>()); }
-
-    [[nodiscard]] const Exhibit& balls() const { return *exhibits_.front(); }
+    [[nodiscard]] const Exhibit& balls() const { return balls_; }
     [[nodiscard]] std::string path(const char* name) const { return (folder_.path() / name).string(); }
     /// Initial values with this file, under the table that it gives.
     [[nodiscard]] ParameterValues valuesOf(const std::string& file)
@@ -30,7 +28,7 @@ protected:
     }
     [[nodiscard]] TabledLook read(const ParameterValues& values)
     {
-        return readTables(exhibits_, assets_, {{values}, {}});
+        return readTables(subjects_, assets_, {{values}, {}});
     }
     [[nodiscard]] std::string presetOf(const ParameterValues& values) const
     {
@@ -42,7 +40,8 @@ protected:
     }
 
     test::TemporaryFolder folder_;
-    std::vector<std::unique_ptr<Exhibit>> exhibits_;
+    test::BallsExhibit balls_;
+    std::vector<const Subject*> subjects_{&balls_};
     render::AssetStore assets_;
 };
 
@@ -188,7 +187,7 @@ TEST_F(ReadTables, ValuesOutliveEverybodyElseWhoHoldsTheirTable)
         render::AssetStore own;
         ParameterValues values = balls().parameters().initial();
         setRow(values, "scene", path("two.json"));
-        const Look look = readTables(exhibits_, own, {{values}, {}}).look;
+        const Look look = readTables(subjects_, own, {{values}, {}}).look;
         table = look.values[0].sharedTable();
         initial = look.values[0].table().initial();
     }

@@ -43,15 +43,14 @@ TEST_F(Robustness, H10_IsErrorFreeAtEverySizeWithEverySwitch)
 
 TEST_F(Robustness, EveryExhibitDrawsAtItsBestView)
 {
-    const auto exhibits = gallery().museum.exhibits();
-    for (std::size_t i = 1; i < exhibits.size(); ++i) {
-        if (!exhibits[i]->castsShadow()) continue;  // Light alone falls on nothing: see "Rays".
+    for (const auto& [i, exhibit] : gallery().museum.exhibits()) {
+        if (capability<OverFrame>(exhibit)) continue;  // Light alone falls on nothing: see "Rays".
         Shot shot;
         shot.request.frame.alone = i;
-        shot.request.frame.camera = exhibits[i]->bestView(shot.look.values[i]);
+        shot.request.frame.camera = exhibit.bestView(shot.look.values[i]);
         const Picture p = shot.take();
-        EXPECT_EQ(test::notFinite(p.image, 4), "") << exhibits[i]->name();
-        EXPECT_GT(p.hits(), 96 * 54 / 10) << exhibits[i]->name();
+        EXPECT_EQ(test::notFinite(p.image, 4), "") << exhibit.name();
+        EXPECT_GT(p.hits(), 96 * 54 / 10) << exhibit.name();
     }
 }
 
@@ -121,7 +120,7 @@ TEST_F(Robustness, LegalValuesNeverMakeWhatIsNotANumber)
         if (i % 4 == 3)
             shot.inHall();
         else
-            shot.request.frame.camera = gallery().museum.exhibits()[shot.sdf]->bestView(shot.object());
+            shot.request.frame.camera = gallery().museum.subject(shot.sdf).bestView(shot.object());
         shot.size(32, 18);
         shot.request.frame.time = hostile[i % 6];
         shot.request.frame.channels.evaluations = true;

@@ -1,8 +1,8 @@
 // The visitor: where he can walk, what he can press, and what he points at.
 
 #include "exhibits/hall/walk.h"
+#include "exhibits/kit/surface_net.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
-#include "exhibits/sdf_morph/sdf_shape.h"
 #include "render/files/assets.h"
 #include "render/scene/ray.h"
 #include "tests/stability/fields.h"
@@ -143,9 +143,9 @@ TEST(Walk, W1_EveryPlaceCanBeReachedOnFoot)
 TEST(Walk, NinePlacesStandReadyAndTheEmptyOnesAreKnown)
 {
     std::vector<int> empty = test::museum().emptyPlaces();
-    for (const auto& exhibit : test::museum().exhibits())
-        EXPECT_EQ(std::count(empty.begin(), empty.end(), exhibit->place()), 0) << exhibit->name();
-    EXPECT_EQ(empty.size() + test::museum().exhibits().size() - 1, 9U);
+    for (const auto& [i, exhibit] : test::museum().exhibits())
+        EXPECT_EQ(std::count(empty.begin(), empty.end(), exhibit.place()), 0) << exhibit.name();
+    EXPECT_EQ(empty.size() + test::museum().exhibits().size(), 9U);
     for (int number = 1; number <= 9; ++number) EXPECT_TRUE(test::building().place(number)) << number;
     EXPECT_TRUE(test::building().place(10)) << "the visitor's plinth";
 }
@@ -192,10 +192,10 @@ TEST(LookedAt, W2_TheButtonAnswersOnlyWhenTheLookRestsOnIt)
 TEST(LookedAt, PressingMeltsAndPressingAgainStops)
 {
     Scene scene;
-    const Exhibit& exhibit = *test::museum().exhibits()[scene.sdf];
-    EXPECT_TRUE(exhibit.press(scene.object()));
+    const HasButton& button = *capability<HasButton>(test::museum().exhibit(scene.sdf));
+    EXPECT_TRUE(button.press(scene.object()));
     EXPECT_TRUE(scene.object()[test::sdfTable().animate]);
-    EXPECT_TRUE(exhibit.press(scene.object()));
+    EXPECT_TRUE(button.press(scene.object()));
     EXPECT_FALSE(scene.object()[test::sdfTable().animate]);
 }
 
@@ -219,8 +219,8 @@ TEST(Pick, FindsTheExhibitUnderThePointer)
     Scene scene;
     // The handle's side: the middle of a torus is a hole.
     const render::Box box = test::museum()
-                                .exhibits()[scene.sdf]
-                                ->bounds(scene.object())
+                                .subject(scene.sdf)
+                                .bounds(scene.object())
                                 .transformed(test::museum().worldFromExhibit(scene.sdf));
     scene.see(dvec3(box.center().x, box.center().y, 3), {box.center().x, box.low.y + 0.1, box.center().z});
     const auto found = pointed(scene);
@@ -240,10 +240,8 @@ TEST(Pick, AWallIsAWallThoughABoxOfAnExhibitIsBeforeIt)
     Scene scene;
     scene.see({0, 1.65, 3}, {6, 1.25, 3});
     const std::size_t fur = *test::museum().find("fur");
-    const render::Box box = test::museum()
-                                .exhibits()[fur]
-                                ->bounds(scene.look.values[fur])
-                                .transformed(test::museum().worldFromExhibit(fur));
+    const render::Box box =
+        test::museum().subject(fur).bounds(scene.look.values[fur]).transformed(test::museum().worldFromExhibit(fur));
     ASSERT_LT(render::firstHit({scene.look.camera.eye, scene.look.camera.target - scene.look.camera.eye}, box), 1);
     EXPECT_FALSE(pointed(scene));
     // Control: what lies in the pit.
@@ -303,15 +301,16 @@ TEST(Pick, AFieldIsHitWhereItsMeshIs)
     test::Random random(6);
     Scene scene;
     scene.object().set(test::sdfTable().morph, 0.6);
-    const SdfMoment moment{test::sdfTable(), scene.object(), 0.6};
-    const auto mesh = meshOf(moment, 96);
+    const SdfMorph exhibit;
+    const SdfBody body = exhibit.body(scene.object(), 0);
+    const auto mesh = surfaceNet(body.distance, body.box, 96, "mesh");
     const double cell =
         2 * std::max({mesh->bounds.halfSize().x, mesh->bounds.halfSize().y, mesh->bounds.halfSize().z}) / 96;
     int hits = 0, wrong = 0;
     for (int i = 0; i < 600; ++i) {
         const dvec3 eye = mesh->bounds.center() + random.direction() * random.number(1.2, 4);
         const render::Ray ray{eye, mesh->bounds.center() + random.point(0.5) - eye};
-        const double field = firstHitOf(moment, ray);
+        const double field = exhibit.firstHit({scene.object()}, ray);
         const double triangles = render::firstHit(ray, *mesh, render::Faces::both);
         hits += std::isfinite(field);
         // Rays that graze it part ways by chance.

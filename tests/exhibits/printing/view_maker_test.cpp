@@ -114,7 +114,7 @@ TEST(Sweep, RunsFromOneEndToTheOther)
     from.object().set(sdfTable().hitTolerance, 0.5);  // On a logarithmic row.
     to.object().set(sdfTable().hitTolerance, 8.0);
     to.object().set(sdfTable().baseColor, ColorValue{{0, 0, 0}});
-    to.hall().set(hallTable().exposure, scene.look.values[0][hallTable().exposure] + 1);
+    to.hall().set(hallTable().exposure, scene.look.hall()[hallTable().exposure] + 1);
     sweep(row, from.look, to.look);
     for (std::size_t k = 0; k < 5; ++k) {
         const ParameterValues& object = row[k].look.values[scene.sdf];
@@ -123,7 +123,7 @@ TEST(Sweep, RunsFromOneEndToTheOther)
         EXPECT_NEAR(object[sdfTable().hitTolerance], 0.5 * std::pow(16, part), 1e-9);
         EXPECT_NEAR(object[sdfTable().baseColor].value.x, (1 - part) * from.object()[sdfTable().baseColor].value.x,
                     1e-12);
-        EXPECT_NEAR(row[k].look.values[0][hallTable().exposure], from.hall()[hallTable().exposure] + part, 1e-12);
+        EXPECT_NEAR(row[k].look.hall()[hallTable().exposure], from.hall()[hallTable().exposure] + part, 1e-12);
         EXPECT_EQ(object[sdfTable().roughness], from.object()[sdfTable().roughness]);
     }
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace vitrine::test {
@@ -56,7 +57,8 @@ public:
         pass.name = "known";
         const double difficulty = context.time;
         const double numbers[2] = {law_.error(table_, context.values, difficulty), law_.noisy ? 1.0 : 0.0};
-        pass.blocks[0] = render::bytesOf(numbers);
+        const std::span<const std::byte> bytes = std::as_bytes(std::span(numbers));
+        pass.blocks[0] = render::Bytes(bytes.begin(), bytes.end());
         pass.counts["work"] = std::llround(1000 * law_.cost(table_, context.values, difficulty));
         pass.colors = {{radianceImage, render::Load::keep, {}, -1, 0},
                        {normalImage, render::Load::keep, {}, -1, 0},

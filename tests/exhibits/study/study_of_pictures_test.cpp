@@ -29,7 +29,7 @@ StudyRequest requestFor(std::size_t exhibit, std::string_view row, std::vector<d
     StudyRequest request;
     request.subject = shot.sdf;
     request.look = shot.look;
-    request.axes = {{exhibit, *museum.exhibits()[exhibit]->parameters().find(row), std::move(values)}};
+    request.axes = {{exhibit, *museum.subject(exhibit).parameters().find(row), std::move(values)}};
     request.size = {64, 36};
     request.runs = 1;
     request.views = 2;

@@ -187,10 +187,10 @@ TEST(Study, ChecksAReferenceThatIsTheInitialValueOnBothSides)
 TEST(Study, HasSeveralViewsOfEveryExhibitAndOfTheHall)
 {
     const Museum museum{allExhibits()};
-    for (const auto& exhibit : museum.exhibits()) {
+    for (const vitrine::Subject* subject : museum.subjects()) {
         std::set<std::string> names;
-        for (const StudyView& view : exhibit->studyViews(exhibit->parameters().initial())) names.insert(view.name);
-        EXPECT_GE(names.size(), 3U) << exhibit->name();
+        for (const StudyView& view : subject->studyViews(subject->parameters().initial())) names.insert(view.name);
+        EXPECT_GE(names.size(), 3U) << subject->name();
     }
 }
 
@@ -390,7 +390,7 @@ TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
             if (result.points[*result.present].worstError <= limit) {
                 EXPECT_LE(dearer, 1.02) << "the present setting would have done";
             }
-            const std::string sentence = choiceSentence(subject.museum.exhibits(), request, result);
+            const std::string sentence = choiceSentence(subject.museum.subjects(), request, result);
             EXPECT_EQ(sentence.find("0.9"), std::string::npos) << sentence;
         }
     }
@@ -420,12 +420,12 @@ TEST(StudyChooser, TheSentenceSaysDearerWhereTheChoiceIsDearer)
     const StudyResult dearer = subject.run(request);
     ASSERT_TRUE(dearer.choice && dearer.present);
     ASSERT_GT(dearer.points[*dearer.present].worstError, 0.1);
-    EXPECT_NE(choiceSentence(subject.museum.exhibits(), request, dearer).find("times the cost of the present setting"),
+    EXPECT_NE(choiceSentence(subject.museum.subjects(), request, dearer).find("times the cost of the present setting"),
               std::string::npos);
 
     request.look.values[1].setRow(request.axes[0].row, request.axes[0].values.back());
     const StudyResult cheaper = subject.run(request);
-    EXPECT_NE(choiceSentence(subject.museum.exhibits(), request, cheaper).find("times cheaper than at present"),
+    EXPECT_NE(choiceSentence(subject.museum.subjects(), request, cheaper).find("times cheaper than at present"),
               std::string::npos);
 }
 
@@ -474,7 +474,7 @@ TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)
     Subject subject(sumOfParts());
     StudyRequest request = subject.request({});
     request.axes.push_back(*studyAxis(request.look, 0, *subject.museum.hall().parameters().find(supersamplesRow), 3));
-    EXPECT_EQ(axisName(subject.museum.exhibits(), request.look, 1, request.axes[0]), "hall.supersamples");
+    EXPECT_EQ(axisName(subject.museum.subjects(), request.look, 1, request.axes[0]), "hall.supersamples");
     request.axes[0].values = {1, 4, 16};
     const StudyResult result = subject.run(request);
     EXPECT_EQ(result.costName, "pixels");

@@ -74,7 +74,7 @@ TEST_F(Memory, OfFramebuffersIsMadeOnceAndNotByTheNextSameFrame)
 {
     const Museum& museum = gallery().museum;
     render::gl::Renderer renderer;
-    for (std::size_t i = 0; i < museum.exhibits().size(); ++i) {
+    for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         Shot shot;
         shot.inHall().size(32, 18);
         shot.request.frame.camera = museum.bestView(i, shot.look.values[i]);
@@ -87,8 +87,8 @@ TEST_F(Memory, OfFramebuffersIsMadeOnceAndNotByTheNextSameFrame)
             EXPECT_GT(first, 0);
         }
         const int live = render::gl::FramebufferName::live();
-        EXPECT_EQ(made(), 0) << museum.exhibits()[i]->name();
-        EXPECT_EQ(render::gl::FramebufferName::live(), live) << museum.exhibits()[i]->name();
+        EXPECT_EQ(made(), 0) << museum.subject(i).name();
+        EXPECT_EQ(render::gl::FramebufferName::live(), live) << museum.subject(i).name();
     }
 }
 
@@ -96,7 +96,7 @@ TEST_F(Memory, OfFramebuffersIsMadeOnceAndNotByTheNextSameFrame)
 TEST_F(Memory, IsNotSpentOnTheReaderOfForeignPicturesForWhatIsShipped)
 {
     const Museum& museum = gallery().museum;
-    for (std::size_t i = 0; i < museum.exhibits().size(); ++i) {
+    for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         FrameRequest frame;
         frame.raster.size = {16, 9};
         Look look = museum.initialLook();
@@ -112,8 +112,7 @@ TEST_F(Memory, OfAStudyThatIsFinishedIsItsColors)
     StudyRequest request;
     request.subject = shot.sdf;
     request.look = shot.look;
-    request.axes = {
-        {shot.sdf, *gallery().museum.exhibits()[shot.sdf]->parameters().find("hitTolerance"), {1e-3, 1e-2}}};
+    request.axes = {{shot.sdf, *gallery().museum.subject(shot.sdf).parameters().find("hitTolerance"), {1e-3, 1e-2}}};
     request.size = {32, 18};
     request.runs = 1;
     request.views = 1;

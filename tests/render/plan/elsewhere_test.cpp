@@ -105,6 +105,80 @@ TEST(Elsewhere, TakesAndChangesWhatItIsToldTo)
         << "what is not drawn there is the frame's";
 }
 
+TEST(Elsewhere, CanBeItsDepthAlone)
+{
+    FramePlan seen = scene();
+    Pass marched;
+    marched.name = "marched";
+    marched.shader = {.vertex = "box.vert", .fragment = "march.frag"};
+    marched.colors = {Attachment::whole("radiance")};
+    marched.depth = Attachment::whole("depth");
+    marched.state.depthWrite = true;
+    marched.inputs = {{0, std::string("shadow")}, {1, std::string("cones")}};
+    marched.draws = {{.inputs = {{2, std::string("shadow")}}}};
+    marched.depthOnly = {{.vertex = "box.vert", .fragment = "depth.frag"}, {{1, std::string("cones")}}};
+    seen.add(std::move(marched));
+    for (const Stage stage : {Stage::opaque, Stage::transparent}) {
+        Pass over;
+        over.name = stage == Stage::opaque ? "sky" : "glass";
+        over.stage = stage;
+        over.colors = {Attachment::whole("radiance")};
+        over.depth = Attachment::whole("depth");
+        over.state.depthWrite = stage == Stage::transparent;
+        seen.add(std::move(over));
+    }
+
+    FramePlan plan = scene();
+    EXPECT_EQ(addElsewhere(plan, seen, {.name = "lamp", .view = visitor, .depthOnly = true}),
+              (std::map<std::string, std::string>{
+                  {"blocks", "lamp.blocks"}, {"cones", "lamp.cones"}, {"depth", "lamp.depth"}}));
+    EXPECT_TRUE(plan.errors().empty());
+    const Pass* cheap = plan.find("lamp/marched");
+    ASSERT_TRUE(cheap);
+    EXPECT_TRUE(cheap->colors.empty() && cheap->draws[0].inputs.empty());
+    EXPECT_EQ(cheap->shader.fragment, "depth.frag");
+    ASSERT_EQ(cheap->inputs.size(), 1U);
+    EXPECT_EQ(std::get<std::string>(cheap->inputs[0].source), "lamp.cones");
+    const Pass* whole = plan.find("lamp/surface");
+    ASSERT_TRUE(whole) << "it clears the depth, and its own program is the only one that finds it";
+    EXPECT_TRUE(whole->colors.empty());
+    EXPECT_EQ(whole->inputs.size(), 3U);
+    EXPECT_EQ(plan.find("lamp/sky"), nullptr) << "it hides nothing";
+    EXPECT_EQ(plan.find("lamp/glass"), nullptr);
+
+    Pass reader;
+    reader.name = "reader";
+    reader.stage = Stage::transparent;
+    reader.inputs = {{0, std::string("lamp.depth")}};
+    reader.colors = {Attachment::whole("radiance")};
+    plan.add(std::move(reader));
+    plan.prune({"radiance"});
+    EXPECT_EQ(toString(plan), "move > shadow > cones > blocks > lamp/cones > lamp/blocks > lamp/surface > "
+                              "lamp/marched > surface > reader");
+}
+
+TEST(Elsewhere, PreparesNothingThatADepthDoesNotAskFor)
+{
+    FramePlan seen;
+    seen.image({.name = "depth", .format = Format::depth32f});
+    seen.image({.name = "blur"});
+    Pass blur;
+    blur.name = "blur";
+    blur.stage = Stage::prepare;
+    blur.colors = {Attachment::cleared("blur")};
+    seen.add(std::move(blur));
+    Pass wall;
+    wall.name = "wall";
+    wall.depth = Attachment::cleared("depth");
+    wall.state.depthWrite = true;
+    wall.inputs = {{0, std::string("blur")}};
+    wall.depthOnly = DepthOnly{{.vertex = "depth.vert"}};
+    seen.add(std::move(wall));
+    FramePlan plan;
+    EXPECT_EQ(addElsewhere(plan, seen, {.name = "lamp", .view = visitor, .depthOnly = true}),
+              (std::map<std::string, std::string>{{"depth", "lamp.depth"}}));
+}
+
 TEST(Elsewhere, IsLeftOutWhenNothingReadsIt)
 {
     FramePlan plan = scene();

@@ -118,10 +118,11 @@ TEST(LocalLights, AreTheStrongestWhereOneLooks)
     ASSERT_EQ(near.chosen.size(), render::mostLocalLights);
     for (std::size_t i = 0; i < near.chosen.size(); ++i) EXPECT_EQ(near.chosen[i], i) << "nearest first";
     EXPECT_EQ(near.shadowed, (std::vector<std::size_t>{0, 2, 4, 6}));
-    EXPECT_EQ(near.block.lights[2].shadow, 6);
-    EXPECT_EQ(near.block.lights[1].shadow, -1);
-    EXPECT_EQ(near.block.lights[8].shadow, -1) << "no map is left";
-    EXPECT_EQ(near.block.count.x, 32);
+    EXPECT_TRUE(near.block.lights[2].castsShadow);
+    EXPECT_EQ(near.block.lights[2].firstLayer, 6);
+    EXPECT_FALSE(near.block.lights[1].castsShadow);
+    EXPECT_FALSE(near.block.lights[8].castsShadow) << "no map is left";
+    EXPECT_EQ(near.block.count, 32);
     const render::LocalLighting high = localLighting(lights, {0, 25, 0}, 2);
     EXPECT_EQ(high.chosen.front(), 101U) << "within its range it is the strongest by far";
     EXPECT_TRUE(localLighting({}, {0, 0, 0}, 2).chosen.empty());

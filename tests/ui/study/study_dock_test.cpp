@@ -64,7 +64,7 @@ public:
     test::KnownTable table;
     std::thread::id measuredOn;
 
-    [[nodiscard]] std::span<const std::unique_ptr<Exhibit>> exhibits() const override { return museum.exhibits(); }
+    [[nodiscard]] Subjects subjects() const override { return museum.subjects(); }
     [[nodiscard]] Look initialLook() const override { return museum.initialLook(); }
     [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues& v) const override
     {

@@ -102,7 +102,7 @@ class MemoryTest : public QObject {
         StudyDock& study = window_->study();
         study.setEffort({16, 9}, 1);
         QSignalSpy finished(&study, &StudyDock::finished);
-        study.ask(exhibit_, *window_->gallery().exhibits()[exhibit_]->parameters().find("hitTolerance"));
+        study.ask(exhibit_, *window_->gallery().subjects()[exhibit_]->parameters().find("hitTolerance"));
         QTRY_VERIFY(finished.count() == 1);
         QVERIFY(!study.result().points.empty());
         ++step_;
@@ -135,7 +135,7 @@ class MemoryTest : public QObject {
             drag(1);
             window_->history().stack().undo();
         }
-        const ParameterValues initial = gallery_->exhibits()[exhibit_]->parameters().initial();
+        const ParameterValues initial = gallery_->subjects()[exhibit_]->parameters().initial();
         Look look = window_->history().look();
         look.values[exhibit_] = initial;
         window_->history().change(QStringLiteral("Reset"), look);
@@ -176,8 +176,8 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         // One sample of a small picture: what is counted does not depend on how fine it is.
         Look look = window_->history().look();
-        look.values[0].setRow(*look.values[0].table().find(supersamplesRow), 1.0);
-        look.values[0].setRow(*look.values[0].table().find("shadowMapSize"), 512.0);
+        look.hall().setRow(*look.hall().table().find(supersamplesRow), 1.0);
+        look.hall().setRow(*look.hall().table().find("shadowMapSize"), 512.0);
         const std::size_t rays = museum_->find("crepuscular_rays").value();
         look.values[rays].setRow(*look.values[rays].table().find("technique"), 0.0);
         window_->history().change(QStringLiteral("Small"), look);

@@ -239,7 +239,7 @@ private slots:
     {
         window_->visit(exhibit_);
         // Every sample draws all exhibits, seen or not, and the probe.
-        const std::size_t samples = *window_->gallery().exhibits()[0]->parameters().find("supersamples");
+        const std::size_t samples = *window_->gallery().subjects()[0]->parameters().find("supersamples");
         window_->history().set(0, samples, 2.0, newGesture());
         window_->findChild<QDockWidget*>("ledger")->show();
         const QImage before = pictureAtRest();
@@ -247,7 +247,7 @@ private slots:
         ledger->runEverything().setChecked(true);
         settle();
         QCOMPARE(difference(before, picture()), 0.0);
-        QVERIFY(ledger->view().lastCost("sdf_morph/march") >= 0);
+        QVERIFY(ledger->view().costs().of("sdf_morph/march") >= 0);
         ledger->runEverything().setChecked(false);
         settle();
         QTRY_VERIFY(ledger->reasonText().contains("nothing to draw, because"));
@@ -261,7 +261,7 @@ private slots:
         study.setEffort({64, 36}, 2);
         window_->findChild<QDockWidget*>("study")->show();
         QSignalSpy finished(&study, &StudyDock::finished);
-        const auto row = window_->gallery().exhibits()[exhibit_]->parameters().find("hitTolerance");
+        const auto row = window_->gallery().subjects()[exhibit_]->parameters().find("hitTolerance");
         emit window_->panel().accuracyAsked(*row);
         QVERIFY(study.running());
         QTRY_VERIFY(finished.count() == 1);

@@ -88,7 +88,7 @@ int main(int argc, char** argv)
             window.study().setEffort({240, 135}, 3);
             QEventLoop until;
             QObject::connect(&window.study(), &ui::StudyDock::finished, &until, &QEventLoop::quit);
-            window.study().ask(1, *window.gallery().exhibits()[1]->parameters().find("hitTolerance"));
+            window.study().ask(1, *window.gallery().subjects()[1]->parameters().find("hitTolerance"));
             until.exec();
             waitUntilStill(window, 60000);
             window.grab().save(folder + QStringLiteral("/study") + ending);

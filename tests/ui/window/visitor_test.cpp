@@ -360,7 +360,7 @@ private slots:
                           list->visualItemRect(list->findItems("Hall", Qt::MatchExactly).front()).center());
         QCOMPARE(window_->chosen(), std::size_t{0});
         QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
-        QVERIFY(window_->history().look().camera == gallery_->bestView(0, window_->history().look().values[0]));
+        QVERIFY(window_->history().look().camera == gallery_->bestView(0, window_->history().look().hall()));
     }
 
     void aNarrowPictureIsDrawnWider()

@@ -136,7 +136,10 @@ private slots:
         render::FrameReport report;
         report.ran = {{.name = "sdf_morph/cone", .reason = "it saves steps"}, {.name = "tonemap", .reason = "always"}};
         ledger.note(report);
-        QTRY_COMPARE(ledger.topLevelItemCount(), 2);
+        report.skipped.push_back({.name = "sdf_morph", .reason = "out of view"});
+        ledger.note(report);
+        QTRY_COMPARE(ledger.topLevelItemCount(), 3);
+        QCOMPARE(ledger.topLevelItem(2)->text(0), QString("Torus to mug"));
         QCOMPARE(ledger.topLevelItem(0)->text(0), QString("Torus to mug: cone"));
         QCOMPARE(ledger.topLevelItem(0)->toolTip(0), QString("sdf_morph/cone"));
         QCOMPARE(ledger.topLevelItem(1)->text(0), QString("tonemap"));

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "render/glsl/cpu.h"
+
+/// shaders/crepuscular_rays/light_shafts.glsl and air.glsl as C++.
+
+#include "render/glsl/begin_cpu.h"
+
+#include "shaders/crepuscular_rays/light_shafts.glsl"
+
+#include "shaders/crepuscular_rays/air.glsl"
+
+#include "render/glsl/end_cpu.h"

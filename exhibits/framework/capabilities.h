@@ -1,0 +1,68 @@
+#pragma once
+
+#include "exhibits/framework/parameters.h"
+#include "render/files/asset_store.h"
+#include "render/plan/frame_plan.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace vitrine {
+
+class Subject;
+struct PlanContext;
+
+/// The table for the files that values name, or why there is none.
+struct CalledTable {
+    std::shared_ptr<const Parameters> table = {};  ///< Null: the values keep the one that they have.
+    std::string why = {};  ///< A full sentence where a file cannot be read (`unreadableFile`); empty otherwise.
+};
+
+// What only some exhibits do. An exhibit derives from each class whose work it does, beside Exhibit.
+
+/// Has a red button at its place.
+class HasButton {
+public:
+    virtual ~HasButton() = default;
+    [[nodiscard]] virtual std::string_view buttonText() const = 0;  ///< After "E – "; never empty.
+    /// What a press does to the values; returns whether anything changed. The moment of the last press is in
+    /// ExhibitState, besides.
+    virtual bool press(ParameterValues&) const { return false; }
+};
+
+/// Is made of light alone and laid over the frame. It throws no shadow, and where it moves the whole picture may
+/// change.
+class OverFrame {
+public:
+    virtual ~OverFrame() = default;
+    /// Called when every exhibit has planned its part, before the sky.
+    virtual void planOverFrame(const PlanContext&, render::FramePlan&) const = 0;
+};
+
+/// Turns what the building hangs up at its place.
+class TurnsHangings {
+public:
+    virtual ~TurnsHangings() = default;
+    /// How far that has turned about its own upright axis, radians; `time` in seconds.
+    [[nodiscard]] virtual double turnOfHangings(const ParameterValues&, double time) const = 0;
+};
+
+/// Has further rows by the files that its values name: a scene read from a file.
+class TableFromFiles {
+public:
+    virtual ~TableFromFiles() = default;
+    /// The table for the files that these values name in rows that give rows: `parameters()` where they name none, else
+    /// one made through the asset store, the same for the same files. It has the rows of `parameters()` and more; what
+    /// the exhibit is given from then on has this table, so a table derived from Parameters may carry the scene that it
+    /// was made of. Any thread may call it, several at once; never throws for a file that cannot be read.
+    [[nodiscard]] virtual CalledTable tableFor(const ParameterValues&, render::AssetStore&) const = 0;
+};
+
+/// The exhibit as one that does this; null where it does not.
+template <typename Capability> [[nodiscard]] const Capability* capability(const Subject& subject)
+{
+    return dynamic_cast<const Capability*>(&subject);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "exhibits/framework/exhibit.h"
+#include "render/plan/frame_plan.h"
+
+#include <string>
+
+namespace vitrine {
+
+/// A pass with the exhibit's values bound: `parameters.NAME` in its shaders. Everything else is as in an empty pass.
+[[nodiscard]] render::Pass exhibitPass(std::string name, std::string reason, const ParameterValues&, std::string vertex,
+                                       std::string fragment);
+
+/// Makes it a pass that draws surfaces of the picture: their radiance and depth over what is there, the nearest one
+/// kept, back faces culled. Shaders write further outputs as the defines say: with `channels.normal`, WRITE_NORMAL and
+/// the normal at location 1; with `channels.evaluations`, WRITE_EVALUATIONS with the location of the count.
+void drawSurface(render::Pass&, const Channels&, render::Load = render::Load::keep);
+
+/// The depth of meshes, for which their positions tell all: of passes whose every fragment hides what is behind. Their
+/// draws are `surfaceDraw`s, or have their block alone.
+[[nodiscard]] render::DepthOnly meshDepth();
+
+/// A pass of solid meshes with materials, `surfaceDraw`s, in the light of the place; with their normals where asked
+/// for.
+[[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const PlanContext&);
+
+/// Why a shadow that `Exhibit::planShadow` adds is there.
+inline constexpr const char* shadowReason = "the sun reaches it and its shadow may be seen";
+
+/// Makes it a pass that draws into the exhibits' shadow map as the sun sees them: nearest depth, kept until anything
+/// about any exhibit's shadow changes, left out where no shadow can be seen. Culling and depth bias stay as they are.
+void castShadow(render::Pass&, const PlanContext&);
+
+/// The shadow of meshes, as `meshDepth`.
+[[nodiscard]] render::Pass meshShadow(std::string name, const PlanContext&);
+
+}  // namespace vitrine

@@ -1,0 +1,100 @@
+#include "exhibits/kit/sdf_exhibit.h"
+
+#include "exhibits/kit/sdf_passes.h"
+#include "exhibits/kit/surface_net.h"
+#include "render/scene/held_bytes.h"
+
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+struct PreparedSdfMesh final : PreparedPart {
+    render::Asset<render::Mesh> mesh;
+};
+
+/// With its size around its center changed by a factor.
+render::Box resized(const render::Box& box, double factor)
+{
+    return {box.center() - factor * box.halfSize(), box.center() + factor * box.halfSize()};
+}
+
+/// The kit's shaders include the field and its material under names of the kit.
+std::shared_ptr<const render::ShaderSources> sourcesOf(const SdfShaders& shaders)
+{
+    std::map<std::string, std::string> texts;
+    if (shaders.generated) texts = shaders.generated->textByPath();
+    texts["kit/sdf/field.glsl"] = "#include \"" + shaders.field + "\"\n";
+    texts["kit/sdf/material.glsl"] = "#include \"" + shaders.material + "\"\n";
+    return std::make_shared<render::ShaderSources>(std::move(texts));
+}
+
+}  // namespace
+
+SdfExhibit::SdfExhibit(const SdfShaders& shaders) : sources_(sourcesOf(shaders)) {}
+
+render::Box SdfExhibit::bounds(const ParameterValues& values) const
+{
+    return resized(boxOverTime(values), values[rows().boxSize]);
+}
+
+std::shared_ptr<const PreparedPart> SdfExhibit::prepare(const PrepareContext& context) const
+{
+    if (!context.seen || !context.values[rows().compareMesh]) return nullptr;
+    const SdfBody now = body(context.values, context.time);
+    const int cells = now.values[rows().tessellation];
+    auto part = std::make_shared<PreparedSdfMesh>();
+    const std::string kind = std::string(name()) + ".mesh";
+    part->mesh = context.assets.made<render::Mesh>(kind, now.shape + ';' + std::to_string(cells), [&] {
+        auto mesh = surfaceNet(now.distance, now.box, cells, kind);
+        const std::uint64_t bytes = heldBytes(*mesh);
+        return render::AssetStore::Made<render::Mesh>{std::move(mesh), bytes};
+    });
+    return part;
+}
+
+double SdfExhibit::firstHit(const ExhibitState& state, const render::Ray& ray) const
+{
+    constexpr double never = std::numeric_limits<double>::infinity();
+    constexpr double tolerance = 1e-4;  // Metres: less than a pixel from anywhere a visitor can be.
+    const SdfBody now = body(state.values, state.time);
+    const double length = glm::length(ray.direction);
+    const render::Stretch inside = render::insideBox(ray, now.box);
+    if (!(inside.enter <= inside.exit) || !(length > 0)) return never;
+    double t = inside.enter;
+    for (int step = 0; step < 1000 && t <= inside.exit; ++step) {
+        const double distance = now.distance(ray.at(t));
+        if (distance < tolerance) return t;
+        t += distance / length;
+    }
+    return never;
+}
+
+render::Camera SdfExhibit::bestView(const ParameterValues& values) const
+{
+    const render::Box box = boxOverTime(values);
+    const double reach = glm::length(box.halfSize());
+    return {box.center() + glm::dvec3(0.9, 0.3, 1.6) * reach, box.center(), 0.698132};
+}
+
+double SdfExhibit::nextChange(const ParameterValues&, double) const
+{
+    return std::numeric_limits<double>::infinity();
+}
+
+void SdfExhibit::planShadow(const PlanContext& context, render::FramePlan& plan) const
+{
+    const SdfBody now = body(context.values, context.time);
+    planSdfShadow(
+        {name(), rows(), materialRows(), context, now, resized(now.box, now.values[rows().boxSize]), sources_}, plan);
+}
+
+void SdfExhibit::plan(const PlanContext& context, render::FramePlan& plan) const
+{
+    const SdfBody now = body(context.values, context.time);
+    const auto* prepared = static_cast<const PreparedSdfMesh*>(context.prepared);
+    planSdf({name(), rows(), materialRows(), context, now, resized(now.box, now.values[rows().boxSize]), sources_},
+            prepared ? &prepared->mesh : nullptr, plan);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "exhibits/framework/exhibit.h"
+#include "exhibits/kit/sdf_rows.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace vitrine {
+
+/// Where a field's GLSL comes from: files under shaders/, or texts that are made at run time.
+struct SdfShaders {
+    /// Defines `float fieldDistance(vec3 p)`: metres, negative inside, 1-Lipschitz, in the body's own space.
+    std::string field;
+    /// Defines `FieldMaterial fieldMaterial(vec3 p)` (shaders/kit/sdf/material.glsl) of a point of the surface. By
+    /// default that of SdfMaterialRows, everywhere.
+    std::string material = "kit/sdf/even_material.glsl";
+    /// Texts that take the place of files, by path.
+    std::shared_ptr<const render::ShaderSources> generated = {};
+};
+
+/// A body at one moment.
+struct SdfBody {
+    /// `parameters` of its shaders: the table's values, with what is animated as it is at this moment.
+    ParameterValues values;
+    render::Box box;  ///< The smallest known one that holds it; own space.
+    /// The same field as its shaders', at float64: for the comparison mesh and for what a visitor points at.
+    std::function<double(const glm::dvec3&)> distance;
+    /// Another text for every other field (`derive::keyOf`): the comparison mesh is kept by it.
+    std::string shape;
+    /// A uniform block of its own (`render::std140Bytes`), at BLOCK_EXHIBIT; empty where `parameters` tells all.
+    render::Bytes block = {};
+};
+
+/// An exhibit that is a signed distance field: it supplies the field (`SdfShaders`, `body`), a table with SdfRows, and
+/// a material. Sphere tracing with its cone pre-pass, its shadow, the bounding mesh and its overlay, the comparison
+/// with a mesh by a wipe, and heat maps are here.
+class SdfExhibit : public Exhibit {
+public:
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const final;
+    [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const final;
+    [[nodiscard]] double firstHit(const ExhibitState&, const render::Ray&) const final;
+    /// From before it and a little above, so that it fills the picture. By default.
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
+    /// Never, by default.
+    [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
+    void planShadow(const PlanContext&, render::FramePlan&) const final;
+    void plan(const PlanContext&, render::FramePlan&) const final;
+
+    /// As it is `time` seconds after the exhibit's clock started.
+    [[nodiscard]] virtual SdfBody body(const ParameterValues&, double time) const = 0;
+
+protected:
+    explicit SdfExhibit(const SdfShaders&);
+
+    [[nodiscard]] virtual const SdfRows& rows() const = 0;
+    /// Null where the table has no such rows: the field's own material tells all, and nothing is glass.
+    [[nodiscard]] virtual const SdfMaterialRows* materialRows() const { return nullptr; }
+    /// A box that holds it at any time.
+    [[nodiscard]] virtual render::Box boxOverTime(const ParameterValues& values) const { return body(values, 0).box; }
+
+private:
+    std::shared_ptr<const render::ShaderSources> sources_;
+};
+
+}  // namespace vitrine

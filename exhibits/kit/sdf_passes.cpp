@@ -1,0 +1,250 @@
+#include "exhibits/kit/sdf_passes.h"
+
+#include "exhibits/framework/derive.h"
+#include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/pixel_blocks.h"
+#include "exhibits/kit/surface_draw.h"
+#include "render/glsl/std140.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace vitrine {
+namespace {
+
+using render::Attachment;
+using render::Pass;
+
+constexpr int pixelsOfCone = 8;  ///< Along a side of the block that one cone covers.
+
+struct SdfPlanner {
+    const SdfScene& scene;
+    render::FramePlan& plan;
+    const SdfRows& table = scene.table;
+    const ParameterValues& values = scene.body.values;
+
+    [[nodiscard]] std::string named(const char* step) const { return std::string(scene.exhibit) + '/' + step; }
+    [[nodiscard]] bool isGlass() const
+    {
+        const SdfMaterialRows* t = scene.material;
+        return t && values[t->material] == SdfMaterial::glass;
+    }
+
+    [[nodiscard]] render::Bytes object() const
+    {
+        const glm::dmat4& worldFromLocal = scene.context.worldFromExhibit;
+        const glm::dmat3 linear(worldFromLocal);
+        SdfObject object;
+        object.worldFromLocal = glm::mat4(worldFromLocal);
+        object.localFromWorld = glm::mat4(glm::affineInverse(worldFromLocal));
+        object.boxLow = glm::vec3(scene.box.low);
+        object.boxHigh = glm::vec3(scene.box.high);
+        object.largestScale =
+            static_cast<float>(std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])}));
+        return render::std140Bytes(object);
+    }
+    [[nodiscard]] render::Draw draw(std::shared_ptr<const render::Mesh> mesh) const
+    {
+        render::Draw draw;
+        draw.mesh = std::move(mesh);
+        draw.mirrored = glm::determinant(glm::dmat3(scene.context.worldFromExhibit)) < 0;
+        draw.object = object();
+        return draw;
+    }
+    [[nodiscard]] Pass pass(const char* step, std::string reason, std::string vertex, std::string fragment) const
+    {
+        Pass pass = exhibitPass(named(step), std::move(reason), values, std::move(vertex), std::move(fragment));
+        pass.shader.sources = scene.sources;
+        pass.blocks[BLOCK_EXHIBIT] = scene.body.block;
+        return pass;
+    }
+
+    void shadow() const
+    {
+        Pass made = pass("shadow", shadowReason, "kit/sdf/box.vert", "kit/sdf/shadow.frag");
+        castShadow(made, scene.context);
+        made.state.cull = render::Cull::front;
+        made.draws = {draw(boxMesh())};
+        plan.add(std::move(made));
+    }
+
+    [[nodiscard]] std::string coneImage() const { return std::string(scene.exhibit) + ".cone"; }
+    [[nodiscard]] static std::string coneDefine() { return "CONE_PREPASS " + std::to_string(pixelsOfCone); }
+
+    void cone() const
+    {
+        if (!values[table.conePrepass]) {
+            plan.skip(named("cone"), "the cone pre-pass is switched off");
+            return;
+        }
+        const render::ResourceId image = plan.image({.name = coneImage(),
+                                                     .format = render::Format::rgba32f,
+                                                     .size = PixelBlocks(plan.view.raster, pixelsOfCone).count,
+                                                     .nearest = true});
+        Pass made =
+            pass("cone", "it saves every ray the way to the object", "lib/fullscreen.vert", "kit/sdf/cone.frag");
+        made.stage = render::Stage::prepare;
+        made.shader.defines = {coneDefine()};
+        made.colors = {Attachment::cleared(image)};
+        made.draws = {draw(nullptr)};
+        plan.add(std::move(made));
+    }
+
+    void occlusion(Pass& made, ParameterValues& needed, bool heat, double any) const
+    {
+        const double scattered = isGlass() && !heat ? 0 : 1;
+        if (!values[table.ambientOcclusion])
+            plan.skip(named("occlusion"), "ambient occlusion is switched off");
+        else if (!plan.needs(made,
+                             {named("occlusion"),
+                              render::boundOf(any, 0, {{scattered, "glass scatters nothing of the room's light"}})}))
+            needed.set(table.ambientOcclusion, false);
+    }
+
+    /// What the shading does beside the plain surface: the pass is given the values as far as they are called for.
+    void effects(Pass& made) const
+    {
+        const Surroundings& around = scene.context.surroundings;
+        const bool heat = values[table.heatMap] != SdfHeatMap::none;
+        // A heat map shows what the effects cost, which no light bounds.
+        const double any = heat ? std::numeric_limits<double>::infinity() : 1;
+        const int bounces = values[table.bounces];
+        ParameterValues needed = values;
+        occlusion(made, needed, heat, any);
+
+        if (values[table.shadowMethod] == SdfShadow::none)
+            plan.skip(named("self-shadow"), "the shadow method is none");
+        else if (!plan.needs(made, {named("self-shadow"),
+                                    render::boundOf(0, any * (1 + bounces),
+                                                    {{around.sunShadow.radiance, around.sunShadow.whyNone}})}))
+            needed.set(table.shadowMethod, SdfShadow::none);
+
+        // Beyond the first surface, each one adds its own light, and the last one the room's.
+        const double reflected = around.probeLight.radiance + bounces * around.sunShadow.radiance;
+        (void)plan.needs(made, {named("bounces"), render::boundOf(0, any,
+                                                                  {{bounces > 0 ? 1.0 : 0.0, "no bounce is asked for"},
+                                                                   {reflected, "there is no light to reflect"}})});
+        made.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(needed);
+    }
+
+    [[nodiscard]] Pass marchPass(const char* step, std::string reason) const
+    {
+        Pass made = pass(step, std::move(reason), "kit/sdf/box.vert", "kit/sdf/march.frag");
+        made.draws = {draw(boxMesh())};
+        if (values[table.conePrepass]) {
+            made.shader.defines.push_back(coneDefine());
+            made.inputs.push_back({UNIT_EXHIBIT_A, coneImage()});
+        }
+        if (isGlass()) made.shader.defines.emplace_back("GLASS");
+        if (values[table.heatMap] != SdfHeatMap::none) made.shader.defines.emplace_back("HEAT_MAP");
+        scene.context.surroundings.illuminate(made);
+        // It shades itself by rays of its own; the exhibits' shadow map is for what others keep from it.
+        if (scene.context.alone)
+            std::erase_if(made.inputs, [](const render::Input& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
+        else
+            made.shader.defines.emplace_back("OTHERS_SHADOWS");
+        effects(made);
+        return made;
+    }
+
+    void march() const
+    {
+        Pass made = marchPass("march", "in view");
+        drawSurface(made, {.normal = scene.context.channels.normal});
+        // Back faces: they are there even when the camera is inside the box.
+        made.state.cull = render::Cull::front;
+        made.state.depthClamp = true;
+        made.depthOnly = {made.shader, {}};
+        made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
+        if (values[table.conePrepass]) made.depthOnly->inputs = {{UNIT_EXHIBIT_A, coneImage()}};
+        plan.add(std::move(made));
+    }
+
+    void count() const
+    {
+        if (!scene.context.channels.evaluations) {
+            plan.skip(named("count"), "nobody asks for counts");
+            return;
+        }
+        // Rays that miss leave nothing in the picture, so they are counted in a pass of their own.
+        Pass made = marchPass("count", "the evaluations channel is asked for");
+        made.stage = render::Stage::resolve;
+        made.shader.defines.emplace_back("COUNT");
+        made.colors = {Attachment::whole(evaluationsImage)};
+        made.state = {.cull = render::Cull::front, .blend = render::Blend::add, .depthClamp = true};
+        plan.add(std::move(made));
+    }
+
+    void mesh(const render::Asset<render::Mesh>* found) const
+    {
+        if (!values[table.compareMesh]) {
+            plan.skip(named("mesh"), "the comparison is switched off");
+            return;
+        }
+        if (!found || !found->value) {
+            plan.complain(named("mesh"), found ? found->failure : "no mesh was made");
+            return;
+        }
+        Pass made = pass("mesh", "compared with the marched object", "kit/sdf/mesh.vert", "kit/sdf/mesh.frag");
+        drawSurface(made, {.normal = scene.context.channels.normal});
+        scene.context.surroundings.illuminate(made);
+        made.draws = {draw(found->value)};
+        plan.add(std::move(made));
+    }
+
+    /// The twelve edges of the box, as thin bars.
+    void overlay() const
+    {
+        if (!values[table.showBox]) {
+            plan.skip(named("box"), "the overlay is switched off");
+            return;
+        }
+        const bool clips = values[table.boxSize] < 1;
+        render::Material glow;
+        glow.baseColor = glm::vec4(0, 0, 0, 1);
+        glow.emissive = clips ? glm::vec3(0.30F, 0.02F, 0.01F) : glm::vec3(0.34F, 0.13F, 0.02F);
+        glow.metalness = 0;
+        glow.roughness = 1;
+        Pass made = surfacePass(
+            named("box"), clips ? "the overlay is on; the box clips the object" : "the overlay is on", scene.context);
+        const double thickness = 0.006 / glm::length(glm::dvec3(scene.context.worldFromExhibit[0]));
+        const glm::dvec3 half = scene.box.halfSize();
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int corner = 0; corner < 4; ++corner) {
+                const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+                glm::dvec3 center(0);
+                glm::dvec3 size(thickness);
+                size[axis] = half[axis] + thickness;
+                center[u] = (corner & 1) != 0 ? half[u] : -half[u];
+                center[v] = (corner & 2) != 0 ? half[v] : -half[v];
+                const glm::dmat4 localFromBar =
+                    glm::scale(glm::translate(glm::dmat4(1), scene.box.center() + center), size);
+                made.draws.push_back(surfaceDraw(boxMesh(), scene.context.worldFromExhibit * localFromBar, glow));
+            }
+        }
+        plan.add(std::move(made));
+    }
+};
+
+}  // namespace
+
+void planSdfShadow(const SdfScene& scene, render::FramePlan& plan)
+{
+    SdfPlanner{scene, plan}.shadow();
+}
+
+void planSdf(const SdfScene& scene, const render::Asset<render::Mesh>* mesh, render::FramePlan& plan)
+{
+    const SdfPlanner planner{scene, plan};
+    planner.mesh(mesh);
+    planner.cone();
+    planner.march();
+    planner.count();
+    planner.overlay();
+}
+
+}  // namespace vitrine

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "exhibits/kit/sdf_exhibit.h"
+#include "render/files/asset_store.h"
+#include "render/glsl/std140.h"
+
+#include <memory>
+#include <string_view>
+
+namespace vitrine {
+
+#include "shaders/kit/sdf/object_block.glsl"
+
+/// A field at one moment, at its place: what its passes are planned from.
+struct SdfScene {
+    std::string_view exhibit;  ///< Passes are "EXHIBIT/march", images "EXHIBIT.cone".
+    const SdfRows& table;
+    const SdfMaterialRows* material;  ///< May be null.
+    const PlanContext& context;
+    const SdfBody& body;
+    render::Box box;  ///< The rays are marched in it.
+    std::shared_ptr<const render::ShaderSources> sources;
+};
+
+/// The sun's own rays find the body, and write where they did: its shadow has its true outline.
+void planSdfShadow(const SdfScene&, render::FramePlan&);
+/// March and cone pre-pass, counts, comparison and overlay, or why not. `mesh` is what the body is compared with; it
+/// may be null where nothing is compared.
+void planSdf(const SdfScene&, const render::Asset<render::Mesh>* mesh, render::FramePlan&);
+
+}  // namespace vitrine

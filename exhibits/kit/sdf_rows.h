@@ -1,0 +1,116 @@
+#pragma once
+
+#include "exhibits/framework/parameters.h"
+
+#include <optional>
+
+namespace vitrine {
+
+enum class SdfMaterial : int { opaque, glass };
+enum class SdfRelaxation : int { none, fixed, automatic };
+enum class SdfNormal : int { forward, tetrahedron, central };
+enum class SdfShadow : int { none, hard, classic, improved, signedDistance, area };
+enum class SdfHeatMap : int { none, steps, evaluations, normals, distance };
+
+// Rows of every exhibit that is a distance field. A table takes them by inheriting them after its own:
+//
+//     struct BallRows : virtual Parameters { Real radius = real("radius", 0.3, metre, {0.01, 1}, "Of the ball."); };
+//     struct BallTable final : BallRows, SdfMaterialRows, SdfRows {};
+
+/// One material for the whole body: what shaders/kit/sdf/even_material.glsl reads.
+struct SdfMaterialRows : virtual Parameters {
+    Group surface = group("Material");
+    Choice<SdfMaterial> material = choice("material", SdfMaterial::opaque, {"opaque", "glass"},
+                                          "Opaque reflects; glass also refracts, in and out through every wall.");
+    Color baseColor =
+        color("baseColor", {0.95, 0.93, 0.88}, "Of the glaze, the metal, or (per 10 cm of depth) the glass.");
+    Real roughness = real("roughness", 0.06, none, {0, 1}, "0 is a mirror, 1 is chalk.");
+    Real metalness = real("metalness", 1.0, none, {0, 1}, "0 is a glaze over a colored body, 1 is bare metal.",
+                          when(material, SdfMaterial::opaque) || whenLater("compareMesh", 1));
+    Real specular =
+        real("specular", 0.5, none, {0, 1}, "Reflectance of what is not metal: 0.5 is the 4 % of most glazes.",
+             whenNot(metalness, 1) || when(material, SdfMaterial::glass));
+    Real refractiveIndex = real("refractiveIndex", 1.5, none, Range{1, 3}.soft(1, 2.4),
+                                "Of the glass: 1 bends nothing, 2.4 is diamond.", when(material, SdfMaterial::glass));
+};
+
+/// How the body is marched, shaded and looked into.
+struct SdfRows : virtual Parameters {
+    Group reflections = group("Material");
+    Count bounces = count("bounces", 2, {0, 4},
+                          "How often a reflected ray may meet the object again before it sees the hall.", quality(4));
+    Toggle ambientOcclusion =
+        toggle("ambientOcclusion", true,
+               "Darken what the object hides from the hall's light: five evaluations a pixel.", whenOccluded());
+
+    Group light = group("Shadow");
+    Choice<SdfShadow> shadowMethod = choice(
+        "shadowMethod", SdfShadow::signedDistance, {"none", "hard", "classic", "improved", "signed", "area"},
+        "How the object shades itself from the sun: one ray, three kinds of estimate from one ray, or many rays.",
+        quality(SdfShadow::area));
+    Count shadowRays = count("shadowRays", 16, {1, 256, logarithmic}, "Rays over the sun's disk, for the area method.",
+                             quality(256), when(shadowMethod, SdfShadow::area));
+    Real sunWidth =
+        real("sunWidth", degrees(1.5), degree, Range{degrees(0.01), degrees(60)}.soft(degrees(0.1), degrees(10)),
+             "How wide the sun looks: wide gives soft shadows. The real one is half a degree.",
+             when(shadowMethod, {SdfShadow::classic, SdfShadow::improved, SdfShadow::signedDistance, SdfShadow::area}));
+
+    Group accuracy = foldedGroup("Accuracy");
+    Real hitTolerance =
+        real("hitTolerance", 1.0, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
+             "How near a ray must come to the surface, in half pixels at that distance.", quality(0.001));
+    Count stepLimit = count("stepLimit", 128, {1, 1024, logarithmic},
+                            "Steps a ray may take; one that runs out ends on its best candidate.", quality(1024));
+    Choice<SdfRelaxation> relaxation = choice(
+        "relaxation", SdfRelaxation::automatic, {"none", "fixed", "automatic"},
+        "Whether steps may be longer than the distance: by a fixed factor, or as long as the field's slope promises.",
+        exactAt(SdfRelaxation::none));
+    Real relaxationFactor = real("relaxationFactor", 1.2, none, {1, 1.99},
+                                 "Of the fixed kind: 1 is none, higher takes longer steps and has to take back more.",
+                                 exactAt(1), when(relaxation, SdfRelaxation::fixed));
+    Toggle conePrepass =
+        toggle("conePrepass", true, "First march one cone for every 8 × 8 pixels, and start their rays where it ended.",
+               exactAt(0));
+    Choice<SdfNormal> normalMethod =
+        choice("normalMethod", SdfNormal::central, {"forward", "tetrahedron", "central"},
+               "Differences that give the normal: 4, 4 or 6 evaluations; the first two lean across creases.",
+               quality(SdfNormal::central));
+    Real normalStep =
+        real("normalStep", 0.0003, metre, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02),
+             "Step of those differences near the eye: too small drowns in rounding, too large rounds creases.",
+             quality(0.0003));
+
+    Group bounds = group("Bounding box");
+    Real boxSize =
+        real("boxSize", 1.0, none, Range{0.05, 10}.soft(0.5, 1.5),
+             "Of the mesh that the object is marched in, against the smallest that holds it: below 1 clips.");
+    Toggle showBox =
+        toggle("showBox", false, "Draw the edges of that mesh: amber when it holds the object, red when it clips.");
+
+    Group comparison = group("Comparison");
+    Toggle compareMesh =
+        toggle("compareMesh", false, "Show a rasterized mesh of the same object to the right of the wipe.");
+    Real wipe = real("wipe", 0.5, none, {0, 1},
+                     "Where the mesh begins: 0 is the left edge of the picture, 1 the right.", when(compareMesh));
+    Count tessellation =
+        count("tessellation", 24, {4, 256, logarithmic},
+              "Cells of the mesh along the longest side of the box: few show facets in the reflections.", quality(256),
+              when(compareMesh));
+    Choice<SdfHeatMap> heatMap =
+        choice("heatMap", SdfHeatMap::none, {"none", "steps", "evaluations", "normals", "distance"},
+               "Color the object by what it cost, or by what was found.");
+    Real heatScale =
+        real("heatScale", 64, none, Range{1, 4096, logarithmic}.soft(4, 512), "The count that is shown white.",
+             when(heatMap, {SdfHeatMap::steps, SdfHeatMap::evaluations}));
+
+private:
+    /// Nothing where the table has no glass: always.
+    [[nodiscard]] std::optional<Condition> whenOccluded() const
+    {
+        if (!find("material")) return {};
+        return whenLater("material", static_cast<double>(SdfMaterial::opaque)) ||
+               whenLater("heatMap", static_cast<double>(SdfHeatMap::evaluations));
+    }
+};
+
+}  // namespace vitrine

@@ -1,0 +1,12 @@
+// One material everywhere: that of SdfMaterialRows.
+
+FieldMaterial fieldMaterial(vec3 p)
+{
+    FieldMaterial m;
+    m.baseColor = parameters.baseColor;
+    m.metalness = parameters.metalness;
+    m.roughness = parameters.roughness;
+    m.specular = parameters.specular;
+    m.refractiveIndex = parameters.refractiveIndex;
+    return m;
+}

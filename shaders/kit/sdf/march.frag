@@ -1,0 +1,73 @@
+// The object, one ray per pixel, inside its bounding mesh, with the depth of what the ray found.
+// Permutations: CONE_PREPASS (pixels along a side of its blocks), GLASS, HEAT_MAP, WRITE_NORMAL, COUNT (writes evaluations, discards nothing),
+// DEPTH_ONLY (shades nothing), OTHERS_SHADOWS.
+#include "kit/sdf/ray.glsl"
+#include "kit/sdf/shade.glsl"
+#include "lib/tonemap.glsl"
+
+layout(binding = UNIT_EXHIBIT_A) uniform sampler2D coneStart;
+
+layout(location = 0) out vec4 radiance;
+#ifdef WRITE_NORMAL
+layout(location = 1) out vec4 normalOut;
+#endif
+#ifndef COUNT
+layout(depth_any) out float gl_FragDepth;
+#endif
+
+// Black, violet, red, amber, white: dark to bright, so that it also reads without color.
+vec3 heatColor(float x)
+{
+    float t = clamp(x, 0.0, 1.0) * 4.0;
+    vec3 c = mix(vec3(0.01, 0.01, 0.03), vec3(0.16, 0.04, 0.30), clamp(t, 0.0, 1.0));
+    c = mix(c, vec3(0.62, 0.09, 0.10), clamp(t - 1.0, 0.0, 1.0));
+    c = mix(c, vec3(0.90, 0.50, 0.08), clamp(t - 2.0, 0.0, 1.0));
+    return mix(c, vec3(0.97, 0.96, 0.90), clamp(t - 3.0, 0.0, 1.0));
+}
+
+vec3 heat(March march, Hit hit)
+{
+    vec3 shown;
+    if (parameters.heatMap == heatMap_steps) shown = heatColor(float(march.steps) / parameters.heatScale);
+    else if (parameters.heatMap == heatMap_evaluations) shown = heatColor(float(evaluations) / parameters.heatScale);
+    else if (parameters.heatMap == heatMap_normals) shown = hit.worldNormal * 0.5 + 0.5;
+    else shown = heatColor(0.5 + 0.5 * march.distance / max(4.0 * hit.tolerance, 1e-7));
+    return inverseTonemap(shown * 0.98) / light.exposure;
+}
+
+void main()
+{
+    evaluations = 0;
+    turnDisk(framePixel(gl_FragCoord.xy));
+    LocalRay ray = localRay(gl_FragCoord.xy);
+    float coneShare = 0.0;
+#ifdef CONE_PREPASS
+    vec4 cone = texelFetch(coneStart, ivec2((gl_FragCoord.xy + tileInBlock()) / BLOCK), 0);
+    coneShare = cone.y / 64.0;
+    ray.span.x = max(ray.span.x, cone.x);
+#endif
+    MarchSettings settings = tableSettings(ray.span.x, ray.span.y, ray.halfPixel);
+    March march = sphereTrace(ray.origin, ray.direction, settings);
+    evaluations += march.evaluations;
+    bool beyondWipe = framePixel(gl_FragCoord.xy).x >= wipeColumn();
+
+#ifdef COUNT
+    if (march.hit && !beyondWipe) shadeHit(ray, march, settings);
+    radiance = vec4(beyondWipe ? 0.0 : float(evaluations) + coneShare, 0.0, 0.0, 0.0);
+#else
+    if (!march.hit || beyondWipe) discard;
+    // Distance along the view axis, then reversed depth.
+    gl_FragDepth = frame.nearPlane / (march.t / ray.perDepth);
+#ifndef DEPTH_ONLY
+    Hit hit = findHit(ray.origin, ray.direction, march, settings);
+    vec3 color = shadeFound(ray, hit, settings);
+#ifdef HEAT_MAP
+    color = heat(march, hit);
+#endif
+    radiance = vec4(min(color, vec3(6e4)), 1.0);  // Half floats end at 65504.
+#ifdef WRITE_NORMAL
+    normalOut = vec4(hit.worldNormal, 1.0);
+#endif
+#endif
+#endif
+}

@@ -1,0 +1,36 @@
+// The mesh that the marched body is compared with, to the right of the wipe: the same material, without what a march
+// finds out. Permutations: WRITE_NORMAL, DEPTH_ONLY (shades nothing).
+#include "kit/sdf/object.glsl"
+#include "lib/surface.glsl"
+
+in vec3 localPosition;
+in vec3 worldNormal;
+
+layout(location = 0) out vec4 radiance;
+#ifdef WRITE_NORMAL
+layout(location = 1) out vec4 normalOut;
+#endif
+
+void main()
+{
+    if (framePixel(gl_FragCoord.xy).x < wipeColumn()) discard;
+#ifndef DEPTH_ONLY
+    turnDisk(framePixel(gl_FragCoord.xy));
+    FieldMaterial material = fieldMaterial(localPosition);
+    Surface s;
+    s.position = (object.worldFromLocal * vec4(localPosition, 1.0)).xyz;
+    vec3 toEye = normalize(frame.eye - s.position);
+    s.normal = safeNormalize(worldNormal, toEye);
+    if (!gl_FrontFacing) s.normal = -s.normal;
+    s.baseColor = material.baseColor;
+    s.metalness = material.metalness;
+    s.roughness = clamp(material.roughness, 0.045, 1.0);
+    s.specular = material.specular;
+    s.ambient = probeAmbient(s.normal);
+    s.occlusion = 1.0;
+    radiance = vec4(min(shadeSurface(s, toEye), vec3(6e4)), 1.0);  // Half floats end at 65504.
+#ifdef WRITE_NORMAL
+    normalOut = vec4(s.normal, 1.0);
+#endif
+#endif
+}

@@ -1,0 +1,8 @@
+// A body that is marched: where it stands, and the box in which it is looked for. GLSL and C++: render/glsl/std140.h.
+#define SDF_OBJECT_FIELDS(FIELD, ARRAY) \
+    FIELD(mat4, worldFromLocal) \
+    FIELD(mat4, localFromWorld) \
+    FIELD(vec3, boxLow)         /* metres, in the body's own space */ \
+    FIELD(float, largestScale)  /* of worldFromLocal */ \
+    FIELD(vec3, boxHigh)
+BLOCK_STRUCT(SdfObject, SDF_OBJECT_FIELDS)

@@ -1,0 +1,109 @@
+// A mesh with a material. Permutations: BASE_COLOR_MAP, NORMAL_MAP, ORM_MAP, EMISSIVE_MAP, LIGHTMAP,
+// FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WRITE_NORMAL, WRITE_EVALUATIONS.
+#include "lib/frame.glsl"
+#include "lib/surface.glsl"
+#include "kit/surface_object.glsl"
+
+layout(binding = UNIT_BASE_COLOR) uniform sampler2D baseColorMap;
+layout(binding = UNIT_NORMAL) uniform sampler2D normalMap;
+layout(binding = UNIT_ORM) uniform sampler2D ormMap;
+layout(binding = UNIT_EMISSIVE) uniform sampler2D emissiveMap;
+layout(binding = UNIT_SKY_LIGHTMAP) uniform sampler2D skyLightmap;
+layout(binding = UNIT_SUN_LIGHTMAPS) uniform sampler2DArray sunLightmaps;
+
+in vec3 worldPosition;
+in vec3 worldNormal;
+in vec4 worldTangent;
+in vec2 tileUv;
+in vec2 atlasUv;
+
+layout(location = 0) out vec4 radiance;
+#ifdef WRITE_NORMAL
+layout(location = 1) out vec4 normalOut;
+#endif
+#ifdef WRITE_EVALUATIONS
+layout(location = WRITE_EVALUATIONS) out vec4 evaluationsOut;
+#endif
+
+// The lightmaps are stored as square roots.
+vec3 squared(vec3 c)
+{
+    return c * c;
+}
+
+vec3 bakedAmbient()
+{
+    vec3 sky = squared(textureLod(skyLightmap, atlasUv, 0.0).rgb) * light.skyLightmapScale;
+    vec3 ambient = sky * mix(light.skyHorizon, light.skyZenith, 0.4);
+    vec3 bounced = vec3(0.0);
+    for (int i = 0; i < 3; ++i) {
+        float weight = light.sunLightmapWeights[i];
+        if (weight > 0.0) bounced += squared(textureLod(sunLightmaps, vec3(atlasUv, float(i)), 0.0).rgb) * weight;
+    }
+    return ambient + bounced * light.sunIrradiance;
+}
+
+void main()
+{
+    turnDisk(framePixel(gl_FragCoord.xy));
+    vec4 base = object.baseColor;
+#ifdef BASE_COLOR_MAP
+    base *= texture(baseColorMap, tileUv);
+#endif
+#ifdef ALPHA_MASK
+    if (base.a < object.alphaCutoff) discard;
+#endif
+
+    vec3 toEye = normalize(frame.eye - worldPosition);
+    vec3 n = safeNormalize(worldNormal, toEye);  // A visitor's file may hold normals without length.
+    if (!gl_FrontFacing) n = -n;
+#ifdef NORMAL_MAP
+    vec3 t = worldTangent.xyz - n * dot(n, worldTangent.xyz);
+    if (dot(t, t) > 1e-8) {
+        t = normalize(t);
+        vec3 b = cross(n, t) * worldTangent.w;
+        vec3 m = texture(normalMap, tileUv).xyz * 2.0 - 1.0;
+        n = normalize(t * (m.x * object.normalScale) + b * (m.y * object.normalScale) + n * max(m.z, 0.05));
+    }
+#endif
+    Surface s;
+    s.position = worldPosition;
+    s.normal = n;
+    s.baseColor = base.rgb;
+    s.metalness = object.metalness;
+    s.roughness = object.roughness;
+    s.specular = object.specular;
+    s.occlusion = 1.0;
+#ifdef ORM_MAP
+    vec3 orm = texture(ormMap, tileUv).rgb;
+    s.occlusion = mix(1.0, orm.r, object.occlusionStrength);
+    s.roughness *= orm.g;
+    s.metalness *= orm.b;
+#endif
+    s.roughness = clamp(s.roughness, 0.045, 1.0);
+#ifdef LIGHTMAP
+    s.ambient = bakedAmbient();
+    // The probe stands for the whole room; where the baked light is far below the room's, so is the mirror image.
+    float local = dot(s.ambient, vec3(0.3333)) / max(dot(probeAmbient(n), vec3(0.3333)), 1e-4);
+    s.occlusion *= mix(1.0, clamp(local, 0.15, 1.0), light.bakedOcclusion * (0.35 + 0.65 * s.roughness));
+#else
+    s.ambient = probeAmbient(n) * s.occlusion;
+#endif
+#ifdef FLAT_PROBE
+    vec3 color = s.baseColor * s.ambient + sunReflected(s, toEye, sunVisibility(s.position, s.normal));
+#else
+    vec3 color = shadeSurface(s, toEye);
+#endif
+    vec3 emitted = object.emissive;
+#ifdef EMISSIVE_MAP
+    emitted *= texture(emissiveMap, tileUv).rgb;
+#endif
+    // Half floats end at 65504, and infinity is NaN in every average after it.
+    radiance = vec4(min(color + emitted, vec3(6e4)), 1.0);
+#ifdef WRITE_NORMAL
+    normalOut = vec4(n, 1.0);
+#endif
+#ifdef WRITE_EVALUATIONS
+    evaluationsOut = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+}

@@ -1,0 +1,6 @@
+// A ball around the origin.
+
+float fieldDistance(vec3 p)
+{
+    return length(p) - parameters.radius;
+}

@@ -1,0 +1,42 @@
+// What the ledger says that leaving a step out saves.
+
+#include "render/plan/step_costs.h"
+
+#include <gtest/gtest.h>
+
+namespace vitrine::render {
+namespace {
+
+FrameReport reportOf(const std::vector<std::pair<std::string, double>>& ran, const std::vector<std::string>& skipped)
+{
+    FrameReport report;
+    for (const auto& [name, milliseconds] : ran) report.ran.push_back({.name = name, .milliseconds = milliseconds});
+    for (const std::string& name : skipped) report.skipped.push_back({.name = name, .reason = "out of view"});
+    return report;
+}
+
+TEST(StepCosts, AreThoseOfTheLastFrameInWhichAStepRanAndWasTimed)
+{
+    StepCosts costs;
+    EXPECT_LT(costs.of("fur/coat"), 0);
+    costs.note(reportOf({{"fur/coat", 4}, {"tone", 1}}, {}));
+    costs.note(reportOf({{"fur/coat", 3}, {"tone", -1}}, {}));
+    costs.note(reportOf({}, {"fur/coat"}));
+    EXPECT_EQ(costs.of("fur/coat"), 3);
+    EXPECT_EQ(costs.of("tone"), 1);
+}
+
+TEST(StepCosts, OfAnExhibitAsAWholeAreThoseOfItsPictureInOneFrame)
+{
+    StepCosts costs;
+    costs.note(reportOf({{"fur/shadow", 16}, {"fur/coat", 4}, {"fur/fins", 2}, {"furniture/chair", 32}}, {}));
+    EXPECT_EQ(costs.of("fur"), 6) << "its shadow has a line of its own, and so has everybody else";
+    // Fins that are switched off before one turns away are not saved by turning away.
+    costs.note(reportOf({{"fur/coat", 4}}, {"fur/fins"}));
+    EXPECT_EQ(costs.of("fur"), 4);
+    costs.note(reportOf({{"fur/motion", 8}, {"fur/shadow", 16}}, {"fur"}));
+    EXPECT_EQ(costs.of("fur"), 4) << "its motion goes on for the sake of its shadow";
+}
+
+}  // namespace
+}  // namespace vitrine::render
