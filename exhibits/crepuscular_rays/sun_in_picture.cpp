@@ -66,7 +66,8 @@ SunInPicture sunInPicture(const render::View& view, const glm::dvec3& towardsSun
     SunInPicture sun;
     const glm::dvec3 inView = glm::dmat3(view.viewFromWorld) * towardsSun;
     const double w = -inView.z;
-    if (!(w > 0)) return sun;
+    // So near to the camera's plane rounding alone would say on which side of it the sun stands.
+    if (!(w > 1e-9)) return sun;
     const glm::dvec2 ndc = (glm::dvec2(inView) / w - view.tanShift) / view.tanHalfFov;
     sun.inFront = true;
     sun.pixel = (ndc * 0.5 + 0.5) * glm::dvec2(view.raster.size);

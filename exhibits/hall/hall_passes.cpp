@@ -15,7 +15,6 @@ namespace {
 
 using render::Attachment;
 using render::Draw;
-using render::Load;
 using render::Part;
 using render::Pass;
 
@@ -77,40 +76,6 @@ Draw partDraw(const HallScene& scene, const Part& part)
     return surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile);
 }
 
-/// Attachments of everything that draws surfaces of the picture; `load` says whether they are cleared first.
-void drawInto(Pass& pass, const Channels& channels, Load load)
-{
-    const auto attachment = [load](const char* image) {
-        return load == Load::clear ? Attachment::cleared(image) : Attachment::whole(image);
-    };
-    pass.colors = {attachment(radianceImage)};
-    if (channels.normal) {
-        pass.shader.defines.emplace_back("WRITE_NORMAL");
-        pass.colors.push_back(attachment(normalImage));
-    }
-    if (channels.evaluations) {
-        pass.shader.defines.push_back("WRITE_EVALUATIONS " + std::to_string(pass.colors.size()));
-        pass.colors.push_back(attachment(evaluationsImage));
-    }
-    pass.depth = attachment(depthImage);
-    pass.state.depthTest = render::DepthTest::nearer;
-    pass.state.depthWrite = true;
-    pass.state.cull = render::Cull::back;
-}
-
-Pass surfacePass(std::string name, std::string reason, std::vector<std::string> defines, const Channels& channels,
-                 Load load)
-{
-    Pass pass;
-    pass.name = std::move(name);
-    pass.reason = std::move(reason);
-    pass.stage = render::Stage::opaque;
-    pass.shader = {.vertex = "kit/surface.vert", .fragment = "kit/surface.frag", .defines = std::move(defines)};
-    drawInto(pass, channels, load);
-    pass.depthOnly = meshDepth();
-    return pass;
-}
-
 const render::Material& buttonMaterial()
 {
     static const render::Material red = [] {
@@ -125,7 +90,7 @@ const render::Material& buttonMaterial()
 
 void planButtons(const HallScene& scene, const Surroundings& light, const Channels& channels, render::FramePlan& plan)
 {
-    Pass pass = surfacePass("hall/buttons", "", {}, channels, Load::keep);
+    Pass pass = surfacePass("hall/buttons", "", light, channels);
     int moving = 0;
     for (std::size_t i = 0; i < scene.guests.size(); ++i) {
         const Guest& guest = scene.guests[i];
@@ -143,7 +108,6 @@ void planButtons(const HallScene& scene, const Surroundings& light, const Channe
         return;
     }
     pass.reason = moving > 0 ? "a button was pressed" : "a button is in view";
-    light.illuminate(pass);
     plan.add(std::move(pass));
 }
 
@@ -190,9 +154,8 @@ void planVisitorModel(const HallScene& scene, const Surroundings& light, const C
         plan.skip("hall/visitor", "the free plinth is empty");
         return;
     }
-    Pass pass =
-        surfacePass("hall/visitor", "an object stands on the free plinth",
-                    {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP", "EMISSIVE_MAP", "ALPHA_MASK"}, channels, Load::keep);
+    Pass pass = surfacePass("hall/visitor", "an object stands on the free plinth", light, channels,
+                            {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP", "EMISSIVE_MAP", "ALPHA_MASK"});
     pass.state.cull = render::Cull::none;
     pass.depthOnly.reset();  // Its textures cut holes.
     Pass blended = pass;
@@ -207,8 +170,6 @@ void planVisitorModel(const HallScene& scene, const Surroundings& light, const C
         Draw draw = surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, material);
         (material.alphaMode == render::AlphaMode::blend ? blended : pass).draws.push_back(std::move(draw));
     }
-    light.illuminate(pass);
-    light.illuminate(blended);
     if (!pass.draws.empty()) plan.add(std::move(pass));
     if (!blended.draws.empty())
         plan.add(std::move(blended));
@@ -328,25 +289,23 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
 
 void planWalls(const HallScene& scene, const Surroundings& light, const Channels& channels, render::FramePlan& plan)
 {
-    Pass walls = surfacePass("hall/walls", "the hall is around the visitor",
-                             {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, channels, Load::clear);
+    Pass walls = surfacePass("hall/walls", "the hall is around the visitor", light, channels,
+                             {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, render::Load::clear);
     if (scene.values[scene.table.bakedLight]) {
         walls.shader.defines.emplace_back("LIGHTMAP");
         walls.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
         walls.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
     }
     for (const Part& part : scene.model.walls()) walls.draws.push_back(partDraw(scene, part));
-    light.illuminate(walls);
     plan.add(std::move(walls));
 
-    Pass props = surfacePass("hall/props", "cloths cover the empty places", {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"},
-                             channels, Load::keep);
+    Pass props = surfacePass("hall/props", "cloths cover the empty places", light, channels,
+                             {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"});
     props.state.cull = render::Cull::none;
     for (const std::vector<Part>& parts : {standing(scene), hanging(scene)})
         for (const Part& part : parts)
             if (plan.view.mayContain(part.mesh->bounds.transformed(part.modelFromPart)))
                 props.draws.push_back(partDraw(scene, part));
-    light.illuminate(props);
     if (props.draws.empty())
         plan.skip(props.name, "no cloth or stand is in view");
     else

@@ -41,21 +41,22 @@ void drawSurface(render::Pass& pass, const Channels& channels, render::Load load
     pass.state.cull = render::Cull::back;
 }
 
-render::DepthOnly meshDepth()
-{
-    return {.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"}};
-}
-
-render::Pass surfacePass(std::string name, std::string reason, const PlanContext& context)
+render::Pass surfacePass(std::string name, std::string reason, const Surroundings& light, const Channels& channels,
+                         std::vector<std::string> defines, render::Load load)
 {
     render::Pass pass;
     pass.name = std::move(name);
     pass.reason = std::move(reason);
-    pass.shader = {.vertex = "kit/surface.vert", .fragment = "kit/surface.frag"};
-    drawSurface(pass, {.normal = context.channels.normal});
+    pass.shader = {.vertex = "kit/surface.vert", .fragment = "kit/surface.frag", .defines = std::move(defines)};
+    drawSurface(pass, channels, load);
+    light.illuminate(pass);
     pass.depthOnly = meshDepth();
-    context.surroundings.illuminate(pass);
     return pass;
+}
+
+render::DepthOnly meshDepth()
+{
+    return {.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"}};
 }
 
 void castShadow(render::Pass& pass, const PlanContext& context)

@@ -4,6 +4,7 @@
 #include "render/plan/frame_plan.h"
 
 #include <string>
+#include <vector>
 
 namespace vitrine {
 
@@ -20,9 +21,10 @@ void drawSurface(render::Pass&, const Channels&, render::Load = render::Load::ke
 /// draws are `surfaceDraw`s, or have their block alone.
 [[nodiscard]] render::DepthOnly meshDepth();
 
-/// A pass of solid meshes with materials, `surfaceDraw`s, in the light of the place; with their normals where asked
-/// for.
-[[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const PlanContext&);
+/// A pass of meshes with materials, `surfaceDraw`s, in this light, as by `drawSurface`. `defines` are permutations of
+/// shaders/kit/surface.frag. Its depth alone is `meshDepth`: one whose textures cut holes unsets `depthOnly`.
+[[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const Surroundings&, const Channels&,
+                                       std::vector<std::string> defines = {}, render::Load = render::Load::keep);
 
 /// Why a shadow that `Exhibit::planShadow` adds is there.
 inline constexpr const char* shadowReason = "the sun reaches it and its shadow may be seen";

@@ -158,9 +158,10 @@ struct SdfPlanner {
         // Back faces: they are there even when the camera is inside the box.
         made.state.cull = render::Cull::front;
         made.state.depthClamp = true;
-        made.depthOnly = {made.shader, {}};
+        made.depthOnly = {made.shader};
         made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
-        if (values[table.conePrepass]) made.depthOnly->inputs = {{UNIT_EXHIBIT_A, coneImage()}};
+        for (const render::Input& input : made.inputs)
+            if (input.unit == UNIT_EXHIBIT_A) made.depthOnly->inputs.push_back(input);
         plan.add(std::move(made));
     }
 
@@ -193,6 +194,8 @@ struct SdfPlanner {
         drawSurface(made, {.normal = scene.context.channels.normal});
         scene.context.surroundings.illuminate(made);
         made.draws = {draw(found->value)};
+        made.depthOnly = {made.shader};
+        made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
         plan.add(std::move(made));
     }
 
@@ -209,8 +212,9 @@ struct SdfPlanner {
         glow.emissive = clips ? glm::vec3(0.30F, 0.02F, 0.01F) : glm::vec3(0.34F, 0.13F, 0.02F);
         glow.metalness = 0;
         glow.roughness = 1;
-        Pass made = surfacePass(
-            named("box"), clips ? "the overlay is on; the box clips the object" : "the overlay is on", scene.context);
+        Pass made =
+            surfacePass(named("box"), clips ? "the overlay is on; the box clips the object" : "the overlay is on",
+                        scene.context.surroundings, {.normal = scene.context.channels.normal});
         const double thickness = 0.006 / glm::length(glm::dvec3(scene.context.worldFromExhibit[0]));
         const glm::dvec3 half = scene.box.halfSize();
         for (int axis = 0; axis < 3; ++axis) {

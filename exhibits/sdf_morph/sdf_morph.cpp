@@ -1,7 +1,7 @@
 #include "exhibits/sdf_morph/sdf_morph.h"
 
 #include "exhibits/framework/derive.h"
-#include "render/glsl/cpu.h"
+#include "exhibits/sdf_morph/torus_mug_cpu.h"
 #include "render/glsl/std140.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace vitrine {
 namespace {
 
-#include "shaders/lib/torus_mug_shape_block.glsl"
+#include "shaders/sdf_morph/torus_mug_shape_block.glsl"
 
 glsl::TorusMug torusMug(const SdfMorphTable& table, const ParameterValues& values)
 {

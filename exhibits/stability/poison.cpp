@@ -116,10 +116,12 @@ render::FramePlan poisoned(const render::FramePlan& plan, const Poison& poison)
             render::Pass fill;
             fill.name = "poison " + name + ' ' + std::to_string(level);
             fill.reason = "to see who reads what nobody wrote";
-            fill.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
+            fill.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
             const bool depth = info.format == render::Format::depth32f;
-            const render::Attachment target{name, render::Load::clear, depth ? glm::vec4(poison.depth) : poison.color,
-                                            -1, level};
+            const render::Attachment target{.image = name,
+                                            .load = render::Load::clear,
+                                            .clear = depth ? glm::vec4(poison.depth) : poison.color,
+                                            .level = level};
             if (depth)
                 fill.depth = target;
             else

@@ -45,7 +45,7 @@ private:
 /// Whether the driver of the current context builds several programs at once while others draw.
 [[nodiscard]] bool buildsInParallel();
 
-/// "sdf_morph/march.frag [GLASS 1]".
+/// "kit/sdf/march.frag [GLASS]".
 [[nodiscard]] std::string describe(const ShaderKey&);
 
 }  // namespace vitrine::render::gl

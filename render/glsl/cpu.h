@@ -27,22 +27,6 @@
 
 #include "shaders/lib/sdf_operators.glsl"
 
-// What uniform blocks hold, at this precision.
-#pragma push_macro("BLOCK_STRUCT")
-#undef BLOCK_STRUCT
-#define BLOCK_STRUCT(Block, FIELDS)                                                                                    \
-    struct Block {                                                                                                     \
-        FIELDS(VITRINE_GLSL_FIELD, VITRINE_GLSL_ARRAY)                                                                 \
-    };
-#define VITRINE_GLSL_FIELD(type, name) type name;
-#define VITRINE_GLSL_ARRAY(type, name, count) type name[count];
-#include "shaders/lib/torus_mug_shape_block.glsl"
-#undef VITRINE_GLSL_FIELD
-#undef VITRINE_GLSL_ARRAY
-#pragma pop_macro("BLOCK_STRUCT")
-
-#include "shaders/lib/torus_mug.glsl"
-
 /// lib/sphere_tracing.glsl around one field. GLSL finds `fieldDistance` because the shader defines it
 /// first; here the file is the body of a class, and `Field` is anything callable with a point:
 ///

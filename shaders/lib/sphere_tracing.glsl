@@ -1,7 +1,7 @@
 // Sphere tracing of one signed distance field: surfaces, normals, shadows, occlusion.
 //
 // How to use it, in GLSL:
-//     #include "lib/torus_mug.glsl"
+//     #include "sdf_morph/torus_mug.glsl"
 //     float fieldDistance(vec3 p) { return sdfTorusMug(p, shape); }      // the field, defined first
 //     #include "lib/sphere_tracing.glsl"
 //     ...

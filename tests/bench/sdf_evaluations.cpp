@@ -1,8 +1,8 @@
 // Prints how many evaluations of the field the tracing variants of lib/sphere_tracing.glsl take per pixel,
 // and what that costs in correctness. Counts are exact and do not depend on the machine.
 
-#include "render/glsl/cpu.h"
-#include "render/glsl/cpu32.h"
+#include "exhibits/sdf_morph/torus_mug_cpu.h"
+#include "exhibits/sdf_morph/torus_mug_cpu32.h"
 
 #include <algorithm>
 #include <cmath>

@@ -29,7 +29,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/lib/light_block.glsl"
 #include "shaders/lib/local_lights_block.glsl"
 #include "shaders/lib/temporal_block.glsl"
-#include "shaders/lib/torus_mug_shape_block.glsl"
+#include "shaders/sdf_morph/torus_mug_shape_block.glsl"
 
 /// Byte offset of every number, vector and matrix by its GLSL name.
 using Offsets = std::map<std::string, std::size_t>;
@@ -189,8 +189,17 @@ TEST_F(UniformBlocks, HaveTheirFieldsWhereTheDriverLooksForThem)
     FIELD(vec2, d)                                                                                                     \
     FIELD(int, e)                                                                                                      \
     FIELD(vec2, f)                                                                                                     \
-    FIELD(vec3, g) FIELD(ivec2, h) FIELD(AwkwardPart, i) FIELD(float, j) ARRAY(float, k, 3) FIELD(uint, l)             \
-        ARRAY(AwkwardPart, m, 2) FIELD(bool, n) ARRAY(vec3, o, 2) FIELD(mat4, p) FIELD(float, q)
+    FIELD(vec3, g)                                                                                                     \
+    FIELD(ivec2, h)                                                                                                    \
+    FIELD(AwkwardPart, i)                                                                                              \
+    FIELD(float, j)                                                                                                    \
+    ARRAY(float, k, 3)                                                                                                 \
+    FIELD(uint, l)                                                                                                     \
+    ARRAY(AwkwardPart, m, 2)                                                                                           \
+    FIELD(bool, n)                                                                                                     \
+    ARRAY(vec3, o, 2)                                                                                                  \
+    FIELD(mat4, p)                                                                                                     \
+    FIELD(float, q)
 BLOCK_STRUCT(AwkwardPart, AWKWARD_PART_FIELDS)
 BLOCK_STRUCT(Awkward140, AWKWARD_FIELDS)
 

@@ -122,14 +122,6 @@ TEST(Shaders, IncludeWhatTheirRoomMay)
     }
 }
 
-TEST(Shaders, OfTheKitKnowNoExhibit)
-{
-    for (const std::string& file : test::sourceFiles("shaders/kit", test::glslExtensions))
-        for (const test::Include& include : test::includesOf(file))
-            EXPECT_TRUE(include.target.starts_with("lib/") || include.target.starts_with("kit/"))
-                << file << ':' << include.line << ' ' << include.target;
-}
-
 TEST(Shaders, NamedInPlansExist)
 {
     // Whatever folder it names: "lib/copy.frag" and "crepuscular_rays/polar.comp" alike.

@@ -37,7 +37,7 @@ std::string fragmentShader()
     std::set<std::string> done;
     std::string text =
         "#version 450 core\nlayout(location = 0) out vec4 color;\nlayout(location = 0) in vec3 direction;\n";
-    text += flattened("lib/torus_mug.glsl", done);
+    text += flattened("sdf_morph/torus_mug.glsl", done);
     text += flattened("lib/hash.glsl", done);
     text += "TorusMugShape shape;\nfloat fieldDistance(vec3 p) { return sdfTorusMug(p, shape); }\n";
     text += flattened("lib/sphere_tracing.glsl", done);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/glsl/cpu.h"
-#include "render/glsl/cpu32.h"
+#include "exhibits/sdf_morph/torus_mug_cpu.h"
+#include "exhibits/sdf_morph/torus_mug_cpu32.h"
 #include "tests/stability/fields.h"
 
 #include <algorithm>

@@ -226,7 +226,7 @@ TEST(Lipschitz, NoFieldOfTheLibraryIsLeftOut)
         textOf(root / "tests/stability/library_fields.h") + textOf(root / "tests/stability/torus_mug_test.cpp");
     std::set<std::string> missing;
     int found = 0;
-    for (const auto& entry : fs::directory_iterator(root / "shaders/lib")) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / "shaders")) {
         if (entry.path().extension() != ".glsl") continue;
         const std::string text = textOf(entry.path());
         static const std::regex definition(R"((?:^|\n)(?:float|vec2|vec3)\s+(sdf\w+)\()");

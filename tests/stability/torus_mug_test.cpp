@@ -1,5 +1,5 @@
-#include "render/glsl/cpu.h"
-#include "render/glsl/cpu32.h"
+#include "exhibits/sdf_morph/torus_mug_cpu.h"
+#include "exhibits/sdf_morph/torus_mug_cpu32.h"
 #include "tests/stability/fields.h"
 
 #include <gtest/gtest.h>

@@ -54,7 +54,7 @@ protected:
     void openWindow()
     {
         gallery_ = std::make_unique<PaintedGallery>(anotherExhibit());
-        window_ = std::make_unique<ui::MainWindow>(*gallery_);
+        window_ = std::make_unique<ui::MainWindow>(gallery_->museum(), *gallery_);
         window_->resize(1200, 800);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
@@ -69,7 +69,7 @@ protected:
     [[nodiscard]] int red() { return window_->viewport().grabFramebuffer().pixelColor(20, 20).red(); }
     [[nodiscard]] double roughness(std::size_t exhibit = 1)
     {
-        return window_->history().look().values[exhibit][gallery_->table(exhibit).roughness];
+        return window_->history().look().values[exhibit][gallery_->table().roughness];
     }
     [[nodiscard]] QListWidget* presets() { return window_->findChild<ui::PresetList*>()->findChild<QListWidget*>(); }
     /// The presets of that name; shipped ones are in the list, too.
@@ -84,9 +84,10 @@ protected:
             if (a->text().remove('&') == QString::fromUtf8(text)) return a;
         return nullptr;
     }
-    void dragRoughness(int pixels)
+    void dragRoughness(int pixels) { drag("roughness", pixels); }
+    void drag(const char* row, int pixels)
     {
-        auto* slider = in<ui::ValueSlider>("roughness");
+        auto* slider = in<ui::ValueSlider>(row);
         const QPoint from(12, slider->height() / 2);
         QTest::mousePress(slider, Qt::LeftButton, {}, from);
         for (int x = 0; x <= pixels; x += 2) QTest::mouseMove(slider, from + QPoint(x, 0));

@@ -2,7 +2,8 @@
 
 #include "tests/ui/sample_tables.h"
 
-#include "ui/viewport/gallery.h"
+#include "exhibits/hall/hall_model.h"
+#include "ui/viewport/renderers.h"
 
 #include <atomic>
 #include <cmath>
@@ -12,101 +13,81 @@
 
 namespace vitrine::test {
 
-/// An exhibit with a table and nothing to draw.
+/// An exhibit with a table and nothing to draw, on the plinth in the middle of the hall.
 class PlainExhibit final : public Exhibit, public HasButton {
 public:
-    PlainExhibit(std::string_view name, std::string_view title, int place) : name_(name), title_(title), place_(place)
-    {
-    }
-
-    [[nodiscard]] std::string_view name() const override { return name_; }
-    [[nodiscard]] std::string_view title() const override { return title_; }
+    [[nodiscard]] std::string_view name() const override { return "sdf_morph"; }
+    [[nodiscard]] std::string_view title() const override { return "Torus to mug"; }
     [[nodiscard]] std::string_view summary() const override
     {
         return "One solid with one hole, from torus to mug and back.";
     }
     [[nodiscard]] std::string_view buttonText() const override { return "melt it"; }
-    [[nodiscard]] int place() const override { return place_; }
-    [[nodiscard]] const Parameters& parameters() const override { return table_; }
-    [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {{-1, 0, -1}, {1, 2, 1}}; }
+    [[nodiscard]] int place() const override { return 1; }
+    [[nodiscard]] const SampleTable& parameters() const override { return table_; }
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override
+    {
+        return {{-0.4, -0.3, -0.4}, {0.4, 0.8, 0.4}};
+    }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override
     {
-        return {{0, 1.5, 3}, {0, 1, 0}, 0.9};
+        return {{0.6, 0.4, 3}, {0.2, 0, 0}, 0.9};
     }
     [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
-    [[nodiscard]] const SampleTable& table() const { return table_; }
-
-private:
-    std::string_view name_, title_;
-    int place_;
-    SampleTable table_;
-};
-
-/// A building with a table and nothing to draw.
-class PlainHall final : public Subject {
-public:
-    [[nodiscard]] std::string_view name() const override { return "hall"; }
-    [[nodiscard]] std::string_view title() const override { return "Hall"; }
-    [[nodiscard]] std::string_view summary() const override { return "Walls and light."; }
-    [[nodiscard]] const SampleTable& parameters() const override { return table_; }
-    [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {{-6, 0, -12}, {6, 9, 12}}; }
-    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override
+    [[nodiscard]] double nextChangeOf(const ExhibitState& state) const override
     {
-        return {{0, 1.5, 3}, {0, 1, 0}, 0.9};
+        return moves || state.sinceOwnPress < movesFor ? 0 : INFINITY;
     }
+
+    bool moves = false;
+    double movesFor = 0;  ///< Seconds after a press.
 
 private:
     SampleTable table_;
 };
 
-/// A gallery of plain exhibits whose picture is one color: roughness of exhibit 1 is its red.
-class PaintedGallery final : public ui::Gallery {
+/// The hall with plain exhibits in it.
+struct PlainMuseum {
+    explicit PlainMuseum(std::unique_ptr<Exhibit> another = nullptr) : museum(exhibits(std::move(another))) {}
+
+    PlainExhibit* plain = nullptr;
+    Museum museum;
+
+private:
+    std::vector<std::unique_ptr<Exhibit>> exhibits(std::unique_ptr<Exhibit> another)
+    {
+        std::vector<std::unique_ptr<Exhibit>> all;
+        all.push_back(std::make_unique<PlainExhibit>());
+        plain = static_cast<PlainExhibit*>(all.front().get());
+        if (another) all.push_back(std::move(another));
+        return all;
+    }
+};
+
+/// A museum of plain exhibits, and renderers whose picture is one color: roughness of exhibit 1 is its red.
+class PaintedGallery final : public ui::Renderers {
 public:
-    /// With another exhibit after the plain ones, or none.
-    explicit PaintedGallery(std::unique_ptr<Exhibit> another = nullptr) : another_(std::move(another))
+    /// With another exhibit after the plain one, or none.
+    explicit PaintedGallery(std::unique_ptr<Exhibit> another = nullptr)
     {
-        if (another_) subjects_.push_back(another_.get());
+        if (another) own_ = std::make_unique<PlainMuseum>(std::move(another));
+        exhibit().moves = false;
+        exhibit().movesFor = 0;
     }
-    [[nodiscard]] const SampleTable& table(std::size_t i) const
+    [[nodiscard]] const Museum& museum() { return shown().museum; }
+    [[nodiscard]] PlainExhibit& exhibit() { return *shown().plain; }
+    [[nodiscard]] const SampleTable& table() { return exhibit().parameters(); }
+    /// The middle of the exhibit's button, world space.
+    [[nodiscard]] static glm::dvec3 button()
     {
-        return i == hallIndex ? hall_.parameters() : exhibit_.table();
+        static const HallModel building;
+        return (*building.place(1)->worldFromButton)[3];
     }
-
-    [[nodiscard]] Subjects subjects() const override { return subjects_; }
-    [[nodiscard]] Look initialLook() const override
+    /// A visitor looks at it from this far away on the floor, metres.
+    [[nodiscard]] static render::Camera towardsButton(double metres)
     {
-        Look look;
-        for (const Subject* subject : subjects_) look.values.push_back(subject->parameters().initial());
-        return look;
-    }
-    [[nodiscard]] render::Camera bestView(std::size_t, const ParameterValues&) const override
-    {
-        return {{0, 1.5, 3}, {0, 1, 0}, 0.9};
-    }
-    [[nodiscard]] glm::dvec3 walk(const glm::dvec3&, const glm::dvec3& to) const override
-    {
-        return {to.x, to.y, std::max(to.z, 2.0)};
-    }
-    [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override { return looked; }
-    /// The exhibit in the middle, its button at the right.
-    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const override
-    {
-        const Pointed exhibit{1, "Torus to mug", 3, false, false, {{0, 1.5, 3}, {0, 1, 0}, 0.9}};
-        if (glm::length(ndc) < 0.3) return exhibit;
-        if (glm::length(ndc - glm::dvec2(0.8, 0)) < 0.1)
-            return Pointed{1, "E – melt it", 1, true, buttonInReach, exhibit.view};
-        return std::nullopt;
-    }
-    [[nodiscard]] std::vector<int> emptyPlaces() const override { return {2, 3, 4, 5, 6, 7, 8, 9}; }
-    /// Moves for `movesFor` seconds after a press.
-    [[nodiscard]] double nextChange(const Look&, const FrameRequest& request) const override
-    {
-        return request.sincePressed.size() > 1 && request.sincePressed[1] < movesFor ? 0 : INFINITY;
-    }
-
-    [[nodiscard]] TabledLook readTables(const Look& look) const override
-    {
-        return vitrine::readTables(subjects_, assets_, look);
+        const glm::dvec3 aside = button() + metres * glm::normalize(glm::dvec3(0.3, 0, 1));
+        return {{aside.x, 1.65, aside.z}, button(), 0.9};
     }
 
     void open() override
@@ -120,7 +101,7 @@ public:
         strangers += std::this_thread::get_id() == thread ? 0 : 1;
         if (beforeDrawing) beforeDrawing(request, unwanted);
         if (thrown) std::rethrow_exception(thrown);
-        red_ = static_cast<float>(look.values[1][table(1).roughness]);
+        red_ = static_cast<float>(look.values[1][table().roughness]);
         {
             const std::scoped_lock lock(mutex_);
             requests_.push_back(request);
@@ -141,10 +122,6 @@ public:
         QImage image(screen, QImage::Format_RGBX8888);
         image.fill(QColor::fromRgbF(red_, 0.45F, 0.4F));
         return image;
-    }
-    [[nodiscard]] std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const override
-    {
-        return moving;
     }
     [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion& region, int,
                                     const Unwanted&) override
@@ -192,25 +169,24 @@ public:
     std::thread::id thread;                                                   ///< That opened it.
     std::atomic<int> strangers = 0;                                           ///< Pictures drawn on another one.
     std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set while nothing is drawn.
-    std::optional<PictureRegion> moving;
-    std::optional<LookedAt> looked;
-    bool buttonInReach = true;
-    double movesFor = 0;
     std::atomic<int> pictureReads = 0;
     std::vector<render::gl::ShaderProblem> shaderProblems;
     std::exception_ptr thrown;                ///< By every frame that is drawn from now on; null: nothing.
     std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.
 
 private:
-    PlainHall hall_;
-    PlainExhibit exhibit_{"sdf_morph", "Torus to mug", 1};
-    std::unique_ptr<Exhibit> another_;
-    std::vector<const Subject*> subjects_{&hall_, &exhibit_};
+    /// Read once for all that have no other exhibit.
+    [[nodiscard]] PlainMuseum& shown()
+    {
+        static PlainMuseum shared;
+        return own_ ? *own_ : shared;
+    }
+
+    std::unique_ptr<PlainMuseum> own_;
     float red_ = 0;
     mutable std::mutex mutex_;
     std::vector<FrameRequest> requests_;
     Look drawn_;
-    mutable render::AssetStore assets_;
 };
 
 }  // namespace vitrine::test

@@ -4,10 +4,14 @@
 
 #include <cstddef>
 
+namespace vitrine {
+class Museum;
+}
+
 namespace vitrine::ui {
 
-class Gallery;
 class History;
+class Renderers;
 class Viewport;
 
 /// What the window offers to those who work for it: controllers, exports, dialogs.
@@ -15,7 +19,9 @@ class Workbench {
 public:
     virtual ~Workbench() = default;
 
-    [[nodiscard]] virtual Gallery& gallery() const = 0;
+    [[nodiscard]] virtual const Museum& museum() const = 0;
+    /// For work on the render thread.
+    [[nodiscard]] virtual Renderers& renderers() const = 0;
     [[nodiscard]] virtual History& history() = 0;
     [[nodiscard]] virtual Viewport& viewport() const = 0;
     /// The subject that is visited: an exhibit, or the hall.

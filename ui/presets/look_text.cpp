@@ -7,37 +7,32 @@
 namespace vitrine::ui {
 namespace {
 
-std::size_t chosenIn(const Gallery& gallery, const Look& look, const std::string& name)
+std::size_t chosenIn(const Museum& museum, const Look& look, const std::string& name)
 {
-    for (std::size_t i = 0; i < gallery.subjects().size(); ++i)
-        if (gallery.subjects()[i]->name() == name) return i;
-    try {
-        FrameRequest request;
-        request.camera = look.camera;
-        const std::optional<Pointed> middle = gallery.pick(look, request, {0, 0});
-        return middle ? middle->exhibit : hallIndex;
-    } catch (const std::exception&) {
-        return hallIndex;  // A file that cannot be read is told of where it is drawn.
-    }
+    if (const auto found = museum.find(name)) return *found;
+    FrameRequest request;
+    request.camera = look.camera;
+    const std::optional<Pointed> middle = museum.pick(museum.prepare(look, request), request, {0, 0});
+    return middle ? middle->exhibit : hallIndex;
 }
 
 }  // namespace
 
-std::string textOf(const Gallery& gallery, const Look& look, std::size_t chosen, const std::string& name)
+std::string textOf(const Museum& museum, const Look& look, std::size_t chosen, const std::string& name)
 {
     Exhibition everything;
     everything.name = name;
-    everything.chosen = std::string(gallery.subjects()[chosen]->name());
+    everything.chosen = std::string(museum.subject(chosen).name());
     everything.camera = look.camera;
-    everything.values = namedValues(gallery.subjects(), look.values);
+    everything.values = namedValues(museum.subjects(), look.values);
     return exhibitionText(everything);
 }
 
-Look lookFrom(const Gallery& gallery, std::string text, std::string fileName, std::vector<std::string>& notes,
+Look lookFrom(const Museum& museum, std::string text, std::string fileName, std::vector<std::string>& notes,
               std::size_t* chosen)
 {
-    Look look = gallery.initialLook();
-    const NamedValues initial = namedValues(gallery.subjects(), look.values);
+    Look look = museum.initialLook();
+    const NamedValues initial = namedValues(museum.subjects(), look.values);
     Exhibition read = parseExhibition(std::move(text), std::move(fileName), initial);
     for (auto& [name, values] : read.values) {
         const auto at =
@@ -46,7 +41,7 @@ Look lookFrom(const Gallery& gallery, std::string text, std::string fileName, st
     }
     look.camera = read.camera;
     notes.insert(notes.end(), read.notes.begin(), read.notes.end());
-    if (chosen) *chosen = chosenIn(gallery, look, read.chosen);
+    if (chosen) *chosen = chosenIn(museum, look, read.chosen);
     return look;
 }
 

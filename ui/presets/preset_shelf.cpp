@@ -64,12 +64,12 @@ PresetShelf::PresetShelf(Workbench& window, PresetList& list, PresetStore store)
 
 std::string PresetShelf::exhibitName() const
 {
-    return std::string(window_.gallery().subjects()[window_.shown()]->name());
+    return std::string(window_.museum().subject(window_.shown()).name());
 }
 
 const Parameters& PresetShelf::table() const
 {
-    return window_.gallery().subjects()[window_.shown()]->parameters();
+    return window_.museum().subject(window_.shown()).parameters();
 }
 
 void PresetShelf::trySafely(const std::function<void()>& work)
@@ -208,7 +208,7 @@ void PresetShelf::save()
 
 void PresetShelf::saveAs()
 {
-    const Subject& subject = *window_.gallery().subjects()[window_.shown()];
+    const Subject& subject = window_.museum().subject(window_.shown());
     const QString title = QString::fromUtf8(subject.title().data(), static_cast<qsizetype>(subject.title().size()));
     const StoredPreset* used = inUse();
     auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(used ? words(used->preset.name) : title),
@@ -353,7 +353,7 @@ void PresetShelf::saveExhibition()
         trySafely([&] {
             const std::string name = QFileInfo(target).completeBaseName().toStdString();
             render::atomicWrite(target.toStdString(),
-                                textOf(window_.gallery(), window_.history().look(), window_.chosen(), name));
+                                textOf(window_.museum(), window_.history().look(), window_.chosen(), name));
             window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(target));
         });
     });
@@ -366,14 +366,14 @@ void PresetShelf::loadText(const std::string& text, const QString& origin)
     if (header.isExhibition) {
         std::vector<std::string> notes;
         std::size_t chosen = 0;
-        Look look = lookFrom(window_.gallery(), text, origin.toStdString(), notes, &chosen);
+        Look look = lookFrom(window_.museum(), text, origin.toStdString(), notes, &chosen);
         tell(origin, notes);
         window_.history().change(tr("Load %1").arg(origin), look, 0, History::Camera::moves);
         window_.choose(chosen);
         return;
     }
-    for (std::size_t i = 0; i < window_.gallery().subjects().size(); ++i) {
-        const Subject& subject = *window_.gallery().subjects()[i];
+    for (std::size_t i = 0; i < window_.museum().subjects().size(); ++i) {
+        const Subject& subject = window_.museum().subject(i);
         if (subject.name() != header.exhibit) continue;
         const Preset preset = parsePreset(text, origin.toStdString(), subject.name(), subject.parameters());
         tell(origin, preset.notes);
@@ -403,7 +403,7 @@ bool PresetShelf::loadFromPicture(const QString& path)
 
 std::string PresetShelf::lookText() const
 {
-    return textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Picture");
+    return textOf(window_.museum(), window_.history().look(), window_.chosen(), "Picture");
 }
 
 }  // namespace vitrine::ui

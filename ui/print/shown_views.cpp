@@ -43,12 +43,12 @@ void ShownViews::start(const ParameterValues& values, bool draft)
     values_ = values;
     look_ = look;
     views_ = std::make_shared<printing::PrintViews>();
-    views_->setLook(textOf(window_.gallery(), look, window_.chosen(), "Picture"));
+    views_->setLook(textOf(window_.museum(), look, window_.chosen(), "Picture"));
     work->views = views_;
     elapsed_.start();
     task_ = window_.viewport().renderThread().start(
-        [this, work, &gallery = window_.gallery()](const RenderThread::Tell& tell) {
-            return step(gallery, *work, tell, *this);
+        [this, work, &renderers = window_.renderers()](const RenderThread::Tell& tell) {
+            return step(renderers, *work, tell, *this);
         },
         [this](const QString& failure) { end(failure); });
 }
@@ -59,13 +59,13 @@ void ShownViews::stop()
     views_.reset();
 }
 
-bool ShownViews::step(Gallery& gallery, Work& work, const RenderThread::Tell& tell, ShownViews& told)
+bool ShownViews::step(Renderers& renderers, Work& work, const RenderThread::Tell& tell, ShownViews& told)
 {
     const printing::ViewShot& shot = work.pictures[work.next];
     if (!work.job.renderer)
-        work.job = gallery.makePicture(shot.look, shot.request);
+        work.job = renderers.makePicture(shot.look, shot.request);
     else if (!work.job.maker)
-        gallery.nextPicture(work.job, shot.look, shot.request);
+        renderers.nextPicture(work.job, shot.look, shot.request);
     if (!work.job.maker) throw Failure(Blame::openGl, "No views can be rendered: there is no graphics context.");
     work.job.maker->step();
     if (work.job.maker->finished()) {

@@ -45,7 +45,7 @@ private:
     };
     /// One sample of a tile of a picture; returns whether there is more to do. On the render thread: only what is told
     /// touches the window.
-    static bool step(Gallery&, Work&, const RenderThread::Tell&, ShownViews& told);
+    static bool step(Renderers&, Work&, const RenderThread::Tell&, ShownViews& told);
     void note(double part);
     void end(const QString& failure);
 

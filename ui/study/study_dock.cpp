@@ -45,11 +45,12 @@ QLineEdit* numberField(const QString& name, const QString& start, QWidget* paren
 
 }  // namespace
 
-StudyDock::StudyDock(Gallery& gallery, History& history, RenderThread& thread, QWidget* parent)
-    : QWidget(parent), gallery_(gallery), history_(history), thread_(thread), parameter_(new QComboBox(this)),
-      view_(new QComboBox(this)), go_(new QPushButton(this)), copy_(new QToolButton(this)),
-      save_(new QToolButton(this)), progress_(new QProgressBar(this)), doing_(new QLabel(this)),
-      words_(new QLabel(this)), caption_(new QLabel(this)),
+StudyDock::StudyDock(const Museum& museum, Renderers& renderers, History& history, RenderThread& thread,
+                     QWidget* parent)
+    : QWidget(parent), museum_(museum), renderers_(renderers), history_(history), thread_(thread),
+      parameter_(new QComboBox(this)), view_(new QComboBox(this)), go_(new QPushButton(this)),
+      copy_(new QToolButton(this)), save_(new QToolButton(this)), progress_(new QProgressBar(this)),
+      doing_(new QLabel(this)), words_(new QLabel(this)), caption_(new QLabel(this)),
       error_(numberField(tr("Largest error"), QStringLiteral("0.02"), this)),
       milliseconds_(numberField(tr("Longest time in milliseconds"), QStringLiteral("10"), this)),
       chart_(new StudyChart(this)), pictures_(new StudyPictures(this))
@@ -254,7 +255,7 @@ void StudyDock::find(bool byError)
 }
 
 struct StudyDock::Work {
-    Gallery& gallery;
+    Renderers& renderers;
     StudyRequest request;
     StudyJob job;
     QElapsedTimer shown;
@@ -263,7 +264,7 @@ struct StudyDock::Work {
 bool StudyDock::step(Work& work, const RenderThread::Tell& tell, const std::function<void(std::shared_ptr<News>)>& take)
 {
     if (!work.job.study) {
-        work.job = work.gallery.makeStudy(work.request);
+        work.job = work.renderers.makeStudy(work.request);
         work.shown.start();
         if (!work.job.study) throw Failure(Blame::openGl, "Nothing can be measured: there is no graphics context.");
     }
@@ -288,7 +289,7 @@ void StudyDock::start(StudyRequest request)
     stop();
     running_ = request;
     isRunning_ = true;
-    auto work = std::make_shared<Work>(Work{gallery_, std::move(request), {}, {}});
+    auto work = std::make_shared<Work>(Work{renderers_, std::move(request), {}, {}});
     go_->setText(tr("Cancel"));
     go_->setEnabled(true);
     progress_->setValue(0);
@@ -369,7 +370,7 @@ void StudyDock::suggestTime()
 
 QByteArray StudyDock::exported(const QString& suffix) const
 {
-    return studyFile(suffix, gallery_.subjects(), request_, result(), *chart_);
+    return studyFile(suffix, museum_.subjects(), request_, result(), *chart_);
 }
 
 void StudyDock::save()
@@ -403,7 +404,7 @@ void StudyDock::refresh()
 {
     if (request_.axes.empty()) return;
     const std::optional<std::size_t> present = presentPoint();
-    std::vector<ChartPoint> points = chartPoints(gallery_.subjects(), request_, result());
+    std::vector<ChartPoint> points = chartPoints(museum_.subjects(), request_, result());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].present = present == i;
     chart_->setTitles(
         QString::fromStdString(costTitle(result().costName.empty() ? "ms" : result().costName)),
@@ -413,7 +414,7 @@ void StudyDock::refresh()
     if (result().clock.empty()) return;
     QStringList sentences;
     for (const std::string& sentence :
-         {lawSentence(result()), choiceSentence(gallery_.subjects(), request_, result()), result().convergence})
+         {lawSentence(result()), choiceSentence(museum_.subjects(), request_, result()), result().convergence})
         if (!sentence.empty()) sentences << QString::fromStdString(sentence);
     sentences << tr("Clock: %1, %2.")
                      .arg(QString::fromStdString(result().clock),
@@ -448,8 +449,8 @@ void StudyDock::showPoint(int wanted)
            "%1 (%2).")
             .arg(shortNumber(full), QString::fromUtf8(title(request_.metric).data(),
                                                       static_cast<qsizetype>(title(request_.metric).size()))));
-    QString text = QString::fromStdString(pointText(gallery_.subjects(), request_, p)) +
-                   tr(": error %1").arg(shortNumber(p.error));
+    QString text =
+        QString::fromStdString(pointText(museum_.subjects(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
     if (result().costName != "ms")
         text += tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(p.cost)),
                                   QString::fromStdString(costTitle(result().costName)));
@@ -473,7 +474,7 @@ void StudyDock::apply(std::size_t point)
     }
     const bool one = request_.axes.size() == 1;
     history_.change(
-        one ? tr("Set %1").arg(QString::fromStdString(pointText(gallery_.subjects(), request_, result().points[point])))
+        one ? tr("Set %1").arg(QString::fromStdString(pointText(museum_.subjects(), request_, result().points[point])))
             : tr("Set what the study found"),
         next);
 }

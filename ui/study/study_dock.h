@@ -29,8 +29,8 @@ class StudyDock final : public QWidget {
     Q_OBJECT
 
 public:
-    /// Gallery and history must outlive it; the thread must, or `stop` is called before it ends.
-    StudyDock(Gallery&, History&, RenderThread&, QWidget* parent = nullptr);
+    /// Museum, renderers and history must outlive it; the thread must, or `stop` is called before it ends.
+    StudyDock(const Museum&, Renderers&, History&, RenderThread&, QWidget* parent = nullptr);
     ~StudyDock() override;
 
     /// Whose parameters are offered; what is shown stays until the next study.
@@ -88,7 +88,8 @@ private:
     [[nodiscard]] std::optional<std::size_t> rowNow(const StudyAxis&) const;
     [[nodiscard]] std::optional<std::size_t> presentPoint() const;
 
-    Gallery& gallery_;
+    const Museum& museum_;
+    Renderers& renderers_;
     History& history_;
     RenderThread& thread_;
     RenderThread::Task task_;

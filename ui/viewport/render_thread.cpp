@@ -24,7 +24,7 @@ void lowerPriorityOfThisThread()
 
 }  // namespace
 
-RenderThread::RenderThread(Gallery& gallery) : gallery_(gallery)
+RenderThread::RenderThread(Renderers& renderers) : renderers_(renderers)
 {
     thread_ = std::thread([this] { run(); });
 }
@@ -82,7 +82,7 @@ void RenderThread::run()
     // The context's own threads inherit it: the window's hands come before its pictures.
     lowerPriorityOfThisThread();
     try {
-        gallery_.open();
+        renderers_.open();
         open_ = true;
     } catch (const std::exception& thrown) {
         toWindow([this, why = messageOf(thrown)] { emit failed(why); });
@@ -97,7 +97,7 @@ void RenderThread::run()
     }
     tasks_.clear();
     posted_.clear();
-    if (open_) gallery_.close();
+    if (open_) renderers_.close();
 }
 
 bool RenderThread::pictureFirst() const
@@ -149,17 +149,17 @@ DrawnPicture RenderThread::picture(PictureOrder order)
         if (!open_) throw Failure(Blame::openGl, "Nothing can be drawn: there is no graphics context.");
         const std::function<bool()> unwanted = [this] { return unwanted_.load(); };
         if (order.region)
-            done.image = gallery_.drawRegion(order.look, order.request, *order.region, order.order.samples, unwanted);
+            done.image = renderers_.drawRegion(order.look, order.request, *order.region, order.order.samples, unwanted);
         else {
-            done.report = gallery_.draw(order.look, order.request, unwanted);
-            done.image = gallery_.screenImage(order.screen);
+            done.report = renderers_.draw(order.look, order.request, unwanted);
+            done.image = renderers_.screenImage(order.screen);
         }
     } catch (const render::gl::Abandoned&) {
         done.abandoned = true;
     } catch (const std::exception& thrown) {
         done.failure = messageOf(thrown);
     }
-    done.problems = gallery_.problems();
+    done.problems = renderers_.problems();
     done.seconds = render::wallSeconds() - start;
     done.order = std::move(order);
     return done;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/viewport/draw_schedule.h"
-#include "ui/viewport/gallery.h"
+#include "ui/viewport/renderers.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -91,9 +91,9 @@ public:
         std::shared_ptr<std::atomic<bool>> cancelled_;
     };
 
-    /// The gallery must outlive it. Opens it on the new thread.
-    explicit RenderThread(Gallery&);
-    /// Abandons the picture that is being drawn, waits for the step that is being done, and closes the gallery.
+    /// The renderers must outlive it. Opens them on the new thread.
+    explicit RenderThread(Renderers&);
+    /// Abandons the picture that is being drawn, waits for the step that is being done, and closes the renderers.
     ~RenderThread() override;
 
     /// Draws this one in place of one that still waits, which is forgotten; `drawn` follows. One that is being drawn
@@ -127,7 +127,7 @@ private:
     [[nodiscard]] bool idle() const { return !wanted_ && posted_.empty() && tasks_.empty(); }
     [[nodiscard]] bool pictureFirst() const;
 
-    Gallery& gallery_;
+    Renderers& renderers_;
     std::atomic<bool> unwanted_ = false;
     bool open_ = false;  // The rest is the render thread's.
     bool pictureWasLast_ = false;

@@ -15,7 +15,6 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double buttonTime = 0.25;  // Seconds in which a pressed button is still moving, with some to spare.
 constexpr double longestTick = 0.5;
 constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
 constexpr double firstTick = 1.0 / 60;  // After a rest no time has passed for those who walk.
@@ -40,9 +39,10 @@ QSurfaceFormat viewportFormat()
     return format;
 }
 
-Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
-    : QOpenGLWidget(parent), gallery_(gallery), history_(history), hint_(new Overlay(Overlay::Place::bottom, this)),
-      label_(new Overlay(Overlay::Place::center, this)), problems_(new Overlay(Overlay::Place::topLeft, this)),
+Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history, QWidget* parent)
+    : QOpenGLWidget(parent), museum_(museum), renderers_(renderers), history_(history),
+      hint_(new Overlay(Overlay::Place::bottom, this)), label_(new Overlay(Overlay::Place::center, this)),
+      problems_(new Overlay(Overlay::Place::topLeft, this)),
       input_(std::make_unique<ViewportInput>(*this, control_, [this](const QPointF& at) { return pointedAt(at); }))
 {
     setFormat(viewportFormat());
@@ -52,8 +52,8 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     setAccessibleName(tr("Museum"));
     setAccessibleDescription(tr("The picture. W A S D walk, dragging looks around, a click visits an exhibit."));
     steady_.start();
-    pressedAt_.assign(gallery.subjects().size(), -1e9);
-    control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return gallery_.walk(from, to); });
+    pressedAt_.assign(museum.subjects().size(), -1e9);
+    control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return museum_.walk(from, to); });
     control_.jumpTo(history.look().camera);
     schedule_.setSamples(pictureQuality(history.look().hall()).supersamples);
     watchFiles();
@@ -77,7 +77,7 @@ Viewport::Viewport(Gallery& gallery, History& history, QWidget* parent)
     connect(&history, &History::changed, this, &Viewport::valuesChanged);
     connect(&history, &History::replaced, this, &Viewport::valuesChanged);
     connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.look().camera); });
-    thread_ = std::make_unique<RenderThread>(gallery_);
+    thread_ = std::make_unique<RenderThread>(renderers_);
     connect(thread_.get(), &RenderThread::drawn, this, &Viewport::take);
     connect(thread_.get(), &RenderThread::failed, this, &Viewport::failed);
 #ifndef NDEBUG
@@ -254,19 +254,29 @@ void Viewport::scheduleNext()
         timer_.start(canBeSeen() ? 0 : hiddenWait);
         return;
     }
-    double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request(time_));
+    double change = std::max(changeAt_ - time_, 0.0);
     if (region_ && (regionDue_ || change <= 0)) change = std::max(regionRest_ - now(), shortestRest);
     const double soonest = std::min(wait, change);
     if (std::isfinite(soonest)) timer_.start(static_cast<int>(std::ceil(std::clamp(soonest, 0.0, 3600.0) * 1000)));
 }
 
-std::optional<PictureRegion> Viewport::smallRegion() const
+const Prepared& Viewport::prepared()
+{
+    if (!prepared_ || preparedLook_ != lookNumber_ || prepared_->time != time_) {
+        prepared_ = museum_.prepare(history_.look(), request(time_));
+        preparedLook_ = lookNumber_;
+        ++preparations_;
+    }
+    return *prepared_;
+}
+
+std::optional<PictureRegion> Viewport::smallRegion()
 {
     if (input_->keys().any() || control_.moving() || runEverything_ ||
         pictureQuality(history_.look().hall()).resolutionScale != 1)
         return std::nullopt;
     const FrameRequest wanted = request(time_);
-    const std::optional<PictureRegion> region = gallery_.movingRegion(history_.look(), wanted);
+    const std::optional<PictureRegion> region = museum_.movingRegion(prepared(), wanted);
     const auto area = [](const glm::ivec2& size) { return static_cast<double>(size.x) * size.y; };
     if (!region || area(region->size) == 0 || area(region->size) > largestRegion * area(wanted.raster.size))
         return std::nullopt;
@@ -283,12 +293,11 @@ void Viewport::advanceClock(double at)
     if (control_.advance(seconds, input_->keys())) cameraChanged();
     if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) emit walkedOn();
 
-    const bool buttons =
-        !paused_ && std::any_of(pressedAt_.begin(), pressedAt_.end(), [&](double t) { return time_ - t < buttonTime; });
-    const double change = paused_ ? INFINITY : gallery_.nextChange(history_.look(), request(time_));
-    const bool animated = change <= 0 || buttons;
-    clockRuns_ = std::isfinite(change) || buttons || input_->keys().any() || control_.moving();
-    region_ = std::isfinite(change) && !buttons ? smallRegion() : std::nullopt;
+    const double change = paused_ ? INFINITY : museum_.nextChange(prepared(), request(time_));
+    const bool animated = change <= 0;
+    changeAt_ = time_ + change;
+    clockRuns_ = std::isfinite(change) || input_->keys().any() || control_.moving();
+    region_ = std::isfinite(change) ? smallRegion() : std::nullopt;
     if (region_) {
         // The picture around it stands still and is refined; what moves is drawn by itself.
         time_ += since > longestRegionTick ? firstTick : since;
@@ -338,18 +347,17 @@ void Viewport::cameraChanged()
 {
     history_.setCamera(control_.camera());
     hint_->say({});
-    Look look = history_.look();
-    lookedAt_ = control_.mode() == CameraControl::Mode::walk ? gallery_.lookedAt(look) : std::nullopt;
+    lookChanged();
+    lookedAt_ = control_.mode() == CameraControl::Mode::walk ? museum_.lookedAt(prepared()) : std::nullopt;
     label_->say(lookedAt_ ? QString::fromStdString(lookedAt_->text) : QString());
     input_->lookAgain();
-    lookChanged();
 }
 
 void Viewport::visit(std::size_t exhibit)
 {
     remember();
     subject_ = exhibit;
-    control_.glideTo({gallery_.bestView(exhibit, history_.look().values[exhibit]),
+    control_.glideTo({museum_.bestView(exhibit, history_.look().values[exhibit]),
                       exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     cameraChanged();
 }
@@ -391,10 +399,7 @@ void Viewport::click(const QPointF& at)
     const std::optional<Pointed> found = pointedAt(at);
     if (!found) return;
     const bool orbited = control_.mode() == CameraControl::Mode::orbit && found->exhibit == subject_;
-    if (found->button && (found->inReach || orbited)) {
-        pressButton(found->exhibit);
-        return;
-    }
+    if (found->button && (found->inReach || orbited)) return pressButton(found->exhibit);
     remember();
     subject_ = found->exhibit;
     control_.visit(found->view);
@@ -402,19 +407,15 @@ void Viewport::click(const QPointF& at)
     emit visited(found->exhibit);
 }
 
-std::optional<Pointed> Viewport::pointedAt(const QPointF& at) const
+std::optional<Pointed> Viewport::pointedAt(const QPointF& at)
 {
     if (width() <= 0 || height() <= 0) return std::nullopt;
-    try {
-        return gallery_.pick(history_.look(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
-    } catch (const std::exception&) {
-        return std::nullopt;  // What cannot be read is told of where it is drawn.
-    }
+    return museum_.pick(prepared(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
 }
 
 void Viewport::press()
 {
-    if (control_.mode() == CameraControl::Mode::orbit && capability<HasButton>(*gallery_.subjects()[subject_]))
+    if (control_.mode() == CameraControl::Mode::orbit && capability<HasButton>(museum_.subject(subject_)))
         pressButton(subject_);
     else if (lookedAt_)
         pressButton(lookedAt_->exhibit);
@@ -458,7 +459,7 @@ void Viewport::setRunEverything(bool on)
 void Viewport::setStepsTimed(bool on)
 {
     thread_->post([this, on] {
-        gallery_.timeSteps(on);
+        renderers_.timeSteps(on);
         return std::function<void()>();
     });
 }
@@ -466,8 +467,8 @@ void Viewport::setStepsTimed(bool on)
 void Viewport::reloadShaders()
 {
     thread_->post([this] {
-        const bool changed = gallery_.reloadChangedShaders();
-        return [this, changed, problems = gallery_.problems()] {
+        const bool changed = renderers_.reloadChangedShaders();
+        return [this, changed, problems = renderers_.problems()] {
             if (changed) lookChanged();
             showProblems(problems);
         };

@@ -3,8 +3,8 @@
 #include "ui/model/history.h"
 #include "ui/viewport/camera_control.h"
 #include "ui/viewport/draw_schedule.h"
-#include "ui/viewport/gallery.h"
 #include "ui/viewport/render_thread.h"
+#include "ui/viewport/renderers.h"
 
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
@@ -25,8 +25,8 @@ class Viewport final : public QOpenGLWidget {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
-    Viewport(Gallery&, History&, QWidget* parent = nullptr);
+    /// All must outlive it.
+    Viewport(const Museum&, Renderers&, History&, QWidget* parent = nullptr);
     ~Viewport() override;
 
     /// Glides to the exhibit's best view and orbits it; to the hall's, and walks.
@@ -64,6 +64,9 @@ public:
     [[nodiscard]] long long picturesDrawn() const { return picturesDrawn_; }
     /// The same for parts of the picture in which something moves while the rest stands still.
     [[nodiscard]] long long regionsDrawn() const { return regionsDrawn_; }
+    /// How often what is asked of the museum was prepared since the start: tests count that one moment of one look
+    /// takes one.
+    [[nodiscard]] long long preparations() const { return preparations_; }
     [[nodiscard]] RenderThread& renderThread() { return *thread_; }
 
 public slots:
@@ -105,8 +108,10 @@ private:
     void take(const DrawnPicture&);
     void takeRegion(const DrawnPicture&);
     void layRegionOver();
+    /// What is to be seen at this moment, for questions to the museum: prepared once, however many are asked.
+    [[nodiscard]] const Prepared& prepared();
     /// What moves by itself moves in this part of a picture that can stand still around it.
-    [[nodiscard]] std::optional<PictureRegion> smallRegion() const;
+    [[nodiscard]] std::optional<PictureRegion> smallRegion();
     void cameraChanged();
     void showProblems(const std::vector<render::gl::ShaderProblem>&);
     void watchFiles();
@@ -115,9 +120,10 @@ private:
     void pressButton(std::size_t exhibit);
     void remember();
     /// What lies under a point of the widget.
-    [[nodiscard]] std::optional<Pointed> pointedAt(const QPointF&) const;
+    [[nodiscard]] std::optional<Pointed> pointedAt(const QPointF&);
 
-    Gallery& gallery_;
+    const Museum& museum_;
+    Renderers& renderers_;
     History& history_;
     CameraControl control_;
     DrawSchedule schedule_;
@@ -128,6 +134,7 @@ private:
     std::uint64_t filesDrawn_ = 0;  // Their state, as far as the picture knows.
     double lastTick_ = 0;
     double time_ = 0;         // The exhibits' clock, seconds.
+    double changeAt_ = 0;     // On that clock: when the picture next changes by itself, as far as the last tick knows.
     bool clockRuns_ = false;  // Time passed since the last tick, for someone.
     bool paused_ = false;
     bool runEverything_ = false;
@@ -138,6 +145,10 @@ private:
     long long lookNumber_ = 0;  // Grows with every change of what is to be seen.
     long long drawnLook_ = 0;   // Of the picture that is being drawn.
     long long picturesDrawn_ = 0;
+
+    std::optional<Prepared> prepared_;
+    long long preparedLook_ = 0;  // What `prepared_` shows: `lookNumber_`; its moment is its own.
+    long long preparations_ = 0;
 
     // What moves while the rest of the picture stands still.
     std::optional<PictureRegion> region_;

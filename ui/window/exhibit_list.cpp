@@ -25,33 +25,30 @@ ExhibitList::ExhibitList(QWidget* parent) : QListWidget(parent)
             [this](QListWidgetItem* item) { emit chosen(item->data(exhibitRole).toULongLong()); });
 }
 
-void ExhibitList::fill(Subjects subjects, const std::vector<int>& emptyPlaces)
+void ExhibitList::fill(const Museum& museum)
 {
     clear();
     struct Entry {
         int place;
-        std::optional<std::size_t> exhibit;
+        std::optional<std::size_t> subject;
     };
-    std::vector<Entry> entries;
-    for (std::size_t i = 0; i < subjects.size(); ++i) {
-        const auto* exhibit = dynamic_cast<const Exhibit*>(subjects[i]);
-        entries.push_back({exhibit ? exhibit->place() : 0, i});  // The hall comes first.
-    }
-    for (const int place : emptyPlaces) entries.push_back({place, std::nullopt});
+    std::vector<Entry> entries{{0, hallIndex}};
+    for (const auto& [i, exhibit] : museum.exhibits()) entries.push_back({exhibit.place(), i});
+    for (const int place : museum.emptyPlaces()) entries.push_back({place, std::nullopt});
     std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.place < b.place; });
     for (const Entry& entry : entries) {
         auto* item = new QListWidgetItem(this);
         const bool numbered = entry.place >= 1 && entry.place <= 9;
         item->setData(TileDelegate::mark, numbered ? QString::number(entry.place) : QString());
-        if (!entry.exhibit) {
+        if (!entry.subject) {
             item->setText(tr("In preparation"));
             item->setData(TileDelegate::secondLine, tr("Place %1").arg(entry.place));
             item->setFlags(Qt::NoItemFlags);
             continue;
         }
-        const Subject& subject = *subjects[*entry.exhibit];
+        const Subject& subject = museum.subject(*entry.subject);
         item->setText(text(subject.title()));
-        item->setData(exhibitRole, static_cast<qulonglong>(*entry.exhibit));
+        item->setData(exhibitRole, static_cast<qulonglong>(*entry.subject));
         item->setData(TileDelegate::secondLine, numbered ? tr("Place %1").arg(entry.place) : QString());
         item->setToolTip(text(subject.summary()));
     }

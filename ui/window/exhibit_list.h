@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/framework/exhibit.h"
+#include "exhibits/museum/museum.h"
 
 #include <QListWidget>
 
@@ -15,7 +15,7 @@ class ExhibitList final : public QListWidget {
 public:
     explicit ExhibitList(QWidget* parent = nullptr);
 
-    void fill(Subjects, const std::vector<int>& emptyPlaces);
+    void fill(const Museum&);
     void setThumbnail(std::size_t exhibit, const QPixmap&);
     [[nodiscard]] bool hasThumbnail(std::size_t exhibit) const;
     /// Marks it as chosen; emits nothing.

@@ -7,7 +7,6 @@
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/presets/preset_shelf.h"
-#include "ui/viewport/gallery.h"
 #include "ui/viewport/viewport.h"
 
 #include <QFileInfo>
@@ -32,6 +31,14 @@ bool isPrint(const QString& path)
     }
 }
 
+/// Which files that the look names and needs for what it shows cannot be read, and why.
+std::vector<std::string> unreadableFiles(const Museum& museum, const Look& look)
+{
+    FrameRequest request;
+    request.camera = look.camera;
+    return museum.prepare(look, request).unreadableFiles();
+}
+
 }  // namespace
 
 FileOpener::FileOpener(Workbench& window, PresetShelf& shelf, QObject* parent)
@@ -52,8 +59,8 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
     next.hall().setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
     // Reading a large file takes seconds.
     window_.viewport().renderThread().post(
-        [this, &gallery = window_.gallery(), next, row = *row, path]() -> std::function<void()> {
-            for (const std::string& why : gallery.unreadableFiles(next))
+        [this, &museum = window_.museum(), next, row = *row, path]() -> std::function<void()> {
+            for (const std::string& why : unreadableFiles(museum, next))
                 if (why.starts_with(label(next.hall().rows()[row]) + " of "))
                     return [this, why] {
                         window_.say(MessageStrip::Mood::problem,

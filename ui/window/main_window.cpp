@@ -51,8 +51,8 @@ QString thumbnailPath(const Subject& subject)
 
 }  // namespace
 
-MainWindow::MainWindow(Gallery& gallery, QWidget* parent)
-    : QMainWindow(parent), gallery_(gallery), history_(gallery.initialLook())
+MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* parent)
+    : QMainWindow(parent), museum_(museum), renderers_(renderers), history_(museum.initialLook())
 {
     setWindowIcon(programIcon());
     setAcceptDrops(true);
@@ -83,7 +83,7 @@ void MainWindow::buildMiddle()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     messages_ = new MessageStrip;
-    viewport_ = new Viewport(gallery_, history_);
+    viewport_ = new Viewport(museum_, renderers_, history_);
     layout->addWidget(viewport_, 1);
     messages_->lieOver(viewport_);
     setCentralWidget(middle);
@@ -95,11 +95,11 @@ void MainWindow::buildMiddle()
 
 void MainWindow::showShippedThumbnails()
 {
-    for (std::size_t i = 0; i < gallery_.subjects().size(); ++i) {
+    for (std::size_t i = 0; i < museum_.subjects().size(); ++i) {
         // The shipped one shows the exhibit's best view; one kept from the screen serves those that ship none.
-        const std::string shipped = "thumbnails/" + std::string(gallery_.subjects()[i]->name()) + ".png";
+        const std::string shipped = "thumbnails/" + std::string(museum_.subject(i).name()) + ".png";
         QPixmap kept(QString::fromStdString(render::asset(shipped).string()));
-        if (kept.isNull()) kept.load(thumbnailPath(*gallery_.subjects()[i]));
+        if (kept.isNull()) kept.load(thumbnailPath(museum_.subject(i)));
         if (!kept.isNull()) docks_->exhibits().setThumbnail(i, kept);
     }
 }
@@ -128,7 +128,7 @@ void MainWindow::connectViewport()
     connect(viewport_, &Viewport::visited, this, &MainWindow::choose);
     connect(viewport_, &Viewport::pressed, this, [this](std::size_t exhibit) {
         Look next = history_.look();
-        const Subject& subject = *gallery_.subjects()[exhibit];
+        const Subject& subject = museum_.subject(exhibit);
         if (const auto* button = capability<HasButton>(subject); button && button->press(next.values[exhibit]))
             history_.change(tr("Press the button of %1").arg(text(subject.title())), next);
     });
@@ -211,14 +211,14 @@ QSize MainWindow::firstSize(const QSize& room)
 void MainWindow::showTitle()
 {
     const QString use = shelf_->titleOfUse();
-    QStringList parts{text(gallery_.subjects()[shown()]->title())};
+    QStringList parts{text(museum_.subject(shown()).title())};
     if (!use.isEmpty()) parts << use;
     setWindowTitle(tr("%1 – Vitrine").arg(parts.join(QStringLiteral(": "))));
 }
 
 void MainWindow::resetEverything()
 {
-    const Subject& subject = *gallery_.subjects()[shown()];
+    const Subject& subject = museum_.subject(shown());
     Look next = history_.look();
     next.values[shown()] = subject.parameters().initial();
     history_.change(tr("Reset %1").arg(text(subject.title())), next);
@@ -238,7 +238,7 @@ void MainWindow::keepThumbnail()
             if (picture.isNull()) return;
             const QPixmap small = thumbnailOf(picture);
             docks_->exhibits().setThumbnail(chosen_, small);
-            saveThumbnail(thumbnailPath(*gallery_.subjects()[chosen_]), small.toImage());
+            saveThumbnail(thumbnailPath(museum_.subject(chosen_)), small.toImage());
         },
         Qt::QueuedConnection);
 }

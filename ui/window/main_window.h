@@ -3,7 +3,7 @@
 #include "render/plan/complaints.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
-#include "ui/viewport/gallery.h"
+#include "ui/viewport/renderers.h"
 
 #include <QMainWindow>
 
@@ -28,11 +28,12 @@ class MainWindow final : public QMainWindow, public Workbench {
     Q_OBJECT
 
 public:
-    /// The gallery must outlive it.
-    explicit MainWindow(Gallery&, QWidget* parent = nullptr);
+    /// Both must outlive it.
+    MainWindow(const Museum&, Renderers&, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    [[nodiscard]] Gallery& gallery() const override { return gallery_; }
+    [[nodiscard]] const Museum& museum() const override { return museum_; }
+    [[nodiscard]] Renderers& renderers() const override { return renderers_; }
     [[nodiscard]] History& history() override { return history_; }
     [[nodiscard]] Viewport& viewport() const override { return *viewport_; }
     [[nodiscard]] std::size_t chosen() const override { return chosen_; }
@@ -79,7 +80,8 @@ private:
     void showComplaints(const std::vector<render::Skipped>&);
     void keepThumbnail();
 
-    Gallery& gallery_;
+    const Museum& museum_;
+    Renderers& renderers_;
     History history_;
     Viewport* viewport_;
     MessageStrip* messages_;

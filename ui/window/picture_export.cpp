@@ -66,13 +66,13 @@ PictureRequest PictureExport::request() const
 
 void PictureExport::writeShown()
 {
-    window_.viewport().renderThread().post([self = QPointer(this), &gallery = window_.gallery(), wish = wish_,
+    window_.viewport().renderThread().post([self = QPointer(this), &renderers = window_.renderers(), wish = wish_,
                                             preset = preset_]() -> std::function<void()> {
         QString failure;
         try {
             render::PictureMetadata inside;
             inside.preset = preset;
-            render::writePicture(wish.path, gallery.shownPicture(), wish.format, inside);
+            render::writePicture(wish.path, renderers.shownPicture(), wish.format, inside);
         } catch (const std::exception& thrown) {
             failure = messageOf(thrown);
         }
@@ -96,9 +96,9 @@ void PictureExport::start()
         QElapsedTimer told;
     };
     auto work = std::make_shared<Work>();
-    auto step = [this, work, &gallery = window_.gallery(), stage = stage_, look = window_.history().look(),
+    auto step = [this, work, &renderers = window_.renderers(), stage = stage_, look = window_.history().look(),
                  request = request(), wish = wish_, preset = preset_](const RenderThread::Tell& tell) {
-        if (!work->job.maker) work->job = gallery.makePicture(look, request);
+        if (!work->job.maker) work->job = renderers.makePicture(look, request);
         if (!work->job.maker) throw Failure(Blame::openGl, "No picture can be made: there is no graphics context.");
         PictureMaker& maker = *work->job.maker;
         maker.step();

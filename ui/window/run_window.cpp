@@ -3,7 +3,7 @@
 #include "exhibits/exhibits.h"
 #include "render/failure.h"
 #include "ui/viewport/gl_probe.h"
-#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/application.h"
 #include "ui/window/first_picture.h"
@@ -45,8 +45,8 @@ int runWindow(int& argc, char** argv)
     }
     chooseTheme(app, savedThemeChoice());
     const Museum museum{allExhibits()};
-    MuseumGallery gallery(museum);
-    MainWindow window(gallery);
+    MuseumRenderers renderers(museum);
+    MainWindow window(museum, renderers);
     QObject::connect(&app, &Application::caught, &window,
                      [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
     reportFirstPicture(window);

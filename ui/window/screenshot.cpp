@@ -12,7 +12,7 @@ namespace vitrine::ui {
 
 void saveScreenshot(MainWindow& window)
 {
-    const std::string_view name = window.gallery().subjects()[window.chosen()]->name();
+    const std::string_view name = window.museum().subject(window.chosen()).name();
     ExportWish wish;
     wish.path = freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
     Viewport& viewport = window.viewport();

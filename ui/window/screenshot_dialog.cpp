@@ -65,7 +65,7 @@ ScreenshotDialog::ScreenshotDialog(MainWindow& window)
     connect(go_, &QPushButton::clicked, this, &ScreenshotDialog::start);
     connect(stop_, &QPushButton::clicked, this, [this] { reject(); });
     setBusy(false);
-    const auto name = window.gallery().subjects()[window.chosen()]->name();
+    const auto name = window.museum().subject(window.chosen()).name();
     path_->setText(QString::fromStdString(
         freeScreenshotPath(window, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
 }
@@ -204,7 +204,7 @@ void ScreenshotDialog::setBusy(bool busy)
 
 void ScreenshotDialog::start()
 {
-    if (transparent_->isChecked() && capability<OverFrame>(*window_.gallery().subjects()[window_.chosen()])) {
+    if (transparent_->isChecked() && capability<OverFrame>(window_.museum().subject(window_.chosen()))) {
         left_->setText(tr("This exhibit is made of light alone: there is nothing to cut out."));
         return;
     }

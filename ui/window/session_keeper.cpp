@@ -83,7 +83,7 @@ void SessionKeeper::write()
 bool SessionKeeper::writeJournal()
 {
     try {
-        journal_.write(textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Journal"));
+        journal_.write(textOf(window_.museum(), window_.history().look(), window_.chosen(), "Journal"));
         return true;
     } catch (const std::exception& failure) {
         window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
@@ -96,7 +96,7 @@ bool SessionKeeper::restoreLook(const std::string& text, const std::string& file
     try {
         std::vector<std::string> notes;
         std::size_t chosen = 0;
-        window_.history().restart(lookFrom(window_.gallery(), text, fileName, notes, &chosen));
+        window_.history().restart(lookFrom(window_.museum(), text, fileName, notes, &chosen));
         window_.choose(chosen);
         return true;
     } catch (const std::exception& failure) {
@@ -153,7 +153,7 @@ void SessionKeeper::close()
     try {
         std::filesystem::create_directories(folder_);
         render::atomicWrite(folder_ / "session.json",
-                            textOf(window_.gallery(), window_.history().look(), window_.chosen(), "Last session"));
+                            textOf(window_.museum(), window_.history().look(), window_.chosen(), "Last session"));
         saveLayout();
         setTimesRestored(0);
         journal_.cleanExit();
@@ -172,8 +172,8 @@ void SessionKeeper::saveLayout() const
     settings.setValue(QStringLiteral("folded"), window_.panel().foldedGroups());
     settings.setValue(
         QStringLiteral("chosen"),
-        QString::fromUtf8(window_.gallery().subjects()[window_.chosen()]->name().data(),
-                          static_cast<qsizetype>(window_.gallery().subjects()[window_.chosen()]->name().size())));
+        QString::fromUtf8(window_.museum().subject(window_.chosen()).name().data(),
+                          static_cast<qsizetype>(window_.museum().subject(window_.chosen()).name().size())));
 }
 
 void SessionKeeper::restoreLayout()
@@ -183,8 +183,7 @@ void SessionKeeper::restoreLayout()
     window_.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
     window_.panel().setFoldedGroups(settings.value(QStringLiteral("folded")).toStringList());
     const std::string chosen = settings.value(QStringLiteral("chosen")).toString().toStdString();
-    for (std::size_t i = 0; i < window_.gallery().subjects().size(); ++i)
-        if (window_.gallery().subjects()[i]->name() == chosen) window_.choose(i);
+    if (const auto found = window_.museum().find(chosen)) window_.choose(*found);
 }
 
 int SessionKeeper::timesRestored() const

@@ -1,8 +1,8 @@
 #include "ui/window/table_reader.h"
 
+#include "exhibits/museum/museum.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
-#include "ui/viewport/gallery.h"
 #include "ui/viewport/viewport.h"
 
 namespace vitrine::ui {
@@ -36,8 +36,8 @@ void TableReader::readAgain()
     asked_ = named();
     if (asked_.empty()) return;
     window_.viewport().renderThread().post(
-        [this, &gallery = window_.gallery(), look = window_.history().look()]() -> std::function<void()> {
-            auto tabled = std::make_shared<const TabledLook>(gallery.readTables(look));
+        [this, &museum = window_.museum(), look = window_.history().look()]() -> std::function<void()> {
+            auto tabled = std::make_shared<const TabledLook>(museum.readTables(look));
             return [this, tabled] { take(*tabled); };
         });
 }

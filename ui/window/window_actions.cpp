@@ -216,17 +216,14 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
              tr("The red button of the exhibit that you look at; E does the same while the picture has the focus."),
              [&window] { window.viewport().press(); });
     make.separator();
-    for (std::size_t i = 0; i < window.gallery().subjects().size(); ++i) {
-        const auto* found = dynamic_cast<const Exhibit*>(window.gallery().subjects()[i]);
-        if (!found) continue;
-        const Exhibit& exhibit = *found;
+    for (const auto& [i, exhibit] : window.museum().exhibits()) {
         const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
                               ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))}
                               : Keys{};
         make.add(tr("Visit %1")
                      .arg(QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()))),
                  keys, QString::fromUtf8(exhibit.summary().data(), static_cast<qsizetype>(exhibit.summary().size())),
-                 [&window, i] { window.visit(i); });
+                 [&window, index = i] { window.visit(index); });
     }
 }
 

@@ -5,7 +5,7 @@
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_list.h"
 #include "ui/study/study_dock.h"
-#include "ui/viewport/gallery.h"
+#include "ui/viewport/renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/dock_title.h"
 #include "ui/window/exhibit_list.h"
@@ -28,7 +28,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
     window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     addLists();
-    parameters_ = new ParameterTabs(workbench_.gallery().subjects(), workbench_.history());
+    parameters_ = new ParameterTabs(workbench_.museum().subjects(), workbench_.history());
     parametersDock_ = add(tr("Parameters"), "parameters", parameters_, Qt::RightDockWidgetArea);
     addStudy();
     addLedgerAndLog();
@@ -55,12 +55,13 @@ void WindowDocks::addLists()
     presets_ = new PresetList;
     add(tr("Exhibits"), "exhibits", exhibits_, Qt::LeftDockWidgetArea);
     add(tr("Presets"), "presets", presets_, Qt::LeftDockWidgetArea);
-    exhibits_->fill(workbench_.gallery().subjects(), workbench_.gallery().emptyPlaces());
+    exhibits_->fill(workbench_.museum());
 }
 
 void WindowDocks::addStudy()
 {
-    study_ = new StudyDock(workbench_.gallery(), workbench_.history(), workbench_.viewport().renderThread());
+    study_ = new StudyDock(workbench_.museum(), workbench_.renderers(), workbench_.history(),
+                           workbench_.viewport().renderThread());
     auto* room = new QScrollArea;  // So that a small window need not grow for the chart.
     room->setWidget(study_);
     room->setWidgetResizable(true);
@@ -80,7 +81,7 @@ void WindowDocks::addLedgerAndLog()
     Viewport& viewport = workbench_.viewport();
     ledger_ = new LedgerDock([&viewport] { return viewport.reason(); });
     QHash<QString, QString> titles;
-    for (const auto& exhibit : workbench_.gallery().subjects())
+    for (const auto& exhibit : workbench_.museum().subjects())
         titles.insert(QString::fromUtf8(exhibit->name().data(), static_cast<qsizetype>(exhibit->name().size())),
                       QString::fromUtf8(exhibit->title().data(), static_cast<qsizetype>(exhibit->title().size())));
     ledger_->view().setTitles(titles);

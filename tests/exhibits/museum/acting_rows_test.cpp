@@ -84,7 +84,7 @@ render::Camera beforeThePlinth()
 std::vector<Situation> situationsOf(std::size_t exhibit, const ParameterValues& start)
 {
     const Museum& museum = gallery().museum;
-    const Exhibit& shown = *museum.exhibits()[exhibit];
+    const Subject& shown = museum.subject(exhibit);
     std::vector<Situation> all{{start, museum.bestView(exhibit, start)}};
     Situation later = all.front();
     later.time = 11.3;
@@ -135,7 +135,7 @@ protected:
         frame.averageIn = AverageIn::display;
         frame.camera = situation.camera;
         frame.time = situation.time;
-        frame.sincePressed.assign(museum.exhibits().size(), situation.sincePressed);
+        frame.sincePressed.assign(museum.subjects().size(), situation.sincePressed);
         return shot.take();
     }
 
@@ -154,7 +154,7 @@ protected:
     /// Empty when some other value of the row changes a pixel; else what was tried.
     std::string whyIdle(std::size_t exhibit, std::size_t row)
     {
-        ParameterValues start = gallery().museum.exhibits()[exhibit]->parameters().initial();
+        ParameterValues start = gallery().museum.subject(exhibit).parameters().initial();
         if (exhibit == 0) start = cheap(start);
         const ParameterInfo& info = start.table().rows()[row];
         if (info.actsWhen && !acts(start, row))
@@ -177,7 +177,7 @@ protected:
     void expectEveryRowActs(std::string_view exhibit, const std::set<std::string_view>& exceptions = {})
     {
         const std::size_t index = exhibit == "hall" ? 0 : gallery().museum.find(exhibit).value();
-        const Parameters& table = gallery().museum.exhibits()[index]->parameters();
+        const Parameters& table = gallery().museum.subject(index).parameters();
         ASSERT_FALSE(table.rows().empty());
         for (std::size_t row = 0; row < table.rows().size(); ++row) {
             const std::string_view name = table.rows()[row].name;

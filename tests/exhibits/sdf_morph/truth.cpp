@@ -1,7 +1,7 @@
 #include "tests/exhibits/sdf_morph/truth.h"
 
 #include "exhibits/sdf_morph/sdf_morph.h"
-#include "render/glsl/cpu.h"
+#include "exhibits/sdf_morph/torus_mug_cpu.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
 

@@ -6,7 +6,7 @@
 #include "ui/study/study_chart.h"
 #include "ui/study/study_dock.h"
 #include "ui/study/study_pictures.h"
-#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/museum_renderers.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -57,31 +57,23 @@ private:
     test::KnownPainter known_;
 };
 
-/// A museum that is measured by a painter without GL. Nothing else of it is asked for.
-class KnownGallery final : public Gallery {
+/// A museum, and renderers that measure it by a painter without GL. Nothing else of them is asked for.
+class KnownGallery final : public Renderers {
 public:
     Museum museum{knownExhibit()};
     test::KnownTable table;
     std::thread::id measuredOn;
 
-    [[nodiscard]] Subjects subjects() const override { return museum.subjects(); }
-    [[nodiscard]] Look initialLook() const override { return museum.initialLook(); }
-    [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues& v) const override
-    {
-        return museum.bestView(i, v);
-    }
-    [[nodiscard]] glm::dvec3 walk(const glm::dvec3&, const glm::dvec3& to) const override { return to; }
-    [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override { return std::nullopt; }
-    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2) const override
-    {
-        return std::nullopt;
-    }
-    [[nodiscard]] std::vector<int> emptyPlaces() const override { return {}; }
-    [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const override { return INFINITY; }
     void open() override {}
     void close() override {}
     render::FrameReport draw(const Look&, const FrameRequest&, const Unwanted&) override { return {}; }
     [[nodiscard]] QImage screenImage(const QSize&) override { return {}; }
+    [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int,
+                                    const Unwanted&) override
+    {
+        return {};
+    }
+    [[nodiscard]] render::Image shownPicture() override { return {}; }
     void timeSteps(bool) override {}
     bool reloadChangedShaders() override { return false; }
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return {}; }
@@ -126,9 +118,9 @@ private slots:
     void init()
     {
         gallery_ = std::make_unique<KnownGallery>();
-        history_ = std::make_unique<History>(gallery_->initialLook());
+        history_ = std::make_unique<History>(gallery_->museum.initialLook());
         thread_ = std::make_unique<RenderThread>(*gallery_);
-        dock_ = std::make_unique<StudyDock>(*gallery_, *history_, *thread_);
+        dock_ = std::make_unique<StudyDock>(gallery_->museum, *gallery_, *history_, *thread_);
         dock_->setEffort({16, 9}, 3);
         dock_->setSubject(1);
         dock_->resize(1000, 320);
@@ -208,7 +200,7 @@ private slots:
         const StudyPoint& chosen = dock_->result().points[dock_->result().choice->point];
         QVERIFY(chosen.worstError <= 0.05);
         history_->stack().undo();
-        QVERIFY(history_->look() == gallery_->initialLook());
+        QVERIFY(history_->look() == gallery_->museum.initialLook());
     }
 
     void aLimitThatIsNoNumberIsSaidAndMeasuresNothing()

@@ -37,7 +37,7 @@ class KeptWorkTest : public QObject {
     void openWindow()
     {
         gallery_ = std::make_unique<test::PaintedGallery>();
-        window_ = std::make_unique<MainWindow>(*gallery_);
+        window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         connect(static_cast<Application*>(qApp), &Application::caught, window_.get(),
@@ -84,11 +84,11 @@ class KeptWorkTest : public QObject {
         return files.isEmpty() ? QString() : files.front();
     }
     [[nodiscard]] QStringList said() { return window_->findChild<MessageStrip*>()->texts(); }
-    [[nodiscard]] double roughness() { return window_->history().look().values[1][gallery_->table(1).roughness]; }
+    [[nodiscard]] double roughness() { return window_->history().look().values[1][gallery_->table().roughness]; }
     void setRoughness(double value)
     {
         Look next = window_->history().look();
-        next.values[1].set(gallery_->table(1).roughness, value);
+        next.values[1].set(gallery_->table().roughness, value);
         window_->history().change("Roughness", std::move(next));
     }
     QDockWidget* dock(const char* name) { return window_->findChild<QDockWidget*>(name); }

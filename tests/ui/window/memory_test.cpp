@@ -10,7 +10,7 @@
 #include "ui/presets/preset_shelf.h"
 #include "ui/study/study_dock.h"
 #include "ui/viewport/gl_probe.h"
-#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/main_window.h"
@@ -43,7 +43,7 @@ class MemoryTest : public QObject {
 
     std::unique_ptr<QTemporaryDir> home_;
     std::unique_ptr<Museum> museum_;
-    std::unique_ptr<MuseumGallery> gallery_;
+    std::unique_ptr<MuseumRenderers> renderers_;
     std::unique_ptr<MainWindow> window_;
     std::size_t exhibit_ = 0;
     int step_ = 0;
@@ -102,7 +102,7 @@ class MemoryTest : public QObject {
         StudyDock& study = window_->study();
         study.setEffort({16, 9}, 1);
         QSignalSpy finished(&study, &StudyDock::finished);
-        study.ask(exhibit_, *window_->gallery().subjects()[exhibit_]->parameters().find("hitTolerance"));
+        study.ask(exhibit_, *window_->museum().subject(exhibit_).parameters().find("hitTolerance"));
         QTRY_VERIFY(finished.count() == 1);
         QVERIFY(!study.result().points.empty());
         ++step_;
@@ -135,7 +135,7 @@ class MemoryTest : public QObject {
             drag(1);
             window_->history().stack().undo();
         }
-        const ParameterValues initial = gallery_->subjects()[exhibit_]->parameters().initial();
+        const ParameterValues initial = museum_->subject(exhibit_).parameters().initial();
         Look look = window_->history().look();
         look.values[exhibit_] = initial;
         window_->history().change(QStringLiteral("Reset"), look);
@@ -150,7 +150,7 @@ class MemoryTest : public QObject {
         render::trimHeap();
         std::promise<std::vector<render::gl::Stored>> stored;
         window_->viewport().renderThread().post([&] {
-            stored.set_value(gallery_->stored());
+            stored.set_value(renderers_->stored());
             return std::function<void()>();
         });
         return {render::gl::liveGlNames(), stored.get_future().get(), render::processMemory().own,
@@ -169,8 +169,8 @@ private slots:
             qputenv(name, home_->path().toLocal8Bit());
         museum_ = std::make_unique<Museum>(allExhibits());
         exhibit_ = museum_->find("sdf_morph").value();
-        gallery_ = std::make_unique<MuseumGallery>(*museum_);
-        window_ = std::make_unique<MainWindow>(*gallery_);
+        renderers_ = std::make_unique<MuseumRenderers>(*museum_);
+        window_ = std::make_unique<MainWindow>(*museum_, *renderers_);
         window_->resize(700, 420);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));

@@ -10,7 +10,7 @@
 #include "ui/parameters/parameter_row.h"
 #include "ui/print/print_dialog.h"
 #include "ui/viewport/gl_probe.h"
-#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 #include "ui/window/picture_export.h"
@@ -38,7 +38,7 @@ class MissingFilesTest : public QObject {
 
     std::unique_ptr<QTemporaryDir> home_;
     std::unique_ptr<Museum> museum_;
-    std::unique_ptr<MuseumGallery> gallery_;
+    std::unique_ptr<MuseumRenderers> renderers_;
     std::unique_ptr<MainWindow> window_;
     QStringList unreadable_;  // Of the last picture drawn.
     std::size_t fur_ = 0;
@@ -99,8 +99,8 @@ class MissingFilesTest : public QObject {
 
     void openWindow()
     {
-        gallery_ = std::make_unique<MuseumGallery>(*museum_);
-        window_ = std::make_unique<MainWindow>(*gallery_);
+        renderers_ = std::make_unique<MuseumRenderers>(*museum_);
+        window_ = std::make_unique<MainWindow>(*museum_, *renderers_);
         window_->resize(1000, 560);
         connect(&window_->viewport(), &Viewport::drawn, this, [this](const render::FrameReport& report) {
             unreadable_.clear();

@@ -13,7 +13,7 @@
 #include "ui/print/print_dialog.h"
 #include "ui/study/study_dock.h"
 #include "ui/viewport/gl_probe.h"
-#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/ledger_dock.h"
@@ -44,14 +44,14 @@ class MuseumWindowTest : public QObject {
 
     std::unique_ptr<QTemporaryDir> home_;
     std::unique_ptr<Museum> museum_;
-    std::unique_ptr<MuseumGallery> gallery_;
+    std::unique_ptr<MuseumRenderers> renderers_;
     std::unique_ptr<MainWindow> window_;
     std::size_t exhibit_ = 0;
 
     void openWindow()
     {
-        gallery_ = std::make_unique<MuseumGallery>(*museum_);
-        window_ = std::make_unique<MainWindow>(*gallery_);
+        renderers_ = std::make_unique<MuseumRenderers>(*museum_);
+        window_ = std::make_unique<MainWindow>(*museum_, *renderers_);
         window_->resize(1000, 560);  // A small picture: a software renderer draws it too.
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
@@ -239,7 +239,7 @@ private slots:
     {
         window_->visit(exhibit_);
         // Every sample draws all exhibits, seen or not, and the probe.
-        const std::size_t samples = *window_->gallery().subjects()[0]->parameters().find("supersamples");
+        const std::size_t samples = *window_->museum().subject(0).parameters().find("supersamples");
         window_->history().set(0, samples, 2.0, newGesture());
         window_->findChild<QDockWidget*>("ledger")->show();
         const QImage before = pictureAtRest();
@@ -261,7 +261,7 @@ private slots:
         study.setEffort({64, 36}, 2);
         window_->findChild<QDockWidget*>("study")->show();
         QSignalSpy finished(&study, &StudyDock::finished);
-        const auto row = window_->gallery().subjects()[exhibit_]->parameters().find("hitTolerance");
+        const auto row = window_->museum().subject(exhibit_).parameters().find("hitTolerance");
         emit window_->panel().accuracyAsked(*row);
         QVERIFY(study.running());
         QTRY_VERIFY(finished.count() == 1);

@@ -10,7 +10,7 @@
 #include "ui/print/eyes_preview.h"
 #include "ui/print/print_dialog.h"
 #include "ui/study/study_dock.h"
-#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 
@@ -52,12 +52,16 @@ int main(int argc, char** argv)
     for (const bool dark : {true, false}) {
         const QString ending = dark ? QStringLiteral("_dark.png") : QStringLiteral("_light.png");
         ui::applyTheme(app, dark ? ui::darkTheme() : ui::lightTheme());
-        std::unique_ptr<ui::Gallery> gallery;
+        std::unique_ptr<ui::Renderers> renderers;
+        const Museum* shown = museum.get();
         if (real)
-            gallery = std::make_unique<ui::MuseumGallery>(*museum);
-        else
-            gallery = std::make_unique<test::PaintedGallery>();
-        ui::MainWindow window(*gallery);
+            renderers = std::make_unique<ui::MuseumRenderers>(*museum);
+        else {
+            auto painted = std::make_unique<test::PaintedGallery>();
+            shown = &painted->museum();
+            renderers = std::move(painted);
+        }
+        ui::MainWindow window(*shown, *renderers);
         window.show();
         waitUntilStill(window, 60000);
         window.grab().save(folder + QStringLiteral("/entrance") + ending);
@@ -88,7 +92,7 @@ int main(int argc, char** argv)
             window.study().setEffort({240, 135}, 3);
             QEventLoop until;
             QObject::connect(&window.study(), &ui::StudyDock::finished, &until, &QEventLoop::quit);
-            window.study().ask(1, *window.gallery().subjects()[1]->parameters().find("hitTolerance"));
+            window.study().ask(1, *window.museum().subject(1).parameters().find("hitTolerance"));
             until.exec();
             waitUntilStill(window, 60000);
             window.grab().save(folder + QStringLiteral("/study") + ending);

@@ -34,6 +34,16 @@ class VisitorTest : public test::OpenWindow {
         return {static_cast<int>(window_->viewport().width() * (x + 1) / 2),
                 static_cast<int>(window_->viewport().height() * (1 - y) / 2)};
     }
+    /// The middle of the exhibit's button in the picture.
+    [[nodiscard]] QPoint button()
+    {
+        const Viewport& viewport = window_->viewport();
+        const glm::ivec2 size(viewport.width(), viewport.height());
+        const render::View view = render::makeView(
+            widened(window_->history().look().camera, static_cast<double>(size.x) / size.y), {.size = size});
+        const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(test::PaintedGallery::button(), 1);
+        return at(clip.x / clip.w, clip.y / clip.w);
+    }
     [[nodiscard]] QLineEdit* filter()
     {
         for (QLineEdit* edit : window_->panel().findChildren<QLineEdit*>())
@@ -150,14 +160,16 @@ private slots:
     {
         Viewport& viewport = window_->viewport();
         QSignalSpy pressed(&viewport, &Viewport::pressed);
-        QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(0.8, 0));
+        viewport.jumpTo(test::PaintedGallery::towardsButton(1.2));
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());
         QCOMPARE(pressed.count(), 1);
         QCOMPARE(viewport.mode(), CameraControl::Mode::walk);
-        gallery_->buttonInReach = false;  // From afar one goes there first ...
-        QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(0.8, 0));
+        viewport.jumpTo(test::PaintedGallery::towardsButton(3));  // From afar one goes there first ...
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());
         QCOMPARE(pressed.count(), 1);
         QTRY_COMPARE(viewport.mode(), CameraControl::Mode::orbit);
-        QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(0.8, 0));  // ... and presses it then.
+        settle();
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());  // ... and presses it then.
         QCOMPARE(pressed.count(), 2);
         QTest::keyClick(&viewport, Qt::Key_E);
         QCOMPARE(pressed.count(), 3);
@@ -192,7 +204,7 @@ private slots:
         closeWindow();
         gallery_ = std::make_unique<test::PaintedGallery>();
         QDir(home_->path()).removeRecursively();
-        window_ = std::make_unique<MainWindow>(*gallery_);
+        window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         QCOMPARE(window_->size(), MainWindow::firstSize(window_->screen()->availableSize()));
@@ -332,7 +344,7 @@ private slots:
         for (QToolButton* button : window_->panel().findChildren<QToolButton*>())
             if (button->accessibleName() == "Matches in the other tab") elsewhere = button;
         QVERIFY(elsewhere->isVisible());
-        QVERIFY2(elsewhere->text().startsWith("Hall: Exposure"), qPrintable(elsewhere->text()));
+        QVERIFY2(elsewhere->text().startsWith("The hall: Exposure"), qPrintable(elsewhere->text()));
         QTest::mouseClick(elsewhere, Qt::LeftButton);
         QCOMPARE(window_->shown(), std::size_t{0});
         QVERIFY(window_->panel().row("exposure")->isVisible());
@@ -357,10 +369,11 @@ private slots:
                           list->visualItemRect(list->findItems("Torus to mug", Qt::MatchExactly).front()).center());
         QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
-                          list->visualItemRect(list->findItems("Hall", Qt::MatchExactly).front()).center());
+                          list->visualItemRect(list->findItems("The hall", Qt::MatchExactly).front()).center());
         QCOMPARE(window_->chosen(), std::size_t{0});
         QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
-        QVERIFY(window_->history().look().camera == gallery_->bestView(0, window_->history().look().hall()));
+        QVERIFY(window_->history().look().camera ==
+                gallery_->museum().bestView(hallIndex, window_->history().look().hall()));
     }
 
     void aNarrowPictureIsDrawnWider()
@@ -374,9 +387,9 @@ private slots:
 
     void aPausedJumpStandsStillWhileItIsRefined()
     {
-        gallery_->movesFor = 3;
-        gallery_->looked = LookedAt{1, "E – melt it"};
-        window_->viewport().jumpTo(window_->history().look().camera);  // Looks at the button.
+        gallery_->exhibit().movesFor = 3;
+        window_->visit(1);
+        settle();
         window_->viewport().press();
         QTRY_VERIFY(gallery_->requests().back().sincePressed[1] > 0.3);
         action("Pause clock")->trigger();

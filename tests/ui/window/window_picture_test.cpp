@@ -67,15 +67,15 @@ private slots:
     {
         window_->choose(1);
         Look next = window_->history().look();
-        next.values[1].set(gallery_->table(1).animated, false);
+        next.values[1].set(gallery_->table().animated, false);
         window_->history().change("Stand still", next);
         settle();
         const long long drawn = window_->viewport().picturesDrawn();
-        next.values[1].set(gallery_->table(1).speed, 3.0);  // Acts only while it is animated.
+        next.values[1].set(gallery_->table().speed, 3.0);  // Acts only while it is animated.
         window_->history().change("Change speed", next);
         QTest::qWait(300);
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);
-        next.values[1].set(gallery_->table(1).animated, true);
+        next.values[1].set(gallery_->table().animated, true);
         window_->history().change("Move", next);
         QTRY_VERIFY(window_->viewport().picturesDrawn() > drawn);
     }
@@ -103,6 +103,7 @@ private slots:
 
     void theWindowsThreadDrawsNothing()
     {
+        window_->choose(1);
         dragRoughness(60);
         window_->visit(1);
         settle();
@@ -116,10 +117,10 @@ private slots:
         closeWindow();
         gallery_ = std::make_unique<test::PaintedGallery>();
         std::atomic<bool> held = true;
-        gallery_->beforeDrawing = [&](const FrameRequest&, const Gallery::Unwanted&) {
+        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::Unwanted&) {
             while (held) std::this_thread::sleep_for(std::chrono::milliseconds(5));
         };
-        window_ = std::make_unique<MainWindow>(*gallery_);
+        window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), test::patience));
         const auto colors = [&] {
@@ -143,7 +144,7 @@ private slots:
         std::promise<void> begun, enough;
         std::shared_future<void> released = enough.get_future().share();
         std::atomic<int> pictures = 0;
-        gallery_->beforeDrawing = [&](const FrameRequest&, const Gallery::Unwanted&) {
+        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::Unwanted&) {
             if (++pictures != 1) return;
             begun.set_value();
             released.wait();
@@ -178,7 +179,7 @@ private slots:
         settle();
         std::atomic<int> abandoned = 0;
         std::atomic<bool> reached = false;
-        gallery_->beforeDrawing = [&](const FrameRequest& request, const Gallery::Unwanted& unwanted) {
+        gallery_->beforeDrawing = [&](const FrameRequest& request, const Renderers::Unwanted& unwanted) {
             if (request.sample != 3 || abandoned > 0) return;
             reached = true;
             while (!unwanted()) std::this_thread::yield();
@@ -196,17 +197,36 @@ private slots:
         gallery_->beforeDrawing = {};
     }
 
+    void whatIsAskedOfOneMomentIsPreparedOnce()
+    {
+        Viewport& viewport = window_->viewport();
+        settle();
+        const long long before = viewport.preparations();
+        viewport.jumpTo(test::PaintedGallery::towardsButton(1.2));  // Which button he looks at, and what moves.
+        settle();
+        QCOMPARE(viewport.preparations(), before + 1);
+        QTest::mouseMove(&viewport, viewport.rect().center());
+        QTRY_COMPARE(viewport.cursor().shape(), Qt::PointingHandCursor);
+        QCOMPARE(viewport.preparations(), before + 1);
+    }
+
     void whatMovesFarAwayNeitherCoarsensNorRestartsThePicture()
     {
         window_->choose(1);
+        Look alight = window_->history().look();  // A shadow on the floor would move, too.
+        alight.hall().setRow(*alight.hall().table().find("sunShadows"), 0.0);
+        window_->history().change("Without shadows", alight);
         settle();
         const QImage before = window_->viewport().shown();
         const int height = before.height();
-        gallery_->moving = PictureRegion{{40, 60}, {20, 10}};
-        gallery_->movesFor = 1;
-        gallery_->looked = LookedAt{1, "E – melt it"};
-        window_->viewport().jumpTo(window_->history().look().camera);
-        window_->viewport().press();  // The button itself moves the whole picture for a moment.
+        FrameRequest request = gallery_->requests().back();
+        request.raster.size = {before.width(), height};
+        const Museum& museum = gallery_->museum();
+        gallery_->exhibit().moves = true;
+        const PictureRegion region =
+            museum.movingRegion(museum.prepare(window_->history().look(), request), request).value();
+        QVERIFY(region.size.x > 10 && region.size.y > 10 && 4 * region.size.x < before.width());
+        window_->viewport().lookChanged();
         QTRY_VERIFY(window_->viewport().regionsDrawn() >= 2);
         const long long whole = window_->viewport().picturesDrawn();
         const auto requests = gallery_->requests();
@@ -218,14 +238,17 @@ private slots:
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < now.width(); ++x) {
                 if (now.pixel(x, y) == before.pixel(x, y)) continue;
-                const bool within = x >= 40 && x < 60 && height - 1 - y >= 60 && height - 1 - y < 70;
+                const glm::ivec2 place = glm::ivec2(x, height - 1 - y) - region.offset;
+                const bool within = glm::all(glm::greaterThanEqual(place, glm::ivec2(0))) &&
+                                    glm::all(glm::lessThan(place, region.size));
                 ++(within ? moved : elsewhere);
             }
-        QCOMPARE(moved, 200);
+        QCOMPARE(moved, region.size.x * region.size.y);
         QCOMPARE(elsewhere, 0);
         const long long regions = window_->viewport().regionsDrawn();
-        QTest::qWait(1500);  // It has come to rest: drawn once more, and then never again.
-        QVERIFY(window_->viewport().regionsDrawn() > regions);
+        QTRY_VERIFY(window_->viewport().regionsDrawn() > regions);
+        gallery_->exhibit().moves = false;  // It has come to rest.
+        QTest::qWait(500);
         const long long rested = window_->viewport().regionsDrawn();
         const long long refined = window_->viewport().picturesDrawn();
         QVERIFY(refined - whole <= 16);

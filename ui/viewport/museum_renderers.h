@@ -1,27 +1,14 @@
 #pragma once
 
 #include "render/gl/context.h"
-#include "ui/viewport/gallery.h"
+#include "ui/viewport/renderers.h"
 
 namespace vitrine::ui {
 
-/// The museum as it is. The museum must outlive it.
-class MuseumGallery final : public Gallery {
+/// Renderers of the museum, by OpenGL. The museum must outlive them.
+class MuseumRenderers final : public Renderers {
 public:
-    explicit MuseumGallery(const Museum& museum) : museum_(museum) {}
-
-    [[nodiscard]] Subjects subjects() const override;
-    [[nodiscard]] Look initialLook() const override;
-    [[nodiscard]] render::Camera bestView(std::size_t exhibit, const ParameterValues&) const override;
-    [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const override;
-    [[nodiscard]] std::optional<LookedAt> lookedAt(const Look&) const override;
-    [[nodiscard]] std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const override;
-    [[nodiscard]] std::vector<int> emptyPlaces() const override;
-    [[nodiscard]] double nextChange(const Look&, const FrameRequest&) const override;
-    [[nodiscard]] std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const override;
-
-    [[nodiscard]] std::vector<std::string> unreadableFiles(const Look&) const override;
-    [[nodiscard]] TabledLook readTables(const Look&) const override;
+    explicit MuseumRenderers(const Museum& museum) : museum_(museum) {}
 
     void open() override;
     void close() override;

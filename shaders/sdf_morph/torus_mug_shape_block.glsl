@@ -1,6 +1,6 @@
 // A torus-mug of one morph, ready for many points: made once for each frame. Metres, in the solid's own space;
 // heights and the ring's center are relative to the body's center, which lies on the cup's axis. GLSL and C++:
-// render/glsl/std140.h, and at float64 render/glsl/cpu.h.
+// render/glsl/std140.h.
 #define TORUS_MUG_SHAPE_FIELDS(FIELD, ARRAY) \
     FIELD(float, morph)              /* 0 torus, 1 mug */ \
     FIELD(vec3, bodyCenter) \

@@ -1,4 +1,4 @@
-#include "ui/viewport/museum_gallery.h"
+#include "ui/viewport/museum_renderers.h"
 
 #include <cassert>
 
@@ -14,66 +14,7 @@ QImage imageOf(const render::gl::ScreenPixels& pixels)
 
 }  // namespace
 
-Subjects MuseumGallery::subjects() const
-{
-    return museum_.subjects();
-}
-
-Look MuseumGallery::initialLook() const
-{
-    return museum_.initialLook();
-}
-
-render::Camera MuseumGallery::bestView(std::size_t exhibit, const ParameterValues& values) const
-{
-    return museum_.bestView(exhibit, values);
-}
-
-glm::dvec3 MuseumGallery::walk(const glm::dvec3& from, const glm::dvec3& to) const
-{
-    return museum_.walk(from, to);
-}
-
-std::optional<LookedAt> MuseumGallery::lookedAt(const Look& look) const
-{
-    FrameRequest request;
-    request.camera = look.camera;
-    return museum_.lookedAt(museum_.prepare(look, request));
-}
-
-std::optional<Pointed> MuseumGallery::pick(const Look& look, const FrameRequest& request, glm::dvec2 ndc) const
-{
-    return museum_.pick(museum_.prepare(look, request), request, ndc);
-}
-
-std::vector<int> MuseumGallery::emptyPlaces() const
-{
-    return museum_.emptyPlaces();
-}
-
-double MuseumGallery::nextChange(const Look& look, const FrameRequest& request) const
-{
-    return museum_.nextChange(museum_.prepare(look, request), request);
-}
-
-std::optional<PictureRegion> MuseumGallery::movingRegion(const Look& look, const FrameRequest& request) const
-{
-    return museum_.movingRegion(museum_.prepare(look, request), request);
-}
-
-std::vector<std::string> MuseumGallery::unreadableFiles(const Look& look) const
-{
-    FrameRequest request;
-    request.camera = look.camera;
-    return museum_.prepare(look, request).unreadableFiles();
-}
-
-TabledLook MuseumGallery::readTables(const Look& look) const
-{
-    return museum_.readTables(look);
-}
-
-void MuseumGallery::open()
+void MuseumRenderers::open()
 {
 #ifdef NDEBUG
     context_ = std::make_unique<render::gl::HeadlessContext>();
@@ -85,7 +26,7 @@ void MuseumGallery::open()
     renderer_->timeSteps(timeSteps_);
 }
 
-void MuseumGallery::close()
+void MuseumRenderers::close()
 {
     regions_.reset();
     renderer_.reset();
@@ -94,21 +35,21 @@ void MuseumGallery::close()
     context_.reset();
 }
 
-render::FrameReport MuseumGallery::draw(const Look& look, const FrameRequest& request, const Unwanted& unwanted)
+render::FrameReport MuseumRenderers::draw(const Look& look, const FrameRequest& request, const Unwanted& unwanted)
 {
     assert(renderer_);
     renderer_->abandonWhen(unwanted);
     return renderer_->draw(museum_.plan(museum_.prepare(look, request), request, renderer_->kept()));
 }
 
-QImage MuseumGallery::screenImage(const QSize& screen)
+QImage MuseumRenderers::screenImage(const QSize& screen)
 {
     const glm::ivec2 size(screen.width(), screen.height());
     return imageOf(renderer_->screenPixels("frame", size, glm::ivec2(0), size));
 }
 
-QImage MuseumGallery::drawRegion(const Look& look, const FrameRequest& request, const PictureRegion& region,
-                                 int samples, const Unwanted& unwanted)
+QImage MuseumRenderers::drawRegion(const Look& look, const FrameRequest& request, const PictureRegion& region,
+                                   int samples, const Unwanted& unwanted)
 {
     if (!regions_) regions_ = renderer_->sibling();
     regions_->abandonWhen(unwanted);
@@ -125,35 +66,35 @@ QImage MuseumGallery::drawRegion(const Look& look, const FrameRequest& request, 
     return drawn.copy(within.x, frame.raster.tile.y - within.y - region.size.y, region.size.x, region.size.y);
 }
 
-render::Image MuseumGallery::shownPicture()
+render::Image MuseumRenderers::shownPicture()
 {
     render::Image picture = renderer_->read("frame");
     picture.channelNames = {"R", "G", "B", "A"};
     return picture;
 }
 
-std::vector<render::gl::Stored> MuseumGallery::stored() const
+std::vector<render::gl::Stored> MuseumRenderers::stored() const
 {
     return renderer_ ? renderer_->stored() : std::vector<render::gl::Stored>();
 }
 
-void MuseumGallery::timeSteps(bool on)
+void MuseumRenderers::timeSteps(bool on)
 {
     timeSteps_ = on;
     if (renderer_) renderer_->timeSteps(on);
 }
 
-bool MuseumGallery::reloadChangedShaders()
+bool MuseumRenderers::reloadChangedShaders()
 {
     return renderer_ && renderer_->reloadChangedShaders();
 }
 
-std::vector<render::gl::ShaderProblem> MuseumGallery::problems() const
+std::vector<render::gl::ShaderProblem> MuseumRenderers::problems() const
 {
     return renderer_ ? renderer_->problems() : std::vector<render::gl::ShaderProblem>();
 }
 
-PictureJob MuseumGallery::makePicture(const Look& look, const PictureRequest& request)
+PictureJob MuseumRenderers::makePicture(const Look& look, const PictureRequest& request)
 {
     PictureJob job;
     job.renderer = renderer_->sibling();
@@ -161,12 +102,12 @@ PictureJob MuseumGallery::makePicture(const Look& look, const PictureRequest& re
     return job;
 }
 
-void MuseumGallery::nextPicture(PictureJob& job, const Look& look, const PictureRequest& request)
+void MuseumRenderers::nextPicture(PictureJob& job, const Look& look, const PictureRequest& request)
 {
     job.maker = std::make_unique<PictureMaker>(museum_, *job.renderer, look, request);
 }
 
-StudyJob MuseumGallery::makeStudy(const StudyRequest& request)
+StudyJob MuseumRenderers::makeStudy(const StudyRequest& request)
 {
     StudyJob job;
     job.painter = renderer_->sibling();

@@ -12,11 +12,11 @@
 // solid is carried along so that it keeps standing on the same ground, y = -(majorRadius + minorRadius),
 // and stays centered on x = z = 0. Melting at a steady pace looks eased already: the phases are.
 //
-// GLSL 4.50 and C++ (render/glsl/cpu.h).
+// GLSL 4.50 and C++ (exhibits/sdf_morph/torus_mug_cpu.h).
 
 #ifndef __cplusplus
 #include "lib/bindings.glsl"
-#include "lib/torus_mug_shape_block.glsl"
+#include "sdf_morph/torus_mug_shape_block.glsl"
 #include "lib/numerics.glsl"
 #include "lib/sdf.glsl"
 #include "lib/sdf_operators.glsl"

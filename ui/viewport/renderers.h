@@ -9,8 +9,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace vitrine::ui {
@@ -27,34 +25,11 @@ struct StudyJob {
     std::unique_ptr<Study> study;
 };
 
-/// Everything the window shows and draws with: the museum, and the renderers of the render thread. Tests put a smaller
-/// one in its place.
-class Gallery {
+/// The renderers of the render thread, which calls everything here between `open` and `close`. Tests put others in
+/// their place, which need no graphics.
+class Renderers {
 public:
-    virtual ~Gallery() = default;
-
-    [[nodiscard]] virtual Subjects subjects() const = 0;
-    [[nodiscard]] virtual Look initialLook() const = 0;
-    [[nodiscard]] virtual render::Camera bestView(std::size_t subject, const ParameterValues&) const = 0;
-    [[nodiscard]] virtual glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const = 0;
-    [[nodiscard]] virtual std::optional<LookedAt> lookedAt(const Look&) const = 0;
-    [[nodiscard]] virtual std::optional<Pointed> pick(const Look&, const FrameRequest&, glm::dvec2 ndc) const = 0;
-    [[nodiscard]] virtual std::vector<int> emptyPlaces() const = 0;
-    [[nodiscard]] virtual double nextChange(const Look&, const FrameRequest&) const = 0;
-    /// As Museum::movingRegion.
-    [[nodiscard]] virtual std::optional<PictureRegion> movingRegion(const Look&, const FrameRequest&) const
-    {
-        return std::nullopt;
-    }
-
-    /// Which files that the look names and needs for what it shows cannot be read, and why: one full sentence each,
-    /// that begins with the parameter's label.
-    [[nodiscard]] virtual std::vector<std::string> unreadableFiles(const Look&) const { return {}; }
-
-    /// As Museum::readTables.
-    [[nodiscard]] virtual TabledLook readTables(const Look& look) const { return {look, {}, {}}; }
-
-    // On the render thread, from `open` to `close`:
+    virtual ~Renderers() = default;
 
     /// Makes a context of its own for this thread, and a renderer on it.
     virtual void open() = 0;
@@ -67,13 +42,10 @@ public:
     [[nodiscard]] virtual QImage screenImage(const QSize& screen) = 0;
     /// All `samples` supersamples of a part of a picture whose other pixels stay as they are. The picture that `draw`
     /// made last is left alone.
-    [[nodiscard]] virtual QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int /*samples*/,
-                                            const Unwanted&)
-    {
-        return {};
-    }
+    [[nodiscard]] virtual QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int samples,
+                                            const Unwanted&) = 0;
     /// The last picture of `draw` as `PictureMaker::picture` gives it; empty where there is none.
-    [[nodiscard]] virtual render::Image shownPicture() { return {}; }
+    [[nodiscard]] virtual render::Image shownPicture() = 0;
     virtual void timeSteps(bool on) = 0;
     /// Returns whether any picture may have changed.
     virtual bool reloadChangedShaders() = 0;
