@@ -199,6 +199,18 @@ TEST(BallOnPaper, StandsBesideTheOthersAndLeavesThemAsTheyAre)
     EXPECT_EQ(march(with)->blocks, march(without)->blocks);
 }
 
+TEST(BallOnPaper, SaysHowItsDepthAloneIsFound)
+{
+    BallShot shot;
+    const render::FramePlan plan = test::planned(shot.museum, shot.look, shot.request.frame);
+    const render::Pass* march = plan.find("ball/march");
+    ASSERT_TRUE(march && march->depthOnly);
+    EXPECT_EQ(march->depthOnly->shader.sources, march->shader.sources) << "by the same field";
+    EXPECT_EQ(march->depthOnly->shader.defines.back(), "DEPTH_ONLY");
+    ASSERT_EQ(march->depthOnly->inputs.size(), 1U) << "the cones, and no light";
+    EXPECT_EQ(std::get<std::string>(march->depthOnly->inputs.front().source), "ball.cone");
+}
+
 TEST(BallOnPaper, IsPointedAtWhereItsSphereIs)
 {
     const test::Ball ball;
