@@ -74,6 +74,29 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
     return m;
 }
 
+/// What the options say of the camera.
+void setCamera(const PictureOptions& options, render::Camera& camera)
+{
+    if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye);
+    if (!options.target.empty()) camera.target = parseTriple("--target", options.target);
+    if (options.fovDegrees == 0) return;
+    if (!(options.fovDegrees >= 1 && options.fovDegrees <= 175))
+        throw Failure(Blame::usage, "--fov: give an angle from 1 to 175 degrees.");
+    camera.fovY = options.fovDegrees * std::numbers::pi / 180;
+}
+
+/// Which channels the file carries, and in what light its samples are averaged.
+void setChannels(const PictureOptions& options, PictureRequest& request)
+{
+    bool beyondColor = false;
+    request.frame.channels = parseChannels(options.channels, request, beyondColor);
+    const bool linear = isExr(options.out);
+    request.frame.averageIn = linear ? AverageIn::radiance : AverageIn::display;
+    if (beyondColor && !linear && !options.out.empty())
+        throw Failure(Blame::usage,
+                      "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
+}
+
 /// "exhibit.name=value".
 struct Assignment {
     std::size_t owner = 0;
@@ -267,13 +290,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     if (!job.cameraFromPreset && !isHall)
         camera = options.alone ? museum.subject(*subject).bestView(job.look.values[*subject])
                                : museum.bestView(*subject, job.look.values[*subject]);
-    if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye);
-    if (!options.target.empty()) camera.target = parseTriple("--target", options.target);
-    if (options.fovDegrees != 0) {
-        if (!(options.fovDegrees >= 1 && options.fovDegrees <= 175))
-            throw Failure(Blame::usage, "--fov: give an angle from 1 to 175 degrees.");
-        camera.fovY = options.fovDegrees * std::numbers::pi / 180;
-    }
+    setCamera(options, camera);
     if (!std::isfinite(options.time)) throw Failure(Blame::usage, "--time: give a finite number of seconds.");
     frame.camera = camera;
     job.look.camera = camera;
@@ -291,14 +308,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
         frame.subject = *subject;
     const bool asInHall = !hall.isInitial(names.supersamples.row);
     job.request.samples = options.samples > 0 ? options.samples : asInHall ? hall[names.supersamples] : 4;
-
-    bool beyondColor = false;
-    frame.channels = parseChannels(options.channels, job.request, beyondColor);
-    const bool linear = isExr(options.out);
-    frame.averageIn = linear ? AverageIn::radiance : AverageIn::display;
-    if (beyondColor && !linear && !options.out.empty())
-        throw Failure(Blame::usage,
-                      "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
+    setChannels(options, job.request);
     return job;
 }
 

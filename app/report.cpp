@@ -39,6 +39,41 @@ std::int64_t total(const render::Image& counts)
     return std::llround(sum);
 }
 
+/// Sorted.
+std::vector<double> timesOf(const Museum& museum, render::gl::Renderer& renderer, const Prepared& prepared,
+                            const FrameRequest& frame)
+{
+    std::vector<double> milliseconds;
+    for (int run = 0; run < timedRuns; ++run)
+        milliseconds.push_back(renderer.draw(museum.plan(prepared, frame, renderer.kept())).milliseconds);
+    std::sort(milliseconds.begin(), milliseconds.end());
+    return milliseconds;
+}
+
+Json ranJson(const render::FrameReport& frame, const std::map<std::string, double>& stepMilliseconds)
+{
+    Json ran = Json::array();
+    for (const render::StepReport& step : frame.ran) {
+        const auto timed = stepMilliseconds.find(step.name);
+        ran.push_back(Json{{"name", step.name},
+                           {"kind", toString(step.work)},
+                           {"reason", step.reason},
+                           {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)},
+                           {"bound", boundJson(step.bound)}});
+        for (const render::Effect& effect : step.effects)
+            ran.back()["effects"].push_back(Json{{"name", effect.name}, {"bound", boundJson(effect.bound)}});
+    }
+    return ran;
+}
+
+Json memoryJson(const render::gl::Renderer& renderer)
+{
+    Json memory{{"residentBytes", render::processMemory().resident}, {"ownBytes", render::processMemory().own}};
+    for (const render::gl::Stored& kept : renderer.stored())
+        memory[kept.what] = Json{{"count", kept.count}, {"bytes", kept.bytes}};
+    return memory;
+}
+
 }  // namespace
 
 void writeReport(const std::string& file, const Museum& museum, render::gl::Renderer& renderer,
@@ -46,10 +81,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
 {
     const FrameRequest frame = frameOf(job, renderer);
     const Prepared prepared = museum.prepare(job.look, frame);
-    std::vector<double> milliseconds;
-    for (int run = 0; run < timedRuns; ++run)
-        milliseconds.push_back(renderer.draw(museum.plan(prepared, frame, renderer.kept())).milliseconds);
-    std::sort(milliseconds.begin(), milliseconds.end());
+    const std::vector<double> milliseconds = timesOf(museum, renderer, prepared, frame);
 
     renderer.timeSteps(true);
     std::map<std::string, double> stepMilliseconds;
@@ -68,17 +100,6 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     renderer.timeSteps(false);
 
     const render::FrameReport& first = maker.report();
-    Json ran = Json::array();
-    for (const render::StepReport& step : first.ran) {
-        const auto timed = stepMilliseconds.find(step.name);
-        ran.push_back(Json{{"name", step.name},
-                           {"kind", toString(step.work)},
-                           {"reason", step.reason},
-                           {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)},
-                           {"bound", boundJson(step.bound)}});
-        for (const render::Effect& effect : step.effects)
-            ran.back()["effects"].push_back(Json{{"name", effect.name}, {"bound", boundJson(effect.bound)}});
-    }
     Json skipped = Json::array();
     for (const render::Skipped& step : first.skipped) {
         const double known = wouldCost.of(step.name);
@@ -96,20 +117,16 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     (void)renderer.draw(museum.plan(prepared, counting, renderer.kept()));
     counters["evaluations"] = total(renderer.read(evaluationsImage));
 
-    Json memory{{"residentBytes", render::processMemory().resident}, {"ownBytes", render::processMemory().own}};
-    for (const render::gl::Stored& kept : renderer.stored())
-        memory[kept.what] = Json{{"count", kept.count}, {"bytes", kept.bytes}};
-
     const Json report{
         {"exhibit", std::string(museum.subject(job.subject).name())},
         {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},
         {"renderer", gl.renderer},
         {"clock",
          Json{{"method", first.clock}, {"trusted", first.clockTrusted}, {"overheadMs", first.overheadMilliseconds}}},
-        {"ran", ran},
+        {"ran", ranJson(first, stepMilliseconds)},
         {"skipped", skipped},
         {"counters", counters},
-        {"memory", memory},
+        {"memory", memoryJson(renderer)},
         {"ms", Json{{"median", milliseconds[timedRuns / 2]},
                     {"low", milliseconds.front()},
                     {"high", milliseconds.back()},

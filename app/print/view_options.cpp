@@ -4,7 +4,9 @@
 
 namespace vitrine::app {
 
-void addViewOptions(CLI::App& command, ViewOptions& o)
+namespace {
+
+void addPictureViews(CLI::App& command, ViewOptions& o)
 {
     const char* pictures = "Views from pictures";
     command
@@ -32,10 +34,10 @@ void addViewOptions(CLI::App& command, ViewOptions& o)
         .add_flag("--ping-pong", o.pingPong,
                   "After the last, back to the first: 1 2 3 4 3 2, so that nothing jumps where the views start again")
         ->group(pictures);
-    command.add_option("--count", o.count,
-                       "How many views: of pictures, spread evenly (by default all); of an exhibit, rendered (by "
-                       "default as many as the print can tell apart, 24 at most)");
+}
 
+void addRenderedViews(CLI::App& command, ViewOptions& o)
+{
     const char* rendered = "Views of an exhibit";
     CLI::Option* exhibit =
         command.add_option("--exhibit", o.scene.subject, "Render the views: an exhibit's name, or hall");
@@ -75,6 +77,17 @@ void addViewOptions(CLI::App& command, ViewOptions& o)
     addSceneOptions(command, o.scene, rendered);
     for (CLI::Option* option : command.get_options())
         if (option->get_group() == rendered && option != exhibit) option->needs(exhibit);
+}
+
+}  // namespace
+
+void addViewOptions(CLI::App& command, ViewOptions& o)
+{
+    addPictureViews(command, o);
+    command.add_option("--count", o.count,
+                       "How many views: of pictures, spread evenly (by default all); of an exhibit, rendered (by "
+                       "default as many as the print can tell apart, 24 at most)");
+    addRenderedViews(command, o);
 }
 
 }  // namespace vitrine::app

@@ -6,11 +6,11 @@
 #include "render/files/atomic_write.h"
 #include "render/image/image_io.h"
 #include "render/measure/distance.h"
+#include "ui/kit/picture_file.h"
 #include "ui/kit/theme.h"
 #include "ui/study/study_chart.h"
 
 #include <QApplication>
-#include <QBuffer>
 
 #include <unistd.h>
 
@@ -162,15 +162,13 @@ void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& st
                                (result.costName == "ms" ? " of a frame, " + result.clock : " in all views")),
         QString::fromStdString(std::string(title(request.metric))));
     chart.setPoints(ui::chartPoints(subjects, request, result));
-    const QImage png = chart.picture(chartSize, chartScale);
+    const QByteArray png = ui::pngOf(chart.picture(chartSize, chartScale));
     const QByteArray svg = chart.svg(chartSize);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const QPointF at = chart.placeOf(i);
         points[i].place = {at.x(), at.y()};
     }
-    QByteArray pngBytes;
-    QBuffer buffer(&pngBytes);
-    if (!png.save(&buffer, "PNG"))
+    if (png.isEmpty())
         throw Failure(
             Blame::file,
             folder.string() +
@@ -180,7 +178,7 @@ void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& st
     render::atomicWrite(part.path() / "study.json", render::writeJson(json));
     render::atomicWrite(part.path() / "study.csv", studyCsv(subjects, request, result));
     render::atomicWrite(part.path() / "chart.svg", svg.toStdString());
-    render::atomicWrite(part.path() / "chart.png", pngBytes.toStdString());
+    render::atomicWrite(part.path() / "chart.png", png.toStdString());
     render::atomicWrite(part.path() / "index.html", studyPage(subjects, request, result, svg.toStdString(),
                                                               {chartSize.width(), chartSize.height()}, points));
     if (!presetText.empty()) render::atomicWrite(part.path() / "preset.json", presetText);

@@ -1,8 +1,8 @@
 #include "exhibits/framework/preset_store.h"
 
-#include "exhibits/framework/save_bytes.h"
 #include "exhibits/framework/slug.h"
 #include "exhibits/framework/state_folder.h"
+#include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 #include "render/image/image_io.h"
 
@@ -45,7 +45,7 @@ void move(const fs::path& from, const fs::path& to)
     fs::create_directories(to.parent_path(), error);
     fs::rename(from, to, error);
     if (error.value() == EXDEV) {
-        savePresetBytes(to, render::readFile(from, render::ImageLimits{}.fileBytes));
+        render::atomicWriteMakingFolder(to, render::readFile(from, render::ImageLimits{}.fileBytes));
         fs::remove(from, error);
     }
     if (error) {
@@ -149,9 +149,9 @@ SaveOutcome PresetStore::save(StoredPreset& stored, IfChanged ifChanged) const
     if (stored.preset.versionRead < presetVersion && fs::exists(stored.path, error)) {
         fs::path backup = stored.path;
         backup.replace_extension(".v" + std::to_string(stored.preset.versionRead) + ".bak");
-        if (!fs::exists(backup, error)) savePresetBytes(backup, readText(stored.path));
+        if (!fs::exists(backup, error)) render::atomicWriteMakingFolder(backup, readText(stored.path));
     }
-    savePresetBytes(stored.path, text);
+    render::atomicWriteMakingFolder(stored.path, text);
     stored.preset.versionRead = presetVersion;
     stored.stamp = stampOf(stored.path, text);
     return SaveOutcome::saved;
@@ -161,7 +161,7 @@ StoredPreset PresetStore::saveAs(Preset preset) const
 {
     const std::string text = presetText(preset);
     const fs::path path = freePath(folders_.user / preset.exhibit, slugFor(preset.name));
-    savePresetBytes(path, text);
+    render::atomicWriteMakingFolder(path, text);
     preset.versionRead = presetVersion;
     return {std::move(preset), path, stampOf(path, text), false};
 }
@@ -171,11 +171,11 @@ fs::path PresetStore::rename(const fs::path& path, std::string_view name) const
     refuseShipped(path);
     const std::string text = renamedPreset(render::readJson(path, presetLimits), name);
     if (standsFor(path.stem().string(), slugFor(name))) {
-        savePresetBytes(path, text);
+        render::atomicWriteMakingFolder(path, text);
         return path;
     }
     const fs::path to = freePath(path.parent_path(), slugFor(name));
-    savePresetBytes(to, text);
+    render::atomicWriteMakingFolder(to, text);
     std::error_code error;
     fs::remove(path, error);
     moveThumbnail(path, to);
@@ -186,11 +186,13 @@ fs::path PresetStore::copyAs(const std::string& text, const fs::path& from, cons
                              std::string_view name) const
 {
     const fs::path to = freePath(folders_.user / exhibit, slugFor(name));
-    savePresetBytes(to, text);
-    std::error_code error;
-    const fs::path picture = thumbnailPath(from);
-    if (fs::exists(picture, error))
-        fs::copy_file(picture, thumbnailPath(to), fs::copy_options::overwrite_existing, error);
+    render::atomicWriteMakingFolder(to, text);
+    try {
+        const std::string picture = render::readFile(thumbnailPath(from), render::ImageLimits{}.fileBytes);
+        render::atomicWrite(thumbnailPath(to), picture);
+    } catch (const Failure&) {
+        // There may be none, and it comes again once the preset is on show.
+    }
     return to;
 }
 
@@ -232,7 +234,7 @@ fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit,
     const Preset preset = parsePreset(text, path.string(), exhibit, table);  // Only to know that it is good.
     const std::string name = preset.name.empty() ? path.stem().string() : preset.name;
     const fs::path to = freePath(folders_.user / exhibit, slugFor(name));
-    savePresetBytes(to, text);
+    render::atomicWriteMakingFolder(to, text);
     return to;
 }
 
@@ -240,7 +242,7 @@ void PresetStore::exportFile(const fs::path& path, const fs::path& target) const
 {
     const std::string text = readText(path);
     (void)presetHeader(render::parseJson(text, path.string(), presetLimits));
-    savePresetBytes(target, text);
+    render::atomicWriteMakingFolder(target, text);
 }
 
 bool PresetStore::isShipped(const fs::path& path) const

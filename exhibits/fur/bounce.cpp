@@ -292,68 +292,75 @@ bool Bounce::still(const Moment& m) const
     return true;
 }
 
+/// One step of the bodies.
+Bounce::Moment Bounce::stepBodies()
+{
+    const double now = static_cast<double>(moments_.size()) * dt;
+    Moment next = moments_.back();
+    ++steps_;
+    if (now >= landed_) {
+        const FurStates rest = restStates(settings_, now);
+        const double share = smooth(0, settling, now - landed_);
+        for (int i = 0; i < furBodyCount; ++i) {
+            const FurState& state = rest[static_cast<std::size_t>(i)];
+            next.position[i] = glm::mix(world_->asleep.position[i], state.position, share);
+            next.turn[i] = glm::slerp(world_->asleep.turn[i], state.turn, share);
+        }
+        return next;
+    }
+    world_->bodies.resizeBall(furBall, ballRadius * settings_.growth.grown(now) + settings_.cushion[furBall]);
+    if (!home(now)) world_->calmSince = now;
+    world_->bodies.step(dt);
+    hold();
+    for (int i = 0; i < furBodyCount; ++i) {
+        const RigidPose pose = world_->bodies.pose(i);
+        next.position[i] = pose.position;
+        next.turn[i] = pose.turn;
+    }
+    if ((now > homeStart && now - world_->calmSince > calm) || now > longest - 2) {
+        landed_ = now;
+        world_->asleep = next;
+        const FurStates rest = restStates(settings_, now);
+        for (int i = 0; i < furBodyCount; ++i)
+            slid_ = std::max(slid_, glm::length(rest[static_cast<std::size_t>(i)].position - next.position[i]));
+    }
+    return next;
+}
+
+/// One step of the springs of body `i`, over `steps` moments after `before`.
+void Bounce::stepSprings(int i, std::size_t before, int steps)
+{
+    const double h = steps * dt;
+    Moment& after = moments_.back();
+    const Moment& last = moments_[before];
+    const glm::dvec3 velocity = (after.position[i] - last.position[i]) / h;
+    const glm::dvec3 spin = rotationVector(after.turn[i] * glm::conjugate(last.turn[i])) / h;
+    SpringState pull = last.pull[i];
+    SpringState lag = last.lag[i];
+    pull.rate -= settings_.inertia / strandScale * (velocity - world_->lastVelocity[i]);
+    lag.rate -= settings_.inertia * (spin - world_->lastSpin[i]);
+    world_->lastVelocity[i] = velocity;
+    world_->lastSpin[i] = spin;
+    const glm::dvec3 trail = -settings_.airDrag * velocity - glm::dvec3(0, settings_.gravity, 0);
+    after.pull[i] = limited(advance(pull, trail, settings_.spring, h, settings_.method), settings_.displacementLimit);
+    after.lag[i] = limited(advance(lag, -0.25 * settings_.airDrag * spin, settings_.spring, h, settings_.method),
+                           settings_.rotationLimit);
+    for (int n = 1; n < steps; ++n) {
+        Moment& between = moments_[before + static_cast<std::size_t>(n)];
+        const double share = static_cast<double>(n) / steps;
+        between.pull[i] = {glm::mix(last.pull[i].value, after.pull[i].value, share), after.pull[i].rate};
+        between.lag[i] = {glm::mix(last.lag[i].value, after.lag[i].value, share), after.lag[i].rate};
+    }
+}
+
 /// The steps of the bodies up to the next step of the springs, and that step.
 void Bounce::block()
 {
     const int steps =
         std::max(static_cast<int>(std::lround(static_cast<double>(stepsPerSecond) / settings_.springRate)), 1);
     const std::size_t before = moments_.size() - 1;
-    for (int n = 0; n < steps; ++n) {
-        const double now = static_cast<double>(moments_.size()) * dt;
-        Moment next = moments_.back();
-        ++steps_;
-        if (now < landed_) {
-            world_->bodies.resizeBall(furBall, ballRadius * settings_.growth.grown(now) + settings_.cushion[furBall]);
-            if (!home(now)) world_->calmSince = now;
-            world_->bodies.step(dt);
-            hold();
-            for (int i = 0; i < furBodyCount; ++i) {
-                const RigidPose pose = world_->bodies.pose(i);
-                next.position[i] = pose.position;
-                next.turn[i] = pose.turn;
-            }
-            if ((now > homeStart && now - world_->calmSince > calm) || now > longest - 2) {
-                landed_ = now;
-                world_->asleep = next;
-                const FurStates rest = restStates(settings_, now);
-                for (int i = 0; i < furBodyCount; ++i)
-                    slid_ = std::max(slid_, glm::length(rest[static_cast<std::size_t>(i)].position - next.position[i]));
-            }
-        } else {
-            const FurStates rest = restStates(settings_, now);
-            const double share = smooth(0, settling, now - landed_);
-            for (int i = 0; i < furBodyCount; ++i) {
-                const FurState& state = rest[static_cast<std::size_t>(i)];
-                next.position[i] = glm::mix(world_->asleep.position[i], state.position, share);
-                next.turn[i] = glm::slerp(world_->asleep.turn[i], state.turn, share);
-            }
-        }
-        moments_.push_back(next);
-    }
-    const double h = steps * dt;
-    Moment& after = moments_.back();
-    const Moment& last = moments_[before];
-    for (int i = 0; i < furBodyCount; ++i) {
-        const glm::dvec3 velocity = (after.position[i] - last.position[i]) / h;
-        const glm::dvec3 spin = rotationVector(after.turn[i] * glm::conjugate(last.turn[i])) / h;
-        SpringState pull = last.pull[i];
-        SpringState lag = last.lag[i];
-        pull.rate -= settings_.inertia / strandScale * (velocity - world_->lastVelocity[i]);
-        lag.rate -= settings_.inertia * (spin - world_->lastSpin[i]);
-        world_->lastVelocity[i] = velocity;
-        world_->lastSpin[i] = spin;
-        const glm::dvec3 trail = -settings_.airDrag * velocity - glm::dvec3(0, settings_.gravity, 0);
-        after.pull[i] =
-            limited(advance(pull, trail, settings_.spring, h, settings_.method), settings_.displacementLimit);
-        after.lag[i] = limited(advance(lag, -0.25 * settings_.airDrag * spin, settings_.spring, h, settings_.method),
-                               settings_.rotationLimit);
-        for (int n = 1; n < steps; ++n) {
-            Moment& between = moments_[before + static_cast<std::size_t>(n)];
-            const double share = static_cast<double>(n) / steps;
-            between.pull[i] = {glm::mix(last.pull[i].value, after.pull[i].value, share), after.pull[i].rate};
-            between.lag[i] = {glm::mix(last.lag[i].value, after.lag[i].value, share), after.lag[i].rate};
-        }
-    }
+    for (int n = 0; n < steps; ++n) moments_.push_back(stepBodies());
+    for (int i = 0; i < furBodyCount; ++i) stepSprings(i, before, steps);
 }
 
 void Bounce::extend(double since)

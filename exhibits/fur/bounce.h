@@ -94,6 +94,8 @@ private:
     struct World;
     void extend(double since);
     void block();
+    [[nodiscard]] Moment stepBodies();
+    void stepSprings(int body, std::size_t before, int steps);
     bool home(double now);
     void hold();
     [[nodiscard]] bool still(const Moment&) const;

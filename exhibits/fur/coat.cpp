@@ -102,19 +102,26 @@ FurBody Coats::body(int index) const
     body.ringRadius = static_cast<float>(index == furRing && !(modelRadius > 0) ? ringRadius : 0);
     body.radius = static_cast<float>(radius(index));
 
-    const auto press = [&](const glm::dvec3& normal, double distance) {
-        // From pit space, where points p with dot(normal, p) > distance are free, to body space.
-        if (body.planeCount < FUR_PLANES)
-            body.planes[static_cast<std::size_t>(body.planeCount++)] = glm::vec4(
-                glm::vec3(bodyFromPit * normal), static_cast<float>(distance - glm::dot(normal, state.position)));
-    };
-    press({0, 1, 0}, 0);
+    for (const FreeSide& side : freeSides(index)) {
+        if (body.planeCount == FUR_PLANES) break;
+        body.planes[static_cast<std::size_t>(body.planeCount++)] =
+            glm::vec4(glm::vec3(bodyFromPit * side.normal),
+                      static_cast<float>(side.distance - glm::dot(side.normal, state.position)));
+    }
+    return body;
+}
+
+std::vector<Coats::FreeSide> Coats::freeSides(int index) const
+{
+    const FurState& state = states[static_cast<std::size_t>(index)];
+    const double length = values[table.coats[static_cast<std::size_t>(index)].length];
+    std::vector<FreeSide> sides{{{0, 1, 0}, 0}};
     const double out = std::hypot(state.position.x, state.position.z);
     // Outside, the wall presses nothing, and the ground lies as high as the rim.
     if (out > pitRadius)
-        press({0, 1, 0}, pitRim);
+        sides.push_back({{0, 1, 0}, pitRim});
     else if (out > 0.3 && state.position.y < pitRim + 0.3)
-        press(-glm::dvec3(state.position.x, 0, state.position.z) / out, -pitRadius);
+        sides.push_back({-glm::dvec3(state.position.x, 0, state.position.z) / out, -pitRadius});
     for (int other = 0; other < furBodyCount; ++other) {
         if (other == index) continue;
         // Between the nearest points of two spines, found by going back and forth, the middle of the gap.
@@ -131,9 +138,9 @@ FurBody Coats::body(int index) const
         const double room = apart - myRadius - itsRadius;
         if (apart < 1e-6 || room > length + values[table.coats[static_cast<std::size_t>(other)].length]) continue;
         const glm::dvec3 normal = (mine - its) / apart;
-        press(normal, glm::dot(normal, its) + itsRadius + 0.5 * room);
+        sides.push_back({normal, glm::dot(normal, its) + itsRadius + 0.5 * room});
     }
-    return body;
+    return sides;
 }
 
 }  // namespace vitrine

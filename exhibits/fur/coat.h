@@ -9,6 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <array>
+#include <vector>
 
 namespace vitrine {
 
@@ -45,6 +46,13 @@ struct Coats {
         0;  ///< Metres: of a ball that stands for the visitor's model in place of the ring; 0: there is none.
 
     [[nodiscard]] FurBody body(int index) const;
+    /// Pit space: fur is free to be where dot(normal, p) > distance, and pressed flat beyond.
+    struct FreeSide {
+        glm::dvec3 normal{0, 1, 0};
+        double distance = 0;
+    };
+    /// Of what lies around a body: the ground first.
+    [[nodiscard]] std::vector<FreeSide> freeSides(int index) const;
     /// How thick a body is around its spine, metres.
     [[nodiscard]] double radius(int index) const;
     /// The point of the body's spine nearest to `p`, pit space.

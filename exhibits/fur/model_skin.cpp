@@ -42,6 +42,79 @@ void bendIt(Mesh& mesh)
         mesh.vertices[i].extra.x = weight[i] > 0 ? static_cast<float>(std::max(bend[i] / weight[i], 0.0)) : 0;
 }
 
+/// Triangles of parts become one skin: what lies in one place is one vertex, with the normal of all around it.
+class Sewing {
+public:
+    /// `radius` of the skin, metres.
+    explicit Sewing(double radius) : grid_(radius * 1e-5) { mesh_->name = "model"; }
+
+    void add(const std::array<glm::dvec3, 3>& at)
+    {
+        const glm::dvec3 across = glm::cross(at[1] - at[0], at[2] - at[0]);
+        const double area = glm::length(across);
+        if (!(area > 1e-14)) {
+            ++flat_;
+            return;
+        }
+        std::array<std::uint32_t, 3> corner{};
+        for (std::size_t k = 0; k < 3; ++k) corner[k] = place(at[k]);
+        if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) {
+            ++flat_;
+            return;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::dvec3 a = glm::normalize(at[(k + 1) % 3] - at[k]);
+            const glm::dvec3 b = glm::normalize(at[(k + 2) % 3] - at[k]);
+            normals_[corner[k]] += across / area * std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
+        }
+        mesh_->indices.insert(mesh_->indices.end(), corner.begin(), corner.end());
+    }
+    [[nodiscard]] bool empty() const { return mesh_->indices.empty(); }
+    /// The skin; nothing more may be added.
+    [[nodiscard]] std::shared_ptr<const Mesh> finished(std::vector<std::string>& notes)
+    {
+        std::size_t without = 0;
+        for (std::size_t i = 0; i < normals_.size(); ++i) {
+            const double length = glm::length(normals_[i]);
+            if (!(length > 1e-9)) ++without;
+            // Where faces cancel, as on both sides of a sheet, outwards is away from the middle.
+            const glm::vec3& p = mesh_->vertices[i].position;
+            const double out = glm::length(glm::dvec3(p));
+            mesh_->vertices[i].normal = length > 1e-9 ? glm::vec3(normals_[i] / length)
+                                        : out > 0     ? p / static_cast<float>(out)
+                                                      : glm::vec3(0, 1, 0);
+        }
+        if (flat_ > 0)
+            notes.push_back(flat_ == 1 ? "1 triangle without area was left out"
+                                       : std::to_string(flat_) + " triangles without area were left out");
+        if (without > 0)
+            notes.push_back(without == 1 ? "1 place had no outward side and was given one"
+                                         : std::to_string(without) + " places had no outward side and were given one");
+        for (const Vertex& v : mesh_->vertices) mesh_->bounds.include(glm::dvec3(v.position));
+        bendIt(*mesh_);
+        return mesh_;
+    }
+
+private:
+    std::uint32_t place(const glm::dvec3& p)
+    {
+        const std::array<std::int64_t, 3> key{std::llround(p.x / grid_), std::llround(p.y / grid_),
+                                              std::llround(p.z / grid_)};
+        const auto [found, fresh] = places_.try_emplace(key, static_cast<std::uint32_t>(mesh_->vertices.size()));
+        if (fresh) {
+            mesh_->vertices.emplace_back().position = glm::vec3(p);
+            normals_.emplace_back(0);
+        }
+        return found->second;
+    }
+
+    std::shared_ptr<Mesh> mesh_ = std::make_shared<Mesh>();
+    std::map<std::array<std::int64_t, 3>, std::uint32_t> places_;
+    std::vector<glm::dvec3> normals_;
+    double grid_;  ///< Metres: nearer than this is one place.
+    std::size_t flat_ = 0;
+};
+
 }  // namespace
 
 std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::string& file, double radius,
@@ -51,75 +124,23 @@ std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::str
     const double extent = model.bounds.empty() ? 0 : glm::length(model.bounds.halfSize());
     if (!(extent > 0))
         throw Failure(Blame::file, file + " has no surface that could wear a coat. Give a model with triangles.");
-    auto mesh = std::make_shared<Mesh>();
-    mesh->name = "model";
-    std::map<std::array<std::int64_t, 3>, std::uint32_t> places;
-    std::vector<glm::dvec3> normals;
-    const double scale = radius / extent;
-    const double grid = radius * 1e-5;  // Nearer than this is one place.
-    std::size_t flat = 0;
-    const auto place = [&](const glm::dvec3& p) {
-        const std::array<std::int64_t, 3> key{std::llround(p.x / grid), std::llround(p.y / grid),
-                                              std::llround(p.z / grid)};
-        const auto [found, fresh] = places.try_emplace(key, static_cast<std::uint32_t>(mesh->vertices.size()));
-        if (fresh) {
-            mesh->vertices.emplace_back().position = glm::vec3(p);
-            normals.emplace_back(0);
-        }
-        return found->second;
-    };
+    Sewing sewing(radius);
     for (const render::Part& part : model.parts) {
         const bool mirrored = glm::determinant(glm::dmat3(part.modelFromPart)) < 0;
         for (std::size_t i = 0; i + 2 < part.mesh->indices.size(); i += 3) {
-            std::array<std::uint32_t, 3> corner{};
             std::array<glm::dvec3, 3> at;
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::size_t source = mirrored ? 2 - k : k;
                 const glm::vec3& p = part.mesh->vertices[part.mesh->indices[i + source]].position;
-                at[k] = (glm::dvec3(part.modelFromPart * glm::dvec4(p, 1)) - center) * scale;
+                at[k] = (glm::dvec3(part.modelFromPart * glm::dvec4(p, 1)) - center) * (radius / extent);
             }
-            const glm::dvec3 across = glm::cross(at[1] - at[0], at[2] - at[0]);
-            const double area = glm::length(across);
-            if (!(area > 1e-14)) {
-                ++flat;
-                continue;
-            }
-            for (std::size_t k = 0; k < 3; ++k) corner[k] = place(at[k]);
-            if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) {
-                ++flat;
-                continue;
-            }
-            for (std::size_t k = 0; k < 3; ++k) {
-                const glm::dvec3 a = glm::normalize(at[(k + 1) % 3] - at[k]);
-                const glm::dvec3 b = glm::normalize(at[(k + 2) % 3] - at[k]);
-                normals[corner[k]] += across / area * std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
-            }
-            mesh->indices.insert(mesh->indices.end(), corner.begin(), corner.end());
+            sewing.add(at);
         }
     }
-    if (mesh->indices.empty())
+    if (sewing.empty())
         throw Failure(Blame::file,
                       file + " has no triangle with an area that could wear a coat. Give a model with triangles.");
-    std::size_t without = 0;
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-        const double length = glm::length(normals[i]);
-        if (!(length > 1e-9)) ++without;
-        // Where faces cancel, as on both sides of a sheet, outwards is away from the middle.
-        const glm::vec3& p = mesh->vertices[i].position;
-        const double out = glm::length(glm::dvec3(p));
-        mesh->vertices[i].normal = length > 1e-9 ? glm::vec3(normals[i] / length)
-                                   : out > 0     ? p / static_cast<float>(out)
-                                                 : glm::vec3(0, 1, 0);
-    }
-    if (flat > 0)
-        notes.push_back(flat == 1 ? "1 triangle without area was left out"
-                                  : std::to_string(flat) + " triangles without area were left out");
-    if (without > 0)
-        notes.push_back(without == 1 ? "1 place had no outward side and was given one"
-                                     : std::to_string(without) + " places had no outward side and were given one");
-    for (const Vertex& v : mesh->vertices) mesh->bounds.include(glm::dvec3(v.position));
-    bendIt(*mesh);
-    return mesh;
+    return sewing.finished(notes);
 }
 
 double meanRadius(const Mesh& mesh)

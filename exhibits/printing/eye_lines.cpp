@@ -14,11 +14,6 @@ namespace {
 constexpr int previewParts = 32;
 constexpr int sights = 512;  ///< Directions between the print's two edges.
 
-struct Point {
-    double across = 0;
-    float share = 0;
-};
-
 /// What lenses show, for directions from one edge of the print to the other.
 class SightTable {
 public:
@@ -27,14 +22,14 @@ public:
     {
         const int count = to > from ? sights : 1;
         for (int i = 0; i < count; ++i) {
-            std::vector<Point> points;
+            std::vector<SeenPoint> points;
             const double theta = count == 1 ? from : from + (to - from) * i / (count - 1);
             for (const Aperture::Part& part : aperture(sheet, theta, beta, previewParts).parts)
                 points.push_back({(part.from + part.to) / 2, static_cast<float>(part.share)});
             table_.push_back(std::move(points));
         }
     }
-    [[nodiscard]] const std::vector<Point>& at(double theta) const
+    [[nodiscard]] const std::vector<SeenPoint>& at(double theta) const
     {
         const double i = std::round((theta - from_) * perAngle_);
         return table_[static_cast<std::size_t>(std::clamp(i, 0.0, static_cast<double>(table_.size() - 1)))];
@@ -42,8 +37,36 @@ public:
 
 private:
     double from_, perAngle_;
-    std::vector<std::vector<Point>> table_;
+    std::vector<std::vector<SeenPoint>> table_;
 };
+
+/// From where an eye looks at a print around whose middle x runs rightwards and y upwards, millimetres.
+struct SightLine {
+    double towardsX = 0, towardsY = 0;  ///< Tangents of the eye's angles, seen from the middle.
+    double distance = 0;                ///< Millimetres.
+    double cosine = 1, sine = 0;        ///< Of the way across the lenses.
+
+    /// Of the line of sight, across the lenses.
+    [[nodiscard]] double slope(double x, double y) const
+    {
+        return (towardsX - x / distance) * cosine + (towardsY - y / distance) * sine;
+    }
+};
+
+SightTable sightTable(const Sheet& sheet, const SightLine& sight, double width, double height)
+{
+    double from = 2;
+    double to = -2;
+    for (const double x : {-width / 2, width / 2}) {
+        for (const double y : {-height / 2, height / 2}) {
+            from = std::min(from, std::atan(sight.slope(x, y)));
+            to = std::max(to, std::atan(sight.slope(x, y)));
+        }
+    }
+    const double along = sight.towardsY * sight.cosine - sight.towardsX * sight.sine;
+    const double middle = sight.slope(0, 0);
+    return {sheet, from, to, std::asin(along / std::sqrt(1 + middle * middle + along * along))};
+}
 
 const std::array<float, 256>& linearOfCode()
 {
@@ -85,59 +108,50 @@ CodedPicture EyeLines::seen(const Eye& eye, int side) const
     picture.height = std::max(1, static_cast<int>(std::lround(height / perPixel)));
     picture.rgb.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 3);
 
-    const double towardsX = std::tan(upright_ ? eye.angle : eye.angleAlong);
-    const double towardsY = upright_ ? -std::tan(eye.angleAlong) : std::tan(eye.angle);
-    const double cosine = layout_.cosine();
-    const double sine = layout_.sine();
-    const auto slope = [&](double x, double y) {
-        return (towardsX - x / eye.distance) * cosine + (towardsY - y / eye.distance) * sine;
-    };
-    double from = 2;
-    double to = -2;
-    for (const double x : {-width / 2, width / 2}) {
-        for (const double y : {-height / 2, height / 2}) {
-            from = std::min(from, std::atan(slope(x, y)));
-            to = std::max(to, std::atan(slope(x, y)));
-        }
-    }
-    const double along = towardsY * cosine - towardsX * sine;
-    const double middle = slope(0, 0);
-    const SightTable table(s.sheet, from, to, std::asin(along / std::sqrt(1 + middle * middle + along * along)));
-
+    const SightLine sight{std::tan(upright_ ? eye.angle : eye.angleAlong),
+                          upright_ ? -std::tan(eye.angleAlong) : std::tan(eye.angle), eye.distance, layout_.cosine(),
+                          layout_.sine()};
+    const SightTable table = sightTable(s.sheet, sight, width, height);
     const double pitch = s.sheet.pitch();
     const double perMm = (upright_ ? s.dpiX : s.dpiY) / mmPerInch;
-    const double perAcross = perMm / (upright_ ? cosine : sine);  // Along a line, for a way across the lenses.
     const double middlePixel = 0.5 * static_cast<double>(acrossPixels());
-    const bool flip = s.mirror && upright_;
-    const std::array<float, 256>& linear = linearOfCode();
     std::uint8_t* out = picture.rgb.data();
     for (int row = 0; row < picture.height; ++row) {
         const double y = ((row + 0.5) / picture.height - 0.5) * height;
         for (int column = 0; column < picture.width; ++column, out += 3) {
             const double x = ((column + 0.5) / picture.width - 0.5) * width;
-            const double across = x * cosine + y * sine;
+            const double across = x * sight.cosine + y * sight.sine;
             const double off = std::floor(across / pitch + 0.5) * pitch - across;
             const double start = (upright_ ? x : y) * perMm + middlePixel;
-            const double alongPart = upright_ ? (row + 0.5) / picture.height : (column + 0.5) / picture.width;
-            const auto line =
-                std::min(static_cast<std::size_t>(alongPart * lines_), static_cast<std::size_t>(lines_ - 1));
-            const std::uint8_t* codes = codes_.data() + line * static_cast<std::size_t>(acrossPixels()) * 3;
-            std::array<float, 3> sum{};
-            for (const Point& point : table.at(std::atan(slope(x, y)))) {
-                const double at = start + (off + point.across) * perAcross;
-                if (!(at >= 0 && at < static_cast<double>(acrossPixels()))) {
-                    for (float& channel : sum) channel += point.share;  // Paper beyond the print.
-                    continue;
-                }
-                const auto pixel =
-                    flip ? acrossPixels() - 1 - static_cast<std::int64_t>(at) : static_cast<std::int64_t>(at);
-                for (std::size_t c = 0; c < 3; ++c)
-                    sum[c] += point.share * linear[codes[pixel * 3 + static_cast<std::int64_t>(c)]];
-            }
-            for (std::size_t c = 0; c < 3; ++c) out[c] = render::srgb8FromLinear(sum[c]);
+            const double along = upright_ ? (row + 0.5) / picture.height : (column + 0.5) / picture.width;
+            const std::array<float, 3> color = under(table.at(std::atan(sight.slope(x, y))), start, off, along);
+            for (std::size_t c = 0; c < 3; ++c) out[c] = render::srgb8FromLinear(color[c]);
         }
     }
     return picture;
+}
+
+std::array<float, 3> EyeLines::under(const std::vector<SeenPoint>& points, double start, double off, double along) const
+{
+    const PrintSettings& s = layout_.settings();
+    const double perMm = (upright_ ? s.dpiX : s.dpiY) / mmPerInch;
+    const double perAcross = perMm / (upright_ ? layout_.cosine() : layout_.sine());  // Along a line.
+    const bool flip = s.mirror && upright_;
+    const auto line = std::min(static_cast<std::size_t>(along * lines_), static_cast<std::size_t>(lines_ - 1));
+    const std::uint8_t* codes = codes_.data() + line * static_cast<std::size_t>(acrossPixels()) * 3;
+    const std::array<float, 256>& linear = linearOfCode();
+    std::array<float, 3> sum{};
+    for (const SeenPoint& point : points) {
+        const double at = start + (off + point.across) * perAcross;
+        if (!(at >= 0 && at < static_cast<double>(acrossPixels()))) {
+            for (float& channel : sum) channel += point.share;  // Paper beyond the print.
+            continue;
+        }
+        const auto pixel = flip ? acrossPixels() - 1 - static_cast<std::int64_t>(at) : static_cast<std::int64_t>(at);
+        for (std::size_t c = 0; c < 3; ++c)
+            sum[c] += point.share * linear[codes[pixel * 3 + static_cast<std::int64_t>(c)]];
+    }
+    return sum;
 }
 
 }  // namespace vitrine::printing

@@ -3,6 +3,7 @@
 #include "exhibits/printing/interlace.h"
 #include "exhibits/printing/proof.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,12 @@ struct CodedPicture {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb{};
+};
+
+/// A part of what an eye sees of a lens: across it from its middle, millimetres, and how much of the whole.
+struct SeenPoint {
+    double across = 0;
+    float share = 0;
 };
 
 /// A print made along a few lines only, to look at through its lenses while it is being set up.
@@ -31,6 +38,10 @@ public:
     [[nodiscard]] CodedPicture seen(const Eye&, int side) const;
 
 private:
+    /// Linear color of these points of a lens. `start`: pixels along the line, `off`: millimetres to the lens's middle,
+    /// `along`: which of the lines, 0 to 1.
+    [[nodiscard]] std::array<float, 3> under(const std::vector<SeenPoint>&, double start, double off,
+                                             double along) const;
     [[nodiscard]] std::int64_t acrossPixels() const { return upright_ ? layout_.width() : layout_.height(); }
     [[nodiscard]] std::int64_t alongPixels() const { return upright_ ? layout_.height() : layout_.width(); }
 

@@ -1,8 +1,8 @@
 #include "exhibits/printing/sheet_list.h"
 
-#include "exhibits/framework/save_bytes.h"
 #include "exhibits/framework/state_folder.h"
 #include "render/failure.h"
+#include "render/files/atomic_write.h"
 #include "render/files/strict_json.h"
 
 #include <algorithm>
@@ -133,7 +133,7 @@ void SheetList::write(const std::vector<Sheet>& sheets) const
                         {"conic", s.conic}});
     }
     const Json json{{"format", "vitrine-sheets"}, {"version", 1}, {"sheets", list}};
-    savePresetBytes(path_, render::writeJson(json));
+    render::atomicWriteMakingFolder(path_, render::writeJson(json));
 }
 
 }  // namespace vitrine::printing

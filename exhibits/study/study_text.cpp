@@ -175,7 +175,9 @@ std::string choiceSentence(Subjects subjects, const StudyRequest& request, const
                 : ", beyond the limit, and so is every other setting that was measured: study more of the views.");
 }
 
-Json studyJson(Subjects subjects, const StudyRequest& request, const StudyResult& result, Json machine)
+namespace {
+
+Json axesJson(Subjects subjects, const StudyRequest& request, const StudyResult& result)
 {
     Json axes = Json::array();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
@@ -188,6 +190,13 @@ Json studyJson(Subjects subjects, const StudyRequest& request, const StudyResult
                             {"values", values},
                             {"reference", jsonFromValue(row, result.exact[a])}});
     }
+    return axes;
+}
+
+}  // namespace
+
+Json studyJson(Subjects subjects, const StudyRequest& request, const StudyResult& result, Json machine)
+{
     Json points = Json::array();
     for (std::size_t i = 0; i < result.points.size(); ++i) points.push_back(pointJson(subjects, request, result, i));
     Json front = Json::array();
@@ -203,7 +212,7 @@ Json studyJson(Subjects subjects, const StudyRequest& request, const StudyResult
         {"alone", request.alone},
         {"size", Json::array({request.size.x, request.size.y})},
         {"views", views},
-        {"parameters", axes},
+        {"parameters", axesJson(subjects, request, result)},
         {"metric", std::string(toString(request.metric))},
         {"errorsAreOf",
          "display-referred linear light, one sample at each pixel's center unless supersamples are studied"},

@@ -95,8 +95,7 @@ void writeAll(const PartFile& part, FileOps& ops, std::string_view bytes)
     struct stat status {};
     if (ops.fstat(file.get(), &status) != 0) part.fail("checking its size", errno);
     if (static_cast<std::uint64_t>(status.st_size) != bytes.size()) part.fail("checking its size", EIO);
-    if (ops.fsync(file.get()) != 0) part.fail("waiting for the disk", errno);
-    if (!file.close()) part.fail("closing", errno);
+    if (!file.close()) part.fail("closing", errno);  // Publishing it waits for the disk.
 }
 
 void compareAll(const PartFile& part, FileOps& ops, std::string_view bytes)
@@ -117,6 +116,16 @@ void compareAll(const PartFile& part, FileOps& ops, std::string_view bytes)
         done += size;
     }
     if (done != bytes.size()) part.fail("reading it back gave fewer bytes", EIO);
+}
+
+/// Asks the disk to keep the folder's latest renames. Returns 0, or the error number.
+int syncFolder(const fs::path& folder, FileOps& ops)
+{
+    OpenFile directory(ops, folder, O_RDONLY | O_DIRECTORY);
+    if (directory.get() < 0) return errno;
+    // Some file systems cannot sync a folder and say EINVAL: there is nothing more to do then.
+    if (ops.fsync(directory.get()) != 0 && errno != EINVAL) return errno;
+    return 0;
 }
 
 }  // namespace
@@ -168,15 +177,6 @@ void PartFile::publish()
     }
 }
 
-int syncFolder(const fs::path& folder, FileOps& ops)
-{
-    OpenFile directory(ops, folder, O_RDONLY | O_DIRECTORY);
-    if (directory.get() < 0) return errno;
-    // Some file systems cannot sync a folder and say EINVAL: there is nothing more to do then.
-    if (ops.fsync(directory.get()) != 0 && errno != EINVAL) return errno;
-    return 0;
-}
-
 void requireSpace(const fs::path& target, unsigned long long bytes, FileOps& ops)
 {
     const unsigned long long free = ops.freeBytes(folderOf(target).c_str());
@@ -192,6 +192,14 @@ void atomicWrite(const fs::path& path, std::string_view bytes, FileOps& ops)
     writeAll(part, ops, bytes);
     compareAll(part, ops, bytes);
     part.publish();
+}
+
+void atomicWriteMakingFolder(const fs::path& path, std::string_view bytes, FileOps& ops)
+{
+    std::error_code error;
+    fs::create_directories(folderOf(path), error);
+    if (error) refuse(path, error.message() + "; choose another folder or free some space.");
+    atomicWrite(path, bytes, ops);
 }
 
 }  // namespace vitrine::render

@@ -17,11 +17,11 @@ namespace vitrine::render {
 /// content then stands, except when only the last step, the fsync of the folder, failed: the message says so.
 void atomicWrite(const std::filesystem::path& path, std::string_view bytes, FileOps& = systemFileOps());
 
+/// The same; makes the folder of `path`, and those above it, where there is none.
+void atomicWriteMakingFolder(const std::filesystem::path& path, std::string_view bytes, FileOps& = systemFileOps());
+
 /// Throws Failure unless the folder of `target` has 1.1 times `bytes` free.
 void requireSpace(const std::filesystem::path& target, unsigned long long bytes, FileOps& = systemFileOps());
-
-/// Asks the disk to keep the folder's latest renames. Returns 0, or the error number.
-[[nodiscard]] int syncFolder(const std::filesystem::path& folder, FileOps& = systemFileOps());
 
 /// A file that is written beside its target and takes its place in one step.
 class PartFile {

@@ -1,77 +1,267 @@
 #include "render/files/strict_json.h"
 
-#include "render/files/json_scan.h"
 #include "render/files/read_file.h"
 
+#include <algorithm>
+#include <iterator>
+#include <unordered_set>
 #include <vector>
 
 namespace vitrine::render {
 namespace {
 
-/// Builds the tree from scanner events. Children are complete before they move into their parent.
-class TreeBuilder final : public JsonEvents {
-public:
-    void open(bool isObject) override { open_.push_back({isObject ? Json::object() : Json::array(), {}}); }
-    void key(const std::string& text) override { open_.back().key = text; }
-    void close() override
-    {
-        Json done = std::move(open_.back().value);
-        open_.pop_back();
-        value(std::move(done));
-    }
-    void value(Json v) override
-    {
-        if (open_.empty()) {
-            root = std::move(v);
-            return;
-        }
-        Open& parent = open_.back();
-        if (parent.value.is_array()) parent.value.get_ref<Json::array_t&>().push_back(std::move(v));
-        // The scanner has refused duplicates; ordered_map's own insertion would compare with every key.
-        else
-            parent.value.get_ref<Json::object_t&>().emplace_back(std::move(parent.key), std::move(v));
-    }
-
-    Json root;
-
-private:
-    struct Open {
-        Json value;
-        std::string key;
-    };
-    std::vector<Open> open_;
+/// A text that the library's lexer takes character by character, and how far it is: its events carry no position.
+struct TakenText {
+    std::string_view text;
+    std::size_t taken = 0;
 };
 
-/// Remembers the line of the longest prefix of `wanted` seen so far.
-class LineFinder final : public JsonEvents {
+class CountingIterator {
 public:
-    LineFinder(std::string_view wanted, const JsonScanner& scanner) : wanted_(wanted), scanner_(scanner) {}
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
 
-    void place(const std::string& path) override
+    CountingIterator(TakenText& source, std::size_t at) : source_(&source), at_(source.text.data() + at) {}
+    reference operator*() const { return *at_; }
+    CountingIterator& operator++()
     {
-        if (path.size() <= longest_ || path.size() > wanted_.size() || wanted_.substr(0, path.size()) != path) return;
-        const bool whole = path.size() == wanted_.size();
-        if (!whole && wanted_[path.size()] != '.' && wanted_[path.size()] != '[') return;
-        longest_ = path.size();
-        line = scanner_.position().line;
+        ++at_;
+        ++source_->taken;
+        return *this;
     }
-
-    int line = 1;
+    CountingIterator operator++(int)
+    {
+        CountingIterator before = *this;
+        ++*this;
+        return before;
+    }
+    bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
 
 private:
+    TakenText* source_;
+    const char* at_;
+};
+
+struct JsonPosition {
+    int line = 1;    ///< From 1.
+    int column = 1;  ///< From 1, in bytes.
+};
+
+/// Of the last character taken.
+JsonPosition positionIn(const TakenText& source)
+{
+    const std::size_t last = source.taken > 0 ? source.taken - 1 : 0;
+    const std::string_view before = source.text.substr(0, std::min(last, source.text.size()));
+    const std::size_t newline = before.rfind('\n');
+    const std::size_t column = newline == std::string_view::npos ? before.size() + 1 : before.size() - newline;
+    return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1, static_cast<int>(column)};
+}
+
+/// An object or array that is still open.
+struct JsonLevel {
+    Json value;  // With the children that are complete.
+    std::unordered_set<std::string> keys{};
+    std::string key{};  // The one last seen.
+};
+
+/// Builds the tree of a text, with the checks of `parseJson`; on the way, finds the line of a key path.
+class JsonReader final : public nlohmann::json_sax<Json> {
+public:
+    /// Text and limits must outlive it.
+    JsonReader(std::string_view text, const JsonLimits& limits, std::string_view wantedPath = {})
+        : source_{text}, limits_(limits), wanted_(wantedPath)
+    {
+    }
+
+    /// Throws Failure, as `parseJson` does.
+    [[nodiscard]] Json read(const std::string& name);
+    /// Of the longest part of the wanted path that exists.
+    [[nodiscard]] int wantedLine() const { return wantedLine_; }
+
+    bool null() override { return plain(nullptr); }
+    bool boolean(bool x) override { return plain(x); }
+    bool number_integer(number_integer_t x) override { return plain(x); }
+    bool number_unsigned(number_unsigned_t x) override { return plain(x); }
+    bool number_float(number_float_t x, const string_t& /*text*/) override { return plain(x); }
+    bool binary(binary_t& /*bytes*/) override { return refuse("JSON has no binary values"); }
+    bool string(string_t& x) override;
+    bool start_object(std::size_t /*size*/) override { return open(Json::object()); }
+    bool start_array(std::size_t /*size*/) override { return open(Json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(string_t& x) override;
+    bool parse_error(std::size_t position, const std::string& lastToken, const nlohmann::detail::exception& e) override;
+
+private:
+    bool refuse(std::string why)
+    {
+        problem_ = std::move(why);
+        return false;
+    }
+    bool count();
+    bool plain(Json value)
+    {
+        if (!count()) return false;
+        add(std::move(value));
+        return true;
+    }
+    bool open(Json empty);
+    bool close();
+    void add(Json value);
+    [[nodiscard]] std::string path() const;
+    void comparePath();
+
+    TakenText source_;
+    const JsonLimits& limits_;
     std::string_view wanted_;
-    const JsonScanner& scanner_;
-    std::size_t longest_ = 0;
+    Json root_;
+    std::vector<JsonLevel> levels_;
+    std::size_t nodes_ = 0;
+    std::string problem_;
+    bool numberEnded_ = false;  ///< The problem is a number, which ends before what was taken last.
+    std::size_t longestFound_ = 0;
+    int wantedLine_ = 1;
 };
+
+std::string shortenTo(std::size_t bytes)
+{
+    return std::to_string(bytes) + " bytes; shorten it";
+}
+
+bool JsonReader::string(string_t& x)
+{
+    if (x.size() > limits_.stringBytes) return refuse("this string is longer than " + shortenTo(limits_.stringBytes));
+    if (x.find('\0') != std::string::npos) return refuse("this string contains the character U+0000; remove it");
+    return plain(std::move(x));
+}
+
+bool JsonReader::key(string_t& x)
+{
+    if (x.size() > limits_.stringBytes) return refuse("this key is longer than " + shortenTo(limits_.stringBytes));
+    const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+    if (std::any_of(x.begin(), x.end(), isControl)) return refuse("a key contains a control character; remove it");
+    JsonLevel& level = levels_.back();
+    level.key = x;
+    if (!level.keys.insert(std::move(x)).second) return refuse("this key stands twice; remove one of the two");
+    comparePath();
+    return true;
+}
+
+bool JsonReader::parse_error(std::size_t /*position*/, const std::string& lastToken,
+                             const nlohmann::detail::exception& e)
+{
+    constexpr int outOfRange = 406;
+    numberEnded_ = e.id == outOfRange;
+    if (numberEnded_) return refuse("the number " + lastToken + " is too large; numbers end at 1.8e308");
+    // "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error while ...".
+    std::string what = e.what();
+    if (const std::size_t colon = what.find(": "); colon != std::string::npos) what.erase(0, colon + 2);
+    return refuse("this is not valid JSON (" + what + "); correct it there");
+}
+
+bool JsonReader::count()
+{
+    if (!levels_.empty() && levels_.back().value.is_array()) comparePath();
+    if (++nodes_ > limits_.nodes)
+        return refuse("the file holds more than " + std::to_string(limits_.nodes) + " values");
+    return true;
+}
+
+bool JsonReader::open(Json empty)
+{
+    if (!count()) return false;
+    if (levels_.size() >= limits_.depth)
+        return refuse("objects and arrays are nested more than " + std::to_string(limits_.depth) + " deep");
+    levels_.push_back({std::move(empty)});
+    return true;
+}
+
+bool JsonReader::close()
+{
+    Json done = std::move(levels_.back().value);
+    levels_.pop_back();
+    add(std::move(done));
+    return true;
+}
+
+void JsonReader::add(Json value)
+{
+    if (levels_.empty()) {
+        root_ = std::move(value);
+        return;
+    }
+    JsonLevel& parent = levels_.back();
+    if (parent.value.is_array())
+        parent.value.get_ref<Json::array_t&>().push_back(std::move(value));
+    else  // No key stands twice; ordered_map's own insertion would compare with every key.
+        parent.value.get_ref<Json::object_t&>().emplace_back(parent.key, std::move(value));
+}
+
+/// "values.morph" or "accessors[3].count" for where the reading stands.
+std::string JsonReader::path() const
+{
+    std::string text;
+    for (const JsonLevel& level : levels_) {
+        if (level.value.is_array()) {
+            text += '[' + std::to_string(level.value.size()) + ']';
+        } else if (!level.key.empty()) {
+            if (!text.empty()) text += '.';
+            text += level.key;
+        }
+    }
+    return text;
+}
+
+void JsonReader::comparePath()
+{
+    if (wanted_.empty()) return;
+    const std::string here = path();
+    if (here.size() <= longestFound_ || !wanted_.starts_with(here)) return;
+    const bool whole = here.size() == wanted_.size();
+    if (!whole && wanted_[here.size()] != '.' && wanted_[here.size()] != '[') return;
+    longestFound_ = here.size();
+    wantedLine_ = positionIn(source_).line;
+}
+
+[[noreturn]] void fail(const std::string& name, const std::string& problem)
+{
+    throw Failure(Blame::file, name + ": " + problem);
+}
+
+Json JsonReader::read(const std::string& name)
+{
+    const std::string_view text = source_.text;
+    if (text.size() > limits_.bytes) {
+        fail(name, "the file has " + std::to_string(text.size()) + " bytes, more than the " +
+                       std::to_string(limits_.bytes) + " allowed for JSON.");
+    }
+    if (text.empty()) fail(name, "the file is empty; it should hold JSON.");
+    if (text.starts_with("\xEF\xBB\xBF"))
+        fail(name, "line 1: the file starts with a byte order mark; save it as UTF-8 without one.");
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        fail(name, "line 1: the file is UTF-16; save it as UTF-8.");
+    if (Json::sax_parse(CountingIterator(source_, 0), CountingIterator(source_, text.size()), this))
+        return std::move(root_);
+
+    std::size_t& taken = source_.taken;
+    while (numberEnded_ && taken > 1 && (text[taken - 1] < '0' || text[taken - 1] > '9')) --taken;
+    const JsonPosition at = positionIn(source_);
+    std::string where = ", line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
+    if (const std::string here = path(); !here.empty()) where += ", " + here;
+    fail(name + where, problem_.empty() ? "this is not valid JSON." : problem_ + ".");
+}
 
 }  // namespace
 
 int JsonDocument::lineOf(std::string_view keyPath) const
 {
-    JsonScanner scanner(text_, name_, JsonLimits{text_.size(), 100'000, text_.size() + 1, text_.size()});
-    LineFinder finder(keyPath, scanner);
-    scanner.scan(finder, JsonScanner::Paths::report);
-    return finder.line;
+    const JsonLimits none{text_.size(), 100'000, text_.size() + 1, text_.size()};
+    JsonReader reader(text_, none, keyPath);
+    static_cast<void>(reader.read(name_));
+    return reader.wantedLine();
 }
 
 Failure JsonDocument::failure(std::string_view keyPath, std::string_view problem) const
@@ -85,10 +275,8 @@ Failure JsonDocument::failure(std::string_view keyPath, std::string_view problem
 
 JsonDocument parseJson(std::string text, std::string name, const JsonLimits& limits)
 {
-    TreeBuilder builder;
-    JsonScanner scanner(text, name, limits);
-    scanner.scan(builder, JsonScanner::Paths::ignore);
-    return JsonDocument(std::move(builder.root), std::move(text), std::move(name));
+    Json root = JsonReader(text, limits).read(name);
+    return JsonDocument(std::move(root), std::move(text), std::move(name));
 }
 
 JsonDocument readJson(const std::filesystem::path& path, const JsonLimits& limits)

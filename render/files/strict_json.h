@@ -57,13 +57,11 @@ private:
 /// Reads a regular file with `parseJson`. Throws Failure as `readFile` and `parseJson` do.
 [[nodiscard]] JsonDocument readJson(const std::filesystem::path&, const JsonLimits& limits = {});
 
-enum class KeyOrder : unsigned char { given, sorted };
-
 /// JSON text for files: two blanks of indent, arrays of plain numbers on one line, the shortest numbers
 /// that read back as the same bits, and a newline at the end; the same in every locale. A double that is a
 /// whole number keeps its ".0", so that its type survives. Throws Failure naming the key path when a
 /// number is not finite (JSON has no word for it) or a string is not valid UTF-8.
-[[nodiscard]] std::string writeJson(const Json&, KeyOrder = KeyOrder::given);
+[[nodiscard]] std::string writeJson(const Json&);
 
 /// The same JSON with every character beyond ASCII written as \uXXXX, for places that only carry Latin-1.
 [[nodiscard]] std::string asciiJson(std::string_view utf8Json);

@@ -2,49 +2,21 @@
 #include "render/files/strict_json.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <vector>
 
 namespace vitrine::render {
 namespace {
 
-constexpr std::array<char, 16> hexDigits = {'0', '1', '2', '3', '4', '5', '6', '7',
-                                            '8', '9', 'a', 'b', 'c', 'd', 'e', 'f'};
-
-void appendUnit(std::string& out, std::uint32_t unit)
+/// A string in its quotes.
+std::string quoted(const std::string& text, bool ascii)
 {
-    out += "\\u";
-    for (unsigned shift = 16; shift > 0; shift -= 4) out += hexDigits.at((unit >> (shift - 4)) & 0xFU);
+    return Json(text).dump(-1, ' ', ascii);  // Throws type_error for what is not UTF-8.
 }
 
-/// Decodes the code point at `i` and moves `i` behind it; false when the bytes there are not UTF-8.
-bool nextCodePoint(std::string_view text, std::size_t& i, std::uint32_t& point)
-{
-    const auto byte = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[k])); };
-    const std::uint32_t lead = byte(i);
-    const std::size_t length = lead < 0x80                   ? 1
-                               : lead >= 0xC2 && lead < 0xE0 ? 2
-                               : lead >= 0xE0 && lead < 0xF0 ? 3
-                               : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                             : 0;
-    if (length == 0 || i + length > text.size()) return false;
-    point = length == 1 ? lead : lead & (0xFFU >> (length + 1));
-    for (std::size_t k = 1; k < length; ++k) {
-        if ((byte(i + k) & 0xC0U) != 0x80U) return false;
-        point = point << 6U | (byte(i + k) & 0x3FU);
-    }
-    const bool overlong = (length == 3 && point < 0x800) || (length == 4 && point < 0x10000);
-    if (overlong || (point >= 0xD800 && point < 0xE000) || point > 0x10FFFF) return false;
-    i += length;
-    return true;
-}
-
-class Writer {
+/// The library's own writer puts each number of an array on a line of its own, names no key in its errors, and writes
+/// null for what is not finite.
+class JsonWriter {
 public:
-    explicit Writer(KeyOrder order) : order_(order) {}
-
     void write(const Json& json, int depth)
     {
         switch (json.type()) {
@@ -52,10 +24,7 @@ public:
         case Json::value_t::array: writeArray(json, depth); break;
         case Json::value_t::string: writeString(json.get_ref<const std::string&>()); break;
         case Json::value_t::number_float: writeNumber(json.get<double>()); break;
-        case Json::value_t::number_integer: out += std::to_string(json.get<std::int64_t>()); break;
-        case Json::value_t::number_unsigned: out += std::to_string(json.get<std::uint64_t>()); break;
-        case Json::value_t::boolean: out += json.get<bool>() ? "true" : "false"; break;
-        default: out += "null"; break;
+        default: out += json.dump(); break;
         }
     }
 
@@ -75,22 +44,15 @@ private:
             out += "{}";
             return;
         }
-        using Entry = std::pair<const std::string*, const Json*>;
-        std::vector<Entry> entries;
-        for (const auto& [key, value] : json.items()) entries.emplace_back(&key, &value);
-        if (order_ == KeyOrder::sorted) {
-            std::stable_sort(entries.begin(), entries.end(),
-                             [](const Entry& a, const Entry& b) { return *a.first < *b.first; });
-        }
         const std::size_t parent = path_.size();
         out += '{';
-        for (std::size_t i = 0; i < entries.size(); ++i) {
-            if (i > 0) out += ',';
+        for (auto entry = json.begin(); entry != json.end(); ++entry) {
+            if (entry != json.begin()) out += ',';
             newline(depth + 1);
-            path_ += (parent == 0 ? "" : ".") + *entries[i].first;
-            writeString(*entries[i].first);
+            path_ += (parent == 0 ? "" : ".") + entry.key();
+            writeString(entry.key());
             out += ": ";
-            write(*entries[i].second, depth + 1);
+            write(*entry, depth + 1);
             path_.resize(parent);
         }
         newline(depth);
@@ -123,51 +85,38 @@ private:
 
     void writeString(const std::string& text)
     {
-        out += '"';
-        for (std::size_t i = 0; i < text.size();) {
-            const std::size_t start = i;
-            std::uint32_t point = 0;
-            if (!nextCodePoint(text, i, point)) fail("holds text that is not UTF-8; retype it.");
-            if (point == '"' || point == '\\')
-                (out += '\\') += static_cast<char>(point);
-            else if (point == '\n')
-                out += "\\n";
-            else if (point == '\t')
-                out += "\\t";
-            else if (point < 0x20 || point == 0x7F)
-                appendUnit(out, point);
-            else
-                out.append(text, start, i - start);
+        try {
+            out += quoted(text, false);
+        } catch (const Json::type_error&) {
+            fail("holds text that is not UTF-8; retype it.");
         }
-        out += '"';
     }
 
-    KeyOrder order_;
     std::string path_;
 };
 
 }  // namespace
 
-std::string writeJson(const Json& json, KeyOrder order)
+std::string writeJson(const Json& json)
 {
-    Writer writer(order);
+    JsonWriter writer;
     writer.write(json, 0);
     return std::move(writer.out) + '\n';
 }
 
 std::string asciiJson(std::string_view utf8Json)
 {
+    const auto isAscii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
     std::string out;
-    for (std::size_t i = 0; i < utf8Json.size();) {
-        std::uint32_t point = 0;
-        if (!nextCodePoint(utf8Json, i, point)) throw Failure(Blame::file, "Cannot write JSON: the text is not UTF-8.");
-        if (point < 0x80) {
-            out += static_cast<char>(point);
-        } else if (point < 0x10000) {
-            appendUnit(out, point);
-        } else {
-            appendUnit(out, 0xD800 + ((point - 0x10000) >> 10U));
-            appendUnit(out, 0xDC00 + ((point - 0x10000) & 0x3FFU));
+    for (auto at = utf8Json.begin(); at != utf8Json.end();) {
+        const auto beyond = std::find_if_not(at, utf8Json.end(), isAscii);
+        out.append(at, beyond);
+        at = std::find_if(beyond, utf8Json.end(), isAscii);
+        try {
+            const std::string escaped = quoted(std::string(beyond, at), true);
+            out.append(escaped, 1, escaped.size() - 2);
+        } catch (const Json::type_error&) {
+            throw Failure(Blame::file, "Cannot write JSON: the text is not UTF-8.");
         }
     }
     return out;

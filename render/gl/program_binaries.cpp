@@ -1,8 +1,8 @@
 #include "render/gl/program_binaries.h"
 
+#include "render/failure.h"
+#include "render/files/atomic_write.h"
 #include "render/hash.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -70,27 +70,20 @@ void saveProgramBinary(GLuint program, std::string_view source)
 {
     const std::optional<fs::path> folder = cacheFolder();
     if (!folder) return;
-    std::error_code error;
-    fs::create_directories(*folder, error);
     GLint length = 0;
     glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &length);
-    if (error || length <= 0) return;
+    if (length <= 0) return;
     std::vector<char> bytes(sizeof(GLenum) + static_cast<std::size_t>(length));
     GLenum format = 0;
     glGetProgramBinary(program, length, &length, &format, bytes.data() + sizeof format);
     std::memcpy(bytes.data(), &format, sizeof format);
-    const fs::path file = *folder / fileName(source);
-    const fs::path part = file.string() + '.' + std::to_string(::getpid());
-    {
-        std::ofstream stream(part, std::ios::binary);
-        stream.write(bytes.data(), static_cast<std::streamsize>(sizeof format) + length);
-        if (!stream.flush()) {
-            stream.close();
-            fs::remove(part, error);
-            return;
-        }
+    try {
+        // Half a binary could end the driver that is given it.
+        atomicWriteMakingFolder(*folder / fileName(source),
+                                {bytes.data(), sizeof format + static_cast<std::size_t>(length)});
+    } catch (const Failure&) {
+        return;  // The program is compiled again the next time.
     }
-    fs::rename(part, file, error);
     dropOldBinaries(*folder, mostStored);
 }
 

@@ -25,7 +25,8 @@ public:
         const double numbers[2] = {0.1 / rings, 0};
         render::Pass pass;
         pass.name = "known";
-        pass.blocks[0] = render::bytesOf(numbers);
+        const std::span<const std::byte> bytes = std::as_bytes(std::span(numbers));
+        pass.blocks[0] = render::Bytes(bytes.begin(), bytes.end());
         pass.counts["work"] = std::llround(1000 * rings);
         pass.colors = {{radianceImage, render::Load::keep, {}, -1, 0}};
         plan.add(std::move(pass));

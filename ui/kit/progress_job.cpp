@@ -1,8 +1,8 @@
 #include "ui/kit/progress_job.h"
 
 #include "ui/kit/message_of.h"
+#include "ui/kit/time_left.h"
 
-#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -12,13 +12,6 @@ namespace {
 constexpr qint64 tellEvery = 50;  // Milliseconds.
 
 }  // namespace
-
-QString timeLeft(double seconds)
-{
-    const int whole = static_cast<int>(std::ceil(seconds));
-    return whole < 90 ? ProgressJob::tr("About %1 s left").arg(whole)
-                      : ProgressJob::tr("About %1 min left").arg((whole + 30) / 60);
-}
 
 ProgressJob::ProgressJob(QObject* parent) : QObject(parent)
 {
@@ -65,9 +58,7 @@ void ProgressJob::run(Work work)
                     QMetaObject::invokeMethod(
                         this,
                         [this, turn, part] {
-                            const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
-                            if (turn == turn_)
-                                emit progressed(part, part > 0.02 && seconds > 0.5 ? seconds / part * (1 - part) : -1);
+                            if (turn == turn_) emit progressed(part, secondsLeft(part, elapsed_));
                         },
                         Qt::QueuedConnection);
                 }

@@ -48,7 +48,4 @@ private:
     int turn_ = 0;
 };
 
-/// "About 12 s left", or "About 3 min left".
-[[nodiscard]] QString timeLeft(double seconds);
-
 }  // namespace vitrine::ui

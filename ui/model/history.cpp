@@ -24,8 +24,9 @@ public:
           cameraBefore_(history.look().camera), cameraAfter_(cameraAfter), gesture_(gesture), camera_(camera)
     {
     }
-    LookStep(History& history, const QString& text, std::function<void()> redo, std::function<void()> undo)
-        : LookStep(history, text, {}, history.look().camera, 0, History::Camera::stays)
+    LookStep(History& history, const QString& text, LookChange change, std::function<void()> redo,
+             std::function<void()> undo)
+        : LookStep(history, text, std::move(change), history.look().camera, 0, History::Camera::stays)
     {
         redo_ = std::move(redo);
         undo_ = std::move(undo);
@@ -62,7 +63,7 @@ private:
     {
         const bool moves = camera_ == History::Camera::moves;
         if (moves) history_.look_.camera = camera;
-        if (const auto one = change_->onlyRow())
+        if (const auto one = change_->onlyRow(history_.look_))
             emit history_.changed(one->first, one->second);
         else if (moves || !change_->empty())
             emit history_.replaced();
@@ -103,7 +104,13 @@ void History::change(const QString& text, const Look& wanted, Gesture gesture, C
 
 void History::record(const QString& text, std::function<void()> redo, std::function<void()> undo)
 {
-    stack_.push(new LookStep(*this, text, std::move(redo), std::move(undo)));
+    record(text, look_, std::move(redo), std::move(undo));
+}
+
+void History::record(const QString& text, const Look& after, std::function<void()> redo, std::function<void()> undo)
+{
+    gesture_ = 0;
+    stack_.push(new LookStep(*this, text, LookChange(look_, after), std::move(redo), std::move(undo)));
 }
 
 void History::exchangeTables(const Look& tabled)

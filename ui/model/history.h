@@ -34,6 +34,8 @@ public:
     void change(const QString& text, const Look& after, Gesture = 0, Camera = Camera::stays);
     /// A step that is no change of the look, such as deleting a preset; `redo` is called now.
     void record(const QString& text, std::function<void()> redo, std::function<void()> undo);
+    /// The same where the look becomes `after` as well, once `redo` was called; `undo` is called before it goes back.
+    void record(const QString& text, const Look& after, std::function<void()> redo, std::function<void()> undo);
     /// The visitor moved: no step, no signal.
     void setCamera(const render::Camera& camera) { look_.camera = camera; }
     /// Exchanges the tables of exhibits that name the same files as in `tabled`, which has read them. No step of its

@@ -22,10 +22,12 @@ LookChange::LookChange(const Look& before, std::size_t exhibit, std::size_t row,
 {
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> LookChange::onlyRow() const
+std::optional<std::pair<std::size_t, std::size_t>> LookChange::onlyRow(const Look& look) const
 {
     if (rows_.size() != 1 || !tables_.empty()) return std::nullopt;
-    return std::pair(rows_.front().exhibit, rows_.front().row);
+    const Row& change = rows_.front();
+    if (look.values[change.exhibit].sharedTable() != change.table) return std::nullopt;
+    return std::pair(change.exhibit, change.row);
 }
 
 void LookChange::set(ParameterValues& values, const Row& change, const Value& value)

@@ -20,8 +20,8 @@ public:
     LookChange(const Look& before, std::size_t exhibit, std::size_t row, const Value& after);
 
     [[nodiscard]] bool empty() const { return rows_.empty() && tables_.empty(); }
-    /// Exhibit and row, where no other value changes.
-    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> onlyRow() const;
+    /// Exhibit and row of this look, where no other value changes.
+    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> onlyRow(const Look&) const;
 
     void apply(Look& look) const;
     void revert(Look& look) const;

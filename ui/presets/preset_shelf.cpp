@@ -5,6 +5,7 @@
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
 #include "ui/kit/name_dialog.h"
+#include "ui/kit/picture_file.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -239,7 +240,7 @@ void PresetShelf::saveUnder(const QString& name)
 void PresetShelf::keepThumbnail(const std::filesystem::path& preset)
 {
     const QImage& picture = window_.viewport().shown();
-    if (!picture.isNull()) thumbnailOf(picture).save(idOf(PresetStore::thumbnailPath(preset)), "PNG");
+    if (!picture.isNull()) saveThumbnail(idOf(PresetStore::thumbnailPath(preset)), thumbnailOf(picture).toImage());
 }
 
 void PresetShelf::keepMissingThumbnail()
@@ -317,7 +318,7 @@ void PresetShelf::importFile()
             std::filesystem::path copy = store_.importFile(path.toStdString(), exhibitName(), table());
             // A picture shows itself what is in it; the others get theirs once what they look like is on the screen.
             if (const QImage picture(path); !picture.isNull())
-                thumbnailOf(picture).save(QString::fromStdString(PresetStore::thumbnailPath(copy).string()), "PNG");
+                saveThumbnail(idOf(PresetStore::thumbnailPath(copy)), thumbnailOf(picture).toImage());
             const QString name = QString::fromStdString(store_.load(copy, exhibitName(), table()).preset.name);
             if (const QString unique = freeName(name, copy); unique != name)
                 copy = store_.rename(copy, unique.toStdString());

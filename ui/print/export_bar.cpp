@@ -1,7 +1,7 @@
 #include "ui/print/export_bar.h"
 
-#include "ui/kit/progress_job.h"
 #include "ui/kit/replace_question.h"
+#include "ui/kit/time_left.h"
 
 #include <QDir>
 #include <QFileDialog>

@@ -1,9 +1,9 @@
 #include "ui/print/print_dialog.h"
 
-#include "exhibits/framework/save_bytes.h"
 #include "exhibits/framework/state_folder.h"
 #include "exhibits/printing/print_json.h"
 #include "render/failure.h"
+#include "render/files/atomic_write.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/replace_question.h"
 #include "ui/parameters/parameter_panel.h"
@@ -79,7 +79,7 @@ QWidget* PrintDialog::buildLeft(bool canShow)
     tabs_->setAccessibleName(tr("What to print"));
     source_ = new SourceBar(canShow, this);
     sheets_ = new SheetBar(setup_, this);
-    panel_ = new ParameterPanel(panelValues_, this);
+    panel_ = new ParameterPanel(setup_.history(), this);
     panel_->showExhibit(0, QStringLiteral("print"));
 
     auto* bars = new QVBoxLayout;
@@ -153,13 +153,6 @@ void PrintDialog::connectSetup()
     });
     connect(source_, &SourceBar::filesChosen, this, &PrintDialog::open);
     connect(sheets_, &SheetBar::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
-    connect(&panelValues_, &History::changed, this, [this](std::size_t, std::size_t row) {
-        const ParameterValues& edited = panelValues_.look().values[0];
-        setup_.change(tr("Change %1").arg(QString::fromStdString(label(edited.rows()[row])).toLower()), edited,
-                      panelValues_.gesture());
-    });
-    connect(&panelValues_, &History::replaced, this,
-            [this] { setup_.change(tr("Change settings"), panelValues_.look().values[0], panelValues_.gesture()); });
     connect(numbers_, &PrintNumbersView::fitAsked, this, [this](double strength) {
         ParameterValues values = this->values();
         values.set(printing::printTable().baselineScale, strength);
@@ -253,7 +246,6 @@ bool PrintDialog::fromWindow() const
 
 void PrintDialog::showState(bool views)
 {
-    panelValues_.change({}, {{values()}, {}});
     showRows();
     source_->showOrigin(values()[printing::printTable().origin]);
     if (views) loader_.load(setup_.state());
@@ -353,7 +345,7 @@ void PrintDialog::loadSettings(const QString& path)
 void PrintDialog::saveSettings(const QString& path)
 {
     trySaying([&] {
-        savePresetBytes(path.toStdString(), setup_.text());
+        render::atomicWriteMakingFolder(path.toStdString(), setup_.text());
         say(MessageStrip::Mood::notice, tr("Settings saved to %1.").arg(path));
     });
 }

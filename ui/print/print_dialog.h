@@ -91,8 +91,6 @@ private:
     void endExport(const QString& words);
 
     PrintSetup setup_;
-    History panelValues_{
-        Look{{printing::printTable().initial()}, {}}};  ///< Those of `setup_` once more, for the panel.
     ViewLoader loader_;
     printing::PrintPlan plan_;
     bool chart_ = false;

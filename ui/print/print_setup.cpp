@@ -1,12 +1,11 @@
 #include "ui/print/print_setup.h"
 
-#include "exhibits/framework/save_bytes.h"
 #include "exhibits/framework/state_folder.h"
 #include "exhibits/printing/print_json.h"
+#include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 
 #include <QSettings>
-#include <QUndoCommand>
 
 namespace vitrine::ui {
 namespace {
@@ -28,32 +27,18 @@ const QString sheetKey = QStringLiteral("sheet");
 
 }  // namespace
 
-class PrintStep final : public QUndoCommand {
-public:
-    PrintStep(PrintSetup& setup, const QString& text, PrintState after, Gesture gesture)
-        : QUndoCommand(text), setup_(setup), before_(setup.state()), after_(std::move(after)), gesture_(gesture)
-    {
-    }
-
-    [[nodiscard]] int id() const override { return gesture_ == 0 ? -1 : gesture_; }
-    void redo() override { setup_.show(after_); }
-    void undo() override { setup_.show(before_); }
-    bool mergeWith(const QUndoCommand* next) override
-    {
-        after_ = static_cast<const PrintStep*>(next)->after_;
-        setObsolete(after_ == before_);
-        return true;
-    }
-
-private:
-    PrintSetup& setup_;
-    PrintState before_, after_;
-    Gesture gesture_;
-};
-
 PrintSetup::PrintSetup(bool canShow, QObject* parent) : QObject(parent), canShow_(canShow)
 {
     state_ = possible(state_);
+    history_.restart({{state_.values}, {}});
+    connect(&history_, &History::changed, this, &PrintSetup::follow);
+    connect(&history_, &History::replaced, this, &PrintSetup::follow);
+    connect(&stack(), &QUndoStack::indexChanged, this, &PrintSetup::follow);  // Files or a sheet alone.
+}
+
+PrintSetup::~PrintSetup()
+{
+    stack().disconnect(this);  // It says that it is empty when it goes.
 }
 
 PrintState PrintSetup::possible(PrintState state) const
@@ -67,7 +52,19 @@ PrintState PrintSetup::possible(PrintState state) const
 void PrintSetup::change(const QString& text, PrintState after, Gesture gesture)
 {
     after = possible(std::move(after));
-    if (after != state_) stack_.push(new PrintStep(*this, text, std::move(after), gesture));
+    if (after == state_) return;
+    const Look look{{after.values}, {}};
+    if (after.files == files_ && after.sheet == sheet_) {
+        history_.change(text, look, gesture);
+        return;
+    }
+    const auto set = [this](const QStringList& files, const std::string& sheet) {
+        files_ = files;
+        sheet_ = sheet;
+    };
+    history_.record(
+        text, look, [set, files = after.files, sheet = after.sheet] { set(files, sheet); },
+        [set, files = files_, sheet = sheet_] { set(files, sheet); });
 }
 
 void PrintSetup::change(const QString& text, const ParameterValues& values, Gesture gesture)
@@ -77,10 +74,12 @@ void PrintSetup::change(const QString& text, const ParameterValues& values, Gest
     change(text, std::move(after), gesture);
 }
 
-void PrintSetup::show(const PrintState& state)
+void PrintSetup::follow()
 {
-    const bool views = state.files != state_.files || !printing::sameViews(state_.values, state.values);
-    state_ = state;
+    PrintState now = possible({history_.look().values[0], files_, sheet_});
+    if (now == state_) return;
+    const bool views = now.files != state_.files || !printing::sameViews(state_.values, now.values);
+    state_ = std::move(now);
     emit changed(views);
 }
 
@@ -102,19 +101,19 @@ QStringList PrintSetup::load(const std::string& text, const std::string& fileNam
 
 QStringList PrintSetup::recall()
 {
-    state_.sheet = rememberedNames().value(sheetKey).toString().toStdString();
+    state_.sheet = sheet_ = rememberedNames().value(sheetKey).toString().toStdString();
     emit changed(true);
     QStringList notes;
     std::error_code ignored;
     if (std::filesystem::exists(rememberedSettings(), ignored))
         notes = load(render::readFile(rememberedSettings(), mostSettingsBytes), rememberedSettings().string());
-    stack_.clear();
+    stack().clear();
     return notes;
 }
 
 void PrintSetup::remember() const
 {
-    savePresetBytes(rememberedSettings(), text());
+    render::atomicWriteMakingFolder(rememberedSettings(), text());
     rememberedNames().setValue(sheetKey, QString::fromStdString(state_.sheet));
 }
 

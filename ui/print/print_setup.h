@@ -5,7 +5,6 @@
 
 #include <QObject>
 #include <QStringList>
-#include <QUndoStack>
 
 #include <string>
 
@@ -27,6 +26,7 @@ class PrintSetup final : public QObject {
 public:
     /// `canShow`: there is a picture in the window to render views from. Without one, views come from files.
     PrintSetup(bool canShow, QObject* parent);
+    ~PrintSetup() override;
 
     [[nodiscard]] const PrintState& state() const { return state_; }
     [[nodiscard]] const ParameterValues& values() const { return state_.values; }
@@ -35,7 +35,9 @@ public:
     void change(const QString& text, PrintState after, Gesture = 0);
     /// The same, for the values only.
     void change(const QString& text, const ParameterValues&, Gesture = 0);
-    [[nodiscard]] QUndoStack& stack() { return stack_; }
+    /// The values, for a panel.
+    [[nodiscard]] History& history() { return history_; }
+    [[nodiscard]] QUndoStack& stack() { return history_.stack(); }
 
     /// Everything that is set, as a print's own JSON has it.
     [[nodiscard]] std::string text() const;
@@ -53,12 +55,14 @@ signals:
     void changed(bool views);
 
 private:
-    friend class PrintStep;
-    void show(const PrintState&);
+    /// Says what is another than what was said last.
+    void follow();
     [[nodiscard]] PrintState possible(PrintState) const;
 
-    PrintState state_;
-    QUndoStack stack_;
+    History history_{Look{{printing::printTable().initial()}, {}}};
+    QStringList files_;
+    std::string sheet_;
+    PrintState state_;  ///< What was said last.
     bool canShow_;
 };
 

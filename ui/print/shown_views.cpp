@@ -3,6 +3,7 @@
 #include "render/failure.h"
 #include "render/measure/memory.h"
 #include "ui/kit/message_of.h"
+#include "ui/kit/time_left.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/presets/look_text.h"
@@ -91,7 +92,7 @@ bool ShownViews::step(Renderers& renderers, Work& work, const RenderThread::Tell
 
 void ShownViews::note(double part)
 {
-    emit progressed(part, RenderThread::secondsLeft(part, elapsed_));
+    emit progressed(part, secondsLeft(part, elapsed_));
 }
 
 void ShownViews::end(const QString& failure)

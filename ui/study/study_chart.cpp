@@ -130,120 +130,150 @@ void StudyChart::rebuild()
     }
     QColor gray = t.dim;
     gray.setAlphaF(0.55F);
-
-    const auto addGraph = [&](const QColor& color, bool lined, double size, const auto& holds) {
-        QCPGraph* graph = this->addGraph();
-        auto* bars = new QCPErrorBars(xAxis, yAxis);
-        bars->setDataPlottable(graph);
-        bars->setPen(QPen(color, 1));
-        bars->setWhiskerWidth(5);
-        graph->setLineStyle(lined ? QCPGraph::lsLine : QCPGraph::lsNone);
-        graph->setPen(QPen(color, lined ? 2 : 1.2));
-        graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(color), QBrush(color), size));
-        std::vector<const ChartPoint*> shown;
-        for (const ChartPoint& p : points_)
-            if (holds(p)) shown.push_back(&p);
-        std::sort(shown.begin(), shown.end(),
-                  [](const ChartPoint* a, const ChartPoint* b) { return a->cost < b->cost; });
-        for (const ChartPoint* p : shown) {
-            graph->addData(p->cost, shownError(p->error));
-            const bool exact = !(p->error > 0);
-            bars->addData(exact ? 0 : p->error - std::max(p->errorLow, floor_), exact ? 0 : p->errorHigh - p->error);
-        }
-    };
-    addGraph(gray, false, 6, [](const ChartPoint& p) { return !p.onFront; });
-    addGraph(t.accent, true, 7, [](const ChartPoint& p) { return p.onFront; });
-
-    auto* times = this->addGraph();  // Bars of the cost, where it is a time.
-    times->setLineStyle(QCPGraph::lsNone);
-    auto* bars = new QCPErrorBars(xAxis, yAxis);
-    bars->setErrorType(QCPErrorBars::etKeyError);
-    bars->setDataPlottable(times);
-    bars->setPen(QPen(t.dim, 1));
-    bars->setWhiskerWidth(5);
-    std::vector<const ChartPoint*> timed;
-    for (const ChartPoint& p : points_)
-        if (p.costHigh > p.costLow) timed.push_back(&p);
-    std::sort(timed.begin(), timed.end(), [](const ChartPoint* a, const ChartPoint* b) { return a->cost < b->cost; });
-    for (const ChartPoint* p : timed) {
-        times->addData(p->cost, shownError(p->error));
-        bars->addData(p->cost - p->costLow, p->costHigh - p->cost);
-    }
+    addErrors(gray, false, 6, [](const ChartPoint& p) { return !p.onFront; });
+    addErrors(t.accent, true, 7, [](const ChartPoint& p) { return p.onFront; });
+    addTimes();
     addMarks();
     replot(QCustomPlot::rpQueuedReplot);
 }
 
+std::vector<const ChartPoint*> StudyChart::byCost(const std::function<bool(const ChartPoint&)>& holds) const
+{
+    std::vector<const ChartPoint*> shown;
+    for (const ChartPoint& p : points_)
+        if (holds(p)) shown.push_back(&p);
+    std::sort(shown.begin(), shown.end(), [](const ChartPoint* a, const ChartPoint* b) { return a->cost < b->cost; });
+    return shown;
+}
+
+QCPErrorBars* StudyChart::addBars(QCPGraph* graph, const QColor& color)
+{
+    auto* bars = new QCPErrorBars(xAxis, yAxis);
+    bars->setDataPlottable(graph);
+    bars->setPen(QPen(color, 1));
+    bars->setWhiskerWidth(5);
+    return bars;
+}
+
+void StudyChart::addErrors(const QColor& color, bool lined, double size,
+                           const std::function<bool(const ChartPoint&)>& holds)
+{
+    QCPGraph* graph = addGraph();
+    QCPErrorBars* bars = addBars(graph, color);
+    graph->setLineStyle(lined ? QCPGraph::lsLine : QCPGraph::lsNone);
+    graph->setPen(QPen(color, lined ? 2 : 1.2));
+    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(color), QBrush(color), size));
+    for (const ChartPoint* p : byCost(holds)) {
+        graph->addData(p->cost, shownError(p->error));
+        const bool exact = !(p->error > 0);
+        bars->addData(exact ? 0 : p->error - std::max(p->errorLow, floor_), exact ? 0 : p->errorHigh - p->error);
+    }
+}
+
+void StudyChart::addTimes()
+{
+    QCPGraph* times = addGraph();
+    times->setLineStyle(QCPGraph::lsNone);
+    QCPErrorBars* bars = addBars(times, theme().dim);
+    bars->setErrorType(QCPErrorBars::etKeyError);
+    for (const ChartPoint* p : byCost([](const ChartPoint& point) { return point.costHigh > point.costLow; })) {
+        times->addData(p->cost, shownError(p->error));
+        bars->addData(p->cost - p->costLow, p->costHigh - p->cost);
+    }
+}
+
+/// A text beside a point, and the pixels that it takes.
+struct StudyChart::Label {
+    std::size_t point;
+    QCPItemText* item;
+    QRectF place;
+};
+
 void StudyChart::addMarks()
 {
-    const Theme& t = theme();
-    const auto ring = [&](const ChartPoint& p, const QColor& color, double size, QCPScatterStyle::ScatterShape shape) {
+    const bool crowded = points_.size() > 24;
+    std::vector<Label> labels;
+    // Marked points first: where two would write over each other, the later one is silent.
+    std::vector<std::size_t> order(points_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return isMarked(i); });
+    for (const std::size_t i : order) {
+        if (!(points_[i].cost > 0)) continue;
+        addRings(i);
+        if ((!isMarked(i) && crowded) || sharesLabel(i, labels)) continue;
+        addLabel(i, labels);
+    }
+    if (anyExact_) markExact();
+}
+
+bool StudyChart::isMarked(std::size_t i) const
+{
+    return points_[i].knee || points_[i].present || emphasized_ == i;
+}
+
+void StudyChart::addRings(std::size_t i)
+{
+    const ChartPoint& p = points_[i];
+    const auto ring = [&](const QColor& color, double size, QCPScatterStyle::ScatterShape shape) {
         QCPGraph* graph = addGraph();
         graph->setLineStyle(QCPGraph::lsNone);
         graph->setScatterStyle(QCPScatterStyle(shape, QPen(color, 2), Qt::NoBrush, size));
         graph->addData(p.cost, shownError(p.error));
     };
-    const bool crowded = points_.size() > 24;
-    const auto isSpecial = [&](std::size_t i) { return points_[i].knee || points_[i].present || emphasized_ == i; };
-    // Where a marked point says its value, a neighbor that would write over it does not.
-    const auto isWithin = [&](std::size_t i, std::size_t j, double width, double height) {
-        if (!(points_[i].cost > 0 && points_[j].cost > 0)) return false;
+    const Theme& t = theme();
+    if (p.present) ring(t.text, 15, QCPScatterStyle::ssDiamond);
+    if (p.knee) ring(t.good, 15, QCPScatterStyle::ssCircle);
+    if (emphasized_ == i) ring(t.accent, 20, QCPScatterStyle::ssCircle);
+}
+
+QFont StudyChart::labelFont() const
+{
+    return {font().family(), 8};
+}
+
+bool StudyChart::sharesLabel(std::size_t i, std::vector<Label>& labels) const
+{
+    const auto isAt = [&](std::size_t j) {
+        if (!(points_[j].cost > 0)) return false;
         const double dx =
             std::log(points_[i].cost / points_[j].cost) / std::log(xAxis->range().upper / xAxis->range().lower);
         const double dy = std::log(shownError(points_[i].error) / shownError(points_[j].error)) /
                           std::log(yAxis->range().upper / yAxis->range().lower);
-        return std::abs(dx) < width && std::abs(dy) < height;
+        return std::abs(dx) < 0.03 && std::abs(dy) < 0.02;
     };
-    struct Label {
-        std::size_t point;
-        QCPItemText* item;
-        QRectF place;
-    };
-    std::vector<Label> labels;
-    const QFont small(font().family(), 8);
-    const QFontMetricsF metrics(small);
-    // Marked points first: where two would write over each other, the later one is silent.
-    std::vector<std::size_t> order(points_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_partition(order.begin(), order.end(), isSpecial);
-    for (const std::size_t i : order) {
-        const ChartPoint& p = points_[i];
-        if (!(p.cost > 0)) continue;
-        if (p.present) ring(p, t.text, 15, QCPScatterStyle::ssDiamond);
-        if (p.knee) ring(p, t.good, 15, QCPScatterStyle::ssCircle);
-        if (emphasized_ == i) ring(p, t.accent, 20, QCPScatterStyle::ssCircle);
-        if (!isSpecial(i) && crowded) continue;
-        // Points in one place share a label.
-        const auto same = std::find_if(labels.begin(), labels.end(), [&](const Label& other) {
-            return !isSpecial(i) && !isSpecial(other.point) && isWithin(i, other.point, 0.03, 0.02);
-        });
-        if (same != labels.end()) {
-            same->item->setText(same->item->text() + QStringLiteral(", ") + p.text);
-            same->place.setWidth(metrics.horizontalAdvance(same->item->text()) + 14);
-            continue;
-        }
-        QString text = p.text;
-        if (p.knee) text += tr(" · knee");
-        if (p.present) text += tr(" · present");
-        const bool atRightEdge =
-            std::log(p.cost / xAxis->range().lower) > 0.8 * std::log(xAxis->range().upper / xAxis->range().lower);
-        const QSizeF size(metrics.horizontalAdvance(text) + 14, metrics.height() + 5);
-        const QPointF at = placeOf(i);
-        const QRectF place(QPointF(atRightEdge ? at.x() - size.width() : at.x(), at.y() - size.height()), size);
-        if (std::any_of(labels.begin(), labels.end(),
-                        [&](const Label& other) { return other.place.intersects(place); }))
-            continue;
-        auto* label = new QCPItemText(this);
-        label->setText(text);
-        label->setColor(p.onFront ? t.text : t.dim);
-        label->setFont(small);
-        label->setPositionAlignment((atRightEdge ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
-        label->position->setType(QCPItemPosition::ptPlotCoords);
-        label->position->setCoords(p.cost, shownError(p.error));
-        label->setPadding(QMargins(7, 0, 7, 5));
-        label->setSelectable(false);
-        labels.push_back({i, label, place});
-    }
-    if (anyExact_) markExact();
+    const auto same = std::find_if(labels.begin(), labels.end(), [&](const Label& other) {
+        return !isMarked(i) && !isMarked(other.point) && isAt(other.point);
+    });
+    if (same == labels.end()) return false;
+    same->item->setText(same->item->text() + QStringLiteral(", ") + points_[i].text);
+    same->place.setWidth(QFontMetricsF(labelFont()).horizontalAdvance(same->item->text()) + 14);
+    return true;
+}
+
+void StudyChart::addLabel(std::size_t i, std::vector<Label>& labels)
+{
+    const ChartPoint& p = points_[i];
+    QString text = p.text;
+    if (p.knee) text += tr(" · knee");
+    if (p.present) text += tr(" · present");
+    const bool atRightEdge =
+        std::log(p.cost / xAxis->range().lower) > 0.8 * std::log(xAxis->range().upper / xAxis->range().lower);
+    const QFontMetricsF metrics(labelFont());
+    const QSizeF size(metrics.horizontalAdvance(text) + 14, metrics.height() + 5);
+    const QPointF at = placeOf(i);
+    const QRectF place(QPointF(atRightEdge ? at.x() - size.width() : at.x(), at.y() - size.height()), size);
+    if (std::any_of(labels.begin(), labels.end(), [&](const Label& other) { return other.place.intersects(place); }))
+        return;
+    auto* label = new QCPItemText(this);
+    label->setText(text);
+    label->setColor(p.onFront ? theme().text : theme().dim);
+    label->setFont(labelFont());
+    label->setPositionAlignment((atRightEdge ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
+    label->position->setType(QCPItemPosition::ptPlotCoords);
+    label->position->setCoords(p.cost, shownError(p.error));
+    label->setPadding(QMargins(7, 0, 7, 5));
+    label->setSelectable(false);
+    labels.push_back({i, label, place});
 }
 
 void StudyChart::markExact()

@@ -4,6 +4,7 @@
 
 #include <qcustomplot.h>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -53,7 +54,21 @@ private:
     void rebuild();
     void layOutFor(QSize);
     void scaleAxes();
+    /// Those for which `holds` is true.
+    [[nodiscard]] std::vector<const ChartPoint*> byCost(const std::function<bool(const ChartPoint&)>& holds) const;
+    QCPErrorBars* addBars(QCPGraph*, const QColor&);
+    void addErrors(const QColor&, bool lined, double size, const std::function<bool(const ChartPoint&)>& holds);
+    /// Bars of the cost, where it is a time.
+    void addTimes();
+    struct Label;
     void addMarks();
+    [[nodiscard]] bool isMarked(std::size_t point) const;
+    void addRings(std::size_t point);
+    [[nodiscard]] QFont labelFont() const;
+    /// Adds the point's text to the label of one in the same place; false where there is none.
+    bool sharesLabel(std::size_t point, std::vector<Label>&) const;
+    /// None where it would write over another.
+    void addLabel(std::size_t point, std::vector<Label>&);
     void markExact();
     [[nodiscard]] double shownError(double error) const;
 

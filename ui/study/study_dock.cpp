@@ -3,19 +3,16 @@
 #include "exhibits/framework/expression.h"
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
-#include "render/files/atomic_write.h"
 #include "render/measure/distance.h"
 #include "render/measure/memory.h"
-#include "ui/kit/progress_job.h"
+#include "ui/kit/time_left.h"
 #include "ui/study/study_chart.h"
+#include "ui/study/study_export.h"
 #include "ui/study/study_pictures.h"
 
 #include <QApplication>
-#include <QBuffer>
 #include <QClipboard>
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -321,11 +318,9 @@ void StudyDock::take(News news)
         for (const std::string& view : news.result.views) view_->addItem(QString::fromStdString(view));
     }
     progress_->setValue(static_cast<int>(100 * news.progress));
-    const double seconds = static_cast<double>(elapsed_.elapsed()) / 1000;
+    const double left = secondsLeft(news.progress, elapsed_);
     doing_->setText(QString::fromStdString(news.doing) +
-                    (news.progress > 0.05 && !done
-                         ? QStringLiteral(", ") + timeLeft(seconds / news.progress * (1 - news.progress))
-                         : QString()));
+                    (left >= 0 && !done ? QStringLiteral(", ") + timeLeft(left) : QString()));
     if (!showsRunning_) return;
     result_ = std::move(news.result);
     refresh();
@@ -375,37 +370,13 @@ void StudyDock::suggestTime()
 
 QByteArray StudyDock::exported(const QString& suffix) const
 {
-    if (suffix == QLatin1String("csv"))
-        return QByteArray::fromStdString(studyCsv(museum_.subjects(), request_, result()));
-    if (suffix == QLatin1String("json"))
-        return QByteArray::fromStdString(
-            render::writeJson(studyJson(museum_.subjects(), request_, result(), render::Json::object())));
-    const QSize size(960, 600);
-    if (suffix == QLatin1String("svg")) return chart_->svg(size);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    chart_->picture(size, 2).save(&buffer, "PNG");
-    return bytes;
+    return studyFile(suffix, museum_.subjects(), request_, result(), *chart_);
 }
 
 void StudyDock::save()
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the measurements"), QStringLiteral("study.csv"),
-                                                      tr("Tables and charts (*.csv *.json *.png *.svg)"));
-    if (path.isEmpty()) return;
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    if (suffix != QLatin1String("csv") && suffix != QLatin1String("json") && suffix != QLatin1String("png") &&
-        suffix != QLatin1String("svg")) {
-        emit failed(tr("%1 was not saved: its name must end in .csv, .json, .png or .svg.").arg(path));
-        return;
-    }
-    try {
-        const QByteArray bytes = exported(suffix);
-        render::atomicWrite(path.toStdString(),
-                            std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
-    } catch (const Failure& failure) {
-        emit failed(QString::fromUtf8(failure.what()));
-    }
+    const QString why = askAndSaveStudy(this, [this](const QString& suffix) { return exported(suffix); });
+    if (!why.isEmpty()) emit failed(why);
 }
 
 std::optional<std::size_t> StudyDock::rowNow(const StudyAxis& axis) const

@@ -56,12 +56,6 @@ public:
     /// Largest side of a tile of a task's pictures: a step takes part of a second, and the viewport goes on in between.
     static constexpr int taskTile = 512;
     static constexpr qint64 tellEvery = 50;  ///< Milliseconds between two words about a task's progress.
-    /// Of a task that has done `part` (0 to 1) of its work since the clock started; negative: not known yet.
-    [[nodiscard]] static double secondsLeft(double part, const QElapsedTimer& since)
-    {
-        const double seconds = static_cast<double>(since.elapsed()) / 1000;
-        return part > 0.02 ? seconds / part * (1 - part) : -1;
-    }
 
     /// Calls its argument later in the window's thread, unless the task was cancelled before.
     using Tell = std::function<void(std::function<void()>)>;

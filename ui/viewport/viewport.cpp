@@ -4,6 +4,7 @@
 #include "render/failure.h"
 #include "ui/kit/message_of.h"
 #include "ui/viewport/overlay.h"
+#include "ui/viewport/viewport_input.h"
 
 #include <QPainter>
 #include <QWindow>
@@ -18,7 +19,6 @@ namespace {
 constexpr double longestTick = 0.5;
 constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
 constexpr double firstTick = 1.0 / 60;  // After a rest no time has passed for those who walk.
-constexpr int hoverDelay = 30;          // Milliseconds after which a resting pointer is told what is under it.
 constexpr std::size_t mostFormer = 100;
 constexpr int hiddenWait = 250;          // Milliseconds after which a hidden viewport looks whether it is seen again.
 constexpr double largestRegion = 0.25;   // Of the picture, that is drawn by itself where something moves.
@@ -43,7 +43,8 @@ QSurfaceFormat viewportFormat()
 Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history, QWidget* parent)
     : QOpenGLWidget(parent), museum_(museum), renderers_(renderers), history_(history),
       hint_(new Overlay(Overlay::Place::bottom, this)), label_(new Overlay(Overlay::Place::center, this)),
-      problems_(new Overlay(Overlay::Place::topLeft, this)), name_(new Overlay(Overlay::Place::pointer, this))
+      problems_(new Overlay(Overlay::Place::topLeft, this)),
+      input_(std::make_unique<ViewportInput>(*this, control_, [this](const QPointF& at) { return pointedAt(at); }))
 {
     setFormat(viewportFormat());
     setFocusPolicy(Qt::StrongFocus);
@@ -60,9 +61,14 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &Viewport::tick);
-    hoverTimer_.setSingleShot(true);
-    hoverTimer_.setInterval(hoverDelay);
-    connect(&hoverTimer_, &QTimer::timeout, this, &Viewport::hover);
+    connect(input_.get(), &ViewportInput::walking, this, [this] {
+        if (!timer_.isActive()) timer_.start(0);
+    });
+    connect(input_.get(), &ViewportInput::turned, this, &Viewport::cameraChanged);
+    connect(input_.get(), &ViewportInput::clicked, this, &Viewport::click);
+    connect(input_.get(), &ViewportInput::walkOnAsked, this, &Viewport::walkOn);
+    connect(input_.get(), &ViewportInput::goBackAsked, this, &Viewport::goBack);
+    connect(input_.get(), &ViewportInput::pressAsked, this, &Viewport::press);
     fileWatch_.setInterval(lookAtFilesEvery);
     connect(&fileWatch_, &QTimer::timeout, this, [this] {
         if (stateOfFiles(history_.look()) == filesDrawn_) return;
@@ -247,7 +253,7 @@ void Viewport::scheduleNext()
 {
     if (drawing_) return;  // Its arrival goes on.
     const double wait = schedule_.wait(now());
-    const bool walking = keys_.any() && hasFocus();
+    const bool walking = input_->keys().any() && hasFocus();
     if (wait <= 0 || walking || control_.moving()) {
         timer_.start(canBeSeen() ? 0 : hiddenWait);
         return;
@@ -270,7 +276,7 @@ const Prepared& Viewport::prepared()
 
 std::optional<PictureRegion> Viewport::smallRegion()
 {
-    if (keys_.any() || control_.moving() || runEverything_ ||
+    if (input_->keys().any() || control_.moving() || runEverything_ ||
         pictureQuality(history_.look().hall()).resolutionScale != 1)
         return std::nullopt;
     const FrameRequest wanted = request(time_);
@@ -288,13 +294,13 @@ void Viewport::advanceClock(double at)
     lastTick_ = at;
 
     const CameraControl::Mode modeBefore = control_.mode();
-    if (control_.advance(seconds, keys_)) cameraChanged();
+    if (control_.advance(seconds, input_->keys())) cameraChanged();
     if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) emit walkedOn();
 
     const double change = paused_ ? INFINITY : museum_.nextChange(prepared(), request(time_));
     const bool animated = change <= 0;
     changeAt_ = time_ + change;
-    clockRuns_ = std::isfinite(change) || keys_.any() || control_.moving();
+    clockRuns_ = std::isfinite(change) || input_->keys().any() || control_.moving();
     region_ = std::isfinite(change) ? smallRegion() : std::nullopt;
     if (region_) {
         // The picture around it stands still and is refined; what moves is drawn by itself.
@@ -312,7 +318,7 @@ void Viewport::advanceClock(double at)
         time_ += since;
         if (change <= since) schedule_.changed(at);
     }
-    schedule_.setMoving(animated || keys_.any() || control_.moving(), at);
+    schedule_.setMoving(animated || input_->keys().any() || control_.moving(), at);
 }
 
 void Viewport::tick()
@@ -348,7 +354,7 @@ void Viewport::cameraChanged()
     lookChanged();
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? museum_.lookedAt(prepared()) : std::nullopt;
     label_->say(lookedAt_ ? QString::fromStdString(lookedAt_->text) : QString());
-    if (hoverPoint_) hoverTimer_.start();
+    input_->lookAgain();
 }
 
 void Viewport::visit(std::size_t exhibit)
@@ -391,6 +397,25 @@ void Viewport::walkOn()
     control_.walkOn();
     cameraChanged();
     emit walkedOn();
+}
+
+void Viewport::click(const QPointF& at)
+{
+    const std::optional<Pointed> found = pointedAt(at);
+    if (!found) return;
+    const bool orbited = control_.mode() == CameraControl::Mode::orbit && found->exhibit == subject_;
+    if (found->button && (found->inReach || orbited)) return pressButton(found->exhibit);
+    remember();
+    subject_ = found->exhibit;
+    control_.visit(found->view);
+    cameraChanged();
+    emit visited(found->exhibit);
+}
+
+std::optional<Pointed> Viewport::pointedAt(const QPointF& at)
+{
+    if (width() <= 0 || height() <= 0) return std::nullopt;
+    return museum_.pick(prepared(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
 }
 
 void Viewport::press()

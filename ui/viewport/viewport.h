@@ -17,6 +17,7 @@ class QPainter;
 namespace vitrine::ui {
 
 class Overlay;
+class ViewportInput;
 
 /// The picture, and the visitor in it. It shows the last picture that the render thread finished and draws none itself;
 /// pictures are asked for on demand only, one at a time.
@@ -88,16 +89,6 @@ signals:
 protected:
     void paintGL() override;
     void resizeGL(int, int) override;
-    bool event(QEvent*) override;
-    void keyPressEvent(QKeyEvent*) override;
-    void keyReleaseEvent(QKeyEvent*) override;
-    void focusOutEvent(QFocusEvent*) override;
-    void leaveEvent(QEvent*) override;
-    void mousePressEvent(QMouseEvent*) override;
-    void mouseMoveEvent(QMouseEvent*) override;
-    void mouseReleaseEvent(QMouseEvent*) override;
-    void mouseDoubleClickEvent(QMouseEvent*) override;
-    void wheelEvent(QWheelEvent*) override;
 
 private:
     [[nodiscard]] double now() const { return static_cast<double>(steady_.nsecsElapsed()) * 1e-9; }
@@ -125,22 +116,17 @@ private:
     void showProblems(const std::vector<render::gl::ShaderProblem>&);
     void watchFiles();
     void fail(const QString& why);
-    [[nodiscard]] bool setKey(int key, bool down);
     void click(const QPointF&);
     void pressButton(std::size_t exhibit);
     void remember();
     /// What lies under a point of the widget.
     [[nodiscard]] std::optional<Pointed> pointedAt(const QPointF&);
-    void hover();
-    void forgetHover();
-    void releasePointer();
 
     const Museum& museum_;
     Renderers& renderers_;
     History& history_;
     CameraControl control_;
     DrawSchedule schedule_;
-    WalkKeys keys_;
     QElapsedTimer steady_;
     QTimer timer_;
     QTimer shaderPoll_;
@@ -186,16 +172,10 @@ private:
     std::vector<Former> former_;  // The last one last.
     std::size_t subject_ = hallIndex;
 
-    QTimer hoverTimer_;
-    std::optional<QPointF> hoverPoint_;  // Where the pointer is while it is over the picture and no button is down.
-    QPointF pressPoint_, lastPoint_;
-    Qt::MouseButton button_ = Qt::NoButton;
-    bool dragged_ = false;
-
     Overlay* hint_;
     Overlay* label_;
     Overlay* problems_;
-    Overlay* name_;
+    std::unique_ptr<ViewportInput> input_;
     std::unique_ptr<RenderThread> thread_;  // Ends first.
 };
 

@@ -1,23 +1,70 @@
-// The visitor's hands: keys, pointer and wheel of the viewport.
+#include "ui/viewport/viewport_input.h"
+
 #include "ui/viewport/overlay.h"
-#include "ui/viewport/viewport.h"
 
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include <cmath>
+#include <string_view>
 
 namespace vitrine::ui {
 namespace {
 
 constexpr double radiansPerPixel = 0.0035;      // Looking around: half a turn in 900 pixels.
 constexpr double orbitRadiansPerPixel = 0.008;  // Around an exhibit: half a turn in 400 pixels.
+constexpr int hoverDelay = 30;                  // Milliseconds after which a resting pointer is told what is under it.
+
+bool isPlain(const QKeyEvent& event)
+{
+    return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+}
 
 }  // namespace
 
-bool Viewport::setKey(int key, bool down)
+ViewportInput::ViewportInput(QWidget& viewport, CameraControl& control, PointedAt pointedAt)
+    : viewport_(viewport), control_(control), pointedAt_(std::move(pointedAt)),
+      name_(new Overlay(Overlay::Place::pointer, &viewport))
+{
+    hoverTimer_.setSingleShot(true);
+    hoverTimer_.setInterval(hoverDelay);
+    connect(&hoverTimer_, &QTimer::timeout, this, &ViewportInput::hover);
+    viewport.installEventFilter(this);
+}
+
+bool ViewportInput::eventFilter(QObject* watched, QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::ShortcutOverride: return overrideShortcut(*static_cast<QKeyEvent*>(event));
+    case QEvent::KeyPress: return pressKey(*static_cast<QKeyEvent*>(event));
+    case QEvent::KeyRelease: return releaseKey(*static_cast<QKeyEvent*>(event));
+    case QEvent::MouseButtonPress: return pressPointer(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseMove: return movePointer(*static_cast<QMouseEvent*>(event));
+    case QEvent::MouseButtonRelease: return releasePointer(*static_cast<QMouseEvent*>(event));
+    // The first click of the two already set off; a second one somewhere else is no new wish.
+    case QEvent::MouseButtonDblClick: return true;
+    case QEvent::Wheel: return turnWheel(*static_cast<QWheelEvent*>(event));
+    case QEvent::FocusOut:
+        keys_ = {};
+        letGo();
+        return false;
+    case QEvent::Leave: forgetHover(); return false;
+    default: return QObject::eventFilter(watched, event);
+    }
+}
+
+bool ViewportInput::overrideShortcut(QKeyEvent& event)
+{
+    // Plain letters belong to the visitor while the picture has the focus, whatever shortcuts say.
+    const bool letter =
+        event.key() < 128 && std::string_view("WASDE").find(static_cast<char>(event.key())) != std::string_view::npos;
+    if (!letter || !isPlain(event)) return false;
+    event.accept();
+    return true;
+}
+
+bool ViewportInput::setKey(int key, bool down)
 {
     switch (key) {
     case Qt::Key_W:
@@ -33,168 +80,122 @@ bool Viewport::setKey(int key, bool down)
     }
 }
 
-bool Viewport::event(QEvent* event)
+bool ViewportInput::pressKey(const QKeyEvent& event)
 {
-    // Plain letters belong to the visitor while the picture has the focus, whatever shortcuts say.
-    if (event->type() == QEvent::ShortcutOverride) {
-        auto* key = static_cast<QKeyEvent*>(event);
-        const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-        if (plain && std::string_view("WASDE").find(static_cast<char>(key->key())) != std::string_view::npos &&
-            key->key() < 128) {
-            event->accept();
-            return true;
-        }
+    if (event.key() == Qt::Key_Escape) {
+        emit walkOnAsked();
+        return true;
     }
-    return QOpenGLWidget::event(event);
+    if (!isPlain(event)) return false;
+    if (event.key() == Qt::Key_Backspace) {
+        emit goBackAsked();
+        return true;
+    }
+    if (event.key() == Qt::Key_E) {
+        if (!event.isAutoRepeat()) emit pressAsked();
+        return true;
+    }
+    if (!setKey(event.key(), true)) return false;
+    if (!event.isAutoRepeat()) emit walking();
+    return true;
 }
 
-void Viewport::keyPressEvent(QKeyEvent* event)
+bool ViewportInput::releaseKey(const QKeyEvent& event)
 {
-    const bool plain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-    if (event->key() == Qt::Key_Escape) {
-        walkOn();
-        return;
-    }
-    if (plain && event->key() == Qt::Key_Backspace) {
-        goBack();
-        return;
-    }
-    if (plain && event->key() == Qt::Key_E) {
-        if (!event->isAutoRepeat()) press();
-        return;
-    }
-    if (plain && setKey(event->key(), true)) {
-        if (!event->isAutoRepeat() && !timer_.isActive()) timer_.start(0);
-        return;
-    }
-    QOpenGLWidget::keyPressEvent(event);
+    return !event.isAutoRepeat() && setKey(event.key(), false);
 }
 
-void Viewport::keyReleaseEvent(QKeyEvent* event)
+bool ViewportInput::pressPointer(const QMouseEvent& event)
 {
-    if (event->isAutoRepeat() || !setKey(event->key(), false)) QOpenGLWidget::keyReleaseEvent(event);
-}
-
-void Viewport::focusOutEvent(QFocusEvent* event)
-{
-    keys_ = {};
-    releasePointer();
-    QOpenGLWidget::focusOutEvent(event);
-}
-
-void Viewport::mousePressEvent(QMouseEvent* event)
-{
-    if (event->button() != Qt::LeftButton && event->button() != Qt::RightButton) return;
+    if (event.button() != Qt::LeftButton && event.button() != Qt::RightButton) return true;
     forgetHover();
-    button_ = event->button();
-    pressPoint_ = lastPoint_ = event->position();
+    button_ = event.button();
+    pressPoint_ = lastPoint_ = event.position();
     dragged_ = false;
+    return true;
 }
 
-void Viewport::mouseMoveEvent(QMouseEvent* event)
+bool ViewportInput::movePointer(const QMouseEvent& event)
 {
-    if (button_ == Qt::NoButton) {
-        hoverPoint_ = event->position();
+    if (button_ != Qt::NoButton) {
+        drag(event);
+    } else {
+        hoverPoint_ = event.position();
         if (!hoverTimer_.isActive()) hoverTimer_.start();
-        return;
     }
-    const QPointF moved = event->position() - lastPoint_;
+    return true;
+}
+
+void ViewportInput::drag(const QMouseEvent& event)
+{
+    const QPointF moved = event.position() - lastPoint_;
     if (!dragged_) {
-        if ((event->position() - pressPoint_).manhattanLength() < QApplication::startDragDistance() / 2.0) return;
+        if ((event.position() - pressPoint_).manhattanLength() < QApplication::startDragDistance() / 2.0) return;
         dragged_ = true;
         // The right button locks the pointer: it is hidden and turns the head without end.
-        if (button_ == Qt::RightButton) setCursor(Qt::BlankCursor);
+        if (button_ == Qt::RightButton) viewport_.setCursor(Qt::BlankCursor);
     }
     if (moved.isNull()) return;
     const double rate = control_.mode() == CameraControl::Mode::orbit ? orbitRadiansPerPixel : radiansPerPixel;
     control_.turn(moved.x() * rate, -moved.y() * rate);
-    lastPoint_ = event->position();
+    lastPoint_ = event.position();
     if (button_ == Qt::RightButton) {
-        QCursor::setPos(mapToGlobal(pressPoint_).toPoint());
+        QCursor::setPos(viewport_.mapToGlobal(pressPoint_).toPoint());
         // Where the pointer cannot be moved (Wayland), go on from where it is.
-        if ((mapFromGlobal(QPointF(QCursor::pos())) - pressPoint_).manhattanLength() < 2) lastPoint_ = pressPoint_;
+        if ((viewport_.mapFromGlobal(QPointF(QCursor::pos())) - pressPoint_).manhattanLength() < 2)
+            lastPoint_ = pressPoint_;
     }
-    cameraChanged();
+    emit turned();
 }
 
-void Viewport::mouseReleaseEvent(QMouseEvent* event)
+bool ViewportInput::releasePointer(const QMouseEvent& event)
 {
-    if (event->button() != button_) return;
-    const bool clicked = button_ == Qt::LeftButton && !dragged_;
-    releasePointer();
-    if (clicked) click(event->position());
+    if (event.button() != button_) return true;
+    const bool isClick = button_ == Qt::LeftButton && !dragged_;
+    letGo();
+    if (isClick) emit clicked(event.position());
+    return true;
 }
 
-void Viewport::mouseDoubleClickEvent(QMouseEvent* event)
+bool ViewportInput::turnWheel(const QWheelEvent& event)
 {
-    // The first click of the two already set off; a second one somewhere else is no new wish.
-    event->accept();
+    if (control_.mode() != CameraControl::Mode::orbit) return false;
+    control_.zoom(event.angleDelta().y() / 120.0);
+    emit turned();
+    return true;
 }
 
-void Viewport::releasePointer()
+void ViewportInput::letGo()
 {
     button_ = Qt::NoButton;
-    unsetCursor();
+    viewport_.unsetCursor();
 }
 
-void Viewport::click(const QPointF& at)
+void ViewportInput::lookAgain()
 {
-    if (width() <= 0 || height() <= 0) return;
-    const std::optional<Pointed> found = pointedAt(at);
-    if (!found) return;
-    const bool orbited = control_.mode() == CameraControl::Mode::orbit && found->exhibit == subject_;
-    if (found->button && (found->inReach || orbited)) {
-        pressButton(found->exhibit);
-        return;
-    }
-    remember();
-    subject_ = found->exhibit;
-    control_.visit(found->view);
-    cameraChanged();
-    emit visited(found->exhibit);
+    if (hoverPoint_) hoverTimer_.start();
 }
 
-std::optional<Pointed> Viewport::pointedAt(const QPointF& at)
-{
-    if (width() <= 0 || height() <= 0) return std::nullopt;
-    return museum_.pick(prepared(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
-}
-
-void Viewport::hover()
+void ViewportInput::hover()
 {
     if (!hoverPoint_ || button_ != Qt::NoButton) return;
-    const std::optional<Pointed> found = pointedAt(*hoverPoint_);
+    const std::optional<Pointed> found = pointedAt_(*hoverPoint_);
     if (found)
-        setCursor(Qt::PointingHandCursor);
+        viewport_.setCursor(Qt::PointingHandCursor);
     else
-        unsetCursor();
+        viewport_.unsetCursor();
     name_->say(found ? QString::fromStdString(found->name) : QString());
     name_->placeAt(hoverPoint_->toPoint());
 }
 
-void Viewport::forgetHover()
+void ViewportInput::forgetHover()
 {
     hoverTimer_.stop();
     hoverPoint_.reset();
     name_->say({});
-    unsetCursor();
-}
-
-void Viewport::leaveEvent(QEvent* event)
-{
-    forgetHover();
-    QOpenGLWidget::leaveEvent(event);
-}
-
-void Viewport::wheelEvent(QWheelEvent* event)
-{
-    if (control_.mode() != CameraControl::Mode::orbit) {
-        event->ignore();
-        return;
-    }
-    control_.zoom(event->angleDelta().y() / 120.0);
-    cameraChanged();
-    event->accept();
+    viewport_.unsetCursor();
 }
 
 }  // namespace vitrine::ui
+
+#include "moc_viewport_input.cpp"

@@ -2,6 +2,7 @@
 
 #include "render/files/assets.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/parameters/parameter_panel.h"
@@ -29,10 +30,8 @@
 
 #include <QAction>
 #include <QCloseEvent>
-#include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
@@ -239,9 +238,7 @@ void MainWindow::keepThumbnail()
             if (picture.isNull()) return;
             const QPixmap small = thumbnailOf(picture);
             docks_->exhibits().setThumbnail(chosen_, small);
-            const QString path = thumbnailPath(museum_.subject(chosen_));
-            if (QDir().mkpath(QFileInfo(path).path()))
-                small.save(path, "PNG");  // A cache: the next visit makes another.
+            saveThumbnail(thumbnailPath(museum_.subject(chosen_)), small.toImage());
         },
         Qt::QueuedConnection);
 }

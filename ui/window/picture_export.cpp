@@ -3,6 +3,7 @@
 #include "render/failure.h"
 #include "render/measure/memory.h"
 #include "ui/kit/message_of.h"
+#include "ui/kit/time_left.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/presets/look_text.h"
@@ -132,7 +133,7 @@ bool PictureExport::cancel()
 
 void PictureExport::note(double part)
 {
-    emit progressed(part, RenderThread::secondsLeft(part, elapsed_));
+    emit progressed(part, secondsLeft(part, elapsed_));
 }
 
 void PictureExport::end(const QString& failure)

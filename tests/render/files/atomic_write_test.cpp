@@ -113,6 +113,18 @@ TEST(AtomicWrite, CreatesAndReplaces)
     EXPECT_EQ(folder.files(), std::vector<std::string>{"a"});
 }
 
+TEST(AtomicWrite, MakesTheFolderWhereThatIsAskedFor)
+{
+    const test::TemporaryFolder folder;
+    EXPECT_FAILURE(atomicWrite(folder / "a/b/c.json", "x"), "check that the folder exists");
+    render::atomicWriteMakingFolder(folder / "a/b/c.json", "first");
+    render::atomicWriteMakingFolder(folder / "a/b/c.json", "second");
+    EXPECT_EQ(test::bytesOf(folder / "a/b/c.json"), "second");
+    test::writeBytes(folder / "file", "x");
+    EXPECT_FAILURE(render::atomicWriteMakingFolder(folder / "file/below.json", "x"), "Cannot write");
+    EXPECT_EQ(folder.files(), (std::vector<std::string>{"a/b/c.json", "file"}));
+}
+
 TEST(AtomicWrite, LeavesOldOrNewContentWhicheverStepFails)
 {
     const std::string oldText = "the old content";

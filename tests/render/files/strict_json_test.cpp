@@ -107,7 +107,6 @@ TEST(StrictJson, WritesTextThatDiffsWell)
     const Json json = Json::parse(R"({"b": 1.5, "a": [0.1, 2], "c": {}, "d": ["x"], "whole": 2.0, "count": 2})");
     EXPECT_EQ(writeJson(json), "{\n  \"b\": 1.5,\n  \"a\": [0.1, 2],\n  \"c\": {},\n  \"d\": [\n    \"x\"\n  ],\n  "
                                "\"whole\": 2.0,\n  \"count\": 2\n}\n");
-    EXPECT_TRUE(writeJson(json, render::KeyOrder::sorted).starts_with("{\n  \"a\""));
 }
 
 TEST(StrictJson, WritesNoNumberThatIsNotFinite)
@@ -124,6 +123,7 @@ TEST(StrictJson, WritesAsciiForPlacesThatNeedIt)
 {
     EXPECT_EQ(render::asciiJson("{\"é\": \"漢😀\"}"), R"({"\u00e9": "\u6f22\ud83d\ude00"})");
     EXPECT_EQ(Json::parse(render::asciiJson("[\"漢😀\"]"))[0].get<std::string>(), "漢😀");
+    EXPECT_FAILURE(render::asciiJson("[\"\xff\"]"), "UTF-8");
 }
 
 TEST(StrictJson, IsTheSameInAGermanLocale)

@@ -213,7 +213,9 @@ private slots:
         history.exchangeTables(tabled);
         QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(4.0));
         // The row of the newer step stands elsewhere now.
+        QSignalSpy changed(&history, &History::changed);
         history.stack().redo();
+        for (const QList<QVariant>& signal : changed) QVERIFY(signal[1].value<std::size_t>() < after->rows().size());
         QCOMPARE(rowOf(history.look().values[0], "blueRings").value(), Value(16.0));
         QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(4.0));
         history.stack().undo();

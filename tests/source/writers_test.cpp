@@ -1,0 +1,53 @@
+// One writer: whatever the program writes for people or for itself is written beside its target and takes its place in
+// one step (render/files/atomic_write.h). Qt's settings files, which Qt writes so by itself, are not looked at.
+
+#include "tests/source/source_files.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+
+namespace vitrine {
+namespace {
+
+/// Files that open one for writing by themselves, and why.
+const std::map<std::string, std::string> writers{
+    {"render/files/atomic_write.cpp", "it is the writer"},
+    {"render/files/scratch_file.cpp", "working data without a name"},
+    {"render/image/png_rows.cpp", "rows of a part file, which PictureStream publishes"},
+};
+
+/// The first way past the writer that a text takes; empty: none.
+std::string otherWriter(const std::string& text)
+{
+    static const std::regex ways(
+        R"re(\bofstream\b|\bfopen\b|\bQSaveFile\b|\bcopy_file\b|\bO_CREAT\b|\bO_WRONLY\b|\bmkostemp\b|)re"
+        R"re(QIODevice::(WriteOnly|ReadWrite|Append)|\.save\([^&)][^)]*, *"(PNG|JPG)")re");
+    std::smatch found;
+    return std::regex_search(text, found, ways) ? found.str() : std::string();
+}
+
+TEST(Writers, ThereIsOne)
+{
+    for (const char* folder : {"app", "ui", "exhibits", "render"})
+        for (const std::string& file : test::sourceFiles(folder, test::cppExtensions)) {
+            if (writers.contains(file)) continue;
+            EXPECT_EQ(otherWriter(test::withoutComments(test::sourceText(file))), "")
+                << file << ": use render::atomicWrite";
+        }
+}
+
+TEST(WritersControl, OthersAreSeen)
+{
+    for (const char* text :
+         {"std::ofstream stream(path);", "QSaveFile file(path);", "fs::copy_file(a, b);",
+          "open(path, O_WRONLY | O_TRUNC);", "picture.save(path, \"PNG\");", "file.open(QIODevice::WriteOnly)"})
+        EXPECT_NE(otherWriter(text), "") << text;
+    for (const char* text : {"std::ifstream stream(path);", "picture.save(&buffer, \"PNG\");", "store_.save(next)"})
+        EXPECT_EQ(otherWriter(text), "") << text;
+    for (const auto& [file, why] : writers) EXPECT_NE(otherWriter(test::sourceText(file)), "") << file << ": " << why;
+}
+
+}  // namespace
+}  // namespace vitrine

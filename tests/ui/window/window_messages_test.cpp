@@ -1,0 +1,123 @@
+#include "tests/ui/open_window.h"
+
+#include "ui/kit/message_strip.h"
+#include "ui/window/log_view.h"
+
+#include <algorithm>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// What the window says to the visitor: messages, the log, problems over the picture.
+class WindowMessagesTest : public test::OpenWindow {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init() { start(); }
+    void cleanup() { finish(); }
+
+    void aShaderProblemIsShownOverThePicture()
+    {
+        gallery_->shaderProblems = {{"sdf_morph/march.frag", 42, "'hitDistance' : undeclared identifier"}};
+        window_->viewport().reloadShaders();
+        const auto shown = [&] {
+            const auto labels = window_->viewport().findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+                return label->isVisible() && label->text().contains("sdf_morph/march.frag:42");
+            });
+        };
+        QTRY_VERIFY(shown());
+    }
+
+    void messagesStayUntilDismissedAndAreListedOnce()
+    {
+        auto* strip = window_->findChild<MessageStrip*>();
+        window_->say(MessageStrip::Mood::problem, "<b>not bold</b>");
+        window_->say(MessageStrip::Mood::problem, "<b>not bold</b>");
+        QCOMPARE(strip->texts(), QStringList{"<b>not bold</b>"});
+        for (QLabel* label : strip->findChildren<QLabel*>()) QCOMPARE(label->textFormat(), Qt::PlainText);
+        strip->dismissAll();
+        QTRY_VERIFY(!strip->isVisible());
+    }
+
+    void messagesLieOverThePictureAndNoticesOfOneKindBecomeOne()
+    {
+        settle();
+        auto* strip = window_->findChild<MessageStrip*>();
+        const QSize before = window_->viewport().size();
+        const long long drawn = window_->viewport().picturesDrawn();
+        for (int i = 1; i <= 4; ++i)
+            window_->say(MessageStrip::Mood::notice, QString("Screenshot saved to %1.png.").arg(i),
+                         "%1 screenshots saved, the last one to %2.", QString("%1.png").arg(i));
+        window_->say(MessageStrip::Mood::problem, "The disk is full.");
+        QCOMPARE(strip->texts(), (QStringList{"4 screenshots saved, the last one to 4.png.", "The disk is full."}));
+        QTRY_VERIFY(strip->isVisible());
+        QTest::qWait(100);
+        QCOMPARE(window_->viewport().size(), before);
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The same picture: nothing to refine again.
+        QCOMPARE(strip->mapToGlobal(QPoint(0, 0)), window_->viewport().mapToGlobal(QPoint(0, 0)));
+        QCOMPARE(strip->width(), window_->viewport().width());
+    }
+
+    void noticesGoByThemselvesAndProblemsStay()
+    {
+        auto* strip = window_->findChild<MessageStrip*>();
+        QCursor::setPos(window_->mapToGlobal(window_->rect().bottomRight() -
+                                             QPoint(5, 5)));  // Not on the strip: there, notices stay.
+        strip->setNoticeTime(50);
+        window_->say(MessageStrip::Mood::problem, "The disk is full.");
+        window_->say(MessageStrip::Mood::notice, "Saved.");
+        QTRY_COMPARE(strip->texts(), QStringList{"The disk is full."});
+        QTest::qWait(300);
+        QCOMPARE(strip->texts(), QStringList{"The disk is full."});
+    }
+
+    void theBarePictureHidesMessages()
+    {
+        auto* strip = window_->findChild<MessageStrip*>();
+        window_->say(MessageStrip::Mood::problem, "The disk is full.");
+        QTRY_VERIFY(strip->isVisible());
+        window_->hidePanels(true);
+        QVERIFY(!strip->isVisible());
+        window_->say(MessageStrip::Mood::problem, "The other disk, too.");
+        QVERIFY(!strip->isVisible());
+        window_->hidePanels(false);
+        QVERIFY(strip->isVisible());
+        QCOMPARE(strip->texts().size(), 2);
+    }
+
+    void badInputIsOneLineInTheLogHoweverManyFramesItLasts()
+    {
+        window_->choose(1);
+        const auto lines = [&] {
+            return window_->findChild<LogView*>()->toPlainText().count(
+                QStringLiteral("fur/clock: the time is no number"));
+        };
+        bool up = true;
+        const auto drawFrames = [&](std::vector<render::Skipped> complaints) {
+            gallery_->complaints = std::move(complaints);
+            const auto before = gallery_->requests().size();
+            dragRoughness(up ? 60 : 20);
+            up = !up;
+            QTRY_VERIFY(gallery_->requests().size() > before + 2);
+            settle();
+        };
+        const render::Skipped wrong{.name = "fur/clock",
+                                    .reason = "the time is no number",
+                                    .work = render::Work::simulation,
+                                    .complaint = true};
+        drawFrames({});
+        QCOMPARE(lines(), 0);
+        drawFrames({wrong});
+        drawFrames({wrong});
+        QCOMPARE(lines(), 1);
+        drawFrames({});
+        drawFrames({wrong});
+        QCOMPARE(lines(), 2);
+    }
+};
+
+QTEST_MAIN(WindowMessagesTest)
+
+#include "window_messages_test.moc"

@@ -1,0 +1,291 @@
+#include "tests/ui/open_window.h"
+
+#include "ui/kit/message_strip.h"
+#include "ui/window/status_line.h"
+
+#include <QSignalSpy>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <set>
+#include <thread>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// When the window draws its picture, and when it does not: over a gallery whose picture is one color.
+class WindowPictureTest : public test::OpenWindow {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init() { start(); }
+    void cleanup() { finish(); }
+
+    void oneMoveOfTheMouseStartsThePictureAnewOnce()
+    {
+        window_->choose(1);
+        settle();
+        const auto before = static_cast<std::ptrdiff_t>(gallery_->requests().size());
+        QSignalSpy changed(&window_->history(), &History::changed);
+        auto* slider = in<ValueSlider>("roughness");
+        QTest::mousePress(slider, Qt::LeftButton, {}, {slider->width() - 20, slider->height() / 2});
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, {slider->width() - 20, slider->height() / 2});
+        settle();
+        QCOMPARE(changed.count(), 1);
+        const std::vector<FrameRequest> requests = gallery_->requests();
+        const glm::ivec2 whole = requests.back().raster.size;
+        const auto full = std::count_if(requests.begin() + before, requests.end(), [&](const FrameRequest& request) {
+            return request.sample == 0 && request.raster.size == whole;
+        });
+        QCOMPARE(full, 1);
+    }
+
+    void anIdleWindowDrawsNothing()
+    {
+        settle();
+        QTest::qWait(300);
+        const long long drawn = window_->viewport().picturesDrawn();
+        QTest::qWait(2000);
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);
+        QVERIFY(window_->findChild<StatusLine*>()->text().contains("nothing to draw, because nothing changes"));
+    }
+
+    void aStillPictureIsRefinedOverSixteenSamples()
+    {
+        gallery_->forgetRequests();
+        window_->viewport().lookChanged();
+        QTRY_VERIFY(gallery_->requests().size() >= 16);
+        settle();
+        QCOMPARE(gallery_->requests().back().sample, 15);
+        QCOMPARE(gallery_->requests().back().samples, 16);
+    }
+
+    void aRowThatDoesNotActDrawsNothingAgain()
+    {
+        window_->choose(1);
+        Look next = window_->history().look();
+        next.values[1].set(gallery_->table().animated, false);
+        window_->history().change("Stand still", next);
+        settle();
+        const long long drawn = window_->viewport().picturesDrawn();
+        next.values[1].set(gallery_->table().speed, 3.0);  // Acts only while it is animated.
+        window_->history().change("Change speed", next);
+        QTest::qWait(300);
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);
+        next.values[1].set(gallery_->table().animated, true);
+        window_->history().change("Move", next);
+        QTRY_VERIFY(window_->viewport().picturesDrawn() > drawn);
+    }
+
+    void aNewWindowAroundThePictureShowsItAndLeavesWhatDrawsItAlone()
+    {
+        // Without shared contexts a new top-level window means a new context for the widget.
+        const QColor before = window_->viewport().grabFramebuffer().pixelColor(20, 20);
+        auto* other = new QWidget;
+        QWidget* home = window_->viewport().parentWidget();
+        window_->viewport().setParent(other);
+        other->resize(320, 240);
+        window_->viewport().resize(320, 240);
+        window_->viewport().show();
+        other->show();
+        QVERIFY(QTest::qWaitForWindowExposed(other, vitrine::test::patience));
+        QTRY_COMPARE(window_->viewport().shown().size(), QSize(320, 240));
+        settle();
+        QCOMPARE(window_->viewport().grabFramebuffer().pixelColor(20, 20), before);
+        QCOMPARE(gallery_->opened, 1);
+        QCOMPARE(gallery_->closed, 0);
+        window_->viewport().setParent(home);
+        delete other;
+    }
+
+    void theWindowsThreadDrawsNothing()
+    {
+        window_->choose(1);
+        dragRoughness(60);
+        window_->visit(1);
+        settle();
+        QVERIFY(!gallery_->requests().empty());
+        QVERIFY(gallery_->thread != std::this_thread::get_id());
+        QCOMPARE(gallery_->strangers, 0);
+    }
+
+    void untilTheFirstPictureTheViewportSaysThatItComes()
+    {
+        closeWindow();
+        gallery_ = std::make_unique<test::PaintedGallery>();
+        std::atomic<bool> held = true;
+        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::Unwanted&) {
+            while (held) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        };
+        window_ = std::make_unique<MainWindow>(gallery_->museum(), *gallery_);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), test::patience));
+        const auto colors = [&] {
+            const QImage picture = window_->viewport().grabFramebuffer();
+            std::set<QRgb> found;
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = 0; x < picture.width(); ++x) found.insert(picture.pixel(x, y));
+            return found.size();
+        };
+        const auto opening = colors();
+        held = false;
+        settle();
+        QVERIFY2(opening > 3, "no words");
+        QCOMPARE(colors(), std::size_t(1));
+    }
+
+    void aPictureThatTakesLongHoldsNothingUpAndTheNewestComesNext()
+    {
+        window_->choose(1);
+        settle();
+        std::promise<void> begun, enough;
+        std::shared_future<void> released = enough.get_future().share();
+        std::atomic<int> pictures = 0;
+        gallery_->beforeDrawing = [&](const FrameRequest&, const Renderers::Unwanted&) {
+            if (++pictures != 1) return;
+            begun.set_value();
+            released.wait();
+        };
+        dragRoughness(10);
+        QTRY_VERIFY(pictures == 1);
+        begun.get_future().wait();
+        // The window goes on: every one of these is another picture to draw, and none can be drawn.
+        double last = roughness();
+        for (const int pixels : {30, 50, 40, 60}) {
+            dragRoughness(pixels);
+            QVERIFY(roughness() != last);
+            last = roughness();
+        }
+        action("About Vitrine")->trigger();
+        QCOMPARE(pictures, 1);
+        gallery_->forgetRequests();
+        enough.set_value();
+        QTRY_VERIFY(gallery_->requests().size() >= 2);
+        // The held one ends, and the next one is of the newest value: the four between are never drawn.
+        QTRY_VERIFY(window_->viewport().schedule().current());
+        settle();
+        QCOMPARE(window_->viewport().shown().pixelColor(20, 20).red(),
+                 QColor::fromRgbF(static_cast<float>(last), 0, 0).red());
+        QVERIFY2(pictures <= 2 + 16, qPrintable(QString::number(pictures)));
+        gallery_->beforeDrawing = {};
+    }
+
+    void anOutdatedSupersampleIsGivenUp()
+    {
+        window_->choose(1);
+        settle();
+        std::atomic<int> abandoned = 0;
+        std::atomic<bool> reached = false;
+        gallery_->beforeDrawing = [&](const FrameRequest& request, const Renderers::Unwanted& unwanted) {
+            if (request.sample != 3 || abandoned > 0) return;
+            reached = true;
+            while (!unwanted()) std::this_thread::yield();
+            ++abandoned;
+            throw render::gl::Abandoned();
+        };
+        window_->viewport().lookChanged();
+        QTRY_VERIFY(reached);
+        dragRoughness(60);
+        QTRY_COMPARE(int(abandoned), 1);
+        settle();
+        QCOMPARE(window_->viewport().shown().pixelColor(20, 20).red(),
+                 QColor::fromRgbF(static_cast<float>(roughness()), 0, 0).red());
+        QVERIFY(window_->findChild<MessageStrip*>()->texts().isEmpty());
+        gallery_->beforeDrawing = {};
+    }
+
+    void whatIsAskedOfOneMomentIsPreparedOnce()
+    {
+        Viewport& viewport = window_->viewport();
+        settle();
+        const long long before = viewport.preparations();
+        viewport.jumpTo(test::PaintedGallery::towardsButton(1.2));  // Which button he looks at, and what moves.
+        settle();
+        QCOMPARE(viewport.preparations(), before + 1);
+        QTest::mouseMove(&viewport, viewport.rect().center());
+        QTRY_COMPARE(viewport.cursor().shape(), Qt::PointingHandCursor);
+        QCOMPARE(viewport.preparations(), before + 1);
+    }
+
+    void whatMovesFarAwayNeitherCoarsensNorRestartsThePicture()
+    {
+        window_->choose(1);
+        Look alight = window_->history().look();  // A shadow on the floor would move, too.
+        alight.hall().setRow(*alight.hall().table().find("sunShadows"), 0.0);
+        window_->history().change("Without shadows", alight);
+        settle();
+        const QImage before = window_->viewport().shown();
+        const int height = before.height();
+        FrameRequest request = gallery_->requests().back();
+        request.raster.size = {before.width(), height};
+        const Museum& museum = gallery_->museum();
+        gallery_->exhibit().moves = true;
+        const PictureRegion region =
+            museum.movingRegion(museum.prepare(window_->history().look(), request), request).value();
+        QVERIFY(region.size.x > 10 && region.size.y > 10 && 4 * region.size.x < before.width());
+        window_->viewport().lookChanged();
+        QTRY_VERIFY(window_->viewport().regionsDrawn() >= 2);
+        const long long whole = window_->viewport().picturesDrawn();
+        const auto requests = gallery_->requests();
+        QVERIFY(std::none_of(requests.end() - 1, requests.end(),
+                             [](const FrameRequest& r) { return r.raster.size.x < 100; }));
+        const QImage now = window_->viewport().shown();
+        QCOMPARE(now.size(), before.size());
+        int moved = 0, elsewhere = 0;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < now.width(); ++x) {
+                if (now.pixel(x, y) == before.pixel(x, y)) continue;
+                const glm::ivec2 place = glm::ivec2(x, height - 1 - y) - region.offset;
+                const bool within = glm::all(glm::greaterThanEqual(place, glm::ivec2(0))) &&
+                                    glm::all(glm::lessThan(place, region.size));
+                ++(within ? moved : elsewhere);
+            }
+        QCOMPARE(moved, region.size.x * region.size.y);
+        QCOMPARE(elsewhere, 0);
+        const long long regions = window_->viewport().regionsDrawn();
+        QTRY_VERIFY(window_->viewport().regionsDrawn() > regions);
+        gallery_->exhibit().moves = false;  // It has come to rest.
+        QTest::qWait(500);
+        const long long rested = window_->viewport().regionsDrawn();
+        const long long refined = window_->viewport().picturesDrawn();
+        QVERIFY(refined - whole <= 16);
+        QVERIFY(window_->viewport().schedule().still());
+        QTest::qWait(500);
+        QCOMPARE(window_->viewport().regionsDrawn(), rested);
+        QCOMPARE(window_->viewport().picturesDrawn(), refined);
+        // A screenshot of it is drawn apart: the picture behind is of another moment.
+        QVERIFY(!window_->viewport().pictureFinished());
+    }
+
+    void aJumpOfTheCameraIsACutAndWhatIsRefinedIsNone()
+    {
+        settle();
+        gallery_->forgetRequests();
+        window_->viewport().jumpTo({{0, 1.65, 8}, {0, 1.5, 0}, 0.9});
+        settle();
+        window_->viewport().lookChanged();
+        settle();
+        const std::vector<FrameRequest> requests = gallery_->requests();
+        QVERIFY(requests.size() >= 32);
+        QVERIFY(requests.front().cut);
+        QCOMPARE(std::count_if(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.cut; }), 1);
+        QVERIFY(std::none_of(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.finished; }));
+    }
+
+    void aFrameWithWorkLeftIsDrawnAgain()
+    {
+        settle();
+        gallery_->unfinishedFrames = 3;
+        window_->viewport().lookChanged();
+        settle();
+        QCOMPARE(int(gallery_->unfinishedFrames), 0);
+        QTRY_VERIFY(window_->viewport().schedule().still());
+    }
+};
+
+QTEST_MAIN(WindowPictureTest)
+
+#include "window_picture_test.moc"

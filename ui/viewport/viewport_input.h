@@ -1,0 +1,79 @@
+#pragma once
+
+#include "exhibits/museum/museum.h"
+#include "ui/viewport/camera_control.h"
+
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+
+#include <functional>
+#include <optional>
+
+class QEvent;
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+class QWidget;
+
+namespace vitrine::ui {
+
+class Overlay;
+
+/// The visitor's hands over the viewport: keys that are held down, the pointer that turns the head, the wheel, clicks,
+/// and the name of what the pointer rests on.
+class ViewportInput final : public QObject {
+    Q_OBJECT
+
+public:
+    using PointedAt = std::function<std::optional<Pointed>(const QPointF&)>;
+
+    /// Takes the events of `viewport` and turns `control`; both must outlive it. `pointedAt` says what lies under a
+    /// point of the viewport.
+    ViewportInput(QWidget& viewport, CameraControl& control, PointedAt pointedAt);
+
+    [[nodiscard]] const WalkKeys& keys() const { return keys_; }
+    /// Something else may lie under a pointer that rests.
+    void lookAgain();
+
+signals:
+    /// A key for walking was pressed.
+    void walking();
+    /// The camera was turned or zoomed.
+    void turned();
+    void clicked(const QPointF& at);
+    void walkOnAsked();
+    void goBackAsked();
+    void pressAsked();
+
+protected:
+    bool eventFilter(QObject*, QEvent*) override;
+
+private:
+    // Each returns whether the event was for the visitor: then nobody else gets it.
+    bool overrideShortcut(QKeyEvent&);
+    bool pressKey(const QKeyEvent&);
+    bool releaseKey(const QKeyEvent&);
+    bool pressPointer(const QMouseEvent&);
+    bool movePointer(const QMouseEvent&);
+    bool releasePointer(const QMouseEvent&);
+    bool turnWheel(const QWheelEvent&);
+    bool setKey(int key, bool down);
+    void drag(const QMouseEvent&);
+    void letGo();
+    void hover();
+    void forgetHover();
+
+    QWidget& viewport_;
+    CameraControl& control_;
+    PointedAt pointedAt_;
+    Overlay* name_;
+    WalkKeys keys_;
+    QTimer hoverTimer_;
+    std::optional<QPointF> hoverPoint_;  // Where the pointer is while it is over the picture and no button is down.
+    QPointF pressPoint_, lastPoint_;
+    Qt::MouseButton button_ = Qt::NoButton;
+    bool dragged_ = false;
+};
+
+}  // namespace vitrine::ui
