@@ -94,8 +94,8 @@ std::vector<std::filesystem::path> exportPrint(const ParameterValues& values, co
     file.progress = progress;
     render::Json json = printJson(layout, render::storedDpi(path, layout.settings().dpiX), sources);
     json["desk"] = valuesJson(values, sources);
-    if (views && !views->look().empty())
-        json["scene"] = {{"preset", render::parseJson(views->look(), "the look").root()}};
+    if (views && !views->scenePreset().empty())
+        json["scene"] = {{"preset", render::parseJson(views->scenePreset(), "the look").root()}};
     file.json = render::writeJson(json);
     if (!views) return writeChart(layout, chartOf(values, layout), file);
     file.profile = views->profile();

@@ -19,17 +19,17 @@ public:
     /// ICC profile of the pictures, for the print to carry.
     void setProfile(std::string profile) { profile_ = std::move(profile); }
     /// The JSON text of the look that was rendered, for the print to carry.
-    void setLook(std::string look) { look_ = std::move(look); }
+    void setScenePreset(std::string preset) { scenePreset_ = std::move(preset); }
 
     [[nodiscard]] int count() const { return full_.count(); }
     [[nodiscard]] const ViewSet& full() const { return full_; }
     [[nodiscard]] const ViewSet& small() const { return small_; }
     [[nodiscard]] const std::string& profile() const { return profile_; }
-    [[nodiscard]] const std::string& look() const { return look_; }
+    [[nodiscard]] const std::string& scenePreset() const { return scenePreset_; }
 
 private:
     ViewSet full_, small_;
-    std::string profile_, look_;
+    std::string profile_, scenePreset_;
 };
 
 /// Called with the part that is done, 0 to 1; false stops the work, which then throws Failure.

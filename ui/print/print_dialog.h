@@ -97,7 +97,7 @@ private:
     bool exporting_ = false;
     bool remembered_ = false;
     int asked_ = 0, shown_ = 0;  ///< Refreshes asked for and shown.
-    NewestJob look_, count_;     ///< Previews; numbers, which take longer with many views.
+    NewestJob preview_, count_;  ///< Previews; numbers, which take longer with many views.
     ProgressJob write_;
 
     MessageStrip* messages_;

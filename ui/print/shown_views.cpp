@@ -43,7 +43,7 @@ void ShownViews::start(const ParameterValues& values, bool draft)
     values_ = values;
     look_ = look;
     views_ = std::make_shared<printing::PrintViews>();
-    views_->setLook(textOf(window_.museum(), look, window_.chosen(), "Picture"));
+    views_->setScenePreset(textOf(window_.museum(), look, window_.chosen(), "Picture"));
     work->views = views_;
     elapsed_.start();
     task_ = window_.viewport().renderThread().start(
