@@ -49,7 +49,7 @@ QStringList localFiles(const QMimeData& data)
 }  // namespace
 
 PrintDialog::PrintDialog(ShownViews* shown, QWidget* parent)
-    : QDialog(parent), setup_(shown != nullptr, this), loader_(shown, this), look_(this), count_(this), write_(this)
+    : QDialog(parent), setup_(shown != nullptr, this), loader_(shown, this), preview_(this), count_(this), write_(this)
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Export lenticular print"));
@@ -173,7 +173,7 @@ void PrintDialog::connectViews()
         if (exporting_) endExport(tr("Nothing was written."));
         refresh();
     });
-    for (NewestJob* job : {&look_, &count_})
+    for (NewestJob* job : {&preview_, &count_})
         connect(job, &NewestJob::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
 }
 
@@ -280,7 +280,7 @@ QString PrintDialog::path() const
 
 bool PrintDialog::settled() const
 {
-    return asked_ == shown_ && !look_.busy() && !loader_.busy();
+    return asked_ == shown_ && !preview_.busy() && !loader_.busy();
 }
 
 void PrintDialog::refresh()
@@ -293,7 +293,7 @@ void PrintDialog::refresh()
 void PrintDialog::lookAgain()
 {
     const std::shared_ptr<const printing::PrintViews> views = chart_ ? nullptr : loader_.views();
-    look_.ask([this, values = values(), views, chart = chart_]() -> NewestJob::Outcome {
+    preview_.ask([this, values = values(), views, chart = chart_]() -> NewestJob::Outcome {
         std::shared_ptr<const printing::PrintPreview> preview;
         try {
             if (chart || views) preview = printing::printPreview(values, views);
