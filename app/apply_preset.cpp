@@ -35,10 +35,10 @@ void applyPreset(const Museum& museum, const std::string& file, RequestedPicture
     const PresetHeader header = presetHeader(render::parseJson(text, file, presetLimits));
     if (header.isExhibition) {
         Exhibition exhibition =
-            parseExhibition(text, file, namedValues(museum.subjects(), museum.initialLook().values));
+            parseExhibition(text, file, namedValues(museum.subjects(), museum.initialSceneState().values));
         for (auto& [name, values] : exhibition.values)
-            if (const auto i = museum.find(name)) job.look.values[*i] = values;
-        job.look.camera = exhibition.camera;
+            if (const auto i = museum.find(name)) job.sceneState.values[*i] = values;
+        job.sceneState.camera = exhibition.camera;
         job.cameraFromPreset = job.subject == hallIndex;
         append(job.notes, file, exhibition.notes);
         return;
@@ -51,9 +51,9 @@ void applyPreset(const Museum& museum, const std::string& file, RequestedPicture
         throw Failure(Blame::file,
                       file + ": it is a preset of \"" + header.exhibit + "\", which is not in this museum.");
     Preset preset = parsePreset(text, file, expected, museum.subject(*owner).parameters());
-    job.look.values[*owner] = preset.values;
+    job.sceneState.values[*owner] = preset.values;
     if (preset.camera) {
-        job.look.camera = *preset.camera;
+        job.sceneState.camera = *preset.camera;
         job.cameraFromPreset = true;
     }
     append(job.notes, file, preset.notes);

@@ -100,14 +100,14 @@ Json initialTables()
 Json tablesWith(const std::vector<std::string>& sets)
 {
     const Museum museum{allExhibits()};
-    Look look = museum.initialLook();
+    SceneState sceneState = museum.initialSceneState();
     std::vector<std::string> notes;
-    applySets(museum, look, hallIndex, sets, notes);
+    applySets(museum, sceneState, hallIndex, sets, notes);
     for (const std::string& note : notes) std::fprintf(stderr, "%s\n", note.c_str());
     Json all = Json::array();
     for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         const Subject& subject = museum.subject(i);
-        all.push_back(exhibitJson(subject.name(), subject.title(), subject.summary(), look.values[i].table()));
+        all.push_back(exhibitJson(subject.name(), subject.title(), subject.summary(), sceneState.values[i].table()));
     }
     return all;
 }

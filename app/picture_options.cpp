@@ -217,35 +217,35 @@ void addPictureOptions(CLI::App& command, PictureOptions& o)
     command.add_option("--channels", o.channels, "color,depth,normal,evaluations (EXR)")->capture_default_str();
 }
 
-void readTables(const Museum& museum, Look& look, std::vector<std::string>& notes)
+void readTables(const Museum& museum, SceneState& sceneState, std::vector<std::string>& notes)
 {
-    TabledLook read = museum.readTables(look);
+    TabledSceneState read = museum.readTables(sceneState);
     if (!read.unreadable.empty()) throw Failure(Blame::file, read.unreadable.front());
-    look = std::move(read.look);
+    sceneState = std::move(read.sceneState);
     notes.insert(notes.end(), read.notes.begin(), read.notes.end());
 }
 
-void applySets(const Museum& museum, Look& look, std::size_t subject, const std::vector<std::string>& assignments,
-               std::vector<std::string>& notes)
+void applySets(const Museum& museum, SceneState& sceneState, std::size_t subject,
+               const std::vector<std::string>& assignments, std::vector<std::string>& notes)
 {
     std::vector<std::string> rest;
     for (const std::string& assignment : assignments) {
         const Assignment a = assignmentOf(museum, subject, assignment);
-        const auto row = look.values[a.owner].table().find(a.name);
-        if (row && look.values[a.owner].rows()[*row].givesRows)
-            applySet(museum, look, subject, assignment, notes);
+        const auto row = sceneState.values[a.owner].table().find(a.name);
+        if (row && sceneState.values[a.owner].rows()[*row].givesRows)
+            applySet(museum, sceneState, subject, assignment, notes);
         else
             rest.push_back(assignment);
     }
-    readTables(museum, look, notes);
-    for (const std::string& assignment : rest) applySet(museum, look, subject, assignment, notes);
+    readTables(museum, sceneState, notes);
+    for (const std::string& assignment : rest) applySet(museum, sceneState, subject, assignment, notes);
 }
 
-void applySet(const Museum& museum, Look& look, std::size_t subject, const std::string& assignment,
+void applySet(const Museum& museum, SceneState& sceneState, std::size_t subject, const std::string& assignment,
               std::vector<std::string>& notes)
 {
     const auto [owner, name, text] = assignmentOf(museum, subject, assignment);
-    ParameterValues& values = look.values[owner];
+    ParameterValues& values = sceneState.values[owner];
     const auto row = values.table().find(name);
     if (!row)
         throw Failure(Blame::usage, "--set " + name + ": " + std::string(museum.subject(owner).name()) +
@@ -271,16 +271,16 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
 
     RequestedPicture job;
     job.subject = *subject;
-    job.look = museum.initialLook();
+    job.sceneState = museum.initialSceneState();
     if (!options.preset.empty()) applyPreset(museum, options.preset, job);
-    applySets(museum, job.look, *subject, options.sets, job.notes);
+    applySets(museum, job.sceneState, *subject, options.sets, job.notes);
     const HallTable names;
-    ParameterValues& hall = job.look.hall();
+    ParameterValues& hall = job.sceneState.hall();
     if (!options.environment.empty()) hall.set(names.environment, options.environment);
     if (!options.model.empty()) hall.set(names.model, options.model);
 
     FrameRequest& frame = job.request.frame;
-    render::Camera camera = job.look.camera;
+    render::Camera camera = job.sceneState.camera;
     if (job.cameraFromPreset && options.alone) {
         // Presets speak of the hall; alone, the exhibit's own space is the world.
         const glm::dmat4 exhibitFromWorld = glm::inverse(museum.worldFromExhibit(*subject));
@@ -288,12 +288,12 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
         camera.target = glm::dvec3(exhibitFromWorld * glm::dvec4(camera.target, 1));
     }
     if (!job.cameraFromPreset && !isHall)
-        camera = options.alone ? museum.subject(*subject).bestView(job.look.values[*subject])
-                               : museum.bestView(*subject, job.look.values[*subject]);
+        camera = options.alone ? museum.subject(*subject).bestView(job.sceneState.values[*subject])
+                               : museum.bestView(*subject, job.sceneState.values[*subject]);
     setCamera(options, camera);
     if (!std::isfinite(options.time)) throw Failure(Blame::usage, "--time: give a finite number of seconds.");
     frame.camera = camera;
-    job.look.camera = camera;
+    job.sceneState.camera = camera;
     frame.raster.size = parseSize("--size", options.size);
     frame.time = options.time;
     frame.seed = options.seed;

@@ -40,7 +40,7 @@ void addSceneOptions(CLI::App&, PictureOptions&, const std::string& heading = "O
 /// Values, camera and request that the options ask for. Throws Failure naming the option and what to give.
 struct RequestedPicture {
     std::size_t subject = 0;
-    Look look;
+    SceneState sceneState;
     PictureRequest request;
     bool cameraFromPreset = false;
     std::vector<std::string> notes;  ///< What was brought to the nearest legal value, for standard error.
@@ -49,15 +49,15 @@ struct RequestedPicture {
 
 /// Brings the tables up to the files that the look names: a row of a file's has to be there before it can be set.
 /// Throws Failure (Blame::file) where one cannot be read.
-void readTables(const Museum&, Look&, std::vector<std::string>& notes);
+void readTables(const Museum&, SceneState&, std::vector<std::string>& notes);
 
 /// Sets several, each a "name=value", whatever their order: files that give rows come first.
-void applySets(const Museum&, Look&, std::size_t subject, const std::vector<std::string>& assignments,
+void applySets(const Museum&, SceneState&, std::size_t subject, const std::vector<std::string>& assignments,
                std::vector<std::string>& notes);
 
 /// Sets one "name=value"; `subject` is what an undotted name belongs to. Plain numbers are in SI units, as
 /// `list --json` and presets have them; "30deg" and "12mm" name their own.
-void applySet(const Museum&, Look&, std::size_t subject, const std::string& assignment,
+void applySet(const Museum&, SceneState&, std::size_t subject, const std::string& assignment,
               std::vector<std::string>& notes);
 
 /// The value that someone typed on the command line, where a number is in SI units unless it names its own; nothing

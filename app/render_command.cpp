@@ -31,9 +31,9 @@ std::string presetOf(const Museum& museum, const RequestedPicture& job)
     if (job.subject != hallIndex) {
         const Subject& subject = museum.subject(job.subject);
         return presetText(
-            Preset{std::string(subject.name()), "Picture", job.look.values[job.subject], job.look.camera});
+            Preset{std::string(subject.name()), "Picture", job.sceneState.values[job.subject], job.sceneState.camera});
     }
-    return exhibitionText({"Picture", namedValues(museum.subjects(), job.look.values), job.look.camera});
+    return exhibitionText({"Picture", namedValues(museum.subjects(), job.sceneState.values), job.sceneState.camera});
 }
 
 int renderPicture(const RenderOptions& options)
@@ -44,7 +44,7 @@ int renderPicture(const RenderOptions& options)
     const RequestedPicture job = requestedPicture(museum, options.picture);
     for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
     render::gl::Renderer renderer;
-    PictureMaker maker(museum, renderer, job.look, job.request);
+    PictureMaker maker(museum, renderer, job.sceneState, job.request);
     while (maker.step()) {
     }
     for (const render::Skipped& complaint : render::Complaints().begun(maker.report().skipped))
@@ -71,7 +71,7 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
         options.samples = samples;
         options.out = (std::filesystem::path(folder) / (options.subject + ".png")).string();
         const RequestedPicture job = requestedPicture(museum, options);
-        PictureMaker maker(museum, renderer, job.look, job.request);
+        PictureMaker maker(museum, renderer, job.sceneState, job.request);
         while (maker.step()) {
         }
         render::writePicture(options.out, maker.picture(), render::PictureFormat::png8,

@@ -80,7 +80,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
                  const render::gl::ContextInfo& gl, const RequestedPicture& job, const PictureMaker& maker)
 {
     const FrameRequest frame = frameOf(job, renderer);
-    const Prepared prepared = museum.prepare(job.look, frame);
+    const Prepared prepared = museum.prepare(job.sceneState, frame);
     const std::vector<double> milliseconds = timesOf(museum, renderer, prepared, frame);
 
     renderer.timeSteps(true);
@@ -92,7 +92,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     // What was skipped, run all the same: once for the programs and what is kept, once for the time.
     FrameRequest everything = frame;
     everything.runEverything = true;
-    const Prepared preparedAll = museum.prepare(job.look, everything);
+    const Prepared preparedAll = museum.prepare(job.sceneState, everything);
     (void)renderer.draw(museum.plan(preparedAll, everything));
     renderer.timeSteps(true);
     render::StepCosts wouldCost;

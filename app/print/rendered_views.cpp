@@ -90,8 +90,8 @@ void applySweeps(const Museum& museum, const ViewOptions& options, const Request
                                 static_cast<double>(std::max<std::size_t>(shots.size() - 1, 1));
             continue;
         }
-        Look from = job.look;
-        Look to = job.look;
+        SceneState from = job.sceneState;
+        SceneState to = job.sceneState;
         applySet(museum, from, job.subject, ends[0], notes);
         applySet(museum, to, job.subject, ends[1], notes);
         printing::sweep(shots, from, to);
@@ -107,9 +107,9 @@ std::string depthText(double meters)
 std::string presetOf(const Museum& museum, const RequestedPicture& job, const ViewShot& shot)
 {
     if (job.subject == hallIndex)
-        return exhibitionText({"View", namedValues(museum.subjects(), shot.look.values), shot.look.camera});
-    return presetText(Preset{std::string(museum.subject(job.subject).name()), "View", shot.look.values[job.subject],
-                             shot.look.camera});
+        return exhibitionText({"View", namedValues(museum.subjects(), shot.sceneState.values), shot.sceneState.camera});
+    return presetText(Preset{std::string(museum.subject(job.subject).name()), "View",
+                             shot.sceneState.values[job.subject], shot.sceneState.camera});
 }
 
 /// Refuses what can be refused before anything is rendered.
@@ -139,7 +139,7 @@ PictureOptions sceneOptions(const ViewOptions& options, const PrintLayout& layou
 void takeCameras(std::vector<ViewShot>& shots, const ViewRig& rig)
 {
     for (std::size_t k = 0; k < shots.size(); ++k)
-        shots[k].look.camera = shots[k].request.frame.camera = rig.camera(static_cast<int>(k));
+        shots[k].sceneState.camera = shots[k].request.frame.camera = rig.camera(static_cast<int>(k));
 }
 
 /// What the rig is and what it holds of the scene, for people.
@@ -186,9 +186,9 @@ GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
     const RequestedPicture picture = requestedPicture(museum, scene);
-    const ViewShot base{picture.look, picture.request};
+    const ViewShot base{picture.sceneState, picture.request};
     const auto rigOf = [&](double s) {
-        return ViewRig(layout, picture.look.camera, picture.request.frame.raster.size, {s, options.convergence});
+        return ViewRig(layout, picture.sceneState.camera, picture.request.frame.raster.size, {s, options.convergence});
     };
     ViewRig rig = rigOf(strength.value_or(1));
     std::vector<ViewShot> shots = shotsOf(rig, base);

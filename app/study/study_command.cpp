@@ -82,13 +82,14 @@ std::string chosenPreset(const Museum& museum, const Study& study)
 {
     const StudyResult& result = study.result();
     if (!result.choice || !result.choice->holds) return {};
-    const Look look = study.lookOf(result.points[result.choice->point]);
+    const SceneState sceneState = study.sceneStateOf(result.points[result.choice->point]);
     const std::size_t subject = study.request().subject;
     const std::string name = "Chosen by a study";
     for (const StudyAxis& axis : study.request().axes)
         if (axis.subject != subject)
-            return exhibitionText({name, namedValues(museum.subjects(), look.values), look.camera});
-    return presetText(Preset{std::string(museum.subject(subject).name()), name, look.values[subject], std::nullopt});
+            return exhibitionText({name, namedValues(museum.subjects(), sceneState.values), sceneState.camera});
+    return presetText(
+        Preset{std::string(museum.subject(subject).name()), name, sceneState.values[subject], std::nullopt});
 }
 
 int runStudy(const StudyOptions& options)

@@ -12,15 +12,16 @@ namespace vitrine::app {
 namespace {
 
 /// The names of what can be studied: "bounces, shadowRays, ...".
-std::string qualityNames(const Look& look, std::size_t exhibit)
+std::string qualityNames(const SceneState& sceneState, std::size_t exhibit)
 {
     std::string names;
-    for (const StudyAxis& axis : qualityAxes(look, exhibit, 2))
-        names += (names.empty() ? "" : ", ") + std::string(rowOf(look, axis).name);
+    for (const StudyAxis& axis : qualityAxes(sceneState, exhibit, 2))
+        names += (names.empty() ? "" : ", ") + std::string(rowOf(sceneState, axis).name);
     return names;
 }
 
-StudyAxis axisNamed(const Museum& museum, const Look& look, std::size_t subject, const std::string& text, int points)
+StudyAxis axisNamed(const Museum& museum, const SceneState& sceneState, std::size_t subject, const std::string& text,
+                    int points)
 {
     std::size_t exhibit = subject;
     std::string name = text;
@@ -33,20 +34,20 @@ StudyAxis axisNamed(const Museum& museum, const Look& look, std::size_t subject,
         exhibit = *found;
         name = text.substr(dot + 1);
     }
-    const auto row = look.values[exhibit].table().find(name);
-    const std::optional<StudyAxis> axis = row ? studyAxis(look, exhibit, *row, points) : std::nullopt;
+    const auto row = sceneState.values[exhibit].table().find(name);
+    const std::optional<StudyAxis> axis = row ? studyAxis(sceneState, exhibit, *row, points) : std::nullopt;
     if (!axis)
         throw Failure(Blame::usage,
                       "study " + text + ": " + std::string(museum.subject(exhibit).name()) +
                           (row ? " has it, but accuracy does not depend on it" : " has no such parameter") +
-                          "; give one of " + qualityNames(look, exhibit) + '.');
+                          "; give one of " + qualityNames(sceneState, exhibit) + '.');
     return *axis;
 }
 
-void setValues(const Look& look, StudyAxis& axis, const std::string& text)
+void setValues(const SceneState& sceneState, StudyAxis& axis, const std::string& text)
 {
     axis.values.clear();
-    const ParameterInfo& row = rowOf(look, axis);
+    const ParameterInfo& row = rowOf(sceneState, axis);
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');) {
         const std::optional<Value> value = optionValue(row, part);
@@ -119,7 +120,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
 
     StudyRequest request;
     request.subject = job.subject;
-    request.look = std::move(job.look);
+    request.sceneState = std::move(job.sceneState);
     request.size = job.request.frame.raster.size;
     request.views = options.views;
     request.runs = options.runs;
@@ -134,7 +135,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
     const bool one = options.parameters.size() == 1;
     const int points = options.points > 0 ? options.points : usualPoints(options.parameters.size());
     for (const std::string& name : options.parameters)
-        request.axes.push_back(axisNamed(museum, request.look, job.subject, name, points));
+        request.axes.push_back(axisNamed(museum, request.sceneState, job.subject, name, points));
     for (std::size_t i = 0; i < request.axes.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (request.axes[i].subject == request.axes[j].subject && request.axes[i].row == request.axes[j].row)
@@ -142,9 +143,9 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std
                               "study " + options.parameters[i] + ": named twice; name each parameter once.");
     if (!options.values.empty()) {
         if (!one) throw Failure(Blame::usage, "--values: name exactly one parameter before it.");
-        setValues(request.look, request.axes.front(), options.values);
+        setValues(request.sceneState, request.axes.front(), options.values);
     }
-    if (request.axes.empty()) request.axes = qualityAxes(request.look, job.subject, options.points);
+    if (request.axes.empty()) request.axes = qualityAxes(request.sceneState, job.subject, options.points);
     if (request.axes.empty())
         throw Failure(
             Blame::usage,

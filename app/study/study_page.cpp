@@ -173,7 +173,7 @@ std::string studyPage(Subjects subjects, const StudyRequest& request, const Stud
     const Subject& subject = *subjects[request.subject];
     std::string names;
     for (const StudyAxis& axis : request.axes)
-        names += (names.empty() ? "" : ", ") + axisName(subjects, request.look, request.subject, axis);
+        names += (names.empty() ? "" : ", ") + axisName(subjects, request.sceneState, request.subject, axis);
     const std::string title = std::string(subject.title()) + ": what " +
                               (request.axes.size() > 2 ? std::string("accuracy") : names) + " costs";
 

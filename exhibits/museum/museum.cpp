@@ -52,12 +52,12 @@ std::optional<std::size_t> Museum::find(std::string_view name) const
     return std::nullopt;
 }
 
-Look Museum::initialLook() const
+SceneState Museum::initialSceneState() const
 {
-    Look look;
-    for (const Subject* each : subjects_) look.values.push_back(each->parameters().initial());
-    look.camera = hall_->bestView(look.hall());
-    return look;
+    SceneState sceneState;
+    for (const Subject* each : subjects_) sceneState.values.push_back(each->parameters().initial());
+    sceneState.camera = hall_->bestView(sceneState.hall());
+    return sceneState;
 }
 
 PictureQuality pictureQuality(const ParameterValues& hall)

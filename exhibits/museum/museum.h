@@ -2,9 +2,9 @@
 
 #include "exhibits/framework/exhibit.h"
 #include "exhibits/framework/frame_request.h"
-#include "exhibits/museum/look.h"
 #include "exhibits/museum/prepared.h"
 #include "exhibits/museum/read_tables.h"
+#include "exhibits/museum/scene_state.h"
 
 #include <filesystem>
 #include <memory>
@@ -16,7 +16,7 @@ namespace vitrine {
 
 /// An exhibit of a museum.
 struct MuseumExhibit {
-    std::size_t index;  ///< In Museum::subjects() and Look::values.
+    std::size_t index;  ///< In Museum::subjects() and SceneState::values.
     const Exhibit& exhibit;
 };
 
@@ -69,7 +69,7 @@ public:
     /// What prepared pictures are made of, and how often it was made.
     [[nodiscard]] const render::AssetStore& assets() const { return *assets_; }
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
-    [[nodiscard]] Look initialLook() const;
+    [[nodiscard]] SceneState initialSceneState() const;
 
     /// Where subject `i` stands; the hall is the world itself.
     [[nodiscard]] glm::dmat4 worldFromExhibit(std::size_t i) const;
@@ -77,16 +77,16 @@ public:
     [[nodiscard]] render::Camera bestView(std::size_t i, const ParameterValues&) const;
 
     /// As the function of that name, through the museum's asset store.
-    [[nodiscard]] TabledLook readTables(const Look& look) const
+    [[nodiscard]] TabledSceneState readTables(const SceneState& sceneState) const
     {
-        return vitrine::readTables(subjects_, *assets_, look);
+        return vitrine::readTables(subjects_, *assets_, sceneState);
     }
 
     /// Resolves what pictures of this look at the request's moment, from its camera, take to plan: the only place where
     /// files are read and simulations run. What is out of view is left alone. Any thread may call it, several at once;
     /// what one has made serves all. A file that cannot be read is left out, and the pictures complain of it; where the
     /// request needs files, throws Failure.
-    [[nodiscard]] Prepared prepare(const Look&, const FrameRequest&) const;
+    [[nodiscard]] Prepared prepare(const SceneState&, const FrameRequest&) const;
 
     // What follows only reads, opens no file and keeps nothing: any thread may call it, and the same is answered the
     // same.

@@ -92,7 +92,7 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
         if (!(p.exhibit.nextChangeOf(prepared.state(p.index)) < neverChanges)) continue;
         if (lamps) return std::nullopt;  // Their light and their shadows may fall anywhere.
         if (!seen && !shadowSeen) continue;
-        if (ofLight || movesHangings(p.exhibit, prepared.look.values[p.index])) return std::nullopt;
+        if (ofLight || movesHangings(p.exhibit, prepared.sceneState.values[p.index])) return std::nullopt;
         render::Box reach = p.box;
         if (shadowSeen) {
             shadowMoves = true;

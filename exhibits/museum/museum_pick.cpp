@@ -99,7 +99,7 @@ std::optional<Pointed> Museum::pick(const Prepared& prepared, const FrameRequest
     }
     const Exhibit& shown = exhibit(seen.exhibit);
     found.name = found.inReach ? buttonLine(*capability<HasButton>(shown)) : std::string(shown.title());
-    found.view = bestView(seen.exhibit, prepared.look.values[seen.exhibit]);
+    found.view = bestView(seen.exhibit, prepared.sceneState.values[seen.exhibit]);
     return found;
 }
 
@@ -111,19 +111,19 @@ double Museum::distanceTo(const Prepared& prepared, const FrameRequest& request,
 
 std::optional<LookedAt> Museum::lookedAt(const Prepared& prepared) const
 {
-    const Look& look = prepared.look;
-    const glm::dvec3 toTarget = look.camera.target - look.camera.eye;
+    const SceneState& sceneState = prepared.sceneState;
+    const glm::dvec3 toTarget = sceneState.camera.target - sceneState.camera.eye;
     if (!(glm::length(toTarget) > 1e-9)) return std::nullopt;
     const glm::dvec3 forward = glm::normalize(toTarget);
     for (const auto& [i, shown] : exhibits_) {
         const auto* button = capability<HasButton>(shown);
         const Place* place = button ? model_->place(shown.place()) : nullptr;
         if (!place || !place->worldFromButton) continue;
-        const glm::dvec3 toButton = glm::dvec3((*place->worldFromButton)[3]) - look.camera.eye;
+        const glm::dvec3 toButton = glm::dvec3((*place->worldFromButton)[3]) - sceneState.camera.eye;
         const double along = glm::dot(toButton, forward);
         if (along <= 0 || along > reachOfButton || glm::length(toButton - forward * along) > radiusOfAim) continue;
         // Straight to the button, which the look itself may miss by a little.
-        const Seen seen = firstSeen(prepared, {look.camera.eye, toButton});
+        const Seen seen = firstSeen(prepared, {sceneState.camera.eye, toButton});
         if (seen.what != Seen::What::button || seen.exhibit != i) continue;
         return LookedAt{i, buttonLine(*button)};
     }

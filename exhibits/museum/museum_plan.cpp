@@ -82,11 +82,11 @@ std::string Museum::whyHidden(const render::Box& box, const render::View& view, 
 
 HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
 {
-    HallScene scene = hall_->scene(prepared.look.hall(), alone, prepared.hall.get());
+    HallScene scene = hall_->scene(prepared.sceneState.hall(), alone, prepared.hall.get());
     for (const auto& [i, exhibit] : exhibits_) {
         const auto* turns = capability<TurnsHangings>(exhibit);
         scene.moments.push_back(
-            {turns ? turns->turnOfHangings(prepared.look.values[i], prepared.time) : 0, prepared.sincePress(i)});
+            {turns ? turns->turnOfHangings(prepared.sceneState.values[i], prepared.time) : 0, prepared.sincePress(i)});
     }
     return scene;
 }
@@ -103,7 +103,7 @@ std::vector<render::LocalLight> Museum::lampsOf(const Prepared& prepared, const 
             lamps.push_back(lamp);
         }
     };
-    if (!alone) take(*hall_, {prepared.look.hall(), prepared.time}, glm::dmat4(1));
+    if (!alone) take(*hall_, {prepared.sceneState.hall(), prepared.time}, glm::dmat4(1));
     for (const Present& p : present) take(p.exhibit, prepared.state(p.index), p.worldFromExhibit);
     return lamps;
 }
@@ -126,14 +126,14 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
     return present;
 }
 
-Prepared Museum::prepare(const Look& look, const FrameRequest& request) const
+Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& request) const
 {
-    Prepared made{look, request.time, request.sincePressed, {}, std::vector<PreparedExhibit>(subjects_.size())};
+    Prepared made{sceneState, request.time, request.sincePressed, {}, std::vector<PreparedExhibit>(subjects_.size())};
     const auto complainOf = [&](const PreparedPart* part) {
         if (request.needsFiles && part && !part->unreadable.empty())
             throw Failure(Blame::file, part->unreadable.front().why);
     };
-    made.hall = hall_->prepare(made.look.hall(), *assets_);
+    made.hall = hall_->prepare(made.sceneState.hall(), *assets_);
     complainOf(made.hall.get());
     const HallScene scene = sceneOf(made, request.alone.has_value());
     const render::View view = wholeView(request);
@@ -149,8 +149,8 @@ Prepared Museum::prepare(const Look& look, const FrameRequest& request) const
     for (const auto& [i, exhibit] : exhibits_) {
         PreparedExhibit& part = made.exhibits[i];
         if (!part.seen && !part.shadowSeen) continue;
-        part.part =
-            exhibit.prepare({made.look.values[i], made.time, made.sincePress(i), part.seen, part.shadowSeen, *assets_});
+        part.part = exhibit.prepare(
+            {made.sceneState.values[i], made.time, made.sincePress(i), part.seen, part.shadowSeen, *assets_});
         complainOf(part.part.get());
     }
     return made;

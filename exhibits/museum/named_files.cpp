@@ -8,9 +8,9 @@
 namespace vitrine {
 namespace {
 
-void forEachFile(const Look& look, const std::function<void(const std::string&)>& work)
+void forEachFile(const SceneState& sceneState, const std::function<void(const std::string&)>& work)
 {
-    for (const ParameterValues& values : look.values)
+    for (const ParameterValues& values : sceneState.values)
         for (std::size_t row = 0; row < values.rows().size(); ++row) {
             if (values.rows()[row].kind != Kind::file) continue;
             if (const std::string path = std::get<std::string>(values.row(row)); !path.empty()) work(path);
@@ -28,17 +28,17 @@ void addTo(render::Hash& hash, const render::FileState& state)
 
 }  // namespace
 
-bool namesFiles(const Look& look)
+bool namesFiles(const SceneState& sceneState)
 {
     bool any = false;
-    forEachFile(look, [&](const std::string&) { any = true; });
+    forEachFile(sceneState, [&](const std::string&) { any = true; });
     return any;
 }
 
-std::uint64_t stateOfFiles(const Look& look)
+std::uint64_t stateOfFiles(const SceneState& sceneState)
 {
     render::Hash hash;
-    forEachFile(look, [&](const std::string& path) {
+    forEachFile(sceneState, [&](const std::string& path) {
         hash.add(path);
         addTo(hash, render::fileState(path));
         addTo(hash, render::folderState(path));

@@ -37,8 +37,9 @@ constexpr int apron = 8;  ///< Pixels: two cells of the coarsest image that is b
 
 }  // namespace
 
-PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, Look look, PictureRequest request)
-    : museum_(museum), painter_(painter), look_(std::move(look)), request_(std::move(request))
+PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, SceneState sceneState,
+                           PictureRequest request)
+    : museum_(museum), painter_(painter), sceneState_(std::move(sceneState)), request_(std::move(request))
 {
     const glm::ivec2 size = request_.frame.raster.size;
     if (size.x < 1 || size.y < 1)
@@ -92,7 +93,7 @@ bool PictureMaker::step()
     if (frame.sample > 0) frame.channels = {};
     // A finished picture is a function of what was asked for, whatever was drawn before, other tiles included.
     frame.cut = frame.finished = true;
-    if (!prepared_) prepared_ = museum_.prepare(look_, request_.frame);
+    if (!prepared_) prepared_ = museum_.prepare(sceneState_, request_.frame);
     render::FrameReport report = painter_.draw(museum_.plan(*prepared_, frame, painter_.kept()));
     if (stepsDone_ == 0) report_ = std::move(report);
     if (frame.sample == 0) takeChannels(tile);

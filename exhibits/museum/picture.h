@@ -22,9 +22,9 @@ struct PictureRequest {
 /// Makes a picture step by step, so that a window can show progress and cancel between steps.
 class PictureMaker {
 public:
-    /// Look and request are copied; museum and painter must outlive it. Throws Failure (Blame::usage) for a size
+    /// SceneState and request are copied; museum and painter must outlive it. Throws Failure (Blame::usage) for a size
     /// without pixels, or whose pixels do not fit into half of the machine's memory.
-    PictureMaker(const Museum&, render::Painter&, Look, PictureRequest);
+    PictureMaker(const Museum&, render::Painter&, SceneState, PictureRequest);
 
     /// Draws one sample of one tile; the first one prepares the picture. Returns false when it was already finished.
     bool step();
@@ -50,7 +50,7 @@ private:
 
     const Museum& museum_;
     render::Painter& painter_;
-    Look look_;
+    SceneState sceneState_;
     PictureRequest request_;
     std::optional<Prepared> prepared_;  ///< Since the first step.
     render::Image picture_;

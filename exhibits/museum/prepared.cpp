@@ -25,7 +25,7 @@ double Prepared::sincePress(std::size_t i) const
 
 ExhibitState Prepared::state(std::size_t i) const
 {
-    return {look.values[i], time, sincePress(i), exhibits[i].part.get()};
+    return {sceneState.values[i], time, sincePress(i), exhibits[i].part.get()};
 }
 
 }  // namespace vitrine

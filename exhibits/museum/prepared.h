@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/prepare.h"
-#include "exhibits/museum/look.h"
+#include "exhibits/museum/scene_state.h"
 
 #include <memory>
 #include <vector>
@@ -19,7 +19,7 @@ struct PreparedExhibit {
 /// A look at one moment with everything resolved that it takes to plan pictures of it: whoever draws owns what it
 /// prepared. Holds what it names: nothing in it changes or goes while it lives. Made by Museum::prepare.
 struct Prepared {
-    Look look;
+    SceneState sceneState;
     double time = 0;                   ///< Seconds.
     std::vector<double> sincePressed;  ///< As in FrameRequest.
     std::shared_ptr<const PreparedHall> hall;

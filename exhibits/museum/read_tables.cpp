@@ -2,11 +2,11 @@
 
 namespace vitrine {
 
-TabledLook readTables(Subjects subjects, render::AssetStore& assets, const Look& look)
+TabledSceneState readTables(Subjects subjects, render::AssetStore& assets, const SceneState& sceneState)
 {
-    TabledLook read{look, {}, {}};
+    TabledSceneState read{sceneState, {}, {}};
     for (std::size_t i = 0; i < subjects.size(); ++i) {
-        ParameterValues& values = read.look.values[i];
+        ParameterValues& values = read.sceneState.values[i];
         const auto* made = capability<TableFromFiles>(*subjects[i]);
         if (!made || values.tableFiles().empty()) continue;
         const CalledTable called = made->tableFor(values, assets);

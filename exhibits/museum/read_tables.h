@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/capabilities.h"
 #include "exhibits/framework/subject.h"
-#include "exhibits/museum/look.h"
+#include "exhibits/museum/scene_state.h"
 
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@
 namespace vitrine {
 
 /// A look under the tables that the files which it names call for.
-struct TabledLook {
-    Look look;
+struct TabledSceneState {
+    SceneState sceneState;
     std::vector<std::string> unreadable;  ///< Which files cannot be read, and why: full sentences. Their values keep
                                           ///< the table that they had.
     std::vector<std::string> notes;       ///< What of the values was changed or is not known, for people.
@@ -19,6 +19,6 @@ struct TabledLook {
 
 /// Reads the files in rows that give rows, through the asset store, and exchanges the tables: values of rows with the
 /// same name and kind stay. Any thread may call it, several at once. Never throws for a file that cannot be read.
-[[nodiscard]] TabledLook readTables(Subjects, render::AssetStore&, const Look&);
+[[nodiscard]] TabledSceneState readTables(Subjects, render::AssetStore&, const SceneState&);
 
 }  // namespace vitrine

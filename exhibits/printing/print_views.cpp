@@ -45,11 +45,11 @@ glm::ivec2 viewSize(const PrintLayout& layout, int width)
     return {width, static_cast<int>(std::clamp(std::round(height), 1.0, static_cast<double>(largestView)))};
 }
 
-ViewRig rigOf(const PrintLayout& layout, const ParameterValues& values, const Look& look)
+ViewRig rigOf(const PrintLayout& layout, const ParameterValues& values, const SceneState& sceneState)
 {
     const PrintTable& table = printTable();
     return {layout,
-            look.camera,
+            sceneState.camera,
             viewSize(layout, values[table.viewWidth]),
             {values[table.baselineScale], values[table.convergence]}};
 }
@@ -102,22 +102,23 @@ std::shared_ptr<const PrintViews> readViews(const ParameterValues& values, const
     return views;
 }
 
-std::vector<ViewShot> printShots(const ParameterValues& values, const Look& look, const FrameRequest& frame, bool draft)
+std::vector<ViewShot> printShots(const ParameterValues& values, const SceneState& sceneState, const FrameRequest& frame,
+                                 bool draft)
 {
     const PrintTable& table = printTable();
     const PrintLayout layout(printSettings(values, values[table.views]));
-    ViewShot base{look, {}};
+    ViewShot base{sceneState, {}};
     base.request.frame = frame;
     base.request.frame.raster.size =
         viewSize(layout, draft ? std::min(values[table.viewWidth], draftWidth) : values[table.viewWidth]);
     base.request.samples = draft ? 1 : values[table.samples];
-    return shotsOf(rigOf(layout, values, look), base);
+    return shotsOf(rigOf(layout, values, sceneState), base);
 }
 
-SceneDepth sceneDepth(const ParameterValues& values, const Look& look, const render::Image& picture)
+SceneDepth sceneDepth(const ParameterValues& values, const SceneState& sceneState, const render::Image& picture)
 {
     const PrintTable& table = printTable();
-    const ViewRig rig = rigOf(PrintLayout(printSettings(values, values[table.views])), values, look);
+    const ViewRig rig = rigOf(PrintLayout(printSettings(values, values[table.views])), values, sceneState);
     const DepthRange scene = depthRange(picture);
     SceneDepth depth{scene, rig.budget(), std::min(1.0, rig.strengthThatHolds(scene)), warningsOf(rig, scene)};
     if (values[table.reverse] && rig.baseline() > 0)

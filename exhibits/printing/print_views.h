@@ -42,7 +42,7 @@ using Progress = std::function<bool(double)>;
 
 /// What to render, from left to right, with the look's camera in the middle. `draft`: small and quick, to look at while
 /// setting up. `frame` gives all but camera, size and seed. Throws Failure where no such print can be made.
-[[nodiscard]] std::vector<ViewShot> printShots(const ParameterValues&, const Look&, const FrameRequest& frame,
+[[nodiscard]] std::vector<ViewShot> printShots(const ParameterValues&, const SceneState&, const FrameRequest& frame,
                                                bool draft);
 
 /// How far the scene reaches from the camera, and from where to where the print holds it.
@@ -52,6 +52,6 @@ struct SceneDepth {
     std::vector<std::string> warnings{};
 };
 /// From a picture of the look with the channel "depth.Z". Throws Failure where no such print can be made.
-[[nodiscard]] SceneDepth sceneDepth(const ParameterValues&, const Look&, const render::Image&);
+[[nodiscard]] SceneDepth sceneDepth(const ParameterValues&, const SceneState&, const render::Image&);
 
 }  // namespace vitrine::printing

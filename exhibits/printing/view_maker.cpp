@@ -31,7 +31,7 @@ std::vector<ViewShot> shotsOf(const ViewRig& rig, const ViewShot& base)
     std::vector<ViewShot> shots(static_cast<std::size_t>(rig.count()), base);
     for (int k = 0; k < rig.count(); ++k) {
         ViewShot& shot = shots[static_cast<std::size_t>(k)];
-        shot.look.camera = shot.request.frame.camera = rig.camera(k);
+        shot.sceneState.camera = shot.request.frame.camera = rig.camera(k);
         shot.request.frame.seed = base.request.frame.seed + static_cast<std::uint32_t>(k);
     }
     return shots;
@@ -51,7 +51,7 @@ void turn(std::vector<ViewShot>& shots, double angle)
     }
 }
 
-void sweep(std::vector<ViewShot>& shots, const Look& from, const Look& to)
+void sweep(std::vector<ViewShot>& shots, const SceneState& from, const SceneState& to)
 {
     bool anything = false;
     for (std::size_t exhibit = 0; exhibit < from.values.size(); ++exhibit) {
@@ -68,7 +68,7 @@ void sweep(std::vector<ViewShot>& shots, const Look& from, const Look& to)
                     throw Failure(Blame::usage,
                                   std::string(a.rows()[row].name) +
                                       " has no values between two others; let a number, a color or a direction run.");
-                shots[k].look.values[exhibit].setRow(row, *value);
+                shots[k].sceneState.values[exhibit].setRow(row, *value);
             }
         }
     }
@@ -91,7 +91,7 @@ double ViewMaker::progress() const
 bool ViewMaker::step()
 {
     if (next_ == shots_.size()) return false;
-    if (!maker_) maker_.emplace(museum_, painter_, shots_[next_].look, shots_[next_].request);
+    if (!maker_) maker_.emplace(museum_, painter_, shots_[next_].sceneState, shots_[next_].request);
     maker_->step();
     if (!maker_->finished()) return true;
     take_(static_cast<int>(next_), maker_->picture());
@@ -115,7 +115,7 @@ ViewShot depthShot(ViewShot shot, int width)
 DepthRange measuredDepth(const Museum& museum, render::Painter& painter, const ViewShot& shot)
 {
     const ViewShot quick = depthShot(shot);
-    PictureMaker maker(museum, painter, quick.look, quick.request);
+    PictureMaker maker(museum, painter, quick.sceneState, quick.request);
     while (maker.step()) {
     }
     return depthRange(maker.picture());

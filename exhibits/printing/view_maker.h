@@ -11,7 +11,7 @@ namespace vitrine::printing {
 
 /// One view of a print, to be rendered.
 struct ViewShot {
-    Look look;
+    SceneState sceneState;
     PictureRequest request;
 };
 
@@ -28,7 +28,7 @@ void turn(std::vector<ViewShot>&, double angle);
 /// Lets every number, color and direction in which `from` and `to` differ run from one to the other, the ends
 /// included; on the row's own scale where both ends allow it. Throws Failure (Blame::usage) when nothing differs,
 /// or something that has no values between (a choice, a switch, a file).
-void sweep(std::vector<ViewShot>&, const Look& from, const Look& to);
+void sweep(std::vector<ViewShot>&, const SceneState& from, const SceneState& to);
 
 /// Renders shots one after the other, step by step, so that a window can show progress and cancel between steps.
 class ViewMaker {

@@ -27,16 +27,16 @@ double difference(const render::Image& a, const render::Image& b)
 
 /// The exhibit at index `i` as visitors see it first, alone, in a light that costs little to capture.
 struct Still {
-    Look look;
+    SceneState sceneState;
     PictureRequest request;
 };
 
 Still still(const Museum& museum, std::size_t i)
 {
-    Still s{museum.initialLook(), {}};
-    s.look.hall() = cheapestValues(museum.hall().parameters());
+    Still s{museum.initialSceneState(), {}};
+    s.sceneState.hall() = cheapestValues(museum.hall().parameters());
     s.request.frame.alone = i;
-    s.request.frame.camera = museum.subject(i).bestView(s.look.values[i]);
+    s.request.frame.camera = museum.subject(i).bestView(s.sceneState.values[i]);
     s.request.frame.raster.size = {45, 27};
     s.request.frame.averageIn = AverageIn::radiance;
     return s;
@@ -44,7 +44,7 @@ Still still(const Museum& museum, std::size_t i)
 
 render::Image picture(const Museum& museum, render::Painter& painter, const Still& s)
 {
-    PictureMaker maker(museum, painter, s.look, s.request);
+    PictureMaker maker(museum, painter, s.sceneState, s.request);
     while (maker.step()) {
     }
     return maker.picture();
@@ -54,7 +54,7 @@ render::Image picture(const Museum& museum, render::Painter& painter, const Stil
 render::Image over(const Poison& poison, const Museum& museum, render::Painter& painter, const Still& s)
 {
     (void)painter.draw(
-        poisoned(museum.plan(museum.prepare(s.look, s.request.frame), s.request.frame, painter.kept()), poison));
+        poisoned(museum.plan(museum.prepare(s.sceneState, s.request.frame), s.request.frame, painter.kept()), poison));
     return painter.read("frame");
 }
 

@@ -97,11 +97,11 @@ render::Camera placed(const Museum& museum, const ScanCase& c, render::Camera ca
 }
 
 /// Initial values, in a light that costs little to capture.
-Look plainLook(const Museum& museum)
+SceneState plainSceneState(const Museum& museum)
 {
-    Look look = museum.initialLook();
-    look.hall() = cheapestValues(museum.hall().parameters());
-    return look;
+    SceneState sceneState = museum.initialSceneState();
+    sceneState.hall() = cheapestValues(museum.hall().parameters());
+    return sceneState;
 }
 
 /// Any light; but maps and captures are as small as they get all but now and then.
@@ -128,22 +128,22 @@ ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
 {
     RandomNumbers random(seed);
     const Subject& subject = museum.subject(exhibit);
-    ScanCase c{exhibit, plainLook(museum), {}};
+    ScanCase c{exhibit, plainSceneState(museum), {}};
     // Light that changes has to be captured again, and so has a hall that comes and goes: neighbors share theirs.
     RandomNumbers shared(seed / sharedBy);
     const bool inHall = exhibit == hallIndex || shared.chance(0.15);
-    if (exhibit != hallIndex && shared.chance(0.5)) c.look.hall() = randomLight(museum, shared);
+    if (exhibit != hallIndex && shared.chance(0.5)) c.sceneState.hall() = randomLight(museum, shared);
     if (exhibit == hallIndex)
-        c.look.hall() = randomLight(museum, random);
+        c.sceneState.hall() = randomLight(museum, random);
     else
-        c.look.values[exhibit] = randomValues(subject.parameters(), random, random.chance(0.5) ? 0.5 : 1);
+        c.sceneState.values[exhibit] = randomValues(subject.parameters(), random, random.chance(0.5) ? 0.5 : 1);
     if (exhibit != hallIndex) {
         c.frame.subject = exhibit;
         if (!inHall) c.frame.alone = exhibit;
         c.frame.exhibitTransform = randomPlace(random);
         c.frame.transparent = c.frame.alone && random.chance(0.3);
     }
-    c.frame.camera = placed(museum, c, randomCamera(subject, c.look.values[exhibit], random));
+    c.frame.camera = placed(museum, c, randomCamera(subject, c.sceneState.values[exhibit], random));
     c.frame.raster.size = randomSize(random);
     c.frame.time = randomTime(random);
     c.frame.seed = static_cast<std::uint32_t>(random.index(1 << 30));
@@ -157,7 +157,7 @@ ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
 std::string faultOf(const Museum& museum, render::Painter& painter, const ScanCase& c)
 {
     try {
-        const render::FramePlan plan = museum.plan(museum.prepare(c.look, c.frame), c.frame, painter.kept());
+        const render::FramePlan plan = museum.plan(museum.prepare(c.sceneState, c.frame), c.frame, painter.kept());
         (void)painter.draw(poisoned(plan, spreadingPoison()));
         return faultOfImages(plan, painter, c.frame.channels);
     } catch (const std::exception& error) {
@@ -186,20 +186,21 @@ std::vector<std::string> causesOf(const Museum& museum, render::Painter& painter
     if (c.frame.exhibitTransform != glm::dmat4(1)) {
         tryPlain("an exhibit that is moved, turned or scaled", [&](ScanCase& s) {
             s.frame.exhibitTransform = glm::dmat4(1);
-            s.frame.camera = placed(museum, s, subject.bestView(s.look.values[s.exhibit]));
+            s.frame.camera = placed(museum, s, subject.bestView(s.sceneState.values[s.exhibit]));
         });
     }
-    tryPlain("the camera",
-             [&](ScanCase& s) { s.frame.camera = placed(museum, s, subject.bestView(s.look.values[s.exhibit])); });
+    tryPlain("the camera", [&](ScanCase& s) {
+        s.frame.camera = placed(museum, s, subject.bestView(s.sceneState.values[s.exhibit]));
+    });
     tryPlain("the channels", [&](ScanCase& s) { s.frame.channels = {}; });
-    const Look plain = plainLook(museum);
+    const SceneState plain = plainSceneState(museum);
     for (const std::size_t table : std::set<std::size_t>{hallIndex, c.exhibit}) {
-        for (std::size_t row = 0; row < c.look.values[table].rows().size(); ++row) {
+        for (std::size_t row = 0; row < c.sceneState.values[table].rows().size(); ++row) {
             const Value& value = plain.values[table].row(row);
-            if (c.look.values[table].row(row) == value) continue;
+            if (c.sceneState.values[table].row(row) == value) continue;
             const std::string name =
-                std::string(museum.subject(table).name()) + '.' + settingText(c.look.values[table], row);
-            tryPlain(name, [&](ScanCase& s) { s.look.values[table].setRow(row, value); });
+                std::string(museum.subject(table).name()) + '.' + settingText(c.sceneState.values[table], row);
+            tryPlain(name, [&](ScanCase& s) { s.sceneState.values[table].setRow(row, value); });
         }
     }
     return causes;

@@ -12,7 +12,7 @@ namespace vitrine {
 /// One picture of the scan: an exhibit with random settings, at a hostile time, place and size.
 struct ScanCase {
     std::size_t exhibit = 0;  ///< In Museum::subjects(): `hallIndex` is the hall itself.
-    Look look;                ///< Random values of the exhibit and, now and then, of the hall.
+    SceneState sceneState;    ///< Random values of the exhibit and, now and then, of the hall.
     FrameRequest frame;
 };
 

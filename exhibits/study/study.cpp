@@ -93,7 +93,8 @@ Study::Study(const Museum& museum, render::Painter& painter, StudyRequest reques
     request_.runs = std::max(request_.runs, 1);
     if (request_.subject == hallIndex) request_.alone = false;
     addViews();
-    for (const StudyAxis& axis : request_.axes) result_.exact.push_back(exactness(rowOf(request_.look, axis)).exact);
+    for (const StudyAxis& axis : request_.axes)
+        result_.exact.push_back(exactness(rowOf(request_.sceneState, axis)).exact);
     findDependentPasses();
     for (std::size_t view = 0; view < views_.size(); ++view) addReference(view, true);
     if (request_.axes.size() > 2) {
@@ -118,7 +119,7 @@ Study::~Study() = default;
 void Study::addViews()
 {
     const std::vector<StudyView> all =
-        museum_.subject(request_.subject).studyViews(request_.look.values[request_.subject]);
+        museum_.subject(request_.subject).studyViews(request_.sceneState.values[request_.subject]);
     for (const std::size_t i : spread(all.size(), static_cast<std::size_t>(std::max(request_.views, 1))))
         views_.push_back({all[i], {}, {}, {}, false});
     for (const View& view : views_) result_.views.push_back(view.view.name);
@@ -143,28 +144,28 @@ void Study::addViews()
     }
 }
 
-Look Study::lookAt(const std::vector<double>& axisValues, std::size_t view) const
+SceneState Study::lookAt(const std::vector<double>& axisValues, std::size_t view) const
 {
-    Look look = request_.look;
-    look.values[request_.subject] = views_[view].view.values;
+    SceneState sceneState = request_.sceneState;
+    sceneState.values[request_.subject] = views_[view].view.values;
     for (std::size_t i = 0; i < request_.axes.size(); ++i)
-        look.values[request_.axes[i].subject].setRow(request_.axes[i].row, axisValues[i]);
-    look.camera = views_[view].view.camera;
+        sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, axisValues[i]);
+    sceneState.camera = views_[view].view.camera;
     if (!request_.alone && request_.subject != hallIndex) {
         const glm::dmat4 world = museum_.worldFromExhibit(request_.subject);
-        look.camera.eye = glm::dvec3(world * glm::dvec4(look.camera.eye, 1));
-        look.camera.target = glm::dvec3(world * glm::dvec4(look.camera.target, 1));
+        sceneState.camera.eye = glm::dvec3(world * glm::dvec4(sceneState.camera.eye, 1));
+        sceneState.camera.target = glm::dvec3(world * glm::dvec4(sceneState.camera.target, 1));
     }
-    return look;
+    return sceneState;
 }
 
-Look Study::lookOf(const StudyPoint& point) const
+SceneState Study::sceneStateOf(const StudyPoint& point) const
 {
-    Look look = request_.look;
+    SceneState sceneState = request_.sceneState;
     const std::vector<double> values = valuesOf(point.setting);
     for (std::size_t i = 0; i < request_.axes.size(); ++i)
-        look.values[request_.axes[i].subject].setRow(request_.axes[i].row, values[i]);
-    return look;
+        sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, values[i]);
+    return sceneState;
 }
 
 std::vector<double> Study::valuesOf(const Setting& setting) const
@@ -174,17 +175,17 @@ std::vector<double> Study::valuesOf(const Setting& setting) const
     return values;
 }
 
-PictureRequest Study::pictureRequest(const Look& look, std::size_t view) const
+PictureRequest Study::pictureRequest(const SceneState& sceneState, std::size_t view) const
 {
     PictureRequest request;
-    const PictureQuality quality = pictureQuality(look.hall());
+    const PictureQuality quality = pictureQuality(sceneState.hall());
     const bool supersampled = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& a) {
-        return a.subject == hallIndex && rowOf(request_.look, a).name == supersamplesRow;
+        return a.subject == hallIndex && rowOf(request_.sceneState, a).name == supersamplesRow;
     });
     request.samples = supersampled ? quality.supersamples : 1;
     request.frame.raster.size =
         glm::max(glm::ivec2(glm::round(glm::dvec2(request_.size) * quality.resolutionScale)), glm::ivec2(1));
-    request.frame.camera = look.camera;
+    request.frame.camera = sceneState.camera;
     request.frame.time = views_[view].view.time;
     request.frame.needsFiles = request_.needsFiles;
     if (request_.alone)
@@ -201,10 +202,10 @@ void Study::findDependentPasses()
 {
     using Keys = std::map<std::string, std::uint64_t>;
     const auto keysAt = [&](const std::vector<double>& values) {
-        const Look look = lookAt(values, 0);
+        const SceneState sceneState = lookAt(values, 0);
         Keys keys;
-        const FrameRequest frame = pictureRequest(look, 0).frame;
-        const render::FramePlan plan = museum_.plan(museum_.prepare(look, frame), frame);
+        const FrameRequest frame = pictureRequest(sceneState, 0).frame;
+        const render::FramePlan plan = museum_.plan(museum_.prepare(sceneState, frame), frame);
         for (const render::Pass& pass : plan.passes())
             if (pass.key) keys[pass.name] = *pass.key;
         return keys;
@@ -223,15 +224,16 @@ void Study::findDependentPasses()
     }
 }
 
-void Study::addPicture(std::string name, Look look, std::size_t view, std::function<void(render::Image)> take)
+void Study::addPicture(std::string name, SceneState sceneState, std::size_t view,
+                       std::function<void(render::Image)> take)
 {
     // Made when its turn comes: it holds the whole picture.
     std::shared_ptr<PictureMaker> none;
-    jobs_.push_back({std::move(name),
-                     [this, look = std::move(look), view, maker = std::move(none), take = std::move(take)]() mutable {
+    jobs_.push_back({std::move(name), [this, sceneState = std::move(sceneState), view, maker = std::move(none),
+                                       take = std::move(take)]() mutable {
                          if (!maker)
-                             maker =
-                                 std::make_shared<PictureMaker>(museum_, painter_, look, pictureRequest(look, view));
+                             maker = std::make_shared<PictureMaker>(museum_, painter_, sceneState,
+                                                                    pictureRequest(sceneState, view));
                          maker->step();
                          if (!maker->finished()) return false;
                          const render::Image& picture = maker->picture();
@@ -250,7 +252,7 @@ void Study::addReference(std::size_t view, bool withNeighbors)
                    views_[view].reference = std::move(picture);
                });
     if (!withNeighbors) return;
-    for (const std::vector<double>& neighbor : neighborsOf(request_.look, request_.axes, doublings_))
+    for (const std::vector<double>& neighbor : neighborsOf(request_.sceneState, request_.axes, doublings_))
         addPicture("check of the reference, " + views_[view].view.name, lookAt(neighbor, view), view,
                    [this, view](render::Image picture) { views_[view].neighbors.push_back(std::move(picture)); });
 }
@@ -263,17 +265,17 @@ void Study::addSetting(const Setting& setting)
     result_.points.back().setting = setting;
     result_.points.back().shots.resize(result_.views.size());
     for (std::size_t view = 0; view < result_.views.size(); ++view) {
-        const Look look = lookAt(valuesOf(setting), view);
-        addPicture("setting " + std::to_string(point + 1) + ", " + views_[view].view.name, look, view,
-                   [this, point, view, look](render::Image picture) {
+        const SceneState sceneState = lookAt(valuesOf(setting), view);
+        addPicture("setting " + std::to_string(point + 1) + ", " + views_[view].view.name, sceneState, view,
+                   [this, point, view, sceneState](render::Image picture) {
                        StudyShot& shot = result_.points[point].shots[view];
-                       const int samples = pictureRequest(look, view).samples;
-                       const render::FrameReport report = drawTimed(look, view);
+                       const int samples = pictureRequest(sceneState, view).samples;
+                       const render::FrameReport report = drawTimed(sceneState, view);
                        shot.counters = report.counters;
                        for (const char* name : stateCounters) shot.counters.erase(name);
                        if (const std::int64_t evaluations = totalOf(picture, "evaluations"); evaluations > 0)
                            shot.counters["evaluations"] = evaluations;
-                       const glm::ivec2 drawn = pictureRequest(look, view).frame.raster.size;
+                       const glm::ivec2 drawn = pictureRequest(sceneState, view).frame.raster.size;
                        shot.counters["pixels"] = static_cast<std::int64_t>(drawn.x) * drawn.y;
                        for (auto& [name, count] : shot.counters) count *= samples;
                        shot.firstMilliseconds = report.milliseconds * samples;
@@ -287,15 +289,15 @@ void Study::addSetting(const Setting& setting)
     }
 }
 
-render::FrameReport Study::drawTimed(const Look& look, std::size_t view)
+render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t view)
 {
     // What the studied parameters change is drawn anew, however often it was drawn: it is what they cost.
     render::KeptKeys kept = painter_.kept();
     for (const std::string& pass : dependentPasses_) kept.passes.erase(pass);
-    FrameRequest frame = pictureRequest(look, view).frame;
+    FrameRequest frame = pictureRequest(sceneState, view).frame;
     frame.channels = {};
     frame.cut = frame.finished = true;  // As the pictures that it is the time of.
-    render::FrameReport report = painter_.draw(museum_.plan(museum_.prepare(look, frame), frame, kept));
+    render::FrameReport report = painter_.draw(museum_.plan(museum_.prepare(sceneState, frame), frame, kept));
     result_.clock = report.clock;
     result_.clockTrusted = report.clockTrusted;
     result_.overheadMilliseconds = report.overheadMilliseconds;
@@ -323,9 +325,10 @@ void Study::addTimes()
             const std::size_t point = timed[i];
             jobs_.push_back({"run " + std::to_string(run + 1) + " of " + std::to_string(request_.runs),
                              [this, point, view = std::size_t{0}]() mutable {
-                                 const Look look = lookAt(valuesOf(result_.points[point].setting), view);
+                                 const SceneState sceneState = lookAt(valuesOf(result_.points[point].setting), view);
                                  result_.points[point].shots[view].milliseconds.push_back(
-                                     drawTimed(look, view).milliseconds * pictureRequest(look, view).samples);
+                                     drawTimed(sceneState, view).milliseconds *
+                                     pictureRequest(sceneState, view).samples);
                                  return ++view == result_.views.size();
                              }});
         }
@@ -349,7 +352,7 @@ bool Study::refineReference()
     if (tellsAll || doublings_ >= mostDoublings) return false;
     std::vector<double> doubled;
     for (const StudyAxis& axis : request_.axes)
-        doubled.push_back(exactness(rowOf(request_.look, axis), doublings_ + 1).exact);
+        doubled.push_back(exactness(rowOf(request_.sceneState, axis), doublings_ + 1).exact);
     if (doubled == result_.exact) return false;
     ++doublings_;
     result_.exact = doubled;
@@ -390,20 +393,22 @@ void Study::tryCandidate()
     result_.choice = StudyChoice{.point = point, .holds = true};
     for (std::size_t view = result_.views.size(); view < views_.size(); ++view) {
         result_.choice->heldOutViews.push_back(views_[view].view.name);
-        const Look look = lookAt(valuesOf(result_.points[point].setting), view);
-        addPicture("held-out view " + views_[view].view.name, look, view, [this, view, look](render::Image picture) {
-            StudyChoice& choice = *result_.choice;
-            const double error = judge_.errorsOf(views_[view].reference, picture)[request_.metric];
-            choice.heldOutError = std::max(choice.heldOutError, error);
-            if (request_.maxError) choice.holds = choice.holds && error <= *request_.maxError;
-            if (!request_.maxMilliseconds) return;
-            std::vector<double> times;
-            for (int run = 0; run < heldOutRuns; ++run)
-                times.push_back(drawTimed(look, view).milliseconds * pictureRequest(look, view).samples);
-            const double median = render::quantile(times, 0.5);
-            choice.heldOutMilliseconds = std::max(choice.heldOutMilliseconds, median);
-            choice.holds = choice.holds && median <= *request_.maxMilliseconds;
-        });
+        const SceneState sceneState = lookAt(valuesOf(result_.points[point].setting), view);
+        addPicture("held-out view " + views_[view].view.name, sceneState, view,
+                   [this, view, sceneState](render::Image picture) {
+                       StudyChoice& choice = *result_.choice;
+                       const double error = judge_.errorsOf(views_[view].reference, picture)[request_.metric];
+                       choice.heldOutError = std::max(choice.heldOutError, error);
+                       if (request_.maxError) choice.holds = choice.holds && error <= *request_.maxError;
+                       if (!request_.maxMilliseconds) return;
+                       std::vector<double> times;
+                       for (int run = 0; run < heldOutRuns; ++run)
+                           times.push_back(drawTimed(sceneState, view).milliseconds *
+                                           pictureRequest(sceneState, view).samples);
+                       const double median = render::quantile(times, 0.5);
+                       choice.heldOutMilliseconds = std::max(choice.heldOutMilliseconds, median);
+                       choice.holds = choice.holds && median <= *request_.maxMilliseconds;
+                   });
     }
 }
 
@@ -416,16 +421,17 @@ void Study::nextPhase()
         phase_ = Phase::exactReferences;
         if (!request_.modelError) return;
         for (std::size_t view = 0; view < result_.views.size(); ++view) {
-            Look look = lookAt(result_.exact, view);
-            look.values[request_.subject] = atReference(look.values[request_.subject]);
+            SceneState sceneState = lookAt(result_.exact, view);
+            sceneState.values[request_.subject] = atReference(sceneState.values[request_.subject]);
             for (std::size_t i = 0; i < request_.axes.size(); ++i)
-                look.values[request_.axes[i].subject].setRow(request_.axes[i].row, result_.exact[i]);
-            addPicture("everything exact, " + views_[view].view.name, look, view, [this, view](render::Image picture) {
-                views_[view].exact = std::move(picture);
-                for (StudyPoint& point : result_.points)
-                    point.shots[view].modelError =
-                        judge_.errorsOf(views_[view].exact, point.shots[view].picture)[request_.metric];
-            });
+                sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, result_.exact[i]);
+            addPicture("everything exact, " + views_[view].view.name, sceneState, view,
+                       [this, view](render::Image picture) {
+                           views_[view].exact = std::move(picture);
+                           for (StudyPoint& point : result_.points)
+                               point.shots[view].modelError =
+                                   judge_.errorsOf(views_[view].exact, point.shots[view].picture)[request_.metric];
+                       });
         }
         return;
     case Phase::exactReferences:

@@ -33,7 +33,7 @@ public:
     /// The same for good, its pictures moved: nothing more may be asked of the study.
     [[nodiscard]] StudyResult takeResult() { return std::move(result_); }
     /// The look with this point's values: what a click applies.
-    [[nodiscard]] Look lookOf(const StudyPoint&) const;
+    [[nodiscard]] SceneState sceneStateOf(const StudyPoint&) const;
 
 private:
     enum class Phase { pictures, exactReferences, times, choice, done };
@@ -50,18 +50,18 @@ private:
 
     // Jobs: what is drawn.
     void addViews();
-    void addPicture(std::string name, Look, std::size_t view, std::function<void(render::Image)> take);
+    void addPicture(std::string name, SceneState, std::size_t view, std::function<void(render::Image)> take);
     void addReference(std::size_t view, bool withNeighbors);
     void addSetting(const Setting&);
     void addTimes();
     void nextPhase();
     void findJob();
     void keepColors();
-    [[nodiscard]] Look lookAt(const std::vector<double>& axisValues, std::size_t view) const;
+    [[nodiscard]] SceneState lookAt(const std::vector<double>& axisValues, std::size_t view) const;
     [[nodiscard]] std::vector<double> valuesOf(const Setting&) const;
-    [[nodiscard]] PictureRequest pictureRequest(const Look&, std::size_t view) const;
+    [[nodiscard]] PictureRequest pictureRequest(const SceneState&, std::size_t view) const;
     void findDependentPasses();
-    [[nodiscard]] render::FrameReport drawTimed(const Look&, std::size_t view);
+    [[nodiscard]] render::FrameReport drawTimed(const SceneState&, std::size_t view);
 
     void renewErrors();
     bool refineReference();

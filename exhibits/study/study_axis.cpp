@@ -10,20 +10,20 @@
 
 namespace vitrine {
 
-const ParameterInfo& rowOf(const Look& look, const StudyAxis& axis)
+const ParameterInfo& rowOf(const SceneState& sceneState, const StudyAxis& axis)
 {
-    return look.values[axis.subject].rows()[axis.row];
+    return sceneState.values[axis.subject].rows()[axis.row];
 }
 
-std::string axisName(Subjects subjects, const Look& look, std::size_t subject, const StudyAxis& axis)
+std::string axisName(Subjects subjects, const SceneState& sceneState, std::size_t subject, const StudyAxis& axis)
 {
-    const std::string name(rowOf(look, axis).name);
+    const std::string name(rowOf(sceneState, axis).name);
     return axis.subject == subject ? name : std::string(subjects[axis.subject]->name()) + '.' + name;
 }
 
-std::string axisValueText(const Look& look, const StudyAxis& axis, double value)
+std::string axisValueText(const SceneState& sceneState, const StudyAxis& axis, double value)
 {
-    const ParameterInfo& row = rowOf(look, axis);
+    const ParameterInfo& row = rowOf(sceneState, axis);
     const std::string unit(info(row.unit).symbol);
     std::string text = formatValue(row, value);
     if (row.kind == Kind::real) {
@@ -35,10 +35,10 @@ std::string axisValueText(const Look& look, const StudyAxis& axis, double value)
     return text + (unit.empty() ? "" : ' ' + unit);
 }
 
-std::optional<StudyAxis> studyAxis(const Look& look, std::size_t subject, std::size_t row, int points)
+std::optional<StudyAxis> studyAxis(const SceneState& sceneState, std::size_t subject, std::size_t row, int points)
 {
     StudyAxis axis{subject, row, {}};
-    const ParameterInfo& info = rowOf(look, axis);
+    const ParameterInfo& info = rowOf(sceneState, axis);
     if (!info.qualityReference) return std::nullopt;
     // One place is the initial value's, unless the sweep meets it anyway.
     axis.values = derive::sweep(info, std::max(points - 1, 2));
@@ -48,15 +48,15 @@ std::optional<StudyAxis> studyAxis(const Look& look, std::size_t subject, std::s
     return axis;
 }
 
-std::vector<StudyAxis> qualityAxes(const Look& look, std::size_t subject, int points)
+std::vector<StudyAxis> qualityAxes(const SceneState& sceneState, std::size_t subject, int points)
 {
-    const auto& rows = look.values[subject].rows();
+    const auto& rows = sceneState.values[subject].rows();
     if (points == 0)
         points = usualPoints(static_cast<std::size_t>(std::count_if(
             rows.begin(), rows.end(), [](const ParameterInfo& row) { return row.qualityReference.has_value(); })));
     std::vector<StudyAxis> axes;
     for (std::size_t row = 0; row < rows.size(); ++row)
-        if (auto axis = studyAxis(look, subject, row, points)) axes.push_back(std::move(*axis));
+        if (auto axis = studyAxis(sceneState, subject, row, points)) axes.push_back(std::move(*axis));
     return axes;
 }
 
@@ -98,11 +98,12 @@ Exactness exactness(const ParameterInfo& row, int doublings)
     return result;
 }
 
-std::vector<std::vector<double>> neighborsOf(const Look& look, const std::vector<StudyAxis>& axes, int doublings)
+std::vector<std::vector<double>> neighborsOf(const SceneState& sceneState, const std::vector<StudyAxis>& axes,
+                                             int doublings)
 {
     std::vector<double> exact, first, last;
     for (const StudyAxis& axis : axes) {
-        const Exactness e = exactness(rowOf(look, axis), doublings);
+        const Exactness e = exactness(rowOf(sceneState, axis), doublings);
         exact.push_back(e.exact);
         first.push_back(e.neighbors.empty() ? e.exact : e.neighbors.front());
         last.push_back(e.neighbors.empty() ? e.exact : e.neighbors.back());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/subject.h"
-#include "exhibits/museum/look.h"
+#include "exhibits/museum/scene_state.h"
 
 #include <cstddef>
 #include <optional>
@@ -23,17 +23,17 @@ struct StudyAxis {
 using Setting = std::vector<std::size_t>;
 
 /// The row that an axis varies, in the table that the look's values have; the look must outlive it.
-[[nodiscard]] const ParameterInfo& rowOf(const Look&, const StudyAxis&);
+[[nodiscard]] const ParameterInfo& rowOf(const SceneState&, const StudyAxis&);
 
 /// "stepLimit", or "hall.shadowMapSize" where the hall is not the subject.
-[[nodiscard]] std::string axisName(Subjects, const Look&, std::size_t subject, const StudyAxis&);
+[[nodiscard]] std::string axisName(Subjects, const SceneState&, std::size_t subject, const StudyAxis&);
 
 /// The value of an axis for people: "64", "none", "on".
-[[nodiscard]] std::string axisValueText(const Look&, const StudyAxis&, double value);
+[[nodiscard]] std::string axisValueText(const SceneState&, const StudyAxis&, double value);
 
 /// An axis over the comfortable range of a quality row, about `points` values by the row's scale, with the initial
 /// value and the exact one; of a choice or a toggle, all. Nothing for a row that is not marked as quality.
-[[nodiscard]] std::optional<StudyAxis> studyAxis(const Look&, std::size_t subject, std::size_t row, int points);
+[[nodiscard]] std::optional<StudyAxis> studyAxis(const SceneState&, std::size_t subject, std::size_t row, int points);
 
 /// How many values each axis is given where nobody says: few of a surface, many of a curve, and most where a search
 /// among three axes or more measures only those that matter.
@@ -43,7 +43,7 @@ using Setting = std::vector<std::size_t>;
 }
 
 /// One axis for every quality row of the subject; of `usualPoints` values where `points` is 0.
-[[nodiscard]] std::vector<StudyAxis> qualityAxes(const Look&, std::size_t subject, int points = 0);
+[[nodiscard]] std::vector<StudyAxis> qualityAxes(const SceneState&, std::size_t subject, int points = 0);
 
 /// The values at which everything that the table marks as quality counts as exact.
 [[nodiscard]] ParameterValues atReference(ParameterValues);
@@ -63,7 +63,7 @@ struct Exactness {
 
 /// The settings, none to two, whose pictures a reference of all these axes is checked against: every axis at its first
 /// neighbor, then every one at its last.
-[[nodiscard]] std::vector<std::vector<double>> neighborsOf(const Look&, const std::vector<StudyAxis>&,
+[[nodiscard]] std::vector<std::vector<double>> neighborsOf(const SceneState&, const std::vector<StudyAxis>&,
                                                            int doublings = 0);
 
 }  // namespace vitrine

@@ -26,11 +26,11 @@ bool isDrawn(const StudyPoint& point)
 }
 
 /// Those whose reference counts as exact although neither its meaning nor another value says so.
-std::vector<StudyAxis> uncheckedAxes(const Look& look, const std::vector<StudyAxis>& axes)
+std::vector<StudyAxis> uncheckedAxes(const SceneState& sceneState, const std::vector<StudyAxis>& axes)
 {
     std::vector<StudyAxis> found;
     for (const StudyAxis& axis : axes)
-        if (const Exactness e = exactness(rowOf(look, axis)); !e.byMeaning && e.neighbors.empty())
+        if (const Exactness e = exactness(rowOf(sceneState, axis)); !e.byMeaning && e.neighbors.empty())
             found.push_back(axis);
     return found;
 }
@@ -119,13 +119,13 @@ void StudyJudge::judge(StudyResult& result, int doublings) const
         if (point.error > 0) smallest = std::min(smallest, point.error);
         if (isPresent(point)) result.present = i;
     }
-    result.converged = uncertain == 0 && uncheckedAxes(request_.look, request_.axes).empty();
+    result.converged = uncertain == 0 && uncheckedAxes(request_.sceneState, request_.axes).empty();
     result.convergence = convergenceSentence(result, uncertain, smallest, doublings);
     if (std::isinf(smallest) && result.points.size() > 1 &&
         std::all_of(result.points.begin(), result.points.end(), isDrawn)) {
         std::string names;
         for (const StudyAxis& axis : request_.axes)
-            names += (names.empty() ? "" : " or ") + axisName(subjects_, request_.look, request_.subject, axis);
+            names += (names.empty() ? "" : " or ") + axisName(subjects_, request_.sceneState, request_.subject, axis);
         result.convergence =
             "Nothing depends on " + names +
             " at present: every setting gives the same picture. Switch on what it acts on, and study again.";
@@ -155,7 +155,7 @@ bool StudyJudge::isPresent(const StudyPoint& point) const
 {
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
-        if (std::get<double>(request_.look.values[axis.subject].row(axis.row)) != axis.values[point.setting[a]])
+        if (std::get<double>(request_.sceneState.values[axis.subject].row(axis.row)) != axis.values[point.setting[a]])
             return false;
     }
     return true;
@@ -167,16 +167,16 @@ std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size
     const auto listed = [&](const std::vector<StudyAxis>& axes, const std::vector<double>& values) {
         std::string text;
         for (std::size_t i = 0; i < axes.size(); ++i)
-            text += (text.empty() ? "" : ", ") + axisName(subjects_, request_.look, request_.subject, axes[i]) + ' ' +
-                    axisValueText(request_.look, axes[i], values[i]);
+            text += (text.empty() ? "" : ", ") + axisName(subjects_, request_.sceneState, request_.subject, axes[i]) +
+                    ' ' + axisValueText(request_.sceneState, axes[i], values[i]);
         return text;
     };
-    const std::vector<StudyAxis> unchecked = uncheckedAxes(request_.look, request_.axes);
+    const std::vector<StudyAxis> unchecked = uncheckedAxes(request_.sceneState, request_.axes);
     std::vector<double> takenFor;
-    for (const StudyAxis& axis : unchecked) takenFor.push_back(exactness(rowOf(request_.look, axis)).exact);
+    for (const StudyAxis& axis : unchecked) takenFor.push_back(exactness(rowOf(request_.sceneState, axis)).exact);
     const std::string onTrust =
         unchecked.empty() ? "" : "What counts as exact is not checked: " + listed(unchecked, takenFor) + '.';
-    const auto neighbors = neighborsOf(request_.look, request_.axes);
+    const auto neighbors = neighborsOf(request_.sceneState, request_.axes);
     if (neighbors.empty()) return onTrust.empty() ? "The reference is exact by the meaning of the parameter." : onTrust;
 
     std::string text;
@@ -231,8 +231,9 @@ void StudyJudge::judgeCosts(StudyResult& result) const
 void StudyJudge::fitLaw(StudyResult& result, std::span<const render::CostAndError> measured) const
 {
     result.law.reset();
-    const bool numeric = std::any_of(request_.axes.begin(), request_.axes.end(),
-                                     [&](const StudyAxis& axis) { return rowOf(request_.look, axis).isNumeric(); });
+    const bool numeric = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& axis) {
+        return rowOf(request_.sceneState, axis).isNumeric();
+    });
     if (request_.axes.size() > 2 || !numeric) return;
     std::vector<double> errors;
     std::vector<double> costs;

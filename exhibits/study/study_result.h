@@ -16,7 +16,7 @@ namespace vitrine {
 /// What to measure.
 struct StudyRequest {
     std::size_t subject = 1;
-    Look look;                    ///< Everything that is not varied stays as it is here.
+    SceneState sceneState;        ///< Everything that is not varied stays as it is here.
     std::vector<StudyAxis> axes;  ///< One: a curve. Two: a surface. More: the front is searched for.
     glm::ivec2 size{320, 180};
     int views = 3;  ///< At most; spread over those that the exhibit names.

@@ -73,13 +73,14 @@ void StudySearch::addEachAlone()
     // Each parameter alone: what it gives and what it costs.
     Setting present;
     for (const StudyAxis& axis : request_.axes)
-        present.push_back(nearest(axis.values, std::get<double>(request_.look.values[axis.subject].row(axis.row))));
+        present.push_back(
+            nearest(axis.values, std::get<double>(request_.sceneState.values[axis.subject].row(axis.row))));
     add_(present);
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
         const std::size_t exact = nearest(axis.values, result_.exact[a]);
         for (std::size_t i = 0; i < axis.values.size(); ++i) {
-            if (i != exact && !isCoarse(axis, rowOf(request_.look, axis), i)) continue;
+            if (i != exact && !isCoarse(axis, rowOf(request_.sceneState, axis), i)) continue;
             Setting setting = present;
             setting[a] = i;
             add_(setting);

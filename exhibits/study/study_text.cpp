@@ -50,8 +50,8 @@ Json pointJson(Subjects subjects, const StudyRequest& request, const StudyResult
     Json values = Json::object();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        values[axisName(subjects, request.look, request.subject, axis)] =
-            jsonFromValue(rowOf(request.look, axis), axis.values[point.setting[a]]);
+        values[axisName(subjects, request.sceneState, request.subject, axis)] =
+            jsonFromValue(rowOf(request.sceneState, axis), axis.values[point.setting[a]]);
     }
     Json json{{"values", values},
               {"error", number(point.error)},
@@ -113,10 +113,10 @@ std::string pointText(Subjects subjects, const StudyRequest& request, const Stud
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
         const bool asAtPresent =
-            std::get<double>(request.look.values[axis.subject].row(axis.row)) == axis.values[point.setting[a]];
+            std::get<double>(request.sceneState.values[axis.subject].row(axis.row)) == axis.values[point.setting[a]];
         if (asAtPresent && request.axes.size() > 2) continue;
-        text += (text.empty() ? "" : ", ") + axisName(subjects, request.look, request.subject, axis) + ' ' +
-                axisValueText(request.look, axis, axis.values[point.setting[a]]);
+        text += (text.empty() ? "" : ", ") + axisName(subjects, request.sceneState, request.subject, axis) + ' ' +
+                axisValueText(request.sceneState, axis, axis.values[point.setting[a]]);
     }
     return text.empty() ? "as at present" : text;
 }
@@ -182,10 +182,10 @@ Json axesJson(Subjects subjects, const StudyRequest& request, const StudyResult&
     Json axes = Json::array();
     for (std::size_t a = 0; a < request.axes.size(); ++a) {
         const StudyAxis& axis = request.axes[a];
-        const ParameterInfo& row = rowOf(request.look, axis);
+        const ParameterInfo& row = rowOf(request.sceneState, axis);
         Json values = Json::array();
         for (const double value : axis.values) values.push_back(jsonFromValue(row, value));
-        axes.push_back(Json{{"name", axisName(subjects, request.look, request.subject, axis)},
+        axes.push_back(Json{{"name", axisName(subjects, request.sceneState, request.subject, axis)},
                             {"unit", std::string(info(row.unit).storedSymbol)},
                             {"values", values},
                             {"reference", jsonFromValue(row, result.exact[a])}});
@@ -257,7 +257,8 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
         }
     }
     std::string text;
-    for (const StudyAxis& axis : request.axes) text += axisName(subjects, request.look, request.subject, axis) + ',';
+    for (const StudyAxis& axis : request.axes)
+        text += axisName(subjects, request.sceneState, request.subject, axis) + ',';
     text += "view";
     for (const render::Metric metric : metrics) text += ',' + std::string(toString(metric));
     if (request.modelError) text += ",model_" + std::string(toString(request.metric));
@@ -267,7 +268,7 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
         for (std::size_t v = 0; v < point.shots.size(); ++v) {
             const StudyShot& shot = point.shots[v];
             for (std::size_t a = 0; a < request.axes.size(); ++a)
-                text += quoted(formatValue(rowOf(request.look, request.axes[a]),
+                text += quoted(formatValue(rowOf(request.sceneState, request.axes[a]),
                                            request.axes[a].values[point.setting[a]])) +
                         ',';
             text += quoted(result.views[v]);

@@ -50,7 +50,7 @@ protected:
         options.subject = "balls";
         options.sets = sets;
         options.preset = preset;
-        return app::requestedPicture(museum_, options).look.values[1];
+        return app::requestedPicture(museum_, options).sceneState.values[1];
     }
 
     test::TemporaryFolder folder_;
@@ -100,7 +100,7 @@ TEST_F(MadeRows, AreStudied)
     options.noModelError = true;
     std::vector<std::string> notes;
     const StudyRequest request = app::studyRequest(museum_, options, notes);
-    EXPECT_EQ(rowOf(request.look, request.axes.at(0)).name, "redRings");
+    EXPECT_EQ(rowOf(request.sceneState, request.axes.at(0)).name, "redRings");
     test::KnownPainter painter;
     Study study(museum_, painter, request);
     while (study.step()) {
@@ -111,7 +111,8 @@ TEST_F(MadeRows, AreStudied)
         EXPECT_LT(points[i].error, points[i - 1].error);
         EXPECT_GT(points[i].cost, points[i - 1].cost);
     }
-    EXPECT_EQ(test::rowOf(study.lookOf(points.front()).values[1], "redRings"), Value(request.axes[0].values.front()));
+    EXPECT_EQ(test::rowOf(study.sceneStateOf(points.front()).values[1], "redRings"),
+              Value(request.axes[0].values.front()));
 }
 
 TEST_F(MadeRows, AreNamedWhereAStudyOfAnotherIsAskedFor)

@@ -75,10 +75,11 @@ double outlineDifference(const render::Image& a, const render::Image& truth)
 
 class Bench {
 public:
-    Bench(glm::ivec2 size, int rounds) : rounds_(rounds), fur_(*museum_.find("fur")), look_(museum_.initialLook())
+    Bench(glm::ivec2 size, int rounds)
+        : rounds_(rounds), fur_(*museum_.find("fur")), sceneState_(museum_.initialSceneState())
     {
         request_.alone = fur_;
-        request_.camera = museum_.subject(fur_).bestView(look_.values[fur_]);
+        request_.camera = museum_.subject(fur_).bestView(sceneState_.values[fur_]);
         request_.raster.size = size;
         request_.transparent = true;
         renderer_.timeSteps(true);
@@ -89,7 +90,7 @@ public:
     [[nodiscard]] const FurTable& table() const { return static_cast<const Fur&>(museum_.exhibit(fur_)).parameters(); }
     [[nodiscard]] Row row(std::string name, const std::function<void(ParameterValues&)>& change) const
     {
-        Row row{std::move(name), museum_.initialLook().values[fur_], {}, {}, {}, {}, 0};
+        Row row{std::move(name), museum_.initialSceneState().values[fur_], {}, {}, {}, {}, 0};
         change(row.values);
         return row;
     }
@@ -132,7 +133,7 @@ public:
     void motion() const
     {
         std::printf("\n### Motion\n\n| what | microseconds, wall |\n|---|---|\n");
-        const ParameterValues values = look_.values[fur_];
+        const ParameterValues values = sceneState_.values[fur_];
         std::vector<double> perStep;
         for (int toss = 1; toss <= 5; ++toss) {
             ParameterValues tossed = values;
@@ -165,9 +166,9 @@ public:
     void calls()
     {
         std::printf("\n### Draw calls, 64 shells\n\n| what | draws | coat, ms |\n|---|---|---|\n");
-        look_.values[fur_].set(table().shellCount, 64);
-        look_.values[fur_].set(table().levelOfDetail, false);
-        const render::FramePlan instanced = test::planned(museum_, look_, request_, renderer_.kept());
+        sceneState_.values[fur_].set(table().shellCount, 64);
+        sceneState_.values[fur_].set(table().levelOfDetail, false);
+        const render::FramePlan instanced = test::planned(museum_, sceneState_, request_, renderer_.kept());
         const render::FramePlan single = changed(instanced, [](render::Pass& pass) {
             if (pass.name != "fur/coat") return;
             const std::vector<render::Draw> whole = std::move(pass.draws);
@@ -193,14 +194,14 @@ public:
         }
         std::printf("| one instanced draw for each body | %zu | %.1f |\n| one draw for each shell | %zu | %.1f |\n",
                     draws[0], median(times[0]), draws[1], median(times[1]));
-        look_ = museum_.initialLook();
+        sceneState_ = museum_.initialSceneState();
     }
     /// What each body costs as it stands in the best view, without the other two.
     void bodies()
     {
         std::printf(
             "\n### Cost of each body, as it stands\n\n| body | shells | coat, ms | light, ms |\n|---|---|---|---|\n");
-        const render::FramePlan all = test::planned(museum_, look_, request_, renderer_.kept());
+        const render::FramePlan all = test::planned(museum_, sceneState_, request_, renderer_.kept());
         const char* const names[] = {"ball", "roll", "ring", "all three"};
         std::vector<double> coat[4], light[4];
         int shells[4] = {};
@@ -236,11 +237,11 @@ private:
     }
     render::FrameReport draw(const ParameterValues& values, int sample, int samples)
     {
-        look_.values[fur_] = values;
+        sceneState_.values[fur_] = values;
         FrameRequest request = request_;
         request.sample = sample;
         request.samples = samples;
-        return renderer_.draw(test::planned(museum_, look_, request, renderer_.kept()));
+        return renderer_.draw(test::planned(museum_, sceneState_, request, renderer_.kept()));
     }
     render::Image average(const ParameterValues& values)
     {
@@ -253,7 +254,7 @@ private:
     const Museum museum_{allExhibits()};
     int rounds_;
     std::size_t fur_;
-    Look look_;
+    SceneState sceneState_;
     FrameRequest request_;
 };
 

@@ -81,11 +81,11 @@ int main(int argc, char** argv)
     const double museumReady = render::wallSeconds();
     render::gl::Renderer renderer;
     render::gl::Renderer aloneRenderer;
-    const Look look = museum.initialLook();
+    const SceneState sceneState = museum.initialSceneState();
     FrameRequest entrance;
-    entrance.camera = look.camera;
+    entrance.camera = sceneState.camera;
     entrance.raster.size = size;
-    const render::FrameReport first = renderer.draw(test::planned(museum, look, entrance, renderer.kept()));
+    const render::FrameReport first = renderer.draw(test::planned(museum, sceneState, entrance, renderer.kept()));
     const double firstReady = render::wallSeconds();
 
     std::printf("Clock: %s\nSize: %d x %d, %d rounds in turn after 3 warm-up frames, medians\n", first.clock.c_str(),
@@ -99,7 +99,7 @@ int main(int argc, char** argv)
     // The empty hall has a renderer of its own, so that neither disturbs what the other keeps.
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
     render::gl::Renderer emptyRenderer;
-    const Look emptyLook = empty.initialLook();
+    const SceneState emptySceneState = empty.initialSceneState();
     FrameRequest away = entrance;
     away.camera = {{0.5, 1.65, 9}, {0.5, 1.2, 12}, 0.959931};  // The exhibits and their shadows are out of view.
     FrameRequest intoTheBeam = away;
@@ -107,18 +107,18 @@ int main(int argc, char** argv)
         3.2;  // Up there, the beam of the oculus is in view: it is marched and laid over the picture.
     const std::size_t sdf = *museum.find("sdf_morph");
     FrameRequest near = entrance;
-    near.camera = museum.bestView(sdf, look.values[sdf]);
+    near.camera = museum.bestView(sdf, sceneState.values[sdf]);
     FrameRequest alone = entrance;
     alone.alone = sdf;
-    alone.camera = museum.subject(sdf).bestView(look.values[sdf]);
+    alone.camera = museum.subject(sdf).bestView(sceneState.values[sdf]);
     const auto draw = [&](const FrameRequest& request) {
-        return [&museum, &renderer, &look, request] {
-            return renderer.draw(test::planned(museum, look, request, renderer.kept()));
+        return [&museum, &renderer, &sceneState, request] {
+            return renderer.draw(test::planned(museum, sceneState, request, renderer.kept()));
         };
     };
     const auto drawEmpty = [&](const FrameRequest& request) {
-        return [&empty, &emptyRenderer, &emptyLook, request] {
-            return emptyRenderer.draw(test::planned(empty, emptyLook, request, emptyRenderer.kept()));
+        return [&empty, &emptyRenderer, &emptySceneState, request] {
+            return emptyRenderer.draw(test::planned(empty, emptySceneState, request, emptyRenderer.kept()));
         };
     };
     std::vector<Row> rows;
@@ -147,7 +147,7 @@ int main(int argc, char** argv)
     sliders.push_back({"exhibit before the visitor: nothing moved", draw(near), {}, {}, {}});
     sliders.push_back({"exhibit's slider (morph)",
                        [&] {
-                           Look changed = look;
+                           SceneState changed = sceneState;
                            changed.values[sdf].set(table.morph, morph = morph < 0.9 ? morph + 0.05 : 0.0);
                            return morphRenderer.draw(test::planned(museum, changed, near, morphRenderer.kept()));
                        },
@@ -157,7 +157,7 @@ int main(int argc, char** argv)
     double exposure = 0;
     sliders.push_back({"hall's slider that develops only (exposure)",
                        [&] {
-                           Look changed = look;
+                           SceneState changed = sceneState;
                            changed.hall().setRow(*changed.hall().table().find("exposure"),
                                                  exposure = exposure < 1 ? exposure + 0.1 : -1.0);
                            return renderer.draw(test::planned(museum, changed, near, renderer.kept()));
@@ -169,7 +169,7 @@ int main(int argc, char** argv)
     render::gl::Renderer sunRenderer;  // Of its own: a moving sun leaves nothing to keep.
     sliders.push_back({"hall's slider that lights anew (sun elevation)",
                        [&] {
-                           Look changed = look;
+                           SceneState changed = sceneState;
                            changed.hall().setRow(*changed.hall().table().find("sunElevation"),
                                                  elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
                            return sunRenderer.draw(test::planned(museum, changed, near, sunRenderer.kept()));
@@ -185,14 +185,15 @@ int main(int argc, char** argv)
     render::gl::Renderer stillRenderer;
     render::gl::Renderer turningRenderer;
     const std::size_t rays = *museum.find("crepuscular_rays");
-    Look turning = look;
+    SceneState turning = sceneState;
     turning.values[rays].setRow(*turning.values[rays].table().find("animate"), 1.0);
     FrameRequest later = entrance;
-    mobile.push_back({"mobile at rest",
-                      [&] { return stillRenderer.draw(test::planned(museum, look, entrance, stillRenderer.kept())); },
-                      {},
-                      {},
-                      {}});
+    mobile.push_back(
+        {"mobile at rest",
+         [&] { return stillRenderer.draw(test::planned(museum, sceneState, entrance, stillRenderer.kept())); },
+         {},
+         {},
+         {}});
     mobile.push_back({"mobile turning: its part of the sun's map anew in each frame",
                       [&] {
                           later.time += 1.0 / 30;
@@ -208,7 +209,7 @@ int main(int argc, char** argv)
 
     std::vector<Row> variants;
     const auto variant = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
-        Look changed = look;
+        SceneState changed = sceneState;
         change(changed.values[sdf]);
         variants.push_back({name,
                             [&museum, &aloneRenderer, alone, changed] {

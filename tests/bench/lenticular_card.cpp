@@ -24,7 +24,7 @@ using namespace vitrine;
 
 struct Row {
     std::string name;
-    Look look;
+    SceneState sceneState;
     FrameRequest request;
     std::vector<double> cpu{};
     double traces = 0;  ///< Per pixel of the card.
@@ -42,7 +42,7 @@ double tracesOf(const Museum& museum, render::gl::Renderer& renderer, const Row&
     PictureRequest request;
     request.frame = row.request;
     request.frame.channels.evaluations = true;
-    PictureMaker maker(museum, renderer, row.look, request);
+    PictureMaker maker(museum, renderer, row.sceneState, request);
     while (maker.step()) {
     }
     const render::Image& image = maker.picture();
@@ -90,8 +90,8 @@ int main(int argc, char** argv)
     for (const View& view : views) {
         std::vector<Row> rows;
         const auto add = [&](const char* name, const std::function<void(ParameterValues&)>& change) {
-            Row row{name, museum.initialLook(), {}};
-            change(row.look.values[card]);
+            Row row{name, museum.initialSceneState(), {}};
+            change(row.sceneState.values[card]);
             row.request.alone = card;
             row.request.camera = view.camera;
             row.request.raster.size = size;
@@ -116,14 +116,14 @@ int main(int argc, char** argv)
         rows.back().request.time = 5;
         for (Row& row : rows) {
             for (int warm = 0; warm < 2; ++warm)
-                report = renderer.draw(test::planned(museum, row.look, row.request, renderer.kept()));
+                report = renderer.draw(test::planned(museum, row.sceneState, row.request, renderer.kept()));
             row.traces = tracesOf(museum, renderer, row);
         }
         for (int round = 0; round < rounds; ++round)
             for (Row& row : rows) {
                 // The second in a row: what the first had to make is kept.
                 for (int i = 0; i < 2; ++i)
-                    report = renderer.draw(test::planned(museum, row.look, row.request, renderer.kept()));
+                    report = renderer.draw(test::planned(museum, row.sceneState, row.request, renderer.kept()));
                 row.cpu.push_back(report.milliseconds);
             }
         std::printf("\n### The card %s\n\n| model | traces per pixel | ms (%s) | lowest to highest | against the first "

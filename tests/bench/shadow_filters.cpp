@@ -40,7 +40,7 @@ struct Bench {
     render::gl::HeadlessContext context{false};
     Museum museum{allExhibits()};
     render::gl::Renderer renderer;
-    Look look = museum.initialLook();
+    SceneState sceneState = museum.initialSceneState();
     FrameRequest frame;
 
     Bench()
@@ -51,12 +51,12 @@ struct Bench {
         hall().set(table.bakedLight, false);
         // The floor and what falls on it: nothing in the air.
         const std::size_t rays = *museum.find("crepuscular_rays");
-        look.values[rays].setRow(*look.values[rays].table().find("technique"), 0.0);
+        sceneState.values[rays].setRow(*sceneState.values[rays].table().find("technique"), 0.0);
     }
-    ParameterValues& hall() { return look.hall(); }
+    ParameterValues& hall() { return sceneState.hall(); }
     render::Image draw()
     {
-        PictureMaker maker(museum, renderer, look, {.frame = frame});
+        PictureMaker maker(museum, renderer, sceneState, {.frame = frame});
         while (maker.step()) {
         }
         return maker.picture();
@@ -66,7 +66,7 @@ struct Bench {
     {
         std::vector<double> times;
         for (int run = 0; run < 7; ++run)
-            times.push_back(renderer.draw(test::planned(museum, look, frame, renderer.kept())).milliseconds);
+            times.push_back(renderer.draw(test::planned(museum, sceneState, frame, renderer.kept())).milliseconds);
         std::sort(times.begin(), times.end());
         return times[3];
     }

@@ -40,16 +40,16 @@ inline const BallTable& ballTable()
 /// A picture of that museum's exhibit: by default alone, linear, with depth and normals, from 2 m before it.
 struct BallShot {
     const Museum& museum;
-    Look look;
+    SceneState sceneState;
     PictureRequest request;
     std::size_t subject = 0;
 
     explicit BallShot(const Museum& of = ballMuseum(), const char* exhibit = "ball")
-        : museum(of), look(of.initialLook()), subject(*of.find(exhibit))
+        : museum(of), look(of.initialSceneState()), subject(*of.find(exhibit))
     {
-        look.hall().set(hallTable().shadowMapSize, 512);
-        look.hall().set(hallTable().probeSize, 32);
-        look.hall().set(hallTable().probeSamples, 16);
+        sceneState.hall().set(hallTable().shadowMapSize, 512);
+        sceneState.hall().set(hallTable().probeSize, 32);
+        sceneState.hall().set(hallTable().probeSamples, 16);
         FrameRequest& frame = request.frame;
         frame.alone = subject;
         frame.transparent = true;
@@ -59,8 +59,8 @@ struct BallShot {
         frame.raster.size = {96, 72};
         frame.camera = {{0, 0, 2}, {0, 0, 0}, 0.6};
     }
-    [[nodiscard]] ParameterValues& hall() { return look.hall(); }
-    [[nodiscard]] ParameterValues& values() { return look.values[subject]; }
+    [[nodiscard]] ParameterValues& hall() { return sceneState.hall(); }
+    [[nodiscard]] ParameterValues& values() { return sceneState.values[subject]; }
     BallShot& inHall()
     {
         request.frame.alone.reset();
@@ -76,7 +76,7 @@ struct BallShot {
     }
     [[nodiscard]] Picture take() const
     {
-        PictureMaker maker(museum, gallery().renderer, look, request);
+        PictureMaker maker(museum, gallery().renderer, sceneState, request);
         while (maker.step()) {
         }
         return {maker.picture(), render::makeView(request.frame.camera, request.frame.raster)};

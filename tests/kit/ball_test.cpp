@@ -133,7 +133,7 @@ TEST_F(Ball, IsStudiedAndErrsLessTheFinerItIsMarched)
     BallShot shot;
     StudyRequest request;
     request.subject = shot.subject;
-    request.look = shot.look;
+    request.sceneState = shot.sceneState;
     request.axes = {{shot.subject, ballTable().hitTolerance.row, {0.25, 1, 4, 16}}};
     request.size = {64, 48};
     request.runs = 1;
@@ -168,9 +168,9 @@ TEST(BallOnPaper, OutOfViewTheLedgerSaysWhyInOneLine)
     BallShot shot;
     shot.inHall();
     shot.hall().set(hallTable().sunShadows, false);
-    EXPECT_TRUE(test::runs(test::planned(shot.museum, shot.look, shot.request.frame), "ball/march"));
+    EXPECT_TRUE(test::runs(test::planned(shot.museum, shot.sceneState, shot.request.frame), "ball/march"));
     shot.request.frame.camera = {{0, 1.65, 3}, {0, 1.65, 12}, 0.96};
-    const render::FramePlan plan = test::planned(shot.museum, shot.look, shot.request.frame);
+    const render::FramePlan plan = test::planned(shot.museum, shot.sceneState, shot.request.frame);
     EXPECT_EQ(test::reasonFor(plan, "ball"), "out of view");
     EXPECT_EQ(test::reasonFor(plan, "ball/shadow"), "sun shadows are switched off");
     EXPECT_FALSE(test::runs(plan, "ball"));
@@ -185,13 +185,13 @@ TEST(BallOnPaper, StandsBesideTheOthersAndLeavesThemAsTheyAre)
     const Museum museum(std::move(list));
     BallShot shot(museum);
     shot.inHall();
-    const render::FramePlan plan = test::planned(museum, shot.look, shot.request.frame);
+    const render::FramePlan plan = test::planned(museum, shot.sceneState, shot.request.frame);
     EXPECT_TRUE(test::runs(plan, "ball/march"));
     EXPECT_EQ(plan.errors(), std::vector<std::string>());
 
     test::Scene scene;  // The same museum without the ball, and the best view of another exhibit.
     shot.request.frame = scene.request;
-    const render::FramePlan with = test::planned(museum, museum.initialLook(), shot.request.frame);
+    const render::FramePlan with = test::planned(museum, museum.initialSceneState(), shot.request.frame);
     const render::FramePlan without = scene.plan();
     const auto march = [](const render::FramePlan& p) { return p.find("sdf_morph/march"); };
     ASSERT_TRUE(march(with) && march(without));
@@ -202,7 +202,7 @@ TEST(BallOnPaper, StandsBesideTheOthersAndLeavesThemAsTheyAre)
 TEST(BallOnPaper, SaysHowItsDepthAloneIsFound)
 {
     BallShot shot;
-    const render::FramePlan plan = test::planned(shot.museum, shot.look, shot.request.frame);
+    const render::FramePlan plan = test::planned(shot.museum, shot.sceneState, shot.request.frame);
     const render::Pass* march = plan.find("ball/march");
     ASSERT_TRUE(march && march->depthOnly);
     EXPECT_EQ(march->depthOnly->shader.sources, march->shader.sources) << "by the same field";

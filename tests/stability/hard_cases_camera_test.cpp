@@ -53,13 +53,13 @@ TEST(HardCases, H12_NormalsFromHalfFloatDepthAreStairsAndNoDepthHereIsHalf)
 
     // Every image that any plan attaches as depth, or that exhibits share as depth.
     const Museum museum{allExhibits()};
-    const Look look = museum.initialLook();
+    const SceneState sceneState = museum.initialSceneState();
     int depths = 0;
     for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         FrameRequest request;
-        request.camera = museum.bestView(i, look.values[i]);
+        request.camera = museum.bestView(i, sceneState.values[i]);
         request.runEverything = true;
-        const render::FramePlan plan = test::planned(museum, look, request);
+        const render::FramePlan plan = test::planned(museum, sceneState, request);
         for (const render::Pass& pass : plan.passes()) {
             if (!pass.depth) continue;
             ++depths;

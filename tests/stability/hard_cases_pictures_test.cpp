@@ -27,7 +27,7 @@ render::Image sample(const Shot& shot, int i, int n)
     FrameRequest frame = shot.request.frame;
     frame.sample = i;
     frame.samples = n;
-    (void)gallery().renderer.draw(test::planned(gallery().museum, shot.look, frame, gallery().renderer.kept()));
+    (void)gallery().renderer.draw(test::planned(gallery().museum, shot.sceneState, frame, gallery().renderer.kept()));
     return gallery().renderer.read("frame");
 }
 
@@ -37,7 +37,7 @@ render::FramePlan spoiled(const Shot& shot, int i, int n)
     FrameRequest frame = shot.request.frame;
     frame.sample = i;
     frame.samples = n;
-    render::FramePlan plan = test::planned(gallery().museum, shot.look, frame, gallery().renderer.kept());
+    render::FramePlan plan = test::planned(gallery().museum, shot.sceneState, frame, gallery().renderer.kept());
     render::Pass spoil;
     spoil.name = "spoil";
     spoil.stage = render::Stage::present;
@@ -130,7 +130,7 @@ TEST_F(HardCases, H115_FourThousandSamplesOfOneAverageToOne)
         shot.request.frame.averageIn = in;
         shot.request.frame.samples = samples;
         shot.request.frame.sample = 1;
-        EXPECT_EQ(test::planned(gallery().museum, shot.look, shot.request.frame).images().at("frame").format,
+        EXPECT_EQ(test::planned(gallery().museum, shot.sceneState, shot.request.frame).images().at("frame").format,
                   render::Format::rgba32f);
     }
 }

@@ -68,8 +68,8 @@ TEST_F(StabilityScan, H84_EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
     for (const auto& [i, exhibit] : museum.exhibits()) {
         const auto rows = exhibit.parameters().rows();
         ScanCase plain = scanCase(museum, i, 1);
-        plain.look = museum.initialLook();
-        plain.look.hall() = cheapestValues(museum.hall().parameters());
+        plain.sceneState = museum.initialSceneState();
+        plain.sceneState.hall() = cheapestValues(museum.hall().parameters());
         plain.frame = {};
         plain.frame.alone = i;
         plain.frame.transparent = true;
@@ -84,8 +84,8 @@ TEST_F(StabilityScan, H84_EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
                                     : rows[row].range.high;
             for (const double end : {rows[row].range.low, high}) {
                 ScanCase c = plain;
-                c.look.values[i].setRow(row, end);
-                c.frame.camera = exhibit.bestView(c.look.values[i]);
+                c.sceneState.values[i].setRow(row, end);
+                c.frame.camera = exhibit.bestView(c.sceneState.values[i]);
                 EXPECT_EQ(faultOf(museum, gallery().renderer, c), "")
                     << exhibit.name() << '.' << rows[row].name << ' ' << end;
             }
@@ -143,19 +143,19 @@ TEST_F(StabilityScan, FaultsAreSeenAndBlamedOnWhatCausesThem)
     const auto& table = static_cast<const Broken&>(*guests[0]).table;
     const Museum museum(std::move(guests));
     ScanCase c = scanCase(museum, 1, 32);
-    c.look.values[1] = table.initial();
-    c.look.values[1].set(table.harmless, 0.25);
+    c.sceneState.values[1] = table.initial();
+    c.sceneState.values[1].set(table.harmless, 0.25);
     c.frame.alone = 1;
     c.frame.transparent = true;  // Or the sky would cover it.
     EXPECT_EQ(faultOf(museum, gallery().renderer, c), "");
 
     ScanCase infinite = c;
-    infinite.look.values[1].set(table.divisor, 0.0);
+    infinite.sceneState.values[1].set(table.divisor, 0.0);
     EXPECT_NE(faultOf(museum, gallery().renderer, infinite).find("infinity"), std::string::npos);
     EXPECT_EQ(causesOf(museum, gallery().renderer, infinite), std::vector<std::string>{"broken.divisor 0"});
 
     ScanCase unwritten = c;
-    unwritten.look.values[1].set(table.forgetful, true);
+    unwritten.sceneState.values[1].set(table.forgetful, true);
     EXPECT_NE(faultOf(museum, gallery().renderer, unwritten).find("nobody wrote"), std::string::npos);
     EXPECT_EQ(causesOf(museum, gallery().renderer, unwritten), std::vector<std::string>{"broken.forgetful on"});
 
@@ -170,9 +170,9 @@ TEST_F(StabilityScan, ASeedIsTheSameCaseEveryTime)
     for (const std::uint64_t seed : {1U, 77U, 1000U}) {
         const ScanCase a = scanCase(gallery().museum, 1, seed);
         const ScanCase b = scanCase(gallery().museum, 1, seed);
-        EXPECT_EQ(a.look, b.look);
+        EXPECT_EQ(a.sceneState, b.sceneState);
         EXPECT_EQ(a.frame.camera, b.frame.camera);
-        EXPECT_FALSE(a.look == scanCase(gallery().museum, 1, seed + 1).look);
+        EXPECT_FALSE(a.sceneState == scanCase(gallery().museum, 1, seed + 1).sceneState);
     }
 }
 

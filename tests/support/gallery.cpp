@@ -46,13 +46,13 @@ double Picture::mean() const
 Shot::Shot()
 {
     const Museum& museum = gallery().museum;
-    look = museum.initialLook();
+    sceneState = museum.initialSceneState();
     sdf = *museum.find("sdf_morph");
     hall().set(hallTable().shadowMapSize, 512);
     hall().set(hallTable().probeSize, 32);
     hall().set(hallTable().probeSamples, 16);
     // Clear air, so that surfaces are seen as they are.
-    look.values[*museum.find("crepuscular_rays")].set(raysTable().technique, RayTechnique::none);
+    sceneState.values[*museum.find("crepuscular_rays")].set(raysTable().technique, RayTechnique::none);
     FrameRequest& frame = request.frame;
     frame.alone = sdf;
     frame.transparent = true;
@@ -99,7 +99,7 @@ glm::dmat4 Shot::worldFromExhibit() const
 
 Picture Shot::take() const
 {
-    PictureMaker maker(gallery().museum, gallery().renderer, look, request);
+    PictureMaker maker(gallery().museum, gallery().renderer, sceneState, request);
     while (maker.step()) {
     }
     return {maker.picture(), render::makeView(request.frame.camera, request.frame.raster)};

@@ -75,12 +75,12 @@ struct Picture {
 struct Shot {
     Shot();
 
-    Look look;
+    SceneState sceneState;
     PictureRequest request;
     std::size_t sdf = 0;
 
-    [[nodiscard]] ParameterValues& hall() { return look.hall(); }
-    [[nodiscard]] ParameterValues& object() { return look.values[sdf]; }
+    [[nodiscard]] ParameterValues& hall() { return sceneState.hall(); }
+    [[nodiscard]] ParameterValues& object() { return sceneState.values[sdf]; }
     /// In the hall, from the exhibit's best view there.
     Shot& inHall();
     Shot& size(int width, int height);

@@ -24,23 +24,23 @@ inline const HallModel& building()
 
 /// A frame to plan: a look, and where it is seen from.
 struct Scene {
-    Look look = museum().initialLook();
+    SceneState sceneState = museum().initialSceneState();
     FrameRequest request;
     std::size_t sdf = *museum().find("sdf_morph");
 
     Scene()
     {
         request.raster.size = {64, 36};
-        see(museum().bestView(sdf, look.values[sdf]));
+        see(museum().bestView(sdf, sceneState.values[sdf]));
     }
-    void see(const render::Camera& camera) { request.camera = look.camera = camera; }
+    void see(const render::Camera& camera) { request.camera = sceneState.camera = camera; }
     void see(const glm::dvec3& eye, const glm::dvec3& target) { see({eye, target, 0.96}); }
-    [[nodiscard]] ParameterValues& hall() { return look.hall(); }
-    [[nodiscard]] ParameterValues& object() { return look.values[sdf]; }
-    [[nodiscard]] ParameterValues& rays() { return look.values[*museum().find("crepuscular_rays")]; }
+    [[nodiscard]] ParameterValues& hall() { return sceneState.hall(); }
+    [[nodiscard]] ParameterValues& object() { return sceneState.values[sdf]; }
+    [[nodiscard]] ParameterValues& rays() { return sceneState.values[*museum().find("crepuscular_rays")]; }
     [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {}) const
     {
-        return test::planned(museum(), look, request, kept);
+        return test::planned(museum(), sceneState, request, kept);
     }
 };
 

@@ -6,15 +6,15 @@ namespace vitrine::test {
 
 // One picture at once: prepared, then planned or asked about.
 
-inline render::FramePlan planned(const Museum& museum, const Look& look, const FrameRequest& request,
+inline render::FramePlan planned(const Museum& museum, const SceneState& sceneState, const FrameRequest& request,
                                  const render::KeptKeys& kept = {})
 {
-    return museum.plan(museum.prepare(look, request), request, kept);
+    return museum.plan(museum.prepare(sceneState, request), request, kept);
 }
 
-inline double nextChange(const Museum& museum, const Look& look, const FrameRequest& request)
+inline double nextChange(const Museum& museum, const SceneState& sceneState, const FrameRequest& request)
 {
-    return museum.nextChange(museum.prepare(look, request), request);
+    return museum.nextChange(museum.prepare(sceneState, request), request);
 }
 
 }  // namespace vitrine::test

@@ -25,7 +25,7 @@ inline std::map<std::string, Scene> scenesOfPresets()
             const Preset preset = parsePreset(render::readFile(entry.path(), presetLimits.bytes), entry.path().string(),
                                               subject.name(), subject.parameters());
             Scene scene;
-            scene.look.values[i] = preset.values;
+            scene.sceneState.values[i] = preset.values;
             scene.see(preset.camera.value_or(museum().bestView(i, preset.values)));
             scenes.emplace(std::string(subject.name()) + '/' + entry.path().stem().string(), std::move(scene));
         }

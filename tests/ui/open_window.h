@@ -69,7 +69,7 @@ protected:
     [[nodiscard]] int red() { return window_->viewport().grabFramebuffer().pixelColor(20, 20).red(); }
     [[nodiscard]] double roughness(std::size_t exhibit = 1)
     {
-        return window_->history().look().values[exhibit][gallery_->table().roughness];
+        return window_->history().sceneState().values[exhibit][gallery_->table().roughness];
     }
     [[nodiscard]] QListWidget* presets() { return window_->findChild<ui::PresetList*>()->findChild<QListWidget*>(); }
     /// The presets of that name; shipped ones are in the list, too.

@@ -96,16 +96,17 @@ public:
         thread = std::this_thread::get_id();
     }
     void close() override { ++closed; }
-    render::FrameReport draw(const Look& look, const FrameRequest& request, const Unwanted& unwanted) override
+    render::FrameReport draw(const SceneState& sceneState, const FrameRequest& request,
+                             const Unwanted& unwanted) override
     {
         strangers += std::this_thread::get_id() == thread ? 0 : 1;
         if (beforeDrawing) beforeDrawing(request, unwanted);
         if (thrown) std::rethrow_exception(thrown);
-        red_ = static_cast<float>(look.values[1][table().roughness]);
+        red_ = static_cast<float>(sceneState.values[1][table().roughness]);
         {
             const std::scoped_lock lock(mutex_);
             requests_.push_back(request);
-            drawn_ = look;
+            drawn_ = sceneState;
         }
         render::FrameReport report;
         report.ran = {{"hall/opaque", "in view", render::Work::raster, 12.25},
@@ -124,7 +125,7 @@ public:
         image.fill(QColor::fromRgbF(red_, 0.45F, 0.4F));
         return image;
     }
-    [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion& region, int,
+    [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion& region, int,
                                     const Unwanted&) override
     {
         strangers += std::this_thread::get_id() == thread ? 0 : 1;
@@ -144,8 +145,8 @@ public:
     void timeSteps(bool) override {}
     bool reloadChangedShaders() override { return false; }
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return shaderProblems; }
-    [[nodiscard]] ui::PictureJob makePicture(const Look&, const PictureRequest&) override { return {}; }
-    void nextPicture(ui::PictureJob&, const Look&, const PictureRequest&) override {}
+    [[nodiscard]] ui::PictureJob makePicture(const SceneState&, const PictureRequest&) override { return {}; }
+    void nextPicture(ui::PictureJob&, const SceneState&, const PictureRequest&) override {}
     [[nodiscard]] ui::StudyJob makeStudy(const StudyRequest&) override { return {}; }
 
     /// Of the pictures drawn so far.
@@ -155,7 +156,7 @@ public:
         return requests_;
     }
     /// What was drawn last.
-    [[nodiscard]] Look drawn() const
+    [[nodiscard]] SceneState drawn() const
     {
         const std::scoped_lock lock(mutex_);
         return drawn_;
@@ -188,7 +189,7 @@ private:
     float red_ = 0;
     mutable std::mutex mutex_;
     std::vector<FrameRequest> requests_;
-    Look drawn_;
+    SceneState drawn_;
 };
 
 }  // namespace vitrine::test

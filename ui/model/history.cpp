@@ -1,6 +1,6 @@
 #include "ui/model/history.h"
 
-#include "ui/model/look_change.h"
+#include "ui/model/scene_state_change.h"
 
 #include <QUndoCommand>
 
@@ -16,17 +16,17 @@ Gesture newGesture()
 }
 
 /// From one look to another, or another piece of work, such as deleting a preset.
-class LookStep final : public QUndoCommand {
+class SceneStateStep final : public QUndoCommand {
 public:
-    LookStep(History& history, const QString& text, LookChange change, const render::Camera& cameraAfter,
-             Gesture gesture, History::Camera camera)
-        : QUndoCommand(text), history_(history), change_(std::make_unique<LookChange>(std::move(change))),
-          cameraBefore_(history.look().camera), cameraAfter_(cameraAfter), gesture_(gesture), camera_(camera)
+    SceneStateStep(History& history, const QString& text, SceneStateChange change, const render::Camera& cameraAfter,
+                   Gesture gesture, History::Camera camera)
+        : QUndoCommand(text), history_(history), change_(std::make_unique<SceneStateChange>(std::move(change))),
+          cameraBefore_(history.sceneState().camera), cameraAfter_(cameraAfter), gesture_(gesture), camera_(camera)
     {
     }
-    LookStep(History& history, const QString& text, LookChange change, std::function<void()> redo,
-             std::function<void()> undo)
-        : LookStep(history, text, std::move(change), history.look().camera, 0, History::Camera::stays)
+    SceneStateStep(History& history, const QString& text, SceneStateChange change, std::function<void()> redo,
+                   std::function<void()> undo)
+        : SceneStateStep(history, text, std::move(change), history.sceneState().camera, 0, History::Camera::stays)
     {
         redo_ = std::move(redo);
         undo_ = std::move(undo);
@@ -36,19 +36,19 @@ public:
     void redo() override
     {
         if (redo_) redo_();
-        change_->apply(history_.look_);
+        change_->apply(history_.sceneState_);
         show(cameraAfter_);
     }
     void undo() override
     {
         if (undo_) undo_();
-        change_->revert(history_.look_);
+        change_->revert(history_.sceneState_);
         show(cameraBefore_);
     }
 
     bool mergeWith(const QUndoCommand* next) override
     {
-        const auto& later = *static_cast<const LookStep*>(next);
+        const auto& later = *static_cast<const SceneStateStep*>(next);
         change_->append(*later.change_);
         cameraAfter_ = later.cameraAfter_;
         setObsolete(change_->empty() && camera_ == History::Camera::stays);
@@ -56,14 +56,14 @@ public:
     }
 
     /// What it does to the look: it may get to do more (`History::exchangeTables`).
-    [[nodiscard]] LookChange& change() const { return *change_; }
+    [[nodiscard]] SceneStateChange& change() const { return *change_; }
 
 private:
     void show(const render::Camera& camera)
     {
         const bool moves = camera_ == History::Camera::moves;
-        if (moves) history_.look_.camera = camera;
-        if (const auto one = change_->onlyRow(history_.look_))
+        if (moves) history_.sceneState_.camera = camera;
+        if (const auto one = change_->onlyRow(history_.sceneState_))
             emit history_.changed(one->first, one->second);
         else if (moves || !change_->empty())
             emit history_.replaced();
@@ -71,65 +71,68 @@ private:
     }
 
     History& history_;
-    std::unique_ptr<LookChange> change_;
+    std::unique_ptr<SceneStateChange> change_;
     render::Camera cameraBefore_, cameraAfter_;
     Gesture gesture_;
     History::Camera camera_;
     std::function<void()> redo_, undo_;
 };
 
-History::History(Look start, QObject* parent) : QObject(parent), look_(std::move(start)) {}
+History::History(SceneState start, QObject* parent) : QObject(parent), sceneState_(std::move(start)) {}
 
 void History::set(std::size_t exhibit, std::size_t row, const Value& value, Gesture gesture, const QString& text)
 {
-    const ParameterValues& values = look_.values[exhibit];
+    const ParameterValues& values = sceneState_.values[exhibit];
     const ParameterInfo& info = values.rows()[row];
     const std::optional<Value> legal = nearestLegal(info, value);
     if (!legal || *legal == values.row(row)) return;
     gesture_ = gesture;
     const QString step = text.isEmpty() ? tr("Change %1").arg(QString::fromStdString(label(info)).toLower()) : text;
-    stack_.push(
-        new LookStep(*this, step, LookChange(look_, exhibit, row, *legal), look_.camera, gesture, Camera::stays));
+    stack_.push(new SceneStateStep(*this, step, SceneStateChange(sceneState_, exhibit, row, *legal), sceneState_.camera,
+                                   gesture, Camera::stays));
 }
 
-void History::change(const QString& text, const Look& wanted, Gesture gesture, Camera camera)
+void History::change(const QString& text, const SceneState& wanted, Gesture gesture, Camera camera)
 {
-    Look after = wanted;
-    for (std::size_t e = 0; e < after.values.size(); ++e) after.values[e] = after.values[e].asShownBy(look_.values[e]);
-    LookChange change(look_, after);
-    if (change.empty() && (camera == Camera::stays || after.camera == look_.camera)) return;
+    SceneState after = wanted;
+    for (std::size_t e = 0; e < after.values.size(); ++e)
+        after.values[e] = after.values[e].asShownBy(sceneState_.values[e]);
+    SceneStateChange change(sceneState_, after);
+    if (change.empty() && (camera == Camera::stays || after.camera == sceneState_.camera)) return;
     gesture_ = gesture;
-    stack_.push(new LookStep(*this, text, std::move(change), after.camera, gesture, camera));
+    stack_.push(new SceneStateStep(*this, text, std::move(change), after.camera, gesture, camera));
 }
 
 void History::record(const QString& text, std::function<void()> redo, std::function<void()> undo)
 {
-    record(text, look_, std::move(redo), std::move(undo));
+    record(text, sceneState_, std::move(redo), std::move(undo));
 }
 
-void History::record(const QString& text, const Look& after, std::function<void()> redo, std::function<void()> undo)
+void History::record(const QString& text, const SceneState& after, std::function<void()> redo,
+                     std::function<void()> undo)
 {
     gesture_ = 0;
-    stack_.push(new LookStep(*this, text, LookChange(look_, after), std::move(redo), std::move(undo)));
+    stack_.push(
+        new SceneStateStep(*this, text, SceneStateChange(sceneState_, after), std::move(redo), std::move(undo)));
 }
 
-void History::exchangeTables(const Look& tabled)
+void History::exchangeTables(const SceneState& tabled)
 {
-    Look after = look_;
+    SceneState after = sceneState_;
     for (std::size_t e = 0; e < after.values.size(); ++e) after.values[e] = after.values[e].asShownBy(tabled.values[e]);
-    const LookChange change(look_, after);
+    const SceneStateChange change(sceneState_, after);
     if (change.empty()) return;
     if (const QUndoCommand* last = stack_.index() > 0 ? stack_.command(stack_.index() - 1) : nullptr)
-        static_cast<const LookStep*>(last)->change().append(change);  // Nothing else is pushed.
-    change.apply(look_);
+        static_cast<const SceneStateStep*>(last)->change().append(change);  // Nothing else is pushed.
+    change.apply(sceneState_);
     gesture_ = 0;
     emit replaced();
 }
 
-void History::restart(const Look& look)
+void History::restart(const SceneState& sceneState)
 {
     stack_.clear();
-    look_ = look;
+    sceneState_ = sceneState;
     emit replaced();
     emit cameraMoved();
 }

@@ -23,26 +23,26 @@ class History : public QObject {
 public:
     enum class Camera { stays, moves };
 
-    explicit History(Look start, QObject* parent = nullptr);
+    explicit History(SceneState start, QObject* parent = nullptr);
 
-    [[nodiscard]] const Look& look() const { return look_; }
+    [[nodiscard]] const SceneState& sceneState() const { return sceneState_; }
     /// Sets one value, or the nearest legal one. `text` names the step for people; empty: "Change roughness". A value
     /// equal to the one on show is no step.
     void set(std::size_t exhibit, std::size_t row, const Value&, Gesture, const QString& text = {});
     /// Sets several values at once: shows `after`, under the tables on show where it names the same files for them. A
     /// look equal to the one on show is no step.
-    void change(const QString& text, const Look& after, Gesture = 0, Camera = Camera::stays);
+    void change(const QString& text, const SceneState& after, Gesture = 0, Camera = Camera::stays);
     /// A step that is no change of the look, such as deleting a preset; `redo` is called now.
     void record(const QString& text, std::function<void()> redo, std::function<void()> undo);
     /// The same where the look becomes `after` as well, once `redo` was called; `undo` is called before it goes back.
-    void record(const QString& text, const Look& after, std::function<void()> redo, std::function<void()> undo);
+    void record(const QString& text, const SceneState& after, std::function<void()> redo, std::function<void()> undo);
     /// The visitor moved: no step, no signal.
-    void setCamera(const render::Camera& camera) { look_.camera = camera; }
+    void setCamera(const render::Camera& camera) { sceneState_.camera = camera; }
     /// Exchanges the tables of exhibits that name the same files as in `tabled`, which has read them. No step of its
     /// own: undo takes it back with the step that stands last, which is the one that named the files.
-    void exchangeTables(const Look& tabled);
+    void exchangeTables(const SceneState& tabled);
     /// Starts over from `look`, with nothing to undo: a session that comes back.
-    void restart(const Look&);
+    void restart(const SceneState&);
 
     /// Of the change that `changed` or `replaced` says now, or said last.
     [[nodiscard]] Gesture gesture() const { return gesture_; }
@@ -57,9 +57,9 @@ signals:
     void cameraMoved();
 
 private:
-    friend class LookStep;
+    friend class SceneStateStep;
 
-    Look look_;
+    SceneState sceneState_;
     Gesture gesture_ = 0;
     QUndoStack stack_;
 };

@@ -20,7 +20,7 @@ public:
     }
 
 private:
-    [[nodiscard]] const ParameterValues& values() const { return history_->look().values[exhibit_]; }
+    [[nodiscard]] const ParameterValues& values() const { return history_->sceneState().values[exhibit_]; }
 
     History* history_;
     std::size_t exhibit_, row_;

@@ -377,7 +377,7 @@ void ParameterPanel::pasteAll(std::size_t row)
         allFromJson(values().table(), name_, QApplication::clipboard()->text(), &problem);
     if (!problem.isEmpty()) tell(row, problem);
     if (!pasted) return;
-    Look next = history_.look();
+    SceneState next = history_.sceneState();
     next.values[exhibit_] = *pasted;
     history_.change(tr("Paste all values"), next, newGesture());
 }

@@ -36,7 +36,7 @@ public:
     void showExhibit(std::size_t exhibit, const QString& name);
     /// Whose values are shown.
     [[nodiscard]] std::size_t exhibit() const { return exhibit_; }
-    [[nodiscard]] const ParameterValues& values() const { return history_.look().values[exhibit_]; }
+    [[nodiscard]] const ParameterValues& values() const { return history_.sceneState().values[exhibit_]; }
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
     /// Shows only rows that are wanted; an empty function wants all.
     void setWanted(const std::function<bool(const ParameterInfo&)>&);

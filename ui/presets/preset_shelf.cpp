@@ -9,8 +9,8 @@
 #include "ui/kit/tile_delegate.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
-#include "ui/presets/look_text.h"
 #include "ui/presets/preset_list.h"
+#include "ui/presets/scene_text.h"
 #include "ui/viewport/viewport.h"
 
 #include <QFileDialog>
@@ -118,7 +118,7 @@ void PresetShelf::use(StoredPreset stored)
 
 bool PresetShelf::changedSince(const StoredPreset& stored) const
 {
-    const ParameterValues& shown = window_.history().look().values[window_.shown()];
+    const ParameterValues& shown = window_.history().sceneState().values[window_.shown()];
     return !(stored.preset.values.asShownBy(shown) == shown);
 }
 
@@ -151,7 +151,7 @@ QString PresetShelf::freeName(const QString& wanted, const std::filesystem::path
 
 void PresetShelf::show(const Preset& preset, std::size_t exhibit, const QString& step)
 {
-    Look next = window_.history().look();
+    SceneState next = window_.history().sceneState();
     next.values[exhibit] = preset.values;
     const bool moves = preset.camera.has_value();
     if (moves) next.camera = *preset.camera;
@@ -171,11 +171,11 @@ void PresetShelf::load(const QString& id)
 
 Preset PresetShelf::presetOnShow(const QString& name) const
 {
-    const Look& look = window_.history().look();
+    const SceneState& sceneState = window_.history().sceneState();
     return {exhibitName(),
             name.toStdString(),
-            look.values[window_.shown()],
-            look.camera,
+            sceneState.values[window_.shown()],
+            sceneState.camera,
             presetVersion,
             render::Json::object(),
             {}};
@@ -252,7 +252,7 @@ void PresetShelf::keepMissingThumbnail()
         std::filesystem::exists(PresetStore::thumbnailPath(used->path), ignored))
         return;
     // Of an exhibit that nobody stands before, the picture shows something else.
-    const bool fromItsOwnView = used->preset.camera == window_.history().look().camera;
+    const bool fromItsOwnView = used->preset.camera == window_.history().sceneState().camera;
     const bool before = window_.viewport().mode() == CameraControl::Mode::orbit && window_.chosen() == window_.shown();
     if (window_.shown() != hallIndex && !fromItsOwnView && !before) return;
     keepThumbnail(used->path);
@@ -353,7 +353,7 @@ void PresetShelf::saveExhibition()
         trySafely([&] {
             const std::string name = QFileInfo(target).completeBaseName().toStdString();
             render::atomicWrite(target.toStdString(),
-                                textOf(window_.museum(), window_.history().look(), window_.chosen(), name));
+                                textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), name));
             window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(target));
         });
     });
@@ -366,9 +366,9 @@ void PresetShelf::loadText(const std::string& text, const QString& origin)
     if (header.isExhibition) {
         std::vector<std::string> notes;
         std::size_t chosen = 0;
-        Look look = lookFrom(window_.museum(), text, origin.toStdString(), notes, &chosen);
+        SceneState sceneState = lookFrom(window_.museum(), text, origin.toStdString(), notes, &chosen);
         tell(origin, notes);
-        window_.history().change(tr("Load %1").arg(origin), look, 0, History::Camera::moves);
+        window_.history().change(tr("Load %1").arg(origin), sceneState, 0, History::Camera::moves);
         window_.choose(chosen);
         return;
     }
@@ -401,9 +401,9 @@ bool PresetShelf::loadFromPicture(const QString& path)
     return done;
 }
 
-std::string PresetShelf::lookText() const
+std::string PresetShelf::sceneText() const
 {
-    return textOf(window_.museum(), window_.history().look(), window_.chosen(), "Picture");
+    return textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Picture");
 }
 
 }  // namespace vitrine::ui

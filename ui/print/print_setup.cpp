@@ -53,9 +53,9 @@ void PrintSetup::change(const QString& text, PrintState after, Gesture gesture)
 {
     after = possible(std::move(after));
     if (after == state_) return;
-    const Look look{{after.values}, {}};
+    const SceneState sceneState{{after.values}, {}};
     if (after.files == files_ && after.sheet == sheet_) {
-        history_.change(text, look, gesture);
+        history_.change(text, sceneState, gesture);
         return;
     }
     const auto set = [this](const QStringList& files, const std::string& sheet) {
@@ -63,7 +63,7 @@ void PrintSetup::change(const QString& text, PrintState after, Gesture gesture)
         sheet_ = sheet;
     };
     history_.record(
-        text, look, [set, files = after.files, sheet = after.sheet] { set(files, sheet); },
+        text, sceneState, [set, files = after.files, sheet = after.sheet] { set(files, sheet); },
         [set, files = files_, sheet = sheet_] { set(files, sheet); });
 }
 
@@ -76,7 +76,7 @@ void PrintSetup::change(const QString& text, const ParameterValues& values, Gest
 
 void PrintSetup::follow()
 {
-    PrintState now = possible({history_.look().values[0], files_, sheet_});
+    PrintState now = possible({history_.sceneState().values[0], files_, sheet_});
     if (now == state_) return;
     const bool views = now.files != state_.files || !printing::sameViews(state_.values, now.values);
     state_ = std::move(now);

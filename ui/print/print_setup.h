@@ -59,7 +59,7 @@ private:
     void follow();
     [[nodiscard]] PrintState possible(PrintState) const;
 
-    History history_{Look{{printing::printTable().initial()}, {}}};
+    History history_{SceneState{{printing::printTable().initial()}, {}}};
     QStringList files_;
     std::string sheet_;
     PrintState state_;  ///< What was said last.

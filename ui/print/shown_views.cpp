@@ -6,7 +6,7 @@
 #include "ui/kit/time_left.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
-#include "ui/presets/look_text.h"
+#include "ui/presets/scene_text.h"
 #include "ui/viewport/viewport.h"
 
 #include <algorithm>
@@ -23,27 +23,27 @@ ShownViews::~ShownViews()
 void ShownViews::start(const ParameterValues& values, bool draft)
 {
     stop();
-    const Look look = window_.history().look();
+    const SceneState sceneState = window_.history().sceneState();
     FrameRequest frame;
-    frame.camera = look.camera;
+    frame.camera = sceneState.camera;
     frame.time = window_.viewport().time();
     auto work = std::make_shared<Work>();
     try {
-        work->pictures = printing::printShots(values, look, frame, draft);
+        work->pictures = printing::printShots(values, sceneState, frame, draft);
     } catch (const std::exception& failure) {
         emit failed(messageOf(failure));
         return;
     }
-    printing::ViewShot quick{look, work->pictures.front().request};
-    quick.request.frame.camera = look.camera;
+    printing::ViewShot quick{sceneState, work->pictures.front().request};
+    quick.request.frame.camera = sceneState.camera;
     quick = printing::depthShot(quick);
     work->pictures.insert(work->pictures.begin(), quick);
     for (printing::ViewShot& shot : work->pictures)
         shot.request.largestTile = std::min(shot.request.largestTile, RenderThread::taskTile);
     values_ = values;
-    look_ = look;
+    sceneState_ = sceneState;
     views_ = std::make_shared<printing::PrintViews>();
-    views_->setScenePreset(textOf(window_.museum(), look, window_.chosen(), "Picture"));
+    views_->setScenePreset(textOf(window_.museum(), sceneState, window_.chosen(), "Picture"));
     work->views = views_;
     elapsed_.start();
     task_ = window_.viewport().renderThread().start(
@@ -63,15 +63,15 @@ bool ShownViews::step(Renderers& renderers, Work& work, const RenderThread::Tell
 {
     const printing::ViewShot& shot = work.pictures[work.next];
     if (!work.job.renderer)
-        work.job = renderers.makePicture(shot.look, shot.request);
+        work.job = renderers.makePicture(shot.sceneState, shot.request);
     else if (!work.job.maker)
-        renderers.nextPicture(work.job, shot.look, shot.request);
+        renderers.nextPicture(work.job, shot.sceneState, shot.request);
     if (!work.job.maker) throw Failure(Blame::openGl, "No views can be rendered: there is no graphics context.");
     work.job.maker->step();
     if (work.job.maker->finished()) {
         if (work.next == 0)
             tell([&told, picture = work.job.maker->picture()] {
-                told.depth_ = printing::sceneDepth(*told.values_, told.look_, picture);
+                told.depth_ = printing::sceneDepth(*told.values_, told.sceneState_, picture);
             });
         else
             work.views->add(work.job.maker->picture());

@@ -51,7 +51,7 @@ private:
 
     Workbench& window_;
     std::optional<ParameterValues> values_;
-    Look look_;  ///< Of the quick picture.
+    SceneState sceneState_;  ///< Of the quick picture.
     std::shared_ptr<printing::PrintViews> views_;
     printing::SceneDepth depth_;
     RenderThread::Task task_;

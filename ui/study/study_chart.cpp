@@ -407,7 +407,7 @@ std::vector<ChartPoint> chartPoints(Subjects subjects, const StudyRequest& reque
         c.error = p.error;
         c.errorLow = p.lowestError;
         c.errorHigh = p.worstError;
-        const std::string text = request.axes.size() == 1 ? axisValueText(request.look, request.axes[0],
+        const std::string text = request.axes.size() == 1 ? axisValueText(request.sceneState, request.axes[0],
                                                                           request.axes[0].values[p.setting[0]])
                                                           : pointText(subjects, request, p);
         c.text = QString::fromStdString(request.axes.size() > 2 ? std::string() : text);

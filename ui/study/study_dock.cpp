@@ -173,7 +173,7 @@ void StudyDock::connectParts()
     connect(&history_, &History::changed, this, refreshWhileSeen);
     connect(&history_, &History::replaced, this, refreshWhileSeen);
     connect(&history_, &History::replaced, this, [this] {
-        if (table_ && table_ != history_.look().values[subject_].sharedTable()) setSubject(subject_);
+        if (table_ && table_ != history_.sceneState().values[subject_].sharedTable()) setSubject(subject_);
     });
 }
 
@@ -200,7 +200,7 @@ void StudyDock::setSubject(std::size_t exhibit)
     subject_ = exhibit;
     parameter_->clear();
     parameter_->addItem(tr("All parameters together"), -1);
-    table_ = history_.look().values[exhibit].sharedTable();
+    table_ = history_.sceneState().values[exhibit].sharedTable();
     const auto rows = table_->rows();
     for (std::size_t row = 0; row < rows.size(); ++row)
         if (rows[row].qualityReference)
@@ -213,7 +213,7 @@ StudyRequest StudyDock::requestFor(std::vector<StudyAxis> axes) const
 {
     StudyRequest request;
     request.subject = subject_;
-    request.look = history_.look();
+    request.sceneState = history_.sceneState();
     request.axes = std::move(axes);
     request.size = size_;
     request.runs = runs_;
@@ -232,10 +232,10 @@ void StudyDock::measure()
 {
     const int row = parameter_->currentData().toInt();
     if (row < 0) {
-        start(requestFor(qualityAxes(history_.look(), subject_)));
+        start(requestFor(qualityAxes(history_.sceneState(), subject_)));
         return;
     }
-    if (auto axis = studyAxis(history_.look(), subject_, static_cast<std::size_t>(row), usualPoints(1)))
+    if (auto axis = studyAxis(history_.sceneState(), subject_, static_cast<std::size_t>(row), usualPoints(1)))
         start(requestFor({std::move(*axis)}));
 }
 
@@ -248,7 +248,7 @@ void StudyDock::find(bool byError)
                             .arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
         return;
     }
-    StudyRequest request = requestFor(qualityAxes(history_.look(), subject_));
+    StudyRequest request = requestFor(qualityAxes(history_.sceneState(), subject_));
     (byError ? request.maxError : request.maxMilliseconds) = *limit;
     request.modelError = false;
     start(std::move(request));
@@ -381,19 +381,19 @@ void StudyDock::save()
 
 std::optional<std::size_t> StudyDock::rowNow(const StudyAxis& axis) const
 {
-    return history_.look().values[axis.subject].table().find(rowOf(request_.look, axis).name);
+    return history_.sceneState().values[axis.subject].table().find(rowOf(request_.sceneState, axis).name);
 }
 
 std::optional<std::size_t> StudyDock::presentPoint() const
 {
-    const Look& look = history_.look();
+    const SceneState& sceneState = history_.sceneState();
     for (std::size_t i = 0; i < result().points.size(); ++i) {
         bool same = true;
         for (std::size_t a = 0; a < request_.axes.size(); ++a) {
             const StudyAxis& axis = request_.axes[a];
             const std::optional<std::size_t> row = rowNow(axis);
-            same =
-                same && row && look.values[axis.subject].row(*row) == Value(axis.values[result().points[i].setting[a]]);
+            same = same && row &&
+                   sceneState.values[axis.subject].row(*row) == Value(axis.values[result().points[i].setting[a]]);
         }
         if (same) return i;
     }
@@ -466,7 +466,7 @@ void StudyDock::showPoint(int wanted)
 void StudyDock::apply(std::size_t point)
 {
     if (point >= result().points.size()) return;
-    Look next = history_.look();
+    SceneState next = history_.sceneState();
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         const StudyAxis& axis = request_.axes[a];
         if (const auto row = rowNow(axis))

@@ -8,9 +8,9 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double steepestLook = 1.5;  // Just short of straight up, where yaw loses its meaning.
-constexpr double longestStep = 0.1;   // Metres: shorter than any wall is thick.
-constexpr double slowest = 0.004;     // Metres per second: below it the visitor stands.
+constexpr double steepestSceneState = 1.5;  // Just short of straight up, where yaw loses its meaning.
+constexpr double longestStep = 0.1;         // Metres: shorter than any wall is thick.
+constexpr double slowest = 0.004;           // Metres per second: below it the visitor stands.
 
 double shortestTurn(double from, double to)
 {
@@ -50,7 +50,7 @@ void Walker::moveTo(const glm::dvec3& eye)
 void Walker::turn(double yaw, double pitch)
 {
     heading_.yaw = std::remainder(heading_.yaw + yaw, 2 * pi);
-    heading_.pitch = std::clamp(heading_.pitch + pitch, -steepestLook, steepestLook);
+    heading_.pitch = std::clamp(heading_.pitch + pitch, -steepestSceneState, steepestSceneState);
     camera_.target = camera_.eye + directionOf(heading_);
 }
 

@@ -36,11 +36,12 @@ void MuseumRenderers::close()
     context_.reset();
 }
 
-render::FrameReport MuseumRenderers::draw(const Look& look, const FrameRequest& request, const Unwanted& unwanted)
+render::FrameReport MuseumRenderers::draw(const SceneState& sceneState, const FrameRequest& request,
+                                          const Unwanted& unwanted)
 {
     assert(renderer_);
     renderer_->abandonWhen(unwanted);
-    return renderer_->draw(museum_.plan(museum_.prepare(look, request), request, renderer_->kept()));
+    return renderer_->draw(museum_.plan(museum_.prepare(sceneState, request), request, renderer_->kept()));
 }
 
 QImage MuseumRenderers::screenImage(const QSize& screen)
@@ -49,8 +50,8 @@ QImage MuseumRenderers::screenImage(const QSize& screen)
     return imageOf(renderer_->screenPixels("frame", size, glm::ivec2(0), size));
 }
 
-QImage MuseumRenderers::drawRegion(const Look& look, const FrameRequest& request, const PictureRegion& region,
-                                   int samples, const Unwanted& unwanted)
+QImage MuseumRenderers::drawRegion(const SceneState& sceneState, const FrameRequest& request,
+                                   const PictureRegion& region, int samples, const Unwanted& unwanted)
 {
     if (!regions_) regions_ = renderer_->sibling();
     regions_->abandonWhen(unwanted);
@@ -59,7 +60,7 @@ QImage MuseumRenderers::drawRegion(const Look& look, const FrameRequest& request
     frame.raster.offset = low;
     frame.raster.tile = glm::min(region.offset + region.size + regionApron, request.raster.size) - low;
     frame.samples = samples;
-    const Prepared prepared = museum_.prepare(look, frame);
+    const Prepared prepared = museum_.prepare(sceneState, frame);
     for (frame.sample = 0; frame.sample < samples; ++frame.sample)
         (void)regions_->draw(museum_.plan(prepared, frame, regions_->kept()));
     const glm::ivec2 within = region.offset - low;
@@ -95,17 +96,17 @@ std::vector<render::gl::ShaderProblem> MuseumRenderers::problems() const
     return renderer_ ? renderer_->problems() : std::vector<render::gl::ShaderProblem>();
 }
 
-PictureJob MuseumRenderers::makePicture(const Look& look, const PictureRequest& request)
+PictureJob MuseumRenderers::makePicture(const SceneState& sceneState, const PictureRequest& request)
 {
     PictureJob job;
     job.renderer = renderer_->sibling();
-    nextPicture(job, look, request);
+    nextPicture(job, sceneState, request);
     return job;
 }
 
-void MuseumRenderers::nextPicture(PictureJob& job, const Look& look, const PictureRequest& request)
+void MuseumRenderers::nextPicture(PictureJob& job, const SceneState& sceneState, const PictureRequest& request)
 {
-    job.maker = std::make_unique<PictureMaker>(museum_, *job.renderer, look, request);
+    job.maker = std::make_unique<PictureMaker>(museum_, *job.renderer, sceneState, request);
 }
 
 StudyJob MuseumRenderers::makeStudy(const StudyRequest& request)

@@ -12,16 +12,16 @@ public:
 
     void open() override;
     void close() override;
-    render::FrameReport draw(const Look&, const FrameRequest&, const Unwanted&) override;
+    render::FrameReport draw(const SceneState&, const FrameRequest&, const Unwanted&) override;
     [[nodiscard]] QImage screenImage(const QSize& screen) override;
-    [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int samples,
+    [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int samples,
                                     const Unwanted&) override;
     [[nodiscard]] render::Image shownPicture() override;
     void timeSteps(bool on) override;
     bool reloadChangedShaders() override;
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override;
-    [[nodiscard]] PictureJob makePicture(const Look&, const PictureRequest&) override;
-    void nextPicture(PictureJob&, const Look&, const PictureRequest&) override;
+    [[nodiscard]] PictureJob makePicture(const SceneState&, const PictureRequest&) override;
+    void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) override;
     [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override;
 
     /// What the viewport's renderer keeps, by owner; nothing before it is open. On the render thread.

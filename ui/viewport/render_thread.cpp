@@ -149,9 +149,10 @@ DrawnPicture RenderThread::picture(PictureOrder order)
         if (!open_) throw Failure(Blame::openGl, "Nothing can be drawn: there is no graphics context.");
         const std::function<bool()> unwanted = [this] { return unwanted_.load(); };
         if (order.region)
-            done.image = renderers_.drawRegion(order.look, order.request, *order.region, order.order.samples, unwanted);
+            done.image =
+                renderers_.drawRegion(order.sceneState, order.request, *order.region, order.order.samples, unwanted);
         else {
-            done.report = renderers_.draw(order.look, order.request, unwanted);
+            done.report = renderers_.draw(order.sceneState, order.request, unwanted);
             done.image = renderers_.screenImage(order.screen);
         }
     } catch (const render::gl::Abandoned&) {

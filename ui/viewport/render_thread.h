@@ -20,7 +20,7 @@ namespace vitrine::ui {
 
 /// A picture to draw, complete in itself: nothing that happens afterwards changes it.
 struct PictureOrder {
-    Look look;
+    SceneState sceneState;
     FrameRequest request;
     DrawOrder order;
     QSize screen;  ///< Device pixels of the viewport.

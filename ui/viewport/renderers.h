@@ -37,12 +37,12 @@ public:
     /// Asked between passes: whether the picture that is being drawn is not wanted any more.
     using Unwanted = std::function<bool()>;
     /// Throws render::gl::Abandoned when it was not wanted any more.
-    virtual render::FrameReport draw(const Look&, const FrameRequest&, const Unwanted&) = 0;
+    virtual render::FrameReport draw(const SceneState&, const FrameRequest&, const Unwanted&) = 0;
     /// The last picture as a screen of this many device pixels shows it.
     [[nodiscard]] virtual QImage screenImage(const QSize& screen) = 0;
     /// All `samples` supersamples of a part of a picture whose other pixels stay as they are. The picture that `draw`
     /// made last is left alone.
-    [[nodiscard]] virtual QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int samples,
+    [[nodiscard]] virtual QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int samples,
                                             const Unwanted&) = 0;
     /// The last picture of `draw` as `PictureMaker::picture` gives it; empty where there is none.
     [[nodiscard]] virtual render::Image shownPicture() = 0;
@@ -51,9 +51,9 @@ public:
     virtual bool reloadChangedShaders() = 0;
     [[nodiscard]] virtual std::vector<render::gl::ShaderProblem> problems() const = 0;
     /// A finished picture to make step by step.
-    [[nodiscard]] virtual PictureJob makePicture(const Look&, const PictureRequest&) = 0;
+    [[nodiscard]] virtual PictureJob makePicture(const SceneState&, const PictureRequest&) = 0;
     /// Another one on the same renderer, which keeps its programs and textures.
-    virtual void nextPicture(PictureJob&, const Look&, const PictureRequest&) = 0;
+    virtual void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) = 0;
     /// A study to make step by step. Throws Failure when there is nothing to measure.
     [[nodiscard]] virtual StudyJob makeStudy(const StudyRequest&) = 0;
 };

@@ -55,8 +55,8 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     steady_.start();
     pressedAt_.assign(museum.subjects().size(), -1e9);
     control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return museum_.walk(from, to); });
-    control_.jumpTo(history.look().camera);
-    schedule_.setSamples(pictureQuality(history.look().hall()).supersamples);
+    control_.jumpTo(history.sceneState().camera);
+    schedule_.setSamples(pictureQuality(history.sceneState().hall()).supersamples);
     watchFiles();
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
@@ -71,13 +71,13 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     connect(input_.get(), &ViewportInput::pressAsked, this, &Viewport::press);
     fileWatch_.setInterval(lookAtFilesEvery);
     connect(&fileWatch_, &QTimer::timeout, this, [this] {
-        if (stateOfFiles(history_.look()) == filesDrawn_) return;
-        lookChanged();
+        if (stateOfFiles(history_.sceneState()) == filesDrawn_) return;
+        sceneStateChanged();
         emit filesChanged();
     });
     connect(&history, &History::changed, this, &Viewport::valuesChanged);
     connect(&history, &History::replaced, this, &Viewport::valuesChanged);
-    connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.look().camera); });
+    connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.sceneState().camera); });
     thread_ = std::make_unique<RenderThread>(renderers_);
     connect(thread_.get(), &RenderThread::drawn, this, &Viewport::take);
     connect(thread_.get(), &RenderThread::failed, this, &Viewport::failed);
@@ -140,7 +140,7 @@ void Viewport::orderPicture()
 {
     if (!canBeSeen()) return;
     if (drawing_) {
-        if (schedule_.betterGivenUp() || (drawingRegion_ && drawnLook_ != lookNumber_)) thread_->abandon();
+        if (schedule_.betterGivenUp() || (drawingRegion_ && drawnState_ != sceneStateNumber_)) thread_->abandon();
         return;
     }
     const std::optional<DrawOrder> order = schedule_.next(now());
@@ -155,8 +155,8 @@ void Viewport::orderPicture()
 void Viewport::orderWhole(const DrawOrder& order)
 {
     if (order.sample == 0) pictureTime_ = time_;
-    PictureOrder wanted{history_.look(), request(pictureTime_), order, devicePixels(), std::nullopt};
-    const double scale = order.scale * pictureQuality(wanted.look.hall()).resolutionScale;
+    PictureOrder wanted{history_.sceneState(), request(pictureTime_), order, devicePixels(), std::nullopt};
+    const double scale = order.scale * pictureQuality(wanted.sceneState.hall()).resolutionScale;
     wanted.request.raster.size =
         glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.request.raster.size) * scale)), glm::ivec2(1));
     wanted.request.cut = std::exchange(cut_, false);
@@ -164,7 +164,7 @@ void Viewport::orderWhole(const DrawOrder& order)
     wanted.request.samples = order.samples;
     schedule_.begun(order);
     drawing_ = true;
-    drawnLook_ = lookNumber_;
+    drawnState_ = sceneStateNumber_;
     thread_->draw(std::move(wanted));
 }
 
@@ -172,8 +172,8 @@ void Viewport::orderRegion()
 {
     regionDue_ = false;
     drawing_ = drawingRegion_ = true;
-    drawnLook_ = lookNumber_;
-    thread_->draw({history_.look(), request(time_), {1, 0, schedule_.samples()}, devicePixels(), region_});
+    drawnState_ = sceneStateNumber_;
+    thread_->draw({history_.sceneState(), request(time_), {1, 0, schedule_.samples()}, devicePixels(), region_});
 }
 
 void Viewport::take(const DrawnPicture& picture)
@@ -211,7 +211,7 @@ void Viewport::takeRegion(const DrawnPicture& picture)
     regionRest_ = now() + std::max(restOfRegions * picture.seconds, shortestRest);
     if (!picture.failure.isEmpty()) fail(picture.failure);
     // Of a look that is not on the screen any more, or of another size.
-    if (picture.image.isNull() || drawnLook_ != lookNumber_ || picture.order.screen != shown_.size()) return;
+    if (picture.image.isNull() || drawnState_ != sceneStateNumber_ || picture.order.screen != shown_.size()) return;
     regionImage_ = picture.image;
     regionShown_ = *picture.order.region;
     layRegionOver();
@@ -236,15 +236,15 @@ void Viewport::fail(const QString& why)
 
 void Viewport::watchFiles()
 {
-    const bool named = namesFiles(history_.look());
-    filesDrawn_ = named ? stateOfFiles(history_.look()) : 0;
+    const bool named = namesFiles(history_.sceneState());
+    filesDrawn_ = named ? stateOfFiles(history_.sceneState()) : 0;
     if (named && !fileWatch_.isActive()) fileWatch_.start();
     if (!named) fileWatch_.stop();
 }
 
 void Viewport::resizeGL(int, int)
 {
-    ++lookNumber_;
+    ++sceneStateNumber_;
     schedule_.changed(now());
     for (Overlay* overlay : {hint_, label_, problems_}) overlay->place();
 }
@@ -266,9 +266,9 @@ void Viewport::scheduleNext()
 
 const Prepared& Viewport::prepared()
 {
-    if (!prepared_ || preparedLook_ != lookNumber_ || prepared_->time != time_) {
-        prepared_ = museum_.prepare(history_.look(), request(time_));
-        preparedLook_ = lookNumber_;
+    if (!prepared_ || preparedState_ != sceneStateNumber_ || prepared_->time != time_) {
+        prepared_ = museum_.prepare(history_.sceneState(), request(time_));
+        preparedState_ = sceneStateNumber_;
         ++preparations_;
     }
     return *prepared_;
@@ -277,7 +277,7 @@ const Prepared& Viewport::prepared()
 std::optional<PictureRegion> Viewport::smallRegion()
 {
     if (input_->keys().any() || control_.moving() || runEverything_ ||
-        pictureQuality(history_.look().hall()).resolutionScale != 1)
+        pictureQuality(history_.sceneState().hall()).resolutionScale != 1)
         return std::nullopt;
     const FrameRequest wanted = request(time_);
     const std::optional<PictureRegion> region = museum_.movingRegion(prepared(), wanted);
@@ -332,16 +332,16 @@ void Viewport::valuesChanged()
 {
     // What differs in rows alone that do not act is the same picture: it goes on being refined.
     std::vector<ParameterValues> acting;
-    for (const ParameterValues& values : history_.look().values) acting.push_back(actingValues(values));
+    for (const ParameterValues& values : history_.sceneState().values) acting.push_back(actingValues(values));
     if (acting == acting_) return;
     acting_ = std::move(acting);
-    lookChanged();
+    sceneStateChanged();
 }
 
-void Viewport::lookChanged()
+void Viewport::sceneStateChanged()
 {
-    ++lookNumber_;
-    schedule_.setSamples(pictureQuality(history_.look().hall()).supersamples);
+    ++sceneStateNumber_;
+    schedule_.setSamples(pictureQuality(history_.sceneState().hall()).supersamples);
     schedule_.changed(now());
     watchFiles();
     if (!timer_.isActive()) timer_.start(0);
@@ -351,7 +351,7 @@ void Viewport::cameraChanged()
 {
     history_.setCamera(control_.camera());
     hint_->say({});
-    lookChanged();
+    sceneStateChanged();
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? museum_.lookedAt(prepared()) : std::nullopt;
     label_->say(lookedAt_ ? QString::fromStdString(lookedAt_->text) : QString());
     input_->lookAgain();
@@ -361,7 +361,7 @@ void Viewport::visit(std::size_t exhibit)
 {
     remember();
     subject_ = exhibit;
-    control_.glideTo({museum_.bestView(exhibit, history_.look().values[exhibit]),
+    control_.glideTo({museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
                       exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     cameraChanged();
 }
@@ -429,7 +429,7 @@ void Viewport::press()
 void Viewport::pressButton(std::size_t exhibit)
 {
     pressedAt_[exhibit] = time_;
-    lookChanged();
+    sceneStateChanged();
     emit pressed(exhibit);
 }
 
@@ -445,20 +445,20 @@ QString Viewport::reason() const
 
 bool Viewport::pictureFinished() const
 {
-    const bool whole = pictureQuality(history_.look().hall()).resolutionScale == 1;
+    const bool whole = pictureQuality(history_.sceneState().hall()).resolutionScale == 1;
     return whole && !shown_.isNull() && regionImage_.isNull() && schedule_.still() && lastFailure_.isEmpty();
 }
 
 void Viewport::setPaused(bool paused)
 {
     paused_ = paused;
-    lookChanged();
+    sceneStateChanged();
 }
 
 void Viewport::setRunEverything(bool on)
 {
     runEverything_ = on;
-    lookChanged();
+    sceneStateChanged();
 }
 
 void Viewport::setStepsTimed(bool on)
@@ -474,7 +474,7 @@ void Viewport::reloadShaders()
     thread_->post([this] {
         const bool changed = renderers_.reloadChangedShaders();
         return [this, changed, problems = renderers_.problems()] {
-            if (changed) lookChanged();
+            if (changed) sceneStateChanged();
             showProblems(problems);
         };
     });

@@ -71,7 +71,7 @@ public:
 
 public slots:
     /// Something visible changed.
-    void lookChanged();
+    void sceneStateChanged();
     /// Presses the button that the look rests on; while an exhibit is orbited, its own.
     void press();
 
@@ -142,13 +142,13 @@ private:
     QImage shown_;            // The last picture, with what moved in it since.
     double pictureTime_ = 0;  // The moment that the whole picture shows, on the exhibits' clock.
     bool drawingRegion_ = false;
-    bool drawing_ = false;      // A picture is asked for and not here yet.
-    long long lookNumber_ = 0;  // Grows with every change of what is to be seen.
-    long long drawnLook_ = 0;   // Of the picture that is being drawn.
+    bool drawing_ = false;            // A picture is asked for and not here yet.
+    long long sceneStateNumber_ = 0;  // Grows with every change of what is to be seen.
+    long long drawnState_ = 0;        // Of the picture that is being drawn.
     long long picturesDrawn_ = 0;
 
     std::optional<Prepared> prepared_;
-    long long preparedLook_ = 0;  // What `prepared_` shows: `lookNumber_`; its moment is its own.
+    long long preparedState_ = 0;  // What `prepared_` shows: `sceneStateNumber_`; its moment is its own.
     long long preparations_ = 0;
 
     // What moves while the rest of the picture stands still.

@@ -32,11 +32,11 @@ bool isPrint(const QString& path)
 }
 
 /// Which files that the look names and needs for what it shows cannot be read, and why.
-std::vector<std::string> unreadableFiles(const Museum& museum, const Look& look)
+std::vector<std::string> unreadableFiles(const Museum& museum, const SceneState& sceneState)
 {
     FrameRequest request;
-    request.camera = look.camera;
-    return museum.prepare(look, request).unreadableFiles();
+    request.camera = sceneState.camera;
+    return museum.prepare(sceneState, request).unreadableFiles();
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ FileOpener::FileOpener(Workbench& window, PresetShelf& shelf, QObject* parent)
 
 void FileOpener::setHallFile(const char* parameter, const QString& path)
 {
-    Look next = window_.history().look();
+    SceneState next = window_.history().sceneState();
     const auto row = next.hall().table().find(parameter);
     if (!row) {
         window_.say(
@@ -67,7 +67,7 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
                                     tr("%1 Nothing was changed.").arg(QString::fromStdString(why)));
                     };
             return [this, row, path, file = next.hall().row(row)] {
-                Look changed = window_.history().look();
+                SceneState changed = window_.history().sceneState();
                 changed.hall().setRow(row, file);
                 window_.history().change(tr("Put %1 into the hall").arg(QFileInfo(path).fileName()), changed);
             };

@@ -52,7 +52,7 @@ QString thumbnailPath(const Subject& subject)
 }  // namespace
 
 MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* parent)
-    : QMainWindow(parent), museum_(museum), renderers_(renderers), history_(museum.initialLook())
+    : QMainWindow(parent), museum_(museum), renderers_(renderers), history_(museum.initialSceneState())
 {
     setWindowIcon(programIcon());
     setAcceptDrops(true);
@@ -127,7 +127,7 @@ void MainWindow::connectViewport()
 {
     connect(viewport_, &Viewport::visited, this, &MainWindow::choose);
     connect(viewport_, &Viewport::pressed, this, [this](std::size_t exhibit) {
-        Look next = history_.look();
+        SceneState next = history_.sceneState();
         const Subject& subject = museum_.subject(exhibit);
         if (const auto* button = capability<HasButton>(subject); button && button->press(next.values[exhibit]))
             history_.change(tr("Press the button of %1").arg(text(subject.title())), next);
@@ -219,7 +219,7 @@ void MainWindow::showTitle()
 void MainWindow::resetEverything()
 {
     const Subject& subject = museum_.subject(shown());
-    Look next = history_.look();
+    SceneState next = history_.sceneState();
     next.values[shown()] = subject.parameters().initial();
     history_.change(tr("Reset %1").arg(text(subject.title())), next);
 }

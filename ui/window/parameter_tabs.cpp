@@ -64,7 +64,7 @@ void ParameterTabs::searchElsewhere()
     std::size_t other = 0;
     if (tabs_->count() > 1 && !words.isEmpty()) {
         other = static_cast<std::size_t>(tabs_->tabData(1 - tabs_->currentIndex()).toULongLong());
-        for (const ParameterInfo& row : history_.look().values[other].rows())
+        for (const ParameterInfo& row : history_.sceneState().values[other].rows())
             if (ParameterRow::matches(row, words)) found << QString::fromStdString(label(row));
     }
     if (found.isEmpty()) {

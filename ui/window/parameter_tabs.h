@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/subject.h"
-#include "exhibits/museum/look.h"
+#include "exhibits/museum/scene_state.h"
 
 #include <QWidget>
 

@@ -6,7 +6,7 @@
 #include "ui/kit/time_left.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
-#include "ui/presets/look_text.h"
+#include "ui/presets/scene_text.h"
 #include "ui/viewport/viewport.h"
 
 #include <QDateTime>
@@ -42,7 +42,7 @@ std::filesystem::path freeScreenshotPath(const QObject& window, const QString& e
 
 PictureExport::PictureExport(Workbench& window, ExportWish wish, QObject* parent)
     : QObject(parent), window_(window), wish_(std::move(wish)),
-      preset_(textOf(window.museum(), window.history().look(), window.chosen(), "Picture"))
+      preset_(textOf(window.museum(), window.history().sceneState(), window.chosen(), "Picture"))
 {
 }
 
@@ -55,7 +55,7 @@ PictureRequest PictureExport::request() const
 {
     PictureRequest request;
     request.frame.camera =
-        widened(window_.history().look().camera, static_cast<double>(wish_.size.x) / std::max(wish_.size.y, 1));
+        widened(window_.history().sceneState().camera, static_cast<double>(wish_.size.x) / std::max(wish_.size.y, 1));
     request.frame.raster.size = wish_.size;
     request.frame.time = window_.viewport().time();
     request.frame.transparent = wish_.transparent;
@@ -98,9 +98,10 @@ void PictureExport::start()
         QElapsedTimer told;
     };
     auto work = std::make_shared<Work>();
-    auto step = [this, work, &renderers = window_.renderers(), stage = stage_, look = window_.history().look(),
-                 request = request(), wish = wish_, preset = preset_](const RenderThread::Tell& tell) {
-        if (!work->job.maker) work->job = renderers.makePicture(look, request);
+    auto step = [this, work, &renderers = window_.renderers(), stage = stage_,
+                 sceneState = window_.history().sceneState(), request = request(), wish = wish_,
+                 preset = preset_](const RenderThread::Tell& tell) {
+        if (!work->job.maker) work->job = renderers.makePicture(sceneState, request);
         if (!work->job.maker) throw Failure(Blame::openGl, "No picture can be made: there is no graphics context.");
         PictureMaker& maker = *work->job.maker;
         maker.step();

@@ -5,7 +5,7 @@
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 #include "ui/parameters/parameter_panel.h"
-#include "ui/presets/look_text.h"
+#include "ui/presets/scene_text.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 
@@ -83,7 +83,7 @@ void SessionKeeper::write()
 bool SessionKeeper::writeJournal()
 {
     try {
-        journal_.write(textOf(window_.museum(), window_.history().look(), window_.chosen(), "Journal"));
+        journal_.write(textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Journal"));
         return true;
     } catch (const std::exception& failure) {
         window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
@@ -91,7 +91,7 @@ bool SessionKeeper::writeJournal()
     }
 }
 
-bool SessionKeeper::restoreLook(const std::string& text, const std::string& fileName)
+bool SessionKeeper::restoreSceneState(const std::string& text, const std::string& fileName)
 {
     try {
         std::vector<std::string> notes;
@@ -110,7 +110,7 @@ bool SessionKeeper::restoreCrash()
     for (const AbandonedSession& session : journal_.abandoned()) {
         const int before = timesRestored();
         const bool again = before < mostTimesRestored;
-        if (again && restoreLook(session.text, session.path.string())) {
+        if (again && restoreSceneState(session.text, session.path.string())) {
             setTimesRestored(before + 1);
             settled_.start();
             if (writeJournal()) journal_.discard(session);  // Before that, it is all there is.
@@ -138,7 +138,7 @@ bool SessionKeeper::restore()
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) return false;
     try {
-        return restoreLook(render::readFile(file, presetLimits.bytes), file.string());
+        return restoreSceneState(render::readFile(file, presetLimits.bytes), file.string());
     } catch (const std::exception& failure) {
         window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
         return false;
@@ -153,7 +153,7 @@ void SessionKeeper::close()
     try {
         std::filesystem::create_directories(folder_);
         render::atomicWrite(folder_ / "session.json",
-                            textOf(window_.museum(), window_.history().look(), window_.chosen(), "Last session"));
+                            textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Last session"));
         saveLayout();
         setTimesRestored(0);
         journal_.cleanExit();

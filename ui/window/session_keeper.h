@@ -42,7 +42,7 @@ private:
     void write();
     bool writeJournal();
     bool restoreCrash();
-    bool restoreLook(const std::string& text, const std::string& fileName);
+    bool restoreSceneState(const std::string& text, const std::string& fileName);
     void restoreLayout();
     [[nodiscard]] int timesRestored() const;
     void setTimesRestored(int) const;

@@ -11,7 +11,7 @@ TableReader::TableReader(Workbench& window, QObject* parent) : QObject(parent), 
 {
     History& history = window.history();
     connect(&history, &History::changed, this, [this, &history](std::size_t exhibit, std::size_t row) {
-        if (history.look().values[exhibit].rows()[row].givesRows) read();
+        if (history.sceneState().values[exhibit].rows()[row].givesRows) read();
     });
     connect(&history, &History::replaced, this, &TableReader::read);
     connect(&window.viewport(), &Viewport::filesChanged, this, &TableReader::readAgain);
@@ -20,7 +20,7 @@ TableReader::TableReader(Workbench& window, QObject* parent) : QObject(parent), 
 std::vector<TableReader::Named> TableReader::named() const
 {
     std::vector<Named> all;
-    for (const ParameterValues& values : window_.history().look().values)
+    for (const ParameterValues& values : window_.history().sceneState().values)
         if (std::vector<std::string> files = values.tableFiles(); !files.empty())
             all.push_back({std::move(files), values.sharedTable()});
     return all;
@@ -36,19 +36,19 @@ void TableReader::readAgain()
     asked_ = named();
     if (asked_.empty()) return;
     window_.viewport().renderThread().post(
-        [this, &museum = window_.museum(), look = window_.history().look()]() -> std::function<void()> {
-            auto tabled = std::make_shared<const TabledLook>(museum.readTables(look));
+        [this, &museum = window_.museum(), sceneState = window_.history().sceneState()]() -> std::function<void()> {
+            auto tabled = std::make_shared<const TabledSceneState>(museum.readTables(sceneState));
             return [this, tabled] { take(*tabled); };
         });
 }
 
-void TableReader::take(const TabledLook& tabled)
+void TableReader::take(const TabledSceneState& tabled)
 {
     for (const std::string& why : tabled.unreadable)
         window_.say(MessageStrip::Mood::problem, QString::fromStdString(why));
     for (const std::string& note : tabled.notes) window_.say(MessageStrip::Mood::notice, QString::fromStdString(note));
     taking_ = true;
-    window_.history().exchangeTables(tabled.look);
+    window_.history().exchangeTables(tabled.sceneState);
     taking_ = false;
     asked_ = named();
 }

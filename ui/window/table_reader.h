@@ -34,7 +34,7 @@ private:
         bool operator==(const Named&) const = default;
     };
     [[nodiscard]] std::vector<Named> named() const;
-    void take(const TabledLook&);
+    void take(const TabledSceneState&);
 
     Workbench& window_;
     std::vector<Named> asked_;  ///< What was read last, or is being read.

@@ -41,11 +41,11 @@ struct RayShot : Shot {
         see({0, 0, 0}, {-0.05, 0.2, -1});
         return *this;
     }
-    [[nodiscard]] ParameterValues& rays() { return look.values[*gallery().museum.find("crepuscular_rays")]; }
+    [[nodiscard]] ParameterValues& rays() { return sceneState.values[*gallery().museum.find("crepuscular_rays")]; }
     /// Largest component of the color in which a white mask comes out.
     [[nodiscard]] glm::dvec3 white() const
     {
-        const glm::dvec3 color = blackBodyColor(look.hall()[hallTable().sunTemperature]);
+        const glm::dvec3 color = blackBodyColor(sceneState.hall()[hallTable().sunTemperature]);
         return color / std::max({color.x, color.y, color.z});
     }
 };

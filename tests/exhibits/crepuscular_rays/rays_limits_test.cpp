@@ -172,7 +172,8 @@ TEST_F(Rays, ChangeLittleByLittleWhileTheCameraTurnsAway)
     }
     // The light alone would be shown, black as it is.
     shot.rays().set(raysTable().view, RayView::picture);
-    EXPECT_EQ(test::planned(gallery().museum, shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
+    EXPECT_EQ(test::planned(gallery().museum, shot.sceneState, shot.request.frame).find("crepuscular_rays/mask"),
+              nullptr);
 }
 
 TEST_F(Rays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
@@ -193,7 +194,8 @@ TEST_F(Rays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
             shot.see({0, 0, 0}, {std::sin(yaw), 0, -std::cos(yaw)});
             const Picture p = shot.take();
             const bool runs =
-                test::planned(gallery().museum, shot.look, shot.request.frame).find("crepuscular_rays/mask") != nullptr;
+                test::planned(gallery().museum, shot.sceneState, shot.request.frame).find("crepuscular_rays/mask") !=
+                nullptr;
             const double now = p.mean();
             ASSERT_TRUE(std::isfinite(now)) << step;
             if (step == 0) straight = last = now;

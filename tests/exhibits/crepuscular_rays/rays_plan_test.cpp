@@ -122,7 +122,7 @@ TEST(RaysPlan, NothingToSeeAddsNoPassAndSaysWhy)
 
     Scene alone = atTheWindow();
     alone.request.alone = *test::museum().find("crepuscular_rays");
-    alone.look.hall().set(test::hallTable().sunAzimuth, 3.0);
+    alone.sceneState.hall().set(test::hallTable().sunAzimuth, 3.0);
     EXPECT_EQ(reasonFor(alone.plan(), "crepuscular_rays/march"), "the sun does not shine through the window");
 }
 
@@ -230,9 +230,10 @@ TEST(RaysPlan, ShadowsAndProbeAreNotMadeAgainForTheBeams)
 TEST(RaysPlan, AStandingMobileAsksForNoNewPicture)
 {
     Scene scene = atTheWindow();
-    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(test::nextChange(test::museum(), scene.sceneState, scene.request),
+              std::numeric_limits<double>::infinity());
     scene.rays().set(raysTable().animate, true);
-    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.sceneState, scene.request), 0);
 }
 
 TEST(RaysPlan, ATileTakesItsMaskFromTheWholePicture)

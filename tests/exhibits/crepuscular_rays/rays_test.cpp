@@ -83,7 +83,8 @@ TEST_F(Rays, H54_OfTheSunBehindChangeNothing)
     EXPECT_LT(glm::length(dvec2(clip) / clip.w), 0.1);
     shot.rays().set(raysTable().technique, RayTechnique::screen);
     EXPECT_EQ(test::largestDifference(off.image, shot.take().image), 0);
-    EXPECT_EQ(test::planned(gallery().museum, shot.look, shot.request.frame).find("crepuscular_rays/mask"), nullptr);
+    EXPECT_EQ(test::planned(gallery().museum, shot.sceneState, shot.request.frame).find("crepuscular_rays/mask"),
+              nullptr);
 }
 
 TEST_F(Rays, InScreenSpaceAreInProportionToTheSunsStrengthDownToNone)

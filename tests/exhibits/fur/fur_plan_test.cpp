@@ -42,20 +42,20 @@ struct FurScene : test::Scene {
 
     FurScene()
     {
-        look = museum().initialLook();
+        sceneState = museum().initialSceneState();
         see(museum().bestView(fur, values()));
     }
     [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {}) const
     {
-        return test::planned(museum(), look, request, kept);
+        return test::planned(museum(), sceneState, request, kept);
     }
-    [[nodiscard]] ParameterValues& values() { return look.values[fur]; }
+    [[nodiscard]] ParameterValues& values() { return sceneState.values[fur]; }
     void press(double since)
     {
         request.sincePressed.assign(fur + 1, never);
         request.sincePressed[fur] = since;
     }
-    [[nodiscard]] double next() const { return test::nextChange(museum(), look, request); }
+    [[nodiscard]] double next() const { return test::nextChange(museum(), sceneState, request); }
 };
 
 TEST(FurPlan, AsleepTakesNoStepAndAsksForNoFrame)

@@ -45,7 +45,7 @@ struct FurShot : Shot {
     }
     [[nodiscard]] std::int64_t samplesPassed() const
     {
-        PictureMaker maker(gallery().museum, gallery().renderer, look, request);
+        PictureMaker maker(gallery().museum, gallery().renderer, sceneState, request);
         while (maker.step()) {
         }
         return maker.report().counters.at("samples");

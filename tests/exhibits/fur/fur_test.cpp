@@ -229,7 +229,7 @@ TEST_F(FurTest, AVisitorsModelWearsTheRingsCoatAndJumps)
         }
         render::Complaints log;
         const auto lines = [&] {
-            return log.begun(test::planned(gallery().museum, shot.look, shot.request.frame).skipped());
+            return log.begun(test::planned(gallery().museum, shot.sceneState, shot.request.frame).skipped());
         };
         const std::vector<render::Skipped> first = lines();
         ASSERT_EQ(first.size(), awkward ? 1U : 0U);

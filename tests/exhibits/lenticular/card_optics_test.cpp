@@ -45,7 +45,7 @@ double grayBetween(double from, double to, int count)
 /// The same for a whole lens, by the table's model in double.
 double expectedGray(const CardShot& shot, const Sheet& sheet, double theta, int count, double beta = 0)
 {
-    const ParameterValues& values = shot.look.values[shot.card];
+    const ParameterValues& values = shot.sceneState.values[shot.card];
     const LenticularTable& t = cardTable();
     const double m = values[t.magnification];
     if (values[t.model] == CardModel::linear) {

@@ -27,7 +27,7 @@ struct CardScene : test::Scene {
     LenticularTable t;
 
     CardScene() { see(museum().bestView(card, values())); }
-    [[nodiscard]] ParameterValues& values() { return look.values[card]; }
+    [[nodiscard]] ParameterValues& values() { return sceneState.values[card]; }
 };
 
 bool binds(const Pass& pass, int unit)
@@ -70,10 +70,10 @@ TEST(CardPlan, TheButtonRollsTheOtherPrintIn)
     scene.request.sincePressed.assign(scene.card + 1, 1e9);
     scene.request.sincePressed[scene.card] = 0.5;
     EXPECT_TRUE(defines(*scene.plan().find("lenticular/card"), "SCROLLING"));
-    EXPECT_EQ(test::nextChange(museum(), scene.look, scene.request), 0);
+    EXPECT_EQ(test::nextChange(museum(), scene.sceneState, scene.request), 0);
     scene.request.sincePressed[scene.card] = 1.3;
     EXPECT_FALSE(defines(*scene.plan().find("lenticular/card"), "SCROLLING"));
-    EXPECT_EQ(test::nextChange(museum(), scene.look, scene.request), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(test::nextChange(museum(), scene.sceneState, scene.request), std::numeric_limits<double>::infinity());
     // Another exhibit's button does not move this card.
     scene.request.sincePressed[scene.card] = 1e9;
     scene.request.sincePressed[scene.sdf] = 0.5;

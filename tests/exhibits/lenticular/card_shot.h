@@ -37,7 +37,7 @@ struct CardShot : Shot {
 
     std::size_t card = 0;
 
-    [[nodiscard]] ParameterValues& values() { return look.values[card]; }
+    [[nodiscard]] ParameterValues& values() { return sceneState.values[card]; }
     /// Sees the card's middle from `angle` across and `rise` above (radians), `distance` meters away, so that a
     /// pixel is `pixel` meters wide there (the whole picture no less than 1 degree).
     CardShot& from(double angle, double distance, double pixel, double rise = 0);

@@ -122,9 +122,9 @@ protected:
     {
         const Museum& museum = gallery().museum;
         Shot shot;
-        shot.look = museum.initialLook();
+        shot.sceneState = museum.initialSceneState();
         if (exhibit != 0) shot.hall() = cheap(shot.hall());
-        shot.look.values[exhibit] = values;
+        shot.sceneState.values[exhibit] = values;
         const PictureQuality quality = pictureQuality(shot.hall());
         FrameRequest& frame = shot.request.frame;
         shot.request.samples = quality.supersamples;

@@ -33,7 +33,7 @@ struct Case {
 
 ParameterValues& valuesOf(Shot& shot, std::string_view exhibit)
 {
-    return shot.look.values[*gallery().museum.find(exhibit)];
+    return shot.sceneState.values[*gallery().museum.find(exhibit)];
 }
 
 std::optional<render::Bound> boundIn(const render::FramePlan& plan, const std::string& name)
@@ -59,7 +59,8 @@ Shot shotOf(const Case& c, std::uint64_t seed)
     hall.set(hallTable().sunElevation, random.number(0.2, 0.8));
     hall.set(hallTable().sunAzimuth, random.number(-0.4, 0.4));
     const std::size_t index = *museum.find(c.exhibit);
-    if (index != hallIndex) shot.look.values[index] = randomValues(museum.subject(index).parameters(), random, 0.5);
+    if (index != hallIndex)
+        shot.sceneState.values[index] = randomValues(museum.subject(index).parameters(), random, 0.5);
     if (c.prepare) c.prepare(shot);
     FrameRequest& frame = shot.request.frame;
     frame.raster.size = {48, 27};
@@ -68,8 +69,8 @@ Shot shotOf(const Case& c, std::uint64_t seed)
     frame.channels = {};
     frame.alone = c.inHall ? std::nullopt : std::optional(index);
     frame.subject = index == hallIndex || !c.inHall ? std::nullopt : std::optional(index);
-    const render::Camera best = museum.subject(index).bestView(shot.look.values[index]);
-    frame.camera = index == hallIndex || !c.inHall ? best : museum.bestView(index, shot.look.values[index]);
+    const render::Camera best = museum.subject(index).bestView(shot.sceneState.values[index]);
+    frame.camera = index == hallIndex || !c.inHall ? best : museum.bestView(index, shot.sceneState.values[index]);
     return shot;
 }
 
@@ -90,7 +91,8 @@ Held held(const Case& c, int first, int last, double lowered = 1)
         c.with(shot, false);
         const Picture without = shot.take();
         c.with(shot, true);
-        const auto bound = boundIn(test::planned(gallery().museum, shot.look, shot.request.frame), c.passOrEffect);
+        const auto bound =
+            boundIn(test::planned(gallery().museum, shot.sceneState, shot.request.frame), c.passOrEffect);
         const Picture with = shot.take();
         if (!bound) {
             EXPECT_EQ(largestDifference(with.image, without.image), 0)
@@ -240,7 +242,7 @@ TEST_F(BoundsOfEffects, ToneMappingShowsLightBetweenZeroAndOne)
         const render::Image light = shot.take().image;
         shot.request.frame.averageIn = AverageIn::display;
         const render::Image shown = shot.take().image;
-        const auto bound = boundIn(test::planned(gallery().museum, shot.look, shot.request.frame), "tone");
+        const auto bound = boundIn(test::planned(gallery().museum, shot.sceneState, shot.request.frame), "tone");
         ASSERT_TRUE(bound && bound->isKnown());
         for (int y = 0; y < light.height; ++y)
             for (int x = 0; x < light.width; ++x)

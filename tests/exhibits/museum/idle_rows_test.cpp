@@ -32,7 +32,7 @@ std::vector<Value> tellingValues(const ParameterInfo& row)
 /// The initial state but for small maps of the hall, and one for each value of each row that a condition looks at.
 std::vector<State> statesOf(std::size_t exhibit)
 {
-    ParameterValues start = Shot().look.values[exhibit];
+    ParameterValues start = Shot().sceneState.values[exhibit];
     const Parameters& table = start.table();
     // Beams of both kinds, so that there is something to keep still.
     if (const auto technique = table.find("technique")) start.setRow(*technique, 3.0);
@@ -65,10 +65,10 @@ protected:
         frame.subject = std::nullopt;
         frame.raster.size = {64, 36};
         frame.averageIn = AverageIn::radiance;
-        frame.camera = gallery().museum.bestView(exhibit, gallery().museum.initialLook().values[exhibit]);
+        frame.camera = gallery().museum.bestView(exhibit, gallery().museum.initialSceneState().values[exhibit]);
         frame.time = 0.7;
         frame.sincePressed.assign(gallery().museum.subjects().size(), 0.5);
-        shot.look.values[exhibit] = values;
+        shot.sceneState.values[exhibit] = values;
         return shot.take();
     }
 
@@ -141,7 +141,7 @@ TEST_F(IdleRows, ChangeNoPixelInRandomStates)
     for (std::size_t exhibit = 0; exhibit < gallery().museum.subjects().size(); ++exhibit) {
         const Parameters& table = gallery().museum.subject(exhibit).parameters();
         for (int state = 0; state < 4; ++state) {
-            ParameterValues values = Shot().look.values[exhibit];
+            ParameterValues values = Shot().sceneState.values[exhibit];
             for (std::size_t row = 0; row < table.rows().size(); ++row)
                 if (random.chance(0.3) && table.rows()[row].kind != Kind::count)
                     values.setRow(row, randomValue(table.rows()[row], random));

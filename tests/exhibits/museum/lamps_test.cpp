@@ -47,12 +47,12 @@ public:
 struct BulbHall {
     BulbHall() : museum(exhibits())
     {
-        look = museum.initialLook();
-        look.hall().set(test::hallTable().sunStrength, 0.0);
-        look.hall().set(test::hallTable().skyStrength, 0.0);
-        look.hall().set(test::hallTable().reflectionProbe, false);
-        look.hall().set(test::hallTable().bakedLight, false);
-        look.hall().set(test::hallTable().shadowMapSize, 256);
+        sceneState = museum.initialSceneState();
+        sceneState.hall().set(test::hallTable().sunStrength, 0.0);
+        sceneState.hall().set(test::hallTable().skyStrength, 0.0);
+        sceneState.hall().set(test::hallTable().reflectionProbe, false);
+        sceneState.hall().set(test::hallTable().bakedLight, false);
+        sceneState.hall().set(test::hallTable().shadowMapSize, 256);
         frame.raster.size = {96, 54};
         frame.averageIn = AverageIn::radiance;
         see({0, 8, 2.2}, {0, 0, 2});
@@ -63,11 +63,11 @@ struct BulbHall {
         all.push_back(std::make_unique<Bulb>());
         return all;
     }
-    void see(const glm::dvec3& eye, const glm::dvec3& target) { look.camera = frame.camera = {eye, target, 0.6}; }
-    [[nodiscard]] ParameterValues& bulb() { return look.values[1]; }
+    void see(const glm::dvec3& eye, const glm::dvec3& target) { sceneState.camera = frame.camera = {eye, target, 0.6}; }
+    [[nodiscard]] ParameterValues& bulb() { return sceneState.values[1]; }
     [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {})
     {
-        return test::planned(museum, look, frame, kept);
+        return test::planned(museum, sceneState, frame, kept);
     }
     [[nodiscard]] render::Image draw(render::gl::Renderer& renderer)
     {
@@ -76,7 +76,7 @@ struct BulbHall {
     }
 
     Museum museum;
-    Look look;
+    SceneState sceneState;
     FrameRequest frame;
 };
 
@@ -92,7 +92,7 @@ TEST_F(LampsTest, CostNothingWhereThereIsNone)
 {
     test::Shot shot;
     shot.inHall();
-    const render::FramePlan plan = test::planned(test::gallery().museum, shot.look, shot.request.frame);
+    const render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, shot.request.frame);
     EXPECT_TRUE(lampPasses(plan).empty());
     ASSERT_TRUE(plan.findSkipped("lamps"));
     EXPECT_EQ(plan.findSkipped("lamps")->reason, "no lamp hangs here");

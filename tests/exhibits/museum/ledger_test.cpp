@@ -24,8 +24,8 @@ Shot shotOf(std::size_t exhibit, bool alone)
     frame.alone = alone ? std::optional(exhibit) : std::nullopt;
     frame.subject = alone || exhibit == hallIndex ? std::nullopt : std::optional(exhibit);
     const Museum& museum = gallery().museum;
-    frame.camera = alone || exhibit == hallIndex ? museum.subject(exhibit).bestView(shot.look.values[exhibit])
-                                                 : museum.bestView(exhibit, shot.look.values[exhibit]);
+    frame.camera = alone || exhibit == hallIndex ? museum.subject(exhibit).bestView(shot.sceneState.values[exhibit])
+                                                 : museum.bestView(exhibit, shot.sceneState.values[exhibit]);
     return shot;
 }
 
@@ -56,7 +56,8 @@ TEST_F(Ledger, RunningEverythingChangesNoBitOfAnyExhibit)
 std::map<std::string, std::int64_t> heldFor(const Shot& shot)
 {
     render::gl::Renderer renderer;
-    return renderer.draw(test::planned(gallery().museum, shot.look, shot.request.frame, renderer.kept())).counters;
+    return renderer.draw(test::planned(gallery().museum, shot.sceneState, shot.request.frame, renderer.kept()))
+        .counters;
 }
 
 /// An effect that a row of a table switches, and what of it must be gone when it is off.
@@ -97,12 +98,12 @@ TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
         SCOPED_TRACE(std::string(s.exhibit) + '.' + s.row);
         const std::size_t exhibit = *gallery().museum.find(s.exhibit);
         Shot on = shotOf(exhibit == hallIndex && s.alone ? *gallery().museum.find("sdf_morph") : exhibit, s.alone);
-        const std::size_t row = *on.look.values[exhibit].table().find(s.row);
+        const std::size_t row = *on.sceneState.values[exhibit].table().find(s.row);
         Shot off = on;
-        on.look.values[exhibit].setRow(row, s.on);
-        off.look.values[exhibit].setRow(row, s.off);
-        const render::FramePlan with = test::planned(gallery().museum, on.look, on.request.frame);
-        const render::FramePlan without = test::planned(gallery().museum, off.look, off.request.frame);
+        on.sceneState.values[exhibit].setRow(row, s.on);
+        off.sceneState.values[exhibit].setRow(row, s.off);
+        const render::FramePlan with = test::planned(gallery().museum, on.sceneState, on.request.frame);
+        const render::FramePlan without = test::planned(gallery().museum, off.sceneState, off.request.frame);
         const auto passesOf = [&](const render::FramePlan& plan) {
             return std::count_if(plan.passes().begin(), plan.passes().end(),
                                  [&](const render::Pass& p) { return begins(p.name, s.pass); });
@@ -130,7 +131,7 @@ TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)
         std::int64_t held = 0;
         // What is kept is drawn in the first frame only: the second one holds what it takes to show a picture again.
         for (int frame = 0; frame < 2; ++frame)
-            held = renderer.draw(test::planned(gallery().museum, shot.look, shot.request.frame, renderer.kept()))
+            held = renderer.draw(test::planned(gallery().museum, shot.sceneState, shot.request.frame, renderer.kept()))
                        .counters.at("images");
         return held;
     };
@@ -143,7 +144,7 @@ TEST_F(Ledger, ASunOfNoStrengthCastsNoShadowPass)
 {
     Shot shot = shotOf(0, false);
     shot.hall().set(hallTable().sunStrength, 0.0);
-    const render::FramePlan plan = test::planned(gallery().museum, shot.look, shot.request.frame);
+    const render::FramePlan plan = test::planned(gallery().museum, shot.sceneState, shot.request.frame);
     EXPECT_EQ(plan.find("hall/shadow"), nullptr);
     ASSERT_NE(plan.findSkipped("hall/shadow"), nullptr);
     EXPECT_TRUE(plan.findSkipped("hall/shadow")->boundIsZero);

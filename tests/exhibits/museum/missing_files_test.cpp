@@ -25,11 +25,11 @@ struct FileScene : test::Scene {
     FileScene(const char* name, const char* row, const char* shownAs)
         : exhibit(*museum().find(name)), parameter(row), label(shownAs)
     {
-        if (exhibit != 0) see(museum().bestView(exhibit, look.values[exhibit]));
+        if (exhibit != 0) see(museum().bestView(exhibit, sceneState.values[exhibit]));
     }
     FileScene& name(const std::filesystem::path& path)
     {
-        look.values[exhibit].setRow(*look.values[exhibit].table().find(parameter), path.string());
+        sceneState.values[exhibit].setRow(*sceneState.values[exhibit].table().find(parameter), path.string());
         return *this;
     }
     [[nodiscard]] std::vector<std::string> unreadable() const
@@ -39,7 +39,7 @@ struct FileScene : test::Scene {
             if (!complaint.unreadable.empty()) sentences.push_back(lineOf(complaint));
         return sentences;
     }
-    [[nodiscard]] double next() const { return test::nextChange(museum(), look, request); }
+    [[nodiscard]] double next() const { return test::nextChange(museum(), sceneState, request); }
 };
 
 std::vector<FileScene> scenes()
@@ -106,14 +106,14 @@ TEST(MissingFiles, AreDrawnWhenTheyComeBackAndLeftOutWhenTheyGo)
         };
         scene.name({});
         const std::size_t without = draws();
-        EXPECT_FALSE(namesFiles(scene.look));
+        EXPECT_FALSE(namesFiles(scene.sceneState));
         scene.name(path);
-        EXPECT_TRUE(namesFiles(scene.look));
+        EXPECT_TRUE(namesFiles(scene.sceneState));
         EXPECT_EQ(draws(), without);
-        const std::uint64_t before = stateOfFiles(scene.look);
-        EXPECT_EQ(stateOfFiles(scene.look), before);
+        const std::uint64_t before = stateOfFiles(scene.sceneState);
+        EXPECT_EQ(stateOfFiles(scene.sceneState), before);
         std::filesystem::copy_file(render::asset("models/teddy.glb"), path);
-        EXPECT_NE(stateOfFiles(scene.look), before) << "whoever waits for it is not told";
+        EXPECT_NE(stateOfFiles(scene.sceneState), before) << "whoever waits for it is not told";
         EXPECT_NE(draws(), without);
         EXPECT_TRUE(scene.unreadable().empty());
         std::filesystem::remove(path);

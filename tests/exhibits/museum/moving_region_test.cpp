@@ -16,13 +16,13 @@ constexpr glm::ivec2 size{480, 288};
 class MovingRegion : public test::GlTest {
 protected:
     Museum& museum_ = test::gallery().museum;
-    Look look_ = museum_.initialLook();
+    SceneState sceneState_ = museum_.initialSceneState();
 
     /// The entrance: the card rolls in the distance.
     FrameRequest at(double time)
     {
         FrameRequest request;
-        request.camera = look_.camera;
+        request.camera = sceneState_.camera;
         request.raster.size = size;
         request.time = time;
         return request;
@@ -32,7 +32,8 @@ protected:
     {
         std::vector<double> moments;
         for (double time = 0; time < 60 && moments.size() < 3; time += 0.25)
-            if (test::nextChange(museum_, look_, at(time)) <= 0 && (moments.empty() || time > moments.back() + 0.6))
+            if (test::nextChange(museum_, sceneState_, at(time)) <= 0 &&
+                (moments.empty() || time > moments.back() + 0.6))
                 moments.push_back(time);
         return moments;
     }
@@ -41,7 +42,7 @@ protected:
     {
         request.samples = samples_;
         for (request.sample = 0; request.sample < request.samples; ++request.sample)
-            (void)renderer.draw(test::planned(museum_, look_, request, renderer.kept()));
+            (void)renderer.draw(test::planned(museum_, sceneState_, request, renderer.kept()));
         return renderer.screenPixels("frame", size, glm::ivec2(0), size);
     }
 };
@@ -59,7 +60,7 @@ TEST_F(MovingRegion, AtTheEntranceItHoldsAllThatMovesAndIsSmall)
 {
     const auto renderer = test::gallery().renderer.sibling();
     const render::gl::ScreenPixels before = whole(*renderer, at(0));
-    const auto region = museum_.movingRegion(museum_.prepare(look_, at(0)), at(0));
+    const auto region = museum_.movingRegion(museum_.prepare(sceneState_, at(0)), at(0));
     ASSERT_TRUE(region);
     EXPECT_GT(region->size.x * region->size.y, 0);
     EXPECT_LT(region->size.x * region->size.y, size.x * size.y / 16);
@@ -69,7 +70,7 @@ TEST_F(MovingRegion, AtTheEntranceItHoldsAllThatMovesAndIsSmall)
     const std::vector<double> moments = movingMoments();
     ASSERT_EQ(moments.size(), 3U);
     for (const double time : moments) {
-        EXPECT_EQ(museum_.movingRegion(museum_.prepare(look_, at(time)), at(time)), region);
+        EXPECT_EQ(museum_.movingRegion(museum_.prepare(sceneState_, at(time)), at(time)), region);
         const render::gl::ScreenPixels after = whole(*renderer, at(time));
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) {
@@ -88,7 +89,7 @@ TEST_F(MovingRegion, AtTheEntranceItHoldsAllThatMovesAndIsSmall)
 TEST_F(MovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
 {
     const auto renderer = test::gallery().renderer.sibling();
-    const auto region = museum_.movingRegion(museum_.prepare(look_, at(0)), at(0));
+    const auto region = museum_.movingRegion(museum_.prepare(sceneState_, at(0)), at(0));
     ASSERT_TRUE(region);
     const std::vector<double> moments = movingMoments();
     ASSERT_FALSE(moments.empty());
@@ -101,7 +102,7 @@ TEST_F(MovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
     request.samples = 2;
     const auto other = test::gallery().renderer.sibling();
     for (request.sample = 0; request.sample < 2; ++request.sample)
-        (void)other->draw(test::planned(museum_, look_, request, other->kept()));
+        (void)other->draw(test::planned(museum_, sceneState_, request, other->kept()));
     const render::gl::ScreenPixels part = other->screenPixels("frame", size, low, request.raster.tile);
     int worst = 0;
     for (int y = 0; y < region->size.y; ++y)
@@ -121,11 +122,11 @@ TEST_F(MovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
 TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
 {
     samples_ = 1;
-    Look other = look_;
+    SceneState other = sceneState_;
     const auto fur = museum_.find("fur").value();
     other.values[fur].setRow(*other.values[fur].table().find("ballLength"), 0.1);
     other.hall().setRow(*other.hall().table().find("shadowMapSize"), 512.0);
-    const Look first = look_;
+    const SceneState first = sceneState_;
     const auto fresh = test::gallery().renderer.sibling();
     const render::gl::ScreenPixels wanted = whole(*fresh, at(0));
     const auto renderer = test::gallery().renderer.sibling();
@@ -135,15 +136,15 @@ TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
     for (int most = 0; !finished; ++most) {
         int asked = 0;
         renderer->abandonWhen([&] { return asked++ == most; });
-        look_ = other;
+        sceneState_ = other;
         try {
-            (void)renderer->draw(test::planned(museum_, look_, at(1.3), renderer->kept()));
+            (void)renderer->draw(test::planned(museum_, sceneState_, at(1.3), renderer->kept()));
             finished = true;
         } catch (const render::gl::Abandoned&) {
             ++passes;
         }
         renderer->abandonWhen({});
-        look_ = first;
+        sceneState_ = first;
         const render::gl::ScreenPixels drawn = whole(*renderer, at(0));
         ASSERT_EQ(drawn.rgba, wanted.rgba) << "given up before pass " << most;
     }
@@ -153,7 +154,7 @@ TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
 TEST_F(MovingRegion, ARendererDrawsOnItsOwnThreadOnly)
 {
     const auto renderer = test::gallery().renderer.sibling();
-    const render::FramePlan plan = test::planned(museum_, look_, at(0));
+    const render::FramePlan plan = test::planned(museum_, sceneState_, at(0));
     bool refused = false;
     std::thread([&] {
         try {

@@ -112,7 +112,7 @@ TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
     scene.see({0.5, 1.65, 9}, {0.5, 1.2, 12});
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
     const auto emptyPlan = [&](const render::KeptKeys& kept) {
-        return test::planned(empty, empty.initialLook(), scene.request, kept);
+        return test::planned(empty, empty.initialSceneState(), scene.request, kept);
     };
     const FramePlan first = scene.plan();
     for (const auto& [i, exhibit] : test::museum().exhibits())
@@ -374,11 +374,11 @@ TEST(MuseumPlan, SamplesOfOnePictureDifferInPositionOnly)
 TEST(NextChange, StillLifeNeedsNoNewPicture)
 {
     Scene scene;
-    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.sceneState, scene.request), never);
     scene.object().set(test::sdfTable().animate, true);
-    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.sceneState, scene.request), 0);
     scene.object().set(test::sdfTable().speed, 0.0);
-    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.sceneState, scene.request), never);
 }
 
 TEST(NextChange, WhatMovesUnseenNeedsNoNewPicture)
@@ -387,9 +387,9 @@ TEST(NextChange, WhatMovesUnseenNeedsNoNewPicture)
     scene.object().set(test::sdfTable().animate, true);
     hideTheSun(scene);
     turnAway(scene);
-    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.sceneState, scene.request), never);
     stepBehindTheWall(scene);
-    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.sceneState, scene.request), never);
 }
 
 TEST(NextChange, AMovingShadowOfWhatIsOutOfViewIsAChange)
@@ -399,16 +399,16 @@ TEST(NextChange, AMovingShadowOfWhatIsOutOfViewIsAChange)
     shineOnTheExhibit(scene);
     seeItsShadowOnly(scene);
     ASSERT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "it ran");
-    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.sceneState, scene.request), 0);
 }
 
 TEST(NextChange, APressedButtonMovesForATenthOfASecondDownAndBack)
 {
     Scene scene;
     scene.request.sincePressed = {never, 0.19};
-    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), 0);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.sceneState, scene.request), 0);
     scene.request.sincePressed = {never, 0.2};
-    EXPECT_EQ(test::nextChange(test::museum(), scene.look, scene.request), never);
+    EXPECT_EQ(test::nextChange(test::museum(), scene.sceneState, scene.request), never);
 }
 
 TEST(Button, IsSquashedToATenthInATenthOfASecondAndComesBack)

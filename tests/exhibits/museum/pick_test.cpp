@@ -25,17 +25,18 @@ void expectWhatIsDrawn(Shot& shot, const char* where)
     p.each([&](int x, int y) {
         const glm::dvec2 ndc((x + 0.5) / p.width() * 2 - 1, 1 - (y + 0.5) / p.height() * 2);
         ++compared;
-        const auto found =
-            gallery().museum.pick(gallery().museum.prepare(shot.look, shot.request.frame), shot.request.frame, ndc);
+        const auto found = gallery().museum.pick(gallery().museum.prepare(shot.sceneState, shot.request.frame),
+                                                 shot.request.frame, ndc);
         if (!p.hit(x, y)) {
             // Through the window one sees the sky; pointing at its panes is no mistake.
             wrong += found && found->exhibit != panes;
             return;
         }
         const double cosine = glm::dot(glm::normalize(p.view.direction(ndc)), forward);
-        const double distance = gallery().museum.distanceTo(gallery().museum.prepare(shot.look, shot.request.frame),
-                                                            shot.request.frame, ndc) *
-                                cosine;
+        const double distance =
+            gallery().museum.distanceTo(gallery().museum.prepare(shot.sceneState, shot.request.frame),
+                                        shot.request.frame, ndc) *
+            cosine;
         const double beyond = p.depth(x, y) - distance;
         if (found && found->exhibit == panes && beyond > 0) return;
         // A coat is pointed at as a whole; what is drawn lies somewhere between its hairs.
@@ -64,7 +65,7 @@ TEST_F(PickTest, AnExhibitCutOutOfTheHallIsTheExhibitInTheHallsLight)
     Shot shot;
     shot.inHall().size(96, 54);
     const std::size_t rays = *gallery().museum.find("crepuscular_rays");
-    ParameterValues& air = shot.look.values[rays];
+    ParameterValues& air = shot.sceneState.values[rays];
     air.setRow(*air.table().find("airDensity"), 0.0);
     shot.request.frame.transparent = false;
     const Picture whole = shot.take();
@@ -76,8 +77,8 @@ TEST_F(PickTest, AnExhibitCutOutOfTheHallIsTheExhibitInTheHallsLight)
         const glm::dvec2 ndc((x + 0.5) / cut.width() * 2 - 1, 1 - (y + 0.5) / cut.height() * 2);
         EXPECT_EQ(cut.alpha(x, y), cut.hit(x, y) ? 1 : 0);
         EXPECT_EQ(whole.alpha(x, y), 1);
-        const auto found =
-            gallery().museum.pick(gallery().museum.prepare(shot.look, shot.request.frame), shot.request.frame, ndc);
+        const auto found = gallery().museum.pick(gallery().museum.prepare(shot.sceneState, shot.request.frame),
+                                                 shot.request.frame, ndc);
         const bool pointed = found && found->exhibit == shot.sdf && !found->button;
         inside += pointed && cut.hit(x, y);
         outside += !pointed && !cut.hit(x, y);

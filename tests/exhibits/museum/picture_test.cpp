@@ -57,7 +57,7 @@ TEST_F(PictureTest, IsTheSameByANewRenderer)
     shot.hall().set(hallTable().sunElevation, 0.21);
     const Picture seasoned = shot.take();
     render::gl::Renderer fresh;
-    PictureMaker maker(gallery().museum, fresh, shot.look, shot.request);
+    PictureMaker maker(gallery().museum, fresh, shot.sceneState, shot.request);
     while (maker.step()) {
     }
     EXPECT_EQ(test::largestDifference(maker.picture(), seasoned.image), 0);
@@ -275,14 +275,15 @@ TEST_F(PictureTest, OutOfViewTheExhibitsCostWhatAHallWithoutExhibitsCosts)
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
     const auto counters = [](const Museum& museum, const glm::dvec3& target) {
         render::gl::Renderer renderer;
-        Look look = museum.initialLook();
-        look.hall().set(hallTable().shadowMapSize, 512);
-        look.hall().set(hallTable().probeSize, 32);
+        SceneState sceneState = museum.initialSceneState();
+        sceneState.hall().set(hallTable().shadowMapSize, 512);
+        sceneState.hall().set(hallTable().probeSize, 32);
         FrameRequest frame;
         frame.raster.size = {64, 36};
         frame.camera = {{0.5, 1.65, 9}, target, 0.959931};
-        (void)renderer.draw(test::planned(museum, look, frame, renderer.kept()));  // Shadow map and probe are made.
-        auto all = renderer.draw(test::planned(museum, look, frame, renderer.kept())).counters;
+        (void)renderer.draw(
+            test::planned(museum, sceneState, frame, renderer.kept()));  // Shadow map and probe are made.
+        auto all = renderer.draw(test::planned(museum, sceneState, frame, renderer.kept())).counters;
         all.erase("programs");  // Of everything built so far.
         return all;
     };

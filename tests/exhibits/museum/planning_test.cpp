@@ -27,7 +27,7 @@ using test::wholeText;
 
 std::string textOf(const Museum& museum, const Scene& scene)
 {
-    return wholeText(test::planned(museum, scene.look, scene.request));
+    return wholeText(test::planned(museum, scene.sceneState, scene.request));
 }
 
 /// Random values of every exhibit in turn, at random times, pressed or not, seen from its best view.
@@ -39,15 +39,15 @@ std::map<std::string, Scene> randomScenes(int ofEach)
         for (int seed = 1; seed <= ofEach; ++seed) {
             RandomNumbers random(static_cast<std::uint64_t>(seed) * 1000 + i);
             Scene scene;
-            scene.look.values[i] = randomValues(subject.parameters(), random, 0.7);
-            scene.see(museum().bestView(i, scene.look.values[i]));
+            scene.sceneState.values[i] = randomValues(subject.parameters(), random, 0.7);
+            scene.see(museum().bestView(i, scene.sceneState.values[i]));
             scene.request.time = random.number(0, 20);
             if (random.chance(0.5)) scene.request.sincePressed.assign(museum().subjects().size(), random.number(0, 3));
             scene.request.channels = {random.chance(0.3), random.chance(0.3)};
             scene.request.runEverything = random.chance(0.2);
             if (i != hallIndex && random.chance(0.3)) {
                 scene.request.alone = i;
-                scene.see(subject.bestView(scene.look.values[i]));
+                scene.see(subject.bestView(scene.sceneState.values[i]));
             }
             scenes.emplace(std::string(subject.name()) + " with random values " + std::to_string(seed),
                            std::move(scene));
@@ -67,7 +67,7 @@ TEST(Planning, TwiceGivesTheSamePlanToTheLastByte)
 {
     for (const auto& [name, scene] : manyScenes(8)) {
         SCOPED_TRACE(name);
-        const Prepared prepared = museum().prepare(scene.look, scene.request);
+        const Prepared prepared = museum().prepare(scene.sceneState, scene.request);
         const std::string first = wholeText(museum().plan(prepared, scene.request));
         EXPECT_EQ(wholeText(museum().plan(prepared, scene.request)), first);
         const double next = museum().nextChange(prepared, scene.request);
@@ -85,8 +85,8 @@ std::vector<Scene> twoUsers()
     std::vector<Scene> users(2);
     for (std::size_t u = 0; u < 2; ++u) {
         Scene& scene = users[u];
-        ParameterValues& coat = scene.look.values[*museum().find("fur")];
-        ParameterValues& print = scene.look.values[*museum().find("lenticular")];
+        ParameterValues& coat = scene.sceneState.values[*museum().find("fur")];
+        ParameterValues& print = scene.sceneState.values[*museum().find("lenticular")];
         scene.object().set(sdf.compareMesh, true);
         scene.object().set(sdf.tessellation, u == 0 ? 8 : 11);
         coat.set(fur.silhouette, FurSilhouette::fins);
@@ -114,7 +114,7 @@ TEST(Planning, TwoUsersInTurnGetWhatEachGetsAloneAndNeverRebuildEachOthers)
     for (const Scene& user : users) {
         const Museum own(allExhibits());
         alone.push_back(textOf(own, user));
-        EXPECT_TRUE(own.prepare(user.look, user.request).unreadableFiles().empty());
+        EXPECT_TRUE(own.prepare(user.sceneState, user.request).unreadableFiles().empty());
     }
     EXPECT_NE(alone[0], alone[1]);
     const Museum shared(allExhibits());
@@ -138,7 +138,7 @@ TEST(Planning, TheComparisonMeshDependsOnTheShapeAlone)
     scene.object().set(table.compareMesh, true);
     scene.object().set(table.tessellation, 6);
     const Museum own(allExhibits());
-    (void)own.prepare(scene.look, scene.request);
+    (void)own.prepare(scene.sceneState, scene.request);
     ASSERT_EQ(own.assets().builds("sdf_morph.mesh"), 1);
     std::set<std::string> shape{"morph",         "majorRadius",  "minorRadius",     "mugRadius", "mugHeight",
                                 "wallThickness", "handleRadius", "handleThickness", "blend",     "tessellation"};
@@ -155,7 +155,7 @@ TEST(Planning, TheComparisonMeshDependsOnTheShapeAlone)
         other.object().setRow(row, changed);
         ASSERT_NE(std::get<double>(other.object().row(row)), before);
         const std::int64_t builds = own.assets().builds("sdf_morph.mesh");
-        (void)own.prepare(other.look, other.request);
+        (void)own.prepare(other.sceneState, other.request);
         EXPECT_EQ(own.assets().builds("sdf_morph.mesh") - builds, shape.contains(std::string(info.name)) ? 1 : 0);
     }
 }
@@ -190,7 +190,7 @@ TEST(Planning, OpensNoFile)
     std::map<std::string, std::string> expected;
     for (const auto& [name, scene] : scenes) {
         expected.emplace(name, textOf(museum(), scene));
-        prepared.emplace(name, own.prepare(scene.look, scene.request));
+        prepared.emplace(name, own.prepare(scene.sceneState, scene.request));
     }
     std::map<std::string, std::string> found;
     std::vector<std::string> control;
@@ -206,7 +206,7 @@ TEST(Planning, OpensNoFile)
             (void)own.pick(prepared.at(name), scene.request, {0.1, -0.1});
             (void)own.lookedAt(prepared.at(name));
         }
-        control = own.prepare(unread.look, unread.request).unreadableFiles();
+        control = own.prepare(unread.sceneState, unread.request).unreadableFiles();
     }
     EXPECT_FALSE(opened) << "the control: files can be opened after all";
     EXPECT_EQ(control.size(), 1U) << "the control: preparing needs its file";
@@ -240,9 +240,9 @@ TEST(Planning, WhatWasNotPreparedForAViewIsLeftOutOfItAndTheLedgerSaysSo)
     const std::size_t fur = *museum().find("fur");
     scene.see({-2, 1.65, 3}, {-6, 1.65, 3.2});
     scene.hall().set(test::hallTable().sunShadows, false);
-    const Prepared prepared = museum().prepare(scene.look, scene.request);
+    const Prepared prepared = museum().prepare(scene.sceneState, scene.request);
     ASSERT_EQ(test::reasonFor(museum().plan(prepared, scene.request), "fur"), "out of view");
-    scene.see(museum().bestView(fur, scene.look.values[fur]));
+    scene.see(museum().bestView(fur, scene.sceneState.values[fur]));
     EXPECT_EQ(test::reasonFor(museum().plan(prepared, scene.request), "fur"), "it was not prepared for this view");
     EXPECT_EQ(test::reasonFor(scene.plan(), "fur/coat"), "it ran");
 }

@@ -24,9 +24,9 @@ protected:
     {
         ParameterValues values = balls().parameters().initial();
         setRow(values, "scene", file);
-        return read(values).look.values[0];
+        return read(values).sceneState.values[0];
     }
-    [[nodiscard]] TabledLook read(const ParameterValues& values)
+    [[nodiscard]] TabledSceneState read(const ParameterValues& values)
     {
         return readTables(subjects_, assets_, {{values}, {}});
     }
@@ -71,13 +71,13 @@ TEST_F(ReadTables, KeepValuesOfTheSameNameWhenTheFileIsAnother)
     setRow(values, "spin", 7.0);
     setRow(values, "blueRadius", 4.5);
     setRow(values, "scene", path("other.json"));
-    const ParameterValues other = read(values).look.values[0];
+    const ParameterValues other = read(values).sceneState.values[0];
     EXPECT_EQ(rowOf(other, "spin"), Value(7.0));
     EXPECT_EQ(rowOf(other, "blueRadius"), Value(4.5));
     EXPECT_EQ(rowOf(other, "greenRadius"), Value(3.0));
     EXPECT_FALSE(rowOf(other, "redRadius"));
     setRow(values, "scene", std::string());
-    EXPECT_EQ(&read(values).look.values[0].table(), &balls().parameters());
+    EXPECT_EQ(&read(values).sceneState.values[0].table(), &balls().parameters());
 }
 
 TEST_F(ReadTables, AFileThatCannotBeReadKeepsTheTableAndSaysSoOnce)
@@ -86,9 +86,9 @@ TEST_F(ReadTables, AFileThatCannotBeReadKeepsTheTableAndSaysSoOnce)
     ParameterValues values = valuesOf(path("two.json"));
     setRow(values, "redRadius", 4.5);
     setRow(values, "scene", path("gone.json"));
-    const TabledLook tabled = read(values);
-    EXPECT_EQ(&tabled.look.values[0].table(), &values.table());
-    EXPECT_EQ(rowOf(tabled.look.values[0], "redRadius"), Value(4.5));
+    const TabledSceneState tabled = read(values);
+    EXPECT_EQ(&tabled.sceneState.values[0].table(), &values.table());
+    EXPECT_EQ(rowOf(tabled.sceneState.values[0], "redRadius"), Value(4.5));
     ASSERT_EQ(tabled.unreadable.size(), 1U);
     EXPECT_NE(tabled.unreadable[0].find("gone.json"), std::string::npos);
     EXPECT_EQ(tabled.unreadable[0].rfind("Scene of Balls: ", 0), 0U) << tabled.unreadable[0];
@@ -104,11 +104,11 @@ TEST_F(ReadTables, PresetsBringBackWhatWasSetInTheRowsOfAFile)
 
     const Preset preset = parsed(text);
     EXPECT_TRUE(preset.notes.empty()) << preset.notes.front();
-    const TabledLook tabled = read(preset.values);
+    const TabledSceneState tabled = read(preset.values);
     EXPECT_TRUE(tabled.notes.empty()) << tabled.notes.front();
-    EXPECT_EQ(tabled.look.values[0], values);
+    EXPECT_EQ(tabled.sceneState.values[0], values);
     EXPECT_EQ(preset.values.asShownBy(values), values);
-    EXPECT_EQ(presetOf(tabled.look.values[0]), text);
+    EXPECT_EQ(presetOf(tabled.sceneState.values[0]), text);
 }
 
 TEST_F(ReadTables, PresetsSurviveAFileThatChangedSince)
@@ -119,13 +119,13 @@ TEST_F(ReadTables, PresetsSurviveAFileThatChangedSince)
     setRow(values, "redRadius", 1.25);
     const std::string text = presetOf(values);
     writeBalls(path("two.json"), {{"green", 1}, {"blue", 2}, {"white", 1}});
-    const TabledLook tabled = read(parsed(text).values);
-    EXPECT_EQ(rowOf(tabled.look.values[0], "blueRadius"), Value(3.25));
-    EXPECT_EQ(rowOf(tabled.look.values[0], "greenRadius"), Value(1.0));
+    const TabledSceneState tabled = read(parsed(text).values);
+    EXPECT_EQ(rowOf(tabled.sceneState.values[0], "blueRadius"), Value(3.25));
+    EXPECT_EQ(rowOf(tabled.sceneState.values[0], "greenRadius"), Value(1.0));
     // Nobody knows the red ball now: the note says so, and the value is kept.
     ASSERT_EQ(tabled.notes.size(), 1U);
     EXPECT_NE(tabled.notes[0].find("redRadius"), std::string::npos) << tabled.notes[0];
-    EXPECT_NE(presetOf(tabled.look.values[0]).find("\"redRadius\": 1.25"), std::string::npos);
+    EXPECT_NE(presetOf(tabled.sceneState.values[0]).find("\"redRadius\": 1.25"), std::string::npos);
 }
 
 TEST_F(ReadTables, ValuesAreNotLostWhileTheFileIsAway)
@@ -136,12 +136,12 @@ TEST_F(ReadTables, ValuesAreNotLostWhileTheFileIsAway)
     const std::string text = presetOf(values);
 
     std::filesystem::remove(path("two.json"));
-    const TabledLook away = read(parsed(text).values);
+    const TabledSceneState away = read(parsed(text).values);
     EXPECT_EQ(away.unreadable.size(), 1U);
-    EXPECT_EQ(presetOf(away.look.values[0]), text);
+    EXPECT_EQ(presetOf(away.sceneState.values[0]), text);
 
     writeBalls(path("two.json"), {{"red", 0.5}, {"blue", 2}});
-    EXPECT_EQ(read(away.look.values[0]).look.values[0], values);
+    EXPECT_EQ(read(away.sceneState.values[0]).sceneState.values[0], values);
 }
 
 TEST_F(ReadTables, APendingValueThatFitsNoRowIsSaidAndLeftInitial)
@@ -150,9 +150,9 @@ TEST_F(ReadTables, APendingValueThatFitsNoRowIsSaidAndLeftInitial)
     const std::string text = R"({"format": "vitrine-preset", "version": 1, "exhibit": "balls", "name": "x", "values": {
         "scene": ")" + path("two.json") +
                              R"(", "redRadius": "wide", "blueRadius": 99}})";
-    const TabledLook tabled = read(parsed(text).values);
-    EXPECT_EQ(rowOf(tabled.look.values[0], "redRadius"), Value(0.5));
-    EXPECT_EQ(rowOf(tabled.look.values[0], "blueRadius"), Value(10.0));
+    const TabledSceneState tabled = read(parsed(text).values);
+    EXPECT_EQ(rowOf(tabled.sceneState.values[0], "redRadius"), Value(0.5));
+    EXPECT_EQ(rowOf(tabled.sceneState.values[0], "blueRadius"), Value(10.0));
     EXPECT_EQ(tabled.notes.size(), 2U);
 }
 
@@ -175,7 +175,7 @@ TEST_F(ReadTables, SettingsOfTheWholeExhibitionKeepThemToo)
     EXPECT_NE(text.find("\"balls.redRadius\": 3.25"), std::string::npos) << text;
     const Exhibition all = parseExhibition(text, "all.json", {{"balls", balls().parameters().initial()}});
     EXPECT_TRUE(all.notes.empty()) << all.notes.front();
-    EXPECT_EQ(read(all.values[0].second).look.values[0], values);
+    EXPECT_EQ(read(all.values[0].second).sceneState.values[0], values);
 }
 
 TEST_F(ReadTables, ValuesOutliveEverybodyElseWhoHoldsTheirTable)
@@ -187,9 +187,9 @@ TEST_F(ReadTables, ValuesOutliveEverybodyElseWhoHoldsTheirTable)
         render::AssetStore own;
         ParameterValues values = balls().parameters().initial();
         setRow(values, "scene", path("two.json"));
-        const Look look = readTables(subjects_, own, {{values}, {}}).look;
-        table = look.values[0].sharedTable();
-        initial = look.values[0].table().initial();
+        const SceneState sceneState = readTables(subjects_, own, {{values}, {}}).sceneState;
+        table = sceneState.values[0].sharedTable();
+        initial = sceneState.values[0].table().initial();
     }
     EXPECT_FALSE(table.expired());
     EXPECT_EQ(rowOf(*initial, "redRadius"), Value(0.5));

@@ -47,7 +47,7 @@ TEST_F(Robustness, EveryExhibitDrawsAtItsBestView)
         if (capability<OverFrame>(exhibit)) continue;  // Light alone falls on nothing: see "Rays".
         Shot shot;
         shot.request.frame.alone = i;
-        shot.request.frame.camera = exhibit.bestView(shot.look.values[i]);
+        shot.request.frame.camera = exhibit.bestView(shot.sceneState.values[i]);
         const Picture p = shot.take();
         EXPECT_EQ(test::notFinite(p.image, 4), "") << exhibit.name();
         EXPECT_GT(p.hits(), 96 * 54 / 10) << exhibit.name();
@@ -71,7 +71,7 @@ TEST_F(Robustness, H113_APictureOfNothingIsRefused)
     // A window of no height is no fault: nothing is drawn.
     FrameRequest frame = shot.request.frame;
     frame.raster.size = {0, 0};
-    EXPECT_TRUE(gallery().renderer.draw(test::planned(gallery().museum, shot.look, frame)).ran.empty());
+    EXPECT_TRUE(gallery().renderer.draw(test::planned(gallery().museum, shot.sceneState, frame)).ran.empty());
 }
 
 /// Random legal values of every row: half of them from the comfortable range, half from all that is legal.
@@ -197,7 +197,7 @@ TEST_F(Robustness, H10_TheRendererKeepsNothingOfASizeThatIsGone)
     Shot shot;
     const Picture before = shot.take();
     const auto images = [&] {
-        PictureMaker maker(gallery().museum, gallery().renderer, shot.look, shot.request);
+        PictureMaker maker(gallery().museum, gallery().renderer, shot.sceneState, shot.request);
         while (maker.step()) {
         }
         return maker.report().counters.at("images");

@@ -28,7 +28,7 @@ Drawn drawn(ScanCase c, bool runEverything)
 {
     c.frame.runEverything = runEverything;
     c.frame.channels.evaluations = false;  // They count what is run.
-    const render::FramePlan plan = test::planned(gallery().museum, c.look, c.frame, gallery().renderer.kept());
+    const render::FramePlan plan = test::planned(gallery().museum, c.sceneState, c.frame, gallery().renderer.kept());
     (void)gallery().renderer.draw(plan);
     Drawn result{{gallery().renderer.read("frame"), gallery().renderer.read(depthImage)}, toString(plan), {}};
     for (const render::Skipped& skipped : plan.skipped())
@@ -80,7 +80,7 @@ TEST_F(HighJump, IsSeenWhereItIs)
 {
     test::Shot shot;
     const std::size_t fur = *gallery().museum.find("fur");
-    ParameterValues& values = shot.look.values[fur];
+    ParameterValues& values = shot.sceneState.values[fur];
     values.setRow(*values.table().find("jump"), 8.0);
     values.setRow(*values.table().find("frozenAt"), 0.7);
     const glm::dvec3 place(gallery().museum.worldFromExhibit(fur)[3]);

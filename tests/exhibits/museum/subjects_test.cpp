@@ -55,19 +55,19 @@ template <typename Kind> Museum museumOf()
 /// Seen from its best view.
 render::FramePlan planOf(const Museum& museum)
 {
-    const Look look = museum.initialLook();
+    const SceneState sceneState = museum.initialSceneState();
     FrameRequest request;
     request.raster.size = {64, 36};
-    request.camera = museum.bestView(1, look.values[1]);
-    return test::planned(museum, look, request);
+    request.camera = museum.bestView(1, sceneState.values[1]);
+    return test::planned(museum, sceneState, request);
 }
 
 TEST(Subjects, AreTheHallAndTheExhibitsInOrder)
 {
     const Museum& museum = test::museum();
-    const Look look = museum.initialLook();
+    const SceneState sceneState = museum.initialSceneState();
     ASSERT_EQ(museum.subjects().size(), museum.exhibits().size() + 1);
-    ASSERT_EQ(look.values.size(), museum.subjects().size());
+    ASSERT_EQ(sceneState.values.size(), museum.subjects().size());
     EXPECT_EQ(&museum.subject(hallIndex), &museum.hall());
     EXPECT_FALSE(capability<Exhibit>(museum.hall())) << "the building is no exhibit";
     for (const auto& [i, exhibit] : museum.exhibits()) {
@@ -76,9 +76,9 @@ TEST(Subjects, AreTheHallAndTheExhibitsInOrder)
     }
     for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         EXPECT_EQ(museum.find(museum.subject(i).name()), i);
-        EXPECT_EQ(&look.values[i].table(), &museum.subject(i).parameters()) << museum.subject(i).name();
+        EXPECT_EQ(&sceneState.values[i].table(), &museum.subject(i).parameters()) << museum.subject(i).name();
     }
-    EXPECT_EQ(museum.bestView(hallIndex, look.hall()), museum.hall().bestView(look.hall()));
+    EXPECT_EQ(museum.bestView(hallIndex, sceneState.hall()), museum.hall().bestView(sceneState.hall()));
 }
 
 TEST(Capabilities, AreWhatAnExhibitHasAndNothingElse)

@@ -52,7 +52,7 @@ bool inHall(const dvec3& eye)
 TEST(Walk, NeverEndsInsideAnythingHoweverOneWalks)
 {
     test::Random random(5);
-    dvec3 eye = test::museum().initialLook().camera.eye;
+    dvec3 eye = test::museum().initialSceneState().camera.eye;
     ASSERT_LE(worstOverlap(eye), 1e-6);
     double travelled = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -105,7 +105,7 @@ TEST(Walk, AStepIntoNowhereKeepsThePlace)
 TEST(Walk, W1_EveryPlaceCanBeReachedOnFoot)
 {
     constexpr double grid = 0.25;
-    const dvec3 start = test::museum().initialLook().camera.eye;
+    const dvec3 start = test::museum().initialSceneState().camera.eye;
     const auto at = [&](std::pair<int, int> cell) {
         return dvec3(start.x + grid * cell.first, eyeHeight, start.z + grid * cell.second);
     };
@@ -158,12 +158,12 @@ dvec3 button()
 
 std::optional<LookedAt> lookFrom(const dvec3& eye, const dvec3& target)
 {
-    Look look = test::museum().initialLook();
-    look.camera.eye = eye;
-    look.camera.target = target;
+    SceneState sceneState = test::museum().initialSceneState();
+    sceneState.camera.eye = eye;
+    sceneState.camera.target = target;
     FrameRequest request;
-    request.camera = look.camera;
-    return test::museum().lookedAt(test::museum().prepare(look, request));
+    request.camera = sceneState.camera;
+    return test::museum().lookedAt(test::museum().prepare(sceneState, request));
 }
 
 TEST(LookedAt, W2_TheButtonAnswersWithinTwoMetresOnly)
@@ -211,7 +211,7 @@ TEST(LookedAt, NoButtonAnswersThroughItsPlinth)
 
 std::optional<Pointed> pointed(const Scene& scene, glm::dvec2 ndc = {0, 0})
 {
-    return test::museum().pick(test::museum().prepare(scene.look, scene.request), scene.request, ndc);
+    return test::museum().pick(test::museum().prepare(scene.sceneState, scene.request), scene.request, ndc);
 }
 
 TEST(Pick, FindsTheExhibitUnderThePointer)
@@ -240,9 +240,13 @@ TEST(Pick, AWallIsAWallThoughABoxOfAnExhibitIsBeforeIt)
     Scene scene;
     scene.see({0, 1.65, 3}, {6, 1.25, 3});
     const std::size_t fur = *test::museum().find("fur");
-    const render::Box box =
-        test::museum().subject(fur).bounds(scene.look.values[fur]).transformed(test::museum().worldFromExhibit(fur));
-    ASSERT_LT(render::firstHit({scene.look.camera.eye, scene.look.camera.target - scene.look.camera.eye}, box), 1);
+    const render::Box box = test::museum()
+                                .subject(fur)
+                                .bounds(scene.sceneState.values[fur])
+                                .transformed(test::museum().worldFromExhibit(fur));
+    ASSERT_LT(render::firstHit(
+                  {scene.sceneState.camera.eye, scene.sceneState.camera.target - scene.sceneState.camera.eye}, box),
+              1);
     EXPECT_FALSE(pointed(scene));
     // Control: what lies in the pit.
     scene.see({0, 1.65, 3}, {3.3, -0.2, 3});

@@ -57,20 +57,20 @@ TEST_F(PrintViewsTest, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
 
 TEST_F(PrintViewsTest, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
 {
-    Look look{{}, {{0, 1.6, 4}, {0, 1.2, 0}, 0.9}};
-    const auto fine = printShots(values_, look, {}, false);
-    const auto draft = printShots(values_, look, {}, true);
+    SceneState sceneState{{}, {{0, 1.6, 4}, {0, 1.2, 0}, 0.9}};
+    const auto fine = printShots(values_, sceneState, {}, false);
+    const auto draft = printShots(values_, sceneState, {}, true);
     ASSERT_EQ(fine.size(), 12U);
     ASSERT_EQ(draft.size(), 12U);
     for (std::size_t k = 0; k + 1 < fine.size(); ++k)
-        EXPECT_GT(fine[k + 1].look.camera.eye.x, fine[k].look.camera.eye.x);
-    EXPECT_EQ(fine[3].look.camera, draft[3].look.camera);
+        EXPECT_GT(fine[k + 1].sceneState.camera.eye.x, fine[k].sceneState.camera.eye.x);
+    EXPECT_EQ(fine[3].sceneState.camera, draft[3].sceneState.camera);
     EXPECT_EQ(fine[0].request.frame.raster.size.x, 960);
     EXPECT_LE(draft[0].request.frame.raster.size.x, 240);
     EXPECT_NEAR(static_cast<double>(fine[0].request.frame.raster.size.y) / 960, 0.02 / 0.03, 1e-3);
     values_.set(table_.baselineScale, 0.0);
-    const auto flat = printShots(values_, look, {}, false);
-    EXPECT_EQ(flat[0].look.camera.eye, flat[11].look.camera.eye);
+    const auto flat = printShots(values_, sceneState, {}, false);
+    EXPECT_EQ(flat[0].sceneState.camera.eye, flat[11].sceneState.camera.eye);
 
     ParameterValues other = values_;
     other.set(table_.phase, 0.2);
@@ -86,21 +86,21 @@ TEST_F(PrintViewsTest, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
 TEST_F(PrintViewsTest, TheBaselineScaleThatFitsHoldsTheSceneAndALargerOneDoesNot)
 {
     values_ = shown(values_);
-    const Look look{{}, {{0, 1.6, 4}, {0, 1.2, 0}, 0.9}};
+    const SceneState sceneState{{}, {{0, 1.6, 4}, {0, 1.2, 0}, 0.9}};
     render::Image picture(20, 10, 5, 1.0F);
     picture.channelNames = {"R", "G", "B", "A", "depth.Z"};
     for (int x = 0; x < 20; ++x)
         for (int y = 0; y < 10; ++y) picture.at(x, y, 4) = 2.0F + static_cast<float>(x);
-    const SceneDepth deep = sceneDepth(values_, look, picture);
+    const SceneDepth deep = sceneDepth(values_, sceneState, picture);
     EXPECT_NEAR(deep.scene.nearest, 2, 0.01);
     EXPECT_NEAR(deep.scene.farthest, 21, 0.01);
     EXPECT_FALSE(deep.warnings.empty());
     ASSERT_LT(deep.strengthThatHolds, 1);
-    const SceneDepth held = sceneDepth(scaled(deep.strengthThatHolds), look, picture);
+    const SceneDepth held = sceneDepth(scaled(deep.strengthThatHolds), sceneState, picture);
     EXPECT_LE(held.held.nearest, held.scene.nearest * (1 + 1e-9));
     EXPECT_GE(held.held.farthest, held.scene.farthest * (1 - 1e-9));
     EXPECT_TRUE(held.warnings.empty());
-    const SceneDepth more = sceneDepth(scaled(deep.strengthThatHolds * 1.05), look, picture);
+    const SceneDepth more = sceneDepth(scaled(deep.strengthThatHolds * 1.05), sceneState, picture);
     EXPECT_FALSE(more.warnings.empty());
 }
 

@@ -21,11 +21,11 @@ using vitrine::test::sdfTable;
 std::vector<ViewShot> shots(int count)
 {
     const Scene scene;
-    ViewShot base{scene.look, {scene.request}};
+    ViewShot base{scene.sceneState, {scene.request}};
     base.request.frame.subject = scene.sdf;
     base.request.frame.seed = 7;
     const PrintLayout layout(test::settingsFor(40, 1200, count, 900, 600));
-    return shotsOf(ViewRig(layout, scene.look.camera, {90, 60}), base);
+    return shotsOf(ViewRig(layout, scene.sceneState.camera, {90, 60}), base);
 }
 
 /// Where the exhibit's own point `p` is taken to.
@@ -50,9 +50,9 @@ TEST(Shots, EachHasItsOwnCameraAndItsOwnNoise)
     std::set<std::uint32_t> seeds;
     std::set<double> places;
     for (const ViewShot& shot : shots(12)) {
-        EXPECT_EQ(shot.look.camera, shot.request.frame.camera);
+        EXPECT_EQ(shot.sceneState.camera, shot.request.frame.camera);
         seeds.insert(shot.request.frame.seed);
-        places.insert(shot.look.camera.eye.x);
+        places.insert(shot.sceneState.camera.eye.x);
     }
     EXPECT_EQ(seeds.size(), 12U);
     EXPECT_EQ(*seeds.begin(), 7U);
@@ -62,7 +62,7 @@ TEST(Shots, EachHasItsOwnCameraAndItsOwnNoise)
 TEST(Shots, SeeTheSunWhereTheirShiftedLensesPutIt)
 {
     for (const ViewShot& shot : shots(5)) {
-        const render::View view = render::makeView(shot.look.camera, {.size = {90, 60}});
+        const render::View view = render::makeView(shot.sceneState.camera, {.size = {90, 60}});
         const glm::dvec2 ndc(0.3, -0.6);
         const SunInPicture sun = sunInPicture(view, glm::normalize(view.direction(ndc)));
         EXPECT_TRUE(sun.inFront);
@@ -114,16 +114,16 @@ TEST(Sweep, RunsFromOneEndToTheOther)
     from.object().set(sdfTable().hitTolerance, 0.5);  // On a logarithmic row.
     to.object().set(sdfTable().hitTolerance, 8.0);
     to.object().set(sdfTable().baseColor, ColorValue{{0, 0, 0}});
-    to.hall().set(hallTable().exposure, scene.look.hall()[hallTable().exposure] + 1);
-    sweep(row, from.look, to.look);
+    to.hall().set(hallTable().exposure, scene.sceneState.hall()[hallTable().exposure] + 1);
+    sweep(row, from.sceneState, to.sceneState);
     for (std::size_t k = 0; k < 5; ++k) {
-        const ParameterValues& object = row[k].look.values[scene.sdf];
+        const ParameterValues& object = row[k].sceneState.values[scene.sdf];
         const double part = static_cast<double>(k) / 4;
         EXPECT_NEAR(object[sdfTable().morph], 0.2 + 0.6 * part, 1e-12);
         EXPECT_NEAR(object[sdfTable().hitTolerance], 0.5 * std::pow(16, part), 1e-9);
         EXPECT_NEAR(object[sdfTable().baseColor].value.x, (1 - part) * from.object()[sdfTable().baseColor].value.x,
                     1e-12);
-        EXPECT_NEAR(row[k].look.hall()[hallTable().exposure], from.hall()[hallTable().exposure] + part, 1e-12);
+        EXPECT_NEAR(row[k].sceneState.hall()[hallTable().exposure], from.hall()[hallTable().exposure] + part, 1e-12);
         EXPECT_EQ(object[sdfTable().roughness], from.object()[sdfTable().roughness]);
     }
 }
@@ -132,12 +132,12 @@ TEST(Sweep, RefusesWhatHasNothingBetween)
 {
     std::vector<ViewShot> row = shots(3);
     Scene from, to;
-    EXPECT_NE(refusalOf([&] { sweep(row, from.look, to.look); }).find("the same"), std::string::npos);
+    EXPECT_NE(refusalOf([&] { sweep(row, from.sceneState, to.sceneState); }).find("the same"), std::string::npos);
     to.object().set(sdfTable().material, SdfMaterial::glass);
-    EXPECT_NE(refusalOf([&] { sweep(row, from.look, to.look); }).find("material"), std::string::npos);
+    EXPECT_NE(refusalOf([&] { sweep(row, from.sceneState, to.sceneState); }).find("material"), std::string::npos);
     Scene on;
     on.object().set(sdfTable().conePrepass, !from.object()[sdfTable().conePrepass]);
-    EXPECT_NE(refusalOf([&] { sweep(row, from.look, on.look); }).find("conePrepass"), std::string::npos);
+    EXPECT_NE(refusalOf([&] { sweep(row, from.sceneState, on.sceneState); }).find("conePrepass"), std::string::npos);
 }
 
 }  // namespace

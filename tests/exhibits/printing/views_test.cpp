@@ -60,7 +60,7 @@ TEST_F(ViewsTest, EveryViewIsThePictureOfItsShotAndComesInOrder)
     printing::PrintSettings s;
     s.sheet = printing::derivedSheet("test", 40, 30);
     s.views = 3;
-    const printing::ViewShot base{shot.look, shot.request};
+    const printing::ViewShot base{shot.sceneState, shot.request};
     const printing::ViewRig rig(printing::PrintLayout(s), shot.request.frame.camera, {30, 20}, {0.5, 0});
     std::vector<printing::ViewShot> shots = printing::shotsOf(rig, base);
     printing::turn(shots, 0.7);
@@ -78,7 +78,7 @@ TEST_F(ViewsTest, EveryViewIsThePictureOfItsShotAndComesInOrder)
     EXPECT_FALSE(maker.step());
     ASSERT_EQ(views.size(), 3U);
     for (std::size_t k = 0; k < 3; ++k) {
-        PictureMaker alone(gallery().museum, gallery().renderer, shots[k].look, shots[k].request);
+        PictureMaker alone(gallery().museum, gallery().renderer, shots[k].sceneState, shots[k].request);
         while (alone.step()) {
         }
         EXPECT_EQ(test::largestDifference(views[k], alone.picture()), 0) << k;
@@ -91,7 +91,7 @@ TEST_F(ViewsTest, MeasuresHowFarTheSceneReaches)
     Shot shot;
     shot.size(60, 40);
     const printing::DepthRange alone =
-        printing::measuredDepth(gallery().museum, gallery().renderer, {shot.look, shot.request});
+        printing::measuredDepth(gallery().museum, gallery().renderer, {shot.sceneState, shot.request});
     const Picture picture = shot.take();
     double nearest = 1e9;
     picture.each([&](int x, int y) { nearest = std::min(nearest, picture.depth(x, y)); });

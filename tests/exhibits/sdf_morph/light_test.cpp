@@ -289,7 +289,7 @@ TEST_F(Light, WhatStandsBetweenTheSunAndTheMarchedObjectDarkensIt)
     const dvec3 sun(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
                     -std::cos(azimuth) * std::cos(elevation));
     // The card, eight times as large, upright across the sun's way to the object, or as far beside it.
-    const render::Box box = museum.subject(card).bounds(shot.look.values[card]);
+    const render::Box box = museum.subject(card).bounds(shot.sceneState.values[card]);
     const auto cardAt = [&](const dvec3& at) {
         shot.transform(glm::inverse(museum.worldFromExhibit(card)) * glm::translate(glm::dmat4(1), at) *
                        glm::scale(glm::dmat4(1), dvec3(8)) * glm::translate(glm::dmat4(1), -box.center()));

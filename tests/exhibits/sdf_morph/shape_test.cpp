@@ -64,7 +64,7 @@ TEST_F(Shape, S1_OutOfViewNotOnePixelIsMarched)
 {
     Shot shot;
     shot.see({0, 0, 2}, {0, 0, 9});
-    PictureMaker maker(gallery().museum, gallery().renderer, shot.look, shot.request);
+    PictureMaker maker(gallery().museum, gallery().renderer, shot.sceneState, shot.request);
     while (maker.step()) {
     }
     for (const render::StepReport& step : maker.report().ran)

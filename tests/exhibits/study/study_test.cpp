@@ -44,8 +44,8 @@ struct Subject {
     [[nodiscard]] StudyRequest request(const std::vector<std::string>& rows, int points = 8) const
     {
         StudyRequest r;
-        r.look = museum.initialLook();
-        for (const std::string& row : rows) r.axes.push_back(*studyAxis(r.look, 1, *table.find(row), points));
+        r.sceneState = museum.initialSceneState();
+        for (const std::string& row : rows) r.axes.push_back(*studyAxis(r.sceneState, 1, *table.find(row), points));
         r.size = {16, 9};
         r.alone = true;
         return r;
@@ -292,14 +292,14 @@ TEST(Study, LeavesTheLookAsItWasHoweverEarlyItStops)
 {
     Subject subject(sumOfParts());
     const StudyRequest request = subject.request({"steps", "rays"});
-    const Look before = request.look;
+    const SceneState before = request.sceneState;
     for (const int stopAfter : {0, 1, 7, 40}) {
         Study study(subject.museum, subject.painter, request);
         for (int i = 0; i < stopAfter; ++i) study.step();
-        EXPECT_TRUE(study.request().look == before);
-        EXPECT_TRUE(request.look == before);
+        EXPECT_TRUE(study.request().sceneState == before);
+        EXPECT_TRUE(request.sceneState == before);
     }
-    EXPECT_TRUE(subject.museum.initialLook() == before);
+    EXPECT_TRUE(subject.museum.initialSceneState() == before);
 }
 
 /// Every setting of these axes, measured.
@@ -314,7 +314,7 @@ struct Sweep {
         const KnownLaw law = sumOfParts();
         Setting s(4, 0);
         while (true) {
-            ParameterValues v = request.look.values[1];
+            ParameterValues v = request.sceneState.values[1];
             for (std::size_t a = 0; a < 4; ++a) v.setRow(request.axes[a].row, request.axes[a].values[s[a]]);
             settings.push_back(s);
             worst.push_back({law.cost(subject.table, v, 1), law.error(subject.table, v, 2)});
@@ -389,9 +389,9 @@ TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
             ASSERT_TRUE(result.choice);
             const StudyPoint& chosen = result.points[result.choice->point];
             EXPECT_LE(chosen.worstError, limit);
-            EXPECT_EQ(valueOf(request, chosen, 1), request.look.values[1][subject.table.rays])
+            EXPECT_EQ(valueOf(request, chosen, 1), request.sceneState.values[1][subject.table.rays])
                 << "rays change nothing, so they stay";
-            EXPECT_EQ(valueOf(request, chosen, 3), request.look.values[1][subject.table.shortcut] ? 1 : 0);
+            EXPECT_EQ(valueOf(request, chosen, 3), request.sceneState.values[1][subject.table.shortcut] ? 1 : 0);
             ASSERT_TRUE(result.present);
             const double dearer = static_cast<double>(chosen.counters.at("work")) /
                                   static_cast<double>(result.points[*result.present].counters.at("work"));
@@ -423,7 +423,7 @@ TEST(StudyChooser, TheSentenceSaysDearerWhereTheChoiceIsDearer)
 {
     Subject subject(sumOfParts());
     StudyRequest request = subject.request({"steps"});
-    request.look.values[1].setRow(request.axes[0].row, request.axes[0].values[1]);
+    request.sceneState.values[1].setRow(request.axes[0].row, request.axes[0].values[1]);
     request.maxError = 0.1;
     const StudyResult dearer = subject.run(request);
     ASSERT_TRUE(dearer.choice && dearer.present);
@@ -431,7 +431,7 @@ TEST(StudyChooser, TheSentenceSaysDearerWhereTheChoiceIsDearer)
     EXPECT_NE(choiceSentence(subject.museum.subjects(), request, dearer).find("times the cost of the present setting"),
               std::string::npos);
 
-    request.look.values[1].setRow(request.axes[0].row, request.axes[0].values.back());
+    request.sceneState.values[1].setRow(request.axes[0].row, request.axes[0].values.back());
     const StudyResult cheaper = subject.run(request);
     EXPECT_NE(choiceSentence(subject.museum.subjects(), request, cheaper).find("times cheaper than at present"),
               std::string::npos);
@@ -470,7 +470,7 @@ TEST(StudyChooser, WhatCannotBeHadIsNotChosen)
 TEST(Study, RefusesWhatItCannotMeasure)
 {
     Subject subject(sumOfParts());
-    EXPECT_FALSE(studyAxis(subject.museum.initialLook(), 1, *subject.table.find("hue"), 5));
+    EXPECT_FALSE(studyAxis(subject.museum.initialSceneState(), 1, *subject.table.find("hue"), 5));
     EXPECT_THROW(Study(subject.museum, subject.painter, subject.request({})), Failure);
     StudyRequest decibels = subject.request({"steps"});
     decibels.metric = render::Metric::psnr;
@@ -481,15 +481,16 @@ TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)
 {
     Subject subject(sumOfParts());
     StudyRequest request = subject.request({});
-    request.axes.push_back(*studyAxis(request.look, 0, *subject.museum.hall().parameters().find(supersamplesRow), 3));
-    EXPECT_EQ(axisName(subject.museum.subjects(), request.look, 1, request.axes[0]), "hall.supersamples");
+    request.axes.push_back(
+        *studyAxis(request.sceneState, 0, *subject.museum.hall().parameters().find(supersamplesRow), 3));
+    EXPECT_EQ(axisName(subject.museum.subjects(), request.sceneState, 1, request.axes[0]), "hall.supersamples");
     request.axes[0].values = {1, 4, 16};
     const StudyResult result = subject.run(request);
     EXPECT_EQ(result.costName, "pixels");
     EXPECT_EQ(result.points[1].counters.at("work"), 4 * result.points[0].counters.at("work"));
     EXPECT_NEAR(result.points[2].time->median, 16 * result.points[0].time->median, 1e-9);
 
-    request.axes = {*studyAxis(request.look, 0, *subject.museum.hall().parameters().find(resolutionScaleRow), 3)};
+    request.axes = {*studyAxis(request.sceneState, 0, *subject.museum.hall().parameters().find(resolutionScaleRow), 3)};
     const StudyResult scaled = subject.run(request);
     for (const StudyPoint& p : scaled.points) {
         EXPECT_EQ(p.shots[0].picture.width, 16);

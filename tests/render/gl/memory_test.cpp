@@ -24,7 +24,7 @@ Stored of(const std::vector<Stored>& all, const char* what)
 
 render::FramePlan planOf(const Shot& shot)
 {
-    return test::planned(gallery().museum, shot.look, shot.request.frame);
+    return test::planned(gallery().museum, shot.sceneState, shot.request.frame);
 }
 
 TEST_F(Memory, KeepsNoMoreThanTheLastPrograms)
@@ -77,9 +77,9 @@ TEST_F(Memory, OfFramebuffersIsMadeOnceAndNotByTheNextSameFrame)
     for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         Shot shot;
         shot.inHall().size(32, 18);
-        shot.request.frame.camera = museum.bestView(i, shot.look.values[i]);
+        shot.request.frame.camera = museum.bestView(i, shot.sceneState.values[i]);
         const auto made = [&] {
-            return renderer.draw(test::planned(museum, shot.look, shot.request.frame, renderer.kept()))
+            return renderer.draw(test::planned(museum, shot.sceneState, shot.request.frame, renderer.kept()))
                 .counters.at("framebuffers made");
         };
         const std::int64_t first = made();
@@ -99,9 +99,9 @@ TEST_F(Memory, IsNotSpentOnTheReaderOfForeignPicturesForWhatIsShipped)
     for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         FrameRequest frame;
         frame.raster.size = {16, 9};
-        Look look = museum.initialLook();
-        look.camera = museum.bestView(i, look.values[i]);
-        (void)test::planned(museum, look, frame);
+        SceneState sceneState = museum.initialSceneState();
+        sceneState.camera = museum.bestView(i, sceneState.values[i]);
+        (void)test::planned(museum, sceneState, frame);
     }
     EXPECT_FALSE(render::oiioCodecIsOpen());
 }
@@ -111,7 +111,7 @@ TEST_F(Memory, OfAStudyThatIsFinishedIsItsColors)
     const Shot shot;
     StudyRequest request;
     request.subject = shot.sdf;
-    request.look = shot.look;
+    request.sceneState = shot.sceneState;
     request.axes = {{shot.sdf, *gallery().museum.subject(shot.sdf).parameters().find("hitTolerance"), {1e-3, 1e-2}}};
     request.size = {32, 18};
     request.runs = 1;

@@ -129,7 +129,7 @@ TEST_F(ShaderErrors, H112_APlanWithABrokenShaderFailsWithFileAndLineAndKeepsTheP
     test::Shot shot;
     const render::Image before = shot.take().image;
     render::FramePlan plan =
-        test::planned(test::gallery().museum, shot.look, shot.request.frame, test::gallery().renderer.kept());
+        test::planned(test::gallery().museum, shot.sceneState, shot.request.frame, test::gallery().renderer.kept());
     render::Pass broken;
     broken.name = "broken";
     broken.stage = render::Stage::present;

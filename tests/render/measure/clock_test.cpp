@@ -25,7 +25,7 @@ TEST_F(Clock, OnASoftwareRendererTheProcessorIsTheClock)
 TEST_F(Clock, EveryReportNamesItsClockAndWhatItCosts)
 {
     Shot shot;
-    PictureMaker maker(gallery().museum, gallery().renderer, shot.look, shot.request);
+    PictureMaker maker(gallery().museum, gallery().renderer, shot.sceneState, shot.request);
     while (maker.step()) {
     }
     EXPECT_EQ(maker.report().clock, render::gl::trustedClock(true).name);
@@ -46,7 +46,7 @@ TEST_F(Clock, TimesOfStepsAddUpToNoMoreThanTheFrame)
     render::gl::Renderer& renderer = gallery().renderer;
     renderer.timeSteps(true);
     const render::FrameReport report =
-        renderer.draw(test::planned(gallery().museum, shot.look, shot.request.frame, renderer.kept()));
+        renderer.draw(test::planned(gallery().museum, shot.sceneState, shot.request.frame, renderer.kept()));
     renderer.timeSteps(false);
     double sum = 0;
     for (const render::StepReport& step : report.ran) {

@@ -16,11 +16,11 @@ class HistoryTest : public QObject {
     Q_OBJECT
 
     const test::SampleTable table_;
-    [[nodiscard]] Look start() const { return {{table_.initial()}, {}}; }
-    [[nodiscard]] static Look with(Look look, Real parameter, double value)
+    [[nodiscard]] SceneState start() const { return {{table_.initial()}, {}}; }
+    [[nodiscard]] static SceneState with(SceneState sceneState, Real parameter, double value)
     {
-        look.values[0].set(parameter, value);
-        return look;
+        sceneState.values[0].set(parameter, value);
+        return sceneState;
     }
 
 private slots:
@@ -29,16 +29,16 @@ private slots:
         History history(start());
         const Gesture drag = newGesture();
         for (int i = 1; i <= 20; ++i)
-            history.change("Change roughness", with(history.look(), table_.roughness, i / 20.0), drag);
-        history.change("Change roughness", with(history.look(), table_.roughness, 0.3), newGesture());
+            history.change("Change roughness", with(history.sceneState(), table_.roughness, i / 20.0), drag);
+        history.change("Change roughness", with(history.sceneState(), table_.roughness, 0.3), newGesture());
         QCOMPARE(history.stack().count(), 2);
         history.stack().undo();
-        QCOMPARE(history.look().values[0][table_.roughness], 1.0);
+        QCOMPARE(history.sceneState().values[0][table_.roughness], 1.0);
         history.stack().undo();
-        QVERIFY(history.look() == start());
+        QVERIFY(history.sceneState() == start());
         QCOMPARE(history.stack().redoText(), QString("Change roughness"));
         history.stack().redo();
-        QCOMPARE(history.look().values[0][table_.roughness], 1.0);
+        QCOMPARE(history.sceneState().values[0][table_.roughness], 1.0);
     }
 
     void oneValueThatChangesIsNamedAndOnlyThat()
@@ -50,18 +50,18 @@ private slots:
         const Gesture drag = newGesture();
         for (const double value : {0.3, 0.4, 0.4, 7.0}) history.set(0, row, value, drag);
         QCOMPARE(changed.count(), 3);
-        QCOMPARE(history.look().values[0][table_.roughness], 1.0);  // The nearest legal value.
+        QCOMPARE(history.sceneState().values[0][table_.roughness], 1.0);  // The nearest legal value.
         QCOMPARE(history.stack().count(), 1);
         QCOMPARE(history.stack().undoText(), QString("Change roughness"));
         history.stack().undo();
-        QVERIFY(history.look() == start());
+        QVERIFY(history.sceneState() == start());
         QCOMPARE(changed.count(), 4);
         for (const QList<QVariant>& signal : changed) {
             QCOMPARE(signal[0].value<std::size_t>(), std::size_t{0});
             QCOMPARE(signal[1].value<std::size_t>(), row);
         }
         history.set(0, row, std::string("a path"), newGesture());
-        QVERIFY(history.look() == start());
+        QVERIFY(history.sceneState() == start());
         QCOMPARE(replaced.count(), 0);
         history.change("Load", with(with(start(), table_.roughness, 0.1), table_.morph, 0.9));
         history.stack().undo();
@@ -72,8 +72,8 @@ private slots:
     void editsWithoutAGestureNeverMerge()
     {
         History history(start());
-        history.change("Load a", with(history.look(), table_.roughness, 0.1));
-        history.change("Load b", with(history.look(), table_.roughness, 0.2));
+        history.change("Load a", with(history.sceneState(), table_.roughness, 0.1));
+        history.change("Load b", with(history.sceneState(), table_.roughness, 0.2));
         QCOMPARE(history.stack().count(), 2);
     }
 
@@ -81,7 +81,7 @@ private slots:
     {
         History history(start());
         const Gesture drag = newGesture();
-        history.change("Change morph", with(history.look(), table_.morph, 0.9), drag);
+        history.change("Change morph", with(history.sceneState(), table_.morph, 0.9), drag);
         history.change("Change morph", start(), drag);
         QCOMPARE(history.stack().count(), 0);
         history.change("Nothing", start());
@@ -91,26 +91,26 @@ private slots:
     void walkingIsNoStepAndUndoLeavesTheVisitorWhereHeIs()
     {
         History history(start());
-        history.change("Change morph", with(history.look(), table_.morph, 0.9));
+        history.change("Change morph", with(history.sceneState(), table_.morph, 0.9));
         render::Camera elsewhere;
         elsewhere.eye = {3, 1.65, 2};
         history.setCamera(elsewhere);
         QSignalSpy moved(&history, &History::cameraMoved);
         history.stack().undo();
-        QVERIFY(history.look().camera == elsewhere);
+        QVERIFY(history.sceneState().camera == elsewhere);
         QCOMPARE(moved.count(), 0);
     }
 
     void aPresetThatMovesTheCameraTakesItBack()
     {
         History history(start());
-        Look preset = with(start(), table_.morph, 0.9);
+        SceneState preset = with(start(), table_.morph, 0.9);
         preset.camera.eye = {1, 2, 3};
         history.change("Load", preset, 0, History::Camera::moves);
-        QVERIFY(history.look().camera == preset.camera);
+        QVERIFY(history.sceneState().camera == preset.camera);
         QSignalSpy moved(&history, &History::cameraMoved);
         history.stack().undo();
-        QVERIFY(history.look() == start());
+        QVERIFY(history.sceneState() == start());
         QCOMPARE(moved.count(), 1);
     }
 
@@ -132,7 +132,7 @@ private slots:
         std::mt19937 random(5);
         std::uniform_real_distribution<double> value(0, 1);
         History history(start());
-        std::vector<Look> all{start()};
+        std::vector<SceneState> all{start()};
         std::size_t at = 0;
         for (int i = 0; i < 10000; ++i) {
             switch (random() % 4) {
@@ -145,17 +145,18 @@ private slots:
                 history.stack().redo();
                 break;
             default: {
-                const Look next = with(history.look(), random() % 2 ? table_.morph : table_.roughness, value(random));
+                const SceneState next =
+                    with(history.sceneState(), random() % 2 ? table_.morph : table_.roughness, value(random));
                 history.change("Change", next, newGesture());
                 all.resize(at + 1);
                 all.push_back(next);
                 ++at;
             }
             }
-            QVERIFY(history.look() == all[at]);
+            QVERIFY(history.sceneState() == all[at]);
         }
         while (history.stack().canUndo()) history.stack().undo();
-        QVERIFY(history.look() == start());
+        QVERIFY(history.sceneState() == start());
     }
 
     // Tables that a file gives:
@@ -169,7 +170,7 @@ private slots:
         const std::size_t scene = *none.find("scene");
         const auto named = [&](const char* file, const std::shared_ptr<const test::BallTable>& table) {
             history.set(0, scene, std::string(file), newGesture());
-            Look tabled = history.look();
+            SceneState tabled = history.sceneState();
             std::vector<std::string> notes;
             tabled.values[0] = tabled.values[0].under(table, notes);
             history.exchangeTables(tabled);
@@ -180,22 +181,22 @@ private slots:
         history.set(0, *two->find("blueRadius"), 4.0, newGesture());
         named("other.json", other);
         QCOMPARE(history.stack().count(), 4);
-        QVERIFY(!rowOf(history.look().values[0], "redRadius"));
-        QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(4.0));
+        QVERIFY(!rowOf(history.sceneState().values[0], "redRadius"));
+        QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
 
         history.stack().undo();
-        QCOMPARE(rowOf(history.look().values[0], "redRadius").value(), Value(3.0));
-        QCOMPARE(rowOf(history.look().values[0], "scene").value(), Value(std::string("two.json")));
+        QCOMPARE(rowOf(history.sceneState().values[0], "redRadius").value(), Value(3.0));
+        QCOMPARE(rowOf(history.sceneState().values[0], "scene").value(), Value(std::string("two.json")));
         history.stack().undo();
-        QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(2.0));
+        QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(2.0));
         history.stack().undo();
-        QCOMPARE(rowOf(history.look().values[0], "redRadius").value(), Value(0.5));
+        QCOMPARE(rowOf(history.sceneState().values[0], "redRadius").value(), Value(0.5));
         history.stack().undo();
-        QVERIFY(!rowOf(history.look().values[0], "redRadius"));
-        QVERIFY(history.look().values[0] == none.initial());
+        QVERIFY(!rowOf(history.sceneState().values[0], "redRadius"));
+        QVERIFY(history.sceneState().values[0] == none.initial());
         for (int i = 0; i < 4; ++i) history.stack().redo();
-        QCOMPARE(&history.look().values[0].table(), static_cast<const Parameters*>(other.get()));
-        QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(4.0));
+        QCOMPARE(&history.sceneState().values[0].table(), static_cast<const Parameters*>(other.get()));
+        QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
     }
 
     void aFileReadAgainLeavesOlderAndNewerStepsTheirRows()
@@ -203,24 +204,24 @@ private slots:
         const test::BallTable none({});
         const auto before = std::make_shared<const test::BallTable>(std::vector<test::Ball>{{"red", 0.5}, {"blue", 2}});
         const auto after = std::make_shared<const test::BallTable>(std::vector<test::Ball>{{"blue", 1}});
-        Look start{{ParameterValues(before)}, {}};
+        SceneState start{{ParameterValues(before)}, {}};
         History history(start);
         history.set(0, *before->find("blueRadius"), 4.0, newGesture());
         history.set(0, *before->find("blueRings"), 16.0, newGesture());
         history.stack().undo();
-        Look tabled = history.look();
+        SceneState tabled = history.sceneState();
         tabled.values[0] = ParameterValues(after);
         history.exchangeTables(tabled);
-        QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(4.0));
+        QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
         // The row of the newer step stands elsewhere now.
         QSignalSpy changed(&history, &History::changed);
         history.stack().redo();
         for (const QList<QVariant>& signal : changed) QVERIFY(signal[1].value<std::size_t>() < after->rows().size());
-        QCOMPARE(rowOf(history.look().values[0], "blueRings").value(), Value(16.0));
-        QCOMPARE(rowOf(history.look().values[0], "blueRadius").value(), Value(4.0));
+        QCOMPARE(rowOf(history.sceneState().values[0], "blueRings").value(), Value(16.0));
+        QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
         history.stack().undo();
         history.stack().undo();
-        QVERIFY(history.look() == start);
+        QVERIFY(history.sceneState() == start);
     }
 
     void withoutAStepTablesAreExchangedWithNothingToUndo()
@@ -232,7 +233,7 @@ private slots:
         history.exchangeTables({{ParameterValues(one)}, {}});
         QCOMPARE(replaced.count(), 1);
         QVERIFY(!history.stack().canUndo());
-        QVERIFY(rowOf(history.look().values[0], "redRadius").has_value());
+        QVERIFY(rowOf(history.sceneState().values[0], "redRadius").has_value());
         history.exchangeTables({{ParameterValues(one)}, {}});
         QCOMPARE(replaced.count(), 1);
     }

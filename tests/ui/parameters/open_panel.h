@@ -27,7 +27,7 @@ protected:
     std::unique_ptr<ui::History> history_;
     std::unique_ptr<ui::ParameterPanel> panel_;
 
-    [[nodiscard]] const ParameterValues& values() const { return history_->look().values[0]; }
+    [[nodiscard]] const ParameterValues& values() const { return history_->sceneState().values[0]; }
     template <typename T> T* in(std::string_view row) { return panel_->row(row)->findChild<T*>(); }
     ui::NumberField* field(std::string_view row) { return in<ui::NumberField>(row); }
     ui::ValueSlider* slider(std::string_view row) { return in<ui::ValueSlider>(row); }
@@ -55,7 +55,7 @@ protected:
             QApplication::sendEvent(widget, &move);
         }
     }
-    void showIdleTable() { history_->restart(Look{{idle_.initial()}, {}}); }
+    void showIdleTable() { history_->restart(SceneState{{idle_.initial()}, {}}); }
     static void prepare()
     {
         std::setlocale(LC_NUMERIC, "C");
@@ -63,7 +63,7 @@ protected:
     }
     void open()
     {
-        history_ = std::make_unique<ui::History>(Look{{table_.initial()}, {}});
+        history_ = std::make_unique<ui::History>(SceneState{{table_.initial()}, {}});
         panel_ = std::make_unique<ui::ParameterPanel>(*history_);
         panel_->showExhibit(0, "sample");
         panel_->resize(360, 400);

@@ -89,7 +89,7 @@ private slots:
         history_->set(0, *table_.find("roughness"), 0.75, newGesture());
         QCOMPARE(field("roughness")->value(), 0.75);
         QVERIFY(dot("roughness")->isEnabled());
-        Look preset = history_->look();
+        SceneState preset = history_->sceneState();
         preset.values[0].set(table_.roughness, 0.5);
         preset.values[0].set(table_.morph, 0.125);
         history_->change("Load", preset);

@@ -38,7 +38,7 @@ private slots:
         window_->choose(1);
         showTab(1);
         const auto exposure = [this] {
-            const ParameterValues& hall = window_->history().look().hall();
+            const ParameterValues& hall = window_->history().sceneState().hall();
             return std::get<double>(hall.row(*hall.table().find("exposure")));
         };
         drag("exposure", 90);

@@ -66,9 +66,9 @@ public:
 
     void open() override {}
     void close() override {}
-    render::FrameReport draw(const Look&, const FrameRequest&, const Unwanted&) override { return {}; }
+    render::FrameReport draw(const SceneState&, const FrameRequest&, const Unwanted&) override { return {}; }
     [[nodiscard]] QImage screenImage(const QSize&) override { return {}; }
-    [[nodiscard]] QImage drawRegion(const Look&, const FrameRequest&, const PictureRegion&, int,
+    [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int,
                                     const Unwanted&) override
     {
         return {};
@@ -77,8 +77,8 @@ public:
     void timeSteps(bool) override {}
     bool reloadChangedShaders() override { return false; }
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return {}; }
-    [[nodiscard]] PictureJob makePicture(const Look&, const PictureRequest&) override { return {}; }
-    void nextPicture(PictureJob&, const Look&, const PictureRequest&) override {}
+    [[nodiscard]] PictureJob makePicture(const SceneState&, const PictureRequest&) override { return {}; }
+    void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) override {}
     [[nodiscard]] StudyJob makeStudy(const StudyRequest& request) override
     {
         measuredOn = std::this_thread::get_id();
@@ -101,7 +101,7 @@ private:
     [[nodiscard]] std::size_t row(const char* name) const { return *gallery_->table.find(name); }
     [[nodiscard]] double valueNow(const char* name) const
     {
-        return std::get<double>(history_->look().values[1].row(row(name)));
+        return std::get<double>(history_->sceneState().values[1].row(row(name)));
     }
     void finish()
     {
@@ -118,7 +118,7 @@ private slots:
     void init()
     {
         gallery_ = std::make_unique<KnownGallery>();
-        history_ = std::make_unique<History>(gallery_->museum.initialLook());
+        history_ = std::make_unique<History>(gallery_->museum.initialSceneState());
         thread_ = std::make_unique<RenderThread>(*gallery_);
         dock_ = std::make_unique<StudyDock>(gallery_->museum, *gallery_, *history_, *thread_);
         dock_->setEffort({16, 9}, 3);
@@ -178,13 +178,13 @@ private slots:
 
     void cancellingLeavesTheSettingsAndTheUndoStackAsTheyWere()
     {
-        const Look before = history_->look();
+        const SceneState before = history_->sceneState();
         dock_->ask(1, row("rays"));
         for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
         QVERIFY(dock_->running());
         dock_->stop();
         QVERIFY(!dock_->running());
-        QVERIFY(history_->look() == before);
+        QVERIFY(history_->sceneState() == before);
         QCOMPARE(history_->stack().count(), 0);
     }
 
@@ -200,7 +200,7 @@ private slots:
         const StudyPoint& chosen = dock_->result().points[dock_->result().choice->point];
         QVERIFY(chosen.worstError <= 0.05);
         history_->stack().undo();
-        QVERIFY(history_->look() == gallery_->museum.initialLook());
+        QVERIFY(history_->sceneState() == gallery_->museum.initialSceneState());
     }
 
     void aLimitThatIsNoNumberIsSaidAndMeasuresNothing()

@@ -226,8 +226,10 @@ private slots:
         control.walkOn();
         for (int i = 0; i < 20; ++i) control.advance(0.05, {});
         const Camera c = control.camera();
-        const glm::dvec3 look = glm::normalize(c.target - c.eye), there = glm::normalize(glm::dvec3(0, 1, 0) - c.eye);
-        QVERIFY2(glm::distance(look, there) < 1e-9, qPrintable(QString::number(glm::distance(look, there))));
+        const glm::dvec3 sceneState = glm::normalize(c.target - c.eye),
+                         there = glm::normalize(glm::dvec3(0, 1, 0) - c.eye);
+        QVERIFY2(glm::distance(sceneState, there) < 1e-9,
+                 qPrintable(QString::number(glm::distance(sceneState, there))));
     }
 
     void theWayBackEndsWhereOneStood()

@@ -61,27 +61,27 @@ private slots:
         const Museum museum(std::move(exhibits));
         MuseumRenderers renderers(museum);
         renderers.open();
-        Look look = museum.initialLook();
-        look.hall().setRow(*look.hall().table().find("reflectionProbe"), 0.0);
+        SceneState sceneState = museum.initialSceneState();
+        sceneState.hall().setRow(*sceneState.hall().table().find("reflectionProbe"), 0.0);
         FrameRequest frame;
-        frame.camera = museum.exhibit(1).bestView(look.values[1]);
+        frame.camera = museum.exhibit(1).bestView(sceneState.values[1]);
         frame.raster.size = {16, 9};
         frame.alone = 1;
         frame.transparent = true;
         const Renderers::Unwanted never = [] { return false; };
-        QVERIFY(!renderers.draw(look, frame, never).unfinished);  // The first one is waited for.
+        QVERIFY(!renderers.draw(sceneState, frame, never).unfinished);  // The first one is waited for.
         bool unfinished = false;
         for (int number = 2; number < 8 && !unfinished; ++number) {
-            look.values[1].set(Filled::table.number, number);
-            unfinished = renderers.draw(look, frame, never).unfinished;
+            sceneState.values[1].set(Filled::table.number, number);
+            unfinished = renderers.draw(sceneState, frame, never).unfinished;
         }
         QVERIFY2(unfinished, "every frame waited for its program");
 
-        look.values[1].set(Filled::table.number, 9);
+        sceneState.values[1].set(Filled::table.number, 9);
         PictureRequest picture;
         picture.frame = frame;
         picture.frame.averageIn = AverageIn::radiance;
-        PictureJob job = renderers.makePicture(look, picture);
+        PictureJob job = renderers.makePicture(sceneState, picture);
         while (job.maker->step()) {
         }
         QCOMPARE(job.maker->picture().at(8, 4, 0), 9.0F);

@@ -84,10 +84,10 @@ class KeptWorkTest : public QObject {
         return files.isEmpty() ? QString() : files.front();
     }
     [[nodiscard]] QStringList said() { return window_->findChild<MessageStrip*>()->texts(); }
-    [[nodiscard]] double roughness() { return window_->history().look().values[1][gallery_->table().roughness]; }
+    [[nodiscard]] double roughness() { return window_->history().sceneState().values[1][gallery_->table().roughness]; }
     void setRoughness(double value)
     {
-        Look next = window_->history().look();
+        SceneState next = window_->history().sceneState();
         next.values[1].set(gallery_->table().roughness, value);
         window_->history().change("Roughness", std::move(next));
     }

@@ -28,7 +28,7 @@ class MadeRowsTest : public test::OpenWindow {
         return exhibit;
     }
     [[nodiscard]] std::string path(const char* name) const { return home_->filePath(name).toStdString(); }
-    [[nodiscard]] const ParameterValues& values() { return window_->history().look().values[balls]; }
+    [[nodiscard]] const ParameterValues& values() { return window_->history().sceneState().values[balls]; }
     void name(const std::string& file)
     {
         window_->history().set(balls, *exhibit_->parameters().find("scene"), file, newGesture());

@@ -52,7 +52,7 @@ class MemoryTest : public QObject {
     void draw()
     {
         const long long drawn = window_->viewport().picturesDrawn();
-        window_->viewport().lookChanged();
+        window_->viewport().sceneStateChanged();
         QTRY_VERIFY(window_->viewport().picturesDrawn() > drawn);
         ++step_;
     }
@@ -136,9 +136,9 @@ class MemoryTest : public QObject {
             window_->history().stack().undo();
         }
         const ParameterValues initial = museum_->subject(exhibit_).parameters().initial();
-        Look look = window_->history().look();
-        look.values[exhibit_] = initial;
-        window_->history().change(QStringLiteral("Reset"), look);
+        SceneState sceneState = window_->history().sceneState();
+        sceneState.values[exhibit_] = initial;
+        window_->history().change(QStringLiteral("Reset"), sceneState);
         draw();
         settle();
     }
@@ -175,12 +175,12 @@ private slots:
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         // One sample of a small picture: what is counted does not depend on how fine it is.
-        Look look = window_->history().look();
-        look.hall().setRow(*look.hall().table().find(supersamplesRow), 1.0);
-        look.hall().setRow(*look.hall().table().find("shadowMapSize"), 512.0);
+        SceneState sceneState = window_->history().sceneState();
+        sceneState.hall().setRow(*sceneState.hall().table().find(supersamplesRow), 1.0);
+        sceneState.hall().setRow(*sceneState.hall().table().find("shadowMapSize"), 512.0);
         const std::size_t rays = museum_->find("crepuscular_rays").value();
-        look.values[rays].setRow(*look.values[rays].table().find("technique"), 0.0);
-        window_->history().change(QStringLiteral("Small"), look);
+        sceneState.values[rays].setRow(*sceneState.values[rays].table().find("technique"), 0.0);
+        window_->history().change(QStringLiteral("Small"), sceneState);
         window_->visit(exhibit_);
         settle();
     }

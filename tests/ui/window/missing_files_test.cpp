@@ -114,7 +114,7 @@ class MissingFilesTest : public QObject {
     /// The window draws: it lives.
     void drawAnother()
     {
-        window_->viewport().lookChanged();
+        window_->viewport().sceneStateChanged();
         QTRY_VERIFY(window_->viewport().schedule().current());
     }
     [[nodiscard]] QStringList said() const { return window_->findChild<MessageStrip*>()->texts(); }
@@ -142,7 +142,7 @@ class MissingFilesTest : public QObject {
     }
     [[nodiscard]] std::string value(std::size_t exhibit, const char* row) const
     {
-        const ParameterValues& values = window_->history().look().values[exhibit];
+        const ParameterValues& values = window_->history().sceneState().values[exhibit];
         return std::get<std::string>(values.row(*values.table().find(row)));
     }
     void writeSession(const QByteArray& exhibit, const QByteArray& row, const QString& file,
@@ -201,7 +201,7 @@ private slots:
         QFETCH(QString, file);
         QFETCH(QString, label);
         const std::size_t index = museum_->find(exhibit.toStdString()).value();
-        const Look initial = museum_->initialLook();
+        const SceneState initial = museum_->initialSceneState();
         writeSession(exhibit, row, path(file),
                      index == 0 ? initial.camera : museum_->bestView(index, initial.values[index]));
         openWindow();
@@ -229,14 +229,14 @@ private slots:
     {
         const QStringList broken = writeBrokenFiles();
         openWindow();
-        const Look before = window_->history().look();
+        const SceneState before = window_->history().sceneState();
         for (const QString& file : broken) {
             drop(file);
             QTRY_VERIFY(!said().isEmpty());
             drawAnother();
             QVERIFY2(said().size() == 1, qPrintable(file + ": " + said().join(" | ")));
             QVERIFY2(said().front().contains(QFileInfo(file).fileName()), qPrintable(said().front()));
-            QVERIFY2(window_->history().look().values == before.values, qPrintable(file));
+            QVERIFY2(window_->history().sceneState().values == before.values, qPrintable(file));
             dismiss();
         }
     }
@@ -259,7 +259,7 @@ private slots:
             dismiss();
         }
         window_->visit(fur_);
-        window_->viewport().jumpTo(museum_->bestView(fur_, window_->history().look().values[fur_]));
+        window_->viewport().jumpTo(museum_->bestView(fur_, window_->history().sceneState().values[fur_]));
         drawAnother();
         type("ringModel", path("noise.glb"));
         drawAnother();
@@ -273,13 +273,13 @@ private slots:
         QImage photo(400, 300, QImage::Format_RGB32);
         photo.fill(Qt::darkCyan);
         photo.save(path("photo.jpg"));
-        const Look before = window_->history().look();
+        const SceneState before = window_->history().sceneState();
         drop(path("photo.jpg"));
         QTRY_COMPARE(said().size(), 1);
         QVERIFY2(said().front().contains("photo.jpg") && said().front().contains("400 × 300") &&
                      said().front().contains("“Environment” in the parameters of the hall"),
                  qPrintable(said().front()));
-        QVERIFY(window_->history().look().values == before.values);
+        QVERIFY(window_->history().sceneState().values == before.values);
         QImage panorama(400, 200, QImage::Format_RGB32);
         panorama.fill(Qt::darkCyan);
         panorama.save(path("sky.png"));

@@ -87,7 +87,7 @@ class MuseumWindowTest : public QObject {
             }
         return sum / (3.0 * a.width() * a.height());
     }
-    [[nodiscard]] const ParameterValues& values() { return window_->history().look().values[exhibit_]; }
+    [[nodiscard]] const ParameterValues& values() { return window_->history().sceneState().values[exhibit_]; }
     void dragMorph(int pixels)
     {
         auto* slider = window_->panel().row("morph")->findChild<ValueSlider*>();
@@ -200,7 +200,7 @@ private slots:
         window_->visit(exhibit_);
         settle();
         dragMorph(60);
-        const Look shown = window_->history().look();
+        const SceneState shown = window_->history().sceneState();
         ExportWish wish;
         wish.path = home_->filePath("picture.png").toStdString();
         wish.size = {160, 90};
@@ -216,7 +216,7 @@ private slots:
         QVERIFY(render::embeddedPreset(wish.path).has_value());
         window_->history().stack().undo();
         window_->files().open(QString::fromStdString(wish.path.string()));
-        QVERIFY(window_->history().look() == shown);
+        QVERIFY(window_->history().sceneState() == shown);
     }
 
     void tenSecondsOfIdlingDrawNothingAndUseNoProcessor()

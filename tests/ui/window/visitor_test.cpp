@@ -40,7 +40,7 @@ class VisitorTest : public test::OpenWindow {
         const Viewport& viewport = window_->viewport();
         const glm::ivec2 size(viewport.width(), viewport.height());
         const render::View view = render::makeView(
-            widened(window_->history().look().camera, static_cast<double>(size.x) / size.y), {.size = size});
+            widened(window_->history().sceneState().camera, static_cast<double>(size.x) / size.y), {.size = size});
         const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(test::PaintedGallery::button(), 1);
         return at(clip.x / clip.w, clip.y / clip.w);
     }
@@ -178,14 +178,14 @@ private slots:
     void afterAWrongClickThereIsAWayBack()
     {
         Viewport& viewport = window_->viewport();
-        const render::Camera before = window_->history().look().camera;
+        const render::Camera before = window_->history().sceneState().camera;
         QVERIFY(!viewport.canGoBack());
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(0, 0));
         QTRY_COMPARE(viewport.mode(), CameraControl::Mode::orbit);
         QCOMPARE(window_->chosen(), std::size_t{1});
         QTest::keyClick(&viewport, Qt::Key_Backspace);
         QTRY_COMPARE(viewport.mode(), CameraControl::Mode::walk);
-        QVERIFY(window_->history().look().camera == before);
+        QVERIFY(window_->history().sceneState().camera == before);
         QCOMPARE(window_->chosen(), std::size_t{0});
         QVERIFY(!viewport.canGoBack());
         QVERIFY(action("Back")->shortcuts().contains(QKeySequence("Alt+Left")));
@@ -216,7 +216,7 @@ private slots:
         dragRoughness(60);
         QFile file(home_->filePath("exhibition.json"));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray::fromStdString(window_->shelf().lookText()));
+        file.write(QByteArray::fromStdString(window_->shelf().sceneText()));
         file.close();
         window_->choose(0);
         window_->files().open(file.fileName());
@@ -329,7 +329,7 @@ private slots:
         const QImage picture(folder.filePath(folder.entryList({"*.png"}, QDir::Files).first()));
         QCOMPARE(picture.width(), window_->viewport().width());
         // While it is still being refined it is drawn apart, and the visitor is told.
-        window_->viewport().lookChanged();
+        window_->viewport().sceneStateChanged();
         QVERIFY(!window_->viewport().pictureFinished());
         action("Screenshot")->trigger();
         settle();
@@ -372,13 +372,13 @@ private slots:
                           list->visualItemRect(list->findItems("The hall", Qt::MatchExactly).front()).center());
         QCOMPARE(window_->chosen(), std::size_t{0});
         QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
-        QVERIFY(window_->history().look().camera ==
-                gallery_->museum().bestView(hallIndex, window_->history().look().hall()));
+        QVERIFY(window_->history().sceneState().camera ==
+                gallery_->museum().bestView(hallIndex, window_->history().sceneState().hall()));
     }
 
     void aNarrowPictureIsDrawnWider()
     {
-        const double fov = window_->history().look().camera.fovY;
+        const double fov = window_->history().sceneState().camera.fovY;
         const double aspect = static_cast<double>(window_->viewport().width()) / window_->viewport().height();
         QVERIFY(aspect < 1.4);
         const double drawn = gallery_->requests().back().camera.fovY;
@@ -402,7 +402,7 @@ private slots:
         }
         for (const double moment : moments) QCOMPARE(moment, moments.front());
         QTest::qWait(300);
-        window_->viewport().lookChanged();
+        window_->viewport().sceneStateChanged();
         settle();
         QCOMPARE(gallery_->requests().back().sincePressed[1], moments.front());
         action("Pause clock")->trigger();

@@ -56,7 +56,7 @@ private slots:
     void aStillPictureIsRefinedOverSixteenSamples()
     {
         gallery_->forgetRequests();
-        window_->viewport().lookChanged();
+        window_->viewport().sceneStateChanged();
         QTRY_VERIFY(gallery_->requests().size() >= 16);
         settle();
         QCOMPARE(gallery_->requests().back().sample, 15);
@@ -66,7 +66,7 @@ private slots:
     void aRowThatDoesNotActDrawsNothingAgain()
     {
         window_->choose(1);
-        Look next = window_->history().look();
+        SceneState next = window_->history().sceneState();
         next.values[1].set(gallery_->table().animated, false);
         window_->history().change("Stand still", next);
         settle();
@@ -186,7 +186,7 @@ private slots:
             ++abandoned;
             throw render::gl::Abandoned();
         };
-        window_->viewport().lookChanged();
+        window_->viewport().sceneStateChanged();
         QTRY_VERIFY(reached);
         dragRoughness(60);
         QTRY_COMPARE(int(abandoned), 1);
@@ -213,7 +213,7 @@ private slots:
     void whatMovesFarAwayNeitherCoarsensNorRestartsThePicture()
     {
         window_->choose(1);
-        Look alight = window_->history().look();  // A shadow on the floor would move, too.
+        SceneState alight = window_->history().sceneState();  // A shadow on the floor would move, too.
         alight.hall().setRow(*alight.hall().table().find("sunShadows"), 0.0);
         window_->history().change("Without shadows", alight);
         settle();
@@ -224,9 +224,9 @@ private slots:
         const Museum& museum = gallery_->museum();
         gallery_->exhibit().moves = true;
         const PictureRegion region =
-            museum.movingRegion(museum.prepare(window_->history().look(), request), request).value();
+            museum.movingRegion(museum.prepare(window_->history().sceneState(), request), request).value();
         QVERIFY(region.size.x > 10 && region.size.y > 10 && 4 * region.size.x < before.width());
-        window_->viewport().lookChanged();
+        window_->viewport().sceneStateChanged();
         QTRY_VERIFY(window_->viewport().regionsDrawn() >= 2);
         const long long whole = window_->viewport().picturesDrawn();
         const auto requests = gallery_->requests();
@@ -266,7 +266,7 @@ private slots:
         gallery_->forgetRequests();
         window_->viewport().jumpTo({{0, 1.65, 8}, {0, 1.5, 0}, 0.9});
         settle();
-        window_->viewport().lookChanged();
+        window_->viewport().sceneStateChanged();
         settle();
         const std::vector<FrameRequest> requests = gallery_->requests();
         QVERIFY(requests.size() >= 32);
@@ -279,7 +279,7 @@ private slots:
     {
         settle();
         gallery_->unfinishedFrames = 3;
-        window_->viewport().lookChanged();
+        window_->viewport().sceneStateChanged();
         settle();
         QCOMPARE(int(gallery_->unfinishedFrames), 0);
         QTRY_VERIFY(window_->viewport().schedule().still());

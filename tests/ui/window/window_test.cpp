@@ -56,11 +56,11 @@ private slots:
         viewport.setFocus();
         viewport.jumpTo({{1.35, 1.65, 10.2}, {1.35, 1.65, 12}, 0.96});
         QTest::keyPress(&viewport, Qt::Key_W);
-        QTRY_VERIFY(window_->history().look().camera.eye.z > 10.7);
+        QTRY_VERIFY(window_->history().sceneState().camera.eye.z > 10.7);
         QTest::qWait(2500);  // Long enough to be far outside.
         QTest::keyRelease(&viewport, Qt::Key_W);
         settle();
-        QVERIFY(window_->history().look().camera.eye.z < 12 - 0.27);  // A visitor is 0.28 m wide to each side.
+        QVERIFY(window_->history().sceneState().camera.eye.z < 12 - 0.27);  // A visitor is 0.28 m wide to each side.
         QCOMPARE(window_->history().stack().count(), 0);
     }
 
@@ -70,12 +70,12 @@ private slots:
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.rect().center());
         QTRY_COMPARE(viewport.mode(), CameraControl::Mode::orbit);
         QCOMPARE(window_->chosen(), std::size_t{1});
-        const glm::dvec3 eye = window_->history().look().camera.eye;
+        const glm::dvec3 eye = window_->history().sceneState().camera.eye;
         QTest::mousePress(&viewport, Qt::LeftButton, {}, {200, 200});
         QTest::mouseMove(&viewport, {240, 200});
         QTest::mouseMove(&viewport, {280, 200});
         QTest::mouseRelease(&viewport, Qt::LeftButton, {}, {280, 200});
-        QVERIFY(window_->history().look().camera.eye.x < eye.x);
+        QVERIFY(window_->history().sceneState().camera.eye.x < eye.x);
         QTest::keyClick(&viewport, Qt::Key_Escape);
         QTRY_COMPARE(viewport.mode(), CameraControl::Mode::walk);
     }
@@ -164,14 +164,14 @@ private slots:
     void aBrokenPresetChangesNothingAndSaysWhere()
     {
         window_->choose(1);
-        const Look before = window_->history().look();
+        const SceneState before = window_->history().sceneState();
         QFile file(home_->filePath("broken.json"));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("{\n \"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"sdf_morph\",\n \"values\": "
                    "{\"roughness\": \"very\"}}\n");
         file.close();
         window_->files().open(file.fileName());
-        QVERIFY(window_->history().look() == before);
+        QVERIFY(window_->history().sceneState() == before);
         const QStringList said = window_->findChild<MessageStrip*>()->texts();
         QCOMPARE(said.size(), 1);
         QVERIFY2(said[0].contains("broken.json") && said[0].contains("line 3") && said[0].contains("roughness"),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/museum/look.h"
+#include "exhibits/museum/scene_state.h"
 
 #include <cstddef>
 #include <memory>
@@ -12,21 +12,21 @@ namespace vitrine::ui {
 
 /// What turns one look into another, but for the camera. Keeps the rows that differ (looks are large, and an afternoon
 /// has thousands of steps), and all values of an exhibit whose table is another one, too.
-class LookChange {
+class SceneStateChange {
 public:
-    LookChange() = default;
-    LookChange(const Look& before, const Look& after);
+    SceneStateChange() = default;
+    SceneStateChange(const SceneState& before, const SceneState& after);
     /// Of one row; `after` is legal.
-    LookChange(const Look& before, std::size_t exhibit, std::size_t row, const Value& after);
+    SceneStateChange(const SceneState& before, std::size_t exhibit, std::size_t row, const Value& after);
 
     [[nodiscard]] bool empty() const { return rows_.empty() && tables_.empty(); }
     /// Exhibit and row of this look, where no other value changes.
-    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> onlyRow(const Look&) const;
+    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> onlyRow(const SceneState&) const;
 
-    void apply(Look& look) const;
-    void revert(Look& look) const;
+    void apply(SceneState& sceneState) const;
+    void revert(SceneState& sceneState) const;
     /// This, and then a later one. What comes out as it was before is no change any more.
-    void append(const LookChange& later);
+    void append(const SceneStateChange& later);
 
 private:
     struct Row {

@@ -1,10 +1,10 @@
-#include "ui/model/look_change.h"
+#include "ui/model/scene_state_change.h"
 
 #include <algorithm>
 
 namespace vitrine::ui {
 
-LookChange::LookChange(const Look& before, const Look& after)
+SceneStateChange::SceneStateChange(const SceneState& before, const SceneState& after)
 {
     for (std::size_t e = 0; e < before.values.size(); ++e) {
         const ParameterValues &from = before.values[e], &to = after.values[e];
@@ -17,20 +17,20 @@ LookChange::LookChange(const Look& before, const Look& after)
     }
 }
 
-LookChange::LookChange(const Look& before, std::size_t exhibit, std::size_t row, const Value& after)
+SceneStateChange::SceneStateChange(const SceneState& before, std::size_t exhibit, std::size_t row, const Value& after)
     : rows_{{exhibit, row, before.values[exhibit].sharedTable(), before.values[exhibit].row(row), after}}
 {
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> LookChange::onlyRow(const Look& look) const
+std::optional<std::pair<std::size_t, std::size_t>> SceneStateChange::onlyRow(const SceneState& sceneState) const
 {
     if (rows_.size() != 1 || !tables_.empty()) return std::nullopt;
     const Row& change = rows_.front();
-    if (look.values[change.exhibit].sharedTable() != change.table) return std::nullopt;
+    if (sceneState.values[change.exhibit].sharedTable() != change.table) return std::nullopt;
     return std::pair(change.exhibit, change.row);
 }
 
-void LookChange::set(ParameterValues& values, const Row& change, const Value& value)
+void SceneStateChange::set(ParameterValues& values, const Row& change, const Value& value)
 {
     if (values.sharedTable() == change.table) {
         values.setRow(change.row, value);
@@ -42,20 +42,20 @@ void LookChange::set(ParameterValues& values, const Row& change, const Value& va
     if (row && values.rows()[*row].kind == info.kind) values.setRow(*row, value);
 }
 
-void LookChange::apply(Look& look) const
+void SceneStateChange::apply(SceneState& sceneState) const
 {
-    for (const Row& change : rows_) set(look.values[change.exhibit], change, change.after);
-    for (const Table& change : tables_) look.values[change.exhibit] = change.after;
+    for (const Row& change : rows_) set(sceneState.values[change.exhibit], change, change.after);
+    for (const Table& change : tables_) sceneState.values[change.exhibit] = change.after;
 }
 
-void LookChange::revert(Look& look) const
+void SceneStateChange::revert(SceneState& sceneState) const
 {
     for (auto change = rows_.rbegin(); change != rows_.rend(); ++change)
-        set(look.values[change->exhibit], *change, change->before);
-    for (const Table& change : tables_) look.values[change.exhibit] = change.before;
+        set(sceneState.values[change->exhibit], *change, change->before);
+    for (const Table& change : tables_) sceneState.values[change.exhibit] = change.before;
 }
 
-void LookChange::append(const LookChange& later)
+void SceneStateChange::append(const SceneStateChange& later)
 {
     for (const Row& change : later.rows_) appendRow(change);
     for (const Table& change : later.tables_) appendTable(change);
@@ -65,7 +65,7 @@ void LookChange::append(const LookChange& later)
     });
 }
 
-void LookChange::appendRow(const Row& later)
+void SceneStateChange::appendRow(const Row& later)
 {
     for (Table& change : tables_)
         if (change.exhibit == later.exhibit) {
@@ -80,7 +80,7 @@ void LookChange::appendRow(const Row& later)
     rows_.push_back(later);
 }
 
-void LookChange::appendTable(const Table& later)
+void SceneStateChange::appendTable(const Table& later)
 {
     for (Table& change : tables_)
         if (change.exhibit == later.exhibit) {
