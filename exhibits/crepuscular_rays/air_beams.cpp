@@ -13,7 +13,7 @@ render::ResourceId planMarch(const RaysScene& s, render::FramePlan& plan)
     render::Pass pass = s.pass("march", "the sun's beams are in view", "crepuscular_rays/march.frag");
     pass.stage = render::Stage::volume;
     pass.colors = {render::Attachment::cleared(scattered)};
-    s.context.surroundings.illuminate(pass);
+    s.context.lighting.bindLighting(pass);
     std::erase_if(pass.inputs, [](const render::Input& input) {
         return input.unit != UNIT_SHADOW_HALL && input.unit != UNIT_SHADOW_EXHIBITS;
     });

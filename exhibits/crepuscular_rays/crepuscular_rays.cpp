@@ -54,11 +54,11 @@ void planComposite(const RaysScene& s, const RayImages& made, render::Bound boun
     if (view != RayView::mask && made.scattered) {
         pass.shader.defines.emplace_back("VOLUME");
         pass.inputs.push_back({UNIT_EXHIBIT_B, *made.scattered});
-        for (const render::Input& input : s.context.surroundings.inputs)
+        for (const render::Input& input : s.context.lighting.inputs)
             if (input.unit == UNIT_PROBE_IRRADIANCE) pass.inputs.push_back(input);
     }
     if (view != RayView::picture) pass.shader.defines.emplace_back("REPLACE");
-    pass.blocks[BLOCK_LIGHT] = render::std140Bytes(s.context.surroundings.light);
+    pass.blocks[BLOCK_LIGHT] = render::std140Bytes(s.context.lighting.light);
     plan.add(std::move(pass));
 }
 

@@ -67,7 +67,7 @@ render::Pass RaysScene::pass(const char* name, std::string reason, std::string f
 RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& context, const render::FramePlan& plan)
 {
     const ParameterValues& values = context.values;
-    const Surroundings& around = context.surroundings;
+    const SceneLighting& around = context.lighting;
     const render::Raster& raster = plan.view.raster;
     RaysScene s{table, context, values, {}, raster.drawn() != raster.size, {}, {}, 0, 0, {}, {}, {}};
 
@@ -124,8 +124,8 @@ render::Bound screenRaysBound(const RaysScene& s)
 {
     const bool plain = s.values[s.table.sum] == RaySum::plain;
     const bool still = plain && s.block.gathered <= 0 && !(s.values[s.table.density] > 0);
-    const auto& openings = s.context.surroundings.openings;
-    const bool outside = !s.context.surroundings.room.contains(s.wholeView.eye);
+    const auto& openings = s.context.lighting.openings;
+    const bool outside = !s.context.lighting.room.contains(s.wholeView.eye);
     const bool sky = s.context.alone || outside ||
                      std::any_of(openings.begin(), openings.end(),
                                  [&](const render::Box& opening) { return s.wholeView.mayContain(opening); });
@@ -144,7 +144,7 @@ render::Bound screenRaysBound(const RaysScene& s)
 render::Bound airBound(const RaysScene& s, const render::View& view)
 {
     const auto largest = [](const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); };
-    const Surroundings& around = s.context.surroundings;
+    const SceneLighting& around = s.context.lighting;
     double way =
         0;  // No ray is longer in the air than its boxes are from corner to corner; the dust is densest on the floor.
     bool seen = false;

@@ -3,8 +3,8 @@
 #include "exhibits/framework/capabilities.h"
 #include "exhibits/framework/parameters.h"
 #include "exhibits/framework/prepare.h"
+#include "exhibits/framework/scene_lighting.h"
 #include "exhibits/framework/subject.h"
-#include "exhibits/framework/surroundings.h"
 #include "render/plan/frame_plan.h"
 #include "render/scene/camera.h"
 #include "render/scene/ray.h"
@@ -40,7 +40,7 @@ inline constexpr const char* exhibitShadowImage = "shadow.exhibits";
 /// What an exhibit may know when it plans its part of a frame.
 struct PlanContext {
     const ParameterValues& values;
-    const Surroundings& surroundings;  ///< The light around it.
+    const SceneLighting& lighting;  ///< The light around it.
     glm::dmat4 worldFromExhibit{
         1};           ///< Its place in the hall, or identity when alone, times the caller's scale and rotation.
     double time = 0;  ///< Seconds since the exhibit's clock started.

@@ -21,7 +21,7 @@ render::Pass fullscreen(std::string name, std::string fragment, std::string sour
 
 }  // namespace
 
-void planDevelop(const Surroundings& surroundings, const FrameRequest& request, render::FramePlan& plan)
+void planDevelop(const SceneLighting& lighting, const FrameRequest& request, render::FramePlan& plan)
 {
     const bool averaged = request.samples > 1;
     const bool toneMapped = request.averageIn == AverageIn::display;
@@ -36,9 +36,8 @@ void planDevelop(const Surroundings& surroundings, const FrameRequest& request, 
         render::Pass tone =
             fullscreen("tone", "lib/tonemap.frag", source, target, "the screen shows less than the eye sees");
         tone.stage = render::Stage::resolve;
-        tone.blocks[BLOCK_LIGHT] =
-            render::std140Bytes(surroundings.light);  // For the exposure alone: no map, no probe.
-        tone.bound = {1, 1, {}};                      // What is shown lies between 0 and 1, whatever the light.
+        tone.blocks[BLOCK_LIGHT] = render::std140Bytes(lighting.light);  // For the exposure alone: no map, no probe.
+        tone.bound = {1, 1, {}};  // What is shown lies between 0 and 1, whatever the light.
         // Every pixel is written, so what was in the image before is of no interest.
         tone.colors[0].load = render::Load::clear;
         plan.add(std::move(tone));

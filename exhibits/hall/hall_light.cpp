@@ -153,12 +153,12 @@ glm::dvec3 towardsSun(const HallScene& scene)
     return sunOf(scene.table, scene.values).towards();
 }
 
-Surroundings surroundings(const HallScene& scene, bool runEverything)
+SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
 {
     const HallTable& table = scene.table;
     const ParameterValues& values = scene.values;
     const Sun source = sunOf(table, values);
-    Surroundings result;
+    SceneLighting result;
     result.towardsSun = source.towards();
     result.sunIrradiance = blackBodyColor(source.temperature) * source.strength;
     LightBlock& light = result.light;

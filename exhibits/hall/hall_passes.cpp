@@ -88,7 +88,7 @@ const render::Material& buttonMaterial()
     return red;
 }
 
-void planButtons(const HallScene& scene, const Surroundings& light, const Channels& channels, render::FramePlan& plan)
+void planButtons(const HallScene& scene, const SceneLighting& light, const Channels& channels, render::FramePlan& plan)
 {
     Pass pass = surfacePass("hall/buttons", "", light, channels);
     int moving = 0;
@@ -111,7 +111,7 @@ void planButtons(const HallScene& scene, const Surroundings& light, const Channe
     plan.add(std::move(pass));
 }
 
-void planPlaques(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
+void planPlaques(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
 {
     if (!scene.text) {
         plan.skip("hall/plaques", "there is no text to show");
@@ -143,11 +143,11 @@ void planPlaques(const HallScene& scene, const Surroundings& light, render::Fram
         plan.skip(pass.name, "no plaque is in view");
         return;
     }
-    light.illuminate(pass);
+    light.bindLighting(pass);
     plan.add(std::move(pass));
 }
 
-void planVisitorModel(const HallScene& scene, const Surroundings& light, const Channels& channels,
+void planVisitorModel(const HallScene& scene, const SceneLighting& light, const Channels& channels,
                       render::FramePlan& plan)
 {
     if (!scene.visitorModel) {
@@ -243,7 +243,7 @@ std::vector<Part> partsAt(const HallScene& scene, const Place& place)
     return parts;
 }
 
-void planHallShadow(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
+void planHallShadow(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
 {
     if (!light.hallCastsShadow) {
         plan.skip("hall/shadow", scene.alone ? "there is no hall to cast it" : "sun shadows are switched off");
@@ -287,7 +287,7 @@ void planHallShadow(const HallScene& scene, const Surroundings& light, render::F
         plan.add(std::move(pass));
 }
 
-void planWalls(const HallScene& scene, const Surroundings& light, const Channels& channels, render::FramePlan& plan)
+void planWalls(const HallScene& scene, const SceneLighting& light, const Channels& channels, render::FramePlan& plan)
 {
     Pass walls = surfacePass("hall/walls", "the hall is around the visitor", light, channels,
                              {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, render::Load::clear);
@@ -316,7 +316,7 @@ void planWalls(const HallScene& scene, const Surroundings& light, const Channels
     planPlaques(scene, light, plan);
 }
 
-void planSky(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
+void planSky(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
 {
     Pass sky;
     sky.name = "sky";
@@ -328,7 +328,7 @@ void planSky(const HallScene& scene, const Surroundings& light, render::FramePla
     sky.depth = Attachment::whole(depthImage);
     sky.state.depthTest = render::DepthTest::nearerOrEqual;  // The triangle lies at depth 0, the far plane.
     sky.draws = {Draw{}};
-    light.illuminate(sky);
+    light.bindLighting(sky);
     // Neither shadow nor mirror image falls on the sky: it must not keep them alive where nothing else reads them.
     std::erase_if(sky.inputs, [](const render::Input& input) { return input.unit != UNIT_ENVIRONMENT; });
     plan.add(std::move(sky));

@@ -35,13 +35,13 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
     return pass;
 }
 
-void planFace(const HallScene& scene, const Surroundings& light, int face, int size, std::uint64_t key,
+void planFace(const HallScene& scene, const SceneLighting& light, int face, int size, std::uint64_t key,
               render::FramePlan& plan)
 {
     const glm::dvec3 eye = probePosition(scene);
     // The probe must not read itself while it is being made; and it holds the hall alone, for its key does not
     // tell where the exhibits' shadows lie, nor which lamps shine.
-    Surroundings hallLight = light;
+    SceneLighting hallLight = light;
     hallLight.light.exhibitsCastShadow = false;
     hallLight.localLights.reset();
     std::erase_if(hallLight.inputs, [](const render::Input& input) {
@@ -52,7 +52,7 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
     sky.colors = {Attachment::slice("probe.captured", face)};
     sky.draws = {render::Draw{}};
     sky.bound = light.probeLight;
-    hallLight.illuminate(sky);
+    hallLight.bindLighting(sky);
     if (scene.alone && face == 5) sky.mipmaps = {"probe.captured"};
     plan.add(std::move(sky));
     if (scene.alone) return;
@@ -71,7 +71,7 @@ void planFace(const HallScene& scene, const Surroundings& light, int face, int s
     }
     walls.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
     walls.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
-    hallLight.illuminate(walls);
+    hallLight.bindLighting(walls);
     if (face == 5) walls.mipmaps = {"probe.captured"};
     plan.add(std::move(walls));
 }
@@ -105,7 +105,7 @@ glm::dvec3 probePosition(const HallScene& scene)
     return scene.alone ? glm::dvec3(0) : scene.model.probe();
 }
 
-void planProbe(const HallScene& scene, const Surroundings& light, render::FramePlan& plan)
+void planProbe(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
 {
     if (!scene.values[scene.table.reflectionProbe]) {
         plan.skip("probe", "the reflection probe is switched off");

@@ -2,7 +2,7 @@
 
 #include "exhibits/framework/frame_request.h"
 #include "exhibits/framework/prepare.h"
-#include "exhibits/framework/surroundings.h"
+#include "exhibits/framework/scene_lighting.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/plan/frame_plan.h"
@@ -62,7 +62,7 @@ struct HallScene {
 /// Unit vector towards the sun, world space.
 [[nodiscard]] glm::dvec3 towardsSun(const HallScene&);
 /// The light for everything in the hall, or for an exhibit alone. `runEverything`: as FramePlan's.
-[[nodiscard]] Surroundings surroundings(const HallScene&, bool runEverything = false);
+[[nodiscard]] SceneLighting sceneLighting(const HallScene&, bool runEverything = false);
 /// Whether an eye there sees through the walls, because it lies within them, or so near their outer faces that the near
 /// plane may cut these away.
 [[nodiscard]] bool isInWalls(const HallModel&, const glm::dvec3& eye);
@@ -74,24 +74,24 @@ struct HallScene {
 // hall_passes.cpp
 
 /// The sun's depth map of walls and furniture, kept while neither moves.
-void planHallShadow(const HallScene&, const Surroundings&, render::FramePlan&);
+void planHallShadow(const HallScene&, const SceneLighting&, render::FramePlan&);
 /// Walls, furniture, cloths over empty places, the visitor's object, buttons and plaques.
-void planWalls(const HallScene&, const Surroundings&, const Channels&, render::FramePlan&);
+void planWalls(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
 /// What is behind everything: sky, panorama, or the studio of an exhibit alone.
-void planSky(const HallScene&, const Surroundings&, render::FramePlan&);
+void planSky(const HallScene&, const SceneLighting&, render::FramePlan&);
 
 // hall_probe.cpp
 
 /// The reflection probe: captured from inside the hall (or the environment alone), blurred by roughness, and
 /// summed up as nine spherical-harmonic coefficients; kept while nothing in it changes.
-void planProbe(const HallScene&, const Surroundings&, render::FramePlan&);
+void planProbe(const HallScene&, const SceneLighting&, render::FramePlan&);
 /// The point from which the probe is captured, world space.
 [[nodiscard]] glm::dvec3 probePosition(const HallScene&);
 
 // hall_develop.cpp
 
 /// What every picture ends with: tone mapping and the mean over supersamples, into the image "frame".
-void planDevelop(const Surroundings&, const FrameRequest&, render::FramePlan&);
+void planDevelop(const SceneLighting&, const FrameRequest&, render::FramePlan&);
 
 /// Seconds for which a pressed button moves.
 inline constexpr double buttonTime = 0.2;

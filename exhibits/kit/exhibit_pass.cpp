@@ -41,7 +41,7 @@ void drawSurface(render::Pass& pass, const Channels& channels, render::Load load
     pass.state.cull = render::Cull::back;
 }
 
-render::Pass surfacePass(std::string name, std::string reason, const Surroundings& light, const Channels& channels,
+render::Pass surfacePass(std::string name, std::string reason, const SceneLighting& light, const Channels& channels,
                          std::vector<std::string> defines, render::Load load)
 {
     render::Pass pass;
@@ -49,7 +49,7 @@ render::Pass surfacePass(std::string name, std::string reason, const Surrounding
     pass.reason = std::move(reason);
     pass.shader = {.vertex = "kit/surface.vert", .fragment = "kit/surface.frag", .defines = std::move(defines)};
     drawSurface(pass, channels, load);
-    light.illuminate(pass);
+    light.bindLighting(pass);
     pass.depthOnly = meshDepth();
     return pass;
 }
@@ -61,7 +61,7 @@ render::DepthOnly meshDepth()
 
 void castShadow(render::Pass& pass, const PlanContext& context)
 {
-    const Surroundings& around = context.surroundings;
+    const SceneLighting& around = context.lighting;
     pass.stage = render::Stage::shadow;
     pass.view = around.exhibitShadowView;
     pass.key = around.exhibitShadowKey;

@@ -23,7 +23,7 @@ void drawSurface(render::Pass&, const Channels&, render::Load = render::Load::ke
 
 /// A pass of meshes with materials, `surfaceDraw`s, in this light, as by `drawSurface`. `defines` are permutations of
 /// shaders/kit/surface.frag. Its depth alone is `meshDepth`: one whose textures cut holes unsets `depthOnly`.
-[[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const Surroundings&, const Channels&,
+[[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const SceneLighting&, const Channels&,
                                        std::vector<std::string> defines = {}, render::Load = render::Load::keep);
 
 /// Why a shadow that `Exhibit::planShadow` adds is there.

@@ -108,7 +108,7 @@ struct SdfPlanner {
     /// What the shading does beside the plain surface: the pass is given the values as far as they are called for.
     void effects(Pass& made) const
     {
-        const Surroundings& around = scene.context.surroundings;
+        const SceneLighting& around = scene.context.lighting;
         const bool heat = values[table.heatMap] != SdfHeatMap::none;
         // A heat map shows what the effects cost, which no light bounds.
         const double any = heat ? std::numeric_limits<double>::infinity() : 1;
@@ -141,7 +141,7 @@ struct SdfPlanner {
         }
         if (isGlass()) made.shader.defines.emplace_back("GLASS");
         if (values[table.heatMap] != SdfHeatMap::none) made.shader.defines.emplace_back("HEAT_MAP");
-        scene.context.surroundings.illuminate(made);
+        scene.context.lighting.bindLighting(made);
         // It shades itself by rays of its own; the exhibits' shadow map is for what others keep from it.
         if (scene.context.alone)
             std::erase_if(made.inputs, [](const render::Input& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
@@ -192,7 +192,7 @@ struct SdfPlanner {
         }
         Pass made = pass("mesh", "compared with the marched object", "kit/sdf/mesh.vert", "kit/sdf/mesh.frag");
         drawSurface(made, {.normal = scene.context.channels.normal});
-        scene.context.surroundings.illuminate(made);
+        scene.context.lighting.bindLighting(made);
         made.draws = {draw(found->value)};
         made.depthOnly = {made.shader};
         made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
@@ -214,7 +214,7 @@ struct SdfPlanner {
         glow.roughness = 1;
         Pass made =
             surfacePass(named("box"), clips ? "the overlay is on; the box clips the object" : "the overlay is on",
-                        scene.context.surroundings, {.normal = scene.context.channels.normal});
+                        scene.context.lighting, {.normal = scene.context.channels.normal});
         const double thickness = 0.006 / glm::length(glm::dvec3(scene.context.worldFromExhibit[0]));
         const glm::dvec3 half = scene.box.halfSize();
         for (int axis = 0; axis < 3; ++axis) {

@@ -114,7 +114,7 @@ void addPicture(Pass& pass, CardObject& object, int slot, const CardPicture& pic
 /// which hangs a quarter further from the card's middle than from its nearest corner.
 render::Bound dispersionBound(const Scene& s)
 {
-    const Surroundings& around = s.context.surroundings;
+    const SceneLighting& around = s.context.lighting;
     const glm::dvec3& sun = around.sunIrradiance;
     const double paper = around.probeLight.radiance +
                          (std::max({sun.x, sun.y, sun.z}) + 1.3 * s.context.values[s.table.lamp]) / std::numbers::pi;
@@ -142,7 +142,7 @@ Pass cardPass(const Scene& s, const Moment& moment, const PreparedCard& prepared
     if (values[s.table.eyes] == CardEyes::anaglyph) pass.shader.defines.emplace_back("ANAGLYPH");
     pass.draws = {s.draw()};
     pass.draws[0].object = render::std140Bytes(object);
-    s.context.surroundings.illuminate(pass);
+    s.context.lighting.bindLighting(pass);
     return pass;
 }
 

@@ -50,7 +50,7 @@ struct Museum::Frame {
     const FrameRequest& request;
     const bool alone;
     const HallScene scene;
-    Surroundings light;
+    SceneLighting light;
     std::vector<Present> present;
     std::vector<PlanContext> contexts;  ///< Of those present.
     render::FramePlan plan;
@@ -185,7 +185,7 @@ void Museum::Frame::begin()
     plan.cut = request.cut;
     plan.allParts = request.finished;
     declareImages(plan);
-    light = surroundings(scene, request.runEverything);
+    light = sceneLighting(scene, request.runEverything);
     light.light.sampleIndex = request.sample;
 }
 
@@ -308,7 +308,7 @@ void Museum::Frame::makeContexts()
     for (const Present& p : present) {
         const ExhibitState state = prepared.state(p.index);
         contexts.push_back({.values = state.values,
-                            .surroundings = light,
+                            .lighting = light,
                             .worldFromExhibit = p.worldFromExhibit,
                             .time = state.time,
                             .channels = request.channels,

@@ -1,7 +1,7 @@
 // Depth and cameras at the ends of their ranges. Each case first shows what the plain formula does.
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/surroundings.h"
+#include "exhibits/framework/scene_lighting.h"
 #include "exhibits/museum/museum.h"
 #include "render/scene/camera.h"
 #include "tests/stability/fields.h"

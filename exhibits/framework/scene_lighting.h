@@ -19,7 +19,7 @@ inline constexpr const char* localShadowImage = "shadow.local";
 
 /// The light that falls on whatever stands in the hall (or alone in its environment): what an exhibit
 /// needs to be lit like everything around it, and to cast its shadow.
-struct Surroundings {
+struct SceneLighting {
     LightBlock light;                   ///< What shaders read; the numbers below are what plans are made by.
     std::vector<render::Input> inputs;  ///< Shadow maps, probe, environment picture.
 
@@ -54,7 +54,7 @@ struct Surroundings {
     std::uint64_t exhibitShadowKey = 0;
 
     /// Gives a pass the light block and everything that shaders/lib/light.glsl samples.
-    void illuminate(render::Pass&) const;
+    void bindLighting(render::Pass&) const;
 };
 
 /// The axis along which an opening is flat: 0, 1 or 2.

@@ -1,4 +1,4 @@
-#include "exhibits/framework/surroundings.h"
+#include "exhibits/framework/scene_lighting.h"
 
 #include "shaders/lib/bindings.glsl"
 
@@ -9,7 +9,7 @@
 
 namespace vitrine {
 
-void Surroundings::illuminate(render::Pass& pass) const
+void SceneLighting::bindLighting(render::Pass& pass) const
 {
     pass.blocks[BLOCK_LIGHT] = render::std140Bytes(light);
     pass.inputs.insert(pass.inputs.end(), inputs.begin(), inputs.end());
