@@ -17,7 +17,7 @@ using render::Json;
 constexpr int timedRuns = 5;
 
 /// The picture's frame once more, one sample, no larger than a tile.
-FrameRequest frameOf(const RequestedPicture& job, const render::Painter& painter)
+FrameRequest frameOf(const RequestedPicture& job, const render::RenderBackend& painter)
 {
     FrameRequest frame = job.request.frame;
     frame.raster.tile =

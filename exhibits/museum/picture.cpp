@@ -37,7 +37,7 @@ constexpr int apron = 8;  ///< Pixels: two cells of the coarsest image that is b
 
 }  // namespace
 
-PictureMaker::PictureMaker(const Museum& museum, render::Painter& painter, SceneState sceneState,
+PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& painter, SceneState sceneState,
                            PictureRequest request)
     : museum_(museum), painter_(painter), sceneState_(std::move(sceneState)), request_(std::move(request))
 {

@@ -2,7 +2,7 @@
 
 #include "exhibits/museum/museum.h"
 #include "render/image/image.h"
-#include "render/plan/painter.h"
+#include "render/plan/render_backend.h"
 
 #include <optional>
 #include <string>
@@ -24,7 +24,7 @@ class PictureMaker {
 public:
     /// SceneState and request are copied; museum and painter must outlive it. Throws Failure (Blame::usage) for a size
     /// without pixels, or whose pixels do not fit into half of the machine's memory.
-    PictureMaker(const Museum&, render::Painter&, SceneState, PictureRequest);
+    PictureMaker(const Museum&, render::RenderBackend&, SceneState, PictureRequest);
 
     /// Draws one sample of one tile; the first one prepares the picture. Returns false when it was already finished.
     bool step();
@@ -49,7 +49,7 @@ private:
     void finish();
 
     const Museum& museum_;
-    render::Painter& painter_;
+    render::RenderBackend& painter_;
     SceneState sceneState_;
     PictureRequest request_;
     std::optional<Prepared> prepared_;  ///< Since the first step.

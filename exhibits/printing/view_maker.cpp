@@ -77,7 +77,7 @@ void sweep(std::vector<ViewShot>& shots, const SceneState& from, const SceneStat
                       "Both ends of the sweep are the same: all views would be; give two different values.");
 }
 
-ViewMaker::ViewMaker(const Museum& museum, render::Painter& painter, std::vector<ViewShot> shots, Take take)
+ViewMaker::ViewMaker(const Museum& museum, render::RenderBackend& painter, std::vector<ViewShot> shots, Take take)
     : museum_(museum), painter_(painter), shots_(std::move(shots)), take_(std::move(take))
 {
 }
@@ -112,7 +112,7 @@ ViewShot depthShot(ViewShot shot, int width)
     return shot;
 }
 
-DepthRange measuredDepth(const Museum& museum, render::Painter& painter, const ViewShot& shot)
+DepthRange measuredDepth(const Museum& museum, render::RenderBackend& painter, const ViewShot& shot)
 {
     const ViewShot quick = depthShot(shot);
     PictureMaker maker(museum, painter, quick.sceneState, quick.request);

@@ -37,7 +37,7 @@ public:
     using Take = std::function<void(int, const render::Image&)>;
 
     /// Museum and painter must outlive it.
-    ViewMaker(const Museum&, render::Painter&, std::vector<ViewShot>, Take);
+    ViewMaker(const Museum&, render::RenderBackend&, std::vector<ViewShot>, Take);
 
     /// Draws one sample of one tile of one view. Returns false when all were already finished.
     bool step();
@@ -45,7 +45,7 @@ public:
 
 private:
     const Museum& museum_;
-    render::Painter& painter_;
+    render::RenderBackend& painter_;
     std::vector<ViewShot> shots_;
     Take take_;
     std::size_t next_ = 0;
@@ -56,6 +56,6 @@ private:
 [[nodiscard]] ViewShot depthShot(ViewShot, int width = 240);
 
 /// How far the shot's scene reaches, by such a quick look.
-[[nodiscard]] DepthRange measuredDepth(const Museum&, render::Painter&, const ViewShot&);
+[[nodiscard]] DepthRange measuredDepth(const Museum&, render::RenderBackend&, const ViewShot&);
 
 }  // namespace vitrine::printing

@@ -69,7 +69,7 @@ std::string faultOfNormals(const std::string& name, const render::Image& image)
 
 }  // namespace
 
-std::string faultOfImages(const render::FramePlan& plan, render::Painter& painter, const Channels& channels)
+std::string faultOfImages(const render::FramePlan& plan, render::RenderBackend& painter, const Channels& channels)
 {
     if (std::string fault = faultOfLight("frame", painter.read("frame")); !fault.empty()) return fault;
     if (std::string fault = faultOfLight(radianceImage, painter.read(radianceImage)); !fault.empty()) return fault;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/exhibit.h"
-#include "render/plan/painter.h"
+#include "render/plan/render_backend.h"
 
 #include <string>
 
@@ -22,6 +22,6 @@ struct Poison {
 /// Empty, or what is wrong with the images of a frame of the museum that was just drawn: NaN or infinity (of a texel
 /// that nobody wrote, too), negative light, a depth outside [0, 1], a normal that is neither 0 nor of unit length.
 /// Looked at are the picture, its channels, and what was drawn for later frames.
-[[nodiscard]] std::string faultOfImages(const render::FramePlan&, render::Painter&, const Channels&);
+[[nodiscard]] std::string faultOfImages(const render::FramePlan&, render::RenderBackend&, const Channels&);
 
 }  // namespace vitrine

@@ -116,7 +116,7 @@ const std::array<Arithmetic, 17> arithmetic{{
 }};
 
 /// One picture of a shader that needs no geometry: `width` × `height` numbers.
-render::Image computed(render::Painter& painter, const char* fragment, std::vector<std::string> defines,
+render::Image computed(render::RenderBackend& painter, const char* fragment, std::vector<std::string> defines,
                        render::Bytes block, glm::ivec2 size)
 {
     render::FramePlan plan;
@@ -188,7 +188,7 @@ StabilityResult judged(const Arithmetic& a, int row, const render::Image& image)
     return result;
 }
 
-StabilityResult fieldsAgainstFloat64(render::Painter& painter)
+StabilityResult fieldsAgainstFloat64(render::RenderBackend& painter)
 {
     const render::Image image = computed(painter, "lib/hard_fields.frag", {}, {}, {pointCount, fieldCount});
     StabilityResult result{"H16", "Solids and operators all over space, against float64", false, 0, 4e-6, {}};
@@ -211,7 +211,7 @@ StabilityResult fieldsAgainstFloat64(render::Painter& painter)
 
 }  // namespace
 
-std::vector<StabilityResult> arithmeticCases(render::Painter& painter)
+std::vector<StabilityResult> arithmeticCases(render::RenderBackend& painter)
 {
     std::array<glm::vec4, arithmetic.size() * inputCount> inputs{};
     for (std::size_t row = 0; row < arithmetic.size(); ++row)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/museum/museum.h"
-#include "render/plan/painter.h"
+#include "render/plan/render_backend.h"
 
 #include <functional>
 #include <string>
@@ -21,16 +21,17 @@ struct StabilityResult {
 
 /// The shader library on the painter's GPU against itself at float64: at the inputs that break plain code, and at
 /// points all over space. Two pictures are drawn.
-[[nodiscard]] std::vector<StabilityResult> arithmeticCases(render::Painter&);
+[[nodiscard]] std::vector<StabilityResult> arithmeticCases(render::RenderBackend&);
 
 /// Promises about pictures that any driver must keep: the same twice, with everything run and over any garbage in
 /// memory, to the bit; by tiles, to half a level; a mean of thousands. Some eight small pictures of every exhibit.
-[[nodiscard]] std::vector<StabilityResult> pictureCases(const Museum&, render::Painter&);
+[[nodiscard]] std::vector<StabilityResult> pictureCases(const Museum&, render::RenderBackend&);
 
 /// The scan of one exhibit (see stability_scan.h) with `count` seeds from `first` on: `value` is how many pictures
 /// had a fault, `detail` the first of them with its seed and what it takes to bring it about. Stops at the third.
 /// `progress` (may be empty) is told after each picture how many were drawn.
-[[nodiscard]] StabilityResult scanExhibit(const Museum&, render::Painter&, std::size_t exhibit, std::uint64_t first,
-                                          int count, const std::function<void(int)>& progress = {});
+[[nodiscard]] StabilityResult scanExhibit(const Museum&, render::RenderBackend&, std::size_t exhibit,
+                                          std::uint64_t first, int count,
+                                          const std::function<void(int)>& progress = {});
 
 }  // namespace vitrine

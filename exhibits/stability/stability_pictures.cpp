@@ -42,7 +42,7 @@ Still still(const Museum& museum, std::size_t i)
     return s;
 }
 
-render::Image picture(const Museum& museum, render::Painter& painter, const Still& s)
+render::Image picture(const Museum& museum, render::RenderBackend& painter, const Still& s)
 {
     PictureMaker maker(museum, painter, s.sceneState, s.request);
     while (maker.step()) {
@@ -51,7 +51,7 @@ render::Image picture(const Museum& museum, render::Painter& painter, const Stil
 }
 
 /// The frame, over memory that holds `poison`.
-render::Image over(const Poison& poison, const Museum& museum, render::Painter& painter, const Still& s)
+render::Image over(const Poison& poison, const Museum& museum, render::RenderBackend& painter, const Still& s)
 {
     (void)painter.draw(
         poisoned(museum.plan(museum.prepare(s.sceneState, s.request.frame), s.request.frame, painter.kept()), poison));
@@ -74,7 +74,7 @@ StabilityResult overExhibits(const Museum& museum, std::string number, std::stri
     return result;
 }
 
-StabilityResult meanOfThousands(render::Painter& painter)
+StabilityResult meanOfThousands(render::RenderBackend& painter)
 {
     constexpr int samples = 4096;
     render::FramePlan plan;
@@ -116,7 +116,7 @@ StabilityResult meanOfThousands(render::Painter& painter)
 
 }  // namespace
 
-std::vector<StabilityResult> pictureCases(const Museum& museum, render::Painter& painter)
+std::vector<StabilityResult> pictureCases(const Museum& museum, render::RenderBackend& painter)
 {
     std::vector<StabilityResult> results;
     results.push_back(overExhibits(museum, "", "The same picture twice", 0, [&](std::size_t i) {
@@ -145,8 +145,8 @@ std::vector<StabilityResult> pictureCases(const Museum& museum, render::Painter&
     return results;
 }
 
-StabilityResult scanExhibit(const Museum& museum, render::Painter& painter, std::size_t exhibit, std::uint64_t first,
-                            int count, const std::function<void(int)>& progress)
+StabilityResult scanExhibit(const Museum& museum, render::RenderBackend& painter, std::size_t exhibit,
+                            std::uint64_t first, int count, const std::function<void(int)>& progress)
 {
     StabilityResult result{"",
                            std::string(museum.subject(exhibit).name()) + ": NaN, infinity or unwritten texels in " +

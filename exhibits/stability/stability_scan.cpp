@@ -154,7 +154,7 @@ ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
     return c;
 }
 
-std::string faultOf(const Museum& museum, render::Painter& painter, const ScanCase& c)
+std::string faultOf(const Museum& museum, render::RenderBackend& painter, const ScanCase& c)
 {
     try {
         const render::FramePlan plan = museum.plan(museum.prepare(c.sceneState, c.frame), c.frame, painter.kept());
@@ -165,7 +165,7 @@ std::string faultOf(const Museum& museum, render::Painter& painter, const ScanCa
     }
 }
 
-std::vector<std::string> causesOf(const Museum& museum, render::Painter& painter, ScanCase c)
+std::vector<std::string> causesOf(const Museum& museum, render::RenderBackend& painter, ScanCase c)
 {
     std::vector<std::string> causes;
     const Subject& subject = museum.subject(c.exhibit);

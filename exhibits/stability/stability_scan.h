@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/museum/museum.h"
-#include "render/plan/painter.h"
+#include "render/plan/render_backend.h"
 
 #include <cstdint>
 #include <string>
@@ -24,10 +24,10 @@ struct ScanCase {
 /// Draws the case over poison and looks at all its images. Empty, or the first fault: NaN or infinity (of a texel
 /// that nobody wrote, too), negative light, a depth outside [0, 1], a normal that is neither 0 nor of unit length,
 /// or what the painter threw.
-[[nodiscard]] std::string faultOf(const Museum&, render::Painter&, const ScanCase&);
+[[nodiscard]] std::string faultOf(const Museum&, render::RenderBackend&, const ScanCase&);
 
 /// What it takes to bring the fault about: everything random that cannot be set back to its plain value without the
 /// fault vanishing, as "roughness 0.98" or "time 1e+09 s". Draws as many pictures as there are settings.
-[[nodiscard]] std::vector<std::string> causesOf(const Museum&, render::Painter&, ScanCase);
+[[nodiscard]] std::vector<std::string> causesOf(const Museum&, render::RenderBackend&, ScanCase);
 
 }  // namespace vitrine

@@ -78,7 +78,7 @@ render::Image resampled(const render::Image& from, glm::ivec2 size)
 
 }  // namespace
 
-Study::Study(const Museum& museum, render::Painter& painter, StudyRequest request)
+Study::Study(const Museum& museum, render::RenderBackend& painter, StudyRequest request)
     : museum_(museum), painter_(painter), request_(std::move(request)), judge_(museum.subjects(), request_),
       search_(
           museum.subjects(), request_, result_, [this](const Setting& setting) { addSetting(setting); },

@@ -18,7 +18,7 @@ namespace vitrine {
 class Study {
 public:
     /// The museum and the painter must outlive it. Throws Failure (Blame::usage) when there is nothing to measure.
-    Study(const Museum&, render::Painter&, StudyRequest);
+    Study(const Museum&, render::RenderBackend&, StudyRequest);
     ~Study();
     Study(const Study&) = delete;  // Its search refers to it.
     Study& operator=(const Study&) = delete;
@@ -71,7 +71,7 @@ private:
     void tryCandidate();
 
     const Museum& museum_;
-    render::Painter& painter_;
+    render::RenderBackend& painter_;
     StudyRequest request_;
     StudyResult result_;
     StudyJudge judge_;

@@ -3,7 +3,7 @@
 #include "render/gl/screen_pixels.h"
 #include "render/gl/shared_context.h"
 #include "render/gl/stored.h"
-#include "render/plan/painter.h"
+#include "render/plan/render_backend.h"
 
 #include <cstdint>
 #include <exception>
@@ -31,7 +31,7 @@ struct ShaderProblem {
 /// Executes frame plans on the OpenGL 4.5 core context that is current, at construction and at every call, on one
 /// thread: drawing on another one is a std::logic_error. Images are kept while frames declare or use them, meshes and
 /// pictures while their originals live, programs while they are among the last ones used (ProgramCache::mostIdle).
-class Renderer final : public Painter {
+class Renderer final : public RenderBackend {
 public:
     Renderer();
     /// Another one on the same context, with images of its own: programs, meshes and pictures are there once for both.

@@ -101,7 +101,7 @@ TEST_F(MadeRows, AreStudied)
     std::vector<std::string> notes;
     const StudyRequest request = app::studyRequest(museum_, options, notes);
     EXPECT_EQ(rowOf(request.sceneState, request.axes.at(0)).name, "redRings");
-    test::KnownPainter painter;
+    test::KnownBackend painter;
     Study study(museum_, painter, request);
     while (study.step()) {
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/plan/painter.h"
+#include "render/plan/render_backend.h"
 
 #include <QTimer>
 #include <QWidget>

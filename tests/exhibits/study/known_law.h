@@ -72,7 +72,7 @@ private:
 };
 
 /// Draws what KnownExhibit says; its milliseconds are the work, with noise where asked for.
-class KnownPainter final : public render::Painter {
+class KnownBackend final : public render::RenderBackend {
 public:
     double timeNoise = 0;
     int drawn = 0;

@@ -63,7 +63,7 @@ struct Subject {
 
     KnownTable table;
     Museum museum{allExhibits()};
-    KnownPainter painter;
+    KnownBackend painter;
 };
 
 double valueOf(const StudyRequest& r, const StudyPoint& p, std::size_t axis = 0)

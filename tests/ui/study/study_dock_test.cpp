@@ -42,7 +42,7 @@ std::vector<std::unique_ptr<Exhibit>> knownExhibit()
 }
 
 /// Takes its time, so that there is something to see while it measures.
-class SlowPainter final : public render::Painter {
+class SlowBackend final : public render::RenderBackend {
 public:
     render::FrameReport draw(const render::FramePlan& plan) override
     {
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] int largestSide() const override { return known_.largestSide(); }
 
 private:
-    test::KnownPainter known_;
+    test::KnownBackend known_;
 };
 
 /// A museum, and renderers that measure it by a painter without GL. Nothing else of them is asked for.
@@ -83,7 +83,7 @@ public:
     {
         measuredOn = std::this_thread::get_id();
         StudyJob job;
-        job.painter = std::make_unique<SlowPainter>();
+        job.painter = std::make_unique<SlowBackend>();
         job.study = std::make_unique<Study>(museum, *job.painter, request);
         return job;
     }

@@ -34,9 +34,9 @@ struct FrameReport {
 };
 
 /// Draws frame plans. The renderer implements it with OpenGL; tests replace it.
-class Painter {
+class RenderBackend {
 public:
-    virtual ~Painter() = default;
+    virtual ~RenderBackend() = default;
 
     /// Throws Failure (Blame::shader) when a program does not build; what was drawn before stays readable.
     virtual FrameReport draw(const FramePlan&) = 0;
