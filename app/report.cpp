@@ -17,11 +17,11 @@ using render::Json;
 constexpr int timedRuns = 5;
 
 /// The picture's frame once more, one sample, no larger than a tile.
-FrameRequest frameOf(const RequestedPicture& job, const render::RenderBackend& painter)
+FrameRequest frameOf(const RequestedPicture& job, const render::RenderBackend& backend)
 {
     FrameRequest frame = job.request.frame;
     frame.raster.tile =
-        glm::min(frame.raster.size, glm::ivec2(std::min(job.request.largestTile, painter.largestSide())));
+        glm::min(frame.raster.size, glm::ivec2(std::min(job.request.largestTile, backend.largestSide())));
     return frame;
 }
 

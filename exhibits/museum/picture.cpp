@@ -37,9 +37,9 @@ constexpr int apron = 8;  ///< Pixels: two cells of the coarsest image that is b
 
 }  // namespace
 
-PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& painter, SceneState sceneState,
+PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& backend, SceneState sceneState,
                            PictureRequest request)
-    : museum_(museum), painter_(painter), sceneState_(std::move(sceneState)), request_(std::move(request))
+    : museum_(museum), backend_(backend), sceneState_(std::move(sceneState)), request_(std::move(request))
 {
     const glm::ivec2 size = request_.frame.raster.size;
     if (size.x < 1 || size.y < 1)
@@ -51,10 +51,10 @@ PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& painter,
     if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
     requireMemory(size, names.size());
     request_.samples = std::max(request_.samples, 1);
-    int side = std::max(std::min(request_.largestTile, painter_.largestSide()), 1);
+    int side = std::max(std::min(request_.largestTile, backend_.largestSide()), 1);
     // A tile is drawn with the pixels around it, for effects that look at a pixel's neighbors.
     const bool whole = side >= size.x && side >= size.y;
-    if (!whole) side = std::max(std::min(side, painter_.largestSide() - 2 * apron), 1);
+    if (!whole) side = std::max(std::min(side, backend_.largestSide() - 2 * apron), 1);
     // Textures are filtered by differences within blocks of 2 × 2 pixels: these must lie as in the whole picture.
     if (side > 1) side -= side % 2;
     for (int y = 0; y < size.y; y += side) {
@@ -94,7 +94,7 @@ bool PictureMaker::step()
     // A finished picture is a function of what was asked for, whatever was drawn before, other tiles included.
     frame.cut = frame.finished = true;
     if (!prepared_) prepared_ = museum_.prepare(sceneState_, request_.frame);
-    render::FrameReport report = painter_.draw(museum_.plan(*prepared_, frame, painter_.kept()));
+    render::FrameReport report = backend_.draw(museum_.plan(*prepared_, frame, backend_.kept()));
     if (stepsDone_ == 0) report_ = std::move(report);
     if (frame.sample == 0) takeChannels(tile);
     if (frame.sample == request_.samples - 1) takeColor(tile);
@@ -107,22 +107,22 @@ void PictureMaker::takeChannels(const Tile& tile)
 {
     int next = 4;
     if (request_.depth) {
-        render::Image depth = painter_.read(depthImage);
+        render::Image depth = backend_.read(depthImage);
         const double nearPlane = render::View{}.nearPlane;
         for (float& d : depth.pixels)
             d = d > 0 ? static_cast<float>(nearPlane / d) : std::numeric_limits<float>::infinity();
         copyChannels(depth, tile, 0, 1, next++);
     }
     if (request_.frame.channels.normal) {
-        copyChannels(painter_.read(normalImage), tile, 0, 3, next);
+        copyChannels(backend_.read(normalImage), tile, 0, 3, next);
         next += 3;
     }
-    if (request_.frame.channels.evaluations) copyChannels(painter_.read(evaluationsImage), tile, 0, 1, next);
+    if (request_.frame.channels.evaluations) copyChannels(backend_.read(evaluationsImage), tile, 0, 1, next);
 }
 
 void PictureMaker::takeColor(const Tile& tile)
 {
-    copyChannels(painter_.read("frame"), tile, 0, 4, 0);
+    copyChannels(backend_.read("frame"), tile, 0, 4, 0);
 }
 
 void PictureMaker::copyChannels(const render::Image& from, const Tile& tile, int first, int count, int to)

@@ -49,7 +49,7 @@ private:
     void finish();
 
     const Museum& museum_;
-    render::RenderBackend& painter_;
+    render::RenderBackend& backend_;
     SceneState sceneState_;
     PictureRequest request_;
     std::optional<Prepared> prepared_;  ///< Since the first step.

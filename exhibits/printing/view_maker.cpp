@@ -77,8 +77,8 @@ void sweep(std::vector<ViewShot>& shots, const SceneState& from, const SceneStat
                       "Both ends of the sweep are the same: all views would be; give two different values.");
 }
 
-ViewMaker::ViewMaker(const Museum& museum, render::RenderBackend& painter, std::vector<ViewShot> shots, Take take)
-    : museum_(museum), painter_(painter), shots_(std::move(shots)), take_(std::move(take))
+ViewMaker::ViewMaker(const Museum& museum, render::RenderBackend& backend, std::vector<ViewShot> shots, Take take)
+    : museum_(museum), backend_(backend), shots_(std::move(shots)), take_(std::move(take))
 {
 }
 
@@ -91,7 +91,7 @@ double ViewMaker::progress() const
 bool ViewMaker::step()
 {
     if (next_ == shots_.size()) return false;
-    if (!maker_) maker_.emplace(museum_, painter_, shots_[next_].sceneState, shots_[next_].request);
+    if (!maker_) maker_.emplace(museum_, backend_, shots_[next_].sceneState, shots_[next_].request);
     maker_->step();
     if (!maker_->finished()) return true;
     take_(static_cast<int>(next_), maker_->picture());
@@ -112,10 +112,10 @@ ViewShot depthShot(ViewShot shot, int width)
     return shot;
 }
 
-DepthRange measuredDepth(const Museum& museum, render::RenderBackend& painter, const ViewShot& shot)
+DepthRange measuredDepth(const Museum& museum, render::RenderBackend& backend, const ViewShot& shot)
 {
     const ViewShot quick = depthShot(shot);
-    PictureMaker maker(museum, painter, quick.sceneState, quick.request);
+    PictureMaker maker(museum, backend, quick.sceneState, quick.request);
     while (maker.step()) {
     }
     return depthRange(maker.picture());

@@ -45,7 +45,7 @@ public:
 
 private:
     const Museum& museum_;
-    render::RenderBackend& painter_;
+    render::RenderBackend& backend_;
     std::vector<ViewShot> shots_;
     Take take_;
     std::size_t next_ = 0;

@@ -69,22 +69,22 @@ std::string faultOfNormals(const std::string& name, const render::Image& image)
 
 }  // namespace
 
-std::string faultOfImages(const render::FramePlan& plan, render::RenderBackend& painter, const Channels& channels)
+std::string faultOfImages(const render::FramePlan& plan, render::RenderBackend& backend, const Channels& channels)
 {
-    if (std::string fault = faultOfLight("frame", painter.read("frame")); !fault.empty()) return fault;
-    if (std::string fault = faultOfLight(radianceImage, painter.read(radianceImage)); !fault.empty()) return fault;
-    if (std::string fault = faultOfDepth(depthImage, painter.read(depthImage), true); !fault.empty()) return fault;
+    if (std::string fault = faultOfLight("frame", backend.read("frame")); !fault.empty()) return fault;
+    if (std::string fault = faultOfLight(radianceImage, backend.read(radianceImage)); !fault.empty()) return fault;
+    if (std::string fault = faultOfDepth(depthImage, backend.read(depthImage), true); !fault.empty()) return fault;
     if (channels.normal) {
-        if (std::string fault = faultOfNormals(normalImage, painter.read(normalImage)); !fault.empty()) return fault;
+        if (std::string fault = faultOfNormals(normalImage, backend.read(normalImage)); !fault.empty()) return fault;
     }
     if (channels.evaluations) {
-        if (std::string fault = faultOfLight(evaluationsImage, painter.read(evaluationsImage)); !fault.empty())
+        if (std::string fault = faultOfLight(evaluationsImage, backend.read(evaluationsImage)); !fault.empty())
             return fault;
     }
     for (const std::string& name : writtenBy(plan)) {
         const auto info = plan.images().find(name);
         if (info == plan.images().end() || !info->second.kept) continue;
-        const render::Image image = painter.read(name);
+        const render::Image image = backend.read(name);
         std::string fault = info->second.format == render::Format::depth32f
                                 ? faultOfDepth(name, image, false)
                                 : firstFault(image, [&](int x, int y, int c) {

@@ -116,7 +116,7 @@ const std::array<Arithmetic, 17> arithmetic{{
 }};
 
 /// One picture of a shader that needs no geometry: `width` × `height` numbers.
-render::Image computed(render::RenderBackend& painter, const char* fragment, std::vector<std::string> defines,
+render::Image computed(render::RenderBackend& backend, const char* fragment, std::vector<std::string> defines,
                        render::Bytes block, glm::ivec2 size)
 {
     render::FramePlan plan;
@@ -130,8 +130,8 @@ render::Image computed(render::RenderBackend& painter, const char* fragment, std
     pass.draws = {render::Draw{}};
     pass.draws[0].object = std::move(block);
     plan.add(std::move(pass));
-    (void)painter.draw(plan);
-    return painter.read("found");
+    (void)backend.draw(plan);
+    return backend.read("found");
 }
 
 /// Row `row` of a picture whose row 0 is at the bottom.
@@ -188,9 +188,9 @@ StabilityResult judged(const Arithmetic& a, int row, const render::Image& image)
     return result;
 }
 
-StabilityResult fieldsAgainstFloat64(render::RenderBackend& painter)
+StabilityResult fieldsAgainstFloat64(render::RenderBackend& backend)
 {
-    const render::Image image = computed(painter, "lib/hard_fields.frag", {}, {}, {pointCount, fieldCount});
+    const render::Image image = computed(backend, "lib/hard_fields.frag", {}, {}, {pointCount, fieldCount});
     StabilityResult result{"H16", "Solids and operators all over space, against float64", false, 0, 4e-6, {}};
     int worst = 0;
     for (int field = 0; field < fieldCount; ++field) {
@@ -211,7 +211,7 @@ StabilityResult fieldsAgainstFloat64(render::RenderBackend& painter)
 
 }  // namespace
 
-std::vector<StabilityResult> arithmeticCases(render::RenderBackend& painter)
+std::vector<StabilityResult> arithmeticCases(render::RenderBackend& backend)
 {
     std::array<glm::vec4, arithmetic.size() * inputCount> inputs{};
     for (std::size_t row = 0; row < arithmetic.size(); ++row)
@@ -220,13 +220,13 @@ std::vector<StabilityResult> arithmeticCases(render::RenderBackend& painter)
     const int rows = static_cast<int>(arithmetic.size());
     render::Std140Writer inputBlock;
     inputBlock.put(inputs);
-    const render::Image image = computed(painter, "lib/hard_cases.frag",
+    const render::Image image = computed(backend, "lib/hard_cases.frag",
                                          {"INPUTS " + std::to_string(inputCount), "CASES " + std::to_string(rows)},
                                          inputBlock.take(), {inputCount, rows});
     std::vector<StabilityResult> results;
     for (int row = 0; row < rows; ++row)
         results.push_back(judged(arithmetic[static_cast<std::size_t>(row)], row, image));
-    results.push_back(fieldsAgainstFloat64(painter));
+    results.push_back(fieldsAgainstFloat64(backend));
     return results;
 }
 

@@ -42,20 +42,20 @@ Still still(const Museum& museum, std::size_t i)
     return s;
 }
 
-render::Image picture(const Museum& museum, render::RenderBackend& painter, const Still& s)
+render::Image picture(const Museum& museum, render::RenderBackend& backend, const Still& s)
 {
-    PictureMaker maker(museum, painter, s.sceneState, s.request);
+    PictureMaker maker(museum, backend, s.sceneState, s.request);
     while (maker.step()) {
     }
     return maker.picture();
 }
 
 /// The frame, over memory that holds `poison`.
-render::Image over(const Poison& poison, const Museum& museum, render::RenderBackend& painter, const Still& s)
+render::Image over(const Poison& poison, const Museum& museum, render::RenderBackend& backend, const Still& s)
 {
-    (void)painter.draw(
-        poisoned(museum.plan(museum.prepare(s.sceneState, s.request.frame), s.request.frame, painter.kept()), poison));
-    return painter.read("frame");
+    (void)backend.draw(
+        poisoned(museum.plan(museum.prepare(s.sceneState, s.request.frame), s.request.frame, backend.kept()), poison));
+    return backend.read("frame");
 }
 
 /// Asks every exhibit for a difference that may not be above `limit`, and keeps the largest.
@@ -74,7 +74,7 @@ StabilityResult overExhibits(const Museum& museum, std::string number, std::stri
     return result;
 }
 
-StabilityResult meanOfThousands(render::RenderBackend& painter)
+StabilityResult meanOfThousands(render::RenderBackend& backend)
 {
     constexpr int samples = 4096;
     render::FramePlan plan;
@@ -104,48 +104,48 @@ StabilityResult meanOfThousands(render::RenderBackend& painter)
         average.state.meanWeight = 1.0F / static_cast<float>(i + 1);
         plan.add(std::move(average));
     }
-    (void)painter.draw(plan);
+    (void)backend.draw(plan);
     StabilityResult result{"H115", "Mean of 4096 samples of one",
-                           false,  std::abs(1.0 - static_cast<double>(painter.read("mean").at(0, 0, 0))),
+                           false,  std::abs(1.0 - static_cast<double>(backend.read("mean").at(0, 0, 0))),
                            1e-6,   {}};
     result.passed = result.value <= result.limit;
     result.detail = "a sum in half precision ends at " +
-                    std::to_string(static_cast<int>(painter.read("sum").at(0, 0, 0))) + " here";
+                    std::to_string(static_cast<int>(backend.read("sum").at(0, 0, 0))) + " here";
     return result;
 }
 
 }  // namespace
 
-std::vector<StabilityResult> pictureCases(const Museum& museum, render::RenderBackend& painter)
+std::vector<StabilityResult> pictureCases(const Museum& museum, render::RenderBackend& backend)
 {
     std::vector<StabilityResult> results;
     results.push_back(overExhibits(museum, "", "The same picture twice", 0, [&](std::size_t i) {
         const Still s = still(museum, i);
-        return difference(picture(museum, painter, s), picture(museum, painter, s));
+        return difference(picture(museum, backend, s), picture(museum, backend, s));
     }));
     // Rays are the same to the bit; what is rasterized is interpolated over other corners, to less than half a level.
     results.push_back(overExhibits(museum, "", "The same picture in tiles", 0.5 / 255, [&](std::size_t i) {
         Still s = still(museum, i);
-        const render::Image whole = picture(museum, painter, s);
+        const render::Image whole = picture(museum, backend, s);
         s.request.largestTile = 16;
-        return difference(whole, picture(museum, painter, s));
+        return difference(whole, picture(museum, backend, s));
     }));
     results.push_back(overExhibits(museum, "", "The same picture with every pass run", 0, [&](std::size_t i) {
         Still s = still(museum, i);
-        const render::Image called = picture(museum, painter, s);
+        const render::Image called = picture(museum, backend, s);
         s.request.frame.runEverything = true;
-        return difference(called, picture(museum, painter, s));
+        return difference(called, picture(museum, backend, s));
     }));
     results.push_back(overExhibits(museum, "H108", "The same picture whatever was in memory", 0, [&](std::size_t i) {
         const Still s = still(museum, i);
-        const render::Image one = over(spreadingPoison(), museum, painter, s);
-        return difference(one, over({glm::vec4(3e4F, -3e4F, 7, 0.5F), 0.25F}, museum, painter, s));
+        const render::Image one = over(spreadingPoison(), museum, backend, s);
+        return difference(one, over({glm::vec4(3e4F, -3e4F, 7, 0.5F), 0.25F}, museum, backend, s));
     }));
-    results.push_back(meanOfThousands(painter));
+    results.push_back(meanOfThousands(backend));
     return results;
 }
 
-StabilityResult scanExhibit(const Museum& museum, render::RenderBackend& painter, std::size_t exhibit,
+StabilityResult scanExhibit(const Museum& museum, render::RenderBackend& backend, std::size_t exhibit,
                             std::uint64_t first, int count, const std::function<void(int)>& progress)
 {
     StabilityResult result{"",
@@ -158,14 +158,14 @@ StabilityResult scanExhibit(const Museum& museum, render::RenderBackend& painter
     for (int i = 0; i < count && result.value < 3; ++i) {
         const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
         const ScanCase c = scanCase(museum, exhibit, seed);
-        const std::string fault = faultOf(museum, painter, c);
+        const std::string fault = faultOf(museum, backend, c);
         if (progress) progress(i + 1);
         if (fault.empty()) continue;
         result.passed = false;
         result.value += 1;
         if (!result.detail.empty()) continue;
         result.detail = "seed " + std::to_string(seed) + ": " + fault + ", because of";
-        for (const std::string& cause : causesOf(museum, painter, c)) result.detail += " [" + cause + ']';
+        for (const std::string& cause : causesOf(museum, backend, c)) result.detail += " [" + cause + ']';
     }
     return result;
 }

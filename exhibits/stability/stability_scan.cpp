@@ -154,18 +154,18 @@ ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
     return c;
 }
 
-std::string faultOf(const Museum& museum, render::RenderBackend& painter, const ScanCase& c)
+std::string faultOf(const Museum& museum, render::RenderBackend& backend, const ScanCase& c)
 {
     try {
-        const render::FramePlan plan = museum.plan(museum.prepare(c.sceneState, c.frame), c.frame, painter.kept());
-        (void)painter.draw(poisoned(plan, spreadingPoison()));
-        return faultOfImages(plan, painter, c.frame.channels);
+        const render::FramePlan plan = museum.plan(museum.prepare(c.sceneState, c.frame), c.frame, backend.kept());
+        (void)backend.draw(poisoned(plan, spreadingPoison()));
+        return faultOfImages(plan, backend, c.frame.channels);
     } catch (const std::exception& error) {
         return std::string("failed: ") + error.what();
     }
 }
 
-std::vector<std::string> causesOf(const Museum& museum, render::RenderBackend& painter, ScanCase c)
+std::vector<std::string> causesOf(const Museum& museum, render::RenderBackend& backend, ScanCase c)
 {
     std::vector<std::string> causes;
     const Subject& subject = museum.subject(c.exhibit);
@@ -173,7 +173,7 @@ std::vector<std::string> causesOf(const Museum& museum, render::RenderBackend& p
     const auto tryPlain = [&](const std::string& name, const std::function<void(ScanCase&)>& setBack) {
         ScanCase plain = c;
         setBack(plain);
-        if (faultOf(museum, painter, plain).empty())
+        if (faultOf(museum, backend, plain).empty())
             causes.push_back(name);
         else
             c = std::move(plain);

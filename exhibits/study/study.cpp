@@ -78,8 +78,8 @@ render::Image resampled(const render::Image& from, glm::ivec2 size)
 
 }  // namespace
 
-Study::Study(const Museum& museum, render::RenderBackend& painter, StudyRequest request)
-    : museum_(museum), painter_(painter), request_(std::move(request)), judge_(museum.subjects(), request_),
+Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest request)
+    : museum_(museum), backend_(backend), request_(std::move(request)), judge_(museum.subjects(), request_),
       search_(
           museum.subjects(), request_, result_, [this](const Setting& setting) { addSetting(setting); },
           [this] { judge(); })
@@ -232,7 +232,7 @@ void Study::addPicture(std::string name, SceneState sceneState, std::size_t view
     jobs_.push_back({std::move(name), [this, sceneState = std::move(sceneState), view, maker = std::move(none),
                                        take = std::move(take)]() mutable {
                          if (!maker)
-                             maker = std::make_shared<PictureMaker>(museum_, painter_, sceneState,
+                             maker = std::make_shared<PictureMaker>(museum_, backend_, sceneState,
                                                                     pictureRequest(sceneState, view));
                          maker->step();
                          if (!maker->finished()) return false;
@@ -292,12 +292,12 @@ void Study::addSetting(const Setting& setting)
 render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t view)
 {
     // What the studied parameters change is drawn anew, however often it was drawn: it is what they cost.
-    render::KeptKeys kept = painter_.kept();
+    render::KeptKeys kept = backend_.kept();
     for (const std::string& pass : dependentPasses_) kept.passes.erase(pass);
     FrameRequest frame = pictureRequest(sceneState, view).frame;
     frame.channels = {};
     frame.cut = frame.finished = true;  // As the pictures that it is the time of.
-    render::FrameReport report = painter_.draw(museum_.plan(museum_.prepare(sceneState, frame), frame, kept));
+    render::FrameReport report = backend_.draw(museum_.plan(museum_.prepare(sceneState, frame), frame, kept));
     result_.clock = report.clock;
     result_.clockTrusted = report.clockTrusted;
     result_.overheadMilliseconds = report.overheadMilliseconds;

@@ -71,7 +71,7 @@ private:
     void tryCandidate();
 
     const Museum& museum_;
-    render::RenderBackend& painter_;
+    render::RenderBackend& backend_;
     StudyRequest request_;
     StudyResult result_;
     StudyJudge judge_;

@@ -101,8 +101,8 @@ TEST_F(MadeRows, AreStudied)
     std::vector<std::string> notes;
     const StudyRequest request = app::studyRequest(museum_, options, notes);
     EXPECT_EQ(rowOf(request.sceneState, request.axes.at(0)).name, "redRings");
-    test::KnownBackend painter;
-    Study study(museum_, painter, request);
+    test::KnownBackend backend;
+    Study study(museum_, backend, request);
     while (study.step()) {
     }
     const std::vector<StudyPoint>& points = study.result().points;

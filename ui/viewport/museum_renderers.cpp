@@ -112,8 +112,8 @@ void MuseumRenderers::nextPicture(PictureJob& job, const SceneState& sceneState,
 StudyJob MuseumRenderers::makeStudy(const StudyRequest& request)
 {
     StudyJob job;
-    job.painter = renderer_->sibling();
-    job.study = std::make_unique<Study>(museum_, *job.painter, request);
+    job.backend = renderer_->sibling();
+    job.study = std::make_unique<Study>(museum_, *job.backend, request);
     return job;
 }
 

@@ -21,7 +21,7 @@ struct PictureJob {
 
 /// A study on a renderer of its own.
 struct StudyJob {
-    std::unique_ptr<render::RenderBackend> painter;
+    std::unique_ptr<render::RenderBackend> backend;
     std::unique_ptr<Study> study;
 };
 

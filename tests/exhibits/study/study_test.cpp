@@ -52,7 +52,7 @@ struct Subject {
     }
     StudyResult run(const StudyRequest& r)
     {
-        Study study(museum, painter, r);
+        Study study(museum, backend, r);
         while (study.step()) {
             EXPECT_GE(study.progress(), 0);
             EXPECT_LE(study.progress(), 1);
@@ -63,7 +63,7 @@ struct Subject {
 
     KnownTable table;
     Museum museum{allExhibits()};
-    KnownBackend painter;
+    KnownBackend backend;
 };
 
 double valueOf(const StudyRequest& r, const StudyPoint& p, std::size_t axis = 0)
@@ -217,8 +217,8 @@ TEST(Study, MeasuresFinishedPicturesThatDoNotBuildOnEachOther)
 {
     Subject subject(sumOfParts());
     (void)subject.run(subject.request({"steps"}));
-    EXPECT_GT(subject.painter.drawn, 10);
-    EXPECT_EQ(subject.painter.provisional, 0);
+    EXPECT_GT(subject.backend.drawn, 10);
+    EXPECT_EQ(subject.backend.provisional, 0);
 }
 
 TEST(Study, OfTwoParametersIsEverySettingOfBoth)
@@ -294,7 +294,7 @@ TEST(Study, LeavesTheLookAsItWasHoweverEarlyItStops)
     const StudyRequest request = subject.request({"steps", "rays"});
     const SceneState before = request.sceneState;
     for (const int stopAfter : {0, 1, 7, 40}) {
-        Study study(subject.museum, subject.painter, request);
+        Study study(subject.museum, subject.backend, request);
         for (int i = 0; i < stopAfter; ++i) study.step();
         EXPECT_TRUE(study.request().sceneState == before);
         EXPECT_TRUE(request.sceneState == before);
@@ -378,8 +378,8 @@ TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
     };
     for (const unsigned seed : {1U, 2U, 3U}) {
         Subject subject(law);
-        subject.painter.timeNoise = 0.06;
-        subject.painter.seed(seed);
+        subject.backend.timeNoise = 0.06;
+        subject.backend.seed(seed);
         StudyRequest request = subject.request({"steps", "rays", "method", "shortcut"}, 5);
         request.settings = 120;
         request.runs = 15;
@@ -471,10 +471,10 @@ TEST(Study, RefusesWhatItCannotMeasure)
 {
     Subject subject(sumOfParts());
     EXPECT_FALSE(studyAxis(subject.museum.initialSceneState(), 1, *subject.table.find("hue"), 5));
-    EXPECT_THROW(Study(subject.museum, subject.painter, subject.request({})), Failure);
+    EXPECT_THROW(Study(subject.museum, subject.backend, subject.request({})), Failure);
     StudyRequest decibels = subject.request({"steps"});
     decibels.metric = render::Metric::psnr;
-    EXPECT_THROW(Study(subject.museum, subject.painter, decibels), Failure);
+    EXPECT_THROW(Study(subject.museum, subject.backend, decibels), Failure);
 }
 
 TEST(Study, ResolutionAndSupersamplesAreParametersOfEveryPicture)

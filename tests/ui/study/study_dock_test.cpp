@@ -83,8 +83,8 @@ public:
     {
         measuredOn = std::this_thread::get_id();
         StudyJob job;
-        job.painter = std::make_unique<SlowBackend>();
-        job.study = std::make_unique<Study>(museum, *job.painter, request);
+        job.backend = std::make_unique<SlowBackend>();
+        job.study = std::make_unique<Study>(museum, *job.backend, request);
         return job;
     }
 };
