@@ -11,7 +11,7 @@ render::ResourceId planMarch(const RaysScene& s, render::FramePlan& plan)
                                                      .size = s.coarseSize,
                                                      .nearest = true});
     render::Pass pass = s.pass("march", "the sun's beams are in view", "crepuscular_rays/march.frag");
-    pass.stage = render::Stage::volume;
+    pass.phase = render::PassPhase::volume;
     pass.colors = {render::Attachment::cleared(scattered)};
     s.context.lighting.bindLighting(pass);
     std::erase_if(pass.inputs, [](const render::Input& input) {

@@ -34,7 +34,7 @@ void planComposite(const RaysScene& s, const RayImages& made, render::Bound boun
     render::Pass pass = s.pass(
         "composite", view == RayView::picture ? "the beams lie over the picture" : "the view of the beams alone is on",
         "crepuscular_rays/composite.frag");
-    pass.stage = render::Stage::volume;
+    pass.phase = render::PassPhase::volume;
     pass.bound = std::move(bound);
     pass.colors = {render::Attachment::whole(radianceImage)};
     pass.state.blend = view == RayView::picture ? render::Blend::premultiplied : render::Blend::none;

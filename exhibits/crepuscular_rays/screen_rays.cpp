@@ -43,7 +43,7 @@ void planLoop(const RaysScene& s, const ResourceId& mask, const ResourceId& rays
                        inPlaceOfPasses ? "a tile cannot look into its neighbors' passes, so one loop takes their place"
                                        : "the sky shines into the picture",
                        "crepuscular_rays/loop.frag");
-    pass.stage = render::Stage::volume;
+    pass.phase = render::PassPhase::volume;
     if (plain) pass.shader.defines.emplace_back("PLAIN_SUM");
     pass.colors = {Attachment::cleared(rays)};
     pass.inputs = {{UNIT_EXHIBIT_A, mask}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, std::string(depthImage)}};
@@ -67,7 +67,7 @@ void planTaps(const RaysScene& s, const ResourceId& mask, const ResourceId& rays
                                                  between("crepuscular_rays.middle"), rays};
     for (int i = 0; i < passesOfTaps; ++i) {
         Pass pass = s.pass(names[i], "the sky shines into the picture", "crepuscular_rays/taps.frag");
-        pass.stage = render::Stage::volume;
+        pass.phase = render::PassPhase::volume;
         pass.colors = {Attachment::cleared(images[i + 1])};
         pass.inputs = {
             {UNIT_EXHIBIT_A, images[i]}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, std::string(depthImage)}};
@@ -99,7 +99,7 @@ ResourceId planPolar(RaysScene& s, const ResourceId& mask, render::FramePlan& pl
                                          .repeat = true});
     Pass pass = s.pass("polar", "the sky shines into the picture", "");
     pass.work = render::Work::compute;
-    pass.stage = render::Stage::volume;
+    pass.phase = render::PassPhase::volume;
     pass.shader.vertex.clear();
     pass.shader.compute = "crepuscular_rays/polar.comp";
     pass.storage = {Attachment::whole(polar)};
@@ -133,7 +133,7 @@ ResourceId planMask(const RaysScene& s, render::FramePlan& plan)
         plan.image({.name = "crepuscular_rays.mask", .format = render::Format::rgba16f, .size = s.maskSize});
     Pass pass = s.pass("mask", "the sky is in view", "crepuscular_rays/mask.frag");
     // What is not covered tells the sky only as long as the sky is not drawn; depth is ready when all is.
-    pass.stage = alpha ? render::Stage::opaque : render::Stage::volume;
+    pass.phase = alpha ? render::PassPhase::opaque : render::PassPhase::volume;
     if (alpha) pass.shader.defines.emplace_back("FROM_ALPHA");
     if (occluders) pass.view = s.wholeView;
     pass.colors = {Attachment::cleared(mask)};

@@ -280,7 +280,7 @@ void Fur::planMotion(const PlanContext& context, render::FramePlan& plan) const
     render::Pass pass;
     pass.name = motion;
     pass.reason = now.reason;
-    pass.stage = render::Stage::simulate;
+    pass.phase = render::PassPhase::simulate;
     pass.work = render::Work::simulation;
     pass.writes = {"fur.bodies"};
     pass.counts["simulationSteps"] = now.steps;

@@ -180,7 +180,7 @@ struct Planner {
         Pass made = exhibitPass("fur/floor",
                                 scene.context.alone ? "they stand on something" : "the bodies keep light off the floor",
                                 values(), "fur/floor.vert", "fur/floor.frag");
-        made.stage = render::Stage::transparent;
+        made.phase = render::PassPhase::transparent;
         if (scene.context.alone)
             made.shader.defines.emplace_back("ALONE");
         else

@@ -35,7 +35,7 @@ void planDevelop(const SceneLighting& lighting, const FrameRequest& request, ren
         if (averaged) plan.image({.name = target, .format = render::Format::rgba16f});
         render::Pass tone =
             fullscreen("tone", "lib/tonemap.frag", source, target, "the screen shows less than the eye sees");
-        tone.stage = render::Stage::resolve;
+        tone.phase = render::PassPhase::resolve;
         tone.blocks[BLOCK_LIGHT] = render::std140Bytes(lighting.light);  // For the exposure alone: no map, no probe.
         tone.bound = {1, 1, {}};  // What is shown lies between 0 and 1, whatever the light.
         // Every pixel is written, so what was in the image before is of no interest.
@@ -53,7 +53,7 @@ void planDevelop(const SceneLighting& lighting, const FrameRequest& request, ren
         fullscreen(averaged ? "average" : "copy", "lib/copy.frag", source, "frame",
                    averaged ? "sample " + std::to_string(request.sample + 1) + " of " + std::to_string(request.samples)
                             : "linear light is handed out as it is");
-    average.stage = render::Stage::present;
+    average.phase = render::PassPhase::present;
     if (averaged && request.sample > 0) {
         average.state.blend = render::Blend::mean;
         average.state.meanWeight = 1.0F / static_cast<float>(request.sample + 1);

@@ -120,7 +120,7 @@ void planPlaques(const HallScene& scene, const SceneLighting& light, render::Fra
     Pass pass;
     pass.name = "hall/plaques";
     pass.reason = "a plaque is in view";
-    pass.stage = render::Stage::transparent;
+    pass.phase = render::PassPhase::transparent;
     pass.shader = {.vertex = "hall/text.vert", .fragment = "hall/text.frag"};
     pass.colors = {Attachment::whole(radianceImage)};
     pass.depth = Attachment::whole(depthImage);
@@ -160,7 +160,7 @@ void planVisitorModel(const HallScene& scene, const SceneLighting& light, const 
     pass.depthOnly.reset();  // Its textures cut holes.
     Pass blended = pass;
     blended.name = "hall/visitor/blended";
-    blended.stage = render::Stage::transparent;
+    blended.phase = render::PassPhase::transparent;
     blended.state.blend = render::Blend::alpha;
     blended.state.depthWrite = false;
     blended.colors.resize(1);
@@ -186,7 +186,7 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
         Pass pass;
         pass.name = name;
         pass.reason = reason;
-        pass.stage = still.stage;
+        pass.phase = still.phase;
         pass.shader = {.vertex = "kit/depth.vert", .fragment = "hall/restore.frag"};
         pass.view = still.view;
         pass.depth = std::move(depth);
@@ -210,7 +210,7 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
     Pass hangings = follow("hall/shadow/hangings", "what hangs here has turned", Attachment::whole("shadow.hall"));
     hangings.key = key.value();
     // The probe is kept however they turn, so it must not see them: it is made before they are drawn.
-    restore.stage = hangings.stage = render::Stage::prepare;
+    restore.phase = hangings.phase = render::PassPhase::prepare;
     hangings.shader.fragment = "kit/depth.frag";
     hangings.state = still.state;
     hangings.inputs.clear();
@@ -265,7 +265,7 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
     Pass pass;
     pass.name = "hall/shadow";
     pass.reason = "the sun or the walls have changed";
-    pass.stage = render::Stage::shadow;
+    pass.phase = render::PassPhase::shadow;
     pass.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
     pass.view = light.hallShadowView;
     pass.depth = Attachment::cleared(turning.empty() ? "shadow.hall" : "shadow.hall.still");
@@ -322,7 +322,7 @@ void planSky(const HallScene& scene, const SceneLighting& light, render::FramePl
     sky.name = "sky";
     sky.reason = scene.alone ? "the environment is behind the exhibit" : "it may be seen through window and oculus";
     // Last of the opaque ones: what is translucent is blended over it.
-    sky.stage = render::Stage::opaque;
+    sky.phase = render::PassPhase::opaque;
     sky.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/sky.frag"};
     sky.colors = {Attachment::whole(radianceImage)};
     sky.depth = Attachment::whole(depthImage);

@@ -29,7 +29,7 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
     Pass pass;
     pass.name = std::string("probe/") + what + "/" + std::to_string(face);
     pass.reason = "what the probe sees has changed";
-    pass.stage = render::Stage::probe;
+    pass.phase = render::PassPhase::probe;
     pass.view = render::cubeFaceView(eye, face, size);
     pass.key = key;
     return pass;
@@ -84,7 +84,7 @@ void planLevel(int level, int levels, int size, int samples, const render::Bound
     Pass pass;
     pass.name = "probe/blur/" + std::to_string(level);
     pass.reason = "what the probe sees has changed";
-    pass.stage = render::Stage::prepare;
+    pass.phase = render::PassPhase::prepare;
     pass.work = render::Work::compute;
     pass.shader = {.compute = "hall/probe_prefilter.comp"};
     pass.storage = {{.image = "probe", .level = level}};
@@ -141,7 +141,7 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     Pass sum;
     sum.name = "probe/irradiance";
     sum.reason = "what the probe sees has changed";
-    sum.stage = render::Stage::prepare;
+    sum.phase = render::PassPhase::prepare;
     sum.work = render::Work::compute;
     sum.shader = {.compute = "hall/probe_irradiance.comp"};
     sum.storage = {Attachment::whole("probe.irradiance")};

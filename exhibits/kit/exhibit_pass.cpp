@@ -62,7 +62,7 @@ render::DepthOnly meshDepth()
 void castShadow(render::Pass& pass, const PlanContext& context)
 {
     const SceneLighting& around = context.lighting;
-    pass.stage = render::Stage::shadow;
+    pass.phase = render::PassPhase::shadow;
     pass.view = around.exhibitShadowView;
     pass.key = around.exhibitShadowKey;
     pass.bound = around.sunShadow;

@@ -87,7 +87,7 @@ struct SdfPlanner {
                                                      .nearest = true});
         Pass made =
             pass("cone", "it saves every ray the way to the object", "lib/fullscreen.vert", "kit/sdf/cone.frag");
-        made.stage = render::Stage::prepare;
+        made.phase = render::PassPhase::prepare;
         made.shader.defines = {coneDefine()};
         made.colors = {Attachment::cleared(image)};
         made.draws = {draw(nullptr)};
@@ -173,7 +173,7 @@ struct SdfPlanner {
         }
         // Rays that miss leave nothing in the picture, so they are counted in a pass of their own.
         Pass made = marchPass("count", "the evaluations channel is asked for");
-        made.stage = render::Stage::resolve;
+        made.phase = render::PassPhase::resolve;
         made.shader.defines.emplace_back("COUNT");
         made.colors = {Attachment::whole(evaluationsImage)};
         made.state = {.cull = render::Cull::front, .blend = render::Blend::add, .depthClamp = true};

@@ -268,7 +268,7 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
     }
     count.name = "lenticular/count";
     count.reason = "the evaluations channel is asked for";
-    count.stage = render::Stage::resolve;
+    count.phase = render::PassPhase::resolve;
     count.shader.defines.emplace_back("COUNT");
     count.colors = {Attachment::whole(evaluationsImage)};
     count.depth = Attachment::whole(depthImage);

@@ -23,7 +23,7 @@ void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, 
     render::Pass layer;
     layer.name = name;
     layer.reason = lampReason;
-    layer.stage = render::Stage::prepare;
+    layer.phase = render::PassPhase::prepare;
     layer.view = view;
     layer.depth = render::Attachment::clearedSlice(localShadowImage, 6 * map + face);
     layer.key = render::Hash().addValue(lamps.castersKey).addValue(view.clipFromWorld).value();

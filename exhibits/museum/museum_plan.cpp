@@ -264,7 +264,7 @@ void Museum::Frame::castShadows()
     render::Pass clear;
     clear.name = "exhibits/shadow";
     clear.reason = "an exhibit stands in the sun";
-    clear.stage = render::Stage::shadow;
+    clear.phase = render::PassPhase::shadow;
     clear.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
     clear.view = light.exhibitShadowView;
     clear.depth = render::Attachment::cleared(exhibitShadowImage);
@@ -293,7 +293,7 @@ void Museum::Frame::clearPicture(render::FramePlan& into) const
     render::Pass clear;
     clear.name = "clear";
     clear.reason = "an empty picture to start from";
-    clear.stage = render::Stage::prepare;
+    clear.phase = render::PassPhase::prepare;
     clear.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
     clear.colors = {render::Attachment::cleared(radianceImage)};
     if (request.channels.normal) clear.colors.push_back(render::Attachment::cleared(normalImage));

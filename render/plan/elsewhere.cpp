@@ -12,7 +12,8 @@ namespace {
 /// Whether a view of its own sees another content in what the pass writes.
 bool dependsOnView(const Pass& pass)
 {
-    if (pass.stage == Stage::simulate || pass.stage == Stage::shadow || pass.stage == Stage::probe) return false;
+    if (pass.phase == PassPhase::simulate || pass.phase == PassPhase::shadow || pass.phase == PassPhase::probe)
+        return false;
     return !pass.key && !(pass.colors.empty() && !pass.depth && pass.storage.empty());
 }
 
@@ -86,7 +87,7 @@ View moved(const View& view, const glm::dmat4& worldFromBefore, const glm::dmat4
 bool keepDepth(Pass& pass)
 {
     const bool writes = pass.depth && (pass.state.depthWrite || pass.depth->load == Load::clear);
-    if (!writes || pass.stage > Stage::opaque) return false;
+    if (!writes || pass.phase > PassPhase::opaque) return false;
     pass.colors.clear();
     if (!pass.depthOnly) return true;
     pass.shader = pass.depthOnly->shader;
@@ -103,7 +104,7 @@ std::vector<Pass> depthOf(std::vector<Pass> passes)
     for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
         const std::vector<std::string> outputs = outputsOf(*pass);
         const bool prepares =
-            pass->stage == Stage::prepare &&
+            pass->stage == PassPhase::prepare &&
             std::any_of(outputs.begin(), outputs.end(), [&](const std::string& name) { return read.contains(name); });
         if (!keepDepth(*pass) && !prepares) continue;
         for (const std::string& name : inputsOf(*pass)) read.insert(name);
@@ -121,7 +122,7 @@ std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan
         Pass copy = pass;
         if (dependsOnView(pass) && (!elsewhere.take || elsewhere.take(copy))) passes.push_back(std::move(copy));
     }
-    std::stable_sort(passes.begin(), passes.end(), [](const Pass& a, const Pass& b) { return a.stage < b.stage; });
+    std::stable_sort(passes.begin(), passes.end(), [](const Pass& a, const Pass& b) { return a.phase < b.phase; });
     if (elsewhere.depthOnly) passes = depthOf(std::move(passes));
     Renamed renamed(seen, elsewhere);
     for (const Pass& pass : passes)
@@ -131,7 +132,7 @@ std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan
         pass.view = viewOf(pass, seen, elsewhere);
         pass.name = elsewhere.name + '/' + pass.name;
         pass.reason = elsewhere.reason;
-        pass.stage = elsewhere.stage;
+        pass.phase = elsewhere.phase;
         for (Attachment& color : pass.colors) renamed.rename(color.image);
         if (pass.depth) renamed.rename(pass.depth->image);
         for (Attachment& storage : pass.storage) renamed.rename(storage.image);

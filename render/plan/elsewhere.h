@@ -10,13 +10,13 @@ namespace vitrine::render {
 
 /// The scene seen from elsewhere: where from, and what is done with what is seen.
 struct Elsewhere {
-    std::string name;              ///< "lake.mirror": goes before the names of its passes and images.
-    std::string reason;            ///< Of its passes.
-    View view;                     ///< `raster.size` is that of its images; no tile.
-    Stage stage = Stage::prepare;  ///< When all of it is drawn: before whoever reads it.
-    bool mirrored = false;         ///< Seen by a `mirroredView`: front faces run the other way round.
-    bool depthOnly = false;        ///< Only what hides what: passes that write depth, without color, up to the opaque
-                                   ///< ones, by their `Pass::depthOnly`, and what they need.
+    std::string name;                      ///< "lake.mirror": goes before the names of its passes and images.
+    std::string reason;                    ///< Of its passes.
+    View view;                             ///< `raster.size` is that of its images; no tile.
+    PassPhase phase = PassPhase::prepare;  ///< When all of it is drawn: before whoever reads it.
+    bool mirrored = false;                 ///< Seen by a `mirroredView`: front faces run the other way round.
+    bool depthOnly = false;  ///< Only what hides what: passes that write depth, without color, up to the opaque
+                             ///< ones, by their `Pass::depthOnly`, and what they need.
     /// What of the scene belongs here, and what is changed of it: false leaves a pass out. Empty: all of it.
     std::function<bool(Pass&)> take = {};
 };

@@ -176,7 +176,7 @@ void FramePlan::complainOfFile(std::string name, std::string unreadable, const s
 
 void FramePlan::prune(const std::vector<std::string>& outputs, const KeptKeys& kept)
 {
-    std::stable_sort(passes_.begin(), passes_.end(), [](const Pass& a, const Pass& b) { return a.stage < b.stage; });
+    std::stable_sort(passes_.begin(), passes_.end(), [](const Pass& a, const Pass& b) { return a.phase < b.phase; });
     for (auto& [name, info] : images_) info.kept = info.kept || imagesInParts_.contains(name);
     for (auto& [name, info] : buffers_) info.kept = info.kept || imagesInParts_.contains(name);
     if (!runEverything) drop(outputs, kept);

@@ -22,7 +22,7 @@
 namespace vitrine::render {
 
 /// The order of a frame. Passes of one stage keep the order in which they were added.
-enum class Stage : std::uint8_t { simulate, shadow, probe, prepare, opaque, transparent, volume, resolve, present };
+enum class PassPhase : std::uint8_t { simulate, shadow, probe, prepare, opaque, transparent, volume, resolve, present };
 
 /// What a shader reads at a texture unit: an image of the frame, or a picture from a file.
 struct Input {
@@ -117,7 +117,7 @@ struct DepthOnly {
 struct Pass {
     std::string name;    ///< Unique in the plan: "sdf_morph/march".
     std::string reason;  ///< Why it is here, for people: "in view, 1.2 m away".
-    Stage stage = Stage::opaque;
+    PassPhase phase = PassPhase::opaque;
     Work work = Work::raster;
 
     ShaderKey shader;

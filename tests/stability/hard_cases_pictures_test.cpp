@@ -40,7 +40,7 @@ render::FramePlan spoiled(const Shot& shot, int i, int n)
     render::FramePlan plan = test::planned(gallery().museum, shot.sceneState, frame, gallery().renderer.kept());
     render::Pass spoil;
     spoil.name = "spoil";
-    spoil.stage = render::Stage::present;
+    spoil.phase = render::PassPhase::present;
     spoil.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
     spoil.colors = {{"frame", render::Load::clear, glm::vec4(std::numeric_limits<float>::quiet_NaN()), -1, 0}};
     plan.add(std::move(spoil));

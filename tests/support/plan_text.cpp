@@ -96,7 +96,7 @@ std::string textOf(const Pass& p)
 {
     Line line;
     line.text.precision(17);
-    line << "pass" << p.name << p.reason << p.stage << p.work << p.shader.vertex << p.shader.fragment
+    line << "pass" << p.name << p.reason << p.phase << p.work << p.shader.vertex << p.shader.fragment
          << p.shader.compute << p.shader.prelude;
     line.all(p.shader.defines);
     line << p.state.depthTest << p.state.depthWrite << p.state.cull << p.state.blend << p.state.meanWeight

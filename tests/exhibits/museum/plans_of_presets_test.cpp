@@ -31,11 +31,11 @@ TEST(PlansOfPresets, RunEachStepOnceInTheOrderOfTheStagesAndForAReason)
     EXPECT_GE(plans.size(), 11U);
     for (const auto& [name, plan] : plans) {
         std::set<std::string> names;
-        render::Stage stage = render::Stage::simulate;
+        render::PassPhase phase = render::PassPhase::simulate;
         for (const render::Pass& pass : plan.passes()) {
             EXPECT_TRUE(names.insert(pass.name).second) << name << " runs " << pass.name << " twice";
-            EXPECT_GE(pass.stage, stage) << name << ": " << pass.name;
-            stage = pass.stage;
+            EXPECT_GE(pass.phase, stage) << name << ": " << pass.name;
+            stage = pass.phase;
             EXPECT_FALSE(pass.reason.empty()) << name << ": " << pass.name;
             EXPECT_FALSE(pass.bound.isZero()) << name << ": " << pass.name;
         }

@@ -20,7 +20,7 @@ FramePlan sceneOf(const View& view, const Box& box)
     plan.image({.name = "depth", .format = Format::depth32f});
     Pass pass;
     pass.name = "box";
-    pass.stage = Stage::opaque;
+    pass.phase = PassPhase::opaque;
     pass.shader = {"box.vert", "box.frag", "", {}};
     pass.shader.sources = std::make_shared<const ShaderSources>(std::map<std::string, std::string>{
         {"box.vert", "#include \"lib/frame.glsl\"\nlayout(location = 0) in vec3 position;\nlayout(location = 1) in "
@@ -65,7 +65,7 @@ TEST_F(Mirror, ShowsABoxWhereReflectedRaysMeetIt)
     const auto names = addElsewhere(plan, sceneOf(mirror.view, box), mirror);
     Pass show = fill("show", "frame", "color = texelFetch(source, ivec2(gl_FragCoord.xy), 0);",
                      "#include \"lib/bindings.glsl\"\nlayout(binding = UNIT_SOURCE) uniform sampler2D source;\n");
-    show.stage = Stage::resolve;
+    show.phase = PassPhase::resolve;
     show.inputs = {{12, names.at("radiance")}};
     plan.add(std::move(show));
     (void)draw(plan);

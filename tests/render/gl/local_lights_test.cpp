@@ -74,7 +74,7 @@ TEST_F(LocalLightsOnTheDriver, ThrowShadowsWhereRaysAreStopped)
     for (int face = 0; face < 6; ++face) {
         Pass map;
         map.name = "map" + std::to_string(face);
-        map.stage = Stage::shadow;
+        map.phase = PassPhase::shadow;
         map.shader = {"box.vert", "box.frag", "", {}};
         map.shader.sources = std::make_shared<const ShaderSources>(std::map<std::string, std::string>{
             {"box.vert", "#include \"lib/frame.glsl\"\nlayout(location = 0) in vec3 position;\nvoid main()\n{\n    "
@@ -87,7 +87,7 @@ TEST_F(LocalLightsOnTheDriver, ThrowShadowsWhereRaysAreStopped)
         plan.add(std::move(map));
     }
     Pass floor = floorPass(fill("floor", "frame", floorBody, "#include \"lib/local_lights.glsl\"\n"), lighting, true);
-    floor.stage = Stage::opaque;
+    floor.phase = PassPhase::opaque;
     plan.add(std::move(floor));
     (void)draw(plan);
     const Image frame = renderer().read("frame");

@@ -132,7 +132,7 @@ TEST_F(ShaderErrors, H112_APlanWithABrokenShaderFailsWithFileAndLineAndKeepsTheP
         test::planned(test::gallery().museum, shot.sceneState, shot.request.frame, test::gallery().renderer.kept());
     render::Pass broken;
     broken.name = "broken";
-    broken.stage = render::Stage::present;
+    broken.phase = render::PassPhase::present;
     broken.shader = {"lib/fullscreen.vert", "hall/sky.frag", "", {"skyRadiance 1 +"}};
     broken.colors = {{"frame", render::Load::keep, {}, -1, 0}};
     broken.draws = {render::Draw{}};

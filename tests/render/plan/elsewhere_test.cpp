@@ -27,18 +27,18 @@ FramePlan scene()
     plan.buffer({.name = "particles", .bytes = 16});
     Pass shadow;
     shadow.name = "shadow";
-    shadow.stage = Stage::shadow;
+    shadow.phase = PassPhase::shadow;
     shadow.depth = Attachment::cleared("shadow");
     plan.add(std::move(shadow));
     Pass move;
     move.name = "move";
-    move.stage = Stage::simulate;
+    move.phase = PassPhase::simulate;
     move.work = Work::compute;
     move.buffers = {{1, std::string("particles"), Access::readWrite}};
     plan.add(std::move(move));
     Pass surface;
     surface.name = "surface";
-    surface.stage = Stage::opaque;
+    surface.phase = PassPhase::opaque;
     surface.inputs = {{0, std::string("shadow")}, {1, std::string("cones")}, {2, std::string("blocks")}};
     surface.buffers = {{1, std::string("particles")}};
     surface.colors = {Attachment::cleared("radiance")};
@@ -48,7 +48,7 @@ FramePlan scene()
     for (const char* image : {"cones", "blocks"}) {
         Pass prepares;
         prepares.name = image;
-        prepares.stage = Stage::prepare;
+        prepares.phase = PassPhase::prepare;
         prepares.colors = {Attachment::cleared(image)};
         plan.add(std::move(prepares));
     }
@@ -69,7 +69,7 @@ TEST(Elsewhere, CopiesWhatDependsOnTheViewIntoImagesOfItsOwn)
 
     Pass water;
     water.name = "water";
-    water.stage = Stage::transparent;
+    water.phase = PassPhase::transparent;
     water.inputs = {{0, names.at("radiance")}};
     water.colors = {Attachment::whole("radiance")};
     plan.add(std::move(water));
@@ -118,13 +118,13 @@ TEST(Elsewhere, CanBeItsDepthAlone)
     marched.draws = {{.inputs = {{2, std::string("shadow")}}}};
     marched.depthOnly = {{.vertex = "box.vert", .fragment = "depth.frag"}, {{1, std::string("cones")}}};
     seen.add(std::move(marched));
-    for (const Stage stage : {Stage::opaque, Stage::transparent}) {
+    for (const PassPhase phase : {PassPhase::opaque, PassPhase::transparent}) {
         Pass over;
-        over.name = stage == Stage::opaque ? "sky" : "glass";
-        over.stage = stage;
+        over.name = stage == PassPhase::opaque ? "sky" : "glass";
+        over.phase = stage;
         over.colors = {Attachment::whole("radiance")};
         over.depth = Attachment::whole("depth");
-        over.state.depthWrite = stage == Stage::transparent;
+        over.state.depthWrite = stage == PassPhase::transparent;
         seen.add(std::move(over));
     }
 
@@ -148,7 +148,7 @@ TEST(Elsewhere, CanBeItsDepthAlone)
 
     Pass reader;
     reader.name = "reader";
-    reader.stage = Stage::transparent;
+    reader.phase = PassPhase::transparent;
     reader.inputs = {{0, std::string("lamp.depth")}};
     reader.colors = {Attachment::whole("radiance")};
     plan.add(std::move(reader));
@@ -164,7 +164,7 @@ TEST(Elsewhere, PreparesNothingThatADepthDoesNotAskFor)
     seen.image({.name = "blur"});
     Pass blur;
     blur.name = "blur";
-    blur.stage = Stage::prepare;
+    blur.phase = PassPhase::prepare;
     blur.colors = {Attachment::cleared("blur")};
     seen.add(std::move(blur));
     Pass wall;

@@ -91,10 +91,13 @@ TEST(FramePlan, AClearOfOneLayerOrLevelLeavesTheOthersOfInterest)
 TEST(FramePlan, SortsByStageAndKeepsTheOrderWithinOne)
 {
     FramePlan plan;
-    for (const auto& [name, stage] : std::initializer_list<std::pair<const char*, Stage>>{
-             {"tone", Stage::resolve}, {"b", Stage::opaque}, {"shadow", Stage::shadow}, {"a", Stage::opaque}}) {
+    for (const auto& [name, stage] :
+         std::initializer_list<std::pair<const char*, PassPhase>>{{"tone", PassPhase::resolve},
+                                                                  {"b", PassPhase::opaque},
+                                                                  {"shadow", PassPhase::shadow},
+                                                                  {"a", PassPhase::opaque}}) {
         Pass p = pass(name, {}, "frame");
-        p.stage = stage;
+        p.phase = stage;
         plan.add(std::move(p));
     }
     plan.prune({"frame"});

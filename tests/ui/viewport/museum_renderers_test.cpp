@@ -36,7 +36,7 @@ public:
         render::Pass pass;
         pass.name = "filled/fill";
         pass.reason = "it is in view";
-        pass.stage = render::Stage::opaque;
+        pass.phase = render::PassPhase::opaque;
         pass.shader = {.vertex = "lib/fullscreen.vert", .fragment = "filled.frag"};
         pass.shader.sources = std::make_shared<const render::ShaderSources>(std::map<std::string, std::string>{
             {"filled.frag", "layout(location = 0) out vec4 color;\nvoid main()\n{\n    color = vec4(" +
