@@ -45,7 +45,7 @@ std::vector<double> timesOf(const Museum& museum, render::gl::Renderer& renderer
 {
     std::vector<double> milliseconds;
     for (int run = 0; run < timedRuns; ++run)
-        milliseconds.push_back(renderer.draw(museum.plan(prepared, frame, renderer.kept())).milliseconds);
+        milliseconds.push_back(renderer.draw(museum.plan(prepared, frame, renderer.persistentState())).milliseconds);
     std::sort(milliseconds.begin(), milliseconds.end());
     return milliseconds;
 }
@@ -85,7 +85,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
 
     renderer.timeSteps(true);
     std::map<std::string, double> stepMilliseconds;
-    for (const render::StepReport& step : renderer.draw(museum.plan(prepared, frame, renderer.kept())).ran)
+    for (const render::StepReport& step : renderer.draw(museum.plan(prepared, frame, renderer.persistentState())).ran)
         stepMilliseconds[step.name] = step.milliseconds;
     renderer.timeSteps(false);
 
@@ -114,7 +114,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     for (const auto& [name, count] : first.counters) counters[name] = count;
     FrameRequest counting = frame;
     counting.channels.evaluations = true;
-    (void)renderer.draw(museum.plan(prepared, counting, renderer.kept()));
+    (void)renderer.draw(museum.plan(prepared, counting, renderer.persistentState()));
     counters["evaluations"] = total(renderer.read(evaluationsImage));
 
     const Json report{

@@ -27,7 +27,7 @@ void planDevelop(const SceneLighting& lighting, const FrameRequest& request, ren
     const bool toneMapped = request.averageIn == AverageIn::display;
     const bool exact = averaged || !toneMapped;
     plan.image(
-        {.name = "frame", .format = exact ? render::Format::rgba32f : render::Format::rgba16f, .kept = averaged});
+        {.name = "frame", .format = exact ? render::Format::rgba32f : render::Format::rgba16f, .persistent = averaged});
 
     std::string source = radianceImage;
     if (toneMapped) {

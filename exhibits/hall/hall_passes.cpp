@@ -253,14 +253,14 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
     plan.image({.name = "shadow.hall",
                 .format = render::Format::depth32f,
                 .size = glm::ivec2(size),
-                .kept = true,
+                .persistent = true,
                 .comparison = true});
     const std::vector<Part> turning = hanging(scene);
     if (!turning.empty())
         plan.image({.name = "shadow.hall.still",
                     .format = render::Format::depth32f,
                     .size = glm::ivec2(size),
-                    .kept = true,
+                    .persistent = true,
                     .nearest = true});
     Pass pass;
     pass.name = "hall/shadow";

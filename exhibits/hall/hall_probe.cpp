@@ -121,17 +121,21 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
                 .type = render::TextureType::cube,
                 .size = glm::ivec2(size),
                 .levels = allLevels,
-                .kept = true});
+                .persistent = true});
     plan.image({.name = "probe",
                 .format = render::Format::rgba16f,
                 .type = render::TextureType::cube,
                 .size = glm::ivec2(size),
                 .levels = levels,
-                .kept = true});
-    plan.image(
-        {.name = "probe.irradiance", .format = render::Format::rgba32f, .size = {9, 1}, .kept = true, .nearest = true});
+                .persistent = true});
+    plan.image({.name = "probe.irradiance",
+                .format = render::Format::rgba32f,
+                .size = {9, 1},
+                .persistent = true,
+                .nearest = true});
     if (!scene.alone)
-        plan.image({.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .kept = true});
+        plan.image(
+            {.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .persistent = true});
     for (int face = 0; face < 6; ++face) planFace(scene, light, face, size, key, plan);
     for (int level = 0; level < levels; ++level)
         planLevel(level, levels, size, scene.values[scene.table.probeSamples], light.probeLight, key, plan);

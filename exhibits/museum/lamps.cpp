@@ -62,7 +62,7 @@ std::optional<render::LocalLighting> planLamps(const Lamps& lamps, render::Frame
                 .type = render::TextureType::array,
                 .size = glm::ivec2(localShadowSize),
                 .layers = 6 * count,
-                .kept = true,
+                .persistent = true,
                 .comparison = true});
     for (int map = 0; map < count; ++map)
         for (int face = 0; face < 6; ++face)

@@ -94,7 +94,8 @@ public:
     /// Plans and prunes one picture of what was prepared, at its moment, for the same camera and exhibits; raster,
     /// samples and channels may be others. Its outputs are the images "frame" (rgba16f, display-referred linear light,
     /// alpha not premultiplied) and, as asked, "radiance", "depth", "normal", "evaluations".
-    [[nodiscard]] render::FramePlan plan(const Prepared&, const FrameRequest&, const render::KeptKeys& = {}) const;
+    [[nodiscard]] render::FramePlan plan(const Prepared&, const FrameRequest&,
+                                         const render::PersistentState& = {}) const;
 
     /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: walls and furniture stop
     /// him, and he slides along them.

@@ -63,7 +63,7 @@ struct Museum::Frame {
     void declareImages(render::FramePlan&) const;
     void planBuilding(render::FramePlan&) const;
     void planExhibits();
-    void finish(const render::KeptKeys&);
+    void finish(const render::PersistentState&);
 
     void clearPicture(render::FramePlan&) const;
     void addState(render::Hash&, const Present&) const;
@@ -157,7 +157,7 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
 }
 
 render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& request,
-                               const render::KeptKeys& kept) const
+                               const render::PersistentState& kept) const
 {
     const bool alone = request.alone.has_value();
     Frame frame{*this, prepared, request, alone, sceneOf(prepared, alone), {}, {}, {}, {}};
@@ -259,7 +259,7 @@ void Museum::Frame::castShadows()
     plan.image({.name = exhibitShadowImage,
                 .format = render::Format::depth32f,
                 .size = glm::ivec2(size),
-                .kept = true,
+                .persistent = true,
                 .comparison = true});
     render::Pass clear;
     clear.name = "exhibits/shadow";
@@ -387,7 +387,7 @@ void Museum::Frame::lightLamps()
 }
 
 /// What is behind everything, the way the picture is developed, and what of all this is needed.
-void Museum::Frame::finish(const render::KeptKeys& kept)
+void Museum::Frame::finish(const render::PersistentState& kept)
 {
     if (request.transparent || request.cutOut)
         plan.skip("sky", "a transparent background is asked for");

@@ -94,7 +94,7 @@ bool PictureMaker::step()
     // A finished picture is a function of what was asked for, whatever was drawn before, other tiles included.
     frame.cut = frame.finished = true;
     if (!prepared_) prepared_ = museum_.prepare(sceneState_, request_.frame);
-    render::FrameReport report = backend_.draw(museum_.plan(*prepared_, frame, backend_.kept()));
+    render::FrameReport report = backend_.draw(museum_.plan(*prepared_, frame, backend_.persistentState()));
     if (stepsDone_ == 0) report_ = std::move(report);
     if (frame.sample == 0) takeChannels(tile);
     if (frame.sample == request_.samples - 1) takeColor(tile);

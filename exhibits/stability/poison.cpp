@@ -83,7 +83,7 @@ std::string faultOfImages(const render::FramePlan& plan, render::RenderBackend& 
     }
     for (const std::string& name : writtenBy(plan)) {
         const auto info = plan.images().find(name);
-        if (info == plan.images().end() || !info->second.kept) continue;
+        if (info == plan.images().end() || !info->second.persistent) continue;
         const render::Image image = backend.read(name);
         std::string fault = info->second.format == render::Format::depth32f
                                 ? faultOfDepth(name, image, false)
@@ -111,7 +111,7 @@ render::FramePlan poisoned(const render::FramePlan& plan, const Poison& poison)
     const std::set<std::string> written = writtenBy(plan);
     for (const auto& [name, info] : plan.images()) {
         result.image(info);
-        if (info.kept || !written.contains(name)) continue;
+        if (info.persistent || !written.contains(name)) continue;
         for (int level = 0; level < info.levels; ++level) {
             render::Pass fill;
             fill.name = "poison " + name + ' ' + std::to_string(level);

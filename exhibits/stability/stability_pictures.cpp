@@ -54,7 +54,8 @@ render::Image picture(const Museum& museum, render::RenderBackend& backend, cons
 render::Image over(const Poison& poison, const Museum& museum, render::RenderBackend& backend, const Still& s)
 {
     (void)backend.draw(
-        poisoned(museum.plan(museum.prepare(s.sceneState, s.request.frame), s.request.frame, backend.kept()), poison));
+        poisoned(museum.plan(museum.prepare(s.sceneState, s.request.frame), s.request.frame, backend.persistentState()),
+                 poison));
     return backend.read("frame");
 }
 

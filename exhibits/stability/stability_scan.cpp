@@ -157,7 +157,8 @@ ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
 std::string faultOf(const Museum& museum, render::RenderBackend& backend, const ScanCase& c)
 {
     try {
-        const render::FramePlan plan = museum.plan(museum.prepare(c.sceneState, c.frame), c.frame, backend.kept());
+        const render::FramePlan plan =
+            museum.plan(museum.prepare(c.sceneState, c.frame), c.frame, backend.persistentState());
         (void)backend.draw(poisoned(plan, spreadingPoison()));
         return faultOfImages(plan, backend, c.frame.channels);
     } catch (const std::exception& error) {

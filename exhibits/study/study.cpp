@@ -292,7 +292,7 @@ void Study::addSetting(const Setting& setting)
 render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t view)
 {
     // What the studied parameters change is drawn anew, however often it was drawn: it is what they cost.
-    render::KeptKeys kept = backend_.kept();
+    render::PersistentState kept = backend_.persistentState();
     for (const std::string& pass : dependentPasses_) kept.passes.erase(pass);
     FrameRequest frame = pictureRequest(sceneState, view).frame;
     frame.channels = {};

@@ -94,7 +94,7 @@ struct Renderer::State {
     Resources resources;
     BlockArena arena;
     VertexArrayName noVertices;
-    KeptKeys kept;
+    PersistentState kept;
     std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes whose key vouches for it.
     bool timeSteps = false;
     std::thread::id thread = std::this_thread::get_id();
@@ -427,7 +427,7 @@ Bytes Renderer::readBuffer(const std::string& name)
     return bytes;
 }
 
-const KeptKeys& Renderer::kept() const
+const PersistentState& Renderer::persistentState() const
 {
     return state_->kept;
 }

@@ -45,7 +45,7 @@ public:
     [[nodiscard]] Image read(const std::string& image) override;
     /// A buffer of the last frame; throws std::out_of_range for a name that was not used.
     [[nodiscard]] Bytes readBuffer(const std::string& name);
-    [[nodiscard]] const KeptKeys& kept() const override;
+    [[nodiscard]] const PersistentState& persistentState() const override;
     [[nodiscard]] int largestSide() const override;
 
     /// An image of the last frame as a screen of `screen` pixels shows it, scaled with a smooth filter where the sizes

@@ -15,9 +15,9 @@ std::set<std::string> namesUsed(const FramePlan& plan)
         for (std::string& name : outputsOf(pass)) used.insert(std::move(name));
     }
     for (const auto& [name, info] : plan.images())
-        if (info.kept) used.insert(name);
+        if (info.persistent) used.insert(name);
     for (const auto& [name, info] : plan.buffers())
-        if (info.kept) used.insert(name);
+        if (info.persistent) used.insert(name);
     for (const auto& [name, state] : plan.histories())
         if (used.contains(previous(name))) used.insert(name);
     return used;
@@ -58,7 +58,7 @@ void Resources::prepareImages(const FramePlan& plan, const std::set<std::string>
 {
     std::erase_if(images_, [&](const auto& entry) {
         if (used.contains(entry.first)) return false;
-        if (entry.second.info.kept) lost.push_back(entry.first);
+        if (entry.second.info.persistent) lost.push_back(entry.first);
         forget(entry.second);
         return true;
     });
@@ -87,7 +87,7 @@ void Resources::prepareImages(const FramePlan& plan, const std::set<std::string>
             made.other->clear();
         }
         images_.emplace(name, std::move(made));
-        if (info.kept) lost.push_back(name);
+        if (info.persistent) lost.push_back(name);
     }
 }
 
@@ -97,13 +97,13 @@ void Resources::prepareBuffers(const FramePlan& plan, const std::set<std::string
         const auto declared = plan.buffers().find(entry.first);
         if (used.contains(entry.first) && declared != plan.buffers().end() && declared->second == entry.second.info)
             return false;
-        if (entry.second.info.kept) lost.push_back(entry.first);
+        if (entry.second.info.persistent) lost.push_back(entry.first);
         return true;
     });
     for (const auto& [name, info] : plan.buffers()) {
         if (!used.contains(name) || buffers_.contains(name)) continue;
         buffers_.emplace(name, StoredBuffer{info, makeBuffer(info)});
-        if (info.kept) lost.push_back(name);
+        if (info.persistent) lost.push_back(name);
     }
 }
 

@@ -111,7 +111,7 @@ ResourceId FramePlan::buffer(BufferInfo info)
 
 ResourceId FramePlan::history(History history)
 {
-    history.image.kept = true;
+    history.image.persistent = true;
     const std::string name = history.image.name;
     images_.insert_or_assign(name, history.image);
     histories_.insert_or_assign(name, HistoryState{std::move(history), false, {}, view});
@@ -174,26 +174,26 @@ void FramePlan::complainOfFile(std::string name, std::string unreadable, const s
         {.name = std::move(name), .reason = std::move(reason), .complaint = true, .unreadable = std::move(unreadable)});
 }
 
-void FramePlan::prune(const std::vector<std::string>& outputs, const KeptKeys& kept)
+void FramePlan::prune(const std::vector<std::string>& outputs, const PersistentState& kept)
 {
     std::stable_sort(passes_.begin(), passes_.end(), [](const Pass& a, const Pass& b) { return a.phase < b.phase; });
-    for (auto& [name, info] : images_) info.kept = info.kept || imagesInParts_.contains(name);
-    for (auto& [name, info] : buffers_) info.kept = info.kept || imagesInParts_.contains(name);
+    for (auto& [name, info] : images_) info.persistent = info.persistent || imagesInParts_.contains(name);
+    for (auto& [name, info] : buffers_) info.persistent = info.persistent || imagesInParts_.contains(name);
     if (!runEverything) drop(outputs, kept);
     for (Pass& pass : passes_) takePart(pass, kept);
     lookBack(kept);
 }
 
-bool FramePlan::isUnchanged(const Pass& pass, const KeptKeys& kept) const
+bool FramePlan::isUnchanged(const Pass& pass, const PersistentState& kept) const
 {
     if (!pass.key) return false;
     const auto last = kept.passes.find(pass.name);
     if (last == kept.passes.end() || last->second != *pass.key) return false;
     const std::vector<std::string> written = outputsOf(pass);
     return std::all_of(written.begin(), written.end(), [&](const std::string& name) {
-        if (const auto buffer = buffers_.find(name); buffer != buffers_.end()) return buffer->second.kept;
+        if (const auto buffer = buffers_.find(name); buffer != buffers_.end()) return buffer->second.persistent;
         const auto info = images_.find(name);
-        return info == images_.end() || info->second.kept;
+        return info == images_.end() || info->second.persistent;
     });
 }
 
@@ -229,7 +229,7 @@ std::vector<bool> FramePlan::calledFor(const std::vector<std::string>& outputs,
     }
 }
 
-void FramePlan::drop(const std::vector<std::string>& outputs, const KeptKeys& kept)
+void FramePlan::drop(const std::vector<std::string>& outputs, const PersistentState& kept)
 {
     std::vector<bool> unchanged;
     for (const Pass& pass : passes_) unchanged.push_back(isUnchanged(pass, kept));
@@ -249,7 +249,7 @@ void FramePlan::drop(const std::vector<std::string>& outputs, const KeptKeys& ke
     passes_ = std::move(surviving);
 }
 
-void FramePlan::takePart(Pass& pass, const KeptKeys& kept) const
+void FramePlan::takePart(Pass& pass, const PersistentState& kept) const
 {
     pass.past = {.lastView = view};
     if (pass.parts <= 1) return;
@@ -265,7 +265,7 @@ void FramePlan::takePart(Pass& pass, const KeptKeys& kept) const
     if (pass.depth) pass.depth->load = Load::keep;
 }
 
-void FramePlan::lookBack(const KeptKeys& kept)
+void FramePlan::lookBack(const PersistentState& kept)
 {
     std::map<std::string, const HistoryState*> byPrevious;
     for (auto& [name, state] : histories_) {

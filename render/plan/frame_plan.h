@@ -206,7 +206,7 @@ public:
 
     /// Sorts by stage, drops every pass that no output depends on, and those whose kept outputs are
     /// up to date under `kept`. A dropped pass moves to `skipped()` with its reason.
-    void prune(const std::vector<std::string>& outputs, const KeptKeys& kept = {});
+    void prune(const std::vector<std::string>& outputs, const PersistentState& kept = {});
 
     [[nodiscard]] const std::vector<Pass>& passes() const { return passes_; }
     [[nodiscard]] const std::vector<Skipped>& skipped() const { return skipped_; }
@@ -225,12 +225,12 @@ public:
     [[nodiscard]] const Skipped* findSkipped(std::string_view passName) const;
 
 private:
-    [[nodiscard]] bool isUnchanged(const Pass&, const KeptKeys&) const;
+    [[nodiscard]] bool isUnchanged(const Pass&, const PersistentState&) const;
     [[nodiscard]] std::vector<bool> calledFor(const std::vector<std::string>& outputs,
                                               const std::vector<bool>& unchanged) const;
-    void drop(const std::vector<std::string>& outputs, const KeptKeys&);
-    void takePart(Pass&, const KeptKeys&) const;
-    void lookBack(const KeptKeys&);
+    void drop(const std::vector<std::string>& outputs, const PersistentState&);
+    void takePart(Pass&, const PersistentState&) const;
+    void lookBack(const PersistentState&);
 
     std::vector<Pass> passes_;
     std::vector<Skipped> skipped_;

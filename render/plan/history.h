@@ -60,7 +60,7 @@ struct PartProgress {
 };
 
 /// What a renderer's kept images and buffers hold, for the next plan.
-struct KeptKeys {
+struct PersistentState {
     std::map<std::string, std::uint64_t> passes = {};     ///< Pass -> key under which it last wrote its kept images.
     std::map<std::string, HistoryRecord> histories = {};  ///< By image.
     std::map<std::string, PartProgress> parts = {};       ///< By pass.

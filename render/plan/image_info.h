@@ -21,7 +21,7 @@ struct ImageInfo {
     double scale = 1;
     int layers = 1;  ///< Of an array; of a volume its depth; a cube has 6.
     int levels = 1;
-    bool kept = false;        ///< Survives the frame: a shadow map, a probe, an average.
+    bool persistent = false;  ///< Survives the frame: a shadow map, a probe, an average.
     bool comparison = false;  ///< Depth images: sampled through sampler2DShadow, nearer or equal passes.
     bool repeat = false;      ///< Otherwise clamp to edge.
     bool nearest = false;     ///< Otherwise linear filtering, between levels too.
@@ -51,7 +51,7 @@ struct ImageInfo {
 struct BufferInfo {
     std::string name;
     std::int64_t bytes = 0;
-    bool kept = false;  ///< Survives the frame.
+    bool persistent = false;  ///< Survives the frame.
 
     bool operator==(const BufferInfo&) const = default;
 };

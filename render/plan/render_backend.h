@@ -43,7 +43,7 @@ public:
     /// An image of the last frame; throws std::out_of_range for a name that was not drawn.
     [[nodiscard]] virtual Image read(const std::string& image) = 0;
     /// What the kept images hold: pass these to Museum::plan.
-    [[nodiscard]] virtual const KeptKeys& kept() const = 0;
+    [[nodiscard]] virtual const PersistentState& persistentState() const = 0;
     /// Largest side of an image that it can draw, in pixels.
     [[nodiscard]] virtual int largestSide() const = 0;
 };

@@ -168,7 +168,7 @@ public:
         std::printf("\n### Draw calls, 64 shells\n\n| what | draws | coat, ms |\n|---|---|---|\n");
         sceneState_.values[fur_].set(table().shellCount, 64);
         sceneState_.values[fur_].set(table().levelOfDetail, false);
-        const render::FramePlan instanced = test::planned(museum_, sceneState_, request_, renderer_.kept());
+        const render::FramePlan instanced = test::planned(museum_, sceneState_, request_, renderer_.persistentState());
         const render::FramePlan single = changed(instanced, [](render::Pass& pass) {
             if (pass.name != "fur/coat") return;
             const std::vector<render::Draw> whole = std::move(pass.draws);
@@ -201,7 +201,7 @@ public:
     {
         std::printf(
             "\n### Cost of each body, as it stands\n\n| body | shells | coat, ms | light, ms |\n|---|---|---|---|\n");
-        const render::FramePlan all = test::planned(museum_, sceneState_, request_, renderer_.kept());
+        const render::FramePlan all = test::planned(museum_, sceneState_, request_, renderer_.persistentState());
         const char* const names[] = {"ball", "roll", "ring", "all three"};
         std::vector<double> coat[4], light[4];
         int shells[4] = {};
@@ -241,7 +241,7 @@ private:
         FrameRequest request = request_;
         request.sample = sample;
         request.samples = samples;
-        return renderer_.draw(test::planned(museum_, sceneState_, request, renderer_.kept()));
+        return renderer_.draw(test::planned(museum_, sceneState_, request, renderer_.persistentState()));
     }
     render::Image average(const ParameterValues& values)
     {

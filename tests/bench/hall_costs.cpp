@@ -85,7 +85,8 @@ int main(int argc, char** argv)
     FrameRequest entrance;
     entrance.camera = sceneState.camera;
     entrance.raster.size = size;
-    const render::FrameReport first = renderer.draw(test::planned(museum, sceneState, entrance, renderer.kept()));
+    const render::FrameReport first =
+        renderer.draw(test::planned(museum, sceneState, entrance, renderer.persistentState()));
     const double firstReady = render::wallSeconds();
 
     std::printf("Clock: %s\nSize: %d x %d, %d rounds in turn after 3 warm-up frames, medians\n", first.clock.c_str(),
@@ -113,12 +114,12 @@ int main(int argc, char** argv)
     alone.camera = museum.subject(sdf).bestView(sceneState.values[sdf]);
     const auto draw = [&](const FrameRequest& request) {
         return [&museum, &renderer, &sceneState, request] {
-            return renderer.draw(test::planned(museum, sceneState, request, renderer.kept()));
+            return renderer.draw(test::planned(museum, sceneState, request, renderer.persistentState()));
         };
     };
     const auto drawEmpty = [&](const FrameRequest& request) {
         return [&empty, &emptyRenderer, &emptySceneState, request] {
-            return emptyRenderer.draw(test::planned(empty, emptySceneState, request, emptyRenderer.kept()));
+            return emptyRenderer.draw(test::planned(empty, emptySceneState, request, emptyRenderer.persistentState()));
         };
     };
     std::vector<Row> rows;
@@ -149,7 +150,8 @@ int main(int argc, char** argv)
                        [&] {
                            SceneState changed = sceneState;
                            changed.values[sdf].set(table.morph, morph = morph < 0.9 ? morph + 0.05 : 0.0);
-                           return morphRenderer.draw(test::planned(museum, changed, near, morphRenderer.kept()));
+                           return morphRenderer.draw(
+                               test::planned(museum, changed, near, morphRenderer.persistentState()));
                        },
                        {},
                        {},
@@ -160,7 +162,7 @@ int main(int argc, char** argv)
                            SceneState changed = sceneState;
                            changed.hall().setRow(*changed.hall().table().find("exposure"),
                                                  exposure = exposure < 1 ? exposure + 0.1 : -1.0);
-                           return renderer.draw(test::planned(museum, changed, near, renderer.kept()));
+                           return renderer.draw(test::planned(museum, changed, near, renderer.persistentState()));
                        },
                        {},
                        {},
@@ -172,7 +174,7 @@ int main(int argc, char** argv)
                            SceneState changed = sceneState;
                            changed.hall().setRow(*changed.hall().table().find("sunElevation"),
                                                  elevation = elevation < 0.5 ? elevation + 0.01 : 0.3);
-                           return sunRenderer.draw(test::planned(museum, changed, near, sunRenderer.kept()));
+                           return sunRenderer.draw(test::planned(museum, changed, near, sunRenderer.persistentState()));
                        },
                        {},
                        {},
@@ -188,16 +190,19 @@ int main(int argc, char** argv)
     SceneState turning = sceneState;
     turning.values[rays].setRow(*turning.values[rays].table().find("animate"), 1.0);
     FrameRequest later = entrance;
-    mobile.push_back(
-        {"mobile at rest",
-         [&] { return stillRenderer.draw(test::planned(museum, sceneState, entrance, stillRenderer.kept())); },
-         {},
-         {},
-         {}});
+    mobile.push_back({"mobile at rest",
+                      [&] {
+                          return stillRenderer.draw(
+                              test::planned(museum, sceneState, entrance, stillRenderer.persistentState()));
+                      },
+                      {},
+                      {},
+                      {}});
     mobile.push_back({"mobile turning: its part of the sun's map anew in each frame",
                       [&] {
                           later.time += 1.0 / 30;
-                          return turningRenderer.draw(test::planned(museum, turning, later, turningRenderer.kept()));
+                          return turningRenderer.draw(
+                              test::planned(museum, turning, later, turningRenderer.persistentState()));
                       },
                       {},
                       {},
@@ -213,7 +218,8 @@ int main(int argc, char** argv)
         change(changed.values[sdf]);
         variants.push_back({name,
                             [&museum, &aloneRenderer, alone, changed] {
-                                return aloneRenderer.draw(test::planned(museum, changed, alone, aloneRenderer.kept()));
+                                return aloneRenderer.draw(
+                                    test::planned(museum, changed, alone, aloneRenderer.persistentState()));
                             },
                             {},
                             {},

@@ -116,14 +116,15 @@ int main(int argc, char** argv)
         rows.back().request.time = 5;
         for (Row& row : rows) {
             for (int warm = 0; warm < 2; ++warm)
-                report = renderer.draw(test::planned(museum, row.sceneState, row.request, renderer.kept()));
+                report = renderer.draw(test::planned(museum, row.sceneState, row.request, renderer.persistentState()));
             row.traces = tracesOf(museum, renderer, row);
         }
         for (int round = 0; round < rounds; ++round)
             for (Row& row : rows) {
                 // The second in a row: what the first had to make is kept.
                 for (int i = 0; i < 2; ++i)
-                    report = renderer.draw(test::planned(museum, row.sceneState, row.request, renderer.kept()));
+                    report =
+                        renderer.draw(test::planned(museum, row.sceneState, row.request, renderer.persistentState()));
                 row.cpu.push_back(report.milliseconds);
             }
         std::printf("\n### The card %s\n\n| model | traces per pixel | ms (%s) | lowest to highest | against the first "

@@ -66,7 +66,8 @@ struct Bench {
     {
         std::vector<double> times;
         for (int run = 0; run < 7; ++run)
-            times.push_back(renderer.draw(test::planned(museum, sceneState, frame, renderer.kept())).milliseconds);
+            times.push_back(
+                renderer.draw(test::planned(museum, sceneState, frame, renderer.persistentState())).milliseconds);
         std::sort(times.begin(), times.end());
         return times[3];
     }

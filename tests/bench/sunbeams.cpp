@@ -67,7 +67,7 @@ struct Bench {
         for (int run = 0; run < 5; ++run) {
             double sum = 0;
             for (const render::StepReport& step :
-                 renderer.draw(test::planned(museum, look, frame, renderer.kept())).ran)
+                 renderer.draw(test::planned(museum, look, frame, renderer.persistentState())).ran)
                 if (step.name.rfind("crepuscular_rays/", 0) == 0) sum += step.milliseconds;
             times.push_back(sum);
         }
@@ -223,7 +223,7 @@ void entrance(Bench& bench)
     for (int run = 0; run < 7; ++run) {
         std::map<std::string, double> once;
         for (const render::StepReport& step :
-             bench.renderer.draw(test::planned(bench.museum, bench.look, frame, bench.renderer.kept())).ran)
+             bench.renderer.draw(test::planned(bench.museum, bench.look, frame, bench.renderer.persistentState())).ran)
             once[step.name.rfind("crepuscular_rays/", 0) == 0 ? step.name : "everything else"] += step.milliseconds;
         if (run < 2) continue;  // Shadow maps, probe and programs are made once.
         for (const auto& [name, milliseconds] : once) times[name].push_back(milliseconds);

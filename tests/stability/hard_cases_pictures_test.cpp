@@ -27,7 +27,8 @@ render::Image sample(const Shot& shot, int i, int n)
     FrameRequest frame = shot.request.frame;
     frame.sample = i;
     frame.samples = n;
-    (void)gallery().renderer.draw(test::planned(gallery().museum, shot.sceneState, frame, gallery().renderer.kept()));
+    (void)gallery().renderer.draw(
+        test::planned(gallery().museum, shot.sceneState, frame, gallery().renderer.persistentState()));
     return gallery().renderer.read("frame");
 }
 
@@ -37,7 +38,8 @@ render::FramePlan spoiled(const Shot& shot, int i, int n)
     FrameRequest frame = shot.request.frame;
     frame.sample = i;
     frame.samples = n;
-    render::FramePlan plan = test::planned(gallery().museum, shot.sceneState, frame, gallery().renderer.kept());
+    render::FramePlan plan =
+        test::planned(gallery().museum, shot.sceneState, frame, gallery().renderer.persistentState());
     render::Pass spoil;
     spoil.name = "spoil";
     spoil.phase = render::PassPhase::present;

@@ -38,7 +38,7 @@ struct Scene {
     [[nodiscard]] ParameterValues& hall() { return sceneState.hall(); }
     [[nodiscard]] ParameterValues& object() { return sceneState.values[sdf]; }
     [[nodiscard]] ParameterValues& rays() { return sceneState.values[*museum().find("crepuscular_rays")]; }
-    [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {}) const
+    [[nodiscard]] render::FramePlan plan(const render::PersistentState& kept = {}) const
     {
         return test::planned(museum(), sceneState, request, kept);
     }
@@ -59,9 +59,9 @@ inline bool runs(const render::FramePlan& plan, std::string_view start)
 }
 
 /// What a renderer has kept after it drew the plan.
-inline render::KeptKeys keptAfter(const render::FramePlan& plan)
+inline render::PersistentState keptAfter(const render::FramePlan& plan)
 {
-    render::KeptKeys kept;
+    render::PersistentState kept;
     for (const render::Pass& pass : plan.passes())
         if (pass.key) kept.passes[pass.name] = *pass.key;
     return kept;

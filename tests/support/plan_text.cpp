@@ -136,7 +136,7 @@ std::string wholeText(const FramePlan& plan)
     for (const auto& [name, image] : plan.images()) {
         Line line;
         line << "image" << name << image.format << image.type << image.size.x << image.size.y << image.scale
-             << image.layers << image.levels << image.kept << image.comparison << image.repeat << image.nearest
+             << image.layers << image.levels << image.persistent << image.comparison << image.repeat << image.nearest
              << image.divisor << image.ownPixels;
         text += line.text.str() + '\n';
     }

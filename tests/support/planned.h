@@ -7,7 +7,7 @@ namespace vitrine::test {
 // One picture at once: prepared, then planned or asked about.
 
 inline render::FramePlan planned(const Museum& museum, const SceneState& sceneState, const FrameRequest& request,
-                                 const render::KeptKeys& kept = {})
+                                 const render::PersistentState& kept = {})
 {
     return museum.plan(museum.prepare(sceneState, request), request, kept);
 }

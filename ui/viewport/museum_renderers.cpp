@@ -41,7 +41,7 @@ render::FrameReport MuseumRenderers::draw(const SceneState& sceneState, const Fr
 {
     assert(renderer_);
     renderer_->abandonWhen(unwanted);
-    return renderer_->draw(museum_.plan(museum_.prepare(sceneState, request), request, renderer_->kept()));
+    return renderer_->draw(museum_.plan(museum_.prepare(sceneState, request), request, renderer_->persistentState()));
 }
 
 QImage MuseumRenderers::screenImage(const QSize& screen)
@@ -62,7 +62,7 @@ QImage MuseumRenderers::drawRegion(const SceneState& sceneState, const FrameRequ
     frame.samples = samples;
     const Prepared prepared = museum_.prepare(sceneState, frame);
     for (frame.sample = 0; frame.sample < samples; ++frame.sample)
-        (void)regions_->draw(museum_.plan(prepared, frame, regions_->kept()));
+        (void)regions_->draw(museum_.plan(prepared, frame, regions_->persistentState()));
     const glm::ivec2 within = region.offset - low;
     const QImage drawn = imageOf(regions_->screenPixels("frame", request.raster.size, low, frame.raster.tile));
     return drawn.copy(within.x, frame.raster.tile.y - within.y - region.size.y, region.size.x, region.size.y);

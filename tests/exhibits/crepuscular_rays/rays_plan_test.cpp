@@ -206,7 +206,7 @@ TEST(RaysPlan, WhenOffThePlanIsThatOfAMuseumWithoutBeams)
 TEST(RaysPlan, ShadowsAndProbeAreNotMadeAgainForTheBeams)
 {
     Scene scene = atTheWindow();
-    const render::KeptKeys kept = test::keptAfter(scene.plan());
+    const render::PersistentState kept = test::keptAfter(scene.plan());
     scene.rays().set(raysTable().airDensity, 0.05);
     scene.rays().set(raysTable().decay, 0.9);
     for (const char* start : {"hall/shadow", "exhibits/shadow", "probe/"})

@@ -45,7 +45,7 @@ struct FurScene : test::Scene {
         sceneState = museum().initialSceneState();
         see(museum().bestView(fur, values()));
     }
-    [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {}) const
+    [[nodiscard]] render::FramePlan plan(const render::PersistentState& kept = {}) const
     {
         return test::planned(museum(), sceneState, request, kept);
     }

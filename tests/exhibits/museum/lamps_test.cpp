@@ -65,13 +65,13 @@ struct BulbHall {
     }
     void see(const glm::dvec3& eye, const glm::dvec3& target) { sceneState.camera = frame.camera = {eye, target, 0.6}; }
     [[nodiscard]] ParameterValues& bulb() { return sceneState.values[1]; }
-    [[nodiscard]] render::FramePlan plan(const render::KeptKeys& kept = {})
+    [[nodiscard]] render::FramePlan plan(const render::PersistentState& kept = {})
     {
         return test::planned(museum, sceneState, frame, kept);
     }
     [[nodiscard]] render::Image draw(render::gl::Renderer& renderer)
     {
-        (void)renderer.draw(plan(renderer.kept()));
+        (void)renderer.draw(plan(renderer.persistentState()));
         return renderer.read("frame");
     }
 
@@ -116,11 +116,11 @@ TEST_F(LampsTest, KeepTheirShadowMapsWhileNothingInThemChanges)
     render::gl::Renderer renderer;
     (void)hall.draw(renderer);
     EXPECT_GE(lampPasses(hall.plan()).size(), 6U);
-    EXPECT_TRUE(lampPasses(hall.plan(renderer.kept())).empty());
+    EXPECT_TRUE(lampPasses(hall.plan(renderer.persistentState())).empty());
     hall.see({1, 8, 2.2}, {0, 0, 2});
-    EXPECT_TRUE(lampPasses(hall.plan(renderer.kept())).empty()) << "the eye moved, the shadows did not";
+    EXPECT_TRUE(lampPasses(hall.plan(renderer.persistentState())).empty()) << "the eye moved, the shadows did not";
     hall.bulb().set(Bulb::table.strength, 5.0);
-    EXPECT_FALSE(lampPasses(hall.plan(renderer.kept())).empty()) << "its exhibit changed";
+    EXPECT_FALSE(lampPasses(hall.plan(renderer.persistentState())).empty()) << "its exhibit changed";
 }
 
 TEST_F(LampsTest, GiveSurfacesLightInProportionToTheirStrength)

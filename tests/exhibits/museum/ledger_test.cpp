@@ -56,7 +56,8 @@ TEST_F(Ledger, RunningEverythingChangesNoBitOfAnyExhibit)
 std::map<std::string, std::int64_t> heldFor(const Shot& shot)
 {
     render::gl::Renderer renderer;
-    return renderer.draw(test::planned(gallery().museum, shot.sceneState, shot.request.frame, renderer.kept()))
+    return renderer
+        .draw(test::planned(gallery().museum, shot.sceneState, shot.request.frame, renderer.persistentState()))
         .counters;
 }
 
@@ -131,7 +132,9 @@ TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)
         std::int64_t held = 0;
         // What is kept is drawn in the first frame only: the second one holds what it takes to show a picture again.
         for (int frame = 0; frame < 2; ++frame)
-            held = renderer.draw(test::planned(gallery().museum, shot.sceneState, shot.request.frame, renderer.kept()))
+            held = renderer
+                       .draw(test::planned(gallery().museum, shot.sceneState, shot.request.frame,
+                                           renderer.persistentState()))
                        .counters.at("images");
         return held;
     };

@@ -129,7 +129,7 @@ TEST(ChangedFiles, HaveWhatIsKeptOfThemDrawnAnew)
     FileScene scene("hall", "environment", "");
     std::filesystem::copy_file(render::asset("frames/turning_mug/view_00.png"), path);
     scene.name(path);
-    const render::KeptKeys kept = test::keptAfter(scene.plan());
+    const render::PersistentState kept = test::keptAfter(scene.plan());
     EXPECT_FALSE(test::runs(scene.plan(kept), "probe/"));
     std::filesystem::remove(path);
     std::filesystem::copy_file(render::asset("frames/turning_mug/view_08.png"), path);

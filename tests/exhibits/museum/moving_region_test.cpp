@@ -42,7 +42,7 @@ protected:
     {
         request.samples = samples_;
         for (request.sample = 0; request.sample < request.samples; ++request.sample)
-            (void)renderer.draw(test::planned(museum_, sceneState_, request, renderer.kept()));
+            (void)renderer.draw(test::planned(museum_, sceneState_, request, renderer.persistentState()));
         return renderer.screenPixels("frame", size, glm::ivec2(0), size);
     }
 };
@@ -102,7 +102,7 @@ TEST_F(MovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
     request.samples = 2;
     const auto other = test::gallery().renderer.sibling();
     for (request.sample = 0; request.sample < 2; ++request.sample)
-        (void)other->draw(test::planned(museum_, sceneState_, request, other->kept()));
+        (void)other->draw(test::planned(museum_, sceneState_, request, other->persistentState()));
     const render::gl::ScreenPixels part = other->screenPixels("frame", size, low, request.raster.tile);
     int worst = 0;
     for (int y = 0; y < region->size.y; ++y)
@@ -138,7 +138,7 @@ TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
         renderer->abandonWhen([&] { return asked++ == most; });
         sceneState_ = other;
         try {
-            (void)renderer->draw(test::planned(museum_, sceneState_, at(1.3), renderer->kept()));
+            (void)renderer->draw(test::planned(museum_, sceneState_, at(1.3), renderer->persistentState()));
             finished = true;
         } catch (const render::gl::Abandoned&) {
             ++passes;

@@ -111,7 +111,7 @@ TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
     Scene scene;
     scene.see({0.5, 1.65, 9}, {0.5, 1.2, 12});
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
-    const auto emptyPlan = [&](const render::KeptKeys& kept) {
+    const auto emptyPlan = [&](const render::PersistentState& kept) {
         return test::planned(empty, empty.initialSceneState(), scene.request, kept);
     };
     const FramePlan first = scene.plan();
@@ -191,7 +191,7 @@ TEST(MuseumPlan, ProbeAndHallShadowAreKeptWhileTheLightIsTheSame)
 {
     Scene scene;
     const FramePlan first = scene.plan();
-    const render::KeptKeys kept = keptAfter(first);
+    const render::PersistentState kept = keptAfter(first);
     EXPECT_GT(kept.passes.size(), 8U);
     scene.object().set(test::sdfTable().morph, 0.25);
     scene.hall().set(test::hallTable().exposure, 1.0);  // Develops the picture, does not light the room.
@@ -212,7 +212,7 @@ TEST(MuseumPlan, TheExhibitsShadowIsKeptWhileNothingInItMoves)
 {
     Scene scene;
     shineOnTheExhibit(scene);
-    const render::KeptKeys kept = keptAfter(scene.plan());
+    const render::PersistentState kept = keptAfter(scene.plan());
     scene.see({0.5, 2, 3}, {0, 1.4, 0});
     scene.request.time = 5;
     for (const char* pass : {"exhibits/shadow", "sdf_morph/shadow"})

@@ -282,8 +282,8 @@ TEST_F(PictureTest, OutOfViewTheExhibitsCostWhatAHallWithoutExhibitsCosts)
         frame.raster.size = {64, 36};
         frame.camera = {{0.5, 1.65, 9}, target, 0.959931};
         (void)renderer.draw(
-            test::planned(museum, sceneState, frame, renderer.kept()));  // Shadow map and probe are made.
-        auto all = renderer.draw(test::planned(museum, sceneState, frame, renderer.kept())).counters;
+            test::planned(museum, sceneState, frame, renderer.persistentState()));  // Shadow map and probe are made.
+        auto all = renderer.draw(test::planned(museum, sceneState, frame, renderer.persistentState())).counters;
         all.erase("programs");  // Of everything built so far.
         return all;
     };

@@ -28,7 +28,8 @@ Drawn drawn(ScanCase c, bool runEverything)
 {
     c.frame.runEverything = runEverything;
     c.frame.channels.evaluations = false;  // They count what is run.
-    const render::FramePlan plan = test::planned(gallery().museum, c.sceneState, c.frame, gallery().renderer.kept());
+    const render::FramePlan plan =
+        test::planned(gallery().museum, c.sceneState, c.frame, gallery().renderer.persistentState());
     (void)gallery().renderer.draw(plan);
     Drawn result{{gallery().renderer.read("frame"), gallery().renderer.read(depthImage)}, toString(plan), {}};
     for (const render::Skipped& skipped : plan.skipped())

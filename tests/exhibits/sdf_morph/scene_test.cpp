@@ -147,7 +147,8 @@ TEST_F(Scene, S10_TwoIntersectingFieldsGiveTheirUnion)
         return gallery().renderer.read(depthImage);
     };
     const auto planOf = [](const Shot& shot) {
-        return test::planned(gallery().museum, shot.sceneState, shot.request.frame, gallery().renderer.kept());
+        return test::planned(gallery().museum, shot.sceneState, shot.request.frame,
+                             gallery().renderer.persistentState());
     };
     const render::Image a = draw(planOf(first));
     const render::Image b = draw(planOf(second));
@@ -171,7 +172,7 @@ TEST_F(Scene, S11_TheShadowMapHoldsWhereTheSunsRaysHit)
         shot.object().set(sdfTable().morph, morph);
         shot.hall().set(hallTable().shadowMapSize, 512);
         const render::FramePlan plan =
-            test::planned(gallery().museum, shot.sceneState, shot.request.frame, gallery().renderer.kept());
+            test::planned(gallery().museum, shot.sceneState, shot.request.frame, gallery().renderer.persistentState());
         const render::Pass* pass = plan.find("sdf_morph/shadow");
         ASSERT_TRUE(pass);
         const render::View light = *pass->view;

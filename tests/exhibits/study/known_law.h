@@ -104,7 +104,7 @@ public:
         }
         return image;
     }
-    [[nodiscard]] const render::KeptKeys& kept() const override { return kept_; }
+    [[nodiscard]] const render::PersistentState& persistentState() const override { return kept_; }
     [[nodiscard]] int largestSide() const override { return 4096; }
 
 private:
@@ -113,7 +113,7 @@ private:
     double numbers_[2] = {};
     glm::ivec2 size_{1};
     std::mt19937 engine_{1};
-    render::KeptKeys kept_;
+    render::PersistentState kept_;
 };
 
 }  // namespace vitrine::test

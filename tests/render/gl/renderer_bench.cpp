@@ -50,7 +50,7 @@ render::FramePlan RendererTest::planOf(glm::ivec2 size)
 render::FrameReport RendererTest::draw(render::FramePlan& plan)
 {
     EXPECT_EQ(plan.errors(), std::vector<std::string>());
-    plan.prune({"frame"}, renderer_->kept());
+    plan.prune({"frame"}, renderer_->persistentState());
     return renderer_->draw(plan);
 }
 

@@ -128,8 +128,8 @@ TEST_F(ShaderErrors, H112_APlanWithABrokenShaderFailsWithFileAndLineAndKeepsTheP
 {
     test::Shot shot;
     const render::Image before = shot.take().image;
-    render::FramePlan plan =
-        test::planned(test::gallery().museum, shot.sceneState, shot.request.frame, test::gallery().renderer.kept());
+    render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, shot.request.frame,
+                                           test::gallery().renderer.persistentState());
     render::Pass broken;
     broken.name = "broken";
     broken.phase = render::PassPhase::present;

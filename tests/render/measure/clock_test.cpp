@@ -46,7 +46,7 @@ TEST_F(Clock, TimesOfStepsAddUpToNoMoreThanTheFrame)
     render::gl::Renderer& renderer = gallery().renderer;
     renderer.timeSteps(true);
     const render::FrameReport report =
-        renderer.draw(test::planned(gallery().museum, shot.sceneState, shot.request.frame, renderer.kept()));
+        renderer.draw(test::planned(gallery().museum, shot.sceneState, shot.request.frame, renderer.persistentState()));
     renderer.timeSteps(false);
     double sum = 0;
     for (const render::StepReport& step : report.ran) {

@@ -19,7 +19,7 @@ FramePlan scene()
 {
     FramePlan plan;
     plan.view = visitor;
-    plan.image({.name = "shadow", .format = Format::depth32f, .size = {16, 16}, .kept = true});
+    plan.image({.name = "shadow", .format = Format::depth32f, .size = {16, 16}, .persistent = true});
     plan.image({.name = "cones", .format = Format::r32f, .scale = 0.125});
     plan.image({.name = "blocks", .format = Format::r32f, .divisor = 4});
     plan.image({.name = "radiance"});

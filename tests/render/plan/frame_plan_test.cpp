@@ -105,7 +105,7 @@ TEST(FramePlan, SortsByStageAndKeepsTheOrderWithinOne)
 }
 
 /// A kept shadow map that `last` reads.
-FramePlan withKeptMap(std::uint64_t key, bool kept = true)
+FramePlan withPersistentMap(std::uint64_t key, bool kept = true)
 {
     FramePlan plan;
     plan.image({.name = "map", .size = {8, 8}, .kept = kept});
@@ -118,23 +118,23 @@ FramePlan withKeptMap(std::uint64_t key, bool kept = true)
 
 TEST(FramePlan, SkipsWhatIsKeptAndUnchanged)
 {
-    FramePlan same = withKeptMap(7);
+    FramePlan same = withPersistentMap(7);
     same.prune({"frame"}, {.passes = {{"map", 7}}});
     EXPECT_EQ(toString(same), "last");
     EXPECT_EQ(reasonFor(same, "map"), "unchanged since it last ran");
 
-    FramePlan changed = withKeptMap(8);
+    FramePlan changed = withPersistentMap(8);
     changed.prune({"frame"}, {.passes = {{"map", 7}}});
     EXPECT_EQ(toString(changed), "map > last");
 
-    FramePlan never = withKeptMap(7);
+    FramePlan never = withPersistentMap(7);
     never.prune({"frame"});
     EXPECT_EQ(toString(never), "map > last");
 }
 
 TEST(FramePlan, RunsAgainWhenTheImageItWroteWasNotKept)
 {
-    FramePlan plan = withKeptMap(7, false);
+    FramePlan plan = withPersistentMap(7, false);
     plan.prune({"frame"}, {.passes = {{"map", 7}}});
     EXPECT_EQ(toString(plan), "map > last");
 }
@@ -142,7 +142,7 @@ TEST(FramePlan, RunsAgainWhenTheImageItWroteWasNotKept)
 TEST(FramePlan, DropsWhatFedOnlyAnUnchangedPass)
 {
     FramePlan plan;
-    plan.image({.name = "map", .kept = true});
+    plan.image({.name = "map", .persistent = true});
     plan.add(pass("feeds", {}, "temporary", Load::clear));
     Pass map = pass("map", {"temporary"}, "map", Load::clear);
     map.key = 7;
@@ -155,7 +155,7 @@ TEST(FramePlan, DropsWhatFedOnlyAnUnchangedPass)
 
 TEST(FramePlan, RunsEverythingWhenAskedTo)
 {
-    FramePlan plan = withKeptMap(7);
+    FramePlan plan = withPersistentMap(7);
     plan.add(pass("dead", {}, "unread"));
     plan.runEverything = true;
     plan.prune({"frame"}, {.passes = {{"map", 7}}});

@@ -30,7 +30,7 @@ struct Accumulated {
     std::uint64_t values = 7;
     History history{.image = {.name = "mist"}, .dependencies = {}};
 
-    [[nodiscard]] FramePlan plan(const KeptKeys& kept = {}) const
+    [[nodiscard]] FramePlan plan(const PersistentState& kept = {}) const
     {
         FramePlan plan;
         plan.view = makeView(camera, raster);
@@ -46,7 +46,7 @@ struct Accumulated {
         return plan;
     }
     /// What a renderer keeps after it drew that plan.
-    [[nodiscard]] KeptKeys kept() const
+    [[nodiscard]] PersistentState persistentState() const
     {
         const FramePlan last = plan();
         const HistoryState& state = last.histories().at("mist");
@@ -54,7 +54,7 @@ struct Accumulated {
     }
     [[nodiscard]] std::string resetAfter(const Accumulated& last) const
     {
-        return plan(last.kept()).histories().at("mist").reset;
+        return plan(last.persistentState()).histories().at("mist").reset;
     }
 };
 
@@ -67,7 +67,7 @@ TEST(History, StartsWithNothingAndIsValidInTheNextFrame)
     EXPECT_NE(first.find("march")->reason.find("its history starts again: nothing was drawn before"),
               std::string::npos);
 
-    const FramePlan second = scene.plan(scene.kept());
+    const FramePlan second = scene.plan(scene.persistentState());
     EXPECT_TRUE(second.find("march")->past.used);
     EXPECT_TRUE(second.find("march")->past.valid);
     EXPECT_EQ(second.find("march")->reason.find("starts again"), std::string::npos);
@@ -82,7 +82,7 @@ TEST(History, FollowsACameraThatMovesALittle)
     now.camera.eye = {0.2, 1, 5};
     now.raster.jitter = {0.25, -0.25};
     now.time = 1.2;
-    const FramePlan plan = now.plan(last.kept());
+    const FramePlan plan = now.plan(last.persistentState());
     EXPECT_TRUE(plan.histories().at("mist").valid) << plan.histories().at("mist").reset;
     EXPECT_EQ(plan.find("march")->past.lastView.eye, last.camera.eye) << "what to reproject from";
 }
@@ -139,12 +139,12 @@ TEST(History, ThatOnlyTheNextFrameReadsIsWrittenAllTheSame)
 
 // ---- parts
 
-FramePlan baked(std::uint64_t key, const KeptKeys& kept = {}, bool allParts = false)
+FramePlan baked(std::uint64_t key, const PersistentState& kept = {}, bool allParts = false)
 {
     FramePlan plan;
     plan.allParts = allParts;
     plan.image({.name = "volume", .type = TextureType::volume, .size = {8, 8}, .layers = 8});
-    plan.image({.name = "light", .kept = true});
+    plan.image({.name = "light", .persistent = true});
     plan.image({.name = "frame"});
     Pass bake = drawn("bake", {}, "volume");
     bake.reason = "the density is baked";

@@ -50,7 +50,7 @@ public:
         return known_.draw(plan);
     }
     [[nodiscard]] render::Image read(const std::string& image) override { return known_.read(image); }
-    [[nodiscard]] const render::KeptKeys& kept() const override { return known_.kept(); }
+    [[nodiscard]] const render::PersistentState& persistentState() const override { return known_.persistentState(); }
     [[nodiscard]] int largestSide() const override { return known_.largestSide(); }
 
 private:
