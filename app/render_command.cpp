@@ -8,7 +8,7 @@
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/image/image_io.h"
-#include "render/plan/complaints.h"
+#include "render/plan/diagnostics.h"
 
 #include <CLI/CLI.hpp>
 
@@ -47,7 +47,7 @@ int renderPicture(const RenderOptions& options)
     PictureMaker maker(museum, renderer, job.sceneState, job.request);
     while (maker.step()) {
     }
-    for (const render::Skipped& complaint : render::Complaints().begun(maker.report().skipped))
+    for (const render::Skipped& complaint : render::Diagnostics().begun(maker.report().skipped))
         std::fprintf(stderr, "vitrine: %s\n", lineOf(complaint).c_str());
     render::writePicture(options.picture.out, maker.picture(), format, {.preset = presetOf(museum, job)});
     if (!options.report.empty()) writeReport(options.report, museum, renderer, context.info(), job, maker);

@@ -268,10 +268,10 @@ void Fur::planMotion(const PlanContext& context, render::FramePlan& plan) const
     if (plan.find(motion) || plan.findSkipped(motion)) return;
     // Without a number, so that it stays one line in the log however the clock goes on.
     if (!clockIsRight(context.time, context.sinceOwnPress))
-        plan.complain("fur/clock",
-                      "the time is no number, or lies before the press of the button; the bodies are shown at rest "
-                      "until it is right",
-                      render::Work::simulation);
+        plan.warn("fur/clock",
+                  "the time is no number, or lies before the press of the button; the bodies are shown at rest "
+                  "until it is right",
+                  render::Work::simulation);
     const auto& now = static_cast<const Prepared&>(*context.prepared);
     if (!now.moving) {
         plan.skip(motion, now.reason, render::Work::simulation);
@@ -313,8 +313,8 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
     const auto& now = static_cast<const Prepared&>(*context.prepared);
     for (std::size_t i = 0; i < furBodyCount; ++i)
         if (context.values[table_.silhouette] == FurSilhouette::fins && !now.fins[i])
-            plan.complain("fur/model fins", whyUnfinned(now.skins[i]));
-    if (now.model && !now.model->notes.empty()) plan.complain("fur/model", joined(now.model->notes));
+            plan.warn("fur/model fins", whyUnfinned(now.skins[i]));
+    if (now.model && !now.model->notes.empty()) plan.warn("fur/model", joined(now.model->notes));
     planCoats(sceneOf(context, plan.seed), plan);
 }
 

@@ -75,14 +75,14 @@ std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values,
 {
     auto made = std::make_shared<PreparedHall>();
     render::Hash files;
-    const auto complain = [&](const char* step, File row, const std::string& failure) {
+    const auto warn = [&](const char* step, File row, const std::string& failure) {
         if (!failure.empty())
             made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), failure),
                                         "It is left out until it can be read."});
     };
     if (const std::string path = values[table_.environment]; !path.empty()) {
         const render::Asset<Panorama> found = assets.get<Panorama>("hall.environment", path, readPanorama);
-        complain("hall/environment", table_.environment, found.failure);
+        warn("hall/environment", table_.environment, found.failure);
         files.addValue(found.id);
         if (found.value) {
             made->environment = found.value->picture;
@@ -91,7 +91,7 @@ std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values,
     }
     if (const std::string path = values[table_.model]; !path.empty()) {
         render::Asset<render::Model> found = assets.get<render::Model>("hall.model", path, readModel);
-        complain("hall/model", table_.model, found.failure);
+        warn("hall/model", table_.model, found.failure);
         files.addValue(found.id);
         made->visitorModel = std::move(found.value);
     }

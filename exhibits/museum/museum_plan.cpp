@@ -209,13 +209,13 @@ void Museum::Frame::findPresent()
         if (p.hidden.empty() && !exhibit.seen) p.hidden = notPrepared;
         if (p.noShadow.empty() && !exhibit.shadowSeen) p.noShadow = notPrepared;
     }
-    const auto complain = [&](const PreparedPart* part) {
+    const auto warn = [&](const PreparedPart* part) {
         if (!part) return;
-        for (const UnreadableFile& file : part->unreadable) plan.complainOfFile(file.step, file.why, file.instead);
+        for (const UnreadableFile& file : part->unreadable) plan.warnOfFile(file.step, file.why, file.instead);
     };
-    complain(prepared.hall.get());
+    warn(prepared.hall.get());
     for (const Present& p : present)
-        if (p.hidden.empty() || p.noShadow.empty()) complain(prepared.exhibits[p.index].part.get());
+        if (p.hidden.empty() || p.noShadow.empty()) warn(prepared.exhibits[p.index].part.get());
 }
 
 /// Everything that changes how an exhibit looks.

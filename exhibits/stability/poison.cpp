@@ -132,7 +132,7 @@ render::FramePlan poisoned(const render::FramePlan& plan, const Poison& poison)
     for (const render::Pass& pass : plan.passes()) result.add(pass);
     for (const render::Skipped& skipped : plan.skipped()) {
         if (skipped.complaint)
-            result.complain(skipped.name, skipped.reason, skipped.work);
+            result.warn(skipped.name, skipped.reason, skipped.work);
         else
             result.skip(skipped.name, skipped.reason, skipped.work);
     }

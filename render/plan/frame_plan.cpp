@@ -162,12 +162,12 @@ void FramePlan::skip(std::string name, std::string reason, Work work)
     skipped_.push_back({std::move(name), std::move(reason), work});
 }
 
-void FramePlan::complain(std::string name, std::string reason, Work work)
+void FramePlan::warn(std::string name, std::string reason, Work work)
 {
     skipped_.push_back({.name = std::move(name), .reason = std::move(reason), .work = work, .complaint = true});
 }
 
-void FramePlan::complainOfFile(std::string name, std::string unreadable, const std::string& instead)
+void FramePlan::warnOfFile(std::string name, std::string unreadable, const std::string& instead)
 {
     std::string reason = unreadable + ' ' + instead;
     skipped_.push_back(

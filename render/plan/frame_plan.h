@@ -194,10 +194,10 @@ public:
     void add(Pass);
     void skip(std::string name, std::string reason, Work = Work::raster);
     /// Left out or mended because the input was bad, and why, in one sentence for the visitor.
-    void complain(std::string name, std::string reason, Work = Work::raster);
+    void warn(std::string name, std::string reason, Work = Work::raster);
     /// The look names a file that cannot be read: `unreadable` says which parameter, which file and why, `instead` what
     /// is drawn in its place. Both are full sentences.
-    void complainOfFile(std::string name, std::string unreadable, const std::string& instead);
+    void warnOfFile(std::string name, std::string unreadable, const std::string& instead);
     /// Whether an effect has to be drawn: its bound is not 0, or everything runs. Otherwise its passes, by name, are
     /// listed as skipped.
     [[nodiscard]] bool needs(const Bound&, std::initializer_list<const char*> passes);

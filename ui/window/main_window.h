@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/plan/complaints.h"
+#include "render/plan/diagnostics.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/viewport/renderers.h"
@@ -91,8 +91,8 @@ private:
     FileOpener* files_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
-    render::Complaints complaints_;  // Those that are in the log already.
-    QStringList unreadable_;         // What the strip says about files that cannot be read.
+    render::Diagnostics complaints_;  // Those that are in the log already.
+    QStringList unreadable_;          // What the strip says about files that cannot be read.
     std::unique_ptr<WindowActions> actions_;
     bool bare_ = false;  // Panels, menu and status line are hidden.
     std::size_t chosen_ = hallIndex;

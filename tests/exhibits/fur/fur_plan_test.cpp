@@ -2,7 +2,7 @@
 
 #include "exhibits/fur/fur.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
-#include "render/plan/complaints.h"
+#include "render/plan/diagnostics.h"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/planned.h"
 
@@ -218,7 +218,7 @@ TEST(FurPlan, SurvivesABrokenClock)
 TEST(FurPlan, TellsTheLogOncePerStretchOfABrokenClock)
 {
     FurScene scene;
-    render::Complaints log;
+    render::Diagnostics log;
     const auto lines = [&](double time, double since) {
         scene.request.time = time;
         scene.press(since);
@@ -261,7 +261,7 @@ TEST(FurPlan, DressesAModelOfItsOwnByItsPlaceAmongTheAssets)
     const render::Pass* coat = plan.find("fur/coat");
     ASSERT_EQ(coat->draws.size(), 3U);
     EXPECT_EQ(coat->draws[2].mesh->name, "model");
-    EXPECT_TRUE(render::Complaints().begun(plan.skipped()).empty());
+    EXPECT_TRUE(render::Diagnostics().begun(plan.skipped()).empty());
     scene.values().set(table().silhouette, FurSilhouette::fins);
     EXPECT_EQ(scene.plan().find("fur/fins")->draws.size(), 3U) << "a model has fins as well";
 }

@@ -1,7 +1,7 @@
 // Coats as drawn: finite whatever one sets, and within their length; what every slider does.
 
 #include "render/failure.h"
-#include "render/plan/complaints.h"
+#include "render/plan/diagnostics.h"
 #include "tests/exhibits/fur/fur_shot.h"
 #include "tests/render/scene/gltf_builder.h"
 #include "tests/support/planned.h"
@@ -227,7 +227,7 @@ TEST_F(FurTest, AVisitorsModelWearsTheRingsCoatAndJumps)
             EXPECT_GT(p.hits(), 300) << at;
             EXPECT_GT(colorDifference(p, ring), 0.001) << at;
         }
-        render::Complaints log;
+        render::Diagnostics log;
         const auto lines = [&] {
             return log.begun(test::planned(gallery().museum, shot.sceneState, shot.request.frame).skipped());
         };

@@ -5,7 +5,7 @@
 #include "exhibits/museum/named_files.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
-#include "render/plan/complaints.h"
+#include "render/plan/diagnostics.h"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/planned.h"
 #include "tests/support/temporary_folder.h"
@@ -35,7 +35,7 @@ struct FileScene : test::Scene {
     [[nodiscard]] std::vector<std::string> unreadable() const
     {
         std::vector<std::string> sentences;
-        for (const render::Skipped& complaint : render::Complaints().begun(plan().skipped()))
+        for (const render::Skipped& complaint : render::Diagnostics().begun(plan().skipped()))
             if (!complaint.unreadable.empty()) sentences.push_back(lineOf(complaint));
         return sentences;
     }

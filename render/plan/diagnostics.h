@@ -9,7 +9,7 @@ namespace vitrine::render {
 
 /// What the log hears of frames: one line when bad input begins, however many frames it lasts, and another when
 /// it comes again after a frame without it.
-class Complaints {
+class Diagnostics {
 public:
     /// The complaints of this frame that the last one did not have.
     [[nodiscard]] std::vector<Skipped> begun(const std::vector<Skipped>& skipped);

@@ -1,4 +1,4 @@
-#include "render/plan/complaints.h"
+#include "render/plan/diagnostics.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +10,7 @@ std::string lineOf(const Skipped& complaint)
     return complaint.unreadable.empty() ? complaint.name + ": " + complaint.reason : complaint.reason;
 }
 
-std::vector<Skipped> Complaints::begun(const std::vector<Skipped>& skipped)
+std::vector<Skipped> Diagnostics::begun(const std::vector<Skipped>& skipped)
 {
     std::vector<std::string> now;
     std::vector<Skipped> fresh;
