@@ -47,7 +47,7 @@ int renderPicture(const RenderOptions& options)
     PictureMaker maker(museum, renderer, job.sceneState, job.request);
     while (maker.step()) {
     }
-    for (const render::Skipped& complaint : render::Diagnostics().begun(maker.report().skipped))
+    for (const render::CulledPass& complaint : render::Diagnostics().begun(maker.report().skipped))
         std::fprintf(stderr, "vitrine: %s\n", lineOf(complaint).c_str());
     render::writePicture(options.picture.out, maker.picture(), format, {.preset = presetOf(museum, job)});
     if (!options.report.empty()) writeReport(options.report, museum, renderer, context.info(), job, maker);

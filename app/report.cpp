@@ -101,7 +101,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
 
     const render::FrameReport& first = maker.report();
     Json skipped = Json::array();
-    for (const render::Skipped& step : first.skipped) {
+    for (const render::CulledPass& step : first.skipped) {
         const double known = wouldCost.of(step.name);
         skipped.push_back(Json{{"name", step.name},
                                {"kind", toString(step.work)},

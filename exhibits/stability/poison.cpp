@@ -130,7 +130,7 @@ render::FramePlan poisoned(const render::FramePlan& plan, const Poison& poison)
         }
     }
     for (const render::Pass& pass : plan.passes()) result.add(pass);
-    for (const render::Skipped& skipped : plan.skipped()) {
+    for (const render::CulledPass& skipped : plan.skipped()) {
         if (skipped.complaint)
             result.warn(skipped.name, skipped.reason, skipped.work);
         else

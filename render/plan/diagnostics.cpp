@@ -5,16 +5,16 @@
 
 namespace vitrine::render {
 
-std::string lineOf(const Skipped& complaint)
+std::string lineOf(const CulledPass& complaint)
 {
     return complaint.unreadable.empty() ? complaint.name + ": " + complaint.reason : complaint.reason;
 }
 
-std::vector<Skipped> Diagnostics::begun(const std::vector<Skipped>& skipped)
+std::vector<CulledPass> Diagnostics::begun(const std::vector<CulledPass>& skipped)
 {
     std::vector<std::string> now;
-    std::vector<Skipped> fresh;
-    for (const Skipped& s : skipped) {
+    std::vector<CulledPass> fresh;
+    for (const CulledPass& s : skipped) {
         if (!s.complaint) continue;
         std::string line = lineOf(s);
         if (std::find(now.begin(), now.end(), line) != now.end()) continue;

@@ -12,13 +12,13 @@ namespace vitrine::render {
 class Diagnostics {
 public:
     /// The complaints of this frame that the last one did not have.
-    [[nodiscard]] std::vector<Skipped> begun(const std::vector<Skipped>& skipped);
+    [[nodiscard]] std::vector<CulledPass> begun(const std::vector<CulledPass>& skipped);
 
 private:
     std::vector<std::string> last_;
 };
 
 /// "fur/clock: the time is not a number"; what is said of a file says itself where it belongs.
-[[nodiscard]] std::string lineOf(const Skipped& complaint);
+[[nodiscard]] std::string lineOf(const CulledPass& complaint);
 
 }  // namespace vitrine::render

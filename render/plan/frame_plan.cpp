@@ -335,9 +335,10 @@ const Pass* FramePlan::find(std::string_view name) const
     return pass == passes_.end() ? nullptr : &*pass;
 }
 
-const Skipped* FramePlan::findSkipped(std::string_view name) const
+const CulledPass* FramePlan::findSkipped(std::string_view name) const
 {
-    const auto pass = std::find_if(skipped_.begin(), skipped_.end(), [&](const Skipped& p) { return p.name == name; });
+    const auto pass =
+        std::find_if(skipped_.begin(), skipped_.end(), [&](const CulledPass& p) { return p.name == name; });
     return pass == skipped_.end() ? nullptr : &*pass;
 }
 

@@ -163,7 +163,7 @@ struct Pass {
     } past = {};
 };
 
-struct Skipped {
+struct CulledPass {
     std::string name;
     std::string reason;
     Work work = Work::raster;
@@ -209,7 +209,7 @@ public:
     void prune(const std::vector<std::string>& outputs, const PersistentState& kept = {});
 
     [[nodiscard]] const std::vector<Pass>& passes() const { return passes_; }
-    [[nodiscard]] const std::vector<Skipped>& skipped() const { return skipped_; }
+    [[nodiscard]] const std::vector<CulledPass>& skipped() const { return skipped_; }
     [[nodiscard]] const std::map<std::string, ImageInfo>& images() const { return images_; }
     [[nodiscard]] const std::map<std::string, BufferInfo>& buffers() const { return buffers_; }
     /// By image; known after `prune`.
@@ -222,7 +222,7 @@ public:
     /// left in a plan that is to be drawn; tests plan everything and look.
     [[nodiscard]] std::vector<std::string> errors() const;
     [[nodiscard]] const Pass* find(std::string_view passName) const;
-    [[nodiscard]] const Skipped* findSkipped(std::string_view passName) const;
+    [[nodiscard]] const CulledPass* findSkipped(std::string_view passName) const;
 
 private:
     [[nodiscard]] bool isUnchanged(const Pass&, const PersistentState&) const;
@@ -233,7 +233,7 @@ private:
     void lookBack(const PersistentState&);
 
     std::vector<Pass> passes_;
-    std::vector<Skipped> skipped_;
+    std::vector<CulledPass> skipped_;
     std::map<std::string, ImageInfo> images_;
     std::map<std::string, BufferInfo> buffers_;
     std::map<std::string, HistoryState> histories_;

@@ -23,7 +23,7 @@ struct StepReport {
 /// The ledger of one frame.
 struct FrameReport {
     std::vector<StepReport> ran;
-    std::vector<Skipped> skipped;
+    std::vector<CulledPass> skipped;
     std::map<std::string, std::int64_t> counters;  ///< Exact integers: "passes", "draws", "triangles", "programs", ...
     double milliseconds = 0;                       ///< The whole frame, by the clock named by `clock`.
     double wallMilliseconds = 0;                   ///< The same by the wall clock: what a visitor waits.

@@ -12,7 +12,7 @@ void StepCosts::note(const FrameReport& report)
         if (group != step.name && step.name != group + "/shadow") groups[group] += step.milliseconds;
     }
     // A simulation may go on for the sake of a shadow.
-    for (const Skipped& step : report.skipped) groups.erase(step.name);
+    for (const CulledPass& step : report.skipped) groups.erase(step.name);
     for (const auto& [group, milliseconds] : groups) groups_[group] = milliseconds;
 }
 

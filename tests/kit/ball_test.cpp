@@ -174,7 +174,7 @@ TEST(BallOnPaper, OutOfViewTheLedgerSaysWhyInOneLine)
     EXPECT_EQ(test::reasonFor(plan, "ball"), "out of view");
     EXPECT_EQ(test::reasonFor(plan, "ball/shadow"), "sun shadows are switched off");
     EXPECT_FALSE(test::runs(plan, "ball"));
-    for (const render::Skipped& skipped : plan.skipped())
+    for (const render::CulledPass& skipped : plan.skipped())
         EXPECT_TRUE(skipped.name == "ball/shadow" || !skipped.name.starts_with("ball/")) << skipped.name;
 }
 

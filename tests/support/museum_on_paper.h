@@ -46,7 +46,7 @@ struct Scene {
 
 inline std::string reasonFor(const render::FramePlan& plan, std::string_view name)
 {
-    const render::Skipped* skipped = plan.findSkipped(name);
+    const render::CulledPass* skipped = plan.findSkipped(name);
     return skipped ? skipped->reason : plan.find(name) ? "it ran" : "not in the plan";
 }
 

@@ -128,7 +128,7 @@ std::string wholeText(const FramePlan& plan)
     head << plan.time << plan.seed << plan.sample << plan.runEverything;
     std::string text = head.text.str() + '\n';
     for (const Pass& pass : plan.passes()) text += textOf(pass) + '\n';
-    for (const Skipped& s : plan.skipped()) {
+    for (const CulledPass& s : plan.skipped()) {
         Line line;
         line << "skipped" << s.name << s.reason << s.work << s.complaint << s.boundIsZero << s.unreadable;
         text += line.text.str() + '\n';

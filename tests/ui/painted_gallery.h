@@ -174,8 +174,8 @@ public:
     std::atomic<int> pictureReads = 0;
     std::atomic<int> unfinishedFrames = 0;  ///< The next so many call for another one.
     std::vector<render::gl::ShaderProblem> shaderProblems;
-    std::exception_ptr thrown;                ///< By every frame that is drawn from now on; null: nothing.
-    std::vector<render::Skipped> complaints;  ///< Of every frame that is drawn from now on.
+    std::exception_ptr thrown;                   ///< By every frame that is drawn from now on; null: nothing.
+    std::vector<render::CulledPass> complaints;  ///< Of every frame that is drawn from now on.
 
 private:
     /// Read once for all that have no other exhibit.

@@ -49,7 +49,7 @@ void LedgerDock::note(const render::FrameReport& report)
     ran_ = report.ran.size();
     clock_ = QString::fromStdString(report.clock);
     saved_ = 0;
-    for (const render::Skipped& step : report.skipped) saved_ += std::max(view_->costs().of(step.name), 0.0);
+    for (const render::CulledPass& step : report.skipped) saved_ += std::max(view_->costs().of(step.name), 0.0);
     if (!timer_.isActive()) timer_.start();
 }
 

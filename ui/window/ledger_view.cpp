@@ -92,7 +92,7 @@ void LedgerView::renew()
             fill(e.name, s.work, tr("in the step above"), {},
                  e.bound.isKnown() ? toString(e.bound) : tr("may change any pixel").toStdString(), true);
     }
-    for (const render::Skipped& s : report_.skipped)
+    for (const render::CulledPass& s : report_.skipped)
         fill(s.name, s.work, tr("skipped"), milliseconds(costs_.of(s.name)),
              s.reason + (s.boundIsZero ? "; would change nothing" : ""), false);
 }

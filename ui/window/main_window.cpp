@@ -145,9 +145,9 @@ void MainWindow::noteFrame(const render::FrameReport& report, const QSize& pixel
     keepThumbnail();
 }
 
-void MainWindow::showComplaints(const std::vector<render::Skipped>& skipped)
+void MainWindow::showComplaints(const std::vector<render::CulledPass>& skipped)
 {
-    for (const render::Skipped& complaint : complaints_.begun(skipped)) {
+    for (const render::CulledPass& complaint : complaints_.begun(skipped)) {
         const QString line = text(lineOf(complaint));
         if (complaint.unreadable.empty())
             docks_->log().add(line);
@@ -156,7 +156,7 @@ void MainWindow::showComplaints(const std::vector<render::Skipped>& skipped)
     }
     // A file that is there again is no problem any more.
     QStringList now;
-    for (const render::Skipped& complaint : skipped)
+    for (const render::CulledPass& complaint : skipped)
         if (complaint.complaint && !complaint.unreadable.empty()) now << text(lineOf(complaint));
     for (const QString& line : std::as_const(unreadable_))
         if (!now.contains(line)) messages_->takeBack(line);

@@ -77,7 +77,7 @@ private:
     void showShippedThumbnails();
     void showTitle();
     void noteFrame(const render::FrameReport&, const QSize& pixels);
-    void showComplaints(const std::vector<render::Skipped>&);
+    void showComplaints(const std::vector<render::CulledPass>&);
     void keepThumbnail();
 
     const Museum& museum_;

@@ -227,7 +227,7 @@ TEST(FurPlan, TellsTheLogOncePerStretchOfABrokenClock)
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(lines(0, never).empty());
     for (const double right : {0.0, 5e-324, 1.0 / 60, 10.0, 1e9}) EXPECT_TRUE(lines(right, right).empty()) << right;
-    const std::vector<render::Skipped> first = lines(nan, 0.5);
+    const std::vector<render::CulledPass> first = lines(nan, 0.5);
     ASSERT_EQ(first.size(), 1U);
     EXPECT_EQ(lineOf(first[0]).rfind("fur/clock: the time is no number", 0), 0U) << lineOf(first[0]);
     // However it goes on being wrong, it is one stretch.

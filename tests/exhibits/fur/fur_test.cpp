@@ -231,7 +231,7 @@ TEST_F(FurTest, AVisitorsModelWearsTheRingsCoatAndJumps)
         const auto lines = [&] {
             return log.begun(test::planned(gallery().museum, shot.sceneState, shot.request.frame).skipped());
         };
-        const std::vector<render::Skipped> first = lines();
+        const std::vector<render::CulledPass> first = lines();
         ASSERT_EQ(first.size(), awkward ? 1U : 0U);
         if (awkward) {
             EXPECT_EQ(lineOf(first[0]), "fur/model: 1 triangle without area was left out");

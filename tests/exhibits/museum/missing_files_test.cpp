@@ -35,7 +35,7 @@ struct FileScene : test::Scene {
     [[nodiscard]] std::vector<std::string> unreadable() const
     {
         std::vector<std::string> sentences;
-        for (const render::Skipped& complaint : render::Diagnostics().begun(plan().skipped()))
+        for (const render::CulledPass& complaint : render::Diagnostics().begun(plan().skipped()))
             if (!complaint.unreadable.empty()) sentences.push_back(lineOf(complaint));
         return sentences;
     }

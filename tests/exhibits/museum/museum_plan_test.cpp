@@ -90,7 +90,7 @@ TEST(MuseumPlan, OutOfViewItIsNotMarched)
     EXPECT_EQ(reasonFor(plan, "sdf_morph"), "out of view");
     EXPECT_FALSE(runs(plan, "sdf_morph/"));
     // One line for the picture and one for the shadow; what lies over the frame has no line for its bounds.
-    for (const render::Skipped& skipped : plan.skipped())
+    for (const render::CulledPass& skipped : plan.skipped())
         EXPECT_TRUE(skipped.name.rfind("sdf_morph/", 0) != 0 || skipped.name == "sdf_morph/shadow") << skipped.name;
     EXPECT_EQ(reasonFor(plan, "crepuscular_rays"), "not in the plan");
 }
@@ -307,7 +307,7 @@ TEST(MuseumPlan, RunEverythingSkipsNothingThatWasPlanned)
     const FramePlan plan = scene.plan(keptAfter(scene.plan()));
     EXPECT_EQ(reasonFor(plan, "sdf_morph/march"), "it ran");
     EXPECT_TRUE(runs(plan, "probe/"));
-    for (const render::Skipped& skipped : plan.skipped()) {
+    for (const render::CulledPass& skipped : plan.skipped()) {
         EXPECT_NE(skipped.reason, "nothing reads what it writes") << skipped.name;
         EXPECT_NE(skipped.reason, "unchanged since it last ran") << skipped.name;
         EXPECT_NE(skipped.reason, "out of view") << skipped.name;
@@ -321,7 +321,7 @@ TEST(MuseumPlan, EveryPassAndEverySkipHasAReason)
         if (alone) scene.request.alone = scene.sdf;
         const FramePlan plan = scene.plan();
         for (const render::Pass& pass : plan.passes()) EXPECT_FALSE(pass.reason.empty()) << pass.name;
-        for (const render::Skipped& skipped : plan.skipped()) EXPECT_FALSE(skipped.reason.empty()) << skipped.name;
+        for (const render::CulledPass& skipped : plan.skipped()) EXPECT_FALSE(skipped.reason.empty()) << skipped.name;
     }
 }
 

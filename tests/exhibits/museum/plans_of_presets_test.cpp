@@ -39,7 +39,7 @@ TEST(PlansOfPresets, RunEachStepOnceInTheOrderOfTheStagesAndForAReason)
             EXPECT_FALSE(pass.reason.empty()) << name << ": " << pass.name;
             EXPECT_FALSE(pass.bound.isZero()) << name << ": " << pass.name;
         }
-        for (const render::Skipped& step : plan.skipped()) {
+        for (const render::CulledPass& step : plan.skipped()) {
             EXPECT_FALSE(names.contains(step.name)) << name << " runs and skips " << step.name;
             EXPECT_GE(step.reason.size(), 5U) << name << ": " << step.name;
         }

@@ -32,7 +32,7 @@ Drawn drawn(ScanCase c, bool runEverything)
         test::planned(gallery().museum, c.sceneState, c.frame, gallery().renderer.persistentState());
     (void)gallery().renderer.draw(plan);
     Drawn result{{gallery().renderer.read("frame"), gallery().renderer.read(depthImage)}, toString(plan), {}};
-    for (const render::Skipped& skipped : plan.skipped())
+    for (const render::CulledPass& skipped : plan.skipped())
         result.leftOut += "\n    " + skipped.name + ": " + skipped.reason;
     if (c.frame.averageIn == AverageIn::radiance) result.images.push_back(gallery().renderer.read(radianceImage));
     if (c.frame.channels.normal) result.images.push_back(gallery().renderer.read(normalImage));

@@ -18,7 +18,7 @@ Pass pass(std::string name, std::vector<std::string> reads, std::string writes, 
 
 std::string reasonFor(const FramePlan& plan, std::string_view name)
 {
-    const Skipped* skipped = plan.findSkipped(name);
+    const CulledPass* skipped = plan.findSkipped(name);
     return skipped ? skipped->reason : "not skipped";
 }
 

@@ -104,7 +104,7 @@ class MissingFilesTest : public QObject {
         window_->resize(1000, 560);
         connect(&window_->viewport(), &Viewport::drawn, this, [this](const render::FrameReport& report) {
             unreadable_.clear();
-            for (const render::Skipped& skipped : report.skipped)
+            for (const render::CulledPass& skipped : report.skipped)
                 if (!skipped.unreadable.empty()) unreadable_ << QString::fromStdString(skipped.unreadable);
         });
         window_->show();

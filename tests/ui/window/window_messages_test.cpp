@@ -95,7 +95,7 @@ private slots:
                 QStringLiteral("fur/clock: the time is no number"));
         };
         bool up = true;
-        const auto drawFrames = [&](std::vector<render::Skipped> complaints) {
+        const auto drawFrames = [&](std::vector<render::CulledPass> complaints) {
             gallery_->complaints = std::move(complaints);
             const auto before = gallery_->requests().size();
             dragRoughness(up ? 60 : 20);
@@ -103,10 +103,10 @@ private slots:
             QTRY_VERIFY(gallery_->requests().size() > before + 2);
             settle();
         };
-        const render::Skipped wrong{.name = "fur/clock",
-                                    .reason = "the time is no number",
-                                    .work = render::Work::simulation,
-                                    .complaint = true};
+        const render::CulledPass wrong{.name = "fur/clock",
+                                       .reason = "the time is no number",
+                                       .work = render::Work::simulation,
+                                       .complaint = true};
         drawFrames({});
         QCOMPARE(lines(), 0);
         drawFrames({wrong});
