@@ -7,20 +7,20 @@
 
 namespace vitrine::render {
 
-/// The most that an effect changes of any channel of any pixel of the image "radiance": `share` of what the pixel is
-/// without the effect, plus `radiance` in scene-linear light before exposure. An effect that others read (a shadow map,
+/// The most that an effect changes of any channel of any pixel of the image "radiance": `relative` of what the pixel is
+/// without the effect, plus `absolute` in scene-linear light before exposure. An effect that others read (a shadow map,
 /// a probe) states what it changes on a surface that it falls on; what is made of it elsewhere is bounded there.
 struct Bound {
-    double share = 0;
-    double radiance = std::numeric_limits<double>::infinity();  ///< Infinite: nobody knows, or it is the thing itself.
+    double relative = 0;
+    double absolute = std::numeric_limits<double>::infinity();  ///< Infinite: nobody knows, or it is the thing itself.
     std::string whyNone = {};                                   ///< Of a bound of 0: what makes it so.
 
     /// Nothing is changed, so that the effect can be left out.
-    [[nodiscard]] bool isZero() const { return share == 0 && radiance == 0; }
+    [[nodiscard]] bool isZero() const { return relative == 0 && absolute == 0; }
     /// Whether something finite is promised.
     [[nodiscard]] bool isKnown() const
     {
-        return share < std::numeric_limits<double>::infinity() && radiance < std::numeric_limits<double>::infinity();
+        return relative < std::numeric_limits<double>::infinity() && absolute < std::numeric_limits<double>::infinity();
     }
 };
 
@@ -31,9 +31,9 @@ struct Factor {
     std::string_view whenZero;
 };
 
-/// Share and radiance times all factors; the first factor that is 0 says why. 0 times infinity is 0: what is not there
+/// Share and absolute times all factors; the first factor that is 0 says why. 0 times infinity is 0: what is not there
 /// changes nothing, whatever it would.
-[[nodiscard]] Bound boundOf(double share, double radiance, std::initializer_list<Factor> factors);
+[[nodiscard]] Bound boundOf(double relative, double absolute, std::initializer_list<Factor> factors);
 
 /// "changes a pixel by at most 40 % of its light and 0.3 of the light of white"; "may change any pixel" from a bound of
 /// 1 on, which leaves a pixel every value; "changes nothing"; empty when nothing is promised.
