@@ -26,9 +26,9 @@ FrameRequest frameOf(const RequestedPicture& job, const render::RenderBackend& b
 }
 
 /// Null where nothing is promised.
-Json boundJson(const render::Bound& bound)
+Json boundJson(const render::ContributionBound& bound)
 {
-    return bound.isKnown() ? Json{{"share", bound.share}, {"radiance", bound.radiance}} : Json(nullptr);
+    return bound.isKnown() ? Json{{"share", bound.relative}, {"radiance", bound.absolute}} : Json(nullptr);
 }
 
 /// Sum of a counting channel: exact while below 2^53.

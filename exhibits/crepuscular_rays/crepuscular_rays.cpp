@@ -18,7 +18,7 @@ struct RayImages {
 
 /// Whether a technique is drawn; otherwise its passes are listed with the reason. What is invisible may be drawn all
 /// the same, to prove that it is; what cannot be drawn may not: its bound says why where it is 0, else `cannot` does.
-bool isDrawn(bool asked, bool drawable, const render::Bound& bound, const char* cannot,
+bool isDrawn(bool asked, bool drawable, const render::ContributionBound& bound, const char* cannot,
              std::initializer_list<const char*> passes, render::FramePlan& plan)
 {
     if (asked && drawable) return plan.needs(bound, passes);
@@ -28,7 +28,7 @@ bool isDrawn(bool asked, bool drawable, const render::Bound& bound, const char* 
 }
 
 /// Lays what was made over the frame.
-void planComposite(const RaysScene& s, const RayImages& made, render::Bound bound, render::FramePlan& plan)
+void planComposite(const RaysScene& s, const RayImages& made, render::ContributionBound bound, render::FramePlan& plan)
 {
     const RayView view = s.values[s.table.view];
     render::Pass pass = s.pass(
@@ -116,8 +116,8 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     const bool maskShown = view == RayView::mask;
     // A pass that shows the mask or the light alone is no effect, but the thing itself, however dark it is.
     const bool effect = view == RayView::picture;
-    const render::Bound rays = effect ? screenRaysBound(s) : render::Bound{};
-    const render::Bound air = effect ? airBound(s, plan.view) : render::Bound{};
+    const render::ContributionBound rays = effect ? screenRaysBound(s) : render::ContributionBound{};
+    const render::ContributionBound air = effect ? airBound(s, plan.view) : render::ContributionBound{};
     const bool raysShown =
         isDrawn(s.uses(RayTechnique::screen) || maskShown, s.sun.inFront || maskShown, rays,
                 "the sun is not in front of the camera", {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan);
@@ -130,8 +130,9 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
         if (!maskShown) made.gathered = planGathering(s, *made.mask, plan);
     }
     if (airShown) made.scattered = planMarch(s, plan);
-    render::Bound both;
-    if (effect) both = {airShown ? air.share : 0, (airShown ? air.radiance : 0) + (raysShown ? rays.radiance : 0), {}};
+    render::ContributionBound both;
+    if (effect)
+        both = {airShown ? air.relative : 0, (airShown ? air.absolute : 0) + (raysShown ? rays.absolute : 0), {}};
     const bool asked = s.uses(RayTechnique::screen) || s.uses(RayTechnique::volume);
     if (raysShown || airShown || (!effect && asked))
         planComposite(s, made, std::move(both), plan);

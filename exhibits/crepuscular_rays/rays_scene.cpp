@@ -120,7 +120,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     return s;
 }
 
-render::Bound screenRaysBound(const RaysScene& s)
+render::ContributionBound screenRaysBound(const RaysScene& s)
 {
     const bool plain = s.values[s.table.sum] == RaySum::plain;
     const bool still = plain && s.block.gathered <= 0 && !(s.values[s.table.density] > 0);
@@ -141,7 +141,7 @@ render::Bound screenRaysBound(const RaysScene& s)
          {sky ? 1.0 : 0.0, "no sky is in view"}});
 }
 
-render::Bound airBound(const RaysScene& s, const render::View& view)
+render::ContributionBound airBound(const RaysScene& s, const render::View& view)
 {
     const auto largest = [](const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); };
     const SceneLighting& around = s.context.lighting;

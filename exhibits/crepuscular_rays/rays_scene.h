@@ -39,9 +39,9 @@ struct RaysScene {
 [[nodiscard]] RaysScene raysScene(const CrepuscularRaysTable&, const PlanContext&, const render::FramePlan&);
 
 /// What rays in screen space add: in a tile, too, they come from the sky of the whole picture.
-[[nodiscard]] render::Bound screenRaysBound(const RaysScene&);
+[[nodiscard]] render::ContributionBound screenRaysBound(const RaysScene&);
 /// What the air takes away and adds, in this view.
-[[nodiscard]] render::Bound airBound(const RaysScene&, const render::View&);
+[[nodiscard]] render::ContributionBound airBound(const RaysScene&, const render::View&);
 
 // screen_rays.cpp
 

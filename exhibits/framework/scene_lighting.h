@@ -36,7 +36,7 @@ struct SceneLighting {
     render::Box room;  ///< The air between walls, floor and vault; empty when there is no hall.
 
     /// Of the shadows that the sun throws on a surface, and of what surfaces see in the probe.
-    render::Bound sunShadow, probeLight;
+    render::ContributionBound sunShadow, probeLight;
     /// No direction but the sun's own sends more radiance than this; scene-linear, before exposure.
     double brightest = 0;
 

@@ -50,7 +50,7 @@ constexpr double mostAmbient = 1.1;
 /// The studio of lib/sky.glsl where its room and all its lamps would overlap.
 constexpr double brightestOfStudio = 14;
 
-render::Bound shadowBound(const Sun& sun)
+render::ContributionBound shadowBound(const Sun& sun)
 {
     return render::boundOf(0, mostReflected,
                            {{sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"}});
@@ -192,7 +192,7 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
 
 std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 {
-    if (render::Bound bound = shadowBound(sunOf(scene.table, scene.values)); bound.isZero())
+    if (render::ContributionBound bound = shadowBound(sunOf(scene.table, scene.values)); bound.isZero())
         return std::move(bound.whyNone);
     if (!scene.values[scene.table.sunShadows]) return "sun shadows are switched off";
     if (scene.alone) return {};

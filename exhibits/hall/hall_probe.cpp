@@ -76,7 +76,7 @@ void planFace(const HallScene& scene, const SceneLighting& light, int face, int 
     plan.add(std::move(walls));
 }
 
-void planLevel(int level, int levels, int size, int samples, const render::Bound& bound, std::uint64_t key,
+void planLevel(int level, int levels, int size, int samples, const render::ContributionBound& bound, std::uint64_t key,
                render::FramePlan& plan)
 {
     const int side = std::max(size >> level, 1);

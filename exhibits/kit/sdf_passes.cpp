@@ -120,11 +120,11 @@ struct SdfPlanner {
             plan.skip(named("self-shadow"), "the shadow method is none");
         else if (!plan.needs(made, {named("self-shadow"),
                                     render::boundOf(0, any * (1 + bounces),
-                                                    {{around.sunShadow.radiance, around.sunShadow.whyNone}})}))
+                                                    {{around.sunShadow.absolute, around.sunShadow.whyNone}})}))
             needed.set(table.shadowMethod, SdfShadow::none);
 
         // Beyond the first surface, each one adds its own light, and the last one the room's.
-        const double reflected = around.probeLight.radiance + bounces * around.sunShadow.radiance;
+        const double reflected = around.probeLight.absolute + bounces * around.sunShadow.absolute;
         (void)plan.needs(made, {named("bounces"), render::boundOf(0, any,
                                                                   {{bounces > 0 ? 1.0 : 0.0, "no bounce is asked for"},
                                                                    {reflected, "there is no light to reflect"}})});

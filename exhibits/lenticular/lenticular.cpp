@@ -112,11 +112,11 @@ void addPicture(Pass& pass, CardObject& object, int slot, const CardPicture& pic
 
 /// White paper sends no more than this, whatever colors are printed on it: the room's light, the sun's, and the lamp's,
 /// which hangs a quarter further from the card's middle than from its nearest corner.
-render::Bound dispersionBound(const Scene& s)
+render::ContributionBound dispersionBound(const Scene& s)
 {
     const SceneLighting& around = s.context.lighting;
     const glm::dvec3& sun = around.sunIrradiance;
-    const double paper = around.probeLight.radiance +
+    const double paper = around.probeLight.absolute +
                          (std::max({sun.x, sun.y, sun.z}) + 1.3 * s.context.values[s.table.lamp]) / std::numbers::pi;
     return render::boundOf(0, 1, {{paper, "no light falls on the card"}});
 }

@@ -135,7 +135,7 @@ void FramePlan::add(Pass pass)
     passes_.push_back(std::move(pass));
 }
 
-bool FramePlan::needs(const Bound& bound, std::initializer_list<const char*> passes)
+bool FramePlan::needs(const ContributionBound& bound, std::initializer_list<const char*> passes)
 {
     if (!bound.isZero() || runEverything) return true;
     for (const char* pass : passes)

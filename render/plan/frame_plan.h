@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/plan/bound.h"
+#include "render/plan/contribution_bound.h"
 #include "render/plan/history.h"
 #include "render/plan/image_info.h"
 #include "render/plan/shader_key.h"
@@ -103,7 +103,7 @@ enum class Work : std::uint8_t { simulation, raster, compute };
 /// Part of a pass that a permutation or a branch of its shader can leave out.
 struct Effect {
     std::string name;  ///< "sdf_morph/occlusion".
-    Bound bound;
+    ContributionBound bound;
 };
 
 /// How the depth of a raster pass is drawn without the rest of it: by its own draws, state and blocks, with another
@@ -140,7 +140,7 @@ struct Pass {
     std::map<std::string, std::int64_t> counts;
     bool countSamples = false;  ///< Raster: samples that pass the depth test go to the counter "samples".
 
-    Bound bound;                  ///< What it changes: 0 for what is provably invisible, which is then skipped.
+    ContributionBound bound;      ///< What it changes: 0 for what is provably invisible, which is then skipped.
     std::vector<Effect> effects;  ///< In its shader; FramePlan::needs says which of them belong here.
 
     /// When set and all outputs are kept images last written under the same key, the pass is skipped
@@ -200,7 +200,7 @@ public:
     void warnOfFile(std::string name, std::string unreadable, const std::string& instead);
     /// Whether an effect has to be drawn: its bound is not 0, or everything runs. Otherwise its passes, by name, are
     /// listed as skipped.
-    [[nodiscard]] bool needs(const Bound&, std::initializer_list<const char*> passes);
+    [[nodiscard]] bool needs(const ContributionBound&, std::initializer_list<const char*> passes);
     /// The same for an effect within a pass, which is then listed with the pass.
     [[nodiscard]] bool needs(Pass&, Effect);
 

@@ -16,7 +16,7 @@ struct StepReport {
     std::string reason;
     Work work = Work::raster;
     double milliseconds = -1;
-    Bound bound;                  ///< As Pass::bound.
+    ContributionBound bound;      ///< As Pass::bound.
     std::vector<Effect> effects;  ///< As Pass::effects.
 };
 

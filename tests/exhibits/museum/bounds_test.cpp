@@ -36,7 +36,7 @@ ParameterValues& valuesOf(Shot& shot, std::string_view exhibit)
     return shot.sceneState.values[*gallery().museum.find(exhibit)];
 }
 
-std::optional<render::Bound> boundIn(const render::FramePlan& plan, const std::string& name)
+std::optional<render::ContributionBound> boundIn(const render::FramePlan& plan, const std::string& name)
 {
     for (const render::Pass& pass : plan.passes()) {
         if (pass.name == name) return pass.bound;
@@ -105,7 +105,7 @@ Held held(const Case& c, int first, int last, double lowered = 1)
             for (int i = 0; i < 3; ++i) {
                 const double before = without.color(x, y)[i];
                 const double allowed =
-                    lowered * (bound->share * before + bound->radiance) + halfFloat * (before + with.color(x, y)[i]);
+                    lowered * (bound->relative * before + bound->absolute) + halfFloat * (before + with.color(x, y)[i]);
                 const double difference = std::abs(with.color(x, y)[i] - before);
                 change = std::max(change, difference);
                 const double part = difference / std::max(allowed, 1e-12);
@@ -248,7 +248,7 @@ TEST_F(BoundsOfEffects, ToneMappingShowsLightBetweenZeroAndOne)
             for (int x = 0; x < light.width; ++x)
                 for (int c = 0; c < 3; ++c)
                     EXPECT_LE(std::abs(shown.at(x, y, c) - light.at(x, y, c)),
-                              bound->share * light.at(x, y, c) + bound->radiance + 1e-3);
+                              bound->relative * light.at(x, y, c) + bound->absolute + 1e-3);
     }
 }
 

@@ -21,19 +21,19 @@ using test::sdfTable;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST(Bound, IsInProportionToEveryFactor)
+TEST(ContributionBound, IsInProportionToEveryFactor)
 {
-    const Bound bound = boundOf(0.5, 3, {{0.5, "a"}, {4, "b"}});
-    EXPECT_DOUBLE_EQ(bound.share, 1);
-    EXPECT_DOUBLE_EQ(bound.radiance, 6);
+    const ContributionBound bound = boundOf(0.5, 3, {{0.5, "a"}, {4, "b"}});
+    EXPECT_DOUBLE_EQ(bound.relative, 1);
+    EXPECT_DOUBLE_EQ(bound.absolute, 6);
     EXPECT_FALSE(bound.isZero());
     EXPECT_TRUE(bound.whyNone.empty());
 }
 
-TEST(Bound, OfNothingIsZeroWhateverItWouldBeAndTheFirstCauseIsTold)
+TEST(ContributionBound, OfNothingIsZeroWhateverItWouldBeAndTheFirstCauseIsTold)
 {
     for (const double other : {1.0, infinity, std::nan("")}) {
-        const Bound bound = boundOf(other, infinity, {{other, "there"}, {0, "first"}, {0, "second"}});
+        const ContributionBound bound = boundOf(other, infinity, {{other, "there"}, {0, "first"}, {0, "second"}});
         EXPECT_TRUE(bound.isZero()) << other;
         EXPECT_EQ(bound.whyNone, "first");
     }
@@ -41,23 +41,23 @@ TEST(Bound, OfNothingIsZeroWhateverItWouldBeAndTheFirstCauseIsTold)
     // The plain product, infinity times 0, would be NaN: neither 0 nor a bound.
 }
 
-TEST(Bound, WhatNobodyKnowsIsNotKnownAndNeverZero)
+TEST(ContributionBound, WhatNobodyKnowsIsNotKnownAndNeverZero)
 {
-    EXPECT_FALSE(Bound{}.isKnown());
-    EXPECT_FALSE(Bound{}.isZero());
+    EXPECT_FALSE(ContributionBound{}.isKnown());
+    EXPECT_FALSE(ContributionBound{}.isZero());
     EXPECT_FALSE(boundOf(0, 1, {{std::nan(""), "a setting"}}).isKnown());
-    EXPECT_EQ(toString(Bound{}), "");
+    EXPECT_EQ(toString(ContributionBound{}), "");
 }
 
-TEST(Bound, ReadsAsASentence)
+TEST(ContributionBound, ReadsAsASentence)
 {
-    EXPECT_EQ(toString(Bound{0.4, 0.3, {}}),
+    EXPECT_EQ(toString(ContributionBound{0.4, 0.3, {}}),
               "changes a pixel by at most 40 % of its light and 0.3 of the light of white");
-    EXPECT_EQ(toString(Bound{0.4, 0, {}}), "changes a pixel by at most 40 % of its light");
-    EXPECT_EQ(toString(Bound{0, 0.25, {}}), "changes a pixel by at most 0.25 of the light of white");
-    EXPECT_EQ(toString(Bound{1, 0, {}}), "may change any pixel");
-    EXPECT_EQ(toString(Bound{0, 695, {}}), "may change any pixel");
-    EXPECT_EQ(toString(Bound{0, 0, "off"}), "changes nothing");
+    EXPECT_EQ(toString(ContributionBound{0.4, 0, {}}), "changes a pixel by at most 40 % of its light");
+    EXPECT_EQ(toString(ContributionBound{0, 0.25, {}}), "changes a pixel by at most 0.25 of the light of white");
+    EXPECT_EQ(toString(ContributionBound{1, 0, {}}), "may change any pixel");
+    EXPECT_EQ(toString(ContributionBound{0, 695, {}}), "may change any pixel");
+    EXPECT_EQ(toString(ContributionBound{0, 0, "off"}), "changes nothing");
 }
 
 TEST(FramePlanNeeds, AnEffectOfBoundZeroIsListedAndLeftOutUnlessEverythingRuns)
@@ -116,14 +116,14 @@ TEST(BoundsOfPlans, EveryBoundThatIsStatedIsPositiveAndGrowsWithTheSun)
     Scene scene;
     const auto shadow = [&](double strength) {
         scene.hall().set(hallTable().sunStrength, strength);
-        return scene.plan().find("hall/shadow")->bound.radiance;
+        return scene.plan().find("hall/shadow")->bound.absolute;
     };
     EXPECT_NEAR(shadow(4), 4 * shadow(1), 1e-9);
     const FramePlan plan = scene.plan();
     for (const Pass& pass : plan.passes()) {
         EXPECT_FALSE(pass.bound.isZero()) << pass.name;
-        EXPECT_GE(pass.bound.share, 0) << pass.name;
-        EXPECT_GE(pass.bound.radiance, 0) << pass.name;
+        EXPECT_GE(pass.bound.relative, 0) << pass.name;
+        EXPECT_GE(pass.bound.absolute, 0) << pass.name;
         for (const Effect& effect : pass.effects) EXPECT_FALSE(effect.bound.isZero()) << effect.name;
     }
 }

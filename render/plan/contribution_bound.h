@@ -10,7 +10,7 @@ namespace vitrine::render {
 /// The most that an effect changes of any channel of any pixel of the image "radiance": `relative` of what the pixel is
 /// without the effect, plus `absolute` in scene-linear light before exposure. An effect that others read (a shadow map,
 /// a probe) states what it changes on a surface that it falls on; what is made of it elsewhere is bounded there.
-struct Bound {
+struct ContributionBound {
     double relative = 0;
     double absolute = std::numeric_limits<double>::infinity();  ///< Infinite: nobody knows, or it is the thing itself.
     std::string whyNone = {};                                   ///< Of a bound of 0: what makes it so.
@@ -33,10 +33,10 @@ struct Factor {
 
 /// Share and absolute times all factors; the first factor that is 0 says why. 0 times infinity is 0: what is not there
 /// changes nothing, whatever it would.
-[[nodiscard]] Bound boundOf(double relative, double absolute, std::initializer_list<Factor> factors);
+[[nodiscard]] ContributionBound boundOf(double relative, double absolute, std::initializer_list<Factor> factors);
 
 /// "changes a pixel by at most 40 % of its light and 0.3 of the light of white"; "may change any pixel" from a bound of
 /// 1 on, which leaves a pixel every value; "changes nothing"; empty when nothing is promised.
-[[nodiscard]] std::string toString(const Bound&);
+[[nodiscard]] std::string toString(const ContributionBound&);
 
 }  // namespace vitrine::render

@@ -1,4 +1,4 @@
-#include "render/plan/bound.h"
+#include "render/plan/contribution_bound.h"
 
 #include "render/files/number_text.h"
 
@@ -14,9 +14,9 @@ double product(double a, double b)
 
 }  // namespace
 
-Bound boundOf(double relative, double absolute, std::initializer_list<Factor> factors)
+ContributionBound boundOf(double relative, double absolute, std::initializer_list<Factor> factors)
 {
-    Bound bound{relative, absolute, {}};
+    ContributionBound bound{relative, absolute, {}};
     for (const Factor& factor : factors) {
         const double value =
             std::isnan(factor.value) ? std::numeric_limits<double>::infinity() : std::max(factor.value, 0.0);
@@ -27,7 +27,7 @@ Bound boundOf(double relative, double absolute, std::initializer_list<Factor> fa
     return bound;
 }
 
-std::string toString(const Bound& bound)
+std::string toString(const ContributionBound& bound)
 {
     if (!bound.isKnown()) return {};
     if (bound.isZero()) return "changes nothing";
