@@ -1,7 +1,6 @@
 #include "render/gl/renderer.h"
 
 #include "render/failure.h"
-#include "render/gl/block_arena.h"
 #include "render/gl/context.h"
 #include "render/gl/frame_block.h"
 #include "render/gl/frame_clock.h"
@@ -10,6 +9,7 @@
 #include "render/gl/program_cache.h"
 #include "render/gl/resources.h"
 #include "render/gl/screen.h"
+#include "render/gl/uniform_allocator.h"
 #include "render/gl/uploads.h"
 #include "render/measure/clock.h"
 #include "shaders/lib/bindings.glsl"
@@ -24,11 +24,11 @@ namespace {
 
 /// Where a pass's blocks lie in the arena.
 struct PassRanges {
-    BlockArena::Range frame;
-    bool clips = false;                       ///< What it sees has a clip plane.
-    std::vector<BlockArena::Range> temporal;  ///< By part that runs in this frame.
-    std::vector<std::pair<int, BlockArena::Range>> blocks;
-    std::vector<BlockArena::Range> objects;
+    UniformAllocator::Range frame;
+    bool clips = false;                             ///< What it sees has a clip plane.
+    std::vector<UniformAllocator::Range> temporal;  ///< By part that runs in this frame.
+    std::vector<std::pair<int, UniformAllocator::Range>> blocks;
+    std::vector<UniformAllocator::Range> objects;
 };
 
 void countDraws(const Pass& pass, std::map<std::string, std::int64_t>& counters)
@@ -92,7 +92,7 @@ struct Renderer::State {
     ProgramCache& programs;
     Uploads& uploads;
     Resources resources;
-    BlockArena arena;
+    UniformAllocator arena;
     VertexArrayName noVertices;
     PersistentState kept;
     std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes whose key vouches for it.
@@ -110,7 +110,7 @@ struct Renderer::State {
     }
 
     /// What the pass sees: its own view, the whole picture where its pixels are its own, else the plan's.
-    BlockArena::Range frameRange(const Pass& pass, const FramePlan& plan, BlockArena::Range planFrame)
+    UniformAllocator::Range frameRange(const Pass& pass, const FramePlan& plan, UniformAllocator::Range planFrame)
     {
         const ImageInfo* own = nullptr;
         for (const std::string& name : outputsOf(pass))
@@ -122,7 +122,7 @@ struct Renderer::State {
         return arena.add(std140Bytes(frameBlock(view, plan.time, own ? 0 : plan.sample, plan.seed)));
     }
 
-    PassRanges gather(const Pass& pass, const FramePlan& plan, BlockArena::Range planFrame,
+    PassRanges gather(const Pass& pass, const FramePlan& plan, UniformAllocator::Range planFrame,
                       const std::set<std::string>& lost)
     {
         PassRanges ranges;
@@ -144,7 +144,7 @@ struct Renderer::State {
         for (const auto& [binding, bytes] : pass.blocks)
             if (!bytes.empty()) ranges.blocks.emplace_back(binding, arena.add(bytes));
         for (const Draw& draw : pass.draws)
-            ranges.objects.push_back(draw.object.empty() ? BlockArena::Range{} : arena.add(draw.object));
+            ranges.objects.push_back(draw.object.empty() ? UniformAllocator::Range{} : arena.add(draw.object));
         return ranges;
     }
 
@@ -152,7 +152,7 @@ struct Renderer::State {
     std::vector<PassRanges> uploadBlocks(const FramePlan& plan, const std::set<std::string>& lost)
     {
         arena.clear();
-        const BlockArena::Range planFrame =
+        const UniformAllocator::Range planFrame =
             arena.add(std140Bytes(frameBlock(plan.view, plan.time, plan.sample, plan.seed)));
         std::vector<PassRanges> ranges;
         for (const Pass& pass : plan.passes()) ranges.push_back(gather(pass, plan, planFrame, lost));

@@ -6,14 +6,14 @@
 namespace vitrine::render::gl {
 
 /// All std140 blocks of one frame in one buffer: gathered first, uploaded once, bound by range.
-class BlockArena {
+class UniformAllocator {
 public:
     struct Range {
         GLintptr offset = 0;
         GLsizeiptr size = 0;
     };
 
-    BlockArena();
+    UniformAllocator();
     void clear() { bytes_.clear(); }
     [[nodiscard]] Range add(const Bytes& block);
     void upload();

@@ -1,10 +1,10 @@
-#include "render/gl/block_arena.h"
+#include "render/gl/uniform_allocator.h"
 
 #include <algorithm>
 
 namespace vitrine::render::gl {
 
-BlockArena::BlockArena()
+UniformAllocator::UniformAllocator()
 {
     GLuint name = 0;
     glCreateBuffers(1, &name);
@@ -14,7 +14,7 @@ BlockArena::BlockArena()
     alignment_ = static_cast<std::size_t>(std::max(alignment, 16));
 }
 
-BlockArena::Range BlockArena::add(const Bytes& block)
+UniformAllocator::Range UniformAllocator::add(const Bytes& block)
 {
     const std::size_t offset = (bytes_.size() + alignment_ - 1) / alignment_ * alignment_;
     // std140 blocks end on a multiple of 16 bytes; a shorter upload would leave the block's tail unbacked.
@@ -24,12 +24,12 @@ BlockArena::Range BlockArena::add(const Bytes& block)
     return {static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(padded)};
 }
 
-void BlockArena::upload()
+void UniformAllocator::upload()
 {
     glNamedBufferData(buffer_.name(), static_cast<GLsizeiptr>(bytes_.size()), bytes_.data(), GL_STREAM_DRAW);
 }
 
-void BlockArena::bind(int binding, Range range) const
+void UniformAllocator::bind(int binding, Range range) const
 {
     if (range.size > 0)
         glBindBufferRange(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer_.name(), range.offset, range.size);
