@@ -125,7 +125,7 @@ std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::str
     if (!(extent > 0))
         throw Failure(Blame::file, file + " has no surface that could wear a coat. Give a model with triangles.");
     Sewing sewing(radius);
-    for (const render::Part& part : model.parts) {
+    for (const render::MeshInstance& part : model.parts) {
         const bool mirrored = glm::determinant(glm::dmat3(part.modelFromPart)) < 0;
         for (std::size_t i = 0; i + 2 < part.mesh->indices.size(); i += 3) {
             std::array<glm::dvec3, 3> at;

@@ -48,7 +48,7 @@ std::shared_ptr<const render::Texture> map(const Json& row, const char* key, boo
 }
 
 /// The hall's file names no pictures, so the loader saw no need for tangents; its normal maps do need them.
-render::Part withTangents(render::Part part, const HallMaterial& material)
+render::MeshInstance withTangents(render::MeshInstance part, const HallMaterial& material)
 {
     if (!material.material.normalMap) return part;
     auto mesh = std::make_shared<render::Mesh>(*part.mesh);
@@ -144,7 +144,7 @@ void HallModel::readLightmaps()
 
 void HallModel::sortParts(const render::Model& model)
 {
-    for (const render::Part& part : model.parts) {
+    for (const render::MeshInstance& part : model.parts) {
         if (const auto n = placeNumber(part.name, "cloth_"))
             places_[*n].cloth.push_back(part);
         else if (const auto m = placeNumber(part.name, "stand_"))

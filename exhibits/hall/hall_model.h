@@ -19,9 +19,9 @@ struct Place {
     glm::dmat4 worldFromPlace{1};
     std::optional<glm::dmat4> worldFromPlaque;  ///< +z out of the plate, +y up its text.
     std::optional<glm::dmat4> worldFromButton;  ///< +y the way out of the button.
-    std::vector<render::Part> cloth;            ///< Drawn while the place is empty.
-    std::vector<render::Part> stand;            ///< Drawn while it is not.
-    std::vector<render::Part> hanging;          ///< The same, turned about the y axis of its node.
+    std::vector<render::MeshInstance> cloth;    ///< Drawn while the place is empty.
+    std::vector<render::MeshInstance> stand;    ///< Drawn while it is not.
+    std::vector<render::MeshInstance> hanging;  ///< The same, turned about the y axis of its node.
 };
 
 /// An upright obstacle: a box (oriented by its transform) or a cylinder around its y axis.
@@ -55,7 +55,7 @@ public:
     /// Throws Failure (Blame::file) when an asset is missing or broken.
     HallModel();
 
-    [[nodiscard]] const std::vector<render::Part>& walls() const { return walls_; }
+    [[nodiscard]] const std::vector<render::MeshInstance>& walls() const { return walls_; }
     [[nodiscard]] const HallMaterial& material(const std::string& name) const;
     [[nodiscard]] const Place* place(int number) const;
     [[nodiscard]] const std::map<int, Place>& places() const { return places_; }
@@ -81,7 +81,7 @@ private:
     void sortParts(const render::Model&);
     void sortMarkers(const render::Model&);
 
-    std::vector<render::Part> walls_;
+    std::vector<render::MeshInstance> walls_;
     std::map<std::string, HallMaterial> materials_;
     std::map<int, Place> places_;
     std::vector<Collider> colliders_;

@@ -15,7 +15,7 @@ namespace {
 
 using render::Attachment;
 using render::Draw;
-using render::Part;
+using render::MeshInstance;
 using render::Pass;
 
 bool isOccupied(const HallScene& scene, int place)
@@ -31,21 +31,21 @@ double turnAt(const HallScene& scene, int place)
 }
 
 /// Cloths over empty places, stands of occupied ones: what is in the hall beside its walls and never moves.
-std::vector<Part> standing(const HallScene& scene)
+std::vector<MeshInstance> standing(const HallScene& scene)
 {
-    std::vector<Part> parts;
+    std::vector<MeshInstance> parts;
     for (const auto& [number, place] : scene.model.places())
-        for (const Part& part : isOccupied(scene, number) ? place.stand : place.cloth) parts.push_back(part);
+        for (const MeshInstance& part : isOccupied(scene, number) ? place.stand : place.cloth) parts.push_back(part);
     return parts;
 }
 
 /// What hangs at occupied places and turns about its upright axis, as far as it has turned.
-std::vector<Part> hanging(const HallScene& scene)
+std::vector<MeshInstance> hanging(const HallScene& scene)
 {
-    std::vector<Part> parts;
+    std::vector<MeshInstance> parts;
     for (const auto& [number, place] : scene.model.places()) {
         if (!isOccupied(scene, number)) continue;
-        for (Part part : place.hanging) {
+        for (MeshInstance part : place.hanging) {
             part.modelFromPart = glm::rotate(part.modelFromPart, turnAt(scene, number), glm::dvec3(0, 1, 0));
             parts.push_back(std::move(part));
         }
@@ -54,7 +54,7 @@ std::vector<Part> hanging(const HallScene& scene)
 }
 
 /// Holds the part however far it turns, world from a box from -1 to 1.
-glm::dmat4 worldFromSwept(const Part& part)
+glm::dmat4 worldFromSwept(const MeshInstance& part)
 {
     const render::Box& box = part.mesh->bounds;
     const glm::dvec2 reach =
@@ -65,12 +65,12 @@ glm::dmat4 worldFromSwept(const Part& part)
                       glm::dvec3(radius, 1.01 * height + 1e-3, radius));
 }
 
-std::string materialName(const Part& part)
+std::string materialName(const MeshInstance& part)
 {
     return part.material ? part.material->name : std::string();
 }
 
-Draw partDraw(const HallScene& scene, const Part& part)
+Draw partDraw(const HallScene& scene, const MeshInstance& part)
 {
     const HallMaterial& material = scene.model.material(materialName(part));
     return surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile);
@@ -165,7 +165,7 @@ void planVisitorModel(const HallScene& scene, const SceneLighting& light, const 
     blended.state.depthWrite = false;
     blended.colors.resize(1);
     blended.shader.defines.resize(5);
-    for (const Part& part : scene.visitorModel->parts) {
+    for (const MeshInstance& part : scene.visitorModel->parts) {
         const render::Material& material = part.material ? *part.material : buttonMaterial();
         Draw draw = surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, material);
         (material.alphaMode == render::AlphaMode::blend ? blended : pass).draws.push_back(std::move(draw));
@@ -179,7 +179,7 @@ void planVisitorModel(const HallScene& scene, const SceneLighting& light, const 
 
 /// The map of what stands still is drawn once; where hangings may be, it is put back whenever they have turned, and
 /// they are drawn over it.
-void planTurningShadow(const HallScene& scene, const Pass& still, const std::vector<Part>& turning,
+void planTurningShadow(const HallScene& scene, const Pass& still, const std::vector<MeshInstance>& turning,
                        render::FramePlan& plan)
 {
     const auto follow = [&](const char* name, const char* reason, Attachment depth) {
@@ -214,7 +214,7 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
     hangings.shader.fragment = "kit/depth.frag";
     hangings.state = still.state;
     hangings.inputs.clear();
-    for (const Part& part : turning) {
+    for (const MeshInstance& part : turning) {
         restore.draws.push_back(surfaceDraw(boxMesh(), worldFromSwept(part), {}));
         hangings.draws.push_back(partDraw(scene, part));
     }
@@ -232,11 +232,11 @@ double buttonScale(double seconds)
     return 1 - 0.9 * t;
 }
 
-std::vector<Part> partsAt(const HallScene& scene, const Place& place)
+std::vector<MeshInstance> partsAt(const HallScene& scene, const Place& place)
 {
     if (!isOccupied(scene, place.number)) return place.cloth;
-    std::vector<Part> parts = place.stand;
-    for (Part part : place.hanging) {
+    std::vector<MeshInstance> parts = place.stand;
+    for (MeshInstance part : place.hanging) {
         part.modelFromPart = glm::rotate(part.modelFromPart, turnAt(scene, place.number), glm::dvec3(0, 1, 0));
         parts.push_back(std::move(part));
     }
@@ -255,7 +255,7 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
                 .size = glm::ivec2(size),
                 .persistent = true,
                 .comparison = true});
-    const std::vector<Part> turning = hanging(scene);
+    const std::vector<MeshInstance> turning = hanging(scene);
     if (!turning.empty())
         plan.image({.name = "shadow.hall.still",
                     .format = render::Format::depth32f,
@@ -276,10 +276,10 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
                   .depthClamp = true};
     pass.key = lightKey(scene);
     pass.bound = light.sunShadow;
-    for (const Part& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
-    for (const Part& part : standing(scene)) pass.draws.push_back(partDraw(scene, part));
+    for (const MeshInstance& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
+    for (const MeshInstance& part : standing(scene)) pass.draws.push_back(partDraw(scene, part));
     if (scene.visitorModel)
-        for (const Part& part : scene.visitorModel->parts)
+        for (const MeshInstance& part : scene.visitorModel->parts)
             pass.draws.push_back(surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, {}));
     if (!turning.empty())
         planTurningShadow(scene, pass, turning, plan);
@@ -296,14 +296,14 @@ void planWalls(const HallScene& scene, const SceneLighting& light, const Channel
         walls.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
         walls.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
     }
-    for (const Part& part : scene.model.walls()) walls.draws.push_back(partDraw(scene, part));
+    for (const MeshInstance& part : scene.model.walls()) walls.draws.push_back(partDraw(scene, part));
     plan.add(std::move(walls));
 
     Pass props = surfacePass("hall/props", "cloths cover the empty places", light, channels,
                              {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"});
     props.state.cull = render::Cull::none;
-    for (const std::vector<Part>& parts : {standing(scene), hanging(scene)})
-        for (const Part& part : parts)
+    for (const std::vector<MeshInstance>& parts : {standing(scene), hanging(scene)})
+        for (const MeshInstance& part : parts)
             if (plan.view.mayContain(part.mesh->bounds.transformed(part.modelFromPart)))
                 props.draws.push_back(partDraw(scene, part));
     if (props.draws.empty())

@@ -65,7 +65,7 @@ void planFace(const HallScene& scene, const SceneLighting& light, int face, int 
     walls.colors = {Attachment::slice("probe.captured", face)};
     walls.depth = Attachment::cleared("probe.depth");
     walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};
-    for (const render::Part& part : scene.model.walls()) {
+    for (const render::MeshInstance& part : scene.model.walls()) {
         const HallMaterial& material = scene.model.material(part.material ? part.material->name : std::string());
         walls.draws.push_back(surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile));
     }

@@ -55,7 +55,7 @@ struct HallScene {
 
 /// What is drawn at a place beside its exhibit: a cloth over an empty one, else its stand and what hangs there, as far
 /// as it has turned.
-[[nodiscard]] std::vector<render::Part> partsAt(const HallScene&, const Place&);
+[[nodiscard]] std::vector<render::MeshInstance> partsAt(const HallScene&, const Place&);
 
 // hall_light.cpp
 

@@ -55,12 +55,12 @@ Museum::Seen Museum::firstSeen(const Prepared& prepared, const render::Ray& ray)
     using enum Seen::What;
     Seen seen;
     const HallScene scene = sceneOf(prepared, false);
-    for (const render::Part& part : model_->walls())
+    for (const render::MeshInstance& part : model_->walls())
         seen.take(building, hallIndex, render::firstHit(ray, part, render::Faces::front));
     if (scene.visitorModel) {
         seen.visitorsBox = scene.visitorModel->bounds.transformed(scene.worldFromVisitorModel);
         const render::Ray local = ray.transformed(glm::inverse(scene.worldFromVisitorModel));
-        for (const render::Part& part : scene.visitorModel->parts)
+        for (const render::MeshInstance& part : scene.visitorModel->parts)
             seen.take(visitorsObject, hallIndex, render::firstHit(local, part, render::Faces::both));
     }
     for (const auto& [number, place] : model_->places()) {
@@ -68,7 +68,7 @@ Museum::Seen Museum::firstSeen(const Prepared& prepared, const render::Ray& ray)
                                        [&, n = number](const MuseumExhibit& e) { return e.exhibit.place() == n; });
         const bool empty = here == exhibits_.end();
         const std::size_t i = empty ? hallIndex : here->index;
-        for (const render::Part& part : partsAt(scene, place))
+        for (const render::MeshInstance& part : partsAt(scene, place))
             seen.take(empty ? building : guest, i, render::firstHit(ray, part, render::Faces::both));
         if (empty) continue;
         const render::Ray own = ray.transformed(glm::inverse(worldFromExhibit(i)));

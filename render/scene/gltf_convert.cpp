@@ -133,7 +133,7 @@ private:
         }
         const auto& primitives = gltf_.meshes[static_cast<std::size_t>(node.mesh)].primitives;
         for (std::size_t p = 0; p < primitives.size(); ++p) {
-            Part part;
+            MeshInstance part;
             part.name = node.name;
             part.material = materials_.material(primitives[p].material);
             part.mesh = mesh(node.mesh, p, *part.material);

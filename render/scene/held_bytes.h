@@ -26,7 +26,7 @@ namespace vitrine::render {
     const auto add = [&](const auto& shared) {
         if (shared && counted.insert(shared.get()).second) sum += heldBytes(*shared);
     };
-    for (const Part& part : model.parts) {
+    for (const MeshInstance& part : model.parts) {
         add(part.mesh);
         if (!part.material) continue;
         for (const auto* map : {&part.material->baseColorMap, &part.material->metallicRoughnessMap,

@@ -83,7 +83,7 @@ struct Material {
 };
 
 /// A mesh at a place. `mirrored` is true when the transform flips orientation (negative determinant).
-struct Part {
+struct MeshInstance {
     std::string name;  ///< Of the node.
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Material> material;
@@ -99,7 +99,7 @@ struct Marker {
 
 /// A loaded glTF scene, flattened.
 struct Model {
-    std::vector<Part> parts;
+    std::vector<MeshInstance> parts;
     std::vector<Marker> markers;
     Box bounds;                         ///< Of all parts, in model space.
     std::vector<std::string> warnings;  ///< What the file asks for and this program does not support.

@@ -80,7 +80,7 @@ double firstHit(const Ray& ray, const Mesh& mesh, Faces faces)
     return nearest;
 }
 
-double firstHit(const Ray& ray, const Part& part, Faces faces)
+double firstHit(const Ray& ray, const MeshInstance& part, Faces faces)
 {
     if (!part.mesh) return never;
     const Ray local = ray.transformed(glm::inverse(part.modelFromPart));

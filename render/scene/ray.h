@@ -34,6 +34,6 @@ enum class Faces : std::uint8_t { front, both };
 /// the ray misses the bounds: 60,000 triangles take less than a millisecond.
 [[nodiscard]] double firstHit(const Ray&, const Mesh&, Faces);
 /// Of a part where it stands; of a mirrored one both faces count.
-[[nodiscard]] double firstHit(const Ray&, const Part&, Faces);
+[[nodiscard]] double firstHit(const Ray&, const MeshInstance&, Faces);
 
 }  // namespace vitrine::render

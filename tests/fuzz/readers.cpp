@@ -73,7 +73,7 @@ const NamedValues& initialValues()
 
 void requireDrawable(const render::Model& model)
 {
-    for (const render::Part& part : model.parts) {
+    for (const render::MeshInstance& part : model.parts) {
         require(part.mesh && part.material, "a part has a mesh and a material");
         const double* first = glm::value_ptr(part.modelFromPart);
         require(std::all_of(first, first + 16, [](double x) { return std::isfinite(x); }), "transforms are finite");

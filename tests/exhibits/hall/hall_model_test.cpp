@@ -33,7 +33,8 @@ TEST(HallModel, HasAnOpeningInTheFarWallAndOneInTheVault)
     // Nothing is there: a ray through the middle of either meets no wall.
     for (const render::Box& opening : hall.openings()) {
         const render::Ray out{{0, 1.65, 0.3}, opening.center() - glm::dvec3(0, 1.65, 0.3)};
-        for (const render::Part& part : hall.walls()) EXPECT_GT(render::firstHit(out, part, render::Faces::front), 1);
+        for (const render::MeshInstance& part : hall.walls())
+            EXPECT_GT(render::firstHit(out, part, render::Faces::front), 1);
     }
 }
 
