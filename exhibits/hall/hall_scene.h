@@ -88,10 +88,10 @@ void planProbe(const HallScene&, const SceneLighting&, render::FramePlan&);
 /// The point from which the probe is captured, world space.
 [[nodiscard]] glm::dvec3 probePosition(const HallScene&);
 
-// hall_develop.cpp
+// hall_tone_mapping.cpp
 
 /// What every picture ends with: tone mapping and the mean over supersamples, into the image "frame".
-void planDevelop(const SceneLighting&, const FrameRequest&, render::FramePlan&);
+void planToneMapping(const SceneLighting&, const FrameRequest&, render::FramePlan&);
 
 /// Seconds for which a pressed button moves.
 inline constexpr double buttonTime = 0.2;

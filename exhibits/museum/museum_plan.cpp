@@ -393,7 +393,7 @@ void Museum::Frame::finish(const render::PersistentState& kept)
         plan.skip("sky", "a transparent background is asked for");
     else
         planSky(scene, light, plan);
-    planDevelop(light, request, plan);
+    planToneMapping(light, request, plan);
     std::vector<std::string> outputs{"frame", depthImage};
     if (request.channels.normal) outputs.emplace_back(normalImage);
     if (request.channels.evaluations) outputs.emplace_back(evaluationsImage);

@@ -21,7 +21,7 @@ render::Pass fullscreen(std::string name, std::string fragment, std::string sour
 
 }  // namespace
 
-void planDevelop(const SceneLighting& lighting, const FrameRequest& request, render::FramePlan& plan)
+void planToneMapping(const SceneLighting& lighting, const FrameRequest& request, render::FramePlan& plan)
 {
     const bool averaged = request.samples > 1;
     const bool toneMapped = request.averageIn == AverageIn::display;
