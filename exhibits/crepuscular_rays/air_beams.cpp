@@ -14,7 +14,7 @@ render::ResourceId planMarch(const RaysScene& s, render::FramePlan& plan)
     pass.phase = render::PassPhase::volume;
     pass.colors = {render::Attachment::cleared(scattered)};
     s.context.lighting.bindLighting(pass);
-    std::erase_if(pass.inputs, [](const render::Input& input) {
+    std::erase_if(pass.inputs, [](const render::SampledTexture& input) {
         return input.unit != UNIT_SHADOW_HALL && input.unit != UNIT_SHADOW_EXHIBITS;
     });
     pass.inputs.push_back({UNIT_SOURCE, std::string(depthImage)});

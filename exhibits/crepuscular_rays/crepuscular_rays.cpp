@@ -54,7 +54,7 @@ void planComposite(const RaysScene& s, const RayImages& made, render::Contributi
     if (view != RayView::mask && made.scattered) {
         pass.shader.defines.emplace_back("VOLUME");
         pass.inputs.push_back({UNIT_EXHIBIT_B, *made.scattered});
-        for (const render::Input& input : s.context.lighting.inputs)
+        for (const render::SampledTexture& input : s.context.lighting.inputs)
             if (input.unit == UNIT_PROBE_IRRADIANCE) pass.inputs.push_back(input);
     }
     if (view != RayView::picture) pass.shader.defines.emplace_back("REPLACE");

@@ -139,7 +139,7 @@ ResourceId planMask(const RaysScene& s, render::FramePlan& plan)
     pass.colors = {Attachment::cleared(mask)};
     pass.inputs = {{UNIT_SOURCE, hides}};
     pass.blocks[BLOCK_LIGHT] = render::std140Bytes(s.context.lighting.light);
-    for (const render::Input& input : s.context.lighting.inputs)
+    for (const render::SampledTexture& input : s.context.lighting.inputs)
         if (input.unit == UNIT_ENVIRONMENT) pass.inputs.push_back(input);
     pass.counts["fetches"] = pixels(s.maskSize);
     plan.add(std::move(pass));

@@ -20,8 +20,8 @@ inline constexpr const char* localShadowImage = "shadow.local";
 /// The light that falls on whatever stands in the hall (or alone in its environment): what an exhibit
 /// needs to be lit like everything around it, and to cast its shadow.
 struct SceneLighting {
-    LightBlock light;                   ///< What shaders read; the numbers below are what plans are made by.
-    std::vector<render::Input> inputs;  ///< Shadow maps, probe, environment picture.
+    LightBlock light;                            ///< What shaders read; the numbers below are what plans are made by.
+    std::vector<render::SampledTexture> inputs;  ///< Shadow maps, probe, environment picture.
 
     glm::dvec3 towardsSun{0, 1, 0};  ///< Unit.
     glm::dvec3 sunIrradiance{0};     ///< On a plane that faces the sun; scene-linear.

@@ -330,7 +330,7 @@ void planSky(const HallScene& scene, const SceneLighting& light, render::FramePl
     sky.draws = {Draw{}};
     light.bindLighting(sky);
     // Neither shadow nor mirror image falls on the sky: it must not keep them alive where nothing else reads them.
-    std::erase_if(sky.inputs, [](const render::Input& input) { return input.unit != UNIT_ENVIRONMENT; });
+    std::erase_if(sky.inputs, [](const render::SampledTexture& input) { return input.unit != UNIT_ENVIRONMENT; });
     plan.add(std::move(sky));
 }
 

@@ -44,7 +44,7 @@ void planFace(const HallScene& scene, const SceneLighting& light, int face, int 
     SceneLighting hallLight = light;
     hallLight.light.exhibitsCastShadow = false;
     hallLight.localLights.reset();
-    std::erase_if(hallLight.inputs, [](const render::Input& input) {
+    std::erase_if(hallLight.inputs, [](const render::SampledTexture& input) {
         return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS;
     });
     Pass sky = capturePass("sky", face, eye, size, key);

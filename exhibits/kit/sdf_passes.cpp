@@ -144,7 +144,8 @@ struct SdfPlanner {
         scene.context.lighting.bindLighting(made);
         // It shades itself by rays of its own; the exhibits' shadow map is for what others keep from it.
         if (scene.context.alone)
-            std::erase_if(made.inputs, [](const render::Input& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
+            std::erase_if(made.inputs,
+                          [](const render::SampledTexture& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
         else
             made.shader.defines.emplace_back("OTHERS_SHADOWS");
         effects(made);
@@ -160,7 +161,7 @@ struct SdfPlanner {
         made.state.depthClamp = true;
         made.depthOnly = {made.shader};
         made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
-        for (const render::Input& input : made.inputs)
+        for (const render::SampledTexture& input : made.inputs)
             if (input.unit == UNIT_EXHIBIT_A) made.depthOnly->inputs.push_back(input);
         plan.add(std::move(made));
     }

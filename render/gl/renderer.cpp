@@ -187,9 +187,9 @@ struct Renderer::State {
         }
     }
 
-    void bindInputs(const std::vector<Input>& inputs)
+    void bindInputs(const std::vector<SampledTexture>& inputs)
     {
-        for (const Input& input : inputs) {
+        for (const SampledTexture& input : inputs) {
             if (const auto* name = std::get_if<std::string>(&input.source))
                 resources.image(*name).bind(input.unit);
             else

@@ -29,9 +29,9 @@ public:
         for (const auto& [name, state] : seen_.histories())
             if (image == previous(name) && names_.contains(name)) image = previous(names_.at(name));
     }
-    void rename(std::vector<Input>& inputs) const
+    void rename(std::vector<SampledTexture>& inputs) const
     {
-        for (Input& input : inputs)
+        for (SampledTexture& input : inputs)
             if (auto* image = std::get_if<std::string>(&input.source)) rename(*image);
     }
     void declareIn(FramePlan& plan) const

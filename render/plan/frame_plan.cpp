@@ -15,9 +15,9 @@ template <typename Visit> void forEachAttachment(const Pass& pass, Visit visit)
     for (const Attachment& a : pass.storage) visit(a);
 }
 
-void collectInputs(const std::vector<Input>& inputs, std::vector<std::string>& names)
+void collectInputs(const std::vector<SampledTexture>& inputs, std::vector<std::string>& names)
 {
-    for (const Input& input : inputs)
+    for (const SampledTexture& input : inputs)
         if (const auto* image = std::get_if<std::string>(&input.source)) names.push_back(*image);
 }
 

@@ -25,7 +25,7 @@ namespace vitrine::render {
 enum class PassPhase : std::uint8_t { simulate, shadow, probe, prepare, opaque, transparent, volume, resolve, present };
 
 /// What a shader reads at a texture unit: an image of the frame, or a picture from a file.
-struct Input {
+struct SampledTexture {
     int unit = 0;  ///< One of the UNIT_ numbers of shaders/lib/bindings.glsl.
     std::variant<std::string, std::shared_ptr<const Texture>> source;
 };
@@ -92,7 +92,7 @@ struct Draw {
     int instances = 1;
     bool mirrored = false;  ///< Front faces are clockwise.
     Bytes object;           ///< The OBJECT block; may be empty.
-    std::vector<Input> inputs;
+    std::vector<SampledTexture> inputs;
     std::vector<BufferUse> buffers = {};  ///< Read only: the instances' data at STORAGE_INSTANCES, by gl_InstanceID.
 };
 
@@ -110,7 +110,7 @@ struct Effect {
 /// program and these inputs in place of the pass's and its draws'.
 struct DepthOnly {
     ShaderKey shader;
-    std::vector<Input> inputs = {};
+    std::vector<SampledTexture> inputs = {};
 };
 
 /// One step of a frame: a simulation step on the CPU, a raster pass or a compute dispatch.
@@ -125,7 +125,7 @@ struct Pass {
     std::vector<Attachment> colors;  ///< Color outputs by location.
     std::optional<Attachment> depth;
     std::vector<Attachment> storage;  ///< Compute: writable images by binding.
-    std::vector<Input> inputs;
+    std::vector<SampledTexture> inputs;
     std::vector<BufferUse> buffers;
     std::vector<std::string> reads;   ///< Simulation states read, besides the images of `inputs`.
     std::vector<std::string> writes;  ///< Simulation states written, besides the attachments.

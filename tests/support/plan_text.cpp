@@ -76,7 +76,7 @@ struct Line {
         values(a.clear);
         return *this;
     }
-    Line& operator<<(const Input& input)
+    Line& operator<<(const SampledTexture& input)
     {
         *this << input.unit;
         if (const auto* name = std::get_if<std::string>(&input.source)) return *this << *name;

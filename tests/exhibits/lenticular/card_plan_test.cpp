@@ -33,7 +33,7 @@ struct CardScene : test::Scene {
 bool binds(const Pass& pass, int unit)
 {
     return std::any_of(pass.inputs.begin(), pass.inputs.end(),
-                       [&](const render::Input& input) { return input.unit == unit; });
+                       [&](const render::SampledTexture& input) { return input.unit == unit; });
 }
 
 bool defines(const Pass& pass, std::string_view name)
@@ -94,7 +94,7 @@ TEST(CardPlan, TheSameValuesShareTheSameTexture)
     CardScene scene;
     const auto texture = [&] {
         const FramePlan plan = scene.plan();
-        for (const render::Input& input : plan.find("lenticular/card")->inputs)
+        for (const render::SampledTexture& input : plan.find("lenticular/card")->inputs)
             if (input.unit == UNIT_EXHIBIT_A) return std::get<std::shared_ptr<const render::Texture>>(input.source);
         return std::shared_ptr<const render::Texture>();
     };

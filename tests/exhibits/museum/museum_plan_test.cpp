@@ -337,7 +337,7 @@ TEST(MuseumPlan, ReadsOnlyImagesThatAPassBeforeItWroteOrThatAreKept)
         const FramePlan plan = scene.plan();
         std::set<std::string> written;
         for (const render::Pass& pass : plan.passes()) {
-            for (const render::Input& input : pass.inputs)
+            for (const render::SampledTexture& input : pass.inputs)
                 if (const auto* image = std::get_if<std::string>(&input.source)) {
                     EXPECT_TRUE(written.contains(*image)) << pass.name << " reads " << *image;
                 }

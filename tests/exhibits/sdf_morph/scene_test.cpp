@@ -124,7 +124,7 @@ render::FramePlan withTheObjectOf(const render::FramePlan& plan, const render::F
             if (name == "sdf_morph.cone") name = "second.cone";
         };
         for (render::Attachment& a : pass.colors) rename(a.image);
-        for (render::Input& input : pass.inputs)
+        for (render::SampledTexture& input : pass.inputs)
             if (auto* name = std::get_if<std::string>(&input.source)) rename(*name);
         both.add(std::move(pass));
     }
