@@ -114,7 +114,8 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     RaysScene s = raysScene(table_, context, plan);
     const RayView view = context.values[table_.view];
     const bool maskShown = view == RayView::mask;
-    // A pass that shows the mask or the light alone is no effect, but the thing itself, however dark it is.
+    // The views of the mask and of the light alone are drawn even where they are black; only in the picture are rays an
+    // effect that can be left out.
     const bool effect = view == RayView::picture;
     const render::ContributionBound rays = effect ? screenRaysBound(s) : render::ContributionBound{};
     const render::ContributionBound air = effect ? airBound(s, plan.view) : render::ContributionBound{};

@@ -77,7 +77,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     s.maskSize = glm::max(glm::ivec2(glm::round(glm::dvec2(raster.size) * maskScale)), glm::ivec2(1));
     s.wholeView = viewOfWhole(plan.view, s.maskSize);
     s.sun = sunInPicture(s.wholeView, around.towardsSun);
-    // Dust is told only where the sun shines through it.
+    // Beams exist only while the sun shines.
     if (around.sunIrradiance != glm::dvec3(0))
         s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, around.towardsSun)
                                 : beams(around.openings, around.room, around.towardsSun);
@@ -106,8 +106,8 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     const glm::dvec3& sunLight = around.sunIrradiance;
     const glm::dvec3 sunColor = sunLight / std::max({sunLight.x, sunLight.y, sunLight.z, 1e-6});
     const double fade = plain ? (s.sun.inFront ? 1 : 0) : glsl::shaftEdgeFade(s.sun.beyond, values[table.edgeFade]);
-    // Strength is told in the light of the finished picture, whatever its exposure is, under the sun that the hall
-    // begins with; a weaker sun makes weaker rays.
+    // Strength is relative to the finished picture: exposure is divided out. It is in proportion to the sun, and 1 for
+    // the sun's initial strength.
     const double strength = values[table.weight] * std::exp2(values[table.rayExposure]) * fade * around.sunShare /
                             std::max(around.exposure, 1e-9);
     b.strength = glm::vec3(values[table.tint].value * sunColor * strength);

@@ -36,7 +36,7 @@ std::string planOccluders(const RaysScene& s, render::FramePlan& plan)
 void planLoop(const RaysScene& s, const ResourceId& mask, const ResourceId& rays, render::FramePlan& plan)
 {
     const bool plain = s.values[s.table.sum] == RaySum::plain;
-    // Without a way to go, one look tells all, and the mask comes through to the bit.
+    // With a path of length 0, one sample is exact: the mask, bit for bit.
     const int samples = !plain && s.block.gathered <= 0 ? 1 : s.values[s.table.samples];
     const bool inPlaceOfPasses = s.tile && !plain && s.values[s.table.method] == RayMethod::threePasses;
     Pass pass = s.pass("loop",

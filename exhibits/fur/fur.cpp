@@ -44,7 +44,7 @@ std::string joined(const std::vector<std::string>& notes)
     return line;
 }
 
-/// A press that never was is infinitely long ago.
+/// Infinity is right: the button was never pressed.
 bool clockIsRight(double time, double sinceOwnPress)
 {
     return std::isfinite(time) && sinceOwnPress >= 0;
@@ -212,7 +212,7 @@ std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
     ParameterValues stiff = landing;
     stiff.set(table_.frequency, 4.0);
     stiff.set(table_.springRate, 30);
-    // In such an order that three of them are the hard ones of shell count, rotation and springs.
+    // The first three are the hard cases of shell count, rotation and springs.
     return {{"silhouette", {{-1.05, 0.75, 1.1}, {-1.0, 0.62, 0}, 0.42}, 0, values},
             {"best view", bestView(values), 0, values},
             {"spin of 120 degrees", {{-0.62, 0.6, 1.9}, {-0.62, 0.42, 0}, 0.6}, 0, spun},

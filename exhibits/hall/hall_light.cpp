@@ -207,7 +207,7 @@ std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 std::uint64_t lightKey(const HallScene& scene)
 {
     render::Hash hash;
-    // How brightly and how finely the picture is developed is no light.
+    // Exposure and sampling change no light: they are left out of the key.
     ParameterValues lighting = scene.values;
     for (const std::size_t row : {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.supersamples.row},
                                   std::size_t{scene.table.resolutionScale.row}})

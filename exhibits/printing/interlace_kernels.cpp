@@ -26,8 +26,8 @@ using FourInts = std::int32_t __attribute__((vector_size(16)));
     return four;
 }
 
-/// In samples: about the same view's next row. It is wanted when the other views have had their turn, which the
-/// processor does not foresee.
+/// In samples: about the same view's next row. It is read after those of the other views, too late for
+/// the processor's own prefetching.
 constexpr std::size_t ahead = 4096;
 
 [[gnu::always_inline]] inline Four samples(const std::uint16_t* at)

@@ -181,7 +181,7 @@ std::vector<Setting> StudySearch::predictedFront() const
         std::vector<render::CostAndError> measured;
         for (const Step& step : steps_[a]) measured.push_back({step.ratio, step.error});
         useful.push_back(render::paretoFront(measured));
-        // What is as good in both, for it does not matter here, stays as it is.
+        // A step that gives the same cost and error as the present one is not a change.
         for (std::size_t& i : useful.back())
             if (steps_[a][i] == steps_[a][present[a]]) i = present[a];
         std::reverse(useful.back().begin(), useful.back().end());

@@ -240,7 +240,7 @@ private:
     std::set<std::string> imagesInParts_;
 };
 
-/// "hall/opaque > sdf_morph/march > present": the form tests compare.
+/// "hall/walls > sdf_morph/march > present": the form tests compare.
 [[nodiscard]] std::string toString(const FramePlan&);
 
 /// Every image, buffer or state that a pass writes, by name.

@@ -11,7 +11,7 @@
 //
 // This file is GLSL 4.50 and C++ (exhibits/crepuscular_rays/rays_cpu.h); needs lib/numerics.glsl.
 
-// Steps that decay is told in: those of the museum's original.
+// Decay is per step of a march of this many steps, as in the original museum (Mitchell 2007 leaves it free).
 const float SHAFT_STEPS = 128.0;
 // Beyond this the weight lies within a thousandth of the way from p: the mask itself.
 const float SHAFT_LARGEST_EXPONENT = 4096.0;

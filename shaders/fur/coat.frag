@@ -56,7 +56,7 @@ void main()
     vec3 way = normalize(strandWay);
     float rise = max(dot(way, n), 0.12);
     float into = dot(v, n);
-    // Along the ray, per metre: skin passed under it, and height lost; the skin bends away below it.
+    // Derivatives along the ray, per metre: of the position on the skin, and of the height above it, over curved skin.
     float shrink = 1.0 / (body.grown * max(1.0 + curvature * height * strandLength * rise, 0.25));
     vec3 passing = (v - way * (into / rise)) * shrink;
     float falling = into / (rise * strandLength);

@@ -109,7 +109,7 @@ public:
             drawn_ = sceneState;
         }
         render::FrameReport report;
-        report.ran = {{"hall/opaque", "in view", render::Work::raster, 12.25},
+        report.ran = {{"hall/walls", "in view", render::Work::raster, 12.25},
                       {"sdf_morph/march", "in view, 1.2 m away", render::Work::raster, 31.5}};
         report.skipped = {{"probe/capture", "unchanged since the last frame", render::Work::raster}};
         report.skipped.insert(report.skipped.end(), complaints.begin(), complaints.end());

@@ -136,7 +136,7 @@ TEST(Strands, OffsetsLieInTheSurface)
 TEST(Bending, OfNlerpHurriesAsPublished)
 {
     // Published for quaternions, whose angle is half the turn: largest error 0.033 degrees at a turn of 30,
-    // 0.92 at 90, 8.1 at 180 (techniques.md, section 4). Directions see the whole angle.
+    // 0.92 at 90, 8.1 at 180 . Directions see the whole angle.
     const auto error = [](double turn) {
         double worst = 0;
         for (int i = 0; i <= 100; ++i) {
