@@ -18,8 +18,8 @@ namespace vitrine::render::gl {
 /// that is made by parts, too: one is drawn into while the other, the last whole result, is read.
 class Resources {
 public:
-    /// Makes what the plan's passes use and frees the rest. Returns the names of kept images and buffers that are new,
-    /// and hence hold nothing yet, or gone: what was kept in them must be made again.
+    /// Makes what the plan's passes use and frees the rest. Returns the names of persistent images and buffers that are
+    /// new, and hence hold nothing yet, or gone: what was kept in them must be made again.
     std::vector<std::string> prepare(const FramePlan&);
 
     /// What passes read under this name; std::out_of_range when unknown.

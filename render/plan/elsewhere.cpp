@@ -104,7 +104,7 @@ std::vector<Pass> depthOf(std::vector<Pass> passes)
     for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
         const std::vector<std::string> outputs = outputsOf(*pass);
         const bool prepares =
-            pass->stage == PassPhase::prepare &&
+            pass->phase == PassPhase::prepare &&
             std::any_of(outputs.begin(), outputs.end(), [&](const std::string& name) { return read.contains(name); });
         if (!keepDepth(*pass) && !prepares) continue;
         for (const std::string& name : inputsOf(*pass)) read.insert(name);

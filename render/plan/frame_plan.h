@@ -143,13 +143,14 @@ struct Pass {
     ContributionBound bound;      ///< What it changes: 0 for what is provably invisible, which is then skipped.
     std::vector<Effect> effects;  ///< In its shader; FramePlan::needs says which of them belong here.
 
-    /// When set and all outputs are kept images last written under the same key, the pass is skipped
+    /// When set and all outputs are persistent images last written under the same key, the pass is skipped
     /// as unchanged. It must cover everything that the output depends on.
     std::optional<std::uint64_t> key;
 
     /// Above 1: work for several frames. Part 1, 2, ... of them runs in each frame until all have, and starts again
-    /// when `key`, which it must have, is another. Its outputs are kept; whoever reads them meanwhile gets the last
-    /// whole result. The shader sees which part it is in lib/temporal.glsl; attachments are cleared before part 1 only.
+    /// when `key`, which it must have, is another. Its outputs are persistent; whoever reads them meanwhile gets the
+    /// last whole result. The shader sees which part it is in lib/temporal.glsl; attachments are cleared before part 1
+    /// only.
     int parts = 1;
 
     /// What `FramePlan::prune` finds out about the frames before.
@@ -204,7 +205,7 @@ public:
     /// The same for an effect within a pass, which is then listed with the pass.
     [[nodiscard]] bool needs(Pass&, Effect);
 
-    /// Sorts by stage, drops every pass that no output depends on, and those whose kept outputs are
+    /// Sorts by stage, drops every pass that no output depends on, and those whose persistent outputs are
     /// up to date under `kept`. A dropped pass moves to `skipped()` with its reason.
     void prune(const std::vector<std::string>& outputs, const PersistentState& kept = {});
 

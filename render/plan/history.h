@@ -59,9 +59,9 @@ struct PartProgress {
     bool completedOnce = false;  ///< Its outputs hold a whole result: of this hash, or of the one before.
 };
 
-/// What a renderer's kept images and buffers hold, for the next plan.
+/// What a renderer's persistent images and buffers hold, for the next plan.
 struct PersistentState {
-    std::map<std::string, std::uint64_t> passes = {};     ///< Pass -> key under which it last wrote its kept images.
+    std::map<std::string, std::uint64_t> passes = {};  ///< Pass -> key under which it last wrote its persistent images.
     std::map<std::string, HistoryRecord> histories = {};  ///< By image.
     std::map<std::string, PartProgress> parts = {};       ///< By pass.
 };

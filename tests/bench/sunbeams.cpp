@@ -38,12 +38,12 @@ struct Bench {
     render::gl::HeadlessContext context{false};
     Museum museum{allExhibits()};
     render::gl::Renderer renderer;
-    Look look = museum.initialLook();
+    SceneState sceneState = museum.initialLook();
     std::size_t exhibit = *museum.find("crepuscular_rays");
     glm::ivec2 size{640, 360};
     render::Camera camera;
 
-    ParameterValues& rays() { return look.values[exhibit]; }
+    ParameterValues& rays() { return sceneState.values[exhibit]; }
 
     Measured measure(bool timed = true)
     {
@@ -51,7 +51,7 @@ struct Bench {
         frame.camera = camera;
         frame.raster.size = size;
         frame.averageIn = AverageIn::radiance;
-        PictureMaker maker(museum, renderer, look, {.frame = frame});
+        PictureMaker maker(museum, renderer, sceneState, {.frame = frame});
         while (maker.step()) {
         }
         Measured result{maker.picture()};
@@ -67,7 +67,7 @@ struct Bench {
         for (int run = 0; run < 5; ++run) {
             double sum = 0;
             for (const render::StepReport& step :
-                 renderer.draw(test::planned(museum, look, frame, renderer.persistentState())).ran)
+                 renderer.draw(test::planned(museum, sceneState, frame, renderer.persistentState())).ran)
                 if (step.name.rfind("crepuscular_rays/", 0) == 0) sum += step.milliseconds;
             times.push_back(sum);
         }
@@ -129,7 +129,7 @@ void screenRays(Bench& bench)
     rays.set(table.lightSize, 3.141593);
     rays.set(table.jitter, false);
     // White is 1.
-    bench.look.hall().set(hallTable.exposure, -std::log2(6.5));
+    bench.sceneState.hall().set(hallTable.exposure, -std::log2(6.5));
     const auto run = [&](RayMethod method, int samples, RayResolution resolution, bool timed) {
         rays.set(table.method, method);
         rays.set(table.samples, samples);
@@ -182,7 +182,7 @@ void volume(Bench& bench)
     ParameterValues& rays = bench.rays();
     rays = ParameterValues(table);
     rays.set(table.view, RayView::light);
-    bench.look.hall().set(hallTable.exposure, -std::log2(6.5));
+    bench.sceneState.hall().set(hallTable.exposure, -std::log2(6.5));
     const auto run = [&](int steps, RayResolution resolution, bool jitter, bool timed) {
         rays.set(table.volumeSteps, steps);
         rays.set(table.resolution, resolution);
@@ -216,14 +216,15 @@ void volume(Bench& bench)
 void entrance(Bench& bench)
 {
     FrameRequest frame;
-    frame.camera = bench.look.camera;
+    frame.camera = bench.sceneState.camera;
     frame.raster.size = bench.size;
     bench.renderer.timeSteps(true);
     std::map<std::string, std::vector<double>> times;
     for (int run = 0; run < 7; ++run) {
         std::map<std::string, double> once;
         for (const render::StepReport& step :
-             bench.renderer.draw(test::planned(bench.museum, bench.look, frame, bench.renderer.persistentState())).ran)
+             bench.renderer.draw(test::planned(bench.museum, bench.sceneState, frame, bench.renderer.persistentState()))
+                 .ran)
             once[step.name.rfind("crepuscular_rays/", 0) == 0 ? step.name : "everything else"] += step.milliseconds;
         if (run < 2) continue;  // Shadow maps, probe and programs are made once.
         for (const auto& [name, milliseconds] : once) times[name].push_back(milliseconds);

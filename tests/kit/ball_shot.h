@@ -45,7 +45,7 @@ struct BallShot {
     std::size_t subject = 0;
 
     explicit BallShot(const Museum& of = ballMuseum(), const char* exhibit = "ball")
-        : museum(of), look(of.initialSceneState()), subject(*of.find(exhibit))
+        : museum(of), sceneState(of.initialSceneState()), subject(*of.find(exhibit))
     {
         sceneState.hall().set(hallTable().shadowMapSize, 512);
         sceneState.hall().set(hallTable().probeSize, 32);

@@ -88,7 +88,7 @@ struct Line {
         all(d.inputs);
         return *this;
     }
-    Line& operator<<(const ContributionBound& b) { return *this << b.share << b.radiance << b.whyNone; }
+    Line& operator<<(const ContributionBound& b) { return *this << b.relative << b.absolute << b.whyNone; }
     Line& operator<<(const Effect& e) { return *this << e.name << e.bound; }
 };
 

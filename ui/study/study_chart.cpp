@@ -336,12 +336,12 @@ QByteArray StudyChart::svg(QSize size)
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(0, 0), size));
     generator.setTitle(yAxis->label());
-    QCPPainter backend;
-    backend.begin(&generator);
-    backend.setMode(QCPPainter::pmVectorized);
-    backend.setMode(QCPPainter::pmNoCaching);
-    toBackend(&backend, size.width(), size.height());
-    backend.end();
+    QCPPainter painter;
+    painter.begin(&generator);
+    painter.setMode(QCPPainter::pmVectorized);
+    painter.setMode(QCPPainter::pmNoCaching);
+    toPainter(&painter, size.width(), size.height());
+    painter.end();
     // A name that browsers know, too.
     return bytes.replace("font-family=\"Sans Serif\"", "font-family=\"sans-serif\"");
 }

@@ -34,8 +34,8 @@ TEST(PlansOfPresets, RunEachStepOnceInTheOrderOfTheStagesAndForAReason)
         render::PassPhase phase = render::PassPhase::simulate;
         for (const render::Pass& pass : plan.passes()) {
             EXPECT_TRUE(names.insert(pass.name).second) << name << " runs " << pass.name << " twice";
-            EXPECT_GE(pass.phase, stage) << name << ": " << pass.name;
-            stage = pass.phase;
+            EXPECT_GE(pass.phase, phase) << name << ": " << pass.name;
+            phase = pass.phase;
             EXPECT_FALSE(pass.reason.empty()) << name << ": " << pass.name;
             EXPECT_FALSE(pass.bound.isZero()) << name << ": " << pass.name;
         }

@@ -79,7 +79,7 @@ TEST_F(Memory, OfFramebuffersIsMadeOnceAndNotByTheNextSameFrame)
         shot.inHall().size(32, 18);
         shot.request.frame.camera = museum.bestView(i, shot.sceneState.values[i]);
         const auto made = [&] {
-            return renderer.draw(test::planned(museum, shot.sceneState, shot.request.frame, renderer.kept()))
+            return renderer.draw(test::planned(museum, shot.sceneState, shot.request.frame, renderer.persistentState()))
                 .counters.at("framebuffers made");
         };
         const std::int64_t first = made();

@@ -120,11 +120,11 @@ TEST(Elsewhere, CanBeItsDepthAlone)
     seen.add(std::move(marched));
     for (const PassPhase phase : {PassPhase::opaque, PassPhase::transparent}) {
         Pass over;
-        over.name = stage == PassPhase::opaque ? "sky" : "glass";
-        over.phase = stage;
+        over.name = phase == PassPhase::opaque ? "sky" : "glass";
+        over.phase = phase;
         over.colors = {Attachment::whole("radiance")};
         over.depth = Attachment::whole("depth");
-        over.state.depthWrite = stage == PassPhase::transparent;
+        over.state.depthWrite = phase == PassPhase::transparent;
         seen.add(std::move(over));
     }
 

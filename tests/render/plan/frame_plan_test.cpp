@@ -108,7 +108,7 @@ TEST(FramePlan, SortsByStageAndKeepsTheOrderWithinOne)
 FramePlan withPersistentMap(std::uint64_t key, bool kept = true)
 {
     FramePlan plan;
-    plan.image({.name = "map", .size = {8, 8}, .kept = kept});
+    plan.image({.name = "map", .size = {8, 8}, .persistent = kept});
     Pass map = pass("map", {}, "map", Load::clear);
     map.key = key;
     plan.add(std::move(map));

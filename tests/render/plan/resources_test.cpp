@@ -233,7 +233,7 @@ TEST(Buffers, ThatAreKeptNeedNotBeWrittenAgain)
 {
     for (const bool isKept : {true, false}) {
         FramePlan plan;
-        plan.buffer({.name = "places", .bytes = 64, .kept = isKept});
+        plan.buffer({.name = "places", .bytes = 64, .persistent = isKept});
         Pass place = writesBuffer("place", "places", Access::write);
         place.key = 3;
         plan.add(std::move(place));
