@@ -12,8 +12,8 @@ for exhibit in hall sdf_morph lenticular fur crepuscular_rays; do
     done
 done
 $program render hall --size 1280x720 --samples 16 --out assets/pictures/hall.png
-$program render hall --preset assets/presets/hall/golden-hour.json --set crepuscular_rays.airDensity=0.022 --set crepuscular_rays.unevenness=0.7 \
-    --set crepuscular_rays.airThinning=0.12 --set crepuscular_rays.airColor=1,0.9,0.72 --size 1280x720 --samples 16 --out assets/pictures/golden-hour.png
+$program render hall --preset assets/presets/hall/golden-hour.json --set crepuscular_rays.airDensity=0.022 --set crepuscular_rays.densityNoise=0.7 \
+    --set crepuscular_rays.densityFalloff=0.12 --set crepuscular_rays.airColor=1,0.9,0.72 --size 1280x720 --samples 16 --out assets/pictures/golden-hour.png
 $program render crepuscular_rays --preset assets/presets/crepuscular_rays/evening-dust.json --set hall.sunBy="time of day" --set hall.timeOfDay=16.9 \
     --size 960x540 --samples 16 --out assets/pictures/evening-dust.png
 for look in glazed-in-sea-green glass old-gold what-a-ray-costs; do

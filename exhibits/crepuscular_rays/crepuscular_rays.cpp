@@ -90,7 +90,7 @@ double CrepuscularRays::nextChange(const ParameterValues& values, double) const
 
 double CrepuscularRays::turnOfHangings(const ParameterValues& values, double time) const
 {
-    const double start = values[table_.turn];
+    const double start = values[table_.mobileRotation];
     if (!values[table_.animate] || !std::isfinite(time)) return start;
     return start + 2 * std::numbers::pi * std::fmod(values[table_.turnSpeed] * time, 1.0);
 }

@@ -155,7 +155,7 @@ render::ContributionBound airBound(const RaysScene& s, const render::View& view)
     const double hidden = -std::expm1(-s.values[s.table.airDensity] * way);
     const double ahead = glsl::airPhase(1.0, std::abs(s.values[s.table.anisotropy]));
     const double sun = largest(around.sunIrradiance);
-    const double drift = 1 + 1.5 * s.values[s.table.unevenness];
+    const double drift = 1 + 1.5 * s.values[s.table.densityNoise];
     const double scattered =
         largest(s.values[s.table.airColor].value) *
         (s.values[s.table.ambient] * around.brightest +

@@ -61,7 +61,7 @@ void lieByHand(const FurTable& table, const ParameterValues& values, FurStates& 
     for (FurState& state : states) {
         state.grown = 1;
         state.pull = {values[table.handX], values[table.handY], values[table.handZ]};
-        state.lag = glm::angleAxis(values[table.handTurn], glm::dvec3(0, 0, 1));
+        state.lag = glm::angleAxis(values[table.handRotation], glm::dvec3(0, 0, 1));
     }
 }
 
@@ -205,7 +205,7 @@ std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
     ParameterValues spun = values;
     spun.set(table_.byHand, true);
     for (const Real pull : {table_.handX, table_.handY, table_.handZ}) spun.set(pull, 0.0);
-    spun.set(table_.handTurn, 2.0943951023931953);
+    spun.set(table_.handRotation, 2.0943951023931953);
     ParameterValues landing = values;
     landing.set(table_.frozenAt, 0.9);
     // Stiff fur in long steps: of the three ways to step a spring, one flies off, one is late, one does not notice.

@@ -116,7 +116,7 @@ HallScene Hall::scene(const ParameterValues& values, bool alone, const PreparedH
     const glm::dvec3 extent = 2.0 * box.halfSize();
     const double largest = std::max({extent.x, extent.y, extent.z, 1e-9});
     glm::dmat4 m = plinth ? plinth->worldFromPlace : glm::dmat4(1);
-    m = glm::rotate(m, values[table_.modelTurn], glm::dvec3(0, 1, 0));
+    m = glm::rotate(m, values[table_.modelRotation], glm::dvec3(0, 1, 0));
     m = glm::scale(m, glm::dvec3(values[table_.modelSize] / largest));
     // It stands on its lowest point, above the middle of the plinth.
     scene.worldFromVisitorModel = glm::translate(m, -glm::dvec3(box.center().x, box.low.y, box.center().z));

@@ -106,7 +106,7 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
     light.skyLightmapScale = static_cast<float>(scene.model.skyLightmapScale());
     light.skyHorizon = glm::vec3(glm::mix(skyColor, sunColor / 9.0, 0.25) * 1.25);
     light.background = scene.environment ? BACKGROUND_PANORAMA : scene.alone ? BACKGROUND_STUDIO : BACKGROUND_SKY;
-    light.environmentTurn = static_cast<float>(values[table.environmentTurn]);
+    light.environmentRotation = static_cast<float>(values[table.environmentRotation]);
     light.bakedOcclusion = values[table.bakedLight] ? 1.0F : 0.0F;
     light.shadowFilter = static_cast<int>(values[table.shadowFilter]);
     static_assert(static_cast<int>(ShadowFilter::hard) == SHADOW_FILTER_HARD &&

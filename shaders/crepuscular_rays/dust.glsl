@@ -17,8 +17,8 @@ vec4 airStretches(vec3 eye, vec3 direction)
 // Share of the light that comes through the air up to `end`, a distance along the ray.
 float airThrough(vec3 eye, vec3 direction, vec4 stretches, float end)
 {
-    float depth = airOpticalDepth(eye.y + direction.y * stretches.x, direction.y, min(stretches.y, end) - stretches.x, parameters.airDensity, parameters.airThinning);
-    depth += airOpticalDepth(eye.y + direction.y * stretches.z, direction.y, min(stretches.w, end) - stretches.z, parameters.airDensity, parameters.airThinning);
+    float depth = airOpticalDepth(eye.y + direction.y * stretches.x, direction.y, min(stretches.y, end) - stretches.x, parameters.airDensity, parameters.densityFalloff);
+    depth += airOpticalDepth(eye.y + direction.y * stretches.z, direction.y, min(stretches.w, end) - stretches.z, parameters.airDensity, parameters.densityFalloff);
     return exp(-depth);
 }
 
@@ -41,7 +41,7 @@ float dustNoise(vec3 p)
 // How much more or less dust than the mean there is at a point; its own mean is 1.
 float dustDrift(vec3 world)
 {
-    if (parameters.unevenness <= 0.0) return 1.0;
+    if (parameters.densityNoise <= 0.0) return 1.0;
     float drift = dustNoise(world * vec3(1.1, 1.6, 1.1)) * 0.65 + dustNoise(world * vec3(2.7, 3.7, 2.7) + 19.0) * 0.35;
-    return max(1.0 + parameters.unevenness * (3.0 * drift - 1.5), 0.0);  // Air can be clear, but no clearer.
+    return max(1.0 + parameters.densityNoise * (3.0 * drift - 1.5), 0.0);  // Air can be clear, but no clearer.
 }

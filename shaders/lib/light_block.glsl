@@ -23,7 +23,7 @@
     FIELD(vec3, skyHorizon)              /* radiance */ \
     FIELD(int, background)               /* BACKGROUND_ */ \
     FIELD(vec3, sunLightmapWeights)      /* weight times scale of each of the three sun lightmaps */ \
-    FIELD(float, environmentTurn)        /* rotation of the panorama, radians */ \
+    FIELD(float, environmentRotation)        /* rotation of the panorama, radians */ \
     FIELD(vec3, probePosition)           /* world space */ \
     FIELD(float, probeLastLevel)         /* mip level of the roughest mirror image */ \
     FIELD(vec3, probeLow)                /* box of the parallax correction, world space; none where high <= low */ \

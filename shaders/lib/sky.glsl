@@ -9,7 +9,7 @@ layout(binding = UNIT_ENVIRONMENT) uniform sampler2D environmentPicture;
 vec2 equirectangular(vec3 d)
 {
     bool pole = abs(d.x) + abs(d.z) < 1e-6;
-    float u = pole ? 0.5 : fract(atan(d.x, -d.z) / (2.0 * PI) + 0.5 + light.environmentTurn / (2.0 * PI));
+    float u = pole ? 0.5 : fract(atan(d.x, -d.z) / (2.0 * PI) + 0.5 + light.environmentRotation / (2.0 * PI));
     return vec2(u, acos(clamp(d.y, -1.0, 1.0)) / PI);
 }
 

@@ -38,7 +38,7 @@ struct Bench {
     render::gl::HeadlessContext context{false};
     Museum museum{allExhibits()};
     render::gl::Renderer renderer;
-    SceneState sceneState = museum.initialLook();
+    SceneState sceneState = museum.initialSceneState();
     std::size_t exhibit = *museum.find("crepuscular_rays");
     glm::ivec2 size{640, 360};
     render::Camera camera;
@@ -246,7 +246,7 @@ void modelError(Bench& bench)
     rays = ParameterValues(table);
     rays.set(table.view, RayView::light);
     rays.set(table.ambient, 0.0);
-    rays.set(table.unevenness, 0.0);
+    rays.set(table.densityNoise, 0.0);
     rays.set(table.jitter, false);
     rays.set(table.resolution, RayResolution::full);
     rays.set(table.volumeSteps, 512);

@@ -60,7 +60,7 @@ TEST_F(Rays, H68_OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
                 const dvec2 air = glsl::airBox(eye, direction, found[0].box.low, found[0].box.high);
                 const double begin = std::max(air.x, 0.0);
                 return glsl::airOpticalDepth(eye.y + direction.y * begin, direction.y, std::min(air.y, t) - begin, 0.09,
-                                             shot.rays()[raysTable().airThinning]);
+                                             shot.rays()[raysTable().densityFalloff]);
             };
             const dvec2 lit =
                 glsl::airBeam(eye, direction, found[0].opening.low, found[0].opening.high, 2, found[0].plane,
@@ -149,9 +149,9 @@ TEST_F(Rays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
     // turn may stay, and nothing else may go.
     RayShot shot(RayTechnique::volume);
     shot.see({-3.5, 1.65, 2.5}, {1.2, 3.2, -6});
-    shot.rays().set(raysTable().turn, 0.9);
+    shot.rays().set(raysTable().mobileRotation, 0.9);
     (void)shot.take();
-    shot.rays().set(raysTable().turn, -1.3);
+    shot.rays().set(raysTable().mobileRotation, -1.3);
     (void)shot.take();
     const render::Image stepped = gallery().renderer.read("shadow.hall");
     // A detour over another sun draws all of it.
@@ -162,7 +162,7 @@ TEST_F(Rays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
     const render::Image anew = gallery().renderer.read("shadow.hall");
     EXPECT_EQ(test::largestDifference(stepped, anew), 0);
     // The mobile is in it: another turn is another map.
-    shot.rays().set(raysTable().turn, 0.9);
+    shot.rays().set(raysTable().mobileRotation, 0.9);
     (void)shot.take();
     EXPECT_GT(test::largestDifference(gallery().renderer.read("shadow.hall"), anew), 0.01);
 }
@@ -172,7 +172,7 @@ TEST_F(Rays, TheProbeIsTheSameHoweverTheMobileHungWhenItWasMade)
     // It is kept while the mobile turns: a picture must not depend on which turn it was made at.
     const auto irradianceAt = [](double turn) {
         RayShot shot(RayTechnique::volume);
-        shot.rays().set(raysTable().turn, turn);
+        shot.rays().set(raysTable().mobileRotation, turn);
         shot.hall().set(hallTable().sunAzimuth, 0.2);  // A detour over another sun: it is made anew.
         (void)shot.take();
         const render::Image elsewhere = gallery().renderer.read("probe.irradiance");

@@ -30,7 +30,7 @@ struct RayShot : Shot {
         rays().set(raysTable().jitter, false);
         rays().set(raysTable().resolution, RayResolution::full);
         rays().set(raysTable().view, RayView::light);
-        rays().set(raysTable().unevenness, 0.0);
+        rays().set(raysTable().densityNoise, 0.0);
     }
     /// Alone there is nothing but sky, a white mask, and the sun stands in the picture.
     RayShot& onWhite()

@@ -212,7 +212,7 @@ TEST(RaysPlan, ShadowsAndProbeAreNotMadeAgainForTheBeams)
     for (const char* start : {"hall/shadow", "exhibits/shadow", "probe/"})
         EXPECT_FALSE(runs(scene.plan(kept), start)) << start;
     // The mobile turns in the sun's map, and the probe does not see it.
-    scene.rays().set(raysTable().turn, 1.0);
+    scene.rays().set(raysTable().mobileRotation, 1.0);
     const render::FramePlan turned = scene.plan(kept);
     EXPECT_FALSE(runs(turned, "probe/"));
     // Of the sun's map, only what hangs is drawn again, where it may be.

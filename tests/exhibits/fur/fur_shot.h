@@ -40,7 +40,7 @@ struct FurShot : Shot {
         object().set(table().handX, pull.x);
         object().set(table().handY, pull.y);
         object().set(table().handZ, pull.z);
-        object().set(table().handTurn, turn);
+        object().set(table().handRotation, turn);
         return *this;
     }
     [[nodiscard]] std::int64_t samplesPassed() const
