@@ -23,12 +23,12 @@ using test::LibraryField;
 using test::libraryOperators;
 using test::librarySolids;
 using test::Sizes;
-using Field = LibraryField<double>;
+using LibraryShape = LibraryField<double>;
 
-std::vector<Field> everything(const Sizes& sizes = {})
+std::vector<LibraryShape> everything(const Sizes& sizes = {})
 {
-    std::vector<Field> all = librarySolids<double>(sizes);
-    for (Field& field : libraryOperators<double>(sizes)) all.push_back(std::move(field));
+    std::vector<LibraryShape> all = librarySolids<double>(sizes);
+    for (LibraryShape& field : libraryOperators<double>(sizes)) all.push_back(std::move(field));
     return all;
 }
 
@@ -53,7 +53,7 @@ double steepest(const std::function<double(const dvec3&)>& field, int pairs, std
     return slope;
 }
 
-dvec3 gradient(const Field& named, const dvec3& p)
+dvec3 gradient(const LibraryShape& named, const dvec3& p)
 {
     constexpr double h = 1e-6;
     const auto& field = named.field;
@@ -65,7 +65,7 @@ dvec3 gradient(const Field& named, const dvec3& p)
 
 TEST(Lipschitz, EverySolidAndOperatorIsAsSteepAsItSaysAndNotSteeper)
 {
-    for (const Field& named : everything()) {
+    for (const LibraryShape& named : everything()) {
         SCOPED_TRACE(named.name);
         const double slope = steepest(named.field, 60000, 7);
         EXPECT_LE(slope, named.slope * (1 + 1e-9));
@@ -81,12 +81,12 @@ TEST(Lipschitz, TheNaiveFormsAreCaught)
     const auto a = [](const dvec3& p) { return glsl::sdfBox(p - dvec3(0.2, 0, 0), dvec3(0.5, 0.3, 0.4)); };
     const auto b = [](const dvec3& p) { return glsl::sdfSphere(p + dvec3(0.2, -0.1, 0.1), 0.5); };
     const dvec3 scale(1.5, 0.5, 1);
-    const Field naive[] = {
+    const LibraryShape naive[] = {
         {"mix at 1.25, not divided", Claim::steep, [=](const dvec3& p) { return a(p) * -0.25 + b(p) * 1.25; }, 1.5},
         {"scaled unevenly, not corrected", Claim::steep, [=](const dvec3& p) { return b(p / scale); }, 2},
         {"blended by a product", Claim::steep, [=](const dvec3& p) { return a(p) * b(p); }, 8},
     };
-    for (const Field& named : naive) {
+    for (const LibraryShape& named : naive) {
         const double slope = steepest(named.field, 60000, 7);
         EXPECT_GT(slope, 1.2) << named.name;
         EXPECT_LE(slope, named.slope + 1e-9) << named.name;
@@ -95,7 +95,7 @@ TEST(Lipschitz, TheNaiveFormsAreCaught)
 
 TEST(Lipschitz, ExactFieldsLeadToTheSurfaceInOneStep)
 {
-    for (const Field& named : everything()) {
+    for (const LibraryShape& named : everything()) {
         if (named.claim != Claim::exact && named.claim != Claim::exactOutside) continue;
         SCOPED_TRACE(named.name);
         // Going the distance down the gradient ends on the surface, for all points but those (of measure
@@ -120,7 +120,7 @@ TEST(Lipschitz, HoldsForEverySizeDownToNothing)
 {
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         const Sizes sizes(seed);
-        for (const Field& named : everything(sizes))
+        for (const LibraryShape& named : everything(sizes))
             EXPECT_LE(steepest(named.field, 800, seed), named.slope * (1 + 1e-9))
                 << named.name << ", sizes of seed " << seed;
     }

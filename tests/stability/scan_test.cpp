@@ -147,6 +147,7 @@ TEST_F(StabilityScan, FaultsAreSeenAndBlamedOnWhatCausesThem)
     c.sceneState.values[1].set(table.harmless, 0.25);
     c.frame.alone = 1;
     c.frame.transparent = true;  // Or the sky would cover it.
+    c.frame.camera = museum.exhibit(1).bestView(c.sceneState.values[1]);
     EXPECT_EQ(faultOf(museum, gallery().renderer, c), "");
 
     ScanCase infinite = c;
