@@ -85,7 +85,7 @@ struct CrepuscularRaysTable final : Parameters {
              "Dust in the air: what a metre of it takes out of a beam near the floor; 0 is clear air.", volume);
     Real densityFalloff = real("densityFalloff", 0.08, perMetre, Range{0, 10}.soft(0, 0.5),
                                "How fast the dust thins with height: 0 is even, high keeps it near the floor.",
-                               volume&& whenAbove(airDensity, 0));
+                               volume&& whenAbove(airDensity, 0), formerly("airThinning"));
     Real anisotropy = real("anisotropy", 0.42, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
                            "How much the dust scatters forward: 0 to all sides, high glows towards the sun.",
                            volume&& whenAbove(airDensity, 0) && whenLaterAbove("beamStrength", 0));
@@ -99,7 +99,7 @@ struct CrepuscularRaysTable final : Parameters {
                            "Share of the light that the dust scatters rather than swallows: white swallows none.",
                            volume&& whenAbove(airDensity, 0));
     Real densityNoise = real("densityNoise", 0.35, none, {0, 1}, "How much the dust gathers in drifts; 0 is even air.",
-                             volume&& whenAbove(airDensity, 0) && whenAbove(beamStrength, 0));
+                             volume&& whenAbove(airDensity, 0) && whenAbove(beamStrength, 0), formerly("unevenness"));
 
     Group accuracy = foldedGroup("Accuracy");
     Choice<RayMethod> method = choice("method", RayMethod::polar, {"loop", "three passes", "polar sum"},
@@ -124,7 +124,7 @@ struct CrepuscularRaysTable final : Parameters {
     Group hangings = group("Hangings");
     Toggle animate = toggle("animate", false, "Let the draught turn the mobile.");
     Real mobileRotation = real("mobileRotation", degrees(20.0535), degree, {degrees(-180), degrees(180)},
-                               "How far the mobile has turned.");
+                               "How far the mobile has turned.", formerly("turn"));
     Real turnSpeed = real("turnSpeed", 0.02, hertz, Range{0, 2}.soft(0, 0.1),
                           "Turns of the mobile in a second, while it is animated.", when(animate));
 };

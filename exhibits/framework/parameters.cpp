@@ -193,7 +193,8 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
         name += row.name.substr(1);
         row.name = owned(name);
     }
-    for (std::string_view* text : {&row.name, &row.group, &row.help, &row.called, &row.endings}) *text = owned(*text);
+    for (std::string_view* text : {&row.name, &row.group, &row.help, &row.called, &row.endings, &row.formerly})
+        *text = owned(*text);
     for (std::string_view& choice : row.choices) choice = owned(choice);
     if (row.word) row.word->text = owned(row.word->text);
     if (row.actsWhen) own(*row.actsWhen);

@@ -33,11 +33,20 @@ enum class Scale : std::uint8_t { linear, logarithmic };
 /// The legal closed interval of a number and, inside it, the comfortable one that the slider spans.
 /// `scale` shapes the slider and spaces the points of an accuracy study.
 struct Range {
-    double low = 0;
-    double high = 1;
-    Scale scale = Scale::linear;
-    double softLow = low;
-    double softHigh = high;
+    double low;
+    double high;
+    Scale scale;
+    double softLow;
+    double softHigh;
+
+    // No aggregate: as the argument of a member's initializer, one with initializers that read each other ends GCC 13
+    // with an internal error.
+    constexpr Range() : Range(0, 1) {}
+    constexpr Range(double from, double to, Scale shape = Scale::linear) : Range(from, to, shape, from, to) {}
+    constexpr Range(double from, double to, Scale shape, double softFrom, double softTo)
+        : low(from), high(to), scale(shape), softLow(softFrom), softHigh(softTo)
+    {
+    }
 
     [[nodiscard]] constexpr Range soft(double from, double to) const { return {low, high, scale, from, to}; }
 };
@@ -76,6 +85,7 @@ struct ParameterInfo {
     bool givesRows = false;                  ///< For Kind::file: its file gives the table further rows.
     std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
     std::size_t element = 0;                 ///< Which group of that array, from 0.
+    std::string_view formerly = {};          ///< Its name in files of before; empty: the same.
     std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
 
     /// Whether its values are numbers, with others between them: a real or a count.
@@ -177,6 +187,11 @@ protected:
         std::string_view text;
     };
     [[nodiscard]] static Called called(std::string_view text) { return {text}; }
+    struct Formerly {
+        std::string_view name;
+    };
+    /// Presets and sessions of before know the row by this name; they are read, and written by the present one.
+    [[nodiscard]] static Formerly formerly(std::string_view name) { return {name}; }
     /// `value` is shown and typed as this word.
     [[nodiscard]] static Word reads(double value, std::string_view word) { return {value, word}; }
     /// When the row acts: `when(...) && when(...)`, `when(...) || when(...)`.
@@ -308,6 +323,7 @@ private:
     static void say(ParameterInfo& row, const Endings& endings) { row.endings = endings.text; }
     static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
     static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
+    static void say(ParameterInfo& row, const Formerly& formerly) { row.formerly = formerly.name; }
     static void say(ParameterInfo& row, const Word& word) { row.word = word; }
     static void say(ParameterInfo& row, const std::optional<Condition>& condition) { row.actsWhen = condition; }
     template <typename... Traits> std::uint16_t append(ParameterInfo row, const Traits&... traits)

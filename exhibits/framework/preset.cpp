@@ -86,10 +86,13 @@ ParameterValues readRows(Opened& file, const Parameters& table, const std::strin
     ParameterValues values = table.initial();
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
         const ParameterInfo& row = table.rows()[i];
-        std::string key = prefix;
-        key += row.name;
-        const auto at = left.find(key);
+        auto at = left.find(prefix + std::string(row.name));
+        if (at == left.end() && !row.formerly.empty()) {
+            at = left.find(prefix + std::string(row.formerly));
+            if (at != left.end()) file.root["values"].erase(at->first);  // It is written by its present name.
+        }
         if (at == left.end()) continue;
+        const std::string key = at->first;
         values.setRow(i, valueFromJson(row, *at->second, file.place("values." + key), key, file.notes));
         left.erase(at);
     }

@@ -15,7 +15,7 @@
 namespace vitrine {
 
 /// The version that is written. Older ones are read; newer ones are refused.
-inline constexpr int presetVersion = 2;
+inline constexpr int presetVersion = 1;
 
 /// What a preset file may be at most: it is a few kilobytes, and a hostile one must not cost more.
 inline constexpr render::JsonLimits presetLimits{

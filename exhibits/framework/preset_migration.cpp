@@ -4,7 +4,6 @@
 
 #include <array>
 #include <limits>
-#include <string_view>
 
 namespace vitrine {
 namespace {
@@ -24,39 +23,7 @@ Json from0(const Json& old)
     return json;
 }
 
-/// Rows that have had another name since version 2.
-struct RenamedRow {
-    std::string_view exhibit, before, now;
-};
-constexpr std::array renamedRows{RenamedRow{"hall", "environmentTurn", "environmentRotation"},
-                                 RenamedRow{"hall", "modelTurn", "modelRotation"},
-                                 RenamedRow{"fur", "handTurn", "handRotation"},
-                                 RenamedRow{"crepuscular_rays", "turn", "mobileRotation"},
-                                 RenamedRow{"crepuscular_rays", "airThinning", "densityFalloff"},
-                                 RenamedRow{"crepuscular_rays", "unevenness", "densityNoise"}};
-
-/// The keys of a preset are names of rows, those of an exhibition "exhibit.row".
-Json from1(const Json& old)
-{
-    Json json = old;
-    json["version"] = 2;
-    if (!json.contains("values") || !json["values"].is_object()) return json;
-    const bool ofOne = json.contains("format") && json["format"] == "vitrine-preset";
-    const auto renamed = [&](const std::string& key) {
-        for (const RenamedRow& row : renamedRows) {
-            const std::string prefix = ofOne ? "" : std::string(row.exhibit) + ".";
-            if (ofOne && !(json.contains("exhibit") && json["exhibit"] == std::string(row.exhibit))) continue;
-            if (key == prefix + std::string(row.before)) return prefix + std::string(row.now);
-        }
-        return key;
-    };
-    Json values = Json::object();
-    for (const auto& [key, value] : json["values"].items()) values[renamed(key)] = value;
-    json["values"] = std::move(values);
-    return json;
-}
-
-constexpr std::array<Json (*)(const Json&), presetVersion> steps = {from0, from1};
+constexpr std::array<Json (*)(const Json&), presetVersion> steps = {from0};
 
 }  // namespace
 
@@ -91,15 +58,8 @@ Json migrated(const Json& json, int fromVersion)
 
 std::string originalPath(const std::string& path, int fromVersion)
 {
-    if (path != "values" && !path.starts_with("values.")) return {};
-    std::string original = path;
-    if (fromVersion < 2) {
-        const std::size_t name = path.rfind('.') + 1;
-        for (const RenamedRow& row : renamedRows)
-            if (path.substr(name) == row.now) original = path.substr(0, name) + std::string(row.before);
-    }
-    if (fromVersion < 1) original.replace(0, std::string("values").size(), "params");
-    return original == path ? std::string() : original;
+    if (fromVersion > 0 || (path != "values" && !path.starts_with("values."))) return {};
+    return "params" + path.substr(std::string("values").size());
 }
 
 }  // namespace vitrine

@@ -130,7 +130,8 @@ struct FurTable final : Parameters {
     Real handZ = real("handZ", 0.0, none, Range{-20, 20}.soft(-3, 3),
                       "By hand: how far they are drawn towards the entrance.", when(byHand));
     Real handRotation = real("handRotation", 0.0, degree, Range{degrees(-180), degrees(180)},
-                             "By hand: how far they are turned about the axis towards the entrance.", when(byHand));
+                             "By hand: how far they are turned about the axis towards the entrance.", when(byHand),
+                             formerly("handTurn"));
 
     Group accuracy = foldedGroup("Accuracy");
     Count shellCount = count("shellCount", 10, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));

@@ -76,8 +76,9 @@ struct HallTable final : Parameters {
     File environment =
         file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.",
              endings("hdr exr jpg jpeg png tif tiff"));
-    Real environmentRotation = real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
-                                    "Turns the panorama around the vertical.", whenGiven(environment));
+    Real environmentRotation =
+        real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
+             "Turns the panorama around the vertical.", whenGiven(environment), formerly("environmentTurn"));
 
     Group reflections = group("Reflections");
     Toggle reflectionProbe =
@@ -94,8 +95,9 @@ struct HallTable final : Parameters {
     File model = file("model", "A glTF object (.glb or .gltf) on the free plinth.", endings("glb gltf"));
     Real modelSize = real("modelSize", 0.8, metre, Range{0.01, 100, logarithmic}.soft(0.1, 3),
                           "Largest side of the visitor's object as it stands on the plinth.", whenGiven(model));
-    Real modelRotation = real("modelRotation", 0.0, degree, {degrees(-180), degrees(180)},
-                              "Turns the visitor's object around the vertical.", whenGiven(model));
+    Real modelRotation =
+        real("modelRotation", 0.0, degree, {degrees(-180), degrees(180)},
+             "Turns the visitor's object around the vertical.", whenGiven(model), formerly("modelTurn"));
 };
 
 }  // namespace vitrine

@@ -1,4 +1,5 @@
 #include "ui/viewport/gl_probe.h"
+#include "ui/viewport/viewport_format.h"
 
 #include "ui/viewport/viewport.h"
 

@@ -4,6 +4,7 @@
 #include "render/failure.h"
 #include "ui/kit/message_of.h"
 #include "ui/viewport/overlay.h"
+#include "ui/viewport/viewport_format.h"
 #include "ui/viewport/viewport_input.h"
 
 #include <QPainter>
@@ -27,18 +28,6 @@ constexpr double shortestRest = 0.03;    // ... and for so many seconds at least
 constexpr double longestRegionTick = 5;  // After a longer pause (a machine that slept) what moves goes on where it was.
 
 }  // namespace
-
-QSurfaceFormat viewportFormat()
-{
-    QSurfaceFormat format;
-    format.setVersion(4, 5);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setSwapInterval(1);
-#ifndef NDEBUG
-    format.setOption(QSurfaceFormat::DebugContext);
-#endif
-    return format;
-}
 
 Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history, QWidget* parent)
     : QOpenGLWidget(parent), museum_(museum), renderers_(renderers), history_(history),

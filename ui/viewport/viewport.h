@@ -179,7 +179,4 @@ private:
     std::unique_ptr<RenderThread> thread_;  // Ends first.
 };
 
-/// The format every context of the window asks for: OpenGL 4.5 core, with a debug context in debug builds.
-[[nodiscard]] QSurfaceFormat viewportFormat();
-
 }  // namespace vitrine::ui

@@ -5,6 +5,7 @@
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
+#include "ui/viewport/viewport_format.h"
 #include "ui/window/application.h"
 #include "ui/window/first_picture.h"
 #include "ui/window/main_window.h"

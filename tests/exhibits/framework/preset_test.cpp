@@ -1,7 +1,6 @@
 #include "exhibits/framework/preset.h"
 
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
-#include "exhibits/framework/preset_migration.h"
 
 #include "tests/exhibits/framework/every_kind.h"
 #include "tests/support/failures.h"
@@ -156,8 +155,8 @@ TEST(Preset, RefusesOtherFormatsExhibitsAndVersions)
                    "this preset is for fur, not for everything");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset"})"), "\"exhibit\" is missing");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-exhibition"})"), "whole exhibition");
-    EXPECT_FAILURE(read(R"({"version": 3, "format": "vitrine-preset", "exhibit": "everything"})"),
-                   "line 1, version: a newer Vitrine wrote this (version 3");
+    EXPECT_FAILURE(read(R"({"version": 2, "format": "vitrine-preset", "exhibit": "everything"})"),
+                   "line 1, version: a newer Vitrine wrote this (version 2");
     EXPECT_FAILURE(read(R"({"version": 1.5, "format": "vitrine-preset"})"), "version: this must be a whole number");
     EXPECT_FAILURE(read(R"({"version": "1", "format": "vitrine-preset"})"), "version: this must be a whole number");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "everything", "values": 3})"),
@@ -275,29 +274,29 @@ TEST(Preset, H106_NeverCrashesOnDamagedFiles)
     EXPECT_GT(accepted, 100);
 }
 
-TEST(Preset, OfVersionOneCallsSomeRowsByTheNamesThatTheyHadThen)
+TEST(Preset, IsReadByTheNamesThatRowsHadAndWrittenByThoseTheyHave)
 {
     const CrepuscularRaysTable rays;
     const Preset preset = parsePreset(R"({"format": "vitrine-preset", "version": 1, "exhibit": "crepuscular_rays",
-        "name": "Old", "values": {"turn": 0.5, "airThinning": 0.25, "unevenness": 0.75}})",
+        "name": "Old", "values": {"turn": 0.5, "airThinning": 0.25, "unevenness": 0.75, "handTurn": 1}})",
                                       "old.json", "crepuscular_rays", rays);
     EXPECT_EQ(preset.values[rays.mobileRotation], 0.5);
     EXPECT_EQ(preset.values[rays.densityFalloff], 0.25);
     EXPECT_EQ(preset.values[rays.densityNoise], 0.75);
-    // Of another exhibit, a row of that name is a row of its own.
-    EXPECT_EQ(
-        migrated(
-            render::parseJson(R"({"format": "vitrine-preset", "exhibit": "fur", "values": {"turn": 1}})", "a").root(),
-            1)["values"],
-        render::Json({{"turn", 1}}));
-    EXPECT_EQ(migrated(render::parseJson(
-                           R"({"format": "vitrine-exhibition", "values": {"hall.modelTurn": 1, "x.turn": 2}})", "a")
-                           .root(),
-                       1)["values"],
-              render::Json({{"hall.modelRotation", 1}, {"x.turn", 2}}));
-    EXPECT_EQ(originalPath("values.hall.modelRotation", 1), "values.hall.modelTurn");
-    EXPECT_EQ(originalPath("values.mobileRotation", 0), "params.turn");
-    EXPECT_EQ(originalPath("values.hall.modelRotation", 2), "");
+    EXPECT_EQ(preset.notes, std::vector<std::string>{"values.handTurn is not known here; it is kept"});
+    const Json written = Json::parse(presetText(preset))["values"];
+    EXPECT_EQ(written["mobileRotation"], 0.5);
+    EXPECT_FALSE(written.contains("turn"));
+    EXPECT_FAILURE(parsePreset(R"({"format": "vitrine-preset", "version": 1, "exhibit": "crepuscular_rays",
+        "values": {"turn": "far"}})",
+                               "old.json", "crepuscular_rays", rays),
+                   "line 2, values.turn: this must be a number");
+    // Where a file has both, the present name counts.
+    EXPECT_EQ(parsePreset(R"({"format": "vitrine-preset", "version": 1, "exhibit": "crepuscular_rays",
+        "values": {"turn": 0.5, "mobileRotation": 0.75}})",
+                          "old.json", "crepuscular_rays", rays)
+                  .values[rays.mobileRotation],
+              0.75);
 }
 
 }  // namespace

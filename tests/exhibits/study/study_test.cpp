@@ -17,21 +17,6 @@ namespace {
 
 using namespace test;
 
-/// Errors fall with the work; each parameter has a part in both.
-KnownLaw sumOfParts()
-{
-    KnownLaw law;
-    law.error = [](const KnownTable& t, const ParameterValues& v, double difficulty) {
-        const double method = v[t.method] == 0 ? 0.02 : v[t.method] == 1 ? 0.004 : 0;
-        return difficulty * (0.2 / v[t.steps] - 0.2 / 256 + 0.05 / std::sqrt(v[t.rays]) - 0.05 / 8 + method +
-                             (v[t.shortcut] ? 0.001 : 0));
-    };
-    law.cost = [](const KnownTable& t, const ParameterValues& v, double difficulty) {
-        return difficulty * (1 + 0.1 * v[t.steps] + 0.3 * v[t.rays] + 0.5 * v[t.method]) * (v[t.shortcut] ? 0.6 : 1);
-    };
-    return law;
-}
-
 struct Subject {
     explicit Subject(KnownLaw law) : museum(exhibits(std::move(law))) {}
 
