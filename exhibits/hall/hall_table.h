@@ -76,9 +76,9 @@ struct HallTable final : Parameters {
     File environment =
         file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.",
              endings("hdr exr jpg jpeg png tif tiff"));
-    Real environmentRotation =
-        real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
-             "Turns the panorama around the vertical.", whenGiven(environment), formerly("environmentTurn"));
+    Real environmentRotation = real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
+                                    "Turns the panorama around the vertical.", whenGiven(environment),
+                                    formerly("environmentTurn"), called("Rotation"));
 
     Group reflections = group("Reflections");
     Toggle reflectionProbe =
