@@ -24,6 +24,8 @@ struct Prepared {
     std::vector<double> sincePressed;  ///< As in FrameRequest.
     std::shared_ptr<const PreparedHall> hall;
     std::vector<PreparedExhibit> exhibits;  ///< By subject; that of the hall stays empty.
+    /// What was not there without waiting, and is left out: only of `FrameRequest::waitless`.
+    std::vector<render::PendingAsset> pending;
 
     /// Which files it needs and cannot read, and why: full sentences.
     [[nodiscard]] std::vector<std::string> unreadableFiles() const;

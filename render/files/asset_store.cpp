@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
+#include <mutex>
 #include <new>
 #include <set>
 
@@ -88,45 +90,83 @@ struct AssetStore::Entry {
     }
 };
 
+/// What copies of a store share.
+struct AssetStore::Shared {
+    const std::uint64_t mostBytes;
+    std::mutex mutex;                             ///< Of what follows, but for the making of an entry.
+    std::vector<std::shared_ptr<Entry>> entries;  ///< The one used last is the last.
+    std::map<std::string, std::int64_t, std::less<>> builds;
+
+    explicit Shared(std::uint64_t most) : mostBytes(most) {}
+
+    /// Null where there is none yet and `begin` is false.
+    [[nodiscard]] std::shared_ptr<Entry> entryOf(const Request&, bool begin);
+    /// Value or failure of an entry; neither where it has to be made. With the mutex locked.
+    [[nodiscard]] static Asset<void> answer(const Entry&);
+    [[nodiscard]] Asset<void> build(Entry&, const std::function<Anything()>& make);
+    void trim();
+};
+
+AssetStore::AssetStore(std::uint64_t mostBytes) : shared_(std::make_shared<Shared>(mostBytes)) {}
+
+AssetStore AssetStore::waitless() const
+{
+    AssetStore store = *this;
+    store.waits_ = false;
+    store.pending_.clear();
+    return store;
+}
+
 Asset<void> AssetStore::find(Request request, const std::function<Anything()>& make)
 {
     for (;;) {
-        const std::shared_ptr<Entry> entry = entryOf(request);
-        const std::lock_guard one(entry->making);
-        {
-            const std::lock_guard lock(mutex_);
-            std::shared_ptr<const void> value = entry->value ? entry->value : entry->held.lock();
-            if (value) return {std::move(value), {}, entry->id()};
-            if (!entry->failure.empty()) return {nullptr, entry->failure, 0};
-            if (entry->made) continue;  // Another thread needed its memory meanwhile.
+        const std::shared_ptr<Entry> entry = shared_->entryOf(request, waits_);
+        std::unique_lock<std::mutex> one;
+        if (waits_) one = std::unique_lock(entry->making);
+        if (entry) {
+            const std::lock_guard lock(shared_->mutex);
+            Asset<void> found = Shared::answer(*entry);
+            if (found.value || !found.failure.empty()) return found;
+            if (waits_ && entry->made) continue;  // Another thread needed its memory meanwhile.
         }
-        return build(*entry, make);
+        if (!waits_) {
+            pending_.push_back({request.use, request.ofFile ? request.key : std::string()});
+            return {nullptr, {}, 0, true};
+        }
+        return shared_->build(*entry, make);
     }
 }
 
-std::shared_ptr<AssetStore::Entry> AssetStore::entryOf(const Request& request)
+Asset<void> AssetStore::Shared::answer(const Entry& entry)
+{
+    if (std::shared_ptr<const void> value = entry.value ? entry.value : entry.held.lock())
+        return {std::move(value), {}, entry.id()};
+    return {nullptr, entry.failure, 0};
+}
+
+std::shared_ptr<AssetStore::Entry> AssetStore::Shared::entryOf(const Request& request, bool begin)
 {
     // Before it is read: what changes meanwhile is read again the next time.
     const FileState file = request.ofFile ? fileState(request.key) : FileState{};
     const FileState folder = request.ofFile ? folderState(request.key) : FileState{};
-    const std::lock_guard lock(mutex_);
-    const auto same =
-        std::find_if(entries_.begin(), entries_.end(), [&](const auto& e) { return e->answers(request); });
-    if (same != entries_.end()) {
+    const std::lock_guard lock(mutex);
+    const auto same = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e->answers(request); });
+    if (same != entries.end()) {
         Entry& entry = **same;
         const bool fresh = entry.file == file && (entry.failure.empty() || entry.folder == folder);
         if (fresh && !entry.lost()) {
             if (!entry.value) entry.value = entry.held.lock();
-            std::rotate(same, same + 1, entries_.end());
-            return entries_.back();
+            std::rotate(same, same + 1, entries.end());
+            return entries.back();
         }
-        entries_.erase(same);
+        entries.erase(same);
     }
-    entries_.push_back(std::make_shared<Entry>(request, file, folder));
-    return entries_.back();
+    if (!begin) return nullptr;
+    entries.push_back(std::make_shared<Entry>(request, file, folder));
+    return entries.back();
 }
 
-Asset<void> AssetStore::build(Entry& entry, const std::function<Anything()>& make)
+Asset<void> AssetStore::Shared::build(Entry& entry, const std::function<Anything()>& make)
 {
     Anything made{Made<char>{}};
     std::string failure;
@@ -138,13 +178,13 @@ Asset<void> AssetStore::build(Entry& entry, const std::function<Anything()>& mak
     } catch (const std::exception& thrown) {
         failure = thrown.what();
     }
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(mutex);
     entry.value = made.value;
     entry.held = made.value;
     entry.bytes = made.bytes;
     entry.failure = failure;
     entry.made = true;
-    ++builds_[entry.use];
+    ++builds[entry.use];
     trim();
     const std::uint64_t id = made.value ? entry.id() : 0;
     return {std::move(made.value), std::move(failure), id};
@@ -152,41 +192,41 @@ Asset<void> AssetStore::build(Entry& entry, const std::function<Anything()>& mak
 
 std::uint64_t AssetStore::bytes() const
 {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(shared_->mutex);
     std::uint64_t sum = 0;
-    for (const auto& e : entries_)
+    for (const auto& e : shared_->entries)
         if (e->value) sum += e->bytes;
     return sum;
 }
 
 std::size_t AssetStore::entries() const
 {
-    const std::lock_guard lock(mutex_);
-    return entries_.size();
+    const std::lock_guard lock(shared_->mutex);
+    return shared_->entries.size();
 }
 
 std::int64_t AssetStore::builds(std::string_view use) const
 {
-    const std::lock_guard lock(mutex_);
+    const std::lock_guard lock(shared_->mutex);
     std::int64_t sum = 0;
-    for (const auto& [name, count] : builds_)
+    for (const auto& [name, count] : shared_->builds)
         if (name.starts_with(use)) sum += count;
     return sum;
 }
 
 /// With the mutex locked.
-void AssetStore::trim()
+void AssetStore::Shared::trim()
 {
     std::set<std::string> uses;
     std::uint64_t kept = 0;
     std::size_t count = 0;
     std::vector<std::shared_ptr<Entry>> stay;
-    for (auto e = entries_.rbegin(); e != entries_.rend(); ++e) {
+    for (auto e = entries.rbegin(); e != entries.rend(); ++e) {
         Entry& entry = **e;
         if (entry.lost()) continue;
         const bool last = uses.insert(entry.use).second;
         const bool tooMuch =
-            !last && entry.made && ((entry.bytes > 0 && kept + entry.bytes > mostBytes_) || count >= mostEntries);
+            !last && entry.made && ((entry.bytes > 0 && kept + entry.bytes > mostBytes) || count >= mostEntries);
         if (tooMuch) {
             entry.value.reset();
             if (entry.held.expired()) continue;
@@ -197,7 +237,7 @@ void AssetStore::trim()
         stay.push_back(*e);
     }
     std::reverse(stay.begin(), stay.end());
-    entries_ = std::move(stay);
+    entries = std::move(stay);
 }
 
 }  // namespace vitrine::render

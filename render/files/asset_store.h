@@ -3,9 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <typeindex>
@@ -34,6 +32,15 @@ template <typename T> struct Asset {
     std::string failure{};  ///< One full sentence; of a file, it names the file. Empty when there is a value.
     std::uint64_t id =
         0;  ///< Of what it was made of: another one when the file is another or changed, on any run. 0: no value.
+    bool pending = false;  ///< Neither value nor failure yet: only from `AssetStore::waitless`.
+};
+
+/// What somebody has yet to read or to make.
+struct PendingAsset {
+    std::string use;
+    std::string path;  ///< Of the file that it is read from; empty for what is made of parameters.
+
+    bool operator==(const PendingAsset&) const = default;
 };
 
 /// What users' files and parameters became, made once for all who ask: a file is read again only when it changed, what
@@ -42,10 +49,16 @@ template <typename T> struct Asset {
 ///
 /// Older entries are kept for whoever asks for them in turn (a study beside the window), as far as `mostBytes` and
 /// 32 entries allow; the last one of each use always stays, and so does whatever somebody still holds. Any thread may
-/// ask at any time: several make different things at once, and who asks for what another is making waits for it.
+/// ask at any time: several make different things at once, and who asks for what another is making waits for it, but
+/// for those who ask `waitless()`. Copies are the same store.
 class AssetStore {
 public:
-    explicit AssetStore(std::uint64_t mostBytes = 256ULL << 20U) : mostBytes_(mostBytes) {}
+    explicit AssetStore(std::uint64_t mostBytes = 256ULL << 20U);
+
+    /// The same store for a thread that must not wait: it reads no file and waits for none. What is not there yet is
+    /// `pending`, and that store names it.
+    [[nodiscard]] AssetStore waitless() const;
+    [[nodiscard]] const std::vector<PendingAsset>& pending() const { return pending_; }
 
     template <typename T> struct Made {
         std::shared_ptr<const T> value;
@@ -93,19 +106,17 @@ private:
         template <typename T> explicit Anything(Made<T> made) : value(std::move(made.value)), bytes(made.bytes) {}
     };
     struct Entry;
+    struct Shared;
     template <typename T> static Asset<T> as(Asset<void> found)
     {
-        return {std::static_pointer_cast<const T>(std::move(found.value)), std::move(found.failure), found.id};
+        return {std::static_pointer_cast<const T>(std::move(found.value)), std::move(found.failure), found.id,
+                found.pending};
     }
     [[nodiscard]] Asset<void> find(Request, const std::function<Anything()>& make);
-    [[nodiscard]] std::shared_ptr<Entry> entryOf(const Request&);
-    [[nodiscard]] Asset<void> build(Entry&, const std::function<Anything()>& make);
-    void trim();
 
-    std::uint64_t mostBytes_;
-    mutable std::mutex mutex_;                     ///< Of what follows, but for the making of an entry.
-    std::vector<std::shared_ptr<Entry>> entries_;  ///< The one used last is the last.
-    std::map<std::string, std::int64_t, std::less<>> builds_;
+    std::shared_ptr<Shared> shared_;
+    bool waits_ = true;
+    std::vector<PendingAsset> pending_;
 };
 
 }  // namespace vitrine::render

@@ -39,8 +39,16 @@ public:
         return moves || state.sinceOwnPress < movesFor ? 0 : INFINITY;
     }
 
+    [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext& context) const override
+    {
+        if (!file.empty()) (void)context.assets.get<int>("plain.file", file, read);
+        return nullptr;
+    }
+
     bool moves = false;
     double movesFor = 0;  ///< Seconds after a press.
+    std::string file;     ///< That it is made of; empty: of none. Set while nothing is drawn, as `read` is.
+    std::function<render::AssetStore::Made<int>(const std::string&)> read;
 
 private:
     SampleTable table_;
@@ -73,6 +81,7 @@ public:
         if (another) own_ = std::make_unique<PlainMuseum>(std::move(another));
         exhibit().moves = false;
         exhibit().movesFor = 0;
+        exhibit().file.clear();
     }
     [[nodiscard]] const Museum& museum() { return shown().museum; }
     [[nodiscard]] PlainExhibit& exhibit() { return *shown().plain; }
@@ -83,10 +92,10 @@ public:
         static const HallModel building;
         return (*building.place(1)->worldFromButton)[3];
     }
-    /// A visitor looks at it from this far away on the floor, metres.
-    [[nodiscard]] static render::Camera towardsButton(double metres)
+    /// A visitor looks at it from this far away on the floor, meters.
+    [[nodiscard]] static render::Camera towardsButton(double meters)
     {
-        const glm::dvec3 aside = button() + metres * glm::normalize(glm::dvec3(0.3, 0, 1));
+        const glm::dvec3 aside = button() + meters * glm::normalize(glm::dvec3(0.3, 0, 1));
         return {{aside.x, 1.65, aside.z}, button(), 0.9};
     }
 
@@ -100,6 +109,7 @@ public:
                              const Unwanted& unwanted) override
     {
         strangers += std::this_thread::get_id() == thread ? 0 : 1;
+        (void)museum().prepare(sceneState, request);
         if (beforeDrawing) beforeDrawing(request, unwanted);
         if (thrown) std::rethrow_exception(thrown);
         red_ = static_cast<float>(sceneState.values[1][table().roughness]);

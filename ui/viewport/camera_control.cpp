@@ -9,8 +9,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double steepestSceneState = 1.5;  // Just short of straight up, where yaw loses its meaning.
-constexpr double longestStep = 0.1;         // Metres: shorter than any wall is thick.
-constexpr double slowest = 0.004;           // Metres per second: below it the visitor stands.
+constexpr double longestStep = 0.1;         // Meters: shorter than any wall is thick.
+constexpr double slowest = 0.004;           // Meters per second: below it the visitor stands.
 
 double shortestTurn(double from, double to)
 {

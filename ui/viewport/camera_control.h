@@ -7,7 +7,7 @@
 namespace vitrine::ui {
 
 /// Where a visitor who stands at `from` and wants to be at `to` ends up: `to`, or as far as walls and
-/// exhibits allow, sliding along them. Eye positions in the world, metres.
+/// exhibits allow, sliding along them. Eye positions in the world, meters.
 using Walkable = std::function<glm::dvec3(const glm::dvec3& from, const glm::dvec3& to)>;
 
 /// The keys that are held down.
@@ -28,8 +28,8 @@ struct Heading {
 /// First person: eye height, speed with a soft start and stop, walls.
 class Walker {
 public:
-    static constexpr double eyeHeight = 1.65;    ///< Metres.
-    static constexpr double walkingSpeed = 1.4;  ///< Metres per second.
+    static constexpr double eyeHeight = 1.65;    ///< Meters.
+    static constexpr double walkingSpeed = 1.4;  ///< Meters per second.
     static constexpr double runningSpeed = 3.5;
     static constexpr double response = 0.12;  ///< Seconds in which 63% of a change of speed is made.
 
@@ -55,7 +55,7 @@ private:
 /// Looks at one point from all sides.
 class Orbit {
 public:
-    static constexpr double lowestEye = 0.2;     ///< Metres above the floor.
+    static constexpr double lowestEye = 0.2;     ///< Meters above the floor.
     static constexpr double steepest = 1.48;     ///< Radians from the horizon, about 85 degrees.
     static constexpr double nearestPart = 0.25;  ///< Of the distance at the start.
     static constexpr double farthestPart = 2.5;

@@ -1,7 +1,6 @@
 #include "ui/viewport/gl_probe.h"
-#include "ui/viewport/viewport_format.h"
 
-#include "ui/viewport/viewport.h"
+#include "ui/viewport/viewport_format.h"
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>

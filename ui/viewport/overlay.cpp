@@ -38,6 +38,7 @@ void Overlay::place()
     }
     switch (place_) {
     case Place::topLeft: move(16, 16); break;
+    case Place::top: move((room.width() - width()) / 2, 16); break;
     case Place::center: move((room.width() - width()) / 2, room.height() * 5 / 8); break;
     case Place::bottom: move((room.width() - width()) / 2, room.height() - height() - 24); break;
     case Place::pointer:

@@ -11,7 +11,7 @@ class Overlay final : public QLabel {
     Q_OBJECT
 
 public:
-    enum class Place { topLeft, center, bottom, pointer };
+    enum class Place { topLeft, top, center, bottom, pointer };
 
     Overlay(Place, QWidget* viewport);
 

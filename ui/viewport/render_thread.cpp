@@ -34,7 +34,7 @@ RenderThread::~RenderThread()
     {
         const std::scoped_lock lock(mutex_);
         ending_ = true;
-        for (const auto& task : tasks_) *task->cancelled = true;
+        for (const auto& task : tasks_) *task->canceled = true;
     }
     unwanted_ = true;
     wake_.notify_one();
@@ -54,10 +54,10 @@ void RenderThread::draw(PictureOrder order)
 RenderThread::Task RenderThread::start(Step step, Ended ended)
 {
     Task task;
-    task.cancelled_ = std::make_shared<std::atomic<bool>>(false);
+    task.canceled_ = std::make_shared<std::atomic<bool>>(false);
     {
         const std::scoped_lock lock(mutex_);
-        tasks_.push_back(std::make_shared<Running>(Running{std::move(step), std::move(ended), task.cancelled_}));
+        tasks_.push_back(std::make_shared<Running>(Running{std::move(step), std::move(ended), task.canceled_}));
     }
     wake_.notify_one();
     return task;
@@ -175,10 +175,10 @@ void RenderThread::step()
         task = std::move(tasks_.front());
         tasks_.pop_front();
     }
-    if (*task->cancelled) return;
-    const Tell tell = [this, cancelled = task->cancelled](std::function<void()> what) {
-        toWindow([cancelled, what = std::move(what)] {
-            if (!*cancelled) what();
+    if (*task->canceled) return;
+    const Tell tell = [this, canceled = task->canceled](std::function<void()> what) {
+        toWindow([canceled, what = std::move(what)] {
+            if (!*canceled) what();
         });
     };
     const double start = render::wallSeconds();

@@ -57,7 +57,7 @@ public:
     static constexpr int taskTile = 512;
     static constexpr qint64 tellEvery = 50;  ///< Milliseconds between two words about a task's progress.
 
-    /// Calls its argument later in the window's thread, unless the task was cancelled before.
+    /// Calls its argument later in the window's thread, unless the task was canceled before.
     using Tell = std::function<void(std::function<void()>)>;
     /// One step; returns whether there is another one. What it holds is let go on the render thread.
     using Step = std::function<bool(const Tell&)>;
@@ -73,7 +73,7 @@ public:
         Task& operator=(Task&& other) noexcept
         {
             cancel();
-            cancelled_ = std::move(other.cancelled_);
+            canceled_ = std::move(other.canceled_);
             return *this;
         }
         Task(const Task&) = delete;
@@ -82,13 +82,13 @@ public:
         /// No further step, and nothing more is told; a step that is being done is finished.
         void cancel()
         {
-            if (cancelled_) *cancelled_ = true;
-            cancelled_.reset();
+            if (canceled_) *canceled_ = true;
+            canceled_.reset();
         }
 
     private:
         friend class RenderThread;
-        std::shared_ptr<std::atomic<bool>> cancelled_;
+        std::shared_ptr<std::atomic<bool>> canceled_;
     };
 
     /// The renderers must outlive it. Opens them on the new thread.
@@ -117,7 +117,7 @@ private:
     struct Running {
         Step step;
         Ended ended;
-        std::shared_ptr<std::atomic<bool>> cancelled;
+        std::shared_ptr<std::atomic<bool>> canceled;
     };
     void run();
     void work();

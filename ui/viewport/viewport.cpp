@@ -4,6 +4,7 @@
 #include "render/failure.h"
 #include "ui/kit/message_of.h"
 #include "ui/viewport/overlay.h"
+#include "ui/viewport/reading_notice.h"
 #include "ui/viewport/viewport_format.h"
 #include "ui/viewport/viewport_input.h"
 
@@ -33,6 +34,8 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     : QOpenGLWidget(parent), museum_(museum), renderers_(renderers), history_(history),
       hint_(new Overlay(Overlay::Place::bottom, this)), label_(new Overlay(Overlay::Place::center, this)),
       problems_(new Overlay(Overlay::Place::topLeft, this)),
+      reading_(std::make_unique<ReadingNotice>(
+          this, [this] { return shown_.isNull() ? std::vector<render::PendingAsset>() : prepared().pending; })),
       input_(std::make_unique<ViewportInput>(*this, control_, [this](const QPointF& at) { return pointedAt(at); }))
 {
     setFormat(viewportFormat());
@@ -61,6 +64,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     fileWatch_.setInterval(lookAtFilesEvery);
     connect(&fileWatch_, &QTimer::timeout, this, [this] {
         if (stateOfFiles(history_.sceneState()) == filesDrawn_) return;
+        watchFiles();
         sceneStateChanged();
         emit filesChanged();
     });
@@ -92,9 +96,7 @@ FrameRequest Viewport::request(double time) const
 
 QSize Viewport::devicePixels() const
 {
-    const double ratio = devicePixelRatioF();
-    return {std::max(1, static_cast<int>(std::lround(width() * ratio))),
-            std::max(1, static_cast<int>(std::lround(height() * ratio)))};
+    return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
 }
 
 void Viewport::paintGL()
@@ -168,11 +170,11 @@ void Viewport::orderRegion()
 void Viewport::take(const DrawnPicture& picture)
 {
     drawing_ = drawingRegion_ = false;
+    if (picture.abandoned || !picture.failure.isEmpty()) cut_ = cut_ || picture.order.request.cut;
     if (picture.order.region) {
         takeRegion(picture);
     } else if (picture.abandoned) {
         schedule_.givenUp();
-        cut_ = cut_ || picture.order.request.cut;
     } else if (!picture.failure.isEmpty()) {
         // The last good picture stays; nothing is tried again until something changes.
         schedule_.drawn({1, schedule_.samples() - 1, schedule_.samples()}, 0);
@@ -219,8 +221,7 @@ void Viewport::layRegionOver()
 
 void Viewport::fail(const QString& why)
 {
-    if (why != lastFailure_) emit failed(why);
-    lastFailure_ = why;
+    if (std::exchange(lastFailure_, why) != why) emit failed(why);
 }
 
 void Viewport::watchFiles()
@@ -236,6 +237,7 @@ void Viewport::resizeGL(int, int)
     ++sceneStateNumber_;
     schedule_.changed(now());
     for (Overlay* overlay : {hint_, label_, problems_}) overlay->place();
+    reading_->place();
 }
 
 void Viewport::scheduleNext()
@@ -255,10 +257,13 @@ void Viewport::scheduleNext()
 
 const Prepared& Viewport::prepared()
 {
-    if (!prepared_ || preparedState_ != sceneStateNumber_ || prepared_->time != time_) {
-        prepared_ = museum_.prepare(history_.sceneState(), request(time_));
+    if (!prepared_ || preparedState_ != sceneStateNumber_ || prepared_->time != time_ || !prepared_->pending.empty()) {
+        FrameRequest wanted = request(time_);
+        wanted.waitless = true;  // The render thread reads what it draws.
+        prepared_ = museum_.prepare(history_.sceneState(), wanted);
         preparedState_ = sceneStateNumber_;
         ++preparations_;
+        if (!prepared_->pending.empty()) reading_->start();
     }
     return *prepared_;
 }
@@ -281,12 +286,15 @@ void Viewport::advanceClock(double at)
     const double since = clockRuns_ ? at - lastTick_ : firstTick;
     const double seconds = since > longestTick ? firstTick : since;
     lastTick_ = at;
-
     const CameraControl::Mode modeBefore = control_.mode();
     if (control_.advance(seconds, input_->keys())) cameraChanged();
     if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) emit walkedOn();
 
-    const double change = paused_ ? INFINITY : museum_.nextChange(prepared(), request(time_));
+    double change = paused_ ? INFINITY : museum_.nextChange(prepared(), request(time_));
+    // What is still to be read or made is there with the next picture: it is asked for once.
+    const std::vector<render::PendingAsset>& pending = prepared().pending;
+    if (!pending.empty() && pending != awaited_) change = std::min(change, firstTick);
+    awaited_ = pending;
     const bool animated = change <= 0;
     changeAt_ = time_ + change;
     clockRuns_ = std::isfinite(change) || input_->keys().any() || control_.moving();
@@ -324,6 +332,7 @@ void Viewport::valuesChanged()
     for (const ParameterValues& values : history_.sceneState().values) acting.push_back(actingValues(values));
     if (acting == acting_) return;
     acting_ = std::move(acting);
+    watchFiles();
     sceneStateChanged();
 }
 
@@ -332,7 +341,6 @@ void Viewport::sceneStateChanged()
     ++sceneStateNumber_;
     schedule_.setSamples(pictureQuality(history_.sceneState().hall()).supersamples);
     schedule_.changed(now());
-    watchFiles();
     if (!timer_.isActive()) timer_.start(0);
 }
 

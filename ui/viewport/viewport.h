@@ -17,6 +17,7 @@ class QPainter;
 namespace vitrine::ui {
 
 class Overlay;
+class ReadingNotice;
 class ViewportInput;
 
 /// The picture, and the visitor in it. It shows the last picture that the render thread finished and draws none itself;
@@ -175,6 +176,8 @@ private:
     Overlay* hint_;
     Overlay* label_;
     Overlay* problems_;
+    std::vector<render::PendingAsset> awaited_;  // At the last tick.
+    std::unique_ptr<ReadingNotice> reading_;
     std::unique_ptr<ViewportInput> input_;
     std::unique_ptr<RenderThread> thread_;  // Ends first.
 };

@@ -228,4 +228,54 @@ TEST(AssetStore, SlowThingsDoNotHoldUpOthers)
     EXPECT_EQ(*store.made<std::string>("test.slow", "one", [&] { return text("again"); }).value, "yes");
 }
 
+TEST(AssetStore, WhoMustNotWaitIsToldWhatIsStillToBeReadOrMade)
+{
+    const TemporaryFolder folder;
+    writeBytes(folder / "a", "first");
+    Reader reader;
+    const auto peek = [&](AssetStore store) {
+        const Asset<std::string> read = store.get<std::string>("test.text", (folder / "a").string(),
+                                                               [](const std::string&) -> AssetStore::Made<std::string> {
+                                                                   ADD_FAILURE() << "it was read";
+                                                                   return {};
+                                                               });
+        return std::pair(read, store.pending());
+    };
+    auto [before, pending] = peek(reader.store.waitless());
+    EXPECT_TRUE(before.pending && !before.value && before.failure.empty());
+    EXPECT_EQ(pending, (std::vector<render::PendingAsset>{{"test.text", (folder / "a").string()}}));
+    EXPECT_EQ(reader.store.entries(), 0) << "whoever does not wait begins nothing";
+
+    EXPECT_EQ(*reader.get(folder / "a").value, "first");
+    const auto [after, none] = peek(reader.store.waitless());
+    EXPECT_EQ(*after.value, "first");
+    EXPECT_TRUE(!after.pending && none.empty());
+
+    writeBytes(folder / "a", "broken");
+    EXPECT_TRUE(peek(reader.store.waitless()).first.pending) << "it is another file now";
+    EXPECT_NE(reader.get(folder / "a").failure, "");
+    EXPECT_EQ(peek(reader.store.waitless()).first.failure, reader.get(folder / "a").failure);
+}
+
+TEST(AssetStore, WhoMustNotWaitDoesNotWaitForTheOneWhoMakesIt)
+{
+    AssetStore store;
+    std::promise<void> begun, asked;
+    std::thread slow([&] {
+        (void)store.made<std::string>("test.slow", "one", [&] {
+            begun.set_value();
+            // Ends when somebody asked meanwhile and was answered.
+            const bool answered = asked.get_future().wait_for(std::chrono::seconds(60)) == std::future_status::ready;
+            return text(answered ? "yes" : "no");
+        });
+    });
+    begun.get_future().wait();
+    AssetStore waitless = store.waitless();
+    EXPECT_TRUE(waitless.made<std::string>("test.slow", "one", [] { return text("twice"); }).pending);
+    EXPECT_EQ(waitless.pending(), (std::vector<render::PendingAsset>{{"test.slow", ""}}));
+    asked.set_value();
+    slow.join();
+    EXPECT_EQ(*waitless.made<std::string>("test.slow", "one", [] { return text("again"); }).value, "yes");
+}
+
 }  // namespace

@@ -1,6 +1,7 @@
 #include "tests/ui/open_window.h"
 
 #include "ui/kit/message_strip.h"
+#include "ui/viewport/overlay.h"
 #include "ui/window/status_line.h"
 
 #include <QSignalSpy>
@@ -275,13 +276,55 @@ private slots:
         QVERIFY(std::none_of(requests.begin(), requests.end(), [](const FrameRequest& r) { return r.finished; }));
     }
 
+    void aFileThatTakesLongToReadIsNamedAndHoldsUpNothing()
+    {
+        settle();
+        const QString path = home_->filePath("panorama.hdr");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QByteArray(5000, 'x')) == 5000);
+        file.close();
+        std::promise<void> begun, end;
+        gallery_->exhibit().read = [&](const std::string&) {
+            begun.set_value();
+            end.get_future().wait();
+            return render::AssetStore::Made<int>{std::make_shared<int>(1), 4};
+        };
+        gallery_->exhibit().file = path.toStdString();
+        window_->viewport().sceneStateChanged();
+        const std::future<void> reading = begun.get_future();
+        QTRY_VERIFY(reading.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
+        const auto said = [&] {
+            for (const Overlay* overlay : window_->viewport().findChildren<Overlay*>())
+                if (overlay->isVisible() && overlay->text().startsWith("Reading ")) return overlay->text();
+            return QString();
+        };
+        QTRY_VERIFY(said().startsWith("Reading panorama.hdr ("));
+        // Whoever goes on meanwhile is answered: what is prepared for the window does not wait.
+        const long long before = window_->viewport().preparations();
+        const auto camera = window_->history().sceneState().camera;
+        QTest::mousePress(&window_->viewport(), Qt::LeftButton, {}, {50, 50});
+        QTest::mouseMove(&window_->viewport(), {120, 60});
+        QTest::mouseRelease(&window_->viewport(), Qt::LeftButton, {}, {120, 60});
+        QVERIFY(!(window_->history().sceneState().camera == camera));
+        QVERIFY(window_->viewport().preparations() > before);
+        const QString later = said();
+        QTRY_VERIFY(said() != later);  // The seconds go on.
+        end.set_value();
+        QTRY_COMPARE(said(), QString());
+        QTRY_VERIFY(window_->viewport().schedule().still());
+        gallery_->exhibit().file.clear();
+    }
+
     void aFrameWithWorkLeftIsDrawnAgain()
     {
         settle();
+        gallery_->forgetRequests();
         gallery_->unfinishedFrames = 3;
         window_->viewport().sceneStateChanged();
         settle();
         QCOMPARE(int(gallery_->unfinishedFrames), 0);
+        // Each of the three begins again; only the fourth is refined to its end.
+        QVERIFY(gallery_->requests().size() >= std::size_t(3 + window_->viewport().schedule().samples()));
         QTRY_VERIFY(window_->viewport().schedule().still());
     }
 };
