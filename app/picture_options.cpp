@@ -2,6 +2,7 @@
 
 #include "app/apply_preset.h"
 #include "exhibits/framework/expression.h"
+#include "exhibits/framework/preset.h"
 #include "exhibits/framework/value_text.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
@@ -194,8 +195,8 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
         ->allow_extra_args(true);
     add("--time", o.time, "Seconds on the exhibit's clock")->capture_default_str();
     add("--seed", o.seed, "Of everything random")->capture_default_str();
-    add("--eye", o.eye, "Where the camera is: x,y,z in metres (the exhibit's own space with --alone)");
-    add("--target", o.target, "What it looks at: x,y,z in metres");
+    add("--eye", o.eye, "Where the camera is: x,y,z in meters (the exhibit's own space with --alone)");
+    add("--target", o.target, "What it looks at: x,y,z in meters");
     add("--fov", o.fovDegrees, "Vertical field of view in degrees");
     add("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
     add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
@@ -217,6 +218,10 @@ void addPictureOptions(CLI::App& command, PictureOptions& o)
     command.add_option("--channels", o.channels, "color,depth,normal,evaluations (EXR)")->capture_default_str();
 }
 
+namespace {
+
+/// Brings the tables up to the files that the values name: a row of a file's has to be there before it can be set.
+/// Throws Failure (Blame::file) where one cannot be read.
 void readTables(const Museum& museum, SceneState& sceneState, std::vector<std::string>& notes)
 {
     TabledSceneState read = museum.readTables(sceneState);
@@ -225,26 +230,10 @@ void readTables(const Museum& museum, SceneState& sceneState, std::vector<std::s
     notes.insert(notes.end(), read.notes.begin(), read.notes.end());
 }
 
-void applySets(const Museum& museum, SceneState& sceneState, std::size_t subject,
-               const std::vector<std::string>& assignments, std::vector<std::string>& notes)
+/// Sets what was asked for, as `applySet`.
+void assign(const Museum& museum, SceneState& sceneState, const Assignment& assignment, std::vector<std::string>& notes)
 {
-    std::vector<std::string> rest;
-    for (const std::string& assignment : assignments) {
-        const Assignment a = assignmentOf(museum, subject, assignment);
-        const auto row = sceneState.values[a.owner].table().find(a.name);
-        if (row && sceneState.values[a.owner].rows()[*row].givesRows)
-            applySet(museum, sceneState, subject, assignment, notes);
-        else
-            rest.push_back(assignment);
-    }
-    readTables(museum, sceneState, notes);
-    for (const std::string& assignment : rest) applySet(museum, sceneState, subject, assignment, notes);
-}
-
-void applySet(const Museum& museum, SceneState& sceneState, std::size_t subject, const std::string& assignment,
-              std::vector<std::string>& notes)
-{
-    const auto [owner, name, text] = assignmentOf(museum, subject, assignment);
+    const auto& [owner, name, text] = assignment;
     ParameterValues& values = sceneState.values[owner];
     const auto row = values.table().find(name);
     if (!row)
@@ -258,6 +247,38 @@ void applySet(const Museum& museum, SceneState& sceneState, std::size_t subject,
     if (!values.setRow(*row, *value) && info.kind != Kind::direction)
         notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(*row)) +
                         ", the nearest that is allowed (" + whatItTakes(info) + ").");
+}
+
+}  // namespace
+
+void applySets(const Museum& museum, SceneState& sceneState, std::size_t subject,
+               const std::vector<std::string>& assignments, std::vector<std::string>& notes)
+{
+    std::vector<Assignment> rest;
+    for (const std::string& text : assignments) {
+        Assignment a = assignmentOf(museum, subject, text);
+        const auto row = sceneState.values[a.owner].table().find(a.name);
+        if (row && sceneState.values[a.owner].rows()[*row].givesRows)
+            assign(museum, sceneState, a, notes);
+        else
+            rest.push_back(std::move(a));
+    }
+    readTables(museum, sceneState, notes);
+    for (const Assignment& a : rest) assign(museum, sceneState, a, notes);
+}
+
+void applySet(const Museum& museum, SceneState& sceneState, std::size_t subject, const std::string& assignment,
+              std::vector<std::string>& notes)
+{
+    assign(museum, sceneState, assignmentOf(museum, subject, assignment), notes);
+}
+
+std::string presetOf(const Museum& museum, std::size_t subject, const SceneState& sceneState, const std::string& name)
+{
+    if (subject == hallIndex)
+        return exhibitionText({name, namedValues(museum.subjects(), sceneState.values), sceneState.camera});
+    return presetText(
+        Preset{std::string(museum.subject(subject).name()), name, sceneState.values[subject], sceneState.camera});
 }
 
 RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& options)
@@ -283,9 +304,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     render::Camera camera = job.sceneState.camera;
     if (job.cameraFromPreset && options.alone) {
         // Presets speak of the hall; alone, the exhibit's own space is the world.
-        const glm::dmat4 exhibitFromWorld = glm::inverse(museum.worldFromExhibit(*subject));
-        camera.eye = glm::dvec3(exhibitFromWorld * glm::dvec4(camera.eye, 1));
-        camera.target = glm::dvec3(exhibitFromWorld * glm::dvec4(camera.target, 1));
+        camera = camera.transformed(glm::inverse(museum.worldFromExhibit(*subject)));
     }
     if (!job.cameraFromPreset && !isHall)
         camera = options.alone ? museum.subject(*subject).bestView(job.sceneState.values[*subject])

@@ -47,10 +47,6 @@ struct RequestedPicture {
 };
 [[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&);
 
-/// Brings the tables up to the files that the look names: a row of a file's has to be there before it can be set.
-/// Throws Failure (Blame::file) where one cannot be read.
-void readTables(const Museum&, SceneState&, std::vector<std::string>& notes);
-
 /// Sets several, each a "name=value", whatever their order: files that give rows come first.
 void applySets(const Museum&, SceneState&, std::size_t subject, const std::vector<std::string>& assignments,
                std::vector<std::string>& notes);
@@ -59,6 +55,9 @@ void applySets(const Museum&, SceneState&, std::size_t subject, const std::vecto
 /// `list --json` and presets have them; "30deg" and "12mm" name their own.
 void applySet(const Museum&, SceneState&, std::size_t subject, const std::string& assignment,
               std::vector<std::string>& notes);
+
+/// The preset that brings such a picture back: of the subject, or of everything where it is the hall.
+[[nodiscard]] std::string presetOf(const Museum&, std::size_t subject, const SceneState&, const std::string& name);
 
 /// The value that someone typed on the command line, where a number is in SI units unless it names its own; nothing
 /// when the text means none.

@@ -25,17 +25,6 @@ struct RenderOptions {
     bool sixteenBit = false;
 };
 
-/// The preset that brings this picture back: of the subject, or of everything.
-std::string presetOf(const Museum& museum, const RequestedPicture& job)
-{
-    if (job.subject != hallIndex) {
-        const Subject& subject = museum.subject(job.subject);
-        return presetText(
-            Preset{std::string(subject.name()), "Picture", job.sceneState.values[job.subject], job.sceneState.camera});
-    }
-    return exhibitionText({"Picture", namedValues(museum.subjects(), job.sceneState.values), job.sceneState.camera});
-}
-
 int renderPicture(const RenderOptions& options)
 {
     const render::PictureFormat format = pictureFormat("--out", options.picture.out, options.sixteenBit);
@@ -49,7 +38,8 @@ int renderPicture(const RenderOptions& options)
     }
     for (const render::CulledPass& complaint : render::Diagnostics().begun(maker.report().skipped))
         std::fprintf(stderr, "vitrine: %s\n", lineOf(complaint).c_str());
-    render::writePicture(options.picture.out, maker.picture(), format, {.preset = presetOf(museum, job)});
+    render::writePicture(options.picture.out, maker.picture(), format,
+                         {.preset = presetOf(museum, job.subject, job.sceneState, "Picture")});
     if (!options.report.empty()) writeReport(options.report, museum, renderer, context.info(), job, maker);
     return 0;
 }
@@ -75,7 +65,7 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
         while (maker.step()) {
         }
         render::writePicture(options.out, maker.picture(), render::PictureFormat::png8,
-                             {.preset = presetOf(museum, job)});
+                             {.preset = presetOf(museum, job.subject, job.sceneState, "Picture")});
         std::printf("%s\n", options.out.c_str());
     }
     std::printf("The tour is in %s\n", std::filesystem::absolute(folder).string().c_str());

@@ -68,7 +68,8 @@ Json ranJson(const render::FrameReport& frame, const std::map<std::string, doubl
 
 Json memoryJson(const render::gl::Renderer& renderer)
 {
-    Json memory{{"residentBytes", render::processMemory().resident}, {"ownBytes", render::processMemory().own}};
+    const auto used = render::processMemory();
+    Json memory{{"residentBytes", used.resident}, {"ownBytes", used.own}};
     for (const render::gl::Stored& kept : renderer.stored())
         memory[kept.what] = Json{{"count", kept.count}, {"bytes", kept.bytes}};
     return memory;

@@ -6,7 +6,7 @@
 
 namespace vitrine::render {
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo 1991): keys of caches, never a defence.
+/// FNV-1a, 64 bits (Fowler, Noll, Vo 1991): keys of caches, never a defense.
 class Hash {
 public:
     Hash& add(std::string_view bytes)

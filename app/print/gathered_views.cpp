@@ -31,7 +31,7 @@ GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
     for (const std::size_t i : chosen) {
         if (!line.show(static_cast<double>(result.sources.size()) / static_cast<double>(chosen.size())))
             throw Failure(Blame::usage, "Reading the views was stopped; nothing was written.");
-        const render::Image image = render::readImage(files[i], {.cancelled = StopSignal::stopped});
+        const render::Image image = render::readImage(files[i], {.canceled = StopSignal::stopped});
         sizes.emplace(image.width, image.height);
         result.views.add(image);
         result.sources.push_back(files[i].filename().string());
@@ -51,7 +51,7 @@ GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
         printing::chosenViews(static_cast<std::size_t>(grid.x * grid.y), sequenceOf(options));
     (void)layoutOf(static_cast<int>(chosen.size()));
     const fs::path file = options.quilt[1];
-    const render::Image quilt = render::readImage(file, {.cancelled = StopSignal::stopped});
+    const render::Image quilt = render::readImage(file, {.canceled = StopSignal::stopped});
     const auto order =
         options.quiltOrder == "top-left" ? printing::QuiltOrder::topLeft : printing::QuiltOrder::bottomLeft;
     GatheredViews result;

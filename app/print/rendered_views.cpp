@@ -103,20 +103,11 @@ std::string depthText(double meters)
     return std::isinf(meters) ? "the horizon" : text("%.2f m", meters);
 }
 
-/// The preset that brings one view back.
-std::string presetOf(const Museum& museum, const RequestedPicture& job, const ViewShot& shot)
-{
-    if (job.subject == hallIndex)
-        return exhibitionText({"View", namedValues(museum.subjects(), shot.sceneState.values), shot.sceneState.camera});
-    return presetText(Preset{std::string(museum.subject(job.subject).name()), "View",
-                             shot.sceneState.values[job.subject], shot.sceneState.camera});
-}
-
 /// Refuses what can be refused before anything is rendered.
 void checkOptions(const ViewOptions& options)
 {
     if (!std::isfinite(options.convergence) || options.convergence < 0)
-        throw Failure(Blame::usage, "--convergence: give metres in front of the camera.");
+        throw Failure(Blame::usage, "--convergence: give meters in front of the camera.");
     if (options.every != 1 || options.pingPong)
         throw Failure(
             Blame::usage,
@@ -167,11 +158,16 @@ render::Json sceneJson(const Museum& museum, const ViewOptions& options, const R
                        const ViewShot& base, const ViewRig& rig)
 {
     const glm::ivec2 size = picture.request.frame.raster.size;
-    return {{"exhibit", options.scene.subject},   {"preset", render::Json::parse(presetOf(museum, picture, base))},
-            {"baseline", rig.baseline()},         {"baselineScale", rig.strength()},
-            {"convergence", rig.convergence()},   {"turnDegrees", options.turnDegrees},
-            {"sweeps", options.sweeps},           {"samples", picture.request.samples},
-            {"seed", picture.request.frame.seed}, {"viewSize", {size.x, size.y}}};
+    return {{"exhibit", options.scene.subject},
+            {"preset", render::Json::parse(presetOf(museum, picture.subject, base.sceneState, "View"))},
+            {"baseline", rig.baseline()},
+            {"baselineScale", rig.strength()},
+            {"convergence", rig.convergence()},
+            {"turnDegrees", options.turnDegrees},
+            {"sweeps", options.sweeps},
+            {"samples", picture.request.samples},
+            {"seed", picture.request.frame.seed},
+            {"viewSize", {size.x, size.y}}};
 }
 
 }  // namespace
@@ -211,7 +207,9 @@ GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf
     ProgressLine line("rendering views");
     printing::ViewMaker maker(museum, renderer, shots, [&](int k, const render::Image& image) {
         result.views.add(image);
-        if (result.folder) result.folder->add(k, image, presetOf(museum, picture, shots[static_cast<std::size_t>(k)]));
+        if (result.folder)
+            result.folder->add(
+                k, image, presetOf(museum, picture.subject, shots[static_cast<std::size_t>(k)].sceneState, "View"));
     });
     while (maker.step())
         if (!line.show(maker.progress()))

@@ -54,7 +54,7 @@ void addRenderedViews(CLI::App& command, ViewOptions& o)
     command
         .add_option(
             "--convergence", o.convergence,
-            "Metres from the camera to what lies in the plane of the print; by default what the camera looks at")
+            "Meters from the camera to what lies in the plane of the print; by default what the camera looks at")
         ->group(rendered);
     command
         .add_option("--turn", o.turnDegrees,

@@ -24,7 +24,7 @@ struct ViewOptions {
     PictureOptions scene;       ///< Of --exhibit; `subject` is empty when there is none.
     std::string viewSize;       ///< Empty: of the print's shape.
     std::string baselineScale;  ///< A number or "fit"; empty: 1, or 0 where something else moves.
-    double convergence = 0;     ///< Metres; 0: the camera's target.
+    double convergence = 0;     ///< Meters; 0: the camera's target.
     double turnDegrees = 0;
     std::vector<std::string> sweeps;  ///< "name=a..b".
     std::string saveViews;            ///< A folder; empty: the views are not kept.

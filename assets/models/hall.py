@@ -104,7 +104,7 @@ def build(cloth):
     hall_props.build(mesh, nodes)
     hall_blocks.build(nodes)
     atlas, scale = hall_atlas.pack(mesh)
-    print(f"lightmap: {len(atlas)} charts, {scale:.2f} texels per metre at density 1")
+    print(f"lightmap: {len(atlas)} charts, {scale:.2f} texels per meter at density 1")
     static = [to_object("hall_" + n, mesh, [f for f in mesh.faces if f[1] == n], atlas)
               for n in MATERIALS if any(f[1] == n for f in mesh.faces)]
     for name, matrix in nodes.items:

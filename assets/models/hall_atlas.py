@@ -4,11 +4,11 @@ import math
 
 GAP = 4          # free texels between charts, at SIZE
 SIZE = 1024
-THIN = 2.2       # no chart is thinner, so that each holds a texel centre even at half the size
+THIN = 2.2       # no chart is thinner, so that each holds a texel center even at half the size
 
 
 def pack(mesh):
-    """Returns ({chart: (scale, offset_u, offset_v, turned, min_u, min_v)}, texels per metre at density 1)."""
+    """Returns ({chart: (scale, offset_u, offset_v, turned, min_u, min_v)}, texels per meter at density 1)."""
     bounds = {}
     for _, _, _, chart, uv in mesh.faces:
         b = bounds.setdefault(chart, [1e9, 1e9, -1e9, -1e9])

@@ -54,7 +54,7 @@ def world(strength):
 def portals():
     """Area lights that guide the sampling of the sky to window and oculus."""
     for name, center, size, into in (("window", (0, 3.9, -P.Z - 0.62), (2.5, 5.1), (0, 0, 1)),
-                                     ("oculus", (0, P.KERB_TOP - 0.1, 0), (2.9, 2.9), (0, -1, 0))):
+                                     ("oculus", (0, P.CURB_TOP - 0.1, 0), (2.9, 2.9), (0, -1, 0))):
         light = bpy.data.lights.new(name, "AREA")
         light.shape, light.size, light.size_y = "RECTANGLE", size[0], size[1]
         light.cycles.is_portal = True
@@ -210,9 +210,9 @@ def encode(light, inside, path):
     p = np.percentile(light[inside], (99, 99.9))
     scale = float(min(2 * p[0], 1.03 * p[1]))
     rng = np.random.default_rng(1)
-    grey = np.sqrt(np.clip(light / scale, 0, 1)) * 255
-    grey = np.clip(np.floor(grey + 0.2 + 0.6 * rng.random(grey.shape[:2])[..., None]), 0, 255).astype(np.uint8)
-    png(path, grey)
+    gray = np.sqrt(np.clip(light / scale, 0, 1)) * 255
+    gray = np.clip(np.floor(gray + 0.2 + 0.6 * rng.random(gray.shape[:2])[..., None]), 0, 255).astype(np.uint8)
+    png(path, gray)
     return {"file": os.path.basename(path), "scale": round(scale, 6)}
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grey cloths over the exhibits that are missing (Blender's cloth simulation), the banner and the mobile."""
+"""Gray cloths over the exhibits that are missing (Blender's cloth simulation), the banner and the mobile."""
 import math
 
 import bmesh
@@ -137,7 +137,7 @@ def _sheet(w, d, n, center, wobble=0.004, yaw=0.0):
 
 
 def _round(r, rings, n, height):
-    """Round sheet: a centre, then rings."""
+    """Round sheet: a center, then rings."""
     pts, uvs, quads = [(0.0, height, 0.0)], [(0.0, 0.0)], []
     for j in range(1, rings + 1):
         for i in range(n):
@@ -155,7 +155,7 @@ def _round(r, rings, n, height):
 
 
 def drapes():
-    """{node suffix: mesh}; origins are the exhibits' foot points (1..4) or the portal's centre (5..9)."""
+    """{node suffix: mesh}; origins are the exhibits' foot points (1..4) or the portal's center (5..9)."""
     out = {}
     out[1] = _simulate("cloth_1", _sheet(2.3, 2.3, 56, (0, 1.92, 0), yaw=0.35),
                        [_ball((0, 1.45, 0), 0.4), _block((0, 0.45, 0), (0.8, 0.9, 0.8))], 60, 2200)

@@ -35,7 +35,7 @@ def _speck(valid, light):
 
 
 def _calm(light, valid):
-    """Cut outliers down to what their neighbours allow."""
+    """Cut outliers down to what their neighbors allow."""
     level = np.where(valid, light.mean(axis=2), np.nan)
     around = np.stack([_shift(level, dy, dx) for dy in (-2, -1, 0, 1, 2) for dx in (-2, -1, 0, 1, 2)])
     with warnings.catch_warnings():

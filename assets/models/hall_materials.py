@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the hall is made of: mean linear albedo (or metal reflectance), roughness, metalness, tile in metres.
+"""What the hall is made of: mean linear albedo (or metal reflectance), roughness, metalness, tile in meters.
 
-A tile size means that textures.py paints colour, normal and occlusion-roughness-metalness maps."""
+A tile size means that textures.py paints color, normal and occlusion-roughness-metalness maps."""
 
 MATERIALS = {
     "terrazzo":   {"color": (0.50, 0.465, 0.42),  "roughness": 0.27, "metalness": 0.0, "tile": 2.0},

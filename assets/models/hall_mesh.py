@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mesh accumulator and primitives in hall coordinates (metres, Y up, right-handed).
+"""Mesh accumulator and primitives in hall coordinates (meters, Y up, right-handed).
 
 Every face carries a material, a metric texture coordinate (1 unit = 1 m) and a place on a
-lightmap chart, also in metres; hall_atlas.py packs the charts.
+lightmap chart, also in meters; hall_atlas.py packs the charts.
 """
 import math
 

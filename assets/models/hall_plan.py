@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures of the hall (metres) and the frames of its four walls. Everything else asks here."""
+"""Measures of the hall (meters) and the frames of its four walls. Everything else asks here."""
 import math
 
 X, Z = 6.0, 12.0              # back plane of the arched recesses; end walls
@@ -10,9 +10,9 @@ R = (X * X + RISE * RISE) / (2 * RISE)
 YC = SPRING + RISE - R
 S = R * math.asin(X / R)      # half of the arc
 OUT_X, OUT_Z, OUT_LOW, OUT_HIGH = 7.0, 12.9, -0.9, 10.05
-OCULUS, KERB, KERB_TOP = 1.4, 1.75, 10.4
+OCULUS, CURB, CURB_TOP = 1.4, 1.75, 10.4
 
-ARCHES = (-7.0, 0.0, 7.0)     # centres of the wall arches along z
+ARCHES = (-7.0, 0.0, 7.0)     # centers of the wall arches along z
 ARCH_HALF, ARCH_SPRING = 2.6, 3.55
 SIDE_PILASTERS = (-10.5, -3.5, 3.5, 10.5)
 END_PILASTERS = (-2.95, 2.95)

@@ -87,7 +87,7 @@ def _clay(mat):
 
 
 def _baked(tree, color):
-    """Light of the lightmaps times the colour (a socket or a constant), as emission."""
+    """Light of the lightmaps times the color (a socket or a constant), as emission."""
     with open(os.path.join(HERE, "hall_light.json")) as f:
         about = json.load(f)
     uv = tree.nodes.new("ShaderNodeUVMap")

@@ -31,7 +31,7 @@ class Nodes:
 
 
 def build(m, nodes):
-    _centre(m, nodes)
+    _center(m, nodes)
     _card(m, nodes)
     _pit(m, nodes)
     _desk(m, nodes)
@@ -92,7 +92,7 @@ def _button_post(m, nodes, name, x, z):
 
 # Places ---------------------------------------------------------------------------------------------
 
-def _centre(m, nodes):
+def _center(m, nodes):
     _plinth(m, 0, 0, 0.8, 0.9)
     nodes.add("place_1", T((0, 1.45, 0)))
     _plate(m, nodes, "1", T((0, 0.66, 0.403)) @ turn(-7, "X") @ T((0, 0, 0.014)))
@@ -211,7 +211,7 @@ def _bench(m, nodes, index, x, z, yaw, length):
 
 
 def stand(m):
-    """Brass stand of the lenticular card, in its own frame: card centred at y = 1.2, facing +z."""
+    """Brass stand of the lenticular card, in its own frame: card centered at y = 1.2, facing +z."""
     lathe(m, fillet([(0.0, 0.0), (0.21, 0.0, 0.004), (0.21, 0.014, 0.006), (0.19, 0.024, 0.008), (0.05, 0.045, 0.03),
                      (0.022, 0.09)], 2), "brass", center=(0, 0, -0.06), segments=22)
     lathe(m, fillet([(0.020, 0.08), (0.020, 0.13), (0.026, 0.14, 0.005), (0.026, 0.155, 0.005), (0.016, 0.17),

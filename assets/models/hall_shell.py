@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Floor, walls, mouldings and the outer, light-tight skin of the hall."""
+"""Floor, walls, moldings and the outer, light-tight skin of the hall."""
 import math
 
 import hall_plan as P
@@ -30,7 +30,7 @@ def build(m):
         _side_wall(m, side)
     _end_wall(m, "far")
     _end_wall(m, "near")
-    _mouldings(m)
+    _moldings(m)
     _pilasters(m)
     _outside(m)
 
@@ -133,7 +133,7 @@ def _reveal(m, to3, splay, e):
     sweep(m, path, prof, to3, "plaster", density=0.8)
 
 
-def _mouldings(m):
+def _moldings(m):
     chamfer = lambda path, r: fillet([(x, z, r) for x, z in path], 1, closed=False)
     # Dado: skirting, field and rail, all round but for the door.
     path = chamfer(P.room_path(recess=True, door=True), 0.012)
@@ -212,9 +212,9 @@ def _outside(m):
     planar(m, [side], lambda a, b: (x, b, -a), lambda a, b: "dark", density=d)
     planar(m, [side], lambda a, b: (-x, b, a), lambda a, b: "dark", density=d)
     roof = rect(-x, -z, x, z)
-    hole = circle(0, 0, P.KERB, 48)
+    hole = circle(0, 0, P.CURB, 48)
     planar(m, [roof, hole], lambda a, b: (a, hi, -b), region(roof, [hole], "dark"), density=d)
     planar(m, [roof], lambda a, b: (a, lo, b), lambda a, b: "dark", density=d)
-    top = P.KERB_TOP
-    lathe(m, fillet([(P.KERB, hi), (P.KERB, top, 0.03), (P.OCULUS + 0.02, top)], 2), "travertine",
+    top = P.CURB_TOP
+    lathe(m, fillet([(P.CURB, hi), (P.CURB, top, 0.03), (P.OCULUS + 0.02, top)], 2), "travertine",
           segments=48, density=0.2)

@@ -93,6 +93,6 @@ def _oculus(m, half_s, half_z):
     lip = fillet([(P.OCULUS + 0.065, apex - 0.19), (P.OCULUS + 0.06, apex - 0.245, 0.01),
                   (P.OCULUS, apex - 0.245, 0.012), (P.OCULUS, apex - 0.17)], 2)
     lathe(m, lip[::-1], "bronze", segments=48, density=0.6)
-    drum = [(P.OCULUS + 0.02, P.KERB_TOP), (P.OCULUS + 0.02, apex - 0.05), (P.OCULUS, apex - 0.05),
+    drum = [(P.OCULUS + 0.02, P.CURB_TOP), (P.OCULUS + 0.02, apex - 0.05), (P.OCULUS, apex - 0.05),
             (P.OCULUS, apex - 0.17)]
     lathe(m, drum, "plaster", segments=48, density=0.6)

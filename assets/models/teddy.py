@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes assets/models/teddy.glb, a bear without fur, of nine balls: python3 assets/models/teddy.py
 
-The exhibit "fur" dresses it. Metres, Y up, facing +Z. The balls overlap; each is a node of its own that scales one mesh.
+The exhibit "fur" dresses it. Meters, Y up, facing +Z. The balls overlap; each is a node of its own that scales one mesh.
 """
 import json
 import math

@@ -2,7 +2,7 @@
 """Paints the hall's tileable textures and writes materials.json: python3 textures.py [NAME ...]
 
 <name>_color.png is sRGB, <name>_normal.png OpenGL style (+Y up), <name>_orm.png holds occlusion, roughness
-and metalness. Every colour map averages to the albedo that hall_materials.py states."""
+and metalness. Every color map averages to the albedo that hall_materials.py states."""
 import json
 import os
 import sys
@@ -39,7 +39,7 @@ def blur(a, sigma):
 
 
 def normals(height, tile):
-    """height in metres over a tile of that many metres."""
+    """height in meters over a tile of that many meters."""
     n = height.shape[0]
     k = n / tile / 2
     dx = (np.roll(height, -1, 1) - np.roll(height, 1, 1)) * k
@@ -170,16 +170,16 @@ def oak(n=512):
     for f in (9, 14, 23, 31, 38):
         rings = rings + rng.uniform(0.5, 1) * np.sin(2 * np.pi * (f * u + rng.random()) + 0.8 * noise(n, 2, 44 + f, 2))
     rings = rings / 2.0
-    fibre = noise(n, 120, 45, 2, stretch=(1, 0.03))
+    fiber = noise(n, 120, 45, 2, stretch=(1, 0.03))
     pores = np.clip(noise(n, 240, 46, 1, stretch=(1, 0.07)) - 0.9 - 0.35 * rings, 0, 1)
     rays = np.clip(noise(n, 40, 47, 2, stretch=(0.9, 0.35)) - 1.3, 0, 1)
-    t = np.clip(0.5 + 0.22 * rings + 0.16 * fibre, 0, 1)
+    t = np.clip(0.5 + 0.22 * rings + 0.16 * fiber, 0, 1)
     color = mix((0.205, 0.11, 0.048), (0.345, 0.205, 0.103), t)
     color *= (1 - 0.42 * pores)[..., None]
     color *= (1 + 0.15 * rays)[..., None]
     color *= (1 + 0.05 * noise(n, 2, 48, 3, stretch=(2, 0.6)))[..., None]
-    height = -0.00028 * pores + 0.00004 * rings + 0.00003 * fibre
-    save("oak", color, height, 1 - 0.3 * pores, np.clip(0.45 + 0.25 * pores - 0.08 * rays + 0.03 * fibre, 0.3, 0.85))
+    height = -0.00028 * pores + 0.00004 * rings + 0.00003 * fiber
+    save("oak", color, height, 1 - 0.3 * pores, np.clip(0.45 + 0.25 * pores - 0.08 * rays + 0.03 * fiber, 0.3, 0.85))
 
 
 def dado(n=512):

@@ -21,7 +21,7 @@ struct RayImages {
 bool isDrawn(bool asked, bool drawable, const render::ContributionBound& bound, const char* cannot,
              std::initializer_list<const char*> passes, render::FramePlan& plan)
 {
-    if (asked && drawable) return plan.needs(bound, passes);
+    if (asked && drawable) return plan.includeIfEffective(bound, passes);
     for (const char* pass : passes)
         plan.skip(pass, !asked ? "no technique in use makes them" : bound.isZero() ? bound.whyNone : cannot);
     return false;

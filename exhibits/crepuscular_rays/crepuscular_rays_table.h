@@ -81,9 +81,9 @@ struct CrepuscularRaysTable final : Parameters {
 
     Group air = group("Air");
     Real airDensity =
-        real("airDensity", 0.012, perMetre, Range{0, 10}.soft(0, 0.05),
-             "Dust in the air: what a metre of it takes out of a beam near the floor; 0 is clear air.", volume);
-    Real densityFalloff = real("densityFalloff", 0.08, perMetre, Range{0, 10}.soft(0, 0.5),
+        real("airDensity", 0.012, perMeter, Range{0, 10}.soft(0, 0.05),
+             "Dust in the air: what a meter of it takes out of a beam near the floor; 0 is clear air.", volume);
+    Real densityFalloff = real("densityFalloff", 0.08, perMeter, Range{0, 10}.soft(0, 0.5),
                                "How fast the dust thins with height: 0 is even, high keeps it near the floor.",
                                volume&& whenAbove(airDensity, 0), formerly("airThinning"));
     Real anisotropy = real("anisotropy", 0.42, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
@@ -122,7 +122,7 @@ struct CrepuscularRaysTable final : Parameters {
                exactAt(RayResolution::full), anyBeams);
 
     Group hangings = group("Hangings");
-    Toggle animate = toggle("animate", false, "Let the draught turn the mobile.");
+    Toggle animate = toggle("animate", false, "Let the draft turn the mobile.");
     Real mobileRotation = real("mobileRotation", degrees(20.0535), degree, {degrees(-180), degrees(180)},
                                "How far the mobile has turned.", formerly("turn"));
     Real turnSpeed = real("turnSpeed", 0.02, hertz, Range{0, 2}.soft(0, 0.1),

@@ -69,7 +69,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     const ParameterValues& values = context.values;
     const SceneLighting& around = context.lighting;
     const render::Raster& raster = plan.view.raster;
-    RaysScene s{table, context, values, {}, raster.drawn() != raster.size, {}, {}, 0, 0, {}, {}, {}};
+    RaysScene s{table, context, values, {}, raster.drawn() != raster.size, {}, {}, {}, {}, {}};
 
     // Mask pixels are picture pixels, unless a tile asks for the whole of a picture that is very large.
     const double maskScale =
@@ -90,10 +90,8 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     b.maskScale = static_cast<float>(maskScale);
 
     const bool compare = values[table.compare];
-    s.left = static_cast<int>(values[table.technique]);
-    s.right = static_cast<int>(compare ? values[table.compareWith] : values[table.technique]);
-    b.leftTechnique = s.left;
-    b.rightTechnique = s.right;
+    b.leftTechnique = static_cast<int>(values[table.technique]);
+    b.rightTechnique = static_cast<int>(compare ? values[table.compareWith] : values[table.technique]);
     b.wipeColumn = compare ? static_cast<float>(std::round(values[table.wipe] * raster.size.x)) : 1e9F;
 
     const double height = s.maskSize.y;
@@ -145,14 +143,14 @@ render::ContributionBound airBound(const RaysScene& s, const render::View& view)
 {
     const auto largest = [](const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); };
     const SceneLighting& around = s.context.lighting;
-    double way =
+    double path =
         0;  // No ray is longer in the air than its boxes are from corner to corner; the dust is densest on the floor.
     bool seen = false;
     for (const Beam& beam : s.beams) {
-        way += 2 * glm::length(beam.box.halfSize());
+        path += 2 * glm::length(beam.box.halfSize());
         seen = seen || view.mayContain(beam.box);
     }
-    const double hidden = -std::expm1(-s.values[s.table.airDensity] * way);
+    const double hidden = -std::expm1(-s.values[s.table.airDensity] * path);
     const double ahead = glsl::airPhase(1.0, std::abs(s.values[s.table.anisotropy]));
     const double sun = largest(around.sunIrradiance);
     const double drift = 1 + 1.5 * s.values[s.table.densityNoise];

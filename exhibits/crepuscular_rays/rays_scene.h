@@ -23,14 +23,13 @@ struct RaysScene {
     bool tile = false;       ///< The frame is one tile of a larger picture.
     SunInPicture sun;
     std::vector<Beam> beams;
-    int left = 0, right = 0;  ///< Techniques on the two sides of the wipe: bit 0 screen space, bit 1 volume.
     glm::ivec2 maskSize{0};
     glm::ivec2 coarseSize{0};  ///< Of the images before they are brought up.
     RaysBlock block;
 
     [[nodiscard]] bool uses(RayTechnique technique) const
     {
-        return ((left | right) & static_cast<int>(technique)) != 0;
+        return ((block.leftTechnique | block.rightTechnique) & static_cast<int>(technique)) != 0;
     }
     /// A pass over the whole of an image, with the parameters and the block bound.
     [[nodiscard]] render::Pass pass(const char* name, std::string reason, std::string fragment) const;

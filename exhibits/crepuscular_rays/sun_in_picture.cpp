@@ -10,7 +10,7 @@
 namespace vitrine {
 namespace {
 
-constexpr double thinnestBeam = 0.3;  ///< Metres.
+constexpr double thinnestBeam = 0.3;  ///< Meters.
 
 /// The beam behind one opening; its box is empty when no light comes through.
 Beam beamBehind(const render::Box& opening, const render::Box& room, const glm::dvec3& towardsSun)
@@ -36,9 +36,9 @@ Beam beamBehind(const render::Box& opening, const render::Box& room, const glm::
     for (int i = 0; i < 3; ++i) {
         if (i == axis || std::abs(along[i]) < 1e-9) continue;
         const double drift = along[i] * (reach > 0 ? 1 : -1);
-        const double way =
+        const double path =
             drift > 0 ? (room.high[i] - opening.low[i]) / drift : (opening.high[i] - room.low[i]) / -drift;
-        if (way < std::abs(reach)) reach = std::copysign(std::max(way, 0.0), reach);
+        if (path < std::abs(reach)) reach = std::copysign(std::max(path, 0.0), reach);
     }
     for (const double t : {0.0, reach}) {
         for (int corner = 0; corner < 8; ++corner) {
@@ -91,8 +91,8 @@ PolarGrid polarGrid(glm::dvec2 source, glm::dvec2 size, int samples)
     double low = 0;
     double high = 0;
     for (const glm::dvec2& corner : corners) {
-        const glm::dvec2 way = corner - source;
-        double angle = std::atan2(way.y, way.x) - center;
+        const glm::dvec2 path = corner - source;
+        double angle = std::atan2(path.y, path.x) - center;
         angle -= 2 * std::numbers::pi * std::round(angle / (2 * std::numbers::pi));
         low = std::min(low, angle);
         high = std::max(high, angle);

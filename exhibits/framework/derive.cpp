@@ -146,10 +146,9 @@ std::vector<double> sweep(const ParameterInfo& row, int points)
     return values;
 }
 
-void addToKey(render::Hash& key, const ParameterValues& values, std::optional<std::size_t> except)
+void addToKey(render::Hash& key, const ParameterValues& values)
 {
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
-        if (i == except) continue;
         const Value& value = values.row(i);
         if (const auto* x = std::get_if<double>(&value))
             key.addValue(*x);

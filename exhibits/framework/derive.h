@@ -31,8 +31,8 @@ namespace vitrine::derive {
 /// row's scale; all choices of a choice. Empty for colors, directions and files.
 [[nodiscard]] std::vector<double> sweep(const ParameterInfo&, int points);
 
-/// Adds every value but that of row `except` to the key of something that depends on them.
-void addToKey(render::Hash&, const ParameterValues&, std::optional<std::size_t> except = {});
+/// Adds every value to the key of something that depends on them.
+void addToKey(render::Hash&, const ParameterValues&);
 
 /// These rows spelled out, by name and to the last bit: the key of what is made of them and of nothing else.
 [[nodiscard]] std::string keyOf(const ParameterValues&, std::initializer_list<std::size_t> rows);

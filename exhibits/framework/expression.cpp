@@ -18,7 +18,7 @@ using Number = long double;
 
 enum class Measure : std::uint8_t { none, length, angle, time, pixel, stop, ratio, kelvin, hour };
 
-/// A physical dimension: a measure and its power (per metre is length to the power -1).
+/// A physical dimension: a measure and its power (per meter is length to the power -1).
 struct Dimension {
     Measure measure = Measure::none;
     int power = 0;
@@ -69,10 +69,10 @@ Dimension dimensionOf(Unit unit)
 {
     switch (unit) {
     case Unit::none: return {};
-    case Unit::metre:
-    case Unit::centimetre:
-    case Unit::millimetre:
-    case Unit::micrometre: return {Measure::length, 1};
+    case Unit::meter:
+    case Unit::centimeter:
+    case Unit::millimeter:
+    case Unit::micrometer: return {Measure::length, 1};
     case Unit::degree: return {Measure::angle, 1};
     case Unit::second: return {Measure::time, 1};
     case Unit::hertz: return {Measure::time, -1};
@@ -80,7 +80,7 @@ Dimension dimensionOf(Unit unit)
     case Unit::stop: return {Measure::stop, 1};
     case Unit::percent: return {Measure::ratio, 1};
     case Unit::kelvin: return {Measure::kelvin, 1};
-    case Unit::perMetre: return {Measure::length, -1};
+    case Unit::perMeter: return {Measure::length, -1};
     case Unit::hour: return {Measure::hour, 1};
     }
     return {};

@@ -188,10 +188,12 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
         row.array = array_;
         row.element = element_;
         row.elementRow = owned(row.name);
-        std::string name(elementName_);
-        name += static_cast<char>(std::toupper(static_cast<unsigned char>(row.name.front())));
-        name += row.name.substr(1);
-        row.name = owned(name);
+        const auto inElement = [this](std::string_view name) {
+            const char first = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+            return owned(std::string(elementName_) + first + std::string(name.substr(1)));
+        };
+        row.name = inElement(row.name);
+        if (!row.formerly.empty()) row.formerly = inElement(row.formerly);
     }
     for (std::string_view* text : {&row.name, &row.group, &row.help, &row.called, &row.endings, &row.formerly})
         *text = owned(*text);

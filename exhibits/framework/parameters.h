@@ -146,7 +146,7 @@ public:
     [[nodiscard]] ParameterValues initial() const;
 
 protected:
-    using enum Unit;  // So that a row reads `metre`, not `Unit::metre`.
+    using enum Unit;  // So that a row reads `meter`, not `Unit::meter`.
     using enum Scale;
 
     struct Group {};

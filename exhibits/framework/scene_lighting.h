@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,10 @@ namespace vitrine {
 inline constexpr const char* localShadowImage = "shadow.local";
 
 #include "shaders/lib/light_block.glsl"
+
+/// Radiance that a surface sends at most, for irradiance 1: its diffuse share, and the peak at which lib/surface.glsl
+/// stops.
+inline constexpr double mostReflected = 1 / std::numbers::pi + 64;
 
 /// The light that falls on whatever stands in the hall (or alone in its environment): what an exhibit
 /// needs to be lit like everything around it, and to cast its shadow.
@@ -46,9 +51,9 @@ struct SceneLighting {
     /// The sun's view of walls and furniture, for their shadow map "shadow.hall". Meaningful while `hallCastsShadow`.
     render::View hallShadowView;
     bool hallCastsShadow = false;
-    /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while `castsShadows`.
+    /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while
+    /// `light.exhibitsCastShadow`.
     render::View exhibitShadowView;
-    bool castsShadows = false;
     /// Changes whenever any exhibit's shadow may: the key of every pass that draws into that map, so that all
     /// of them run, or none.
     std::uint64_t exhibitShadowKey = 0;
@@ -63,12 +68,12 @@ struct SceneLighting {
 /// Texture coordinates and depth in [0, 1] from world space, for a shadow map drawn with `view`.
 [[nodiscard]] glm::mat4 shadowFromWorld(const render::View& view);
 
-/// An orthographic view along the light that holds `box`; receivers up to `reach` metres behind the box
+/// An orthographic view along the light that holds `box`; receivers up to `reach` meters behind the box
 /// are still in its depth range. `towardsLight` is unit length; `size` is the map's, in texels.
 [[nodiscard]] render::View lightView(const render::Box& box, const glm::dvec3& towardsLight, glm::ivec2 size,
                                      double reach);
 
-/// The same, standing still while the box changes a little: texels are a power of 2^(1/4) millimetres wide and lie on
+/// The same, standing still while the box changes a little: texels are a power of 2^(1/4) millimeters wide and lie on
 /// one grid, whatever the box, so that shadows of what did not move do not swim.
 [[nodiscard]] render::View steadyLightView(const render::Box& box, const glm::dvec3& towardsLight, glm::ivec2 size,
                                            double reach);

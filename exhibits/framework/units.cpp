@@ -8,10 +8,10 @@ UnitInfo info(Unit unit)
 {
     switch (unit) {
     case Unit::none: return {"", "", 1};
-    case Unit::metre: return {"m", "m", 1};
-    case Unit::centimetre: return {"cm", "m", 100};
-    case Unit::millimetre: return {"mm", "m", 1e3};
-    case Unit::micrometre: return {"µm", "m", 1e6};
+    case Unit::meter: return {"m", "m", 1};
+    case Unit::centimeter: return {"cm", "m", 100};
+    case Unit::millimeter: return {"mm", "m", 1e3};
+    case Unit::micrometer: return {"µm", "m", 1e6};
     case Unit::degree: return {"°", "rad", 180 / std::numbers::pi};
     case Unit::second: return {"s", "s", 1};
     case Unit::hertz: return {"Hz", "Hz", 1};
@@ -19,7 +19,7 @@ UnitInfo info(Unit unit)
     case Unit::stop: return {"EV", "EV", 1};
     case Unit::percent: return {"%", "", 100};
     case Unit::kelvin: return {"K", "K", 1};
-    case Unit::perMetre: return {"1/m", "1/m", 1};
+    case Unit::perMeter: return {"1/m", "1/m", 1};
     case Unit::hour: return {"h", "h", 1};
     }
     return {"", "", 1};

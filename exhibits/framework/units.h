@@ -5,14 +5,14 @@
 
 namespace vitrine {
 
-/// How a value is shown to people. Values are stored, computed and uploaded in SI (metres, seconds,
+/// How a value is shown to people. Values are stored, computed and uploaded in SI (meters, seconds,
 /// radians; hours of the day); only panels, the manual and typed input convert, through `shown` and `stored`.
 enum class Unit : std::uint8_t {
     none,
-    metre,
-    centimetre,
-    millimetre,
-    micrometre,
+    meter,
+    centimeter,
+    millimeter,
+    micrometer,
     degree,
     second,
     hertz,
@@ -20,7 +20,7 @@ enum class Unit : std::uint8_t {
     stop,
     percent,
     kelvin,
-    perMetre,
+    perMeter,
     hour
 };
 

@@ -10,23 +10,23 @@
 namespace vitrine {
 namespace {
 
-// Where they lie, metres from the middle of the pit, and how they are turned about y.
+// Where they lie, meters from the middle of the pit, and how they are turned about y.
 const glm::dvec3 homes[furBodyCount] = {{-0.62, 0, -0.02}, {0.55, 0, 0.58}, {0.30, 0, -0.74}};
 constexpr double homeTurns[furBodyCount] = {0, 0.35, 0.2};
 
 constexpr double gravity = 9.81;      ///< m/s².
-constexpr double strandScale = 0.15;  ///< Metres of lag that count as one strand length: as long as a strand of the
+constexpr double strandScale = 0.15;  ///< Meters of lag that count as one strand length: as long as a strand of the
                                       ///< museum after which this exhibit is made.
 // A throw: its mean speed is the table's jump; shares of it go up, more or less, and to the sides.
 constexpr double throwUp = 0.16, throwAside = 0.35;
 constexpr double landing =
-    pitRadius + pitPadRadius;      ///< Metres from the axis: throws that would come down beyond are steeper.
+    pitRadius + pitPadRadius;      ///< Meters from the axis: throws that would come down beyond are steeper.
 constexpr double homeStart = 1.5;  ///< Seconds after which bodies that lie elsewhere hop home.
-constexpr double nearHome = 0.04, nearTurn = 0.12;  ///< Metres and radians: so near is there.
-constexpr double hopLeast = 0.02, hopMost = 0.6;    ///< Metres of height.
+constexpr double nearHome = 0.04, nearTurn = 0.12;  ///< Meters and radians: so near is there.
+constexpr double hopLeast = 0.02, hopMost = 0.6;    ///< Meters of height.
 constexpr double braking = 8;                       ///< 1/s, of what slides and rolls on the ground then.
 constexpr double calm = 0.3;                        ///< Seconds for which all have to lie.
-constexpr double settling = 0.5;                    ///< Seconds in which the last millimetres go.
+constexpr double settling = 0.5;                    ///< Seconds in which the last millimeters go.
 constexpr double dt = 1.0 / Bounce::stepsPerSecond;
 
 double skinRadius(int body)
@@ -71,10 +71,10 @@ glm::dquat homeTurn(int body)
 }
 
 /// How high the middle of a body lies when it rests on the floor.
-double restHeight(const BounceSettings& s, int body, double grown)
+double restHeight(const BounceSettings& s, int body, double skinScale)
 {
     if (body == furRing && s.model) return s.cushion[body] - s.model->bounds.low.y;
-    return skinRadius(body) * grown + s.cushion[body];
+    return skinRadius(body) * skinScale + s.cushion[body];
 }
 
 /// The same at most, whatever skin the third body has.
@@ -102,7 +102,7 @@ RigidShape shapeOf(const BounceSettings& s, int body)
 
 }  // namespace
 
-double Growth::grown(double since) const
+double Growth::skinScale(double since) const
 {
     if (!(rate > 0) || amount == 0) return 1;
     const double share = always ? 1 : smooth(0, 0.3, since) * (1 - smooth(2.5, 4.5, since));
@@ -182,10 +182,10 @@ FurStates restStates(const BounceSettings& s, double since)
     FurStates states;
     for (int i = 0; i < furBodyCount; ++i) {
         FurState& state = states[static_cast<std::size_t>(i)];
-        state.grown = i == furBall ? s.growth.grown(since) : 1;
-        state.position = homes[i] + glm::dvec3(0, restHeight(s, i, state.grown), 0);
-        state.turn = homeTurn(i);
-        state.pull = limited({{0, -s.gravity, 0}, {}}, s.displacementLimit).value * s.strength;
+        state.skinScale = i == furBall ? s.growth.skinScale(since) : 1;
+        state.position = homes[i] + glm::dvec3(0, restHeight(s, i, state.skinScale), 0);
+        state.rotation = homeTurn(i);
+        state.tipOffset = limited({{0, -s.gravity, 0}, {}}, s.displacementLimit).value * s.strength;
     }
     return states;
 }
@@ -196,25 +196,25 @@ struct Bounce::World {
     glm::dvec3 lastVelocity[furBodyCount] = {};
     glm::dvec3 lastSpin[furBodyCount] = {};
     double calmSince = 0;  ///< Seconds.
-    Moment asleep{};       ///< Where they came to lie.
+    MotionState asleep{};  ///< Where they came to lie.
 };
 
 Bounce::Bounce(const BounceSettings& settings) : settings_(settings), world_(std::make_unique<World>())
 {
     const FurStates rest = restStates(settings_);
-    Moment first;
+    MotionState first;
     for (int i = 0; i < furBodyCount; ++i) {
         const FurState& state = rest[static_cast<std::size_t>(i)];
         first.position[i] = state.position;
-        first.turn[i] = state.turn;
-        first.pull[i] = limited({{0, -settings_.gravity, 0}, {}}, settings_.displacementLimit);
+        first.rotation[i] = state.rotation;
+        first.tipOffset[i] = limited({{0, -settings_.gravity, 0}, {}}, settings_.displacementLimit);
         const int body =
-            world_->bodies.add(shapeOf(settings_, i), {state.position, state.turn}, i == furBall ? 2.2 : 2.0);
+            world_->bodies.add(shapeOf(settings_, i), {state.position, state.rotation}, i == furBall ? 2.2 : 2.0);
         const auto random = [&](int n) { return throwOf(settings_.toss, 16 * i + n); };
         const glm::dvec3 spin(random(3), 0.6 * random(4), random(5));
         world_->bodies.accelerate(body, throwVelocity(settings_, i), spin * (2.2 * settings_.jump));
     }
-    moments_.push_back(first);
+    motion_.push_back(first);
 }
 
 Bounce::~Bounce() = default;
@@ -258,7 +258,7 @@ bool Bounce::home(double now)
         const RigidPose pose = world_->bodies.pose(i);
         glm::dvec3 away = homes[i] - pose.position;
         away.y = 0;
-        const glm::dvec3 turn = rotationVector(homeTurn(i) * glm::conjugate(pose.turn));
+        const glm::dvec3 turn = rotationVector(homeTurn(i) * glm::conjugate(pose.rotation));
         const glm::dvec3 velocity = world_->bodies.velocity(i);
         const glm::dvec3 spin = world_->bodies.angularVelocity(i);
         const bool there = glm::length(away) < nearHome && glm::length(turn) < nearTurn;
@@ -280,23 +280,23 @@ bool Bounce::home(double now)
     return all;
 }
 
-bool Bounce::still(const Moment& m) const
+bool Bounce::still(const MotionState& m) const
 {
     const FurStates rest = restStates(settings_);
     for (int i = 0; i < furBodyCount; ++i) {
         const glm::dvec3 droop = limited({{0, -settings_.gravity, 0}, {}}, settings_.displacementLimit).value;
-        if (glm::length(m.pull[i].value - droop) > 1e-3 || glm::length(m.pull[i].rate) > 1e-2) return false;
-        if (glm::length(m.lag[i].value) > 1e-3 || glm::length(m.lag[i].rate) > 1e-2) return false;
+        if (glm::length(m.tipOffset[i].value - droop) > 1e-3 || glm::length(m.tipOffset[i].rate) > 1e-2) return false;
+        if (glm::length(m.tipRotation[i].value) > 1e-3 || glm::length(m.tipRotation[i].rate) > 1e-2) return false;
         if (glm::length(m.position[i] - rest[static_cast<std::size_t>(i)].position) > 1e-6) return false;
     }
     return true;
 }
 
 /// One step of the bodies.
-Bounce::Moment Bounce::stepBodies()
+Bounce::MotionState Bounce::stepBodies()
 {
-    const double now = static_cast<double>(moments_.size()) * dt;
-    Moment next = moments_.back();
+    const double now = static_cast<double>(motion_.size()) * dt;
+    MotionState next = motion_.back();
     ++steps_;
     if (now >= landed_) {
         const FurStates rest = restStates(settings_, now);
@@ -304,18 +304,18 @@ Bounce::Moment Bounce::stepBodies()
         for (int i = 0; i < furBodyCount; ++i) {
             const FurState& state = rest[static_cast<std::size_t>(i)];
             next.position[i] = glm::mix(world_->asleep.position[i], state.position, share);
-            next.turn[i] = glm::slerp(world_->asleep.turn[i], state.turn, share);
+            next.rotation[i] = glm::slerp(world_->asleep.rotation[i], state.rotation, share);
         }
         return next;
     }
-    world_->bodies.resizeBall(furBall, ballRadius * settings_.growth.grown(now) + settings_.cushion[furBall]);
+    world_->bodies.resizeBall(furBall, ballRadius * settings_.growth.skinScale(now) + settings_.cushion[furBall]);
     if (!home(now)) world_->calmSince = now;
     world_->bodies.step(dt);
     hold();
     for (int i = 0; i < furBodyCount; ++i) {
         const RigidPose pose = world_->bodies.pose(i);
         next.position[i] = pose.position;
-        next.turn[i] = pose.turn;
+        next.rotation[i] = pose.rotation;
     }
     if ((now > homeStart && now - world_->calmSince > calm) || now > longest - 2) {
         landed_ = now;
@@ -331,25 +331,29 @@ Bounce::Moment Bounce::stepBodies()
 void Bounce::stepSprings(int i, std::size_t before, int steps)
 {
     const double h = steps * dt;
-    Moment& after = moments_.back();
-    const Moment& last = moments_[before];
+    MotionState& after = motion_.back();
+    const MotionState& last = motion_[before];
     const glm::dvec3 velocity = (after.position[i] - last.position[i]) / h;
-    const glm::dvec3 spin = rotationVector(after.turn[i] * glm::conjugate(last.turn[i])) / h;
-    SpringState pull = last.pull[i];
-    SpringState lag = last.lag[i];
-    pull.rate -= settings_.inertia / strandScale * (velocity - world_->lastVelocity[i]);
-    lag.rate -= settings_.inertia * (spin - world_->lastSpin[i]);
+    const glm::dvec3 spin = rotationVector(after.rotation[i] * glm::conjugate(last.rotation[i])) / h;
+    SpringState tipOffset = last.tipOffset[i];
+    SpringState tipRotation = last.tipRotation[i];
+    tipOffset.rate -= settings_.inertia / strandScale * (velocity - world_->lastVelocity[i]);
+    tipRotation.rate -= settings_.inertia * (spin - world_->lastSpin[i]);
     world_->lastVelocity[i] = velocity;
     world_->lastSpin[i] = spin;
     const glm::dvec3 trail = -settings_.airDrag * velocity - glm::dvec3(0, settings_.gravity, 0);
-    after.pull[i] = limited(advance(pull, trail, settings_.spring, h, settings_.method), settings_.displacementLimit);
-    after.lag[i] = limited(advance(lag, -0.25 * settings_.airDrag * spin, settings_.spring, h, settings_.method),
-                           settings_.rotationLimit);
+    after.tipOffset[i] =
+        limited(advance(tipOffset, trail, settings_.spring, h, settings_.method), settings_.displacementLimit);
+    after.tipRotation[i] =
+        limited(advance(tipRotation, -0.25 * settings_.airDrag * spin, settings_.spring, h, settings_.method),
+                settings_.rotationLimit);
     for (int n = 1; n < steps; ++n) {
-        Moment& between = moments_[before + static_cast<std::size_t>(n)];
+        MotionState& between = motion_[before + static_cast<std::size_t>(n)];
         const double share = static_cast<double>(n) / steps;
-        between.pull[i] = {glm::mix(last.pull[i].value, after.pull[i].value, share), after.pull[i].rate};
-        between.lag[i] = {glm::mix(last.lag[i].value, after.lag[i].value, share), after.lag[i].rate};
+        between.tipOffset[i] = {glm::mix(last.tipOffset[i].value, after.tipOffset[i].value, share),
+                                after.tipOffset[i].rate};
+        between.tipRotation[i] = {glm::mix(last.tipRotation[i].value, after.tipRotation[i].value, share),
+                                  after.tipRotation[i].rate};
     }
 }
 
@@ -358,33 +362,33 @@ void Bounce::block()
 {
     const int steps =
         std::max(static_cast<int>(std::lround(static_cast<double>(stepsPerSecond) / settings_.springRate)), 1);
-    const std::size_t before = moments_.size() - 1;
-    for (int n = 0; n < steps; ++n) moments_.push_back(stepBodies());
+    const std::size_t before = motion_.size() - 1;
+    for (int n = 0; n < steps; ++n) motion_.push_back(stepBodies());
     for (int i = 0; i < furBodyCount; ++i) stepSprings(i, before, steps);
 }
 
 void Bounce::extend(double since)
 {
-    while (static_cast<double>(moments_.size() - 1) * dt <= since && end_ == std::numeric_limits<double>::infinity()) {
+    while (static_cast<double>(motion_.size() - 1) * dt <= since && end_ == std::numeric_limits<double>::infinity()) {
         block();
-        const double now = static_cast<double>(moments_.size() - 1) * dt;
-        if (now >= longest || (now > landed_ + settling && still(moments_.back()))) {
+        const double now = static_cast<double>(motion_.size() - 1) * dt;
+        if (now >= longest || (now > landed_ + settling && still(motion_.back()))) {
             end_ = now;
             world_.reset();
         }
     }
 }
 
-FurStates Bounce::states(const Moment& m, double since) const
+FurStates Bounce::states(const MotionState& m, double since) const
 {
     FurStates states;
     for (int i = 0; i < furBodyCount; ++i) {
         FurState& state = states[static_cast<std::size_t>(i)];
         state.position = m.position[i];
-        state.turn = m.turn[i];
-        state.grown = i == furBall ? settings_.growth.grown(since) : 1;
-        state.pull = m.pull[i].value * settings_.strength;
-        state.lag = rotationOf(m.lag[i].value);
+        state.rotation = m.rotation[i];
+        state.skinScale = i == furBall ? settings_.growth.skinScale(since) : 1;
+        state.tipOffset = m.tipOffset[i].value * settings_.strength;
+        state.tipRotation = rotationOf(m.tipRotation[i].value);
     }
     return states;
 }
@@ -395,16 +399,16 @@ FurStates Bounce::at(double since)
     extend(std::min(since, longest));
     if (since >= end_) return restStates(settings_, since);
     const double at = since / dt;
-    const auto k = std::min(static_cast<std::size_t>(at), moments_.size() - 2);
+    const auto k = std::min(static_cast<std::size_t>(at), motion_.size() - 2);
     const double share = std::clamp(at - static_cast<double>(k), 0.0, 1.0);
-    const Moment& a = moments_[k];
-    const Moment& b = moments_[k + 1];
-    Moment m;
+    const MotionState& a = motion_[k];
+    const MotionState& b = motion_[k + 1];
+    MotionState m;
     for (int i = 0; i < furBodyCount; ++i) {
         m.position[i] = glm::mix(a.position[i], b.position[i], share);
-        m.turn[i] = glm::slerp(a.turn[i], b.turn[i], share);
-        m.pull[i].value = glm::mix(a.pull[i].value, b.pull[i].value, share);
-        m.lag[i].value = glm::mix(a.lag[i].value, b.lag[i].value, share);
+        m.rotation[i] = glm::slerp(a.rotation[i], b.rotation[i], share);
+        m.tipOffset[i].value = glm::mix(a.tipOffset[i].value, b.tipOffset[i].value, share);
+        m.tipRotation[i].value = glm::mix(a.tipRotation[i].value, b.tipRotation[i].value, share);
     }
     return states(m, since);
 }

@@ -14,21 +14,21 @@ namespace vitrine {
 
 /// How the size of the ball changes by itself.
 struct Growth {
-    double amount = 0;    ///< Metres of radius, up and down.
+    double amount = 0;    ///< Meters of radius, up and down.
     double rate = 0;      ///< Hertz.
     bool always = false;  ///< Otherwise only while the bodies bounce.
     double start = 0;     ///< Seconds on the exhibit's clock at which the button was pressed; for `always`.
 
     bool operator==(const Growth&) const = default;
     /// Skin over skin at rest, `since` seconds after the press.
-    [[nodiscard]] double grown(double since) const;
+    [[nodiscard]] double skinScale(double since) const;
     /// The most that it ever is.
     [[nodiscard]] double largest() const;
 };
 
 /// Everything that the motion after a press depends on.
 struct BounceSettings {
-    double cushion[furBodyCount] = {};          ///< Metres of fur under each skin that the contact does not flatten.
+    double cushion[furBodyCount] = {};          ///< Meters of fur under each skin that the contact does not flatten.
     std::shared_ptr<const render::Mesh> model;  ///< In place of the ring.
     double jump = 3;                            ///< Mean speed with which they leave the ground, m/s.
     std::uint32_t toss = 1;                     ///< Which of many throws.
@@ -48,7 +48,7 @@ struct BounceSettings {
 [[nodiscard]] BounceSettings bounceSettings(const FurTable&, const ParameterValues&,
                                             std::shared_ptr<const render::Mesh> model, double time);
 
-/// How far the middle of a body gets while it jumps, whatever it meets: pit space, metres.
+/// How far the middle of a body gets while it jumps, whatever it meets: pit space, meters.
 struct Flight {
     double highest = 0;   ///< Above the pit's floor.
     double farthest = 0;  ///< From the pit's axis.
@@ -78,31 +78,31 @@ public:
     [[nodiscard]] FurStates at(double since);
     /// Seconds after the press at which all is at rest, when that is at or before `since`; else infinity.
     [[nodiscard]] double restedAt(double since);
-    /// Metres by which a body was put to rest beside its place, at most, and then moved there: as far as it was
+    /// Meters by which a body was put to rest beside its place, at most, and then moved there: as far as it was
     /// simulated.
     [[nodiscard]] double slid() const { return slid_; }
     /// Steps that have been simulated so far.
     [[nodiscard]] std::int64_t steps() const;
 
 private:
-    struct Moment {
+    struct MotionState {
         glm::dvec3 position[furBodyCount];
-        glm::dquat turn[furBodyCount];
-        SpringState pull[furBodyCount];
-        SpringState lag[furBodyCount];  ///< As rotation vectors, pit space.
+        glm::dquat rotation[furBodyCount];
+        SpringState tipOffset[furBodyCount];
+        SpringState tipRotation[furBodyCount];  ///< As rotation vectors, pit space.
     };
     struct World;
     void extend(double since);
     void block();
-    [[nodiscard]] Moment stepBodies();
+    [[nodiscard]] MotionState stepBodies();
     void stepSprings(int body, std::size_t before, int steps);
     bool home(double now);
     void hold();
-    [[nodiscard]] bool still(const Moment&) const;
-    [[nodiscard]] FurStates states(const Moment&, double since) const;
+    [[nodiscard]] bool still(const MotionState&) const;
+    [[nodiscard]] FurStates states(const MotionState&, double since) const;
 
     BounceSettings settings_;
-    std::vector<Moment> moments_;
+    std::vector<MotionState> motion_;
     double end_ = std::numeric_limits<double>::infinity();
     double landed_ = std::numeric_limits<double>::infinity();  ///< When the bodies had come to lie, seconds.
     std::unique_ptr<World> world_;

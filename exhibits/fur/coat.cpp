@@ -22,9 +22,9 @@ glm::vec4 vec4Of(const glm::dquat& q)
 
 }  // namespace
 
-double colliderRadius(const FurTable& table, const ParameterValues& values, int body, double grown)
+double colliderRadius(const FurTable& table, const ParameterValues& values, int body, double skinScale)
 {
-    return bodyRadius(body) * grown +
+    return bodyRadius(body) * skinScale +
            (1 - values[table.flattening]) * values[table.coats[static_cast<std::size_t>(body)].length];
 }
 
@@ -43,27 +43,27 @@ glm::dvec3 Coats::spinePoint(int index, const glm::dvec3& p) const
 {
     const FurState& state = states[static_cast<std::size_t>(index)];
     if (index == furBall || (index == furRing && modelRadius > 0)) return state.position;
-    const glm::dvec3 local = glm::conjugate(state.turn) * (p - state.position);
+    const glm::dvec3 local = glm::conjugate(state.rotation) * (p - state.position);
     if (index == furRoll)
-        return state.position + state.turn * glm::dvec3(std::clamp(local.x, -rollHalfLength, rollHalfLength), 0, 0);
+        return state.position + state.rotation * glm::dvec3(std::clamp(local.x, -rollHalfLength, rollHalfLength), 0, 0);
     glm::dvec3 flat(local.x, 0, local.z);
     const double length = glm::length(flat);
     flat = length > 1e-9 ? flat * (ringRadius / length) : glm::dvec3(ringRadius, 0, 0);
-    return state.position + state.turn * flat;
+    return state.position + state.rotation * flat;
 }
 
 glm::dmat4 Coats::worldFromBody(int index) const
 {
     const FurState& state = states[static_cast<std::size_t>(index)];
-    return worldFromPit * glm::translate(glm::dmat4(1), state.position) * glm::mat4_cast(state.turn);
+    return worldFromPit * glm::translate(glm::dmat4(1), state.position) * glm::mat4_cast(state.rotation);
 }
 
 render::Box Coats::space(int index, const render::Box& skin) const
 {
     // Strands keep their length within 1 %.
     const double reach = 1.02 * values[table.coats[static_cast<std::size_t>(index)].length] + 1e-3;
-    const double grown = states[static_cast<std::size_t>(index)].grown;
-    return {skin.low * grown - reach, skin.high * grown + reach};
+    const double skinScale = states[static_cast<std::size_t>(index)].skinScale;
+    return {skin.low * skinScale - reach, skin.high * skinScale + reach};
 }
 
 render::Box Coats::bounds(int index, const render::Box& skin) const
@@ -77,13 +77,13 @@ FurBody Coats::body(int index) const
     const FurState& state = states[which];
     const CoatRows rows = table.coats[static_cast<std::size_t>(index)];
     const double length = values[rows.length];
-    const glm::dquat bodyFromPit = glm::conjugate(state.turn);
+    const glm::dquat bodyFromPit = glm::conjugate(state.rotation);
     FurBody body;
     body.worldFromBody = glm::mat4(worldFromBody(index));
     body.bodyFromWorld = glm::mat4(glm::inverse(worldFromBody(index)));
-    body.pull = glm::vec3(bodyFromPit * state.pull);
-    body.grown = static_cast<float>(state.grown);
-    body.turn = vec4Of(bodyFromPit * state.lag * state.turn);
+    body.tipOffset = glm::vec3(bodyFromPit * state.tipOffset);
+    body.skinScale = static_cast<float>(state.skinScale);
+    body.tipRotation = vec4Of(bodyFromPit * state.tipRotation * state.rotation);
     body.wind = glm::vec3(bodyFromPit * (values[table.windDirection].value * values[table.wind]));
     body.gustPhase = static_cast<float>(std::fmod(0.35 * time, 1.0) * 2 * std::numbers::pi);
 
@@ -133,8 +133,8 @@ std::vector<Coats::FreeSide> Coats::freeSides(int index) const
             mine = spinePoint(index, its);
         }
         const double apart = glm::length(mine - its);
-        const double myRadius = radius(index) * state.grown;
-        const double itsRadius = radius(other) * theirs.grown;
+        const double myRadius = radius(index) * state.skinScale;
+        const double itsRadius = radius(other) * theirs.skinScale;
         const double room = apart - myRadius - itsRadius;
         if (apart < 1e-6 || room > length + values[table.coats[static_cast<std::size_t>(other)].length]) continue;
         const glm::dvec3 normal = (mine - its) / apart;

@@ -13,7 +13,7 @@
 
 namespace vitrine {
 
-// Sizes of the bodies' skins and of their pit, metres. A test holds the pit's to the hall's node "pit_3"; its leather
+// Sizes of the bodies' skins and of their pit, meters. A test holds the pit's to the hall's node "pit_3"; its leather
 // is that of assets/models/hall_props.py.
 inline constexpr double ballRadius = 0.33;
 inline constexpr double rollRadius = 0.22, rollHalfLength = 0.26;
@@ -24,10 +24,10 @@ inline constexpr double pitPadRadius = 0.145, pitPadLift = 0.04;  ///< The leath
 /// Where a body is and how its fur hangs back, at one moment. Pit space: the middle of the pit's floor, y up.
 struct FurState {
     glm::dvec3 position{0};
-    glm::dquat turn{1, 0, 0, 0};  ///< Pit from body.
-    double grown = 1;             ///< Skin over skin at rest.
-    glm::dvec3 pull{0};           ///< Where the tips are drawn, strand lengths.
-    glm::dquat lag{1, 0, 0, 0};   ///< By how much the tips have turned less than the body.
+    glm::dquat rotation{1, 0, 0, 0};     ///< Pit from body.
+    double skinScale = 1;                ///< Skin over skin at rest.
+    glm::dvec3 tipOffset{0};             ///< Where the tips are drawn, strand lengths.
+    glm::dquat tipRotation{1, 0, 0, 0};  ///< By how much the tips have turned less than the body.
 };
 using FurStates = std::array<FurState, furBodyCount>;
 
@@ -43,7 +43,7 @@ struct Coats {
     double time = 0;
     std::uint32_t seed = 1;
     double modelRadius =
-        0;  ///< Metres: of a ball that stands for the visitor's model in place of the ring; 0: there is none.
+        0;  ///< Meters: of a ball that stands for the visitor's model in place of the ring; 0: there is none.
 
     [[nodiscard]] FurBody body(int index) const;
     /// Pit space: fur is free to be where dot(normal, p) > distance, and pressed flat beyond.
@@ -53,7 +53,7 @@ struct Coats {
     };
     /// Of what lies around a body: the ground first.
     [[nodiscard]] std::vector<FreeSide> freeSides(int index) const;
-    /// How thick a body is around its spine, metres.
+    /// How thick a body is around its spine, meters.
     [[nodiscard]] double radius(int index) const;
     /// The point of the body's spine nearest to `p`, pit space.
     [[nodiscard]] glm::dvec3 spinePoint(int index, const glm::dvec3& p) const;
@@ -64,12 +64,12 @@ struct Coats {
     [[nodiscard]] render::Box bounds(int index, const render::Box& skin) const;
 };
 
-/// How many shells a coat of `length` metres is given, `distance` metres away: all of `wanted` while the coat
+/// How many shells a coat of `length` meters is given, `distance` meters away: all of `wanted` while the coat
 /// spans enough pixels (each `pixelAngle` radians wide), continuously fewer after that, never under 4 of 5.
 [[nodiscard]] double shellsAtDistance(int wanted, double length, double distance, double pixelAngle);
 
 /// Radius of the sphere, roll or tube that collides: the skin at its present size, and what of the fur the
 /// contact does not flatten.
-[[nodiscard]] double colliderRadius(const FurTable&, const ParameterValues&, int body, double grown);
+[[nodiscard]] double colliderRadius(const FurTable&, const ParameterValues&, int body, double skinScale);
 
 }  // namespace vitrine

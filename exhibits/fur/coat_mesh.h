@@ -8,7 +8,7 @@
 
 namespace vitrine {
 
-// Skins that can wear a coat. Vertex::extra.x carries the mean curvature, 1/metre (never below 0: a
+// Skins that can wear a coat. Vertex::extra.x carries the mean curvature, 1/meter (never below 0: a
 // hollow bulges nothing). Vertices that share a place share a normal, so that shells do not
 // tear along edges.
 

@@ -59,9 +59,9 @@ bool grows(const FurTable& table, const ParameterValues& values)
 void lieByHand(const FurTable& table, const ParameterValues& values, FurStates& states)
 {
     for (FurState& state : states) {
-        state.grown = 1;
-        state.pull = {values[table.handX], values[table.handY], values[table.handZ]};
-        state.lag = glm::angleAxis(values[table.handRotation], glm::dvec3(0, 0, 1));
+        state.skinScale = 1;
+        state.tipOffset = {values[table.handX], values[table.handY], values[table.handZ]};
+        state.tipRotation = glm::angleAxis(values[table.handRotation], glm::dvec3(0, 0, 1));
     }
 }
 
@@ -95,7 +95,7 @@ struct Fur::Prepared final : PreparedPart {
     /// What a visitor's model becomes.
     struct RingModel {
         std::shared_ptr<const render::Mesh> skin;
-        double radius = 0;               ///< Metres, of the ball that stands for it.
+        double radius = 0;               ///< Meters, of the ball that stands for it.
         std::vector<std::string> notes;  ///< What of it was left out or mended.
     };
     static render::AssetStore::Made<RingModel> readRingModel(const std::string& path)
@@ -204,7 +204,7 @@ std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
 {
     ParameterValues spun = values;
     spun.set(table_.byHand, true);
-    for (const Real pull : {table_.handX, table_.handY, table_.handZ}) spun.set(pull, 0.0);
+    for (const Real tipOffset : {table_.handX, table_.handY, table_.handZ}) spun.set(tipOffset, 0.0);
     spun.set(table_.handRotation, 2.0943951023931953);
     ParameterValues landing = values;
     landing.set(table_.frozenAt, 0.9);

@@ -33,7 +33,6 @@ struct Planner {
     const FurTable& table;
     FurBodies all;
     bool inView[furBodyCount] = {};
-    std::optional<render::ResourceId> found = {};  ///< What the eye meets of strands; where a coat is in view.
 
     Planner(const FurScene& s, render::FramePlan& p) : scene(s), plan(p), table(s.coats.table)
     {
@@ -54,7 +53,7 @@ struct Planner {
         made.reads = {statesName};
         return made;
     }
-    [[nodiscard]] bool mirrored() const { return glm::determinant(glm::dmat3(scene.context.worldFromExhibit)) < 0; }
+    [[nodiscard]] bool mirrored() const { return isMirrored(scene.context.worldFromExhibit); }
     [[nodiscard]] render::Draw draw(std::shared_ptr<const render::Mesh> mesh, const FurBody& body, int instances) const
     {
         render::Draw draw;
@@ -107,7 +106,8 @@ struct Planner {
         return body;
     }
 
-    bool coat()
+    /// Returns what the eye meets of strands; nothing where no coat is in view.
+    std::optional<render::ResourceId> coat()
     {
         Pass made = coatPass("fur/coat", "");
         if (byAngle()) made.shader.defines.push_back("BY_ANGLE " + std::to_string(grazingShells));
@@ -125,12 +125,13 @@ struct Planner {
         }
         if (made.draws.empty()) {
             for (const char* name : {"fur/coat", "fur/fins", "fur/shade"}) plan.skip(name, "out of view");
-            return false;
+            return std::nullopt;
         }
-        found = plan.image({.name = "fur.found", .format = render::Format::rgba32f, .nearest = true});
+        const render::ResourceId found =
+            plan.image({.name = "fur.found", .format = render::Format::rgba32f, .nearest = true});
         made.reason = "in view: " + seenBodies;
-        attach(made, Attachment::cleared(*found));
-        attach(fins, Attachment::whole(*found));
+        attach(made, Attachment::cleared(found));
+        attach(fins, Attachment::whole(found));
         plan.add(std::move(made));
         if (fins.draws.empty()) {
             plan.skip("fur/fins", "silhouettes are not filled with fins");
@@ -139,7 +140,7 @@ struct Planner {
             fins.state.cull = render::Cull::none;
             plan.add(std::move(fins));
         }
-        return true;
+        return found;
     }
     void attach(Pass& made, Attachment strands) const
     {
@@ -148,7 +149,7 @@ struct Planner {
         made.colors.front() = std::move(strands);  // Its radiance follows in a pass of its own.
     }
 
-    void shade() const
+    void shade(const render::ResourceId& found) const
     {
         Pass made = exhibitPass("fur/shade", "light on the strands that were found", values(), "fur/shade.vert",
                                 "fur/shade.frag");
@@ -158,7 +159,7 @@ struct Planner {
         made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::farther, .cull = render::Cull::front, .depthClamp = true};
         scene.context.lighting.bindLighting(made);
-        made.inputs.push_back({UNIT_EXHIBIT_A, *found});
+        made.inputs.push_back({UNIT_EXHIBIT_A, found});
         for (int i = 0; i < furBodyCount; ++i) {
             if (!inView[i]) continue;
             FurBodies lit = all;
@@ -209,7 +210,7 @@ void planCoatShadow(const FurScene& scene, render::FramePlan& plan)
 void planCoats(const FurScene& scene, render::FramePlan& plan)
 {
     Planner planner(scene, plan);
-    if (planner.coat()) planner.shade();
+    if (const auto found = planner.coat()) planner.shade(*found);
     planner.floor();
 }
 

@@ -23,7 +23,7 @@ struct CoatRows {
     Color root, tip;
 };
 
-/// Everything that can be set about the furry bodies. Lengths in metres.
+/// Everything that can be set about the furry bodies. Lengths in meters.
 struct FurTable final : Parameters {
     /// By FurBodyIndex: ballLength, ... rollLength, ... ringLength, ...
     std::vector<CoatRows> coats =
@@ -76,7 +76,7 @@ struct FurTable final : Parameters {
     Group jumping = group("Jump");
     Real jump =
         real("jump", 3.1, none, Range{0, 8}.soft(1, 5),
-             "How fast they leave the ground when the button is pressed, in metres a second.", whenLater("byHand", 0));
+             "How fast they leave the ground when the button is pressed, in meters a second.", whenLater("byHand", 0));
     Count toss = count("toss", 2, Range{1, 9999}.soft(1, 20),
                        "Which of many ways they are tossed: the same number is the same jump.", whenLater("byHand", 0));
     Real frozenAt =
@@ -86,7 +86,7 @@ struct FurTable final : Parameters {
     Real bouncePeriod = real("bouncePeriod", 0.0, second, Range{0, 60}.soft(0, 12),
                              "Lets them jump by themselves every so often; 0 leaves it to the button.", reads(0, "off"),
                              whenLater("byHand", 0) && when(frozenAt, 0));
-    Real growth = real("growth", 0.05, metre, Range{0, 0.2}.soft(0, 0.12),
+    Real growth = real("growth", 0.05, meter, Range{0, 0.2}.soft(0, 0.12),
                        "How much the ball's radius grows and shrinks.", whenLater("byHand", 0));
     Real growthRate = real("growthRate", 0.7, hertz, Range{0, 20}.soft(0, 3), "How often it does so.",
                            whenLater("byHand", 0) && whenAbove(growth, 0));
@@ -104,7 +104,7 @@ struct FurTable final : Parameters {
                         whenLater("byHand", 0));
     Real airDrag =
         real("airDrag", 0.22, none, Range{0, 10}.soft(0, 1),
-             "How far it trails in moving air, in strand lengths for each metre a second.", whenLater("byHand", 0));
+             "How far it trails in moving air, in strand lengths for each meter a second.", whenLater("byHand", 0));
     Real strength = real("strength", 1.0, none, Range{0, 10}.soft(0, 3),
                          "How much of all this is seen: 0 keeps every strand upright.", whenLater("byHand", 0));
     Real displacementLimit = real("displacementLimit", 2.2, none, Range{0, 100}.soft(0, 5),
@@ -113,9 +113,9 @@ struct FurTable final : Parameters {
         "rotationLimit", degrees(68.755), degree, {0, degrees(180)},
         "How far they may turn less than their body at most; the museum that this exhibit follows allows 30 degrees.",
         whenLater("byHand", 0));
-    Real wind = real("wind", 0.0, none, Range{0, 20}.soft(0, 3),
-                     "Strength of a draught over the pit: it keeps the fur moving.");
-    Direction windDirection = direction("windDirection", {1, 0, -0.3}, "Where the draught blows.", whenAbove(wind, 0));
+    Real wind =
+        real("wind", 0.0, none, Range{0, 20}.soft(0, 3), "Strength of a draft over the pit: it keeps the fur moving.");
+    Direction windDirection = direction("windDirection", {1, 0, -0.3}, "Where the draft blows.", whenAbove(wind, 0));
     Real gustiness = real("gustiness", 0.5, none, {0, 1},
                           "How uneven it is: 0 leans on the fur steadily and moves nothing.", whenAbove(wind, 0));
     Real flattening = real("flattening", 0.75, none, {0, 1},
@@ -180,14 +180,14 @@ private:
     CoatRows coat(const CoatInitial& initial)
     {
         CoatRows rows{};
-        rows.length = real("length", initial.length, metre, Range{0, 1}.soft(0, 0.4),
+        rows.length = real("length", initial.length, meter, Range{0, 1}.soft(0, 0.4),
                            "Of its longest strands: 0 leaves the bare skin.");
         rows.uniformity = real("uniformity", initial.uniformity, none, {0, 1},
                                "Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.",
                                whenAbove(rows.length, 0));
         rows.density = count("density", initial.density, Range{1, 1000000, logarithmic}.soft(100, 200000),
-                             "Strands on a square metre.", whenAbove(rows.length, 0));
-        rows.thickness = real("thickness", initial.thickness, metre, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02),
+                             "Strands on a square meter.", whenAbove(rows.length, 0));
+        rows.thickness = real("thickness", initial.thickness, meter, Range{0.0001, 0.1, logarithmic}.soft(0.0005, 0.02),
                               "Of a strand, at its root.", whenAbove(rows.length, 0));
         rows.root = color("root", initial.root, "Of its fur at the skin.");
         rows.tip = color("tip", initial.tip, "Of its fur at the tips.", whenAbove(rows.length, 0));

@@ -1,4 +1,5 @@
 #include "exhibits/fur/coat_mesh.h"
+#include "exhibits/kit/surface_draw.h"
 #include "render/failure.h"
 
 #include <glm/glm.hpp>
@@ -45,7 +46,7 @@ void bendIt(Mesh& mesh)
 /// Triangles of parts become one skin: what lies in one place is one vertex, with the normal of all around it.
 class Sewing {
 public:
-    /// `radius` of the skin, metres.
+    /// `radius` of the skin, meters.
     explicit Sewing(double radius) : grid_(radius * 1e-5) { mesh_->name = "model"; }
 
     void add(const std::array<glm::dvec3, 3>& at)
@@ -111,7 +112,7 @@ private:
     std::shared_ptr<Mesh> mesh_ = std::make_shared<Mesh>();
     std::map<std::array<std::int64_t, 3>, std::uint32_t> places_;
     std::vector<glm::dvec3> normals_;
-    double grid_;  ///< Metres: nearer than this is one place.
+    double grid_;  ///< Meters: nearer than this is one place.
     std::size_t flat_ = 0;
 };
 
@@ -126,7 +127,7 @@ std::shared_ptr<const Mesh> modelSkin(const render::Model& model, const std::str
         throw Failure(Blame::file, file + " has no surface that could wear a coat. Give a model with triangles.");
     Sewing sewing(radius);
     for (const render::MeshInstance& part : model.parts) {
-        const bool mirrored = glm::determinant(glm::dmat3(part.modelFromPart)) < 0;
+        const bool mirrored = isMirrored(part.modelFromPart);
         for (std::size_t i = 0; i + 2 < part.mesh->indices.size(); i += 3) {
             std::array<glm::dvec3, 3> at;
             for (std::size_t k = 0; k < 3; ++k) {

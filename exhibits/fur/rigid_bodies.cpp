@@ -24,7 +24,7 @@ glm::dvec3 glmOf(const btVector3& v)
 btTransform bulletOf(const RigidPose& pose)
 {
     const auto s = [](double x) { return static_cast<btScalar>(x); };
-    return btTransform(btQuaternion(s(pose.turn.x), s(pose.turn.y), s(pose.turn.z), s(pose.turn.w)),
+    return btTransform(btQuaternion(s(pose.rotation.x), s(pose.rotation.y), s(pose.rotation.z), s(pose.rotation.w)),
                        bulletOf(pose.position));
 }
 

@@ -30,11 +30,11 @@ using RigidShape = std::variant<BallShape, RollShape, RingShape, HullShape>;
 
 struct RigidPose {
     glm::dvec3 position{0};
-    glm::dquat turn{1, 0, 0, 0};  ///< World from body, unit length.
+    glm::dquat rotation{1, 0, 0, 0};  ///< World from body, unit length.
 };
 
 /// A round pit in level ground: its floor at y = 0, an upright wall, and around it on the ground a padded rim; y is up,
-/// metres.
+/// meters.
 struct RigidPit {
     double radius = 1;
     double depth = 1;         ///< Of the floor below the ground outside.

@@ -47,8 +47,8 @@ render::AssetStore::Made<render::Model> readModel(const std::string& path)
 
 }  // namespace
 
-Hall::Hall(std::shared_ptr<const HallModel> model, std::vector<Guest> guests)
-    : model_(std::move(model)), guests_(std::move(guests)), text_(std::make_shared<PlaqueText>(*model_, guests_))
+Hall::Hall(std::shared_ptr<const HallModel> model, std::vector<ExhibitSlot> exhibits)
+    : model_(std::move(model)), exhibits_(std::move(exhibits)), text_(std::make_shared<PlaqueText>(*model_, exhibits_))
 {
 }
 
@@ -102,7 +102,7 @@ std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values,
 HallScene Hall::scene(const ParameterValues& values, bool alone, const PreparedHall* prepared) const
 {
     HallScene scene{
-        .model = *model_, .table = table_, .values = values, .alone = alone, .text = text_, .guests = guests_};
+        .model = *model_, .table = table_, .values = values, .alone = alone, .text = text_, .exhibits = exhibits_};
     if (prepared) {
         scene.environment = prepared->environment;
         scene.environmentBrightest = prepared->environmentBrightest;

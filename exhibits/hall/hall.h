@@ -12,7 +12,7 @@ namespace vitrine {
 class Hall final : public Subject {
 public:
     /// With these exhibits standing in it. Throws Failure (Blame::file) when the font of the plaques cannot be read.
-    Hall(std::shared_ptr<const HallModel>, std::vector<Guest>);
+    Hall(std::shared_ptr<const HallModel>, std::vector<ExhibitSlot>);
 
     [[nodiscard]] std::string_view name() const override { return "hall"; }
     [[nodiscard]] std::string_view title() const override { return hallTitle; }
@@ -31,7 +31,7 @@ public:
 private:
     HallTable table_;
     std::shared_ptr<const HallModel> model_;
-    std::vector<Guest> guests_;
+    std::vector<ExhibitSlot> exhibits_;
     std::shared_ptr<const PlaqueText> text_;
 };
 

@@ -13,7 +13,7 @@
 namespace vitrine {
 namespace {
 
-/// The exposure at which plaster in the shade of the default light is about a quarter grey.
+/// The exposure at which plaster in the shade of the default light is about a quarter gray.
 constexpr double baseExposure = 6.5;
 
 /// Conservative test of whether the box, swept towards the light, overlaps the opening. Light comes in from outside:
@@ -43,8 +43,6 @@ bool passesThrough(const render::Box& box, const glm::dvec3& towardsLight, const
            low[1] <= opening.high[axes[1]];
 }
 
-/// A surface sends no more of the sun's light than its diffuse share and the peak that lib/surface.glsl stops at.
-constexpr double mostReflected = 1 / std::numbers::pi + 64;
 /// No nine coefficients of light up to 1 give more: the integral of their kernel's absolute value is 1.07.
 constexpr double mostAmbient = 1.1;
 /// The studio of lib/sky.glsl where its room and all its lamps would overlap.
@@ -97,7 +95,7 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
 {
     const HallTable& table = scene.table;
     const ParameterValues& values = scene.values;
-    const glm::dvec3 sunColor = blackBodyColor(source.temperature) * source.strength;
+    const glm::dvec3 sunColor = source.irradiance();
     const glm::dvec3 skyColor = blackBodyColor(values[table.skyTemperature]) * (values[table.skyStrength] * source.sky);
     LightBlock light;
     light.sunDirection = glm::vec3(source.towards());
@@ -129,9 +127,7 @@ void lookUpProbe(const HallScene& scene, LightBlock& light)
 {
     light.hasProbe = true;
     light.probePosition = glm::vec3(probePosition(scene));
-    const int size = scene.values[scene.table.probeSize];
-    light.probeLastLevel =
-        static_cast<float>(std::max(static_cast<int>(std::bit_width(static_cast<unsigned>(size))) - 3, 1));
+    light.probeLastLevel = static_cast<float>(probeLevels(scene.values[scene.table.probeSize]) - 1);
     if (scene.alone) return;
     light.probeLow = glm::vec3(scene.model.probeRoom().low);
     light.probeHigh = glm::vec3(scene.model.probeRoom().high);
@@ -141,7 +137,7 @@ void lookUpProbe(const HallScene& scene, LightBlock& light)
 
 bool isInWalls(const HallModel& model, const glm::dvec3& eye)
 {
-    constexpr double farthestNearPlane = 0.5;  // Metres from the eye, in the corners of the widest picture.
+    constexpr double farthestNearPlane = 0.5;  // Meters from the eye, in the corners of the widest picture.
     render::Box building = model.bounds();
     building.low -= farthestNearPlane;
     building.high += farthestNearPlane;
@@ -160,7 +156,7 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
     const Sun source = sunOf(table, values);
     SceneLighting result;
     result.towardsSun = source.towards();
-    result.sunIrradiance = blackBodyColor(source.temperature) * source.strength;
+    result.sunIrradiance = source.irradiance();
     LightBlock& light = result.light;
     light = lightBlock(scene, source);
     result.exposure = light.exposure;
@@ -214,7 +210,7 @@ std::uint64_t lightKey(const HallScene& scene)
         lighting.resetRow(row);
     derive::addToKey(hash, lighting);
     hash.addValue(scene.alone).addValue(scene.filesId);
-    for (const Guest& guest : scene.guests) hash.addValue(guest.place);
+    for (const ExhibitSlot& slot : scene.exhibits) hash.addValue(slot.place);
     return hash.value();
 }
 

@@ -186,10 +186,11 @@ void HallModel::sortMarkers(const render::Model& model)
             occluders_.push_back({glm::dvec3(m[3]), glm::dvec3(m[0]), glm::dvec3(m[1])});
     }
     for (auto& [number, place] : places_) place.number = number;
-    if (openings_.empty() || room_.empty() || probeRoom_.empty())
-        throw Failure(Blame::file,
-                      "assets/models/hall.glb: it has no nodes \"opening_...\", \"room\" and \"probe_room\"; "
-                      "reinstall the program, or make it anew with assets/models/hall.py.");
+    if (openings_.empty() || room_.empty() || !probe_ || probeRoom_.empty())
+        throw Failure(
+            Blame::file,
+            "assets/models/hall.glb: it has no nodes \"opening_...\", \"room\", \"probe\" and \"probe_room\"; "
+            "reinstall the program, or make it anew with assets/models/hall.py.");
 }
 
 const HallMaterial& HallModel::material(const std::string& name) const

@@ -13,7 +13,7 @@
 
 namespace vitrine {
 
-/// A spot that can hold an exhibit. Transforms are world from local, metres.
+/// A spot that can hold an exhibit. Transforms are world from local, meters.
 struct Place {
     int number = 0;  ///< 1 to 9; 10 is the visitor's own plinth.
     glm::dmat4 worldFromPlace{1};
@@ -39,7 +39,7 @@ struct Occluder {
 /// How a material of the hall is drawn: assets/models/materials.json.
 struct HallMaterial {
     render::Material material;
-    double tile = 1;  ///< Metres that one repeat of its pictures covers.
+    double tile = 1;  ///< Meters that one repeat of its pictures covers.
 };
 
 /// One baked map of the sun's bounced light.
@@ -67,7 +67,7 @@ public:
     /// The air between walls, floor and vault.
     [[nodiscard]] const render::Box& room() const { return room_; }
     /// Where the reflection probe is captured, and the box that stands for the walls in it.
-    [[nodiscard]] const glm::dvec3& probe() const { return probe_; }
+    [[nodiscard]] const glm::dvec3& probe() const { return *probe_; }
     [[nodiscard]] const render::Box& probeRoom() const { return probeRoom_; }
 
     [[nodiscard]] std::shared_ptr<const render::Texture> skyLightmap() const { return skyLightmap_; }
@@ -88,7 +88,7 @@ private:
     std::vector<Occluder> occluders_;
     render::Box bounds_, room_, probeRoom_;
     std::vector<render::Box> openings_;
-    glm::dvec3 probe_{0};
+    std::optional<glm::dvec3> probe_;  // The file has one, or is refused.
     std::shared_ptr<const render::Texture> skyLightmap_, sunLightmaps_;
     double skyLightmapScale_ = 1;
     std::vector<SunLightmap> sunInfo_;

@@ -20,13 +20,14 @@ using render::Pass;
 
 bool isOccupied(const HallScene& scene, int place)
 {
-    return std::any_of(scene.guests.begin(), scene.guests.end(), [&](const Guest& g) { return g.place == place; });
+    return std::any_of(scene.exhibits.begin(), scene.exhibits.end(),
+                       [&](const ExhibitSlot& g) { return g.place == place; });
 }
 
 double turnAt(const HallScene& scene, int place)
 {
-    for (std::size_t i = 0; i < scene.guests.size() && i < scene.moments.size(); ++i)
-        if (scene.guests[i].place == place) return scene.moments[i].turn;
+    for (std::size_t i = 0; i < scene.exhibits.size() && i < scene.poses.size(); ++i)
+        if (scene.exhibits[i].place == place) return scene.poses[i].rotation;
     return 0;
 }
 
@@ -92,13 +93,13 @@ void planButtons(const HallScene& scene, const SceneLighting& light, const Chann
 {
     Pass pass = surfacePass("hall/buttons", "", light, channels);
     int moving = 0;
-    for (std::size_t i = 0; i < scene.guests.size(); ++i) {
-        const Guest& guest = scene.guests[i];
-        const Place* place = guest.hasButton ? scene.model.place(guest.place) : nullptr;
+    for (std::size_t i = 0; i < scene.exhibits.size(); ++i) {
+        const ExhibitSlot& slot = scene.exhibits[i];
+        const Place* place = slot.hasButton ? scene.model.place(slot.place) : nullptr;
         if (!place || !place->worldFromButton) continue;
         const glm::dvec3 at((*place->worldFromButton)[3]);
         if (!plan.view.mayContain({at - 0.06, at + 0.06})) continue;
-        const double squash = i < scene.moments.size() ? buttonScale(scene.moments[i].sincePress) : 1;
+        const double squash = i < scene.poses.size() ? buttonScale(scene.poses[i].sincePress) : 1;
         moving += squash < 1;
         const glm::dmat4 world = *place->worldFromButton * glm::scale(glm::dmat4(1), 0.035 * glm::dvec3(1, squash, 1));
         pass.draws.push_back(surfaceDraw(domeMesh(), world, buttonMaterial()));
@@ -204,7 +205,7 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
 
     render::Hash key;
     key.addValue(*still.key);
-    for (const GuestMoment& moment : scene.moments) key.addValue(moment.turn);
+    for (const ExhibitPose& pose : scene.poses) key.addValue(pose.rotation);
     Pass restore = follow("hall/shadow/restore", "what hangs here has turned", Attachment::whole("shadow.hall"));
     restore.key = key.value();
     Pass hangings = follow("hall/shadow/hangings", "what hangs here has turned", Attachment::whole("shadow.hall"));
@@ -266,7 +267,7 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
     pass.name = "hall/shadow";
     pass.reason = "the sun or the walls have changed";
     pass.phase = render::PassPhase::shadow;
-    pass.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
+    pass.shader = meshDepth().shader;
     pass.view = light.hallShadowView;
     pass.depth = Attachment::cleared(turning.empty() ? "shadow.hall" : "shadow.hall.still");
     pass.state = {.depthTest = render::DepthTest::nearer,

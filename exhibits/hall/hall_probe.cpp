@@ -18,12 +18,6 @@ using render::Pass;
 
 constexpr int smallestFace = 4;  ///< Texels along a face of the roughest level.
 
-int levelCount(int size)
-{
-    const auto width = [](int n) { return static_cast<int>(std::bit_width(static_cast<unsigned>(n))); };
-    return std::max(width(size) - width(smallestFace) + 1, 1);
-}
-
 Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, std::uint64_t key)
 {
     Pass pass;
@@ -35,40 +29,52 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
     return pass;
 }
 
-void planFace(const HallScene& scene, const SceneLighting& light, int face, int size, std::uint64_t key,
-              render::FramePlan& plan)
+/// The probe must not read itself while it is being made; and it holds the hall alone, for its key does not tell where
+/// the exhibits' shadows lie, nor which lamps shine.
+SceneLighting lightOfHallAlone(const SceneLighting& light)
 {
-    const glm::dvec3 eye = probePosition(scene);
-    // The probe must not read itself while it is being made; and it holds the hall alone, for its key does not
-    // tell where the exhibits' shadows lie, nor which lamps shine.
     SceneLighting hallLight = light;
     hallLight.light.exhibitsCastShadow = false;
     hallLight.localLights.reset();
     std::erase_if(hallLight.inputs, [](const render::SampledTexture& input) {
         return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS;
     });
+    return hallLight;
+}
+
+std::vector<render::Draw> wallDraws(const HallScene& scene)
+{
+    std::vector<render::Draw> draws;
+    for (const render::MeshInstance& part : scene.model.walls()) {
+        const HallMaterial& material = scene.model.material(part.material ? part.material->name : std::string());
+        draws.push_back(surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile));
+    }
+    return draws;
+}
+
+void planFace(const HallScene& scene, const SceneLighting& hallLight, const std::vector<render::Draw>& draws, int face,
+              int size, std::uint64_t key, render::FramePlan& plan)
+{
+    const glm::dvec3 eye = probePosition(scene);
     Pass sky = capturePass("sky", face, eye, size, key);
     sky.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/sky.frag", .defines = {"CAPTURE"}};
     sky.colors = {Attachment::slice("probe.captured", face)};
     sky.draws = {render::Draw{}};
-    sky.bound = light.probeLight;
+    sky.bound = hallLight.probeLight;
     hallLight.bindLighting(sky);
     if (scene.alone && face == 5) sky.mipmaps = {"probe.captured"};
     plan.add(std::move(sky));
     if (scene.alone) return;
 
     Pass walls = capturePass("walls", face, eye, size, key);
-    walls.bound = light.probeLight;
+    walls.bound = hallLight.probeLight;
     walls.shader = {.vertex = "kit/surface.vert",
                     .fragment = "kit/surface.frag",
                     .defines = {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
     walls.colors = {Attachment::slice("probe.captured", face)};
     walls.depth = Attachment::cleared("probe.depth");
     walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};
-    for (const render::MeshInstance& part : scene.model.walls()) {
-        const HallMaterial& material = scene.model.material(part.material ? part.material->name : std::string());
-        walls.draws.push_back(surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile));
-    }
+    walls.draws = draws;
     walls.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
     walls.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
     hallLight.bindLighting(walls);
@@ -100,6 +106,12 @@ void planLevel(int level, int levels, int size, int samples, const render::Contr
 
 }  // namespace
 
+int probeLevels(int size)
+{
+    const auto width = [](int n) { return static_cast<int>(std::bit_width(static_cast<unsigned>(n))); };
+    return std::max(width(size) - width(smallestFace) + 1, 1);
+}
+
 glm::dvec3 probePosition(const HallScene& scene)
 {
     return scene.alone ? glm::dvec3(0) : scene.model.probe();
@@ -111,9 +123,9 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
         plan.skip("probe", "the reflection probe is switched off");
         return;
     }
-    if (!plan.needs(light.probeLight, {"probe"})) return;
+    if (!plan.includeIfEffective(light.probeLight, {"probe"})) return;
     const int size = scene.values[scene.table.probeSize];
-    const int levels = levelCount(size);
+    const int levels = probeLevels(size);
     const std::uint64_t key = lightKey(scene);
     const int allLevels = static_cast<int>(std::bit_width(static_cast<unsigned>(size)));
     plan.image({.name = "probe.captured",
@@ -136,7 +148,9 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     if (!scene.alone)
         plan.image(
             {.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .persistent = true});
-    for (int face = 0; face < 6; ++face) planFace(scene, light, face, size, key, plan);
+    const SceneLighting hallLight = lightOfHallAlone(light);
+    const std::vector<render::Draw> walls = scene.alone ? std::vector<render::Draw>() : wallDraws(scene);
+    for (int face = 0; face < 6; ++face) planFace(scene, hallLight, walls, face, size, key, plan);
     for (int level = 0; level < levels; ++level)
         planLevel(level, levels, size, scene.values[scene.table.probeSamples], light.probeLight, key, plan);
 

@@ -18,15 +18,15 @@ namespace vitrine {
 class PlaqueText;
 
 /// An exhibit as the hall knows it: where it stands and what its plaque says.
-struct Guest {
+struct ExhibitSlot {
     int place = 0;
     std::string title, summary, tryThis;
     bool hasButton = false;
 };
 
 /// What moves at an exhibit's place, at one moment.
-struct GuestMoment {
-    double turn = 0;  ///< How far what hangs there has turned about its upright axis, radians.
+struct ExhibitPose {
+    double rotation = 0;  ///< How far what hangs there has turned about its upright axis, radians.
     double sincePress = std::numeric_limits<double>::infinity();  ///< Of the button, seconds; infinity: never.
 };
 
@@ -48,9 +48,9 @@ struct HallScene {
     std::shared_ptr<const render::Model> visitorModel = {};
     glm::dmat4 worldFromVisitorModel{1};
     std::shared_ptr<const PlaqueText> text;
-    std::span<const Guest> guests;
-    std::uint64_t filesId = 0;              ///< As PreparedPart's.
-    std::vector<GuestMoment> moments = {};  ///< One for each guest; may be shorter.
+    std::span<const ExhibitSlot> exhibits;
+    std::uint64_t filesId = 0;            ///< As PreparedPart's.
+    std::vector<ExhibitPose> poses = {};  ///< One for each slot; may be shorter.
 };
 
 /// What is drawn at a place beside its exhibit: a cloth over an empty one, else its stand and what hangs there, as far
@@ -85,6 +85,8 @@ void planSky(const HallScene&, const SceneLighting&, render::FramePlan&);
 /// The reflection probe: captured from inside the hall (or the environment alone), blurred by roughness, and
 /// summed up as nine spherical-harmonic coefficients; kept while nothing in it changes.
 void planProbe(const HallScene&, const SceneLighting&, render::FramePlan&);
+/// Mip levels of a probe with this many texels along a face, one for each roughness.
+[[nodiscard]] int probeLevels(int size);
 /// The point from which the probe is captured, world space.
 [[nodiscard]] glm::dvec3 probePosition(const HallScene&);
 

@@ -93,7 +93,7 @@ struct HallTable final : Parameters {
 
     Group visitor = group("Visitor's object");
     File model = file("model", "A glTF object (.glb or .gltf) on the free plinth.", endings("glb gltf"));
-    Real modelSize = real("modelSize", 0.8, metre, Range{0.01, 100, logarithmic}.soft(0.1, 3),
+    Real modelSize = real("modelSize", 0.8, meter, Range{0.01, 100, logarithmic}.soft(0.1, 3),
                           "Largest side of the visitor's object as it stands on the plinth.", whenGiven(model));
     Real modelRotation =
         real("modelRotation", 0.0, degree, {degrees(-180), degrees(180)},

@@ -10,7 +10,7 @@
 namespace vitrine {
 namespace {
 
-// Layout of a plate of 0.42 x 0.26 m, metres.
+// Layout of a plate of 0.42 x 0.26 m, meters.
 constexpr double plateWidth = 0.42;
 constexpr double plateHeight = 0.26;
 constexpr double margin = 0.022;
@@ -36,14 +36,14 @@ std::u32string decodeUtf8(std::string_view text)
 
 }  // namespace
 
-PlaqueText::PlaqueText(const HallModel& model, const std::vector<Guest>& guests)
+PlaqueText::PlaqueText(const HallModel& model, const std::vector<ExhibitSlot>& exhibits)
 {
     readFont();
     for (const auto& [number, place] : model.places()) {
         if (!place.worldFromPlaque) continue;
-        const auto guest =
-            std::find_if(guests.begin(), guests.end(), [n = number](const Guest& g) { return g.place == n; });
-        plaques_.push_back({*place.worldFromPlaque, set(number, guest == guests.end() ? nullptr : &*guest)});
+        const auto slot =
+            std::find_if(exhibits.begin(), exhibits.end(), [n = number](const ExhibitSlot& g) { return g.place == n; });
+        plaques_.push_back({*place.worldFromPlaque, set(number, slot == exhibits.end() ? nullptr : &*slot)});
     }
 }
 
@@ -126,7 +126,7 @@ void PlaqueText::append(render::Mesh& mesh, const std::u32string& text, glm::dve
     }
 }
 
-std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const Guest* guest) const
+std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const ExhibitSlot* slot) const
 {
     auto mesh = std::make_shared<render::Mesh>();
     const std::string label = number == 10 ? "" : std::to_string(number);
@@ -142,16 +142,16 @@ std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const Guest* gue
     const std::u32string digits = decodeUtf8(label);
     append(*mesh, digits, {left, y}, numberSize);
     const double indent = label.empty() ? 0 : widthOf(digits) * numberSize + 0.016;
-    const std::string title = guest ? guest->title : number == 10 ? "Your own object" : "In preparation";
+    const std::string title = slot ? slot->title : number == 10 ? "Your own object" : "In preparation";
     line(decodeUtf8(title), titleSize, indent);
     y -= 0.008;
-    const std::string summary = guest          ? guest->summary
+    const std::string summary = slot           ? slot->summary
                                 : number == 10 ? "Drop a glTF file on the window and it stands here."
                                                : "This place waits for an exhibit.";
     for (const std::u32string& text : broken(decodeUtf8(summary), width / bodySize)) line(text, bodySize);
-    if (guest && !guest->tryThis.empty()) {
+    if (slot && !slot->tryThis.empty()) {
         y -= 0.007;
-        for (const std::u32string& text : broken(decodeUtf8("Try: " + guest->tryThis), width / bodySize))
+        for (const std::u32string& text : broken(decodeUtf8("Try: " + slot->tryThis), width / bodySize))
             line(text, bodySize);
     }
     return mesh;

@@ -10,7 +10,7 @@
 
 namespace vitrine {
 
-struct Guest;
+struct ExhibitSlot;
 
 /// The texts of all plaques as meshes of glyph quads over a distance-field atlas.
 class PlaqueText {
@@ -21,8 +21,8 @@ public:
     };
 
     /// Reads assets/fonts and sets the text of every place that has a plaque: its number, title, one line
-    /// and what to try; "In preparation" where no guest stands. Throws Failure (Blame::file).
-    PlaqueText(const HallModel&, const std::vector<Guest>&);
+    /// and what to try; "In preparation" where no slot stands. Throws Failure (Blame::file).
+    PlaqueText(const HallModel&, const std::vector<ExhibitSlot>&);
 
     [[nodiscard]] const std::vector<Plaque>& plaques() const { return plaques_; }
     [[nodiscard]] std::shared_ptr<const render::Texture> atlas() const { return atlas_; }
@@ -39,7 +39,7 @@ private:
     [[nodiscard]] double widthOf(const std::u32string&) const;
     [[nodiscard]] std::vector<std::u32string> broken(const std::u32string& text, double widest) const;
     void append(render::Mesh&, const std::u32string&, glm::dvec2 pen, double size) const;
-    [[nodiscard]] std::shared_ptr<const render::Mesh> set(int number, const Guest*) const;
+    [[nodiscard]] std::shared_ptr<const render::Mesh> set(int number, const ExhibitSlot*) const;
 
     std::shared_ptr<const render::Texture> atlas_;
     double spread_ = 6;

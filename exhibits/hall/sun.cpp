@@ -1,5 +1,7 @@
 #include "exhibits/hall/sun.h"
 
+#include "exhibits/framework/scene_lighting.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -39,6 +41,11 @@ Sun sunAtHour(double hour)
     const double day = std::clamp((sun.elevation / degree + 6) / 21, 0.0, 1.0);
     sun.sky = day * day * (3 - 2 * day);
     return sun;
+}
+
+glm::dvec3 Sun::irradiance() const
+{
+    return blackBodyColor(temperature) * strength;
 }
 
 Sun sunOf(const HallTable& table, const ParameterValues& values)

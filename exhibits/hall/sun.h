@@ -15,7 +15,8 @@ struct Sun {
     double temperature = 0;  ///< Of its color, kelvin.
     double sky = 1;          ///< What is left of the sky's light.
 
-    [[nodiscard]] glm::dvec3 towards() const;  ///< Unit length, world space.
+    [[nodiscard]] glm::dvec3 towards() const;     ///< Unit length, world space.
+    [[nodiscard]] glm::dvec3 irradiance() const;  ///< On a plane that faces it, linear Rec. 709.
 };
 
 [[nodiscard]] Sun sunOf(const HallTable&, const ParameterValues&);

@@ -10,7 +10,7 @@
 
 namespace vitrine {
 
-/// A visitor is an upright cylinder of this radius, metres.
+/// A visitor is an upright cylinder of this radius, meters.
 inline constexpr double visitorRadius = 0.28;
 
 /// Where a visitor going from eye position `from` to `to` ends up: pushed out of every obstacle, in steps

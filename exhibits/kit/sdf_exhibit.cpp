@@ -56,7 +56,7 @@ std::shared_ptr<const PreparedPart> SdfExhibit::prepare(const PrepareContext& co
 double SdfExhibit::firstHit(const ExhibitState& state, const render::Ray& ray) const
 {
     constexpr double never = std::numeric_limits<double>::infinity();
-    constexpr double tolerance = 1e-4;  // Metres: less than a pixel from anywhere a visitor can be.
+    constexpr double tolerance = 1e-4;  // Meters: less than a pixel from anywhere a visitor can be.
     const SdfBody now = body(state.values, state.time);
     const double length = glm::length(ray.direction);
     const render::Stretch inside = render::insideBox(ray, now.box);
@@ -82,19 +82,22 @@ double SdfExhibit::nextChange(const ParameterValues&, double) const
     return std::numeric_limits<double>::infinity();
 }
 
+SdfScene SdfExhibit::sceneOf(const PlanContext& context, const SdfBody& now) const
+{
+    return {name(), rows(), materialRows(), context, now, resized(now.box, now.values[rows().boxSize]), sources_};
+}
+
 void SdfExhibit::planShadow(const PlanContext& context, render::FramePlan& plan) const
 {
     const SdfBody now = body(context.values, context.time);
-    planSdfShadow(
-        {name(), rows(), materialRows(), context, now, resized(now.box, now.values[rows().boxSize]), sources_}, plan);
+    planSdfShadow(sceneOf(context, now), plan);
 }
 
 void SdfExhibit::plan(const PlanContext& context, render::FramePlan& plan) const
 {
     const SdfBody now = body(context.values, context.time);
     const auto* prepared = static_cast<const PreparedSdfMesh*>(context.prepared);
-    planSdf({name(), rows(), materialRows(), context, now, resized(now.box, now.values[rows().boxSize]), sources_},
-            prepared ? &prepared->mesh : nullptr, plan);
+    planSdf(sceneOf(context, now), prepared ? &prepared->mesh : nullptr, plan);
 }
 
 }  // namespace vitrine

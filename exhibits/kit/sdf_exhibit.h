@@ -11,7 +11,7 @@ namespace vitrine {
 
 /// Where a field's GLSL comes from: files under shaders/, or texts that are made at run time.
 struct SdfShaders {
-    /// Defines `float fieldDistance(vec3 p)`: metres, negative inside, 1-Lipschitz, in the body's own space.
+    /// Defines `float fieldDistance(vec3 p)`: meters, negative inside, 1-Lipschitz, in the body's own space.
     std::string field;
     /// Defines `FieldMaterial fieldMaterial(vec3 p)` (shaders/kit/sdf/material.glsl) of a point of the surface. By
     /// default that of SdfMaterialRows, everywhere.
@@ -32,6 +32,8 @@ struct SdfBody {
     /// A uniform block of its own (`render::std140Bytes`), at BLOCK_EXHIBIT; empty where `parameters` tells all.
     render::Bytes block = {};
 };
+
+struct SdfScene;
 
 /// An exhibit that is a signed distance field: it supplies the field (`SdfShaders`, `body`), a table with SdfRows, and
 /// a material. Sphere tracing with its cone pre-pass, its shadow, the bounding mesh and its overlay, the comparison
@@ -61,6 +63,9 @@ protected:
     [[nodiscard]] virtual render::Box boxOverTime(const ParameterValues& values) const { return body(values, 0).box; }
 
 private:
+    /// At its place; holds references to both.
+    [[nodiscard]] SdfScene sceneOf(const PlanContext&, const SdfBody& now) const;
+
     std::shared_ptr<const render::ShaderSources> sources_;
 };
 

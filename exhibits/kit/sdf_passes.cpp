@@ -51,7 +51,7 @@ struct SdfPlanner {
     {
         render::Draw draw;
         draw.mesh = std::move(mesh);
-        draw.mirrored = glm::determinant(glm::dmat3(scene.context.worldFromExhibit)) < 0;
+        draw.mirrored = isMirrored(scene.context.worldFromExhibit);
         draw.object = object();
         return draw;
     }
@@ -99,9 +99,9 @@ struct SdfPlanner {
         const double scattered = isGlass() && !heat ? 0 : 1;
         if (!values[table.ambientOcclusion])
             plan.skip(named("occlusion"), "ambient occlusion is switched off");
-        else if (!plan.needs(made,
-                             {named("occlusion"),
-                              render::boundOf(any, 0, {{scattered, "glass scatters nothing of the room's light"}})}))
+        else if (!plan.includeIfEffective(
+                     made, {named("occlusion"),
+                            render::boundOf(any, 0, {{scattered, "glass scatters nothing of the room's light"}})}))
             needed.set(table.ambientOcclusion, false);
     }
 
@@ -118,16 +118,17 @@ struct SdfPlanner {
 
         if (values[table.shadowMethod] == SdfShadow::none)
             plan.skip(named("self-shadow"), "the shadow method is none");
-        else if (!plan.needs(made, {named("self-shadow"),
-                                    render::boundOf(0, any * (1 + bounces),
-                                                    {{around.sunShadow.absolute, around.sunShadow.whyNone}})}))
+        else if (!plan.includeIfEffective(made, {named("self-shadow"), render::boundOf(0, any * (1 + bounces),
+                                                                                       {{around.sunShadow.absolute,
+                                                                                         around.sunShadow.whyNone}})}))
             needed.set(table.shadowMethod, SdfShadow::none);
 
         // Beyond the first surface, each one adds its own light, and the last one the room's.
         const double reflected = around.probeLight.absolute + bounces * around.sunShadow.absolute;
-        (void)plan.needs(made, {named("bounces"), render::boundOf(0, any,
-                                                                  {{bounces > 0 ? 1.0 : 0.0, "no bounce is asked for"},
-                                                                   {reflected, "there is no light to reflect"}})});
+        (void)plan.includeIfEffective(
+            made, {named("bounces"), render::boundOf(0, any,
+                                                     {{bounces > 0 ? 1.0 : 0.0, "no bounce is asked for"},
+                                                      {reflected, "there is no light to reflect"}})});
         made.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(needed);
     }
 

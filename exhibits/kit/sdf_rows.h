@@ -14,7 +14,7 @@ enum class SdfHeatMap : int { none, steps, evaluations, normals, distance };
 
 // Rows of every exhibit that is a distance field. A table takes them by inheriting them after its own:
 //
-//     struct BallRows : virtual Parameters { Real radius = real("radius", 0.3, metre, {0.01, 1}, "Of the ball."); };
+//     struct BallRows : virtual Parameters { Real radius = real("radius", 0.3, meter, {0.01, 1}, "Of the ball."); };
 //     struct BallTable final : BallRows, SdfMaterialRows, SdfRows {};
 
 /// One material for the whole body: what shaders/kit/sdf/even_material.glsl reads.
@@ -76,7 +76,7 @@ struct SdfRows : virtual Parameters {
                "Differences that give the normal: 4, 4 or 6 evaluations; the first two lean across creases.",
                quality(SdfNormal::central));
     Real normalStep =
-        real("normalStep", 0.0003, metre, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02),
+        real("normalStep", 0.0003, meter, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02),
              "Step of those differences near the eye: too small drowns in rounding, too large rounds creases.",
              quality(0.0003));
 

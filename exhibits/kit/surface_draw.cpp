@@ -37,6 +37,11 @@ glm::dmat3 normalMatrix(const glm::dmat3& m)
     return cofactors * ((glm::determinant(m) < 0 ? -1 : 1) / largest);
 }
 
+bool isMirrored(const glm::dmat4& worldFromModel)
+{
+    return glm::determinant(glm::dmat3(worldFromModel)) < 0;
+}
+
 SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Material& material, double textureTile)
 {
     SurfaceObject object;
@@ -61,7 +66,7 @@ render::Draw surfaceDraw(std::shared_ptr<const render::Mesh> mesh, const glm::dm
 {
     render::Draw draw;
     draw.mesh = std::move(mesh);
-    draw.mirrored = glm::determinant(glm::dmat3(worldFromModel)) < 0;
+    draw.mirrored = isMirrored(worldFromModel);
     draw.object = render::std140Bytes(surfaceObject(worldFromModel, material, textureTile));
     draw.inputs = {{UNIT_BASE_COLOR, orNeutral(material.baseColorMap, UNIT_BASE_COLOR)},
                    {UNIT_NORMAL, orNeutral(material.normalMap, UNIT_NORMAL)},

@@ -15,6 +15,9 @@ namespace vitrine {
 /// the normals of that plane; the identity for what is scaled to a line or a point.
 [[nodiscard]] glm::dmat3 normalMatrix(const glm::dmat3& worldFromModel);
 
+/// Whether a transform turns what is right-handed into what is left-handed: its determinant is negative.
+[[nodiscard]] bool isMirrored(const glm::dmat4& worldFromModel);
+
 /// The block of a mesh that stands at `worldFromModel`; normals by `normalMatrix`, so that non-uniform scale and
 /// mirroring are right.
 [[nodiscard]] SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Material&,

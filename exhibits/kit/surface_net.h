@@ -11,7 +11,7 @@
 
 namespace vitrine {
 
-/// A triangle mesh of a distance field (metres, negative inside): surface nets (Gibson 1998, "Constrained Elastic
+/// A triangle mesh of a distance field (meters, negative inside): surface nets (Gibson 1998, "Constrained Elastic
 /// Surface Nets") on a grid of `cells` along the longest side of the box that holds the body, vertices drawn onto the
 /// surface, normals from the field. Closed as far as the grid resolves.
 [[nodiscard]] std::shared_ptr<const render::Mesh> surfaceNet(const std::function<double(const glm::dvec3&)>& distance,

@@ -35,12 +35,12 @@ double across(const glm::dvec2& size, bool horizontalLenses)
 }
 
 CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& values, const Sheet& sheet,
-                         const std::shared_ptr<const CardSource>& found, render::AssetStore& assets)
+                         const glm::dvec2& half, const std::shared_ptr<const CardSource>& found,
+                         render::AssetStore& assets)
 {
     CardPicture result;
     const CardSource& source = *found;
     const bool lying = horizontal(table, values, source);
-    const glm::dvec2 half = pictureHalfSize(table, values, source.aspect);
     const double pitch = sheet.pitch() * 1e-3;
     const double ratio = pitchRatio(table, values, sheet) / (1 + values[table.pitchError]);
     const double width = 2 * across(half, lying);
@@ -53,31 +53,25 @@ CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& va
     const int texels = lying ? result.texture->height : result.texture->width;
     const bool byLens = flat && texels == columns;
     CardPrintBlock& block = result.block;
-    block.halfSize = glm::vec2(half);
     block.views = source.views.count();
     block.pitch = static_cast<float>(pitch);
     block.pitchRatio = static_cast<float>(ratio);
-    block.phase = static_cast<float>(values[table.phase]);
-    block.slope = static_cast<float>(std::tan(values[table.rotation]));
     block.texturePerLens = static_cast<float>(byLens ? 1.0 / columns : 1 / lenses);
     block.size = glm::vec2(result.texture->width, result.texture->height);
     return result;
 }
 
-CardPicture rasterPicture(const LenticularTable& table, const ParameterValues& values, const CardSource& source)
+CardPicture rasterPicture(const LenticularTable& table, const ParameterValues& values, const glm::dvec2& half,
+                          const CardSource& source)
 {
     CardPicture result;
     result.raster = true;
     result.texture = source.raster;
-    const glm::dvec2 half = pictureHalfSize(table, values, source.aspect);
     const double width = 2 * across(half, source.lying);
     CardPrintBlock& block = result.block;
-    block.halfSize = glm::vec2(half);
     block.views = source.print.views;
     block.pitch = static_cast<float>(width / source.lenses);
     block.pitchRatio = static_cast<float>(1 / (1 + values[table.pitchError]));
-    block.phase = static_cast<float>(values[table.phase]);
-    block.slope = static_cast<float>(std::tan(values[table.rotation]));
     block.texturePerLens = static_cast<float>(source.rasterSize.x / source.lenses);
     block.size = glm::vec2(source.rasterSize);
     return result;
@@ -149,12 +143,16 @@ CardPicture cardPicture(const LenticularTable& table, const ParameterValues& val
                         const std::shared_ptr<const CardSource>& found, render::AssetStore& assets)
 {
     const CardSource& source = *found;
-    CardPicture picture =
-        source.raster ? rasterPicture(table, values, source) : viewsPicture(table, values, chosen, found, assets);
+    const glm::dvec2 half = pictureHalfSize(table, values, source.aspect);
+    CardPicture picture = source.raster ? rasterPicture(table, values, half, source)
+                                        : viewsPicture(table, values, chosen, half, found, assets);
     const Sheet& sheet = source.raster ? source.print.sheet : chosen;
     const double pitch = sheet.pitch();
     // A Gauss curve is replaced by the box of its variance.
     const double ink = std::sqrt(12.0) * values[table.inkSpread] * 1e3 / pitch;
+    picture.block.halfSize = glm::vec2(half);
+    picture.block.phase = static_cast<float>(values[table.phase]);
+    picture.block.slope = static_cast<float>(std::tan(values[table.rotation]));
     picture.block.radius = static_cast<float>(sheet.radius / pitch);
     picture.block.thickness = static_cast<float>(sheet.thickness / pitch);
     picture.block.conic = static_cast<float>(sheet.conic);

@@ -29,7 +29,7 @@ using render::Pass;
 constexpr double rollTime = 1.2;  ///< Seconds in which the button rolls the other print in.
 
 /// What lies in the card at one moment.
-struct Moment {
+struct CardPose {
     CardFace first = CardFace::front;  ///< The one that leaves, or rests.
     double roll = 0;                   ///< 0 at rest, up to 1 as the other one comes.
 };
@@ -40,7 +40,7 @@ CardFace otherFace(CardFace face)
 }
 
 /// `sincePressed`: seconds since the button exchanged the prints, which rolls the new one in.
-Moment momentAt(const LenticularTable& table, const ParameterValues& values, double time, double sincePressed)
+CardPose poseAt(const LenticularTable& table, const ParameterValues& values, double time, double sincePressed)
 {
     const CardFace start = values[table.face];
     double y = values[table.scroll] ? scrollAt(time, values[table.period], values[table.hold]) : 0;
@@ -72,7 +72,7 @@ struct Scene {
     {
         render::Draw draw;
         draw.mesh = cardMesh();
-        draw.mirrored = glm::determinant(glm::dmat3(worldFromCard)) < 0;
+        draw.mirrored = isMirrored(worldFromCard);
         return draw;
     }
 };
@@ -121,22 +121,22 @@ render::ContributionBound dispersionBound(const Scene& s)
     return render::boundOf(0, 1, {{paper, "no light falls on the card"}});
 }
 
-Pass cardPass(const Scene& s, const Moment& moment, const PreparedCard& prepared, render::FramePlan& plan)
+Pass cardPass(const Scene& s, const CardPose& pose, const PreparedCard& prepared, render::FramePlan& plan)
 {
     const ParameterValues& values = s.context.values;
     Pass pass = exhibitPass("lenticular/card", s.reason, values, "lenticular/card.vert", "lenticular/card.frag");
-    CardObject object = cardObject(s, plan.view, moment.roll);
-    addPicture(pass, object, 0, prepared.face(moment.first).picture);
-    const bool lying = prepared.face(moment.first).lying;
-    if (moment.roll > 0) {
+    CardObject object = cardObject(s, plan.view, pose.roll);
+    addPicture(pass, object, 0, prepared.face(pose.first).picture);
+    const bool lying = prepared.face(pose.first).lying;
+    if (pose.roll > 0) {
         pass.shader.defines.emplace_back("SCROLLING");
-        addPicture(pass, object, 1, prepared.face(otherFace(moment.first)).picture);
+        addPicture(pass, object, 1, prepared.face(otherFace(pose.first)).picture);
     }
     object.across = lying ? glm::vec2(0, -1) : glm::vec2(1, 0);
     object.along = lying ? glm::vec2(1, 0) : glm::vec2(0, 1);
     if (!values[s.table.dispersion])
         plan.skip("lenticular/dispersion", "dispersion is switched off");
-    else if (plan.needs(pass, {"lenticular/dispersion", dispersionBound(s)}))
+    else if (plan.includeIfEffective(pass, {"lenticular/dispersion", dispersionBound(s)}))
         pass.shader.defines.emplace_back("DISPERSION");
     if (values[s.table.strips] == CardStrips::squeezed) pass.shader.defines.emplace_back("SQUEEZED");
     if (values[s.table.eyes] == CardEyes::anaglyph) pass.shader.defines.emplace_back("ANAGLYPH");
@@ -155,9 +155,9 @@ std::shared_ptr<const PreparedPart> Lenticular::prepare(const PrepareContext& co
     auto made = std::make_shared<PreparedCard>();
     const lenticular::CardSheetFound found = lenticular::cardSheet(table_, values);
     made->sheetNote = found.note;
-    const Moment moment = momentAt(table_, values, context.time, context.sinceOwnPress);
-    for (const CardFace face : {moment.first, otherFace(moment.first)}) {
-        if (face != moment.first && moment.roll == 0) continue;
+    const CardPose pose = poseAt(table_, values, context.time, context.sinceOwnPress);
+    for (const CardFace face : {pose.first, otherFace(pose.first)}) {
+        if (face != pose.first && pose.roll == 0) continue;
         const bool front = face == CardFace::front;
         const File row = front ? table_.frontPrint : table_.backPrint;
         const lenticular::CardPrint print =
@@ -250,17 +250,18 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
 {
     Scene scene = sceneOf(table_, context);
     const auto& prepared = static_cast<const PreparedCard&>(*context.prepared);
-    const Moment moment = momentAt(table_, context.values, context.time, context.sinceOwnPress);
-    if (!prepared.face(moment.first).picture.texture ||
-        (moment.roll > 0 && !prepared.face(otherFace(moment.first)).picture.texture)) {
+    const CardPose pose = poseAt(table_, context.values, context.time, context.sinceOwnPress);
+    if (!prepared.face(pose.first).picture.texture ||
+        (pose.roll > 0 && !prepared.face(otherFace(pose.first)).picture.texture)) {
         plan.skip("lenticular/card", "its prints cannot be shown");
         return;
     }
-    if (moment.roll > 0) scene.reason += ", and one print rolls in after the other";
+    if (pose.roll > 0) scene.reason += ", and one print rolls in after the other";
     if (!prepared.sheetNote.empty()) scene.reason += "; the sheet cannot be: " + prepared.sheetNote;
-    Pass card = cardPass(scene, moment, prepared, plan);
+    Pass card = cardPass(scene, pose, prepared, plan);
     Pass count = card;
     drawSurface(card, {.normal = context.channels.normal});
+    card.depthOnly = render::DepthOnly{.shader = {.vertex = "lenticular/card.vert", .fragment = "kit/depth.frag"}};
     plan.add(std::move(card));
     if (!context.channels.evaluations) {
         plan.skip("lenticular/count", "nobody asks for counts");

@@ -29,7 +29,7 @@ struct LenticularTable final : Parameters {
     Real period = real("period", 12, second, Range{0.1, 3600}.soft(2, 30), "From one print to the next.", when(scroll));
     Real hold = real("hold", 0.85, none, {0, 1},
                      "Share of that time in which the print rests; the rest of it is the roll.", when(scroll));
-    Real margin = real("margin", 0.012, metre, Range{0, 0.15}.soft(0, 0.05), "White paper around the pictures.");
+    Real margin = real("margin", 0.012, meter, Range{0, 0.15}.soft(0, 0.05), "White paper around the pictures.");
 
     Group sheet = group("Sheet");
     Choice<CardSheet> sheetKind =
@@ -47,10 +47,10 @@ struct LenticularTable final : Parameters {
                                    "Of the lenses: vertical ones change as one walks by, horizontal ones as one bows.");
     Real customLpi = real("customLpi", 40, none, Range{1, 400}.soft(5, 160), "Lenses per inch of the custom sheet.",
                           when(sheetKind, CardSheet::custom));
-    Real radius = real("radius", 0.000381, millimetre, Range{1e-5, 0.1}.soft(0.0001, 0.003),
+    Real radius = real("radius", 0.000381, millimeter, Range{1e-5, 0.1}.soft(0.0001, 0.003),
                        "Of the custom lens at its top; one that cannot reach over its pitch is made just large enough.",
                        when(sheetKind, CardSheet::custom));
-    Real thickness = real("thickness", 0.001062, millimetre, Range{1e-5, 0.3}.soft(0.0002, 0.008),
+    Real thickness = real("thickness", 0.001062, millimeter, Range{1e-5, 0.3}.soft(0.0002, 0.008),
                           "Of the custom sheet, from lens top to print: too thin or too thick blurs.",
                           when(sheetKind, CardSheet::custom));
     Real refractiveIndex =
@@ -85,18 +85,18 @@ struct LenticularTable final : Parameters {
     Choice<CardEyes> eyes =
         choice("eyes", CardEyes::off, {"off", "left", "right", "anaglyph"},
                "Whose view is drawn: the camera's, one eye's, or both, the left one in red and the right one in cyan.");
-    Real eyeDistance = real("eyeDistance", 0.063, metre, Range{0, 0.5}.soft(0.04, 0.1), "Between the eyes.",
+    Real eyeDistance = real("eyeDistance", 0.063, meter, Range{0, 0.5}.soft(0.04, 0.1), "Between the eyes.",
                             whenNot(eyes, CardEyes::off));
 
     Group printing = group("Printing");
     Real distance =
-        real("distance", 1.6, metre, Range{0.05, 1e6, logarithmic}.soft(0.2, 20),
+        real("distance", 1.6, meter, Range{0.05, 1e6, logarithmic}.soft(0.2, 20),
              "Of the eye for which the strips' pitch is made: there the whole card shows one view. Large is parallel.");
     Choice<CardStrips> strips =
         choice("strips", CardStrips::flat, {"flat", "squeezed"},
                "A strip holds the one color that its lens shows, or its slice of the view squeezed, as in the source.");
     Toggle reverse = toggle("reverse", false, "The views in the wrong order: the picture turns inside out.");
-    Real inkSpread = real("inkSpread", 0.000012, micrometre, Range{0, 0.005}.soft(0, 0.0001),
+    Real inkSpread = real("inkSpread", 0.000012, micrometer, Range{0, 0.005}.soft(0, 0.0001),
                           "Standard deviation of the ink's blur: cross-talk between views.");
     Real pitchError = real("pitchError", 0, none, Range{-0.2, 0.2}.soft(-0.01, 0.01),
                            "Of the strips' pitch against what it should be: 0.01 is one percent too wide.");
@@ -112,7 +112,7 @@ struct LenticularTable final : Parameters {
         real("specular", 0.5, none, {0, 1}, "Reflectance of the plastic: 0.5 is what its index gives, 0 none.");
     Real normalScale = real("normalScale", 1, none, Range{-16, 16}.soft(0, 4),
                             "How much the ribs, noise stretched along the lenses, bend the highlight.");
-    Real ribWidth = real("ribWidth", 0.006, metre, Range{0.0002, 0.2, logarithmic}.soft(0.001, 0.03), "Of the ribs.",
+    Real ribWidth = real("ribWidth", 0.006, meter, Range{0.0002, 0.2, logarithmic}.soft(0.001, 0.03), "Of the ribs.",
                          whenNot(normalScale, 0));
     Real ribStretch = real("ribStretch", 24, none, Range{1, 400, logarithmic}.soft(2, 100),
                            "How much longer ribs are than wide.", whenNot(normalScale, 0));

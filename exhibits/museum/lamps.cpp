@@ -7,7 +7,6 @@
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 
 namespace vitrine {
@@ -72,7 +71,6 @@ std::optional<render::LocalLighting> planLamps(const Lamps& lamps, render::Frame
 
 double mostRadianceBy(const render::LocalLighting& lighting)
 {
-    constexpr double mostReflected = 1 / std::numbers::pi + 64;  // As lib/surface.glsl: diffuse, and the peak's limit.
     double most = 0;
     for (std::size_t i = 0; i < lighting.chosen.size(); ++i) {
         const render::LocalLightEntry& light = lighting.block.lights[i];

@@ -14,7 +14,7 @@ namespace vitrine {
 struct Lamps {
     std::span<const render::LocalLight> lights;  ///< World space.
     glm::dvec3 center{0};                        ///< What one looks at ...
-    double radius = 0;                           ///< ... and how far around it surfaces may be seen, metres.
+    double radius = 0;                           ///< ... and how far around it surfaces may be seen, meters.
     std::uint64_t castersKey = 0;                ///< Another number whenever anything that throws a shadow changes.
     /// All surfaces for another view of the frame, unpruned, in the images that exhibits share.
     std::function<render::FramePlan(const render::View&)> seenFrom;

@@ -10,25 +10,25 @@
 namespace vitrine {
 namespace {
 
-std::vector<Guest> guestsOf(const std::vector<std::unique_ptr<Exhibit>>& exhibits)
+std::vector<ExhibitSlot> slotsOf(const std::vector<std::unique_ptr<Exhibit>>& exhibits)
 {
-    std::vector<Guest> guests;
+    std::vector<ExhibitSlot> made;
     for (const auto& e : exhibits)
-        guests.push_back({e->place(), std::string(e->title()), std::string(e->summary()), std::string(e->tryThis()),
-                          capability<HasButton>(*e) != nullptr});
-    return guests;
+        made.push_back({e->place(), std::string(e->title()), std::string(e->summary()), std::string(e->tryThis()),
+                        capability<HasButton>(*e) != nullptr});
+    return made;
 }
 
 }  // namespace
 
 Museum::Museum(std::vector<std::unique_ptr<Exhibit>> exhibits)
-    : model_(std::make_shared<const HallModel>()), guests_(std::move(exhibits)),
-      hall_(std::make_unique<const Hall>(model_, guestsOf(guests_))), subjects_{hall_.get()},
+    : model_(std::make_shared<const HallModel>()), owned_(std::move(exhibits)),
+      hall_(std::make_unique<const Hall>(model_, slotsOf(owned_))), subjects_{hall_.get()},
       assets_(std::make_unique<render::AssetStore>())
 {
-    for (const auto& guest : guests_) {
-        exhibits_.push_back({subjects_.size(), *guest});
-        subjects_.push_back(guest.get());
+    for (const auto& exhibit : owned_) {
+        exhibits_.push_back({subjects_.size(), *exhibit});
+        subjects_.push_back(exhibit.get());
     }
 }
 
@@ -78,11 +78,7 @@ glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
 
 render::Camera Museum::bestView(std::size_t i, const ParameterValues& values) const
 {
-    const glm::dmat4 world = worldFromExhibit(i);
-    render::Camera camera = subjects_[i]->bestView(values);
-    camera.eye = glm::dvec3(world * glm::dvec4(camera.eye, 1));
-    camera.target = glm::dvec3(world * glm::dvec4(camera.target, 1));
-    return camera;
+    return subjects_[i]->bestView(values).transformed(worldFromExhibit(i));
 }
 
 glm::dvec3 Museum::walk(const glm::dvec3& from, const glm::dvec3& to) const
@@ -94,7 +90,7 @@ std::vector<int> Museum::emptyPlaces() const
 {
     std::vector<int> empty;
     for (int number = 1; number <= 9; ++number)
-        if (std::none_of(guests_.begin(), guests_.end(), [&](const auto& e) { return e->place() == number; }))
+        if (std::none_of(owned_.begin(), owned_.end(), [&](const auto& e) { return e->place() == number; }))
             empty.push_back(number);
     return empty;
 }

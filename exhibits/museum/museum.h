@@ -30,7 +30,7 @@ struct LookedAt {
 struct Pointed {
     std::size_t exhibit = 0;  ///< `hallIndex`: none; then it is the visitor's own object.
     std::string name;         ///< "Torus to Mug", "Your object", "E – melt it".
-    double distance = 0;      ///< Metres from the eye.
+    double distance = 0;      ///< Meters from the eye.
     bool button = false;      ///< It is the button of `exhibit` ...
     bool inReach = false;     ///< ... and can be pressed from here.
     render::Camera view;      ///< Its best view, in the world.
@@ -53,7 +53,7 @@ class Museum {
 public:
     /// With these exhibits; none for measurements and tests of the hall itself. Reads the hall and its markers; throws
     /// Failure when an asset cannot be read.
-    explicit Museum(std::vector<std::unique_ptr<Exhibit>> guests);
+    explicit Museum(std::vector<std::unique_ptr<Exhibit>> exhibits);
     ~Museum();
 
     /// The building.
@@ -105,7 +105,7 @@ public:
     /// The exhibit, button or visitor's object seen at `ndc` (each -1 to 1, y up) of that picture; nothing where the
     /// nearest thing there is a wall or furniture.
     [[nodiscard]] std::optional<Pointed> pick(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
-    /// Metres from the eye to whatever is seen there; infinity: the sky.
+    /// Meters from the eye to whatever is seen there; infinity: the sky.
     [[nodiscard]] double distanceTo(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
     /// Which of the places 1 to 9 still wait for an exhibit.
     [[nodiscard]] std::vector<int> emptyPlaces() const;
@@ -131,7 +131,7 @@ private:
                                                           bool alone) const;
 
     std::shared_ptr<const HallModel> model_;
-    std::vector<std::unique_ptr<Exhibit>> guests_;
+    std::vector<std::unique_ptr<Exhibit>> owned_;
     std::unique_ptr<const Hall> hall_;
     std::vector<const Subject*> subjects_;
     std::vector<MuseumExhibit> exhibits_;

@@ -71,7 +71,7 @@ double Museum::nextChange(const Prepared& prepared, const FrameRequest& request)
 
 std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, const FrameRequest& request) const
 {
-    constexpr double shadowEdge = 0.15;  // Metres that a shadow is soft around its edge, and filtered over.
+    constexpr double shadowEdge = 0.15;  // Meters that a shadow is soft around its edge, and filtered over.
     constexpr double edge = 2;           // Pixels over which jitter and filters spread what moves.
     for (const double since : prepared.sincePressed)
         if (since < buttonTime) return std::nullopt;  // The button itself.

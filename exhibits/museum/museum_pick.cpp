@@ -11,10 +11,10 @@
 namespace vitrine {
 namespace {
 
-constexpr double reachOfButton = 2.0;  ///< Metres at which a button can be pressed .
-constexpr double radiusOfAim = 0.09;   ///< Metres around a button that still count as looking at it.
+constexpr double reachOfButton = 2.0;  ///< Meters at which a button can be pressed .
+constexpr double radiusOfAim = 0.09;   ///< Meters around a button that still count as looking at it.
 constexpr double radiusOfPress =
-    0.05;  ///< Metres around a button's middle that count as clicking it: it is 0.035 wide.
+    0.05;  ///< Meters around a button's middle that count as clicking it: it is 0.035 wide.
 constexpr double never = std::numeric_limits<double>::infinity();
 
 std::string buttonLine(const HasButton& button)

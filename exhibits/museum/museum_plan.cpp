@@ -5,6 +5,7 @@
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/walk.h"
+#include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/museum/lamps.h"
 #include "exhibits/museum/present.h"
 #include "render/failure.h"
@@ -21,7 +22,7 @@
 namespace vitrine {
 namespace {
 
-constexpr double shadowReach = 30;  ///< Metres behind an exhibit at which its shadow still falls on something.
+constexpr double shadowReach = 30;  ///< Meters behind an exhibit at which its shadow still falls on something.
 
 /// Empty when the sun may reach the box and the shadow that it then throws may be seen.
 std::string whyNoShadow(const HallScene& scene, const render::Box& box, const render::View& view)
@@ -85,7 +86,7 @@ HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
     HallScene scene = hall_->scene(prepared.sceneState.hall(), alone, prepared.hall.get());
     for (const auto& [i, exhibit] : exhibits_) {
         const auto* turns = capability<TurnsHangings>(exhibit);
-        scene.moments.push_back(
+        scene.poses.push_back(
             {turns ? turns->turnOfHangings(prepared.sceneState.values[i], prepared.time) : 0, prepared.sincePress(i)});
     }
     return scene;
@@ -128,31 +129,36 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
 
 Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& request) const
 {
-    Prepared made{sceneState, request.time, request.sincePressed, {}, std::vector<PreparedExhibit>(subjects_.size())};
+    Prepared made{sceneState, request.time, request.sincePressed, {}, std::vector<PreparedExhibit>(subjects_.size()),
+                  {}};
+    render::AssetStore assets = request.waitless ? assets_->waitless() : *assets_;
     const auto complainOf = [&](const PreparedPart* part) {
         if (request.needsFiles && part && !part->unreadable.empty())
             throw Failure(Blame::file, part->unreadable.front().why);
     };
-    made.hall = hall_->prepare(made.sceneState.hall(), *assets_);
+    made.hall = hall_->prepare(made.sceneState.hall(), assets);
     complainOf(made.hall.get());
     const HallScene scene = sceneOf(made, request.alone.has_value());
     const render::View view = wholeView(request);
-    for (const render::View& each : {view, widened(view)}) {
-        const std::vector<Present> present = presentIn(made, request, scene, each);
-        // What throws a lamp's shadow is drawn from there, whether one sees it or not.
-        const bool seenByLamps = throwShadows(lampsOf(made, present, request.alone.has_value()));
-        for (const Present& p : present) {
+    const std::vector<Present> present = presentIn(made, request, scene, view);
+    // What throws a lamp's shadow is drawn from there, whether one sees it or not.
+    const bool seenByLamps = throwShadows(lampsOf(made, present, scene.alone));
+    const auto mark = [&](const std::vector<Present>& all) {
+        for (const Present& p : all) {
             made.exhibits[p.index].seen |= p.hidden.empty() || seenByLamps;
             made.exhibits[p.index].shadowSeen |= p.noShadow.empty();
         }
-    }
+    };
+    mark(present);
+    mark(presentIn(made, request, scene, widened(view)));
     for (const auto& [i, exhibit] : exhibits_) {
         PreparedExhibit& part = made.exhibits[i];
         if (!part.seen && !part.shadowSeen) continue;
         part.part = exhibit.prepare(
-            {made.sceneState.values[i], made.time, made.sincePress(i), part.seen, part.shadowSeen, *assets_});
+            {made.sceneState.values[i], made.time, made.sincePress(i), part.seen, part.shadowSeen, assets});
         complainOf(part.part.get());
     }
+    made.pending = assets.pending();
     return made;
 }
 
@@ -166,6 +172,8 @@ render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& req
     frame.castShadows();
     frame.makeContexts();
     frame.lightLamps();
+    planHallShadow(frame.scene, frame.light, frame.plan);
+    planProbe(frame.scene, frame.light, frame.plan);
     frame.planBuilding(frame.plan);
     frame.planExhibits();
     frame.finish(kept);
@@ -249,8 +257,7 @@ void Museum::Frame::castShadows()
         return;
     }
     const int size = std::max(scene.values[scene.table.shadowMapSize] / 4, 64);
-    light.castsShadows = true;
-    light.exhibitShadowView = steadyLightView(casters, towardsSun(scene), glm::ivec2(size), shadowReach);
+    light.exhibitShadowView = steadyLightView(casters, light.towardsSun, glm::ivec2(size), shadowReach);
     light.light.exhibitShadowFromWorld = shadowFromWorld(light.exhibitShadowView);
     light.light.exhibitsCastShadow = true;
     light.light.exhibitShadowTexel = static_cast<float>(2 / light.exhibitShadowView.clipFromView[0][0] / size);
@@ -265,7 +272,7 @@ void Museum::Frame::castShadows()
     clear.name = "exhibits/shadow";
     clear.reason = "an exhibit stands in the sun";
     clear.phase = render::PassPhase::shadow;
-    clear.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
+    clear.shader = meshDepth().shader;
     clear.view = light.exhibitShadowView;
     clear.depth = render::Attachment::cleared(exhibitShadowImage);
     clear.key = light.exhibitShadowKey;
@@ -273,11 +280,9 @@ void Museum::Frame::castShadows()
     plan.add(std::move(clear));
 }
 
-/// Walls, shadows of walls, and the probe; or an empty picture where there are none.
+/// Walls; or an empty picture where there are none.
 void Museum::Frame::planBuilding(render::FramePlan& into) const
 {
-    planHallShadow(scene, light, into);
-    planProbe(scene, light, into);
     if (alone)
         into.skip("hall/walls", "the exhibit is shown alone");
     else if (request.cutOut)
@@ -294,7 +299,7 @@ void Museum::Frame::clearPicture(render::FramePlan& into) const
     clear.name = "clear";
     clear.reason = "an empty picture to start from";
     clear.phase = render::PassPhase::prepare;
-    clear.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
+    clear.shader = meshDepth().shader;
     clear.colors = {render::Attachment::cleared(radianceImage)};
     if (request.channels.normal) clear.colors.push_back(render::Attachment::cleared(normalImage));
     if (request.channels.evaluations) clear.colors.push_back(render::Attachment::cleared(evaluationsImage));
@@ -367,7 +372,7 @@ std::uint64_t Museum::Frame::castersKey() const
 {
     render::Hash key;
     key.addValue(alone).addValue(request.cutOut.has_value()).addValue(lightKey(scene));
-    for (const GuestMoment& moment : scene.moments) key.addValue(moment.turn).addValue(buttonScale(moment.sincePress));
+    for (const ExhibitPose& pose : scene.poses) key.addValue(pose.rotation).addValue(buttonScale(pose.sincePress));
     for (const Present& p : present) addState(key, p);
     return key.value();
 }

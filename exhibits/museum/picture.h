@@ -32,7 +32,7 @@ public:
     [[nodiscard]] bool finished() const;
 
     /// R, G, B, A, row 0 at the top, alpha not premultiplied: display-referred linear light or radiance, as
-    /// `frame.averageIn` asks; then "depth.Z" (metres along the view axis, infinity where nothing was hit),
+    /// `frame.averageIn` asks; then "depth.Z" (meters along the view axis, infinity where nothing was hit),
     /// "normal.X" "normal.Y" "normal.Z" (world space) and "evaluations", as asked. Only when finished.
     [[nodiscard]] const render::Image& picture() const { return picture_; }
     /// Of the first sample of the first tile.

@@ -40,10 +40,10 @@ private:
     std::vector<std::vector<SeenPoint>> table_;
 };
 
-/// From where an eye looks at a print around whose middle x runs rightwards and y upwards, millimetres.
+/// From where an eye looks at a print around whose middle x runs rightwards and y downwards, millimeters.
 struct SightLine {
     double towardsX = 0, towardsY = 0;  ///< Tangents of the eye's angles, seen from the middle.
-    double distance = 0;                ///< Millimetres.
+    double distance = 0;                ///< Millimeters.
     double cosine = 1, sine = 0;        ///< Of the way across the lenses.
 
     /// Of the line of sight, across the lenses.

@@ -16,7 +16,7 @@ struct CodedPicture {
     std::vector<std::uint8_t> rgb{};
 };
 
-/// A part of what an eye sees of a lens: across it from its middle, millimetres, and how much of the whole.
+/// A part of what an eye sees of a lens: across it from its middle, millimeters, and how much of the whole.
 struct SeenPoint {
     double across = 0;
     float share = 0;
@@ -38,7 +38,7 @@ public:
     [[nodiscard]] CodedPicture seen(const Eye&, int side) const;
 
 private:
-    /// Linear color of these points of a lens. `start`: pixels along the line, `off`: millimetres to the lens's middle,
+    /// Linear color of these points of a lens. `start`: pixels along the line, `off`: millimeters to the lens's middle,
     /// `along`: which of the lines, 0 to 1.
     [[nodiscard]] std::array<float, 3> under(const std::vector<SeenPoint>&, double start, double off,
                                              double along) const;

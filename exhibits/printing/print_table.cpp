@@ -7,9 +7,9 @@ namespace vitrine::printing {
 namespace {
 
 /// Without the last digits that conversion adds, so that 70 mm stay 70.
-double mm(double metres)
+double mm(double meters)
 {
-    return std::round(metres * 1e12) / 1e9;
+    return std::round(meters * 1e12) / 1e9;
 }
 
 double degrees(double radians)

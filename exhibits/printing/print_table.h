@@ -18,7 +18,7 @@ enum class ViewOrigin : std::uint8_t {
 
 enum class LensShape : int { derived, given };
 
-/// Everything that can be set about a print made in the window. Lengths in metres.
+/// Everything that can be set about a print made in the window. Lengths in meters.
 struct PrintTable final : Parameters {
     Group viewGroup = group("Views");
     Choice<ViewOrigin> origin = choice("origin", ViewOrigin::shown, {"what is shown", "files", "quilt"},
@@ -33,7 +33,7 @@ struct PrintTable final : Parameters {
     Real baselineScale = real("baselineScale", 1, none, Range{0, 4}.soft(0, 2),
                               "How far apart the cameras of rendered views stand: 0 is flat, 1 true to scale for the "
                               "viewing distance, above 1 deeper than life.");
-    Real convergence = real("convergence", 0, metre, Range{0, 1000}.soft(0, 20),
+    Real convergence = real("convergence", 0, meter, Range{0, 1000}.soft(0, 20),
                             "Distance in the scene that will lie in the print's plane; 0 is what the camera looks at.",
                             reads(0, "auto"));
     Count quiltColumns = count("quiltColumns", 4, {1, 64}, "Views side by side in a quilt.");
@@ -57,9 +57,9 @@ struct PrintTable final : Parameters {
         "Whether radius and thickness follow from LPI, zone and index, focused on the back, or are as given below.");
     Real zone = real("zone", degrees(30), degree, Range{degrees(0.5), degrees(115)}.soft(degrees(11), degrees(63)),
                      "Angle in which all views are seen once: about 30° for depth, 50° for flips.");
-    Real radius = real("radius", 0.000442, micrometre, Range{1e-6, 0.1, logarithmic}.soft(5e-5, 0.005),
+    Real radius = real("radius", 0.000442, micrometer, Range{1e-6, 0.1, logarithmic}.soft(5e-5, 0.005),
                        "Of curvature, at the lens top.");
-    Real thickness = real("thickness", 0.00123, micrometre, Range{1e-6, 0.1, logarithmic}.soft(1e-4, 0.01),
+    Real thickness = real("thickness", 0.00123, micrometer, Range{1e-6, 0.1, logarithmic}.soft(1e-4, 0.01),
                           "From lens top to print.");
     Real refractiveIndex = real("refractiveIndex", 1.56, none, Range{1, 3}.soft(1.45, 1.65),
                                 "Of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.");
@@ -67,12 +67,12 @@ struct PrintTable final : Parameters {
                       "0 is a circle; -1/n² the ellipse without spherical aberration.");
 
     Group printGroup = group("Print");
-    Real width = real("width", 0.148, millimetre, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "After trimming.");
-    Real height = real("height", 0.105, millimetre, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "After trimming.");
-    Real bleed = real("bleed", 0, millimetre, Range{0, 1}.soft(0, 0.02),
+    Real width = real("width", 0.148, millimeter, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "After trimming.");
+    Real height = real("height", 0.105, millimeter, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "After trimming.");
+    Real bleed = real("bleed", 0, millimeter, Range{0, 1}.soft(0, 0.02),
                       "Beyond the trim on every side; lenses and views go on there.");
     Real border =
-        real("border", 0, millimetre, Range{0, 1}.soft(0, 0.05), "White paper around trim and bleed, on every side.");
+        real("border", 0, millimeter, Range{0, 1}.soft(0, 0.05), "White paper around trim and bleed, on every side.");
     Real dotsPerInch = real("dotsPerInch", 720, none, Range{1, 100000, logarithmic}.soft(150, 5760),
                             "Of the printer, across; its native resolution or a whole fraction of it.");
     Real dotsDown = real("dotsDown", 0, none, Range{0, 100000}.soft(0, 2880),
@@ -80,7 +80,7 @@ struct PrintTable final : Parameters {
                          called("Dots per inch, vertical"));
     Toggle infiniteDistance =
         toggle("infiniteDistance", false, "For no distance in particular: strips lie exactly at lens pitch.");
-    Real distance = real("distance", 0.4, centimetre, Range{0.0001, 1000, logarithmic}.soft(0.1, 10),
+    Real distance = real("distance", 0.4, centimeter, Range{0.0001, 1000, logarithmic}.soft(0.1, 10),
                          "From which it is looked at; the strips' pitch follows from it.");
     Real visualPerInch =
         real("visualPerInch", 0, none, Range{0, 1000}.soft(0, 200),
@@ -98,7 +98,7 @@ struct PrintTable final : Parameters {
                                    "How a printed dot chooses among the views under it: the one at its middle, all by "
                                    "area, or by area with blended strip edges.");
     Real inkSpread =
-        real("inkSpread", 0, micrometre, Range{0, 0.001}.soft(0, 0.00006),
+        real("inkSpread", 0, micrometer, Range{0, 0.001}.soft(0, 0.00006),
              "How far a printed point spreads (standard deviation): counts as cross-talk; 10 to 40 µm are usual.");
     Toggle compensate =
         toggle("compensate", false, "Change the views so that the sheet's mixing of them shows less; costs contrast.",
@@ -112,7 +112,7 @@ struct PrintTable final : Parameters {
         choice("compression", render::StreamCompression::none, {"none", "deflate", "zstd"},
                "Of TIFF: none is what every print shop reads. PNG is always compressed.");
     Real tileWidth =
-        real("tileWidth", 0, millimetre, Range{0, 100}.soft(0, 1),
+        real("tileWidth", 0, millimeter, Range{0, 100}.soft(0, 1),
              "Cuts the print into files of about this width, between lenses; 0: one file.", reads(0, "auto"));
 };
 

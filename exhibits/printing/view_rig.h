@@ -9,7 +9,7 @@
 
 namespace vitrine::printing {
 
-/// A stretch of distances along the view axis, in metres; `farthest` may be infinite.
+/// A stretch of distances along the view axis, in meters; `farthest` may be infinite.
 struct DepthRange {
     double nearest = 0;
     double farthest = 0;
@@ -19,7 +19,7 @@ struct DepthRange {
 struct RigSettings {
     double strength = 1;  ///< Baseline against the one that shows depth in its true measure; 0: all in one place.
     double convergence =
-        0;  ///< Metres along the view axis to what lies in the plane of the print; 0: to the camera's target.
+        0;  ///< Meters along the view axis to what lies in the plane of the print; 0: to the camera's target.
 };
 
 /// The cameras that take a print's views: on a line across the lenses, all looking the same way, with shifted
@@ -40,11 +40,11 @@ public:
     [[nodiscard]] int count() const { return count_; }
     /// The camera of view `k`, from 0.
     [[nodiscard]] render::Camera camera(int k) const;
-    /// Metres from the first camera to the last.
+    /// Meters from the first camera to the last.
     [[nodiscard]] double baseline() const;
     [[nodiscard]] double convergence() const { return convergence_; }
     [[nodiscard]] double strength() const { return strength_; }
-    /// Metres of the scene, in the convergence plane, per millimeter of print.
+    /// Meters of the scene, in the convergence plane, per millimeter of print.
     [[nodiscard]] double scale() const { return scale_; }
 
     /// What shows without doubled contours: where neighboring views that the print can tell apart differ by no more

@@ -63,7 +63,9 @@ SdfBody SdfMorph::body(const ParameterValues& values, double time) const
 
 render::Box SdfMorph::boxOverTime(const ParameterValues& values) const
 {
-    return values[table_.animate] ? boxOf(glsl::torusMugBoxOverMorph(torusMug(table_, values))) : body(values, 0).box;
+    const glsl::TorusMug mug = torusMug(table_, values);
+    return boxOf(values[table_.animate] ? glsl::torusMugBoxOverMorph(mug)
+                                        : glsl::torusMugBox(glsl::torusMugShape(mug)));
 }
 
 render::Camera SdfMorph::bestView(const ParameterValues& values) const

@@ -1,5 +1,7 @@
 #include "exhibits/stability/poison.h"
 
+#include "exhibits/kit/exhibit_pass.h"
+
 #include <cmath>
 #include <limits>
 #include <set>
@@ -102,21 +104,15 @@ Poison spreadingPoison()
 
 render::FramePlan poisoned(const render::FramePlan& plan, const Poison& poison)
 {
-    render::FramePlan result;
-    result.view = plan.view;
-    result.time = plan.time;
-    result.seed = plan.seed;
-    result.sample = plan.sample;
-    result.runEverything = plan.runEverything;
+    std::vector<render::Pass> fills;
     const std::set<std::string> written = writtenBy(plan);
     for (const auto& [name, info] : plan.images()) {
-        result.image(info);
         if (info.persistent || !written.contains(name)) continue;
         for (int level = 0; level < info.levels; ++level) {
             render::Pass fill;
             fill.name = "poison " + name + ' ' + std::to_string(level);
             fill.reason = "to see who reads what nobody wrote";
-            fill.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"};
+            fill.shader = meshDepth().shader;
             const bool depth = info.format == render::Format::depth32f;
             const render::Attachment target{.image = name,
                                             .load = render::Load::clear,
@@ -126,17 +122,10 @@ render::FramePlan poisoned(const render::FramePlan& plan, const Poison& poison)
                 fill.depth = target;
             else
                 fill.colors = {target};
-            result.add(std::move(fill));
+            fills.push_back(std::move(fill));
         }
     }
-    for (const render::Pass& pass : plan.passes()) result.add(pass);
-    for (const render::CulledPass& skipped : plan.skipped()) {
-        if (skipped.complaint)
-            result.warn(skipped.name, skipped.reason, skipped.work);
-        else
-            result.skip(skipped.name, skipped.reason, skipped.work);
-    }
-    return result;
+    return plan.withPassesFirst(std::move(fills));
 }
 
 }  // namespace vitrine

@@ -17,7 +17,7 @@
 namespace vitrine {
 namespace {
 
-constexpr double farAway = 1e5;  ///< Metres: a float32 position there has steps of 8 mm.
+constexpr double farAway = 1e5;  ///< Meters: a float32 position there has steps of 8 mm.
 constexpr glm::ivec2 plainSize{24, 16};
 constexpr std::uint64_t sharedBy = 32;  ///< Neighboring seeds that share light and hall.
 
@@ -86,14 +86,12 @@ glm::dmat4 randomPlace(RandomNumbers& random)
 }
 
 /// The camera in the space that the frame is drawn in, from the exhibit's own.
-render::Camera placed(const Museum& museum, const ScanCase& c, render::Camera camera)
+render::Camera placed(const Museum& museum, const ScanCase& c, const render::Camera& camera)
 {
     if (c.exhibit == hallIndex) return camera;
     glm::dmat4 worldFromExhibit = c.frame.exhibitTransform;
     if (!c.frame.alone) worldFromExhibit = museum.worldFromExhibit(c.exhibit) * worldFromExhibit;
-    camera.eye = glm::dvec3(worldFromExhibit * glm::dvec4(camera.eye, 1));
-    camera.target = glm::dvec3(worldFromExhibit * glm::dvec4(camera.target, 1));
-    return camera;
+    return camera.transformed(worldFromExhibit);
 }
 
 /// Initial values, in a light that costs little to capture.

@@ -117,11 +117,8 @@ SceneState Study::lookAt(const std::vector<double>& axisValues, std::size_t view
     for (std::size_t i = 0; i < request_.axes.size(); ++i)
         sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, axisValues[i]);
     sceneState.camera = views_[view].view.camera;
-    if (!request_.alone && request_.subject != hallIndex) {
-        const glm::dmat4 world = museum_.worldFromExhibit(request_.subject);
-        sceneState.camera.eye = glm::dvec3(world * glm::dvec4(sceneState.camera.eye, 1));
-        sceneState.camera.target = glm::dvec3(world * glm::dvec4(sceneState.camera.target, 1));
-    }
+    if (!request_.alone && request_.subject != hallIndex)
+        sceneState.camera = sceneState.camera.transformed(museum_.worldFromExhibit(request_.subject));
     return sceneState;
 }
 

@@ -13,7 +13,6 @@ FrameBlock frameBlock(const View& view, double time, int sample, std::uint32_t s
     const double day = 86400;
     const double wrapped = std::isfinite(time) ? time - day * std::floor(time / day) : 0;
     FrameBlock block;
-    block.viewFromWorld = glm::mat4(view.viewFromWorld);
     block.clipFromView = glm::mat4(view.clipFromView);
     block.clipFromWorld = glm::mat4(view.clipFromWorld);
     block.worldFromView = glm::mat4(glm::affineInverse(view.viewFromWorld));

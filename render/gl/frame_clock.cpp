@@ -1,5 +1,6 @@
 #include "render/gl/frame_clock.h"
 
+#include "render/gl/framebuffers.h"
 #include "render/gl/pass_state.h"
 #include "render/gl/program.h"
 #include "render/gl/texture.h"
@@ -40,7 +41,6 @@ public:
         block_ = BufferName(name);
         glNamedBufferStorage(name, static_cast<GLsizeiptr>(std140Bytes(ClockLoadBlock{}).size()), nullptr,
                              GL_DYNAMIC_STORAGE_BIT);
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &callersFramebuffer_);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
         glViewport(0, 0, side, side);
         applyState(RasterState{});
@@ -54,7 +54,6 @@ public:
         glUseProgram(0);
         glBindVertexArray(0);
         glBindBufferBase(GL_UNIFORM_BUFFER, BLOCK_OBJECT, 0);
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(callersFramebuffer_));
     }
     KnownLoad(const KnownLoad&) = delete;
     KnownLoad& operator=(const KnownLoad&) = delete;
@@ -85,7 +84,7 @@ private:
     VertexArrayName vertices_;
     FramebufferName framebuffer_;
     BufferName block_;
-    GLint callersFramebuffer_ = 0;
+    CallersFramebuffer callers_;  // The last one: it is bound again before the others go.
 };
 
 /// Seconds that the two marks around a frame cost by themselves, in the processor's time where that is the clock. The

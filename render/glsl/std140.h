@@ -88,6 +88,7 @@ public:
         return begin;
     }
 
+    void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
     /// Goes on at the next multiple; returns it.
     std::size_t align(std::size_t alignment)
     {
@@ -131,6 +132,7 @@ template <BlockStruct T> [[nodiscard]] std::size_t std140Offset(std::string_view
 template <BlockStruct T> [[nodiscard]] std::vector<std::byte> std140Bytes(const T& block)
 {
     Std140Writer writer;
+    writer.reserve(2 * sizeof(T));  // No gap is larger than what stands before it.
     writer.put(block);
     return writer.take();
 }

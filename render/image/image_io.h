@@ -17,8 +17,8 @@ namespace vitrine::render {
 
 struct ReadOptions {
     ImageLimits limits{};
-    bool raw = false;                   ///< Keep stored values: no sRGB decoding, codes divided by 255 or 65535.
-    std::function<bool()> cancelled{};  ///< Asked between rows, from the calling thread; true stops with a Failure.
+    bool raw = false;                  ///< Keep stored values: no sRGB decoding, codes divided by 255 or 65535.
+    std::function<bool()> canceled{};  ///< Asked between rows, from the calling thread; true stops with a Failure.
 };
 
 /// Reads PNG, JPEG, TIFF, OpenEXR or Radiance HDR; the first bytes decide which, and must agree with the
@@ -27,7 +27,7 @@ struct ReadOptions {
 /// is returned not premultiplied. In color channels NaN becomes 0 and infinities ±65504; in other channels
 /// NaN becomes 0; the count is one of the `warnings` (may be null), which are full sentences.
 /// Throws Failure naming the file when it is none of these, too large (before anything is allocated),
-/// broken, or cancelled.
+/// broken, or canceled.
 [[nodiscard]] Image readImage(const std::filesystem::path&, const ReadOptions& = {},
                               std::vector<std::string>* warnings = nullptr);
 

@@ -189,13 +189,13 @@ ImageFormat formatOf(std::string_view bytes, const std::string& name)
 }
 
 StoredPicture decodePicture(std::string_view bytes, ImageFormat format, const std::string& name,
-                            const ImageLimits& limits, const std::function<bool()>& cancelled)
+                            const ImageLimits& limits, const std::function<bool()>& canceled)
 {
-    if (format == ImageFormat::png) return decodePng(bytes, name, limits, cancelled);
+    if (format == ImageFormat::png) return decodePng(bytes, name, limits, canceled);
     if (format == ImageFormat::jpeg && !jpegIsWhole(bytes))
         fail(name, "it is cut short: the file ends within the picture");
     StoredPicture picture;
-    if (const std::string why = oiioCodec().decode(bytes, format, limits, cancelled, picture); !why.empty())
+    if (const std::string why = oiioCodec().decode(bytes, format, limits, canceled, picture); !why.empty())
         fail(name, why);
     return picture;
 }
@@ -204,7 +204,7 @@ Image readImage(const std::filesystem::path& path, const ReadOptions& options, s
 {
     ImageFormat format{};
     const std::string bytes = readChecked(path, options.limits, format);
-    StoredPicture picture = decodePicture(bytes, format, path.string(), options.limits, options.cancelled);
+    StoredPicture picture = decodePicture(bytes, format, path.string(), options.limits, options.canceled);
     Image image;
     image.width = picture.width;
     image.height = picture.height;

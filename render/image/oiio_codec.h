@@ -71,9 +71,9 @@ public:
 
     /// Unpacks the bytes of a file with the reader of that format and no other. 8-bit and 16-bit samples
     /// keep their codes, everything else becomes float; alpha is not multiplied in, except in EXR files.
-    /// `cancelled` (may be empty) is asked between bands of rows.
+    /// `canceled` (may be empty) is asked between bands of rows.
     [[nodiscard]] virtual std::string decode(std::string_view bytes, ImageFormat, const ImageLimits&,
-                                             const std::function<bool()>& cancelled, StoredPicture& out) noexcept = 0;
+                                             const std::function<bool()>& canceled, StoredPicture& out) noexcept = 0;
 
     /// Writes the file, opens it again and compares rows spread over the whole picture (JPEG loosely). Leaves a broken
     /// file behind when it fails: the caller removes it.

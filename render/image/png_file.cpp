@@ -203,7 +203,7 @@ png_text textChunk(const char* key, const std::string& value)
 }  // namespace
 
 StoredPicture decodePng(std::string_view bytes, const std::string& name, const ImageLimits& limits,
-                        const std::function<bool()>& cancelled)
+                        const std::function<bool()>& canceled)
 {
     checkChunks(bytes, name);
     Reader reader;
@@ -229,7 +229,7 @@ StoredPicture decodePng(std::string_view bytes, const std::string& name, const I
     const std::size_t stride = picture.rowSamples() * sampleBytes;
     for (int pass = 0; pass < header.passes; ++pass) {
         for (std::size_t y = 0; y < header.height; ++y) {
-            if (cancelled && cancelled()) failReading(name, "reading was cancelled");
+            if (canceled && canceled()) failReading(name, "reading was canceled");
             if (!readRow(reader, first + y * stride)) failReading(name, reader.problem.text.data());
         }
     }

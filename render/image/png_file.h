@@ -12,10 +12,10 @@ namespace vitrine::render {
 
 /// Unpacks a PNG with libpng: 8 or 16 bits per channel, 1 to 4 channels; palettes and 1, 2 and 4 bits
 /// become 8 bits, transparent colors become alpha. Values stay as stored (usually sRGB-encoded).
-/// Throws Failure naming `name` for broken files, for what `whyTooLarge` refuses, and when `cancelled`
+/// Throws Failure naming `name` for broken files, for what `whyTooLarge` refuses, and when `canceled`
 /// (asked once per row; may be empty) returns true.
 [[nodiscard]] StoredPicture decodePng(std::string_view bytes, const std::string& name, const ImageLimits&,
-                                      const std::function<bool()>& cancelled = {});
+                                      const std::function<bool()>& canceled = {});
 
 /// What a PNG carries besides its pixels.
 struct PngText {

@@ -12,7 +12,7 @@ namespace vitrine::render {
 [[nodiscard]] std::optional<double> distance(Metric, const Image& reference, const Image& test,
                                              double pixelsPerDegree = flipPixelsPerDegree);
 
-/// Where they differ, one channel: by FLIP for Metric::flip, degrees for normals, metres for depth, and for all
+/// Where they differ, one channel: by FLIP for Metric::flip, degrees for normals, meters for depth, and for all
 /// others `differenceMap`. What only one of the pictures has is infinite. Nothing as `distance`.
 [[nodiscard]] std::optional<Image> errorMap(Metric, const Image& reference, const Image& test,
                                             double pixelsPerDegree = flipPixelsPerDegree);

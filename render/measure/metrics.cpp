@@ -92,7 +92,7 @@ std::string_view title(Metric metric)
     case Metric::beyond: return "share of pixels off by more than 1/255";
     case Metric::flip: return "mean FLIP";
     case Metric::normal: return "mean angle between normals, degrees";
-    case Metric::depth: return "RMS distance of surfaces, metres";
+    case Metric::depth: return "RMS distance of surfaces, meters";
     }
     return "";
 }

@@ -43,10 +43,10 @@ struct NormalDifference {
 };
 [[nodiscard]] NormalDifference normalDifference(const Image& a, const Image& b, int first);
 
-/// Distance of two pictures of depth (one channel, metres, infinite where nothing is).
+/// Distance of two pictures of depth (one channel, meters, infinite where nothing is).
 struct DepthDifference {
-    double rms = 0;      ///< Metres, over the pixels where both are finite.
-    double max = 0;      ///< Metres.
+    double rms = 0;      ///< Meters, over the pixels where both are finite.
+    double max = 0;      ///< Meters.
     double missing = 0;  ///< Share of pixels where one is finite and the other is not, of those where either is.
 };
 [[nodiscard]] DepthDifference depthDifference(const Image& a, const Image& b, int channel);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -102,6 +103,14 @@ ResourceId FramePlan::image(ImageInfo info)
     return ResourceId(name);
 }
 
+FramePlan FramePlan::withPassesFirst(std::vector<Pass> first) const
+{
+    FramePlan plan = *this;
+    plan.passes_.insert(plan.passes_.begin(), std::make_move_iterator(first.begin()),
+                        std::make_move_iterator(first.end()));
+    return plan;
+}
+
 ResourceId FramePlan::buffer(BufferInfo info)
 {
     const std::string name = info.name;
@@ -135,7 +144,7 @@ void FramePlan::add(Pass pass)
     passes_.push_back(std::move(pass));
 }
 
-bool FramePlan::needs(const ContributionBound& bound, std::initializer_list<const char*> passes)
+bool FramePlan::includeIfEffective(const ContributionBound& bound, std::initializer_list<const char*> passes)
 {
     if (!bound.isZero() || runEverything) return true;
     for (const char* pass : passes)
@@ -143,7 +152,7 @@ bool FramePlan::needs(const ContributionBound& bound, std::initializer_list<cons
     return false;
 }
 
-bool FramePlan::needs(Pass& pass, Effect effect)
+bool FramePlan::includeIfEffective(Pass& pass, Effect effect)
 {
     if (effect.bound.isZero() && !runEverything) {
         if (!findSkipped(effect.name))

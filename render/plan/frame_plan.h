@@ -201,9 +201,12 @@ public:
     void warnOfFile(std::string name, std::string unreadable, const std::string& instead);
     /// Whether an effect has to be drawn: its bound is not 0, or everything runs. Otherwise its passes, by name, are
     /// listed as skipped.
-    [[nodiscard]] bool needs(const ContributionBound&, std::initializer_list<const char*> passes);
+    [[nodiscard]] bool includeIfEffective(const ContributionBound&, std::initializer_list<const char*> passes);
     /// The same for an effect within a pass, which is then listed with the pass.
-    [[nodiscard]] bool needs(Pass&, Effect);
+    [[nodiscard]] bool includeIfEffective(Pass&, Effect);
+
+    /// The same plan, pruned or not, with further passes before all others: what a check adds. Their images are there.
+    [[nodiscard]] FramePlan withPassesFirst(std::vector<Pass>) const;
 
     /// Sorts by stage, drops every pass that no output depends on, and those whose persistent outputs are
     /// up to date under `kept`. A dropped pass moves to `skipped()` with its reason.

@@ -57,7 +57,7 @@ struct BufferInfo {
 };
 
 /// An image, or a buffer, that a plan declared: what `FramePlan::image` and its like return. Passes take it wherever
-/// they take a name, so that a misspelt one does not compile.
+/// they take a name, so that a misspelled one does not compile.
 class ResourceId {
 public:
     [[nodiscard]] const std::string& name() const { return name_; }

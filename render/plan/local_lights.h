@@ -13,10 +13,10 @@ namespace vitrine::render {
 
 /// A lamp or a candle: a point, or a sphere of even radiance.
 struct LocalLight {
-    glm::dvec3 position{0};    ///< World space, metres.
-    double radius = 0;         ///< Metres; 0: a point.
+    glm::dvec3 position{0};    ///< World space, meters.
+    double radius = 0;         ///< Meters; 0: a point.
     glm::dvec3 intensity{1};   ///< Radiant intensity, W/sr.
-    double range = 0;          ///< Metres: beyond, it is not seen; 0: no end.
+    double range = 0;          ///< Meters: beyond, it is not seen; 0: no end.
     bool castsShadow = false;  ///< If it is among the strongest.
 };
 
@@ -24,7 +24,7 @@ struct LocalLight {
 
 inline constexpr std::size_t mostLocalLights = MOST_LOCAL_LIGHTS;
 inline constexpr std::size_t mostLocalShadows = 4;  ///< Each takes six layers of the shadow maps.
-inline constexpr double localShadowNear = 0.01;     ///< Metres: what is nearer to a light throws no shadow.
+inline constexpr double localShadowNear = 0.01;     ///< Meters: what is nearer to a light throws no shadow.
 
 /// The lights that a frame reckons with.
 struct LocalLighting {
@@ -36,7 +36,7 @@ struct LocalLighting {
 
 /// The one policy of all exhibits: strength is what a light sends to a surface that faces it at `center` (where one
 /// looks), the strongest `mostLocalLights` count, and the strongest `mostLocalShadows` of those that cast shadows have
-/// maps. Lights without intensity, and those whose range ends before the sphere of `radius` metres about `center`, are
+/// maps. Lights without intensity, and those whose range ends before the sphere of `radius` meters about `center`, are
 /// left out.
 [[nodiscard]] LocalLighting localLighting(std::span<const LocalLight>, const glm::dvec3& center, double radius);
 

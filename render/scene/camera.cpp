@@ -64,7 +64,7 @@ View makeView(const Camera& camera, const Raster& raster)
     const glm::dvec3 forward = distance > 1e-9 ? toTarget / distance : glm::dvec3(0, 0, -1);
     const glm::dvec3 up =
         std::abs(forward.y) > 0.99999 ? glm::dvec3(0, 0, forward.y > 0 ? 1 : -1) : glm::dvec3(0, 1, 0);
-    // Not from a point one metre ahead, as lookAt wants it: far from the origin that is where the eye is.
+    // Not from a point one meter ahead, as lookAt wants it: far from the origin that is where the eye is.
     const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
     const glm::dmat3 viewFromWorld = glm::transpose(glm::dmat3(right, glm::cross(right, forward), -forward));
     view.viewFromWorld = glm::dmat4(viewFromWorld);

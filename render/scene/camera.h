@@ -9,10 +9,10 @@
 
 namespace vitrine::render {
 
-/// How far from the origin anything may be, along each axis, metres: a thousand kilometers.
+/// How far from the origin anything may be, along each axis, meters: a thousand kilometers.
 inline constexpr double farthestPlace = 1e6;
 
-/// Where one looks from. World space: y up, metres, within `farthestPlace`.
+/// Where one looks from. World space: y up, meters, within `farthestPlace`.
 struct Camera {
     glm::dvec3 eye{0, 1.65, 10.5};
     glm::dvec3 target{0, 1.75, 0};
@@ -21,6 +21,14 @@ struct Camera {
     /// within the same image plane, as a shift lens does; 0 is straight ahead. Not finite counts as 0.
     glm::dvec2 lensShift{0};
 
+    /// The same camera elsewhere: eye and target moved.
+    [[nodiscard]] Camera transformed(const glm::dmat4& m) const
+    {
+        Camera moved = *this;
+        moved.eye = glm::dvec3(m * glm::dvec4(eye, 1));
+        moved.target = glm::dvec3(m * glm::dvec4(target, 1));
+        return moved;
+    }
     bool operator==(const Camera&) const = default;
 };
 
@@ -42,7 +50,7 @@ struct View {
     glm::dvec3 eye{0};
     glm::dvec2 tanHalfFov{1};  ///< Of the whole picture, horizontal and vertical.
     glm::dvec2 tanShift{0};    ///< Of the middle of the whole picture, off the view axis.
-    double nearPlane = 0.02;   ///< Metres.
+    double nearPlane = 0.02;   ///< Meters.
     Raster raster;
     /// World space: only points p with dot(plane, (p, 1)) >= 0 are drawn, in what lies behind a mirror or a portal.
     std::optional<glm::dvec4> clipPlane;

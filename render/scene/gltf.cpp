@@ -81,7 +81,7 @@ tinygltf::Model parse(const JsonDocument& document)
 }  // namespace
 
 Model parseGltf(const std::string& bytes, const std::filesystem::path& path, const GltfLimits& limits,
-                const std::function<bool()>& cancelled)
+                const std::function<bool()>& canceled)
 {
     const std::string name = path.string();
     if (bytes.size() > std::min<std::uint64_t>(limits.fileBytes, 0x7FFFFFFF)) {
@@ -94,14 +94,14 @@ Model parseGltf(const std::string& bytes, const std::filesystem::path& path, con
     gltf.buffers = readBuffers(document, binOf(bytes, name), folder, limits, warnings);
     gltf.images = readImages(document, folder, limits);
     validateGltf(gltf, document, limits);
-    Model model = convertGltf(gltf, document, limits, cancelled);
+    Model model = convertGltf(gltf, document, limits, canceled);
     model.warnings.insert(model.warnings.end(), warnings.begin(), warnings.end());
     return model;
 }
 
-Model loadGltf(const std::filesystem::path& path, const GltfLimits& limits, const std::function<bool()>& cancelled)
+Model loadGltf(const std::filesystem::path& path, const GltfLimits& limits, const std::function<bool()>& canceled)
 {
-    return parseGltf(readFile(path, limits.fileBytes), path, limits, cancelled);
+    return parseGltf(readFile(path, limits.fileBytes), path, limits, canceled);
 }
 
 }  // namespace vitrine::render

@@ -38,13 +38,13 @@ struct GltfLimits {
 ///
 /// What the file asks for and this program does not draw (skins, animations, morph targets, lines, points,
 /// vertex colors, extensions, pictures that cannot be read) is left out and listed in `warnings`.
-/// `cancelled` (may be empty) is asked between primitives and between pictures.
+/// `canceled` (may be empty) is asked between primitives and between pictures.
 /// Throws Failure naming file, line and key of what is broken or beyond `limits`.
 [[nodiscard]] Model loadGltf(const std::filesystem::path&, const GltfLimits& = {},
-                             const std::function<bool()>& cancelled = {});
+                             const std::function<bool()>& canceled = {});
 
 /// The same from the bytes of a file named `path`, which need not exist.
 [[nodiscard]] Model parseGltf(const std::string& bytes, const std::filesystem::path&, const GltfLimits& = {},
-                              const std::function<bool()>& cancelled = {});
+                              const std::function<bool()>& canceled = {});
 
 }  // namespace vitrine::render

@@ -61,9 +61,9 @@ std::vector<std::uint32_t> triangulated(std::vector<std::uint32_t> in, int mode)
 class Converter {
 public:
     Converter(const tinygltf::Model& gltf, const JsonDocument& document, const GltfLimits& limits,
-              const std::function<bool()>& cancelled)
-        : gltf_(gltf), document_(document), cancelled_(cancelled), warnings_(out_.warnings),
-          materials_(gltf, document, limits, cancelled, warnings_)
+              const std::function<bool()>& canceled)
+        : gltf_(gltf), document_(document), canceled_(canceled), warnings_(out_.warnings),
+          materials_(gltf, document, limits, canceled, warnings_)
     {
     }
 
@@ -153,7 +153,7 @@ private:
         const auto key = std::pair(m, p);
         const auto known = meshes_.find(key);
         if (known != meshes_.end()) return known->second;
-        if (cancelled_ && cancelled_()) throw document_.failure({}, "loading was cancelled.");
+        if (canceled_ && canceled_()) throw document_.failure({}, "loading was canceled.");
         const tinygltf::Mesh& source = gltf_.meshes[static_cast<std::size_t>(m)];
         const std::string path = "meshes[" + std::to_string(m) + "].primitives[" + std::to_string(p) + "]";
         return meshes_[key] = convertPrimitive(source.primitives[p], source.name, path, material);
@@ -249,7 +249,7 @@ private:
 
     const tinygltf::Model& gltf_;
     const JsonDocument& document_;
-    const std::function<bool()>& cancelled_;
+    const std::function<bool()>& canceled_;
     Model out_;
     Warnings warnings_;
     GltfMaterials materials_;
@@ -259,9 +259,9 @@ private:
 }  // namespace
 
 Model convertGltf(const tinygltf::Model& gltf, const JsonDocument& document, const GltfLimits& limits,
-                  const std::function<bool()>& cancelled)
+                  const std::function<bool()>& canceled)
 {
-    return Converter(gltf, document, limits, cancelled).convert();
+    return Converter(gltf, document, limits, canceled).convert();
 }
 
 }  // namespace vitrine::render

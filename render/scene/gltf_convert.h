@@ -8,6 +8,6 @@ namespace vitrine::render {
 
 /// Turns a validated file into a Model, as `loadGltf` says. Throws Failure.
 [[nodiscard]] Model convertGltf(const tinygltf::Model&, const JsonDocument&, const GltfLimits&,
-                                const std::function<bool()>& cancelled);
+                                const std::function<bool()>& canceled);
 
 }  // namespace vitrine::render

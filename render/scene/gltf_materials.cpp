@@ -44,8 +44,8 @@ void Warnings::add(const std::string& sentence)
 }
 
 GltfMaterials::GltfMaterials(const tinygltf::Model& model, const JsonDocument& document, const GltfLimits& limits,
-                             const std::function<bool()>& cancelled, Warnings& warnings)
-    : model_(model), document_(document), limits_(limits), cancelled_(cancelled), warnings_(warnings)
+                             const std::function<bool()>& canceled, Warnings& warnings)
+    : model_(model), document_(document), limits_(limits), canceled_(canceled), warnings_(warnings)
 {
 }
 
@@ -128,7 +128,7 @@ std::string_view GltfMaterials::bytesOf(const tinygltf::Image& image) const
 std::shared_ptr<const Texture> GltfMaterials::picture(const TextureKey& key)
 {
     const auto& [index, content, repeat, mipmaps] = key;
-    if (cancelled_ && cancelled_()) throw document_.failure({}, "loading was cancelled.");
+    if (canceled_ && canceled_()) throw document_.failure({}, "loading was canceled.");
     const tinygltf::Image& image = model_.images[static_cast<std::size_t>(index)];
     const std::string shown = "picture " +
                               named(image.uri.empty() ? image.name : image.uri, static_cast<std::size_t>(index)) +

@@ -25,8 +25,8 @@ private:
 /// The materials and pictures of a validated file, each converted once.
 class GltfMaterials {
 public:
-    GltfMaterials(const tinygltf::Model&, const JsonDocument&, const GltfLimits&,
-                  const std::function<bool()>& cancelled, Warnings&);
+    GltfMaterials(const tinygltf::Model&, const JsonDocument&, const GltfLimits&, const std::function<bool()>& canceled,
+                  Warnings&);
 
     /// Material `i`, or glTF's default material for -1.
     [[nodiscard]] std::shared_ptr<const Material> material(int i);
@@ -43,7 +43,7 @@ private:
     const tinygltf::Model& model_;
     const JsonDocument& document_;
     const GltfLimits& limits_;
-    const std::function<bool()>& cancelled_;
+    const std::function<bool()>& canceled_;
     Warnings& warnings_;
     std::map<int, std::shared_ptr<const Material>> materials_;
     std::map<TextureKey, std::shared_ptr<const Texture>> textures_;

@@ -2,7 +2,7 @@
 //
 // This file is GLSL 4.50 and C++ (exhibits/crepuscular_rays/rays_cpu.h); needs lib/numerics.glsl.
 
-// Metres beyond which a ray has left all air: an endless one has a length, too.
+// Meters beyond which a ray has left all air: an endless one has a length, too.
 const float AIR_FARTHEST = 1.0e9;
 
 // Share of light scattered into a unit of solid angle, per steradian; integrates to 1. `cosine` between the ways
@@ -22,13 +22,13 @@ float airMean(float x)
     return (1.0 - exp(min(-x, 40.0))) / x;
 }
 
-// Optical depth of `way` metres that begin at height `from` and rise `slope` per metre, for an extinction of
-// `density` per metre at height 0 that falls by a factor e every 1 / `thinning` metres. Never negative.
-float airOpticalDepth(float from, float slope, float way, float density, float thinning)
+// Optical depth of `way` meters that begin at height `from` and rise `slope` per meter, for an extinction of
+// `density` per meter at height 0 that falls by a factor e every 1 / `thinning` meters. Never negative.
+float airOpticalDepth(float from, float slope, float path, float density, float thinning)
 {
     float atStart = density * exp(clamp(-thinning * from, -40.0, 40.0));
-    float metres = clamp(way, 0.0, AIR_FARTHEST);
-    return clamp(atStart * metres * airMean(thinning * slope * metres), 0.0, 1.0e4);
+    float meters = clamp(path, 0.0, AIR_FARTHEST);
+    return clamp(atStart * meters * airMean(thinning * slope * meters), 0.0, 1.0e4);
 }
 
 // Light of radiance 1 from all sides that a stretch of air scatters into a ray and out to the eye, by air that swallows

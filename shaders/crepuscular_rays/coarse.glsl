@@ -2,7 +2,7 @@
 
 layout(binding = UNIT_SOURCE) uniform sampler2D depthOfPicture;
 
-const float COARSE_FARTHEST = 60.0;  // metres: beyond the hall, all depths are alike
+const float COARSE_FARTHEST = 60.0;  // meters: beyond the hall, all depths are alike
 
 float depthAt(vec2 pixel)
 {
@@ -10,7 +10,7 @@ float depthAt(vec2 pixel)
     return min(frameViewDepth(texelFetch(depthOfPicture, inside, 0).r), COARSE_FARTHEST);
 }
 
-// Distance along the view axis of a cell, metres: by turns the nearest and the farthest of its corner pixels, so
+// Distance along the view axis of a cell, meters: by turns the nearest and the farthest of its corner pixels, so
 // that along an edge there is always a neighbor on either side of it.
 float coarseDepth(vec2 cell)
 {

@@ -13,14 +13,14 @@ layout(location = 0) out vec4 over;
 
 #ifdef POLAR
 // Mean of the mask within a share `t` of the way from the sun to `pixel`.
-vec3 meanWithin(vec2 way, float t)
+vec3 meanWithin(vec2 path, float t)
 {
     vec2 size = vec2(textureSize(mask, 0));
-    float radius = length(way) * t;
+    float radius = length(path) * t;
     // Cell i ends at the radius first * ratio^i.
     float i = (log(max(radius, 1e-3)) - rays.logFirstRadius) / rays.logRadiusSpan * size.x;
     if (rays.sunIsBeyondEdge && i < 0.0) return vec3(0.0);  // The sun is beyond the edge: nothing shines so near to it.
-    float angle = angleOf(way.y, way.x);
+    float angle = angleOf(path.y, path.x);
     float turns = (angle - rays.firstAngle) / (2.0 * PI);
     float line = fract(turns) * 2.0 * PI / rays.angleSpan;
     return textureLod(mask, vec2(clamp((i + 0.5) / size.x, 0.5 / size.x, 1.0 - 0.5 / size.x), line), 0.0).rgb;
@@ -31,11 +31,11 @@ vec3 screenRays(float depth)
 {
 #if defined(POLAR)
     vec2 pixel = (floor(gl_FragCoord.xy) + 0.5 + frameTile()) * rays.maskScale;
-    vec2 way = pixel - rays.sun;
+    vec2 path = pixel - rays.sun;
     float exponent = rays.exponent;
     float left = shaftWeightBelow(1.0 - rays.gathered, exponent);
-    vec3 mean = meanWithin(way, 1.0);
-    if (left > 1e-5) mean = max(mean - left * meanWithin(way, 1.0 - rays.gathered), vec3(0.0)) / max(1.0 - left, 1e-6);
+    vec3 mean = meanWithin(path, 1.0);
+    if (left > 1e-5) mean = max(mean - left * meanWithin(path, 1.0 - rays.gathered), vec3(0.0)) / max(1.0 - left, 1e-6);
     return mean * rays.strength;
 #elif defined(SCREEN)
     return broughtUp(mask, gl_FragCoord.xy, depth) * rays.strength;

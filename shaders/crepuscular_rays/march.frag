@@ -34,9 +34,9 @@ void main()
         vec3 along = light.sunDirection / light.sunDirection[beam.axis];
         vec2 inside = airBeam(eye, direction, beam.openingLow, beam.openingHigh, beam.axis, beam.plane, along, beam.airLow, beam.airHigh);
         float first = max(inside.x, 0.0);
-        float way = min(inside.y, end) - first;
-        if (!(way > 0.0)) continue;
-        float stride = way / float(parameters.volumeSteps);
+        float path = min(inside.y, end) - first;
+        if (!(path > 0.0)) continue;
+        float stride = path / float(parameters.volumeSteps);
         float through = airThrough(eye, direction, air, first);
         for (int i = 0; i < parameters.volumeSteps; ++i) {
             float at = first + (float(i) + 0.5 + shift) * stride;
@@ -49,7 +49,7 @@ void main()
             }
             through = throughEnd;
         }
-        before = vec2(first, first + way);
+        before = vec2(first, first + path);
     }
     float phase = airPhase(dot(direction, light.sunDirection), parameters.anisotropy);
     scattered = vec4(min(parameters.airColor * light.sunIrradiance * (sum * phase * parameters.beamStrength), vec3(6e4)), depth);

@@ -10,7 +10,7 @@ vec3 spinePoint(FurBody b, vec3 p)
 {
     if (b.ringRadius > 0.0) {
         vec3 flat_ = vec3(p.x, 0.0, p.z);
-        return safeNormalize(flat_, vec3(1.0, 0.0, 0.0)) * (b.ringRadius * b.grown);
+        return safeNormalize(flat_, vec3(1.0, 0.0, 0.0)) * (b.ringRadius * b.skinScale);
     }
     return vec3(clamp(p.x, -b.halfLength, b.halfLength), 0.0, 0.0);
 }
@@ -23,7 +23,7 @@ vec2 openTo(FurBody b, vec3 world, vec3 normal, vec3 l)
     vec3 p = (b.bodyFromWorld * vec4(world, 1.0)).xyz;
     vec3 n = mat3(b.bodyFromWorld) * normal;
     vec3 d = mat3(b.bodyFromWorld) * l;
-    float skin = b.radius * b.grown;
+    float skin = b.radius * b.skinScale;
     vec3 nearest = spinePoint(b, p);
     vec3 to = nearest - p;
     float apart = max(length(to), 1e-5);

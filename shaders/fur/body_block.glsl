@@ -1,18 +1,18 @@
-// Bodies and their coats. Body space: metres, turns with the body. GLSL and C++: render/glsl/std140.h.
+// Bodies and their coats. Body space: meters, turns with the body. GLSL and C++: render/glsl/std140.h.
 #define FUR_BODIES 3
 #define FUR_PLANES 4
 
 #define FUR_BODY_FIELDS(FIELD, ARRAY) \
     FIELD(mat4, worldFromBody) \
     FIELD(mat4, bodyFromWorld) \
-    FIELD(vec3, pull)             /* where tips are drawn, strand lengths, body space */ \
-    FIELD(float, grown)           /* drawn skin over skin at rest */ \
-    FIELD(vec4, turn)             /* what the tips lag behind the body's turning: quaternion, w last, body space */ \
+    FIELD(vec3, tipOffset)             /* where tips are drawn, strand lengths, body space */ \
+    FIELD(float, skinScale)           /* drawn skin over skin at rest */ \
+    FIELD(vec4, tipRotation)             /* what the tips lag behind the body's turning: quaternion, w last, body space */ \
     FIELD(vec3, wind)             /* strand lengths, body space */ \
     FIELD(float, gustPhase)       /* radians, wrapped */ \
-    FIELD(float, strandLength)    /* metres */ \
-    FIELD(float, cellSize)        /* metres */ \
-    FIELD(float, strandRadius)    /* metres */ \
+    FIELD(float, strandLength)    /* meters */ \
+    FIELD(float, cellSize)        /* meters */ \
+    FIELD(float, strandRadius)    /* meters */ \
     FIELD(float, leastLength)     /* of a strand against the longest, 0 to 1 */ \
     FIELD(vec3, rootColor)        /* linear Rec. 709 */ \
     FIELD(int, number)            /* of the body, from 1 */ \
@@ -24,9 +24,9 @@
     FIELD(int, firstShell)        /* drawn by instance 0 */ \
     FIELD(bool, innerFirst)       /* inner shells are drawn first */ \
     FIELD(uint, seed) \
-    FIELD(float, halfLength)      /* of the straight spine along x, metres */ \
-    FIELD(float, ringRadius)      /* of the round spine about y, metres; 0: it is straight */ \
-    FIELD(float, radius)          /* of the skin at rest around the spine, metres */
+    FIELD(float, halfLength)      /* of the straight spine along x, meters */ \
+    FIELD(float, ringRadius)      /* of the round spine about y, meters; 0: it is straight */ \
+    FIELD(float, radius)          /* of the skin at rest around the spine, meters */
 BLOCK_STRUCT(FurBody, FUR_BODY_FIELDS)
 
 // All bodies at once, for what looks from one to another.
@@ -34,7 +34,7 @@ BLOCK_STRUCT(FurBody, FUR_BODY_FIELDS)
     ARRAY(FurBody, bodies, FUR_BODIES) \
     FIELD(mat4, worldFromPit) \
     FIELD(mat4, pitFromWorld) \
-    FIELD(float, pitRadius)    /* metres */ \
+    FIELD(float, pitRadius)    /* meters */ \
     FIELD(vec3, boxCenter)     /* of the box that body 0 fills with its fur, body space */ \
     FIELD(vec3, boxHalfSize)
 BLOCK_STRUCT(FurBodies, FUR_SCENE_FIELDS)

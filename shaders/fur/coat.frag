@@ -56,8 +56,8 @@ void main()
     vec3 way = normalize(strandWay);
     float rise = max(dot(way, n), 0.12);
     float into = dot(v, n);
-    // Derivatives along the ray, per metre: of the position on the skin, and of the height above it, over curved skin.
-    float shrink = 1.0 / (body.grown * max(1.0 + curvature * height * strandLength * rise, 0.25));
+    // Derivatives along the ray, per meter: of the position on the skin, and of the height above it, over curved skin.
+    float shrink = 1.0 / (body.skinScale * max(1.0 + curvature * height * strandLength * rise, 0.25));
     vec3 passing = (v - way * (into / rise)) * shrink;
     float falling = into / (rise * strandLength);
     float bulge = 0.5 * max(curvature, 0.0) * dot(v - n * into, v - n * into) / strandLength;

@@ -10,7 +10,7 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 4) in vec2 form;  // x: mean curvature of the skin, 1/metre; y: height, of a fin
+layout(location = 4) in vec2 form;  // x: mean curvature of the skin, 1/meter; y: height, of a fin
 
 out vec3 skin;       // at rest, body space
 out vec3 skinNormal;
@@ -36,20 +36,20 @@ vec3 swirl(vec3 p)
 
 void main()
 {
-    float grown = body.grown;
+    float skinScale = body.skinScale;
     float strandLength = body.strandLength;
     vec3 n = safeNormalize(normal, safeNormalize(position, vec3(0.0, 1.0, 0.0)));
-    vec3 root = position * grown;
+    vec3 root = position * skinScale;
     vec3 eye = (body.bodyFromWorld * vec4(frame.eye, 1.0)).xyz;
 
-    vec3 pull = body.pull + swirl(position * 7.0) * parameters.disorder;
+    vec3 tipOffset = body.tipOffset + swirl(position * 7.0) * parameters.disorder;
     vec3 gust = body.wind;
     if (dot(gust, gust) > 0.0) {
         float wave = sin(body.gustPhase + dot(root, gust) * 9.0 / length(gust)) + 0.6 * sin(2.7 * body.gustPhase + root.y * 13.0 + root.x * 7.0);
-        pull += gust * max(1.0 + parameters.gustiness * 0.6 * wave, 0.0);
+        tipOffset += gust * max(1.0 + parameters.gustiness * 0.6 * wave, 0.0);
     }
     vec3 combed = parameters.comb * (vec3(0.45, -0.75, 0.3) - n * dot(n, vec3(0.45, -0.75, 0.3)));
-    vec3 tip = safeNormalize(turned(body.turn, n) + pull + combed, n);
+    vec3 tip = safeNormalize(turned(body.tipRotation, n) + tipOffset + combed, n);
     float bend = parameters.curvature;
     for (int i = 0; i < body.planeCount; ++i) {
         vec4 plane = body.planes[i];
@@ -80,9 +80,9 @@ void main()
     vec3 p = root + strandLength * strandPoint(n, tip, height, bend, model);
     skin = position;
     skinNormal = n;
-    coatNormal = n + (p - root) * (form.x / grown);
+    coatNormal = n + (p - root) * (form.x / skinScale);
     strandWay = safeNormalize(strandDirection(n, tip, powPositive(height, bend), model), n);
     seenAlong = p - eye;
-    curvature = form.x / grown;
+    curvature = form.x / skinScale;
     gl_Position = frame.clipFromWorld * (body.worldFromBody * vec4(p, 1.0));
 }

@@ -1,7 +1,7 @@
 // What the shells leave of a strand for the pass that lights it: four floats for a pixel, each a whole number below
 // 2^24 but the last. Nothing found: all 0.
 //   x: the strand's normal, y: that of the coat, body space; z: height, rank and number of the body;
-//   w: distance along the view axis, metres
+//   w: distance along the view axis, meters
 
 struct FoundStrand {
     vec3 normal;

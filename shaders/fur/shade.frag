@@ -60,8 +60,8 @@ void main()
     mat3 outwards = transpose(mat3(fur.bodies[0].bodyFromWorld));
     vec3 hairNormal = normalize(outwards * found.normal);
     vec3 skinNormal = normalize(outwards * found.coatNormal);
-    vec3 pull = mat3(fur.bodies[0].worldFromBody) * (fur.bodies[0].pull + fur.bodies[0].wind);
-    vec3 along = normalize(skinNormal + (pull + (hairNormal - skinNormal) * 0.5) * height);
+    vec3 tipOffset = mat3(fur.bodies[0].worldFromBody) * (fur.bodies[0].tipOffset + fur.bodies[0].wind);
+    vec3 along = normalize(skinNormal + (tipOffset + (hairNormal - skinNormal) * 0.5) * height);
 
     // What the coat hides from itself.
     float occlusion = coatOcclusion(height, parameters.occlusionAttenuation, parameters.occlusionBias);

@@ -1,4 +1,4 @@
-// Strands of a coat: where they are rooted, how thick they are, how they bend. Lengths in metres on the
+// Strands of a coat: where they are rooted, how thick they are, how they bend. Lengths in meters on the
 // skin at rest; heights along a strand from 0 (skin) to 1 (tip of the longest).
 //
 // Roots lie on a lattice in the plane that the surface faces most (Lagae and Dutre 2005 hash cells the same
@@ -36,7 +36,7 @@ struct RootedStrand {
     bool rooted;
 };
 
-// Cells of this side, one strand in each that is kept, give `density` strands per square metre.
+// Cells of this side, one strand in each that is kept, give `density` strands per square meter.
 float strandCellSize(float density)
 {
     return inversesqrt(1.7320508075688772 * density);
@@ -78,7 +78,7 @@ RootedStrand strandInCell(StrandLattice l, vec2 q, float jitter)
     return s;
 }
 
-// From the root to the point, metres.
+// From the root to the point, meters.
 vec3 strandOffset(StrandLattice l, RootedStrand s, float cellSize)
 {
     vec3 cells = l.axis == 0 ? vec3(s.along, s.offset.x, s.offset.y)

@@ -1,9 +1,9 @@
-// The card and its two prints. The card's own space: metres, the middle of its front at the origin, x to the right, y
+// The card and its two prints. The card's own space: meters, the middle of its front at the origin, x to the right, y
 // up, z towards the viewer. GLSL and C++: render/glsl/std140.h.
 #define CARD_PRINT_FIELDS(FIELD, ARRAY) \
-    FIELD(vec2, halfSize)      /* of the picture, metres */ \
+    FIELD(vec2, halfSize)      /* of the picture, meters */ \
     FIELD(int, views) \
-    FIELD(float, pitch)        /* of the lenses, metres */ \
+    FIELD(float, pitch)        /* of the lenses, meters */ \
     FIELD(float, radius)       /* of a lens, in pitches */ \
     FIELD(float, thickness)    /* of the sheet, in pitches */ \
     FIELD(float, conic)        /* constant of the lens */ \
@@ -21,7 +21,7 @@ BLOCK_STRUCT(CardPrintBlock, CARD_PRINT_FIELDS)
     FIELD(mat4, cardFromWorld) \
     FIELD(vec3, leftEye)       /* the card's space; both are the camera where there is one eye */ \
     FIELD(vec3, rightEye) \
-    FIELD(vec3, halfSize)      /* of the card, metres */ \
+    FIELD(vec3, halfSize)      /* of the card, meters */ \
     FIELD(float, scroll)       /* 0 at rest to 1 */ \
     FIELD(vec2, across)        /* the lenses: unit vector of the card's front */ \
     FIELD(vec2, along) \

@@ -30,7 +30,7 @@ struct Spot {
     float slide;      // how far it was moved across the lenses, in pitches
     float lenses;     // across the lenses, in pitches from the middle of the card
     float width;      // of the pixel across the lenses, in pitches
-    float length_;    // of the pixel along the lenses, metres
+    float length_;    // of the pixel along the lenses, meters
     float blur;       // how far the print's phase wanders within the pixel, in pitches
     vec2 eyePlane;    // sine and cosine of the eye's angle across the lenses
     float along;      // the eye's direction along the lenses, sine

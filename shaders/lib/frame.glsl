@@ -33,7 +33,7 @@ vec3 frameRay(vec2 fragCoord)
     return mat3(frame.worldFromView) * vec3(ndc * frame.tanHalfFov + frame.tanShift, -1.0);
 }
 
-// Distance along the view axis, metres, of a reversed depth value; infinite for the far plane.
+// Distance along the view axis, meters, of a reversed depth value; infinite for the far plane.
 float frameViewDepth(float depth)
 {
     return frame.nearPlane / depth;

@@ -1,11 +1,10 @@
 // Camera, picture and time of a pass. GLSL and C++: render/glsl/std140.h.
 #define FRAME_FIELDS(FIELD, ARRAY) \
-    FIELD(mat4, viewFromWorld) \
     FIELD(mat4, clipFromView)   /* of the tile, jitter included; reversed depth, near 1, infinitely far 0 */ \
     FIELD(mat4, clipFromWorld) \
     FIELD(mat4, worldFromView) \
-    FIELD(vec3, eye)            /* world space, metres */ \
-    FIELD(float, nearPlane)     /* metres from the eye */ \
+    FIELD(vec3, eye)            /* world space, meters */ \
+    FIELD(float, nearPlane)     /* meters from the eye */ \
     FIELD(vec2, size)           /* of the whole picture, pixels */ \
     FIELD(vec2, inverseSize)    /* 1/width, 1/height */ \
     FIELD(vec2, tileOrigin)     /* lower left corner of the tile in the whole picture plus jitter, pixels */ \

@@ -71,21 +71,21 @@ vec2 diskPoint(float i, float n)
 
 // Share of the sun's disk that is seen from `world`. The half-shadow of an edge is as wide as the disk looks, seen over
 // the way to what hides it (Fernando 2005, "Percentage-Closer Soft Shadows"). How far that is, is found by comparisons
-// alone: what still hides the point after it has moved d metres towards the sun is farther than d. Every look lies on
+// alone: what still hides the point after it has moved d meters towards the sun is farther than d. Every look lies on
 // the plane of the surface: one beside it would be hidden by the surface itself.
 float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3 normal)
 {
-    const float farthest = 16.0;  // metres: from the floor to the window
+    const float farthest = 16.0;  // meters: from the floor to the window
     float samples = float(light.sunDiskSamples);
     float looks = clamp(0.75 * samples, 12.0, 64.0);
     vec3 position = shadowPosition(shadowFromWorld, world);
     if (any(lessThan(position, vec3(0.0))) || any(greaterThan(position, vec3(1.0)))) return 1.0;
     mat3 rows = transpose(mat3(shadowFromWorld));
-    vec3 perMetre = vec3(length(rows[0]), length(rows[1]), length(rows[2]));
+    vec3 perMeter = vec3(length(rows[0]), length(rows[1]), length(rows[2]));
     vec2 texel = 1.0 / vec2(textureSize(map, 0));
     // Rise of the surface towards the sun, over texture coordinates.
-    vec2 rise = -vec2(dot(normal, rows[0]), dot(normal, rows[1])) / (perMetre.xy * perMetre.xy) / max(dot(normal, light.sunDirection), 0.1) * perMetre.z;
-    vec2 widest = max(perMetre.xy * (light.sunTanHalfWidth * farthest), texel);
+    vec2 rise = -vec2(dot(normal, rows[0]), dot(normal, rows[1])) / (perMeter.xy * perMeter.xy) / max(dot(normal, light.sunDirection), 0.1) * perMeter.z;
+    vec2 widest = max(perMeter.xy * (light.sunTanHalfWidth * farthest), texel);
     float hidden = 0.0;
     for (float i = 0.0; i < looks; i += 1.0) {
         vec2 offset = diskPoint(i, looks) * widest;
@@ -102,12 +102,12 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec
         float farther = 0.0;
         for (float i = 0.0; i < looks; i += 1.0) {
             vec2 offset = diskPoint(i, looks) * widest;
-            farther += 1.0 - texture(map, position + vec3(offset, dot(offset, rise) + mix(last, d, within) * perMetre.z));
+            farther += 1.0 - texture(map, position + vec3(offset, dot(offset, rise) + mix(last, d, within) * perMeter.z));
         }
         mean += farther * (d - last);
         last = d;
     }
-    vec2 radius = max(perMetre.xy * (light.sunTanHalfWidth * mean / hidden), 0.75 * texel);
+    vec2 radius = max(perMeter.xy * (light.sunTanHalfWidth * mean / hidden), 0.75 * texel);
     float lit = 0.0;
     for (float i = 0.0; i < samples; i += 1.0) {
         vec2 offset = diskPoint(i, samples) * radius;

@@ -15,9 +15,9 @@
     FIELD(mat4, hallShadowFromWorld)     /* xy: texture coordinates, z: reversed depth */ \
     FIELD(mat4, exhibitShadowFromWorld) \
     FIELD(vec3, sunDirection)            /* towards the sun, unit */ \
-    FIELD(float, hallShadowTexel)        /* width of a texel of the hall's shadow map, metres */ \
+    FIELD(float, hallShadowTexel)        /* width of a texel of the hall's shadow map, meters */ \
     FIELD(vec3, sunIrradiance)           /* on a plane that faces the sun */ \
-    FIELD(float, exhibitShadowTexel)     /* width of a texel of the exhibits' shadow map, metres */ \
+    FIELD(float, exhibitShadowTexel)     /* width of a texel of the exhibits' shadow map, meters */ \
     FIELD(vec3, skyZenith)               /* radiance */ \
     FIELD(float, skyLightmapScale)       /* what the sky lightmap's 1 stands for */ \
     FIELD(vec3, skyHorizon)              /* radiance */ \

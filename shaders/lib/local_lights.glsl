@@ -28,14 +28,19 @@ float localVisibility(LocalLightEntry light, vec3 place, vec3 normal)
 }
 #endif
 
+// Irradiance of one of them on a surface, shadow included.
+vec3 localLit(LocalLightEntry light, vec3 place, vec3 normal)
+{
+    vec3 irradiance = localIrradiance(light, place, normal);
+    if (irradiance.x + irradiance.y + irradiance.z <= 0.0) return vec3(0.0);
+    return irradiance * localVisibility(light, place, normal);
+}
+
 // Irradiance of all of them on a surface at `place` with unit `normal`.
 vec3 localLightIrradiance(vec3 place, vec3 normal)
 {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < min(localLights.count, MOST_LOCAL_LIGHTS); ++i) {
-        LocalLightEntry light = localLights.lights[i];
-        vec3 irradiance = localIrradiance(light, place, normal);
-        if (irradiance.x + irradiance.y + irradiance.z > 0.0) sum += irradiance * localVisibility(light, place, normal);
-    }
+    for (int i = 0; i < min(localLights.count, MOST_LOCAL_LIGHTS); ++i)
+        sum += localLit(localLights.lights[i], place, normal);
     return sum;
 }

@@ -3,13 +3,13 @@
 
 // One of them: a point, or a sphere of even radiance.
 #define LOCAL_LIGHT_FIELDS(FIELD, ARRAY) \
-    FIELD(vec3, position)     /* world space, metres */ \
-    FIELD(float, radius)      /* of the sphere, metres; 0: a point */ \
+    FIELD(vec3, position)     /* world space, meters */ \
+    FIELD(float, radius)      /* of the sphere, meters; 0: a point */ \
     FIELD(vec3, intensity)    /* radiant intensity, W/sr: of a sphere pi radius^2 times its radiance */ \
-    FIELD(float, range)       /* metres: beyond, it is not seen; 0: no end */ \
+    FIELD(float, range)       /* meters: beyond, it is not seen; 0: no end */ \
     FIELD(bool, castsShadow)  /* it has shadow maps */ \
     FIELD(int, firstLayer)    /* of its six layers in the shadow maps */ \
-    FIELD(float, nearPlane)   /* of these maps, metres */
+    FIELD(float, nearPlane)   /* of these maps, meters */
 BLOCK_STRUCT(LocalLightEntry, LOCAL_LIGHT_FIELDS)
 
 #define LOCAL_LIGHTS_FIELDS(FIELD, ARRAY) \

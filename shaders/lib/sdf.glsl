@@ -1,4 +1,4 @@
-// Signed distance to solids: metres, negative inside, positive outside.
+// Signed distance to solids: meters, negative inside, positive outside.
 //
 // Each function says what it returns:
 //   exact   the Euclidean distance to the surface, everywhere unless a region is named;
@@ -14,7 +14,7 @@
 
 // Far beyond any scene, yet its square still fits float32. Sizes are cut to it before they are squared.
 const float SDF_LARGEST = 1.0e15;
-// Radii that are divided by are kept at least this large (a thousandth of a millimetre).
+// Radii that are divided by are kept at least this large (a thousandth of a millimeter).
 const float SDF_SMALLEST = 1.0e-6;
 
 float squaredLength(vec2 v)

@@ -44,7 +44,7 @@ float sdfXor(float a, float b)
     return max(min(a, b), -max(a, b));
 }
 
-// Union with a fillet that starts where the two distances differ by k metres, and adds at most k / 4.
+// Union with a fillet that starts where the two distances differ by k meters, and adds at most k / 4.
 // k = 0 (or less) is the hard union, bitwise; k is cut to SDF_WIDEST_BLEND. Quilez 2013, "Smooth
 // minimum", quadratic.
 float sdfSmoothUnion(float a, float b, float k)

@@ -46,7 +46,7 @@ float softBox(vec3 d, vec3 center, vec2 size)
     return edge.x * edge.y;
 }
 
-// Where an exhibit stands alone: a grey room with a large key, a rim and a low fill.
+// Where an exhibit stands alone: a gray room with a large key, a rim and a low fill.
 vec3 studioRadiance(vec3 d)
 {
     vec3 room = mix(vec3(0.10, 0.098, 0.095), vec3(0.62, 0.63, 0.66), smoothstep(-0.6, 0.9, d.y));

@@ -53,12 +53,12 @@ vec2 rayBox(vec3 origin, vec3 direction, vec3 low, vec3 high)
 // ---- Surfaces ------------------------------------------------------------------------------------
 
 struct MarchSettings {
-    float tMin;            // Metres along the ray.
+    float tMin;            // Meters along the ray.
     float tMax;
     float pixelCone;       // Half a pixel's width at distance 1.
-    float travelled;       // Length of the path before this ray: 0 from the eye, more after reflections.
+    float traveled;       // Length of the path before this ray: 0 from the eye, more after reflections.
     float tolerance;       // In half pixels: a point this near the surface is on it.
-    float toleranceFloor;  // Metres; the least tolerance. Above the rounding of positions in the scene.
+    float toleranceFloor;  // Meters; the least tolerance. Above the rounding of positions in the scene.
     int stepLimit;
     int relaxation;        // RELAXATION_...
     float omega;           // RELAXATION_FIXED: steps are this many distances long, 1 to 2.
@@ -67,9 +67,9 @@ struct MarchSettings {
 
 struct March {
     bool hit;
-    float t;          // Metres along the ray; where it ended if it did not hit.
+    float t;          // Meters along the ray; where it ended if it did not hit.
     float distance;   // Of the field there; negative inside the solid.
-    float side;       // -1 if the ray travelled inside the solid: the normal then faces away from it.
+    float side;       // -1 if the ray traveled inside the solid: the normal then faces away from it.
     int steps;        // Points accepted.
     int evaluations;  // Points asked: more than steps where relaxed steps had to be taken back.
     bool exhausted;   // The step limit ended the ray; a hit is then the best candidate.
@@ -81,7 +81,7 @@ MarchSettings marchSettings(float tMin, float tMax, float pixelCone)
     s.tMin = tMin;
     s.tMax = tMax;
     s.pixelCone = pixelCone;
-    s.travelled = 0.0;
+    s.traveled = 0.0;
     s.tolerance = 1.0;
     s.toleranceFloor = 1.0e-5;
     s.stepLimit = 128;
@@ -95,7 +95,7 @@ MarchSettings marchSettings(float tMin, float tMax, float pixelCone)
 // than float32 far away, where thin wires would be missed, and wasteful everywhere else.
 float hitTolerance(float t, MarchSettings s)
 {
-    return max(s.pixelCone * (t + s.travelled) * s.tolerance, s.toleranceFloor);
+    return max(s.pixelCone * (t + s.traveled) * s.tolerance, s.toleranceFloor);
 }
 
 // The next step from a point at distance `radius`, given the slope of the distance along the ray.
@@ -170,7 +170,7 @@ March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
             return march;
         }
 
-        float cone = d / max(t + s.travelled, 1.0e-20);
+        float cone = d / max(t + s.traveled, 1.0e-20);
         if (approaching && cone < candidateCone) {
             candidateCone = cone;
             candidateT = t;
@@ -191,7 +191,7 @@ March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
     march.exhausted = true;
     float pixel = s.pixelCone * s.tolerance;
     bool near = candidateCone <= 4.0 * pixel;
-    bool arriving = free && slope < -1.0e-4 && radius <= 32.0 * pixel * (march.t + s.travelled) &&
+    bool arriving = free && slope < -1.0e-4 && radius <= 32.0 * pixel * (march.t + s.traveled) &&
                     march.t - radius / slope < s.tMax;
     if (arriving) {
         march.hit = true;
@@ -279,10 +279,10 @@ vec2 coneBox(vec3 origin, vec3 axis, float chord, vec3 low, vec3 high)
 // ---- Normals -------------------------------------------------------------------------------------
 
 // The step for differences at distance t: a quarter of the hit tolerance's scale, never below `3e-4` of
-// a metre-sized object, under which float32 cancellation outweighs the truncation it saves.
+// a meter-sized object, under which float32 cancellation outweighs the truncation it saves.
 float normalStep(float t, MarchSettings s)
 {
-    return max(3.0e-4, 0.25 * s.pixelCone * (t + s.travelled));
+    return max(3.0e-4, 0.25 * s.pixelCone * (t + s.traveled));
 }
 
 // Unit vector up the field, or `fallback` (minus the ray's direction) where the field has no slope: on the
@@ -323,7 +323,7 @@ struct Shadow {
 // All shadow functions: `p` on the surface and not behind the light (test n.l > 0 first: a ray towards a
 // light behind the surface costs steps and gives acne), `tMin` > 0 off the surface, `tMax` to the light or
 // the end of the field. `tanRadius` is the tangent of the light's half angle as seen from p.
-// tMin is kept above 1e-5, since the soft methods divide by the distance travelled.
+// tMin is kept above 1e-5, since the soft methods divide by the distance traveled.
 
 // A light without extent.
 Shadow shadowHard(vec3 p, vec3 toLight, float tMin, float tMax, int stepLimit)
@@ -447,7 +447,7 @@ Shadow shadowArea(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMax,
 // ---- Ambient occlusion ---------------------------------------------------------------------------
 
 // How much of the sky above the normal is open, 0 to 1, from five samples up the normal within `radius`
-// metres (exactly 1 for a radius of 0). 5 evaluations.
+// meters (exactly 1 for a radius of 0). 5 evaluations.
 // After Evans 2006, "Fast Approximations for Global Illumination on Dynamic Scenes"; samples at
 // radius k^2 / 25 with weights 1 / k, which halves the error of the usual constants.
 float fieldOcclusion(vec3 p, vec3 normal, float radius)

@@ -3,7 +3,7 @@
 #include "lib/light.glsl"
 
 struct Surface {
-    vec3 position;   // world space, metres
+    vec3 position;   // world space, meters
     vec3 normal;     // unit, facing the viewer
     vec3 baseColor;  // linear
     float metalness;
@@ -68,9 +68,8 @@ vec3 localLightsReflected(Surface s, vec3 toEye)
     vec3 sum = vec3(0.0);
     for (int i = 0; i < min(localLights.count, MOST_LOCAL_LIGHTS); ++i) {
         LocalLightEntry lamp = localLights.lights[i];
-        vec3 irradiance = localIrradiance(lamp, s.position, s.normal);
+        vec3 irradiance = localLit(lamp, s.position, s.normal);
         if (irradiance.x + irradiance.y + irradiance.z <= 0.0) continue;
-        irradiance *= localVisibility(lamp, s.position, s.normal);
         vec3 l = safeNormalize(lamp.position - s.position, s.normal);
         float cosL = dot(s.normal, l);
         // Of a sphere whose middle is below the horizon, a part may be seen.

@@ -22,7 +22,7 @@
 #include "lib/sdf_operators.glsl"
 #endif
 
-// Metres, all > 0 but morph and blend.
+// Meters, all > 0 but morph and blend.
 struct TorusMug {
     float morph;            // 0 torus, 1 mug; cut to [0, 1].
     float majorRadius;      // Of the torus: center to the middle of the tube. Good: 0.35.

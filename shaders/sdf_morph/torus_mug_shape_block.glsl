@@ -1,4 +1,4 @@
-// A torus-mug of one morph, ready for many points: made once for each frame. Metres, in the solid's own space;
+// A torus-mug of one morph, ready for many points: made once for each frame. Meters, in the solid's own space;
 // heights and the ring's center are relative to the body's center, which lies on the cup's axis. GLSL and C++:
 // render/glsl/std140.h.
 #define TORUS_MUG_SHAPE_FIELDS(FIELD, ARRAY) \

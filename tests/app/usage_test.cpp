@@ -101,7 +101,7 @@ TEST(Usage, BadNumbersNameTheirOption)
         {{"--target", "a,b,c"}, "--target"},     {{"--fov", "500"}, "--fov"},
         {{"--scale", "1,0,1"}, "--scale"},       {{"--rotate", "nan,0,0"}, "--rotate"},
         {{"--samples", "0"}, "--samples"},       {{"--time", "inf"}, "--time"},
-        {{"--channels", "depth"}, "--channels"}, {{"--channels", "colour"}, "--channels"}};
+        {{"--channels", "depth"}, "--channels"}, {{"--channels", "paint"}, "--channels"}};
     for (const auto& [words, option] : cases) {
         const Ended ended = refused(words);
         EXPECT_EQ(ended.code, 2) << words[1];

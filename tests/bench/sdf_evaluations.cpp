@@ -21,7 +21,7 @@ constexpr int width = 320;
 constexpr int height = 200;
 constexpr int block = 8;
 constexpr double tanHalfFovY = 0.26;  // 29 degrees
-constexpr double farthest = 20;       // Metres: how far a ray without a box has to look.
+constexpr double farthest = 20;       // Meters: how far a ray without a box has to look.
 constexpr double pixelCone = tanHalfFovY / height;
 
 /// From a step away, so that the object takes a fifth of the frame: slightly from above, slightly from the handle's
@@ -72,7 +72,7 @@ struct Variant {
     double omega = 1;
     bool box = false;
     bool cone = false;
-    double absoluteTolerance = 0;  ///< Metres; 0 means half a pixel.
+    double absoluteTolerance = 0;  ///< Meters; 0 means half a pixel.
 };
 
 /// What a variant took per pixel, and how many pixels it missed.

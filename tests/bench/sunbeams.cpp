@@ -288,10 +288,7 @@ int main(int argc, char** argv)
     entrance(bench);
     const Exhibit& exhibit = bench.museum.exhibit(bench.exhibit);
     const auto look = [&](const StudyView& view) {
-        const glm::dmat4 world = bench.museum.worldFromExhibit(bench.exhibit);
-        bench.camera = view.camera;
-        bench.camera.eye = glm::dvec3(world * glm::dvec4(view.camera.eye, 1));
-        bench.camera.target = glm::dvec3(world * glm::dvec4(view.camera.target, 1));
+        bench.camera = view.camera.transformed(bench.museum.worldFromExhibit(bench.exhibit));
     };
     const std::vector<StudyView> views = exhibit.studyViews(exhibit.parameters().initial());
     std::printf("\n## Model: what of the converged volume's light the screen does not explain, with the best gain\n\n| "

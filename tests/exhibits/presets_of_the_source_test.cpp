@@ -27,7 +27,7 @@ ParameterValues preset(const std::string& exhibit, const std::string& file, cons
     return read.values;
 }
 
-/// Strands that `side` cells along each side of a unit square of texture coordinates leave on a square metre of the
+/// Strands that `side` cells along each side of a unit square of texture coordinates leave on a square meter of the
 /// ball.
 double strandsPerArea(double side)
 {

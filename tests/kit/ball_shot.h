@@ -83,7 +83,7 @@ struct BallShot {
     }
 };
 
-/// Metres from a line to a point.
+/// Meters from a line to a point.
 inline double distanceOf(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& point)
 {
     return glm::length(glm::cross(point - origin, glm::normalize(direction)));

@@ -115,7 +115,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfExhibits{
     {"museum", {"framework", "kit", "hall"}},
     {"printing", {"framework", "museum"}},
     {"study", {"framework", "museum"}},
-    {"stability", {"framework", "museum"}},
+    {"stability", {"framework", "kit", "museum"}},
 };
 const std::vector<std::string> roomsForExhibits{"framework", "kit", "printing"};
 

@@ -87,7 +87,7 @@ struct Air {
     double density, thinning, from, slope, way;
 
     [[nodiscard]] double extinction(double t) const { return density * std::exp(-thinning * (from + slope * t)); }
-    /// The library's share of light that comes through the first `t` metres.
+    /// The library's share of light that comes through the first `t` meters.
     [[nodiscard]] double through(double t) const
     {
         return std::exp(-r64::airOpticalDepth(from, slope, t, density, thinning));
@@ -97,7 +97,7 @@ struct Air {
 const Air airs[] = {{0.012, 0.08, 1.5, 0.3, 20}, {0.2, 0.1, 2, -0.2, 12}, {0.09, 0, 0, 1, 9},
                     {1, 0.3, 1, 0.4, 9},         {3, 2, 0.2, -0.01, 40},  {1e-6, 0.08, 1, 0, 10}};
 
-/// What comes out of the air at `first` of a light of `behind` that enters it at `last`, metres from the eye, while
+/// What comes out of the air at `first` of a light of `behind` that enters it at `last`, meters from the eye, while
 /// light of 1 falls on it from all sides and a share `albedo` of what it takes is scattered: by Runge and Kutta.
 double transported(const Air& air, double first, double last, double behind, double albedo)
 {
@@ -277,7 +277,7 @@ TEST(AirBox, H69_RaysOfNoLengthWithoutEndAndAlongFacesAreDefined)
         return wide;
     };
     const double whole = ours({0, 0, -5}, {0, 0, 1}, infinity);  // The sky.
-    EXPECT_NEAR(whole, -std::expm1(-0.3 * 2), 1e-12);            // Two metres of even height 0.
+    EXPECT_NEAR(whole, -std::expm1(-0.3 * 2), 1e-12);            // Two meters of even height 0.
     EXPECT_EQ(ours({0, 0, -5}, {0, 0, 1}, 0), 0);                // What stands at the eye.
     EXPECT_EQ(ours({0, 0, 0}, {0, 0, 1}, 0), 0);
     EXPECT_EQ(ours({0, 0, -5}, {0, 0, 1}, 1e-30), 0);

@@ -43,7 +43,7 @@ TEST(HardCases, H17_ANegativeSizeInAPresetIsBroughtIntoRangeAndSaid)
     EXPECT_LT(f32::sdfBox(vec3(9, 0, 0), vec3(10, -1, -1)) + f32::sdfOnion(2, 5), 9);  // ... and bounds lie.
     int sizes = 0;
     for (const ParameterInfo& row : table.rows()) {
-        if (row.unit != Unit::metre) continue;
+        if (row.unit != Unit::meter) continue;
         ++sizes;
         for (const char* bad : {"-0.1", "-1e300", "-0.0"}) {
             const Preset preset = read('"' + std::string(row.name) + "\": " + bad);

@@ -26,7 +26,7 @@ template <typename Number> struct LibraryField {
     std::string name;
     Claim claim;
     std::function<Number(const Point&)> field;
-    double slope = 1;  ///< The most that it may change per metre.
+    double slope = 1;  ///< The most that it may change per meter.
 };
 
 /// Sizes for a list of fields: those written there, or random ones. The same for both precisions: every

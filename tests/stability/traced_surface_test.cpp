@@ -94,7 +94,7 @@ TEST(Reflection, H41_APlaneInAConstantSceneReflectsWithoutAcne)
         const vec3 p = eye + ray * march.t;
         const vec3 reflected(ray.x, -ray.y, ray.z);
         auto again = tracer.marchSettings(0, 1000, 1e-3F);
-        again.travelled = march.t;
+        again.traveled = march.t;
         again.stepLimit = 500;
         acne += tracer.sphereTrace(p, reflected, again).hit;
         naive += tracer.fieldDistance(p) < tracer.hitTolerance(march.t, settings);  // Hits where it starts.
@@ -116,10 +116,10 @@ TEST(Reflection, H42_ACorridorOfMirrorsAddsNoEnergy)
         float metal = 1;
         float light = 0;
         float metalLight = 0;
-        float travelled = 0;
+        float traveled = 0;
         for (int bounce = 0; bounce <= 4; ++bounce) {
             auto settings = tracer.marchSettings(0, 50, 1e-3F);
-            settings.travelled = travelled;
+            settings.traveled = traveled;
             const auto march = tracer.sphereTrace(p, ray, settings);
             if (!march.hit || bounce == 4) {
                 light += weight;
@@ -127,7 +127,7 @@ TEST(Reflection, H42_ACorridorOfMirrorsAddsNoEnergy)
                 break;
             }
             p = p + ray * march.t;
-            travelled += march.t;
+            traveled += march.t;
             const vec3 n = tracer.fieldNormal(p, tracer.normalStep(march.t, settings), tracer.NORMAL_CENTRAL, -ray);
             EXPECT_LT(glm::dot(n, ray), 0.01F);
             weight *= f32::schlick(-glm::dot(ray, n), 0.9F);

@@ -34,7 +34,7 @@ struct BallTable final : Parameters {
             Count rings;
         };
         for (const Rows& rows : groups("balls", elements, [&](std::size_t i) {
-                 const Real radius = real("radius", scene[i].radius, metre, {0, 10}, "From its middle.");
+                 const Real radius = real("radius", scene[i].radius, meter, {0, 10}, "From its middle.");
                  return Rows{radius, count("rings", 8, {1, 64, logarithmic}, "More is rounder.", quality(64))};
              })) {
             radii.push_back(rows.radius);

@@ -52,7 +52,7 @@ struct Picture {
         return glm::dot(color(x, y), glm::dvec3(0.2126, 0.7152, 0.0722));
     }
     [[nodiscard]] double alpha(int x, int y) const { return image.at(x, y, 3); }
-    /// Metres along the view axis; infinite where nothing was hit.
+    /// Meters along the view axis; infinite where nothing was hit.
     [[nodiscard]] double depth(int x, int y) const { return image.at(x, y, 4); }
     [[nodiscard]] bool hit(int x, int y) const { return std::isfinite(image.at(x, y, 4)); }
     [[nodiscard]] glm::dvec3 normal(int x, int y) const

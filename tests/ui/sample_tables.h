@@ -13,7 +13,7 @@ struct IdleTable final : Parameters {
         choice("sunBy", Method::forward, {"angles", "hour", "nothing"}, "How the sun is set.", called("Set sun by"));
     Real height = real("sunHeight", 0.5, none, {0, 1}, "Above the horizon.", when(sunBy, Method::forward));
     Real hourOfDay = real("hourOfDay", 16.1, hour, {0, 24}, "Of the day.", when(sunBy, Method::tetrahedron));
-    Real gap = real("convergence", 0, metre, {0, 10}, "Where the views meet.", reads(0, "auto"));
+    Real gap = real("convergence", 0, meter, {0, 10}, "Where the views meet.", reads(0, "auto"));
     Group accuracy = foldedGroup("Accuracy");
     Count steps = count("steps", 8, {1, 64}, "Of the march.");
 };
@@ -27,7 +27,7 @@ struct SampleTable final : Parameters {
     Real speed = real("speed", 0.05, hertz, Range{0, 5}.soft(0, 0.5), "Round trips per second: low melts, high jumps.",
                       when(animated));
     Real tube =
-        real("tubeRadius", 0.012, millimetre, {0.001, 0.2, logarithmic, 0.002, 0.1}, "Radius of the torus's tube.");
+        real("tubeRadius", 0.012, millimeter, {0.001, 0.2, logarithmic, 0.002, 0.1}, "Radius of the torus's tube.");
     Real tilt = real("tilt", 0, degree, {-3.14159265358979, 3.14159265358979},
                      "Turns the solid about the axis to the visitor.");
 

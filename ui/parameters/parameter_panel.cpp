@@ -1,6 +1,7 @@
 #include "ui/parameters/parameter_panel.h"
 
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
@@ -156,8 +157,7 @@ void ParameterPanel::rebuild()
 
 void ParameterPanel::addSection(const ParameterInfo& first)
 {
-    auto* section = new ParameterSection(
-        QString::fromUtf8(first.group.data(), static_cast<qsizetype>(first.group.size())), content_);
+    auto* section = new ParameterSection(text(first.group), content_);
     const QString key = name_ + QLatin1Char('/') + section->title();
     foldedAtFirst_.push_back(first.groupFolded);
     section->setFolded(folded_.contains(key) != first.groupFolded);

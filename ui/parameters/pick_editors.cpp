@@ -1,5 +1,7 @@
 #include "ui/parameters/pick_editors.h"
 
+#include "ui/kit/text.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDragEnterEvent>
@@ -31,7 +33,7 @@ QString nameOf(const ParameterInfo& row)
 QStringList filtersOf(const ParameterInfo& row)
 {
     QStringList patterns;
-    const QString endings = QString::fromUtf8(row.endings.data(), static_cast<qsizetype>(row.endings.size()));
+    const QString endings = text(row.endings);
     for (const QString& ending : endings.split(QLatin1Char(' '), Qt::SkipEmptyParts))
         patterns << QStringLiteral("*.") + ending;
     const QString all = FileEditor::tr("All files (*)");
@@ -60,8 +62,7 @@ void ToggleEditor::showValue(const Value& value)
 ChoiceEditor::ChoiceEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), box_(new QComboBox(this))
 {
-    for (const std::string_view name : row().choices)
-        box_->addItem(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+    for (const std::string_view name : row().choices) box_->addItem(text(name));
     box_->setAccessibleName(nameOf(row()));
     box_->setFocusPolicy(Qt::StrongFocus);
     box_->setFixedHeight(22);

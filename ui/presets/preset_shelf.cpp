@@ -6,6 +6,7 @@
 #include "render/image/image_io.h"
 #include "ui/kit/name_dialog.h"
 #include "ui/kit/picture_file.h"
+#include "ui/kit/text.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -209,7 +210,7 @@ void PresetShelf::save()
 void PresetShelf::saveAs()
 {
     const Subject& subject = window_.museum().subject(window_.shown());
-    const QString title = QString::fromUtf8(subject.title().data(), static_cast<qsizetype>(subject.title().size()));
+    const QString title = text(subject.title());
     const StoredPreset* used = inUse();
     auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(used ? words(used->preset.name) : title),
                                list_.window());
@@ -372,17 +373,15 @@ void PresetShelf::loadText(const std::string& text, const QString& origin)
         window_.choose(chosen);
         return;
     }
-    for (std::size_t i = 0; i < window_.museum().subjects().size(); ++i) {
-        const Subject& subject = window_.museum().subject(i);
-        if (subject.name() != header.exhibit) continue;
-        const Preset preset = parsePreset(text, origin.toStdString(), subject.name(), subject.parameters());
-        tell(origin, preset.notes);
-        window_.choose(i);
-        show(preset, i, tr("Load %1").arg(words(preset.name)));
-        return;
-    }
-    throw Failure(Blame::file,
-                  origin.toStdString() + " is a preset of \"" + header.exhibit + "\", which is not in this museum.");
+    const std::optional<std::size_t> found = window_.museum().find(header.exhibit);
+    if (!found)
+        throw Failure(Blame::file, origin.toStdString() + " is a preset of \"" + header.exhibit +
+                                       "\", which is not in this museum.");
+    const Subject& subject = window_.museum().subject(*found);
+    const Preset preset = parsePreset(text, origin.toStdString(), subject.name(), subject.parameters());
+    tell(origin, preset.notes);
+    window_.choose(*found);
+    show(preset, *found, tr("Load %1").arg(words(preset.name)));
 }
 
 void PresetShelf::loadFile(const QString& path)
@@ -399,11 +398,6 @@ bool PresetShelf::loadFromPicture(const QString& path)
         if (text) loadText(*text, path);
     });
     return done;
-}
-
-std::string PresetShelf::sceneText() const
-{
-    return textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Picture");
 }
 
 }  // namespace vitrine::ui

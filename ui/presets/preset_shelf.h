@@ -52,8 +52,6 @@ public:
     void loadFile(const QString& path);
     /// Returns false when the picture has no preset inside; true when it is shown, or what is wrong was said.
     bool loadFromPicture(const QString& path);
-    /// The look on show as the text of an exhibition: what travels inside pictures.
-    [[nodiscard]] std::string sceneText() const;
 
 signals:
     /// Which preset is in use, or whether the look has left it, may have changed.

@@ -2,8 +2,6 @@
 
 #include "exhibits/framework/preset.h"
 
-#include <algorithm>
-
 namespace vitrine::ui {
 namespace {
 
@@ -35,9 +33,7 @@ SceneState lookFrom(const Museum& museum, std::string text, std::string fileName
     const NamedValues initial = namedValues(museum.subjects(), sceneState.values);
     Exhibition read = parseExhibition(std::move(text), std::move(fileName), initial);
     for (auto& [name, values] : read.values) {
-        const auto at =
-            std::find_if(initial.begin(), initial.end(), [&](const auto& entry) { return entry.first == name; });
-        if (at != initial.end()) sceneState.values[static_cast<std::size_t>(at - initial.begin())] = std::move(values);
+        if (const auto at = museum.find(name)) sceneState.values[*at] = std::move(values);
     }
     sceneState.camera = read.camera;
     notes.insert(notes.end(), read.notes.begin(), read.notes.end());

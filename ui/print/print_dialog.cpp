@@ -185,7 +185,7 @@ void PrintDialog::connectExport()
     connect(export_, &ExportBar::settingsLoaded, this, &PrintDialog::loadSettings);
     connect(export_, &ExportBar::settingsSaved, this, &PrintDialog::saveSettings);
     connect(&write_, &ProgressJob::progressed, export_, &ExportBar::showProgress);
-    connect(&write_, &ProgressJob::stopped, this, [this] { endExport(tr("Cancelled; no file was written.")); });
+    connect(&write_, &ProgressJob::stopped, this, [this] { endExport(tr("Canceled; no file was written.")); });
     connect(&write_, &ProgressJob::failed, this, [this](const QString& why) {
         endExport(tr("Nothing was written."));
         say(MessageStrip::Mood::problem, why);
@@ -415,7 +415,7 @@ void PrintDialog::stopExport()
         return;
     }
     loader_.stop();
-    endExport(tr("Cancelled; no file was written."));
+    endExport(tr("Canceled; no file was written."));
 }
 
 void PrintDialog::write(std::shared_ptr<const printing::PrintViews> views)

@@ -22,10 +22,10 @@ QString millimeters(double length)
 
 QString reach(const printing::DepthRange& range)
 {
-    const auto metres = [](double m) {
+    const auto meters = [](double m) {
         return std::isinf(m) ? QString(QChar(0x221e)) : QString::number(m, 'f', m < 10 ? 1 : 0);
     };
-    return metres(range.nearest) + QChar(0x2013) + metres(range.farthest) + QStringLiteral(" m");
+    return meters(range.nearest) + QChar(0x2013) + meters(range.farthest) + QStringLiteral(" m");
 }
 
 QString bytesText(double bytes)

@@ -5,6 +5,7 @@
 #include "render/failure.h"
 #include "render/measure/distance.h"
 #include "render/measure/memory.h"
+#include "ui/kit/text.h"
 #include "ui/kit/time_left.h"
 #include "ui/study/study_chart.h"
 #include "ui/study/study_export.h"
@@ -406,9 +407,8 @@ void StudyDock::refresh()
     const std::optional<std::size_t> present = presentPoint();
     std::vector<ChartPoint> points = chartPoints(museum_.subjects(), request_, result());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].present = present == i;
-    chart_->setTitles(
-        QString::fromStdString(costTitle(result().costName.empty() ? "ms" : result().costName)),
-        QString::fromUtf8(title(request_.metric).data(), static_cast<qsizetype>(title(request_.metric).size())));
+    chart_->setTitles(QString::fromStdString(costTitle(result().costName.empty() ? "ms" : result().costName)),
+                      text(title(request_.metric)));
     chart_->setPoints(std::move(points));
     showPoint(shownPoint_);
     if (result().clock.empty()) return;
@@ -425,8 +425,9 @@ void StudyDock::refresh()
 
 void StudyDock::showPoint(int wanted)
 {
+    const std::optional<std::size_t> present = presentPoint();
     // Without a pointer on one: what the picture on show is, or where it pays most.
-    const std::optional<std::size_t> fallback = presentPoint() ? presentPoint() : result().knee;
+    const std::optional<std::size_t> fallback = present ? present : result().knee;
     const int point = wanted >= 0 ? wanted : fallback ? static_cast<int>(*fallback) : -1;
     shownPoint_ = wanted;
     chart_->emphasize(wanted >= 0 ? std::optional(static_cast<std::size_t>(wanted)) : std::nullopt);
@@ -447,8 +448,7 @@ void StudyDock::showPoint(int wanted)
     pictures_->setAccessibleDescription(
         tr("Left of the line the setting, right of it the reference; arrows move the line. The heat map goes from 0 to "
            "%1 (%2).")
-            .arg(shortNumber(full), QString::fromUtf8(title(request_.metric).data(),
-                                                      static_cast<qsizetype>(title(request_.metric).size()))));
+            .arg(shortNumber(full), text(title(request_.metric))));
     QString text =
         QString::fromStdString(pointText(museum_.subjects(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
     if (result().costName != "ms")

@@ -5,7 +5,7 @@
 
 namespace vitrine::ui {
 
-/// What this is: version, what it is made with, licence.
+/// What this is: version, what it is made with, license.
 class AboutDialog final : public QDialog {
     Q_OBJECT
 

@@ -8,7 +8,7 @@
 
 namespace vitrine::ui {
 
-/// The hall and its nine places: picture, number, title; places that wait are grey.
+/// The hall and its nine places: picture, number, title; places that wait are gray.
 class ExhibitList final : public QListWidget {
     Q_OBJECT
 

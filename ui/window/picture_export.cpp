@@ -125,7 +125,7 @@ void PictureExport::start()
 bool PictureExport::cancel()
 {
     Stage drawing = Stage::drawing;
-    if (!stage_->compare_exchange_strong(drawing, Stage::cancelled)) return drawing == Stage::cancelled;
+    if (!stage_->compare_exchange_strong(drawing, Stage::canceled)) return drawing == Stage::canceled;
     task_.cancel();
     running_ = false;
     deleteLater();

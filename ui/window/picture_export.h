@@ -37,7 +37,7 @@ public:
     void start();
     /// Leaves no file, and deletes itself. Returns false when the file is being written already: `finished` follows.
     bool cancel();
-    /// Until it is finished, failed or cancelled.
+    /// Until it is finished, failed or canceled.
     [[nodiscard]] bool running() const { return running_; }
     [[nodiscard]] const std::filesystem::path& path() const { return wish_.path; }
 
@@ -50,7 +50,7 @@ signals:
 
 private:
     /// Whoever takes the first step from `drawing` decides.
-    enum class Stage : std::uint8_t { drawing, writing, cancelled };
+    enum class Stage : std::uint8_t { drawing, writing, canceled };
 
     [[nodiscard]] PictureRequest request() const;
     /// Reads the viewport's picture before anything else is drawn, and writes it.

@@ -1,5 +1,6 @@
 #include "ui/window/screenshot.h"
 
+#include "ui/kit/text.h"
 #include "ui/model/workbench.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/picture_export.h"
@@ -13,7 +14,7 @@ void saveScreenshot(Workbench& window, QObject& parent)
 {
     const std::string_view name = window.museum().subject(window.chosen()).name();
     ExportWish wish;
-    wish.path = freeScreenshotPath(parent, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+    wish.path = freeScreenshotPath(parent, text(name));
     Viewport& viewport = window.viewport();
     const double ratio = viewport.devicePixelRatioF();
     wish.size = {std::max(1, static_cast<int>(std::lround(viewport.width() * ratio))),

@@ -1,6 +1,8 @@
 #include "ui/window/screenshot_dialog.h"
 
 #include "ui/kit/replace_question.h"
+#include "ui/kit/text.h"
+#include "ui/kit/time_left.h"
 #include "ui/model/workbench.h"
 #include "ui/viewport/viewport.h"
 
@@ -17,7 +19,6 @@
 #include <QToolButton>
 
 #include <array>
-#include <cmath>
 
 namespace vitrine::ui {
 namespace {
@@ -37,12 +38,6 @@ constexpr std::array<FormatLine, 6> formats{{
 }};
 constexpr std::array<QSize, 5> usualSizes{QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160), QSize(7680, 4320),
                                           QSize(2048, 2048)};
-
-QString duration(double seconds)
-{
-    const int whole = static_cast<int>(std::ceil(seconds));
-    return whole < 90 ? ScreenshotDialog::tr("%1 s").arg(whole) : ScreenshotDialog::tr("%1 min").arg((whole + 30) / 60);
-}
 
 }  // namespace
 
@@ -66,8 +61,7 @@ ScreenshotDialog::ScreenshotDialog(Workbench& window, QWidget* parent)
     connect(stop_, &QPushButton::clicked, this, [this] { reject(); });
     setBusy(false);
     const auto name = window.museum().subject(window.chosen()).name();
-    path_->setText(QString::fromStdString(
-        freeScreenshotPath(*parent, QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))).string()));
+    path_->setText(QString::fromStdString(freeScreenshotPath(*parent, text(name)).string()));
 }
 
 void ScreenshotDialog::fillInputs()
@@ -180,7 +174,7 @@ void ScreenshotDialog::reject()
     }
     if (!running_->cancel()) return;  // The file is being written.
     setBusy(false);
-    left_->setText(tr("Cancelled; no file was written."));
+    left_->setText(tr("Canceled; no file was written."));
 }
 
 ExportWish ScreenshotDialog::wish() const
@@ -226,7 +220,7 @@ void ScreenshotDialog::write(const QString& to)
     running_ = new PictureExport(window_, wish(), parent());
     connect(running_, &PictureExport::progressed, this, [this](double part, double secondsLeft) {
         progress_->setValue(static_cast<int>(part * 1000));
-        left_->setText(secondsLeft < 0 ? tr("Drawing …") : tr("About %1 left").arg(duration(secondsLeft)));
+        left_->setText(secondsLeft < 0 ? tr("Drawing …") : timeLeft(secondsLeft));
     });
     connect(running_, &PictureExport::finished, this, [this](const QString& path) {
         setBusy(false);

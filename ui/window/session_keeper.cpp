@@ -4,6 +4,7 @@
 #include "exhibits/framework/state_folder.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
+#include "ui/kit/text.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/scene_text.h"
 #include "ui/viewport/viewport.h"
@@ -151,9 +152,9 @@ void SessionKeeper::close()
     quiet_.stop();
     settled_.stop();
     try {
-        std::filesystem::create_directories(folder_);
-        render::atomicWrite(folder_ / "session.json",
-                            textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Last session"));
+        render::atomicWriteMakingFolder(
+            folder_ / "session.json",
+            textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Last session"));
         saveLayout();
         setTimesRestored(0);
         journal_.cleanExit();
@@ -170,10 +171,7 @@ void SessionKeeper::saveLayout() const
     settings.setValue(QStringLiteral("geometry"), window_.saveGeometry());
     if (!window_.bare()) settings.setValue(QStringLiteral("docks"), window_.saveState(layoutVersion));
     settings.setValue(QStringLiteral("folded"), window_.panel().foldedGroups());
-    settings.setValue(
-        QStringLiteral("chosen"),
-        QString::fromUtf8(window_.museum().subject(window_.chosen()).name().data(),
-                          static_cast<qsizetype>(window_.museum().subject(window_.chosen()).name().size())));
+    settings.setValue(QStringLiteral("chosen"), text(window_.museum().subject(window_.chosen()).name()));
 }
 
 void SessionKeeper::restoreLayout()

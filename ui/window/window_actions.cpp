@@ -1,5 +1,6 @@
 #include "ui/window/window_actions.h"
 
+#include "ui/kit/text.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/viewport/viewport.h"
@@ -220,9 +221,7 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
         const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
                               ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))}
                               : Keys{};
-        make.add(tr("Visit %1")
-                     .arg(QString::fromUtf8(exhibit.title().data(), static_cast<qsizetype>(exhibit.title().size()))),
-                 keys, QString::fromUtf8(exhibit.summary().data(), static_cast<qsizetype>(exhibit.summary().size())),
+        make.add(tr("Visit %1").arg(text(exhibit.title())), keys, text(exhibit.summary()),
                  [&window, index = i] { window.visit(index); });
     }
 }
@@ -239,7 +238,7 @@ void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
                              [manual] { QDesktopServices::openUrl(QUrl::fromLocalFile(manual)); });
     read->setEnabled(!manual.isEmpty());
     make.separator();
-    make.add(tr("&About Vitrine"), {}, tr("Version, libraries, licence."), [&window] { window.openAbout(); });
+    make.add(tr("&About Vitrine"), {}, tr("Version, libraries, license."), [&window] { window.openAbout(); });
 }
 
 }  // namespace vitrine::ui

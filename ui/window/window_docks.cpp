@@ -1,5 +1,6 @@
 #include "ui/window/window_docks.h"
 
+#include "ui/kit/text.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/parameters/parameter_panel.h"
@@ -82,8 +83,7 @@ void WindowDocks::addLedgerAndLog()
     ledger_ = new LedgerDock([&viewport] { return viewport.reason(); });
     QHash<QString, QString> titles;
     for (const auto& exhibit : workbench_.museum().subjects())
-        titles.insert(QString::fromUtf8(exhibit->name().data(), static_cast<qsizetype>(exhibit->name().size())),
-                      QString::fromUtf8(exhibit->title().data(), static_cast<qsizetype>(exhibit->title().size())));
+        titles.insert(text(exhibit->name()), text(exhibit->title()));
     ledger_->view().setTitles(titles);
     connect(ledger_, &LedgerDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
     log_ = new LogView;

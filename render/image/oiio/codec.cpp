@@ -36,9 +36,9 @@ public:
     }
 
     std::string decode(std::string_view bytes, ImageFormat format, const ImageLimits& limits,
-                       const std::function<bool()>& cancelled, StoredPicture& out) noexcept override
+                       const std::function<bool()>& canceled, StoredPicture& out) noexcept override
     {
-        return guarded([&] { return decodeWithOiio(bytes, format, limits, cancelled, out); });
+        return guarded([&] { return decodeWithOiio(bytes, format, limits, canceled, out); });
     }
     std::string write(const StoredPicture& picture, const OiioTarget& target) noexcept override
     {

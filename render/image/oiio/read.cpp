@@ -54,12 +54,12 @@ std::string whyUnsupported(const OIIO::ImageSpec& spec, ImageFormat format)
 
 template <typename Sample>
 std::string readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                     const std::function<bool()>& cancelled, StoredPicture& out)
+                     const std::function<bool()>& canceled, StoredPicture& out)
 {
     std::vector<Sample>& samples = out.samples.emplace<std::vector<Sample>>(out.sampleCount());
     const int band = spec.tile_height > 0 ? spec.tile_height : 64;
     for (int row = 0; row < spec.height; row += band) {
-        if (cancelled && cancelled()) return "reading was cancelled";
+        if (canceled && canceled()) return "reading was canceled";
         const int begin = spec.y + row;
         const int end = spec.y + std::min(row + band, spec.height);
         Sample* at = samples.data() + static_cast<std::size_t>(row) * out.rowSamples();
@@ -87,7 +87,7 @@ const char* pluginName(ImageFormat format)
 }
 
 std::string decodeWithOiio(std::string_view bytes, ImageFormat format, const ImageLimits& limits,
-                           const std::function<bool()>& cancelled, StoredPicture& out)
+                           const std::function<bool()>& canceled, StoredPicture& out)
 {
     const std::unique_ptr<Proxy> file = fileOf(bytes, format);
     std::string problem;
@@ -120,9 +120,9 @@ std::string decodeWithOiio(std::string_view bytes, ImageFormat format, const Ima
     }
     const bool isReal = stored == OIIO::TypeDesc::HALF || stored == OIIO::TypeDesc::FLOAT;
     if (!is8 && !is16 && !isReal) out.warnings.push_back("Its samples were converted to 32-bit float.");
-    if (is8) return readRows<std::uint8_t>(*input, spec, OIIO::TypeDesc::UINT8, cancelled, out);
-    if (is16) return readRows<std::uint16_t>(*input, spec, OIIO::TypeDesc::UINT16, cancelled, out);
-    return readRows<float>(*input, spec, OIIO::TypeDesc::FLOAT, cancelled, out);
+    if (is8) return readRows<std::uint8_t>(*input, spec, OIIO::TypeDesc::UINT8, canceled, out);
+    if (is16) return readRows<std::uint16_t>(*input, spec, OIIO::TypeDesc::UINT16, canceled, out);
+    return readRows<float>(*input, spec, OIIO::TypeDesc::FLOAT, canceled, out);
 }
 
 std::string readTextWithOiio(std::string_view bytes, ImageFormat format, const std::string& key, std::string& out)

@@ -1,3 +1,3 @@
 // The exhibit's field: `SdfShaders::field` of exhibits/kit/sdf_exhibit.h takes the place of this file. It defines
-//     float fieldDistance(vec3 p);  // metres, negative inside, 1-Lipschitz, in the body's own space
+//     float fieldDistance(vec3 p);  // meters, negative inside, 1-Lipschitz, in the body's own space
 #error "no exhibit has put its field here"

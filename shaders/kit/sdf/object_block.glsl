@@ -2,7 +2,7 @@
 #define SDF_OBJECT_FIELDS(FIELD, ARRAY) \
     FIELD(mat4, worldFromLocal) \
     FIELD(mat4, localFromWorld) \
-    FIELD(vec3, boxLow)         /* metres, in the body's own space */ \
+    FIELD(vec3, boxLow)         /* meters, in the body's own space */ \
     FIELD(float, largestScale)  /* of worldFromLocal */ \
     FIELD(vec3, boxHigh)
 BLOCK_STRUCT(SdfObject, SDF_OBJECT_FIELDS)

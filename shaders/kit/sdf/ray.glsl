@@ -4,7 +4,7 @@
 struct LocalRay {
     vec3 origin;
     vec3 direction;   // unit length
-    float perDepth;   // local length per metre along the view axis
+    float perDepth;   // local length per meter along the view axis
     float halfPixel;  // half a pixel's width at local distance 1, never too large
     vec2 span;        // where the ray is inside the box, from the near plane on
 };

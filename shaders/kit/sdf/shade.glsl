@@ -11,7 +11,7 @@ struct Hit {
     vec3 world;
     vec3 worldNormal;
     float tolerance;   // local
-    float travelled;   // local length of the path so far
+    float traveled;   // local length of the path so far
 };
 
 vec3 worldDirection(vec3 local)
@@ -24,8 +24,8 @@ Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
     Hit hit;
     hit.local = origin + direction * march.t;
     hit.tolerance = hitTolerance(march.t, settings);
-    hit.travelled = settings.travelled + march.t;
-    float step_ = max(parameters.normalStep, 0.25 * settings.pixelCone * hit.travelled);
+    hit.traveled = settings.traveled + march.t;
+    float step_ = max(parameters.normalStep, 0.25 * settings.pixelCone * hit.traveled);
     vec3 n = fieldNormal(hit.local, step_, parameters.normalMethod, -direction * march.side);
     evaluations += parameters.normalMethod == NORMAL_CENTRAL ? 6 : 4;
     // A ray inside the solid meets the surface from behind.
@@ -52,7 +52,7 @@ float selfVisibility(Hit hit)
     else if (parameters.shadowMethod == shadowMethod_signed) s = shadowSigned(start, toSun, width, tMin, tMax, parameters.stepLimit);
     else {
         uvec2 pixel = uvec2(framePixel(gl_FragCoord.xy));
-        uint bits = pcg(pixel.x + 65536u * pixel.y + 747796405u * uint(float(frame.sampleIndex)));
+        uint bits = pcg(pixel.x + 65536u * pixel.y + 747796405u * uint(frame.sampleIndex));
         s = shadowArea(start, toSun, width, tMin, tMax, parameters.stepLimit, parameters.shadowRays, 6.2831853 * unitFromBits(bits));
     }
     evaluations += s.evaluations;
@@ -101,13 +101,13 @@ Surface surfaceOf(Hit hit, FieldMaterial material)
 }
 
 // The next surface along a ray that starts on a surface. `side`: 1 outside the solid, -1 inside.
-March onward(vec3 start, vec3 direction, float side, MarchSettings settings, float travelled)
+March onward(vec3 start, vec3 direction, float side, MarchSettings settings, float traveled)
 {
     float tMax = rayBox(start, direction, object.boxLow, object.boxHigh).y;
     MarchSettings s = settings;
     s.tMin = 0.0;
     s.tMax = tMax;
-    s.travelled = travelled;
+    s.traveled = traveled;
     s.side = side;
     March march = sphereTrace(start, direction, s);
     evaluations += march.evaluations;
@@ -130,14 +130,14 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
         march.hit = false;
         vec3 start = hit.local + hit.localNormal * (2.0 * hit.tolerance);
         vec3 direction = normalize(mat3(object.localFromWorld) * mirrored);
-        if (!last) march = onward(start, direction, 1.0, settings, hit.travelled);
+        if (!last) march = onward(start, direction, 1.0, settings, hit.traveled);
         if (!march.hit) {
             // With no bounce left to find it, what the object hides from itself is only darkened.
             float open = last ? mix(1.0, s.occlusion, 0.7) : 1.0;
             return color + throughput * probeRadiance(hit.world, mirrored, s.roughness) * open;
         }
         MarchSettings next = settings;
-        next.travelled = hit.travelled;
+        next.traveled = hit.traveled;
         hit = findHit(start, direction, march, next);
         toEye = -mirrored;
     }
@@ -167,11 +167,11 @@ vec3 shadeGlass(vec3 toEye, Hit hit, MarchSettings settings)
         vec3 localDirection = normalize(mat3(object.localFromWorld) * direction);
         // Off the surface, to the side that the ray travels on.
         vec3 start = hit.local - hit.localNormal * (2.0 * hit.tolerance);
-        March march = onward(start, localDirection, side, settings, hit.travelled);
+        March march = onward(start, localDirection, side, settings, hit.traveled);
         if (!march.hit) break;
         if (side < 0.0) throughput *= exp(-absorption * march.t * length(mat3(object.worldFromLocal) * localDirection));
         MarchSettings next = settings;
-        next.travelled = hit.travelled;
+        next.traveled = hit.traveled;
         hit = findHit(start, localDirection, march, next);
         float eta = side < 0.0 ? index : 1.0 / index;
         vec3 through = refract(direction, hit.worldNormal, eta);

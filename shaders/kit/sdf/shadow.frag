@@ -11,14 +11,14 @@ void main()
     vec3 view = (vec3(ndc, 1.0) - frame.clipFromView[3].xyz) / vec3(frame.clipFromView[0][0], frame.clipFromView[1][1], frame.clipFromView[2][2]);
     vec3 origin = (object.localFromWorld * (frame.worldFromView * vec4(view, 1.0))).xyz;
     vec3 d = mat3(object.localFromWorld) * (mat3(frame.worldFromView) * vec3(0.0, 0.0, -1.0));
-    float perMetre = length(d);
-    vec2 span = rayBox(origin, d / perMetre, object.boxLow, object.boxHigh);
+    float perMeter = length(d);
+    vec2 span = rayBox(origin, d / perMeter, object.boxLow, object.boxHigh);
     if (span.x > span.y) discard;
     MarchSettings s = tableSettings(span.x, span.y, 0.0);
     // Parallel rays: half a texel is as wide everywhere.
     s.toleranceFloor = 0.25 / (frame.clipFromView[0][0] * frame.size.x * object.largestScale);
-    March march = sphereTrace(origin, d / perMetre, s);
+    March march = sphereTrace(origin, d / perMeter, s);
     if (!march.hit) discard;
-    float z = view.z - march.t / perMetre;
+    float z = view.z - march.t / perMeter;
     gl_FragDepth = frame.clipFromView[2][2] * z + frame.clipFromView[3][2];
 }

@@ -216,7 +216,7 @@ TEST_F(Rays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
 TEST_F(Rays, H57_AreTheMaskItselfWithTheSunOnAPixelsCenter)
 {
     // A step from the pixel to the light as a share of their distance: nothing by nothing.
-    const auto naive = [](const dvec2& way) { return way / glm::length(way); };
+    const auto naive = [](const dvec2& path) { return path / glm::length(path); };
     EXPECT_TRUE(std::isnan(naive(dvec2(0)).x));
     for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
         RayShot shot(RayTechnique::screen);

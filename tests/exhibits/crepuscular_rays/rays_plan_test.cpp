@@ -254,8 +254,8 @@ TEST(SunInPicture, IsProjectedLikeAPointVeryFarAway)
 {
     const render::View view = render::makeView({{3, 2, 1}, {-1, 4, -8}, 0.9}, {.size = {640, 360}});
     const dvec3 ways[] = {{-0.5, 0.3, -1}, {1, 0.2, -1}, {-1, -0.1, -0.3}};
-    for (const dvec3& way : ways) {
-        const dvec3 sun = glm::normalize(way);
+    for (const dvec3& path : ways) {
+        const dvec3 sun = glm::normalize(path);
         const SunInPicture found = sunInPicture(view, sun);
         const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(view.eye + 1e9 * sun, 1);
         ASSERT_EQ(found.inFront, clip.w > 0);
@@ -309,14 +309,14 @@ TEST(PolarGrid, HoldsEveryPixelOfThePictureWhereverTheSunIs)
         const PolarGrid grid = polarGrid(source, size, 64);
         for (int y = 0; y <= 36; ++y) {
             for (int x = 0; x <= 64; ++x) {
-                const dvec2 way = dvec2(x, y) * 10.0 - source;
-                const double radius = glm::length(way);
+                const dvec2 path = dvec2(x, y) * 10.0 - source;
+                const double radius = glm::length(path);
                 EXPECT_LE(radius, grid.lastRadius);
                 if (!grid.around) {
                     EXPECT_GE(radius, grid.firstRadius);
                 }
                 if (radius < 1e-9) continue;
-                double angle = std::fmod(std::atan2(way.y, way.x) - grid.firstAngle, 2 * std::numbers::pi);
+                double angle = std::fmod(std::atan2(path.y, path.x) - grid.firstAngle, 2 * std::numbers::pi);
                 if (angle < 0) angle += 2 * std::numbers::pi;
                 EXPECT_LE(angle, grid.span + 1e-9) << source.x << ',' << source.y << " at " << x << ',' << y;
             }

@@ -38,7 +38,7 @@ std::shared_ptr<const MadeTable> madeTable(const std::vector<std::string>& balls
     const std::vector<Ball> rows = table->groups("balls", elements, [&](std::size_t i) {
         Ball ball{};
         ball.radius =
-            table->real("radius", 0.5 * static_cast<double>(i + 1), Unit::metre, {0, largest}, "From its middle.");
+            table->real("radius", 0.5 * static_cast<double>(i + 1), Unit::meter, {0, largest}, "From its middle.");
         ball.finish = table->choice("finish", 0, finishes, "What it is made of.");
         ball.tint = table->color("tint", {1, 1, 1}, "Of what is matte.");
         return ball;

@@ -42,18 +42,18 @@ TEST(ValueText, UnderstandsUnits)
     EXPECT_DOUBLE_EQ(evaluate("30deg", Unit::degree).value_or(NAN), pi / 6);
     EXPECT_DOUBLE_EQ(evaluate("30 °", Unit::degree).value_or(NAN), pi / 6);
     EXPECT_DOUBLE_EQ(evaluate("pi/6 rad", Unit::degree).value_or(NAN), pi / 6);
-    EXPECT_DOUBLE_EQ(evaluate("12 mm", Unit::metre).value_or(NAN), 0.012);
-    EXPECT_DOUBLE_EQ(evaluate("12", Unit::millimetre).value_or(NAN), 0.012);
-    EXPECT_DOUBLE_EQ(evaluate("1 m + 20", Unit::centimetre).value_or(NAN), 1.2);
-    EXPECT_DOUBLE_EQ(evaluate("7 µm", Unit::millimetre).value_or(NAN), 7e-6);
+    EXPECT_DOUBLE_EQ(evaluate("12 mm", Unit::meter).value_or(NAN), 0.012);
+    EXPECT_DOUBLE_EQ(evaluate("12", Unit::millimeter).value_or(NAN), 0.012);
+    EXPECT_DOUBLE_EQ(evaluate("1 m + 20", Unit::centimeter).value_or(NAN), 1.2);
+    EXPECT_DOUBLE_EQ(evaluate("7 µm", Unit::millimeter).value_or(NAN), 7e-6);
     EXPECT_DOUBLE_EQ(evaluate("50%", Unit::percent).value_or(NAN), 0.5);
     EXPECT_DOUBLE_EQ(evaluate("50", Unit::percent).value_or(NAN), 0.5);
     EXPECT_DOUBLE_EQ(evaluate("50%", Unit::none).value_or(NAN), 0.5);
-    EXPECT_DOUBLE_EQ(evaluate("2/m", Unit::perMetre).value_or(NAN), 2);
-    EXPECT_DOUBLE_EQ(evaluate("1/(20 cm)", Unit::perMetre).value_or(NAN), 5);
+    EXPECT_DOUBLE_EQ(evaluate("2/m", Unit::perMeter).value_or(NAN), 2);
+    EXPECT_DOUBLE_EQ(evaluate("1/(20 cm)", Unit::perMeter).value_or(NAN), 5);
     EXPECT_DOUBLE_EQ(evaluate("1/50 s", Unit::second).value_or(NAN), 0.02);
     EXPECT_DOUBLE_EQ(evaluate("1/50 s", Unit::hertz).value_or(NAN), 0.02);
-    EXPECT_DOUBLE_EQ(evaluate("20 cm + 1/2 m", Unit::metre).value_or(NAN), 0.7);
+    EXPECT_DOUBLE_EQ(evaluate("20 cm + 1/2 m", Unit::meter).value_or(NAN), 0.7);
     EXPECT_DOUBLE_EQ(evaluate("1/20 ms", Unit::hertz).value_or(NAN), 50);
     EXPECT_DOUBLE_EQ(evaluate("1/(20 ms)", Unit::hertz).value_or(NAN), 50);
     EXPECT_DOUBLE_EQ(evaluate("3 m / 2 m * 4", Unit::none).value_or(NAN), 6);
@@ -67,9 +67,9 @@ TEST(ValueText, RefusesWhatMeansNothing)
     }
     EXPECT_EQ(evaluate("3 m", Unit::degree), std::nullopt);
     EXPECT_EQ(evaluate("3 m", Unit::none), std::nullopt);
-    EXPECT_EQ(evaluate("3 m * 2 s", Unit::metre), std::nullopt);
-    EXPECT_EQ(evaluate("3 m + 2 s", Unit::metre), std::nullopt);
-    EXPECT_EQ(evaluate("50%", Unit::metre), std::nullopt);
+    EXPECT_EQ(evaluate("3 m * 2 s", Unit::meter), std::nullopt);
+    EXPECT_EQ(evaluate("3 m + 2 s", Unit::meter), std::nullopt);
+    EXPECT_EQ(evaluate("50%", Unit::meter), std::nullopt);
     EXPECT_EQ(evaluate(std::string(2000, '('), Unit::none), std::nullopt);
     EXPECT_EQ(evaluate(std::string(100'000, '-'), Unit::none), std::nullopt);
 }

@@ -32,10 +32,10 @@ double apart(const FurStates& a, const FurStates& b)
     double most = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         most = std::max(most, glm::length(a[i].position - b[i].position));
-        most = std::max(most, glm::length(a[i].pull - b[i].pull));
-        most = std::max(most, glm::length(rotationVector(a[i].turn * glm::conjugate(b[i].turn))));
-        most = std::max(most, glm::length(rotationVector(a[i].lag * glm::conjugate(b[i].lag))));
-        most = std::max(most, std::abs(a[i].grown - b[i].grown));
+        most = std::max(most, glm::length(a[i].tipOffset - b[i].tipOffset));
+        most = std::max(most, glm::length(rotationVector(a[i].rotation * glm::conjugate(b[i].rotation))));
+        most = std::max(most, glm::length(rotationVector(a[i].tipRotation * glm::conjugate(b[i].tipRotation))));
+        most = std::max(most, std::abs(a[i].skinScale - b[i].skinScale));
     }
     return most;
 }
@@ -43,8 +43,8 @@ double apart(const FurStates& a, const FurStates& b)
 bool same(const FurStates& a, const FurStates& b)
 {
     for (std::size_t i = 0; i < a.size(); ++i)
-        if (a[i].position != b[i].position || a[i].turn != b[i].turn || a[i].grown != b[i].grown ||
-            a[i].pull != b[i].pull || a[i].lag != b[i].lag)
+        if (a[i].position != b[i].position || a[i].rotation != b[i].rotation || a[i].skinScale != b[i].skinScale ||
+            a[i].tipOffset != b[i].tipOffset || a[i].tipRotation != b[i].tipRotation)
             return false;
     return true;
 }
@@ -123,7 +123,7 @@ TEST(Bounce, MovesBetweenStepsWithoutJumps)
         const FurStates next = bounce.at(t);
         for (std::size_t i = 0; i < next.size(); ++i) {
             ASSERT_LT(glm::length(next[i].position - last[i].position), 0.012) << t;
-            ASSERT_LT(glm::length(rotationVector(next[i].turn * glm::conjugate(last[i].turn))), 0.04) << t;
+            ASSERT_LT(glm::length(rotationVector(next[i].rotation * glm::conjugate(last[i].rotation))), 0.04) << t;
         }
         last = next;
     }
@@ -143,9 +143,9 @@ TEST(Bounce, KeepsFurWithinItsLimits)
         double most = 0;
         for (double t = 0; t < 3; t += 1.0 / 60) {
             for (const FurState& state : bounce.at(t)) {
-                ASSERT_LE(glm::length(state.pull), 0.7 * (1 + 1e-9));
-                ASSERT_LE(glm::length(rotationVector(state.lag)), 0.4 + 1e-9);
-                most = std::max(most, glm::length(state.pull));
+                ASSERT_LE(glm::length(state.tipOffset), 0.7 * (1 + 1e-9));
+                ASSERT_LE(glm::length(rotationVector(state.tipRotation)), 0.4 + 1e-9);
+                most = std::max(most, glm::length(state.tipOffset));
             }
         }
         EXPECT_GT(most, 0.5);
@@ -177,7 +177,7 @@ TEST(Bounce, CollidesWithTheRadiusThatIsDrawn)
     Bounce bounce(s);
     bool grew = false, shrank = false;
     for (double t = 0; t < 4; t += 0.01) {
-        const double drawn = ballRadius * s.growth.grown(t);
+        const double drawn = ballRadius * s.growth.skinScale(t);
         EXPECT_NEAR(drawn, ballRadius + 0.08 * std::sin(2 * 3.14159265358979 * 0.7 * (0.3 + t)), 1e-9);
         EXPECT_NEAR(restStates(s, t)[furBall].position.y, drawn, 1e-9);
         const double under = bounce.at(t)[furBall].position.y - drawn;
@@ -188,10 +188,10 @@ TEST(Bounce, CollidesWithTheRadiusThatIsDrawn)
     EXPECT_TRUE(grew && shrank) << "it was never seen to lie on the floor, large and small";
 }
 
-/// Metres from a body's middle to its farthest tip.
-double reachOf(int body, const ParameterValues& values, double grown)
+/// Meters from a body's middle to its farthest tip.
+double reachOf(int body, const ParameterValues& values, double skinScale)
 {
-    const double skin = body == furBall   ? ballRadius * grown
+    const double skin = body == furBall   ? ballRadius * skinScale
                         : body == furRoll ? rollHalfLength + rollRadius
                                           : ringRadius + ringTube;
     return skin + values[table().coats[static_cast<std::size_t>(body)].length];
@@ -213,7 +213,7 @@ TEST(Bounce, NeverLeavesTheSpaceInWhichItIsLookedFor)
             const FurStates states = bounce.at(t);
             for (int i = 0; i < furBodyCount; ++i) {
                 const FurState& state = states[static_cast<std::size_t>(i)];
-                const double reach = reachOf(i, values, state.grown);
+                const double reach = reachOf(i, values, state.skinScale);
                 const render::Box& space = t == 0 ? rest : jump;
                 // Below the floor nothing shows: what reaches there is pressed flat.
                 ASSERT_LE(state.position.y + reach, space.high.y) << "body " << i << " at " << t << " s";
@@ -268,7 +268,7 @@ TEST(Bounce, HopsBackOverTheRimAndIsNotDrawnHome)
         }
     }
     EXPECT_GT(left, 20) << "no body left the pit: there is nothing to come back from";
-    // Some are held a metre outside the pit. Drawn home by a spring, nearly all would be steered.
+    // Some are held a meter outside the pit. Drawn home by a spring, nearly all would be steered.
     EXPECT_GT(flying, 60);
     EXPECT_LT(steered, flying / 8) << "something pulls at bodies in the air";
 }

@@ -192,7 +192,7 @@ TEST(FurPlan, MovesByItselfOnlyWhenAsked)
     FurScene steady;
     steady.values().set(table().wind, 1.0);
     steady.values().set(table().gustiness, 0.0);
-    EXPECT_EQ(steady.next(), never) << "a draught without gusts leans on the fur and leaves it there";
+    EXPECT_EQ(steady.next(), never) << "a draft without gusts leans on the fur and leaves it there";
 }
 
 TEST(FurPlan, PressingOneButtonWakesNoOtherExhibit)

@@ -30,9 +30,9 @@ Shot furShot()
     shot.request.frame.camera = gallery().museum.subject(shot.sdf).bestView(shot.object());
     ParameterValues& values = shot.object();
     values.set(table().byHand, true);
-    for (const Real pull : {table().handX, table().handY, table().handZ, table().comb, table().disorder, table().clump,
-                            table().flattening})
-        values.set(pull, 0.0);
+    for (const Real tipOffset : {table().handX, table().handY, table().handZ, table().comb, table().disorder,
+                                 table().clump, table().flattening})
+        values.set(tipOffset, 0.0);
     values.set(table().levelOfDetail, false);
     shot.size(128, 80);
     return shot;
@@ -92,7 +92,7 @@ TEST_F(FurScaled, H87_NormalsOfAnUnevenlyScaledSkinAreThoseOfItsEllipsoid)
         if (!p.hit(x, y) || glm::length(p.normal(x, y)) < 0.5) return;
         const Ray ray = pixelRay(p.view, x, y);
         const glm::dvec3 out = back * (ray.origin + ray.direction * p.depth(x, y)) - ball.position;
-        if (std::abs(glm::length(out) - ballRadius * ball.grown) < 0.01) seen.push_back({out, p.normal(x, y)});
+        if (std::abs(glm::length(out) - ballRadius * ball.skinScale) < 0.01) seen.push_back({out, p.normal(x, y)});
     });
     ASSERT_GT(seen.size(), 300U);
     const auto median = [&](const glm::dmat3& worldNormalFromNormal) {
@@ -115,7 +115,7 @@ TEST_F(FurScaled, H87_AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
     shot.object().set(table().strandRoundness, 0.999);
     shot.object().set(table().gravity, 0.0);
     const FurState ball = restStates(bounceSettings(table(), shot.object(), nullptr, 0))[furBall];
-    const double reach = ballRadius * ball.grown + shot.object()[table().coats[furBall].length];
+    const double reach = ballRadius * ball.skinScale + shot.object()[table().coats[furBall].length];
     for (const glm::dvec3 factors : {glm::dvec3(1), glm::dvec3(1, 1.6, 1), glm::dvec3(1.6, 1, 0.5)}) {
         const glm::dmat4 scale = glm::scale(glm::dmat4(1), factors);
         shot.transform(scale);
@@ -135,7 +135,7 @@ TEST_F(FurScaled, H87_AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
         EXPECT_NEAR((p.height() / 2.0 - highest) * pixel, reach * factors.y, 0.04 * reach * factors.y) << factors.y;
         EXPECT_NEAR((p.width() / 2.0 - leftmost) * pixel, reach * factors.x, 0.04 * reach * factors.x) << factors.x;
         // The naive way pushes the skin out along its carried normal by the unscaled length.
-        const double naive = ballRadius * ball.grown * factors.y + shot.object()[table().coats[furBall].length];
+        const double naive = ballRadius * ball.skinScale * factors.y + shot.object()[table().coats[furBall].length];
         EXPECT_TRUE(factors.y == 1 || std::abs(naive - reach * factors.y) > 0.1 * reach);
     }
 }

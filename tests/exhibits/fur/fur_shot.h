@@ -34,12 +34,12 @@ struct FurShot : Shot {
         object().set(table().samplesBetween, 32);
         return *this;
     }
-    FurShot& hand(const glm::dvec3& pull, double turn)
+    FurShot& hand(const glm::dvec3& tipOffset, double turn)
     {
         object().set(table().byHand, true);
-        object().set(table().handX, pull.x);
-        object().set(table().handY, pull.y);
-        object().set(table().handZ, pull.z);
+        object().set(table().handX, tipOffset.x);
+        object().set(table().handY, tipOffset.y);
+        object().set(table().handZ, tipOffset.z);
         object().set(table().handRotation, turn);
         return *this;
     }

@@ -52,9 +52,9 @@ TEST_F(FurTest, AHalfTurnIsTheSameEitherWay)
 
 TEST_F(FurTest, StaysWithinItsLengthHoweverItIsPulled)
 {
-    for (const glm::dvec3 pull : {glm::dvec3(20, 0, 0), glm::dvec3(0, -3, 0), glm::dvec3(-20, 20, 20)}) {
+    for (const glm::dvec3 tipOffset : {glm::dvec3(20, 0, 0), glm::dvec3(0, -3, 0), glm::dvec3(-20, 20, 20)}) {
         FurShot shot;
-        shot.hand(pull, 1.0);
+        shot.hand(tipOffset, 1.0);
         const Picture p = shot.take();
         const glm::dmat4 worldFromView = glm::inverse(p.view.viewFromWorld);
         p.each([&](int x, int y) {
@@ -279,7 +279,7 @@ TEST_F(FurTest, CastsTheLampsShadowOnTheFloorAndOnItsNeighbors)
         return p.luminance(static_cast<int>((ndc.x * 0.5 + 0.5) * p.width()),
                            static_cast<int>((0.5 - ndc.y * 0.5) * p.height()));
     };
-    // The ball lies at (-0.62, -0.02); its shadow falls half a metre to the right of it. Left in front nothing does.
+    // The ball lies at (-0.62, -0.02); its shadow falls half a meter to the right of it. Left in front nothing does.
     EXPECT_LT(floorAt(-0.05, 0.25), 0.5 * floorAt(-0.75, 0.75));
 }
 

@@ -34,7 +34,7 @@ double unevenness(double cellSize, bool thinned)
 {
     constexpr int samples = 2'000'000;
     constexpr int caps = 60;
-    const double radius = 0.35;  // Of the body, metres.
+    const double radius = 0.35;  // Of the body, meters.
     const double strand = 0.16 * cellSize;
     std::vector<dvec3> axes;
     for (int k = 0; k < caps; ++k) axes.push_back(onSphere(k, caps));
@@ -136,7 +136,7 @@ TEST(Strands, OffsetsLieInTheSurface)
 TEST(Bending, OfNlerpHurriesAsPublished)
 {
     // Published for quaternions, whose angle is half the turn: largest error 0.033 degrees at a turn of 30,
-    // 0.92 at 90, 8.1 at 180 . Directions see the whole angle.
+    // 0.92 at 90, 8.1 at 180. Directions see the whole angle.
     const auto error = [](double turn) {
         double worst = 0;
         for (int i = 0; i <= 100; ++i) {

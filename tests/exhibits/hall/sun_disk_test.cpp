@@ -17,9 +17,9 @@ class SunDisk : public test::GlTest {};
 
 constexpr double elevation = 0.3316;
 constexpr double azimuth = -0.0524;
-constexpr double width = 0.05;  ///< Radians: five times the sun's, so that its half-shadows are half a metre wide.
+constexpr double width = 0.05;  ///< Radians: five times the sun's, so that its half-shadows are half a meter wide.
 
-/// The floor under the right edge of the window's light, ten metres from what makes that edge.
+/// The floor under the right edge of the window's light, ten meters from what makes that edge.
 Shot floorShot(ShadowFilter filter)
 {
     Shot shot;

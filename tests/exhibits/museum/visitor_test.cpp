@@ -24,7 +24,7 @@ using test::Scene;
 
 constexpr double eyeHeight = 1.65;
 
-/// How far the visitor's cylinder reaches into an obstacle, metres; 0 or less: not at all. Written anew, so
+/// How far the visitor's cylinder reaches into an obstacle, meters; 0 or less: not at all. Written anew, so
 /// that it does not share a fault with the walk.
 double overlap(const Collider& collider, const dvec3& eye)
 {
@@ -54,7 +54,7 @@ TEST(Walk, NeverEndsInsideAnythingHoweverOneWalks)
     test::Random random(5);
     dvec3 eye = test::museum().initialSceneState().camera.eye;
     ASSERT_LE(worstOverlap(eye), 1e-6);
-    double travelled = 0;
+    double traveled = 0;
     for (int i = 0; i < 20000; ++i) {
         const double stride = i % 10 == 0 ? random.number(1, 30) : random.number(0, 0.5);
         const double angle = random.number(0, 6.283185307);
@@ -62,10 +62,10 @@ TEST(Walk, NeverEndsInsideAnythingHoweverOneWalks)
         ASSERT_LE(worstOverlap(next), 1e-5)
             << i << ": from " << eye.x << ',' << eye.z << " to " << next.x << ',' << next.z;
         ASSERT_TRUE(inHall(next)) << next.x << ',' << next.z;
-        travelled += glm::length(next - eye);
+        traveled += glm::length(next - eye);
         eye = next;
     }
-    EXPECT_GT(travelled, 1000);
+    EXPECT_GT(traveled, 1000);
 }
 
 TEST(Walk, StopsAtAWallAndSlidesAlongIt)
@@ -166,7 +166,7 @@ std::optional<LookedAt> lookFrom(const dvec3& eye, const dvec3& target)
     return test::museum().lookedAt(test::museum().prepare(sceneState, request));
 }
 
-TEST(LookedAt, W2_TheButtonAnswersWithinTwoMetresOnly)
+TEST(LookedAt, W2_TheButtonAnswersWithinTwoMetersOnly)
 {
     const dvec3 away = glm::normalize(dvec3(0.3, 0.5, 1));
     for (const double distance : {0.3, 1.0, 1.5, 1.99}) {

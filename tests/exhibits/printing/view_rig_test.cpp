@@ -68,7 +68,7 @@ TEST(ViewRig, CamerasStandAtEqualDistancesFromLeftToRightAndLookTheSameWay)
     }
 }
 
-TEST(ViewRig, TheBaselineOfThe20LpiSheetAtOneMetreIs58Centimetres)
+TEST(ViewRig, TheBaselineOfThe20LpiSheetAtOneMeterIs58Centimeters)
 {
     // B = C p / (t - r) (N - 1) / N, for 3.2 mm of index 1.56 in focus: 1.27 / (3.2 / 1.56) * 15 / 16.
     PrintSettings s = cardSettings(16, 20);

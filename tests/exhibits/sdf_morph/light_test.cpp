@@ -182,7 +182,7 @@ TEST_F(Light, H41_AConstantRoomIsMirroredWithoutAcne)
 
 TEST_F(Light, S13_EachBounceTakesLessThanTheOneBefore)
 {
-    // In a white room a grey mirror shows how often each ray met it: every meeting leaves 60 % of the light.
+    // In a white room a gray mirror shows how often each ray met it: every meeting leaves 60 % of the light.
     test::TemporaryFolder folder;
     test::writePanorama(folder / "white.hdr", [](const dvec3&) { return dvec3(1); });
     Shot shot;

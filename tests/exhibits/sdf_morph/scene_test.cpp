@@ -196,7 +196,7 @@ TEST_F(Scene, S11_TheShadowMapHoldsWhereTheSunsRaysHit)
                 extra += !truth.hit && truth.closest > 1.05 && map.at(x, y) > 0;
                 if (truth.hit && !truth.grazed && truth.cosine > 0.3 && map.at(x, y) > 0) {
                     const double depth = (light.clipFromWorld * glm::dvec4(truth.world, 1)).z;
-                    // In metres: within two half texels over the slant.
+                    // In meters: within two half texels over the slant.
                     EXPECT_NEAR(map.at(x, y), depth,
                                 std::abs(light.clipFromView[2][2]) * (2 * halfTexel / truth.cosine + 1e-4))
                         << x << ',' << y;

@@ -117,7 +117,7 @@ TEST_F(Shape, S5_DepthIsThatOfTheExactShapes)
 
 TEST_F(Shape, S5_NoHolesWhileItMelts)
 {
-    // A hole is a pixel without a hit whose eight neighbours all have one, and which the field says is solid.
+    // A hole is a pixel without a hit whose eight neighbors all have one, and which the field says is solid.
     for (int i = 0; i <= 8; ++i) {
         Shot shot;
         shot.object().set(sdfTable().morph, i / 8.0);
@@ -224,7 +224,7 @@ TEST_F(Shape, S3_FollowsItsTransform)
     }
 }
 
-/// Pixels in which two outlines differ although all their neighbours agree: not a matter of the edge.
+/// Pixels in which two outlines differ although all their neighbors agree: not a matter of the edge.
 int differenceOffTheEdge(const Picture& a, const Picture& b)
 {
     int count = 0;

@@ -35,12 +35,12 @@ public:
     /// The field of these values (not animated), marched inside their box.
     Solid(const ParameterValues&, const glm::dmat4& worldFromLocal);
 
-    /// `halfPixel`: half a pixel's width at distance 1 of the ray's direction (perspective), metres.
-    /// `halfTexel`: half a texel's width everywhere (parallel rays), metres. `tolerance` is the table's.
+    /// `halfPixel`: half a pixel's width at distance 1 of the ray's direction (perspective), meters.
+    /// `halfTexel`: half a texel's width everywhere (parallel rays), meters. `tolerance` is the table's.
     [[nodiscard]] Found trace(const Ray&, double nearest, double halfPixel, double halfTexel = 0) const;
     /// The same through the middle of a pixel.
     [[nodiscard]] Found trace(const render::View&, int x, int y) const;
-    /// Whether the ray meets the box that the object is marched in, grown by `margin` metres of its own space.
+    /// Whether the ray meets the box that the object is marched in, grown by `margin` meters of its own space.
     [[nodiscard]] bool meetsBox(const Ray&, double margin = 0) const;
     [[nodiscard]] double distance(const glm::dvec3& local) const;
     [[nodiscard]] glm::dvec3 toLocal(const glm::dvec3& world) const

@@ -17,7 +17,7 @@ using LocalLightsOnTheDriver = test::RendererTest;
 constexpr int side = 48;
 constexpr double reach = 3;
 
-/// A floor of `reach` metres around the origin, seen from above: a pixel is a place.
+/// A floor of `reach` meters around the origin, seen from above: a pixel is a place.
 glm::dvec3 placeOf(double x, double y)
 {
     return {(x / side * 2 - 1) * reach, 0, (y / side * 2 - 1) * reach};

@@ -99,17 +99,17 @@ TEST(ReadImage, ReplacesWhatIsNotFiniteAndCountsIt)
     EXPECT_TRUE(warnings[0].starts_with("3 samples")) << warnings[0];
 }
 
-TEST(ReadImage, StopsWhenCancelled)
+TEST(ReadImage, StopsWhenCanceled)
 {
     const TemporaryFolder folder;
     int asked = 0;
-    const ReadOptions options{.cancelled = [&asked] { return ++asked > 1; }};
+    const ReadOptions options{.canceled = [&asked] { return ++asked > 1; }};
     for (const auto& [file, format] :
          {std::pair("a.png", PictureFormat::png8), std::pair("a.exr", PictureFormat::exr)}) {
         const std::string name = file;
         writePicture(folder / name, gradient(4, 300, 3), format);
         asked = 0;
-        EXPECT_FAILURE(readImage(folder / name, options), "cancelled");
+        EXPECT_FAILURE(readImage(folder / name, options), "canceled");
         EXPECT_EQ(asked, 2);
     }
 }

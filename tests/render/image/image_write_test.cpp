@@ -132,7 +132,7 @@ TEST(WritePicture, SaysTheResolutionOfAPrint)
 {
     const TemporaryFolder folder;
     writePicture(folder / "a.png", noise(4, 4, 3), PictureFormat::png8, {.pixelsPerInch = 600});
-    // 600 / 0.0254 = 23622.05 pixels per metre, unit 1: metre.
+    // 600 / 0.0254 = 23622.05 pixels per meter, unit 1: meter.
     const std::string chunk = "pHYs" + test::bigEndian32(23622) + test::bigEndian32(23622) + '\1';
     EXPECT_NE(test::bytesOf(folder / "a.png").find(chunk), std::string::npos);
 }

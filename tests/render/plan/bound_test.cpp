@@ -66,10 +66,10 @@ TEST(FramePlanNeeds, AnEffectOfBoundZeroIsListedAndLeftOutUnlessEverythingRuns)
         FramePlan plan;
         plan.runEverything = everything;
         Pass pass;
-        EXPECT_EQ(plan.needs(pass, {"gone", boundOf(1, 0, {{0, "it is off"}})}), everything);
-        EXPECT_TRUE(plan.needs(pass, {"here", boundOf(1, 0, {})}));
+        EXPECT_EQ(plan.includeIfEffective(pass, {"gone", boundOf(1, 0, {{0, "it is off"}})}), everything);
+        EXPECT_TRUE(plan.includeIfEffective(pass, {"here", boundOf(1, 0, {})}));
         EXPECT_EQ(pass.effects.size(), everything ? 2U : 1U);
-        EXPECT_EQ(plan.needs(boundOf(0, 1, {{0, "too dark"}}), {"one", "two"}), everything);
+        EXPECT_EQ(plan.includeIfEffective(boundOf(0, 1, {{0, "too dark"}}), {"one", "two"}), everything);
         for (const auto& [name, reason] :
              {std::pair("gone", "it is off"), std::pair("one", "too dark"), std::pair("two", "too dark")}) {
             EXPECT_EQ(reasonFor(plan, name), everything ? "not in the plan" : reason) << name;

@@ -32,7 +32,7 @@ float storedDepth(const glm::mat4& clipFromView, double distance)
     return clip.z / clip.w;
 }
 
-TEST(Camera, H5_ReversedDepthKeepsSevenDigitsFrom1To900Metres)
+TEST(Camera, H5_ReversedDepthKeepsSevenDigitsFrom1To900Meters)
 {
     const glm::mat4 clipFromView(makeView({}, {}).clipFromView);
     double worst = 0;

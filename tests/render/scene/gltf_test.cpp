@@ -246,11 +246,11 @@ TEST(Gltf, ListsWhatItDoesNotSupport)
         EXPECT_TRUE(warnsOf(model, what)) << what;
 }
 
-TEST(Gltf, StopsWhenCancelled)
+TEST(Gltf, StopsWhenCanceled)
 {
     GltfBuilder builder;
     builder.node({{"mesh", builder.triangle()}});
-    EXPECT_FAILURE(parseGltf(builder.glb(), "model.glb", {}, [] { return true; }), "cancelled");
+    EXPECT_FAILURE(parseGltf(builder.glb(), "model.glb", {}, [] { return true; }), "canceled");
 }
 
 TEST(Gltf, ReadsExternalBuffersBelowItsFolder)

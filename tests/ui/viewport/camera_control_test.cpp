@@ -10,7 +10,7 @@ using vitrine::render::Camera;
 
 namespace {
 
-/// A room of 8 by 6 metres that is never left.
+/// A room of 8 by 6 meters that is never left.
 glm::dvec3 room(const glm::dvec3&, const glm::dvec3& to)
 {
     return {std::clamp(to.x, -4.0, 4.0), to.y, std::clamp(to.z, -3.0, 3.0)};

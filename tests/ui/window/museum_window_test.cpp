@@ -275,7 +275,7 @@ private slots:
         QVERIFY2(change < 0.5, qPrintable(QString::number(change)));
     }
 
-    void aCancelledExportLeavesNoFile()
+    void aCanceledExportLeavesNoFile()
     {
         ExportWish wish;
         wish.path = home_->filePath("never.png").toStdString();

@@ -3,6 +3,7 @@
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/number_field.h"
 #include "ui/presets/preset_shelf.h"
+#include "ui/presets/scene_text.h"
 #include "ui/viewport/overlay.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/exhibit_list.h"
@@ -216,7 +217,8 @@ private slots:
         dragRoughness(60);
         QFile file(home_->filePath("exhibition.json"));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray::fromStdString(window_->shelf().sceneText()));
+        file.write(QByteArray::fromStdString(
+            vitrine::ui::textOf(gallery_->museum(), window_->history().sceneState(), window_->chosen(), "Look")));
         file.close();
         window_->choose(0);
         window_->files().open(file.fileName());
