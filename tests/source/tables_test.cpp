@@ -38,11 +38,15 @@ struct DeclaredRow {
 /// The table of an exhibit as it is written, with the rows that it takes from the kit.
 std::string tableText(const std::string& exhibit)
 {
-    const std::string file = "exhibits/" + exhibit + '/' + exhibit + "_table.h";
-    std::string text = test::withoutComments(test::sourceText(file));
-    for (const test::Include& include : test::includesOf(file))
-        if (include.target.starts_with("exhibits/kit/"))
-            text += test::withoutComments(test::sourceText(include.target));
+    const std::string stem = "exhibits/" + exhibit + '/' + exhibit + "_table.";
+    std::string text;
+    for (const std::string& file : test::sourceFiles("exhibits/" + exhibit, test::cppExtensions)) {
+        if (!file.starts_with(stem)) continue;
+        text += test::withoutComments(test::sourceText(file));
+        for (const test::Include& include : test::includesOf(file))
+            if (include.target.starts_with("exhibits/kit/"))
+                text += test::withoutComments(test::sourceText(include.target));
+    }
     return text;
 }
 

@@ -46,7 +46,10 @@ void ReadingNotice::look()
         bytes += file.isFile() ? file.size() : 0;
     }
     if (files.isEmpty()) return words_->say({});
-    const QString size = bytes > 0 ? QStringLiteral(" (%1)").arg(QLocale().formattedDataSize(bytes, 0, QLocale::DataSizeTraditionalFormat)) : QString();
+    const QString size =
+        bytes > 0
+            ? QStringLiteral(" (%1)").arg(QLocale().formattedDataSize(bytes, 0, QLocale::DataSizeTraditionalFormat))
+            : QString();
     words_->say(tr("Reading %1%2 … %3 s").arg(files.join(tr(", ")), size).arg((since_.elapsed() + 500) / 1000));
 }
 
