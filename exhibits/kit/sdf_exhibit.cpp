@@ -4,14 +4,23 @@
 #include "exhibits/kit/surface_net.h"
 #include "render/scene/held_bytes.h"
 
+#include <glm/gtc/matrix_inverse.hpp>
+
 #include <limits>
+#include <optional>
 
 namespace vitrine {
 namespace {
 
-struct PreparedSdfMesh final : PreparedPart {
-    render::Asset<render::Mesh> mesh;
+struct PreparedSdf final : PreparedPart {
+    std::optional<render::Asset<render::Mesh>> mesh;  ///< That it is compared with.
+    std::shared_ptr<const PreparedPart> body;         ///< Of the exhibit's own; may be null.
 };
+
+const PreparedPart* bodyOf(const PreparedPart* prepared)
+{
+    return prepared ? static_cast<const PreparedSdf*>(prepared)->body.get() : nullptr;
+}
 
 /// With its size around its center changed by a factor.
 render::Box resized(const render::Box& box, double factor)
@@ -26,6 +35,7 @@ std::shared_ptr<const render::ShaderSources> sourcesOf(const SdfShaders& shaders
     if (shaders.generated) texts = shaders.generated->textByPath();
     texts["kit/sdf/field.glsl"] = "#include \"" + shaders.field + "\"\n";
     texts["kit/sdf/material.glsl"] = "#include \"" + shaders.material + "\"\n";
+    texts["kit/sdf/shading.glsl"] = "#include \"" + shaders.shading + "\"\n";
     return std::make_shared<render::ShaderSources>(std::move(texts));
 }
 
@@ -38,19 +48,31 @@ render::Box SdfExhibit::bounds(const ParameterValues& values) const
     return resized(boxOverTime(values), values[rows().boxSize]);
 }
 
+bool SdfExhibit::isGlass(const ParameterValues& values) const
+{
+    const SdfMaterialRows* t = materialRows();
+    return t && values[t->material] == SdfMaterial::glass;
+}
+
 std::shared_ptr<const PreparedPart> SdfExhibit::prepare(const PrepareContext& context) const
 {
-    if (!context.seen || !context.values[rows().compareMesh]) return nullptr;
-    const SdfBody now = body(context.values, context.time);
-    const int cells = now.values[rows().tessellation];
-    auto part = std::make_shared<PreparedSdfMesh>();
-    const std::string kind = std::string(name()) + ".mesh";
-    part->mesh = context.assets.made<render::Mesh>(kind, now.shape + ';' + std::to_string(cells), [&] {
-        auto mesh = surfaceNet(now.distance, now.box, cells, kind);
-        const std::uint64_t bytes = heldBytes(*mesh);
-        return render::AssetStore::Made<render::Mesh>{std::move(mesh), bytes};
-    });
-    return part;
+    auto part = std::make_shared<PreparedSdf>();
+    part->body = prepareBody(context);
+    if (part->body) {
+        part->unreadable = part->body->unreadable;
+        part->filesId = part->body->filesId;
+    }
+    if (context.seen && context.values[rows().compareMesh]) {
+        const SdfBody now = body(context.values, context.time);
+        const int cells = now.values[rows().tessellation];
+        const std::string kind = std::string(name()) + ".mesh";
+        part->mesh = context.assets.made<render::Mesh>(kind, now.shape + ';' + std::to_string(cells), [&] {
+            auto mesh = surfaceNet(now.distance, now.box, cells, kind);
+            const std::uint64_t bytes = heldBytes(*mesh);
+            return render::AssetStore::Made<render::Mesh>{std::move(mesh), bytes};
+        });
+    }
+    return part->body || part->mesh ? part : nullptr;
 }
 
 double SdfExhibit::firstHit(const ExhibitState& state, const render::Ray& ray) const
@@ -58,12 +80,13 @@ double SdfExhibit::firstHit(const ExhibitState& state, const render::Ray& ray) c
     constexpr double never = std::numeric_limits<double>::infinity();
     constexpr double tolerance = 1e-4;  // Meters: less than a pixel from anywhere a visitor can be.
     const SdfBody now = body(state.values, state.time);
-    const double length = glm::length(ray.direction);
-    const render::Stretch inside = render::insideBox(ray, now.box);
+    const render::Ray own = ray.transformed(glm::affineInverse(now.exhibitFromBody));
+    const double length = glm::length(own.direction);
+    const render::Stretch inside = render::insideBox(own, now.box);
     if (!(inside.enter <= inside.exit) || !(length > 0)) return never;
     double t = inside.enter;
     for (int step = 0; step < 1000 && t <= inside.exit; ++step) {
-        const double distance = now.distance(ray.at(t));
+        const double distance = now.distance(own.at(t));
         if (distance < tolerance) return t;
         t += distance / length;
     }
@@ -84,20 +107,24 @@ double SdfExhibit::nextChange(const ParameterValues&, double) const
 
 SdfScene SdfExhibit::sceneOf(const PlanContext& context, const SdfBody& now) const
 {
-    return {name(), rows(), materialRows(), context, now, resized(now.box, now.values[rows().boxSize]), sources_};
+    return {name(), rows(), isGlass(now.values), context, now, resized(now.box, now.values[rows().boxSize]), sources_};
 }
 
 void SdfExhibit::planShadow(const PlanContext& context, render::FramePlan& plan) const
 {
-    const SdfBody now = body(context.values, context.time);
+    SdfBody now = body(context.values, context.time);
+    complete(now, bodyOf(context.prepared));
     planSdfShadow(sceneOf(context, now), plan);
 }
 
 void SdfExhibit::plan(const PlanContext& context, render::FramePlan& plan) const
 {
-    const SdfBody now = body(context.values, context.time);
-    const auto* prepared = static_cast<const PreparedSdfMesh*>(context.prepared);
-    planSdf(sceneOf(context, now), prepared ? &prepared->mesh : nullptr, plan);
+    SdfBody now = body(context.values, context.time);
+    complete(now, bodyOf(context.prepared));
+    const SdfScene scene = sceneOf(context, now);
+    const auto* prepared = static_cast<const PreparedSdf*>(context.prepared);
+    planSdf(scene, prepared && prepared->mesh ? &*prepared->mesh : nullptr, plan);
+    planBeside(scene, plan);
 }
 
 }  // namespace vitrine

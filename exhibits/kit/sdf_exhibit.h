@@ -16,6 +16,8 @@ struct SdfShaders {
     /// Defines `FieldMaterial fieldMaterial(vec3 p)` (shaders/kit/sdf/material.glsl) of a point of the surface. By
     /// default that of SdfMaterialRows, everywhere.
     std::string material = "kit/sdf/even_material.glsl";
+    /// Defines what is seen of it (shaders/kit/sdf/shading.glsl). By default the hall's light on that material.
+    std::string shading = "kit/sdf/plain_shading.glsl";
     /// Texts that take the place of files, by path.
     std::shared_ptr<const render::ShaderSources> generated = {};
 };
@@ -31,6 +33,9 @@ struct SdfBody {
     std::string shape;
     /// A uniform block of its own (`render::std140Bytes`), at BLOCK_EXHIBIT; empty where `parameters` tells all.
     render::Bytes block = {};
+    glm::dmat4 exhibitFromBody{1};                ///< Where it stands in the exhibit's space: the box is its own.
+    std::vector<std::string> defines = {};        ///< Permutations of its field, material and shading.
+    std::vector<render::BufferUse> buffers = {};  ///< What its field reads at STORAGE_EXHIBIT_A, B and C.
 };
 
 struct SdfScene;
@@ -56,15 +61,27 @@ public:
 protected:
     explicit SdfExhibit(const SdfShaders&);
 
+    /// What takes time to make: `complete` is given it. Null where it needs nothing.
+    [[nodiscard]] virtual std::shared_ptr<const PreparedPart> prepareBody(const PrepareContext&) const
+    {
+        return nullptr;
+    }
+    /// Adds to a body what was prepared for it.
+    virtual void complete(SdfBody&, const PreparedPart*) const {}
+    /// Adds passes beside the body's own, or says why not.
+    virtual void planBeside(const SdfScene&, render::FramePlan&) const {}
+
     [[nodiscard]] virtual const SdfRows& rows() const = 0;
     /// Null where the table has no such rows: the field's own material tells all, and nothing is glass.
     [[nodiscard]] virtual const SdfMaterialRows* materialRows() const { return nullptr; }
+    /// Whether rays go through it. By default where the material rows say so.
+    [[nodiscard]] virtual bool isGlass(const ParameterValues&) const;
     /// A box that holds it at any time.
     [[nodiscard]] virtual render::Box boxOverTime(const ParameterValues& values) const { return body(values, 0).box; }
 
 private:
     /// At its place; holds references to both.
-    [[nodiscard]] SdfScene sceneOf(const PlanContext&, const SdfBody& now) const;
+    [[nodiscard]] SdfScene sceneOf(const PlanContext&, const SdfBody&) const;
 
     std::shared_ptr<const render::ShaderSources> sources_;
 };

@@ -28,39 +28,17 @@ struct SdfPlanner {
     const ParameterValues& values = scene.body.values;
 
     [[nodiscard]] std::string named(const char* step) const { return std::string(scene.exhibit) + '/' + step; }
-    [[nodiscard]] bool isGlass() const
+    [[nodiscard]] glm::dmat4 worldFromBody() const
     {
-        const SdfMaterialRows* t = scene.material;
-        return t && values[t->material] == SdfMaterial::glass;
-    }
-
-    [[nodiscard]] render::Bytes object() const
-    {
-        const glm::dmat4& worldFromLocal = scene.context.worldFromExhibit;
-        const glm::dmat3 linear(worldFromLocal);
-        SdfObject object;
-        object.worldFromLocal = glm::mat4(worldFromLocal);
-        object.localFromWorld = glm::mat4(glm::affineInverse(worldFromLocal));
-        object.boxLow = glm::vec3(scene.box.low);
-        object.boxHigh = glm::vec3(scene.box.high);
-        object.largestScale =
-            static_cast<float>(std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])}));
-        return render::std140Bytes(object);
-    }
-    [[nodiscard]] render::Draw draw(std::shared_ptr<const render::Mesh> mesh) const
-    {
-        render::Draw draw;
-        draw.mesh = std::move(mesh);
-        draw.mirrored = isMirrored(scene.context.worldFromExhibit);
-        draw.object = object();
-        return draw;
+        return scene.context.worldFromExhibit * scene.body.exhibitFromBody;
     }
     [[nodiscard]] Pass pass(const char* step, std::string reason, std::string vertex, std::string fragment) const
     {
-        Pass pass = exhibitPass(named(step), std::move(reason), values, std::move(vertex), std::move(fragment));
-        pass.shader.sources = scene.sources;
-        pass.blocks[BLOCK_EXHIBIT] = scene.body.block;
-        return pass;
+        return sdfPass(scene, step, std::move(reason), std::move(vertex), std::move(fragment));
+    }
+    [[nodiscard]] render::Draw draw(std::shared_ptr<const render::Mesh> mesh) const
+    {
+        return sdfDraw(scene, std::move(mesh));
     }
 
     void shadow() const
@@ -88,7 +66,7 @@ struct SdfPlanner {
         Pass made =
             pass("cone", "it saves every ray the way to the object", "lib/fullscreen.vert", "kit/sdf/cone.frag");
         made.phase = render::PassPhase::prepare;
-        made.shader.defines = {coneDefine()};
+        made.shader.defines.push_back(coneDefine());
         made.colors = {Attachment::cleared(image)};
         made.draws = {draw(nullptr)};
         plan.add(std::move(made));
@@ -96,7 +74,7 @@ struct SdfPlanner {
 
     void occlusion(Pass& made, ParameterValues& needed, bool heat, double any) const
     {
-        const double scattered = isGlass() && !heat ? 0 : 1;
+        const double scattered = scene.glass && !heat ? 0 : 1;
         if (!values[table.ambientOcclusion])
             plan.skip(named("occlusion"), "ambient occlusion is switched off");
         else if (!plan.includeIfEffective(
@@ -140,7 +118,7 @@ struct SdfPlanner {
             made.shader.defines.push_back(coneDefine());
             made.inputs.push_back({UNIT_EXHIBIT_A, coneImage()});
         }
-        if (isGlass()) made.shader.defines.emplace_back("GLASS");
+        if (scene.glass) made.shader.defines.emplace_back("GLASS");
         if (values[table.heatMap] != SdfHeatMap::none) made.shader.defines.emplace_back("HEAT_MAP");
         scene.context.lighting.bindLighting(made);
         // It shades itself by rays of its own; the exhibits' shadow map is for what others keep from it.
@@ -217,7 +195,7 @@ struct SdfPlanner {
         Pass made =
             surfacePass(named("box"), clips ? "the overlay is on; the box clips the object" : "the overlay is on",
                         scene.context.lighting, {.normal = scene.context.channels.normal});
-        const double thickness = 0.006 / glm::length(glm::dvec3(scene.context.worldFromExhibit[0]));
+        const double thickness = 0.006 / glm::length(glm::dvec3(worldFromBody()[0]));
         const glm::dvec3 half = scene.box.halfSize();
         for (int axis = 0; axis < 3; ++axis) {
             for (int corner = 0; corner < 4; ++corner) {
@@ -229,7 +207,7 @@ struct SdfPlanner {
                 center[v] = (corner & 2) != 0 ? half[v] : -half[v];
                 const glm::dmat4 localFromBar =
                     glm::scale(glm::translate(glm::dmat4(1), scene.box.center() + center), size);
-                made.draws.push_back(surfaceDraw(boxMesh(), scene.context.worldFromExhibit * localFromBar, glow));
+                made.draws.push_back(surfaceDraw(boxMesh(), worldFromBody() * localFromBar, glow));
             }
         }
         plan.add(std::move(made));
@@ -237,6 +215,36 @@ struct SdfPlanner {
 };
 
 }  // namespace
+
+render::Pass sdfPass(const SdfScene& scene, const char* step, std::string reason, std::string vertex,
+                     std::string fragment)
+{
+    Pass pass = exhibitPass(std::string(scene.exhibit) + '/' + step, std::move(reason), scene.body.values,
+                            std::move(vertex), std::move(fragment));
+    pass.shader.sources = scene.sources;
+    pass.shader.defines = scene.body.defines;
+    pass.blocks[BLOCK_EXHIBIT] = scene.body.block;
+    pass.buffers = scene.body.buffers;
+    return pass;
+}
+
+render::Draw sdfDraw(const SdfScene& scene, std::shared_ptr<const render::Mesh> mesh)
+{
+    const glm::dmat4 worldFromLocal = scene.context.worldFromExhibit * scene.body.exhibitFromBody;
+    const glm::dmat3 linear(worldFromLocal);
+    SdfObject object;
+    object.worldFromLocal = glm::mat4(worldFromLocal);
+    object.localFromWorld = glm::mat4(glm::affineInverse(worldFromLocal));
+    object.boxLow = glm::vec3(scene.box.low);
+    object.boxHigh = glm::vec3(scene.box.high);
+    object.largestScale =
+        static_cast<float>(std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])}));
+    render::Draw draw;
+    draw.mesh = std::move(mesh);
+    draw.mirrored = glm::determinant(linear) < 0;
+    draw.object = render::std140Bytes(object);
+    return draw;
+}
 
 void planSdfShadow(const SdfScene& scene, render::FramePlan& plan)
 {

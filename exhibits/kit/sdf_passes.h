@@ -15,13 +15,18 @@ namespace vitrine {
 struct SdfScene {
     std::string_view exhibit;  ///< Passes are "EXHIBIT/march", images "EXHIBIT.cone".
     const SdfRows& table;
-    const SdfMaterialRows* material;  ///< May be null.
+    bool glass;  ///< Rays go through it.
     const PlanContext& context;
     const SdfBody& body;
     render::Box box;  ///< The rays are marched in it.
     std::shared_ptr<const render::ShaderSources> sources;
 };
 
+/// A pass "EXHIBIT/STEP" with the body's values, block, buffers, permutations and shaders, without draws.
+[[nodiscard]] render::Pass sdfPass(const SdfScene&, const char* step, std::string reason, std::string vertex,
+                                   std::string fragment);
+/// A mesh, or nothing for a triangle over the picture, with the body's place as its block.
+[[nodiscard]] render::Draw sdfDraw(const SdfScene&, std::shared_ptr<const render::Mesh>);
 /// The sun's own rays find the body, and write where they did: its shadow has its true outline.
 void planSdfShadow(const SdfScene&, render::FramePlan&);
 /// March and cone pre-pass, counts, comparison and overlay, or why not. `mesh` is what the body is compared with; it

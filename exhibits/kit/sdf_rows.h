@@ -36,8 +36,15 @@ struct SdfMaterialRows : virtual Parameters {
 
 /// How the body is marched, shaded and looked into.
 struct SdfRows : virtual Parameters {
+    /// `initialBounces`: few for what is rough, whose mirror images of itself nobody would see.
+    explicit SdfRows(int initialBounces = 2) : initialBounces_(initialBounces) {}
+
+private:
+    int initialBounces_;
+
+public:
     Group reflections = group("Material");
-    Count bounces = count("bounces", 2, {0, 4},
+    Count bounces = count("bounces", initialBounces_, {0, 4},
                           "How often a reflected ray may meet the object again before it sees the hall.", quality(4));
     Toggle ambientOcclusion =
         toggle("ambientOcclusion", true,

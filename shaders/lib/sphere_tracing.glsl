@@ -16,12 +16,17 @@
 // pixelCone = tan(fovY / 2) / height in pixels: half a pixel's width at distance 1.
 //
 // fieldDistance must be 1-Lipschitz (lib/sdf.glsl says which are); a steeper one is divided by its
-// constant first. Every `evaluations` counts calls of fieldDistance, exactly.
+// constant first. Where that makes it rough, FIELD_LEVEL names a smooth function with the same zeros and signs, of which
+// normals and occlusion are taken. Every `evaluations` counts calls of fieldDistance, exactly.
 //
 // GLSL 4.50 and C++: no swizzles beyond one component, no `inout`, literals with a point.
 
 #ifndef __cplusplus
 #include "lib/numerics.glsl"
+#endif
+
+#ifndef FIELD_LEVEL
+#define FIELD_LEVEL fieldDistance
 #endif
 
 const int RELAXATION_NONE = 0;
@@ -293,20 +298,20 @@ vec3 fieldNormal(vec3 p, float h, int method, vec3 fallback)
 {
     vec3 gradient = vec3(0.0);
     if (method == NORMAL_FORWARD) {
-        float here = fieldDistance(p);
-        gradient = vec3(fieldDistance(p + vec3(h, 0.0, 0.0)) - here, fieldDistance(p + vec3(0.0, h, 0.0)) - here,
-                        fieldDistance(p + vec3(0.0, 0.0, h)) - here);
+        float here = FIELD_LEVEL(p);
+        gradient = vec3(FIELD_LEVEL(p + vec3(h, 0.0, 0.0)) - here, FIELD_LEVEL(p + vec3(0.0, h, 0.0)) - here,
+                        FIELD_LEVEL(p + vec3(0.0, 0.0, h)) - here);
     } else if (method == NORMAL_TETRAHEDRON) {
         for (int i = 0; i < 4; ++i) {  // A loop, so that the field is compiled once.
             vec3 corner = vec3(i < 2 ? 1.0 : -1.0, i == 0 || i == 2 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
-            gradient = gradient + corner * (0.25 * fieldDistance(p + corner * h));
+            gradient = gradient + corner * (0.25 * FIELD_LEVEL(p + corner * h));
         }
     } else {
         for (int i = 0; i < 6; ++i) {
             float side = i < 3 ? 0.5 : -0.5;
             int axis = i < 3 ? i : i - 3;
             vec3 along = vec3(axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0);
-            gradient = gradient + along * (side * fieldDistance(p + along * (2.0 * side * h)));
+            gradient = gradient + along * (side * FIELD_LEVEL(p + along * (2.0 * side * h)));
         }
     }
     // A field of slope 1 gives a gradient of length h here.
@@ -458,7 +463,7 @@ float fieldOcclusion(vec3 p, vec3 normal, float radius)
     for (int k = 1; k <= 5; ++k) {
         float height = radius * float(k * k) * 0.04;
         float weight = 1.0 / float(k);
-        blocked += weight * clamp(1.0 - fieldDistance(p + normal * height) / height, 0.0, 1.0);
+        blocked += weight * clamp(1.0 - FIELD_LEVEL(p + normal * height) / height, 0.0, 1.0);
         total += weight;
     }
     return clamp(1.0 - blocked / total, 0.0, 1.0);

@@ -1,9 +1,10 @@
 // The object, one ray per pixel, inside its bounding mesh, with the depth of what the ray found.
 // Permutations: CONE_PREPASS (pixels along a side of its blocks), GLASS, HEAT_MAP, WRITE_NORMAL, COUNT (writes evaluations, discards nothing),
-// DEPTH_ONLY (shades nothing), OTHERS_SHADOWS.
+// DEPTH_ONLY (shades nothing), OTHERS_SHADOWS, PIXEL_CENTERS.
 #include "kit/sdf/ray.glsl"
 #include "kit/sdf/shade.glsl"
 #include "lib/tonemap.glsl"
+#include "kit/sdf/shading.glsl"
 
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D coneStart;
 
@@ -52,7 +53,7 @@ void main()
     bool beyondWipe = framePixel(gl_FragCoord.xy).x >= wipeColumn();
 
 #ifdef COUNT
-    if (march.hit && !beyondWipe) shadeHit(ray, march, settings);
+    if (march.hit && !beyondWipe) fieldRadiance(ray, findHit(ray.origin, ray.direction, march, settings), settings);
     radiance = vec4(beyondWipe ? 0.0 : float(evaluations) + coneShare, 0.0, 0.0, 0.0);
 #else
     if (!march.hit || beyondWipe) discard;
@@ -60,7 +61,7 @@ void main()
     gl_FragDepth = frame.nearPlane / (march.t / ray.perDepth);
 #ifndef DEPTH_ONLY
     Hit hit = findHit(ray.origin, ray.direction, march, settings);
-    vec3 color = shadeFound(ray, hit, settings);
+    vec3 color = fieldRadiance(ray, hit, settings);
 #ifdef HEAT_MAP
     color = heat(march, hit);
 #endif

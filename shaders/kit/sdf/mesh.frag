@@ -16,6 +16,7 @@ void main()
     if (framePixel(gl_FragCoord.xy).x < wipeColumn()) discard;
 #ifndef DEPTH_ONLY
     turnDisk(framePixel(gl_FragCoord.xy));
+    fieldDistance(localPosition);  // Finds the part.
     FieldMaterial material = fieldMaterial(localPosition);
     Surface s;
     s.position = (object.worldFromLocal * vec4(localPosition, 1.0)).xyz;

@@ -15,6 +15,10 @@ struct FieldMaterial {
     float refractiveIndex;  // of glass
 };
 
+// Which part of the body fieldDistance found last, where the field tells parts: the material of a hit reads that of its
+// march.
+int fieldPart = 0;
+
 #include "kit/sdf/field.glsl"
 #include "kit/sdf/material.glsl"
 #include "lib/sphere_tracing.glsl"

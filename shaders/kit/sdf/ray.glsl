@@ -12,6 +12,9 @@ struct LocalRay {
 LocalRay localRay(vec2 fragCoord)
 {
     LocalRay r;
+#ifdef PIXEL_CENTERS
+    fragCoord -= frame.tileOrigin - frameTile();  // Every sample the same: stairs at edges.
+#endif
     vec3 world = frameRay(fragCoord);
     vec3 d = mat3(object.localFromWorld) * world;
     r.perDepth = length(d);

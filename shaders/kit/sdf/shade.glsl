@@ -14,6 +14,9 @@ struct Hit {
     float traveled;   // local length of the path so far
 };
 
+// Light that the exhibit adds to the hall's, towards the eye: SdfShaders::shading.
+vec3 exhibitLight(Surface s, Hit hit, vec3 toEye);
+
 vec3 worldDirection(vec3 local)
 {
     return normalize(mat3(object.worldFromLocal) * local);
@@ -25,8 +28,10 @@ Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
     hit.local = origin + direction * march.t;
     hit.tolerance = hitTolerance(march.t, settings);
     hit.traveled = settings.traveled + march.t;
+    int part = fieldPart;
     float step_ = max(parameters.normalStep, 0.25 * settings.pixelCone * hit.traveled);
     vec3 n = fieldNormal(hit.local, step_, parameters.normalMethod, -direction * march.side);
+    fieldPart = part;
     evaluations += parameters.normalMethod == NORMAL_CENTRAL ? 6 : 4;
     // A ray inside the solid meets the surface from behind.
     hit.localNormal = n * march.side;
@@ -35,11 +40,10 @@ Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
     return hit;
 }
 
-// Share of the sun that the object leaves itself, by the table's method.
-float selfVisibility(Hit hit)
+// Share of a light in the direction `toSun` (local, unit length) that the object leaves itself, by the table's method.
+float selfVisibility(Hit hit, vec3 toSun)
 {
     if (parameters.shadowMethod == shadowMethod_none) return 1.0;
-    vec3 toSun = normalize(mat3(object.localFromWorld) * light.sunDirection);
     if (dot(hit.localNormal, toSun) <= 0.0) return 0.0;
     vec3 start = hit.local + hit.localNormal * (2.0 * hit.tolerance);
     float tMin = 0.004;
@@ -79,7 +83,7 @@ float sunReaches(Hit hit)
     if (dot(hit.worldNormal, light.sunDirection) <= 0.0 || dot(light.sunIrradiance, vec3(1.0)) <= 0.0) return 0.0;
     float visible = sunVisibilityOfHall(hit.world, hit.worldNormal);
     if (visible > 0.0) visible *= othersVisibility(hit);
-    return visible > 0.0 ? visible * selfVisibility(hit) : 0.0;
+    return visible > 0.0 ? visible * selfVisibility(hit, normalize(mat3(object.localFromWorld) * light.sunDirection)) : 0.0;
 }
 
 Surface surfaceOf(Hit hit, FieldMaterial material)
@@ -122,7 +126,7 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
     vec3 throughput = vec3(1.0);
     for (int bounce = 0; bounce <= 4; ++bounce) {
         Surface s = surfaceOf(hit, fieldMaterial(hit.local));
-        color += throughput * shadeWithoutReflection(s, toEye, sunReaches(hit));
+        color += throughput * (shadeWithoutReflection(s, toEye, sunReaches(hit)) + exhibitLight(s, hit, toEye));
         throughput *= reflectance(s, toEye);
         vec3 mirrored = reflect(-toEye, s.normal);
         bool last = bounce >= parameters.bounces || max(throughput.r, max(throughput.g, throughput.b)) < 0.004;
@@ -196,9 +200,4 @@ vec3 shadeFound(LocalRay ray, Hit hit, MarchSettings settings)
 #else
     return shadeOpaque(toEye, hit, settings);
 #endif
-}
-
-void shadeHit(LocalRay ray, March march, MarchSettings settings)
-{
-    shadeFound(ray, findHit(ray.origin, ray.direction, march, settings), settings);
 }
