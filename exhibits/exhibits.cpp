@@ -2,6 +2,7 @@
 
 #include "exhibits/crepuscular_rays/crepuscular_rays.h"
 #include "exhibits/fur/fur.h"
+#include "exhibits/ice_cream/ice_cream.h"
 #include "exhibits/lenticular/lenticular.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 
@@ -14,6 +15,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<Lenticular>());
     exhibits.push_back(std::make_unique<Fur>());
     exhibits.push_back(std::make_unique<CrepuscularRays>());
+    exhibits.push_back(std::make_unique<IceCream>());
     return exhibits;
 }
 

@@ -1,0 +1,142 @@
+#include "exhibits/ice_cream/ice_cream.h"
+
+#include "exhibits/framework/derive.h"
+#include "exhibits/ice_cream/ice_cream_cpu.h"
+#include "exhibits/ice_cream/ice_cream_shape.h"
+#include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/sdf_passes.h"
+#include "render/glsl/std140.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+constexpr double plinthTop = -0.62;     ///< Meters above the middle of the niche.
+constexpr double behindTheWall = -0.2;  ///< Meters: how far the axis stands in the niche.
+
+/// Own space from that of the source: turned, scaled, on its plinth in the niche.
+glm::dmat4 standing(const IceCreamTable& t, const ParameterValues& values, double time)
+{
+    const double turns = values[t.animate] && std::isfinite(time) ? std::fmod(values[t.orbitSpeed] * time, 1.0) : 0;
+    const double angle = -values[t.orbitAngle] - turns * 2 * std::numbers::pi;
+    const glm::dmat4 placed = glm::translate(glm::dmat4(1), glm::dvec3(0, plinthTop, behindTheWall));
+    return glm::scale(glm::rotate(placed, angle, glm::dvec3(0, 1, 0)), glm::dvec3(values[t.size]));
+}
+
+/// What is not built up yet is switched off, as far as rows of the kit do it.
+ParameterValues builtUp(const IceCreamTable& t, const ParameterValues& values, IceCreamStage stage)
+{
+    ParameterValues now = values;
+    if (stage < IceCreamStage::classic)
+        now.set(t.shadowMethod, SdfShadow::none);
+    else if (stage == IceCreamStage::classic)
+        now.set(t.shadowMethod, SdfShadow::classic);
+    else if (stage == IceCreamStage::improved)
+        now.set(t.shadowMethod, SdfShadow::improved);
+    if (stage < IceCreamStage::occlusion) now.set(t.ambientOcclusion, false);
+    if (stage < IceCreamStage::fog) now.set(t.sourceFog, 0.0);
+    return now;
+}
+
+}  // namespace
+
+SdfBody IceCream::body(const ParameterValues& values, double time) const
+{
+    const IceCreamShape shape = iceCreamShape(table_, values, time);
+    const auto solids = std::make_shared<glsl::IceCream>();
+    copyShape(solids->shape, shape);
+    SdfBody body{.values = builtUp(table_, values, static_cast<IceCreamStage>(shape.stage)),
+                 .box = boxOf(shape),
+                 .distance = [solids](const glm::dvec3& p) { return glsl::IceCream(*solids).iceCreamDistance(p); },
+                 .shape = {},
+                 .block = render::std140Bytes(shape),
+                 .exhibitFromBody = standing(table_, values, time)};
+    body.shape.assign(reinterpret_cast<const char*>(body.block.data()), body.block.size());
+    if (shape.stage < STAGE_FINISHED) body.defines.emplace_back("PIXEL_CENTERS");
+    return body;
+}
+
+render::Box IceCream::boxOverTime(const ParameterValues& values) const
+{
+    render::Box box = vitrine::boxOverTime(table_, values);
+    if (values[table_.animate] && values[table_.orbitSpeed] != 0) {
+        const double reach = glm::length(
+            glm::max(glm::abs(glm::dvec2(box.low.x, box.low.z)), glm::abs(glm::dvec2(box.high.x, box.high.z))));
+        box.include({-reach, box.low.y, -reach});
+        box.include({reach, box.high.y, reach});
+    }
+    return box.transformed(standing(table_, values, 0));
+}
+
+bool IceCream::isGlass(const ParameterValues& values) const
+{
+    return values[table_.material] == SdfMaterial::glass && values[table_.lighting] == IceCreamLighting::hall;
+}
+
+render::Camera IceCream::bestView(const ParameterValues& values) const
+{
+    const glm::dmat4 world = standing(table_, values, 0);
+    // The source's own first view, nearer where a wall is behind.
+    if (values[table_.lighting] == IceCreamLighting::source) {
+        const double size = values[table_.size];
+        const glm::dvec3 foot(world[3]);
+        return {foot + size * glm::dvec3(0, 1.5, 2), foot + size * glm::dvec3(0, 0.5, 0), 2 * std::atan(0.5)};
+    }
+    return {{-0.62, 0.12, 1.55}, {0, -0.17, -0.15}, 0.62};
+}
+
+double IceCream::nextChange(const ParameterValues& values, double) const
+{
+    return values[table_.animate] || values[table_.buildUp] ? 0 : std::numeric_limits<double>::infinity();
+}
+
+bool IceCream::press(ParameterValues& values) const
+{
+    values.set(table_.animate, !values[table_.animate]);
+    return true;
+}
+
+std::vector<StudyView> IceCream::studyViews(const ParameterValues& values) const
+{
+    const render::Camera best = bestView(values);
+    ParameterValues source = values;
+    source.set(table_.lighting, IceCreamLighting::source);
+    source.set(table_.material, SdfMaterial::opaque);
+    const glm::dvec3 middle = best.target;
+    return {{"best view", best, 0, values},
+            {"as in the source", bestView(source), 0, source},
+            {"folds of the cream, from near",
+             {middle + glm::dvec3(0.25, 0.35, 0.45), middle + glm::dvec3(0, 0.12, 0), 0.5},
+             0,
+             values},
+            {"from below", {middle + glm::dvec3(0.3, -0.4, 0.8), middle, 0.6}, 0, values}};
+}
+
+void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
+{
+    constexpr const char* ground = "ice_cream/ground";
+    const ParameterValues& values = scene.body.values;
+    if (values[table_.lighting] != IceCreamLighting::source)
+        plan.skip(ground, "it stands in the hall's light");
+    else if (!values[table_.ground])
+        plan.skip(ground, "the ground is switched off");
+    else if (!scene.context.alone)
+        plan.skip(ground, "it stands in the hall");
+    else {
+        render::Pass pass = sdfPass(scene, "ground", "it is alone in the source's light", "lib/fullscreen.vert",
+                                    "ice_cream/ground.frag");
+        drawSurface(pass, {.normal = scene.context.channels.normal});
+        scene.context.lighting.bindLighting(pass);
+        pass.state.cull = render::Cull::none;
+        pass.draws = {sdfDraw(scene, nullptr)};
+        plan.add(std::move(pass));
+    }
+}
+
+}  // namespace vitrine

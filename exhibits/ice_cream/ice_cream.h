@@ -1,0 +1,50 @@
+#pragma once
+
+#include "exhibits/ice_cream/ice_cream_table.h"
+#include "exhibits/kit/sdf_exhibit.h"
+
+namespace vitrine {
+
+/// A soft-serve in a wafer with candies: a union of some thirty solids, of which each point evaluates the few that
+/// decide. Read in this order: the table, ice_cream_shape.cpp (what the numbers mean), shaders/ice_cream/solids.glsl
+/// (the field), sprinkles.cpp, then this file's passes beside the kit's march.
+class IceCream final : public SdfExhibit, public HasButton {
+public:
+    using Table = IceCreamTable;
+
+    IceCream()
+        : SdfExhibit({.field = "ice_cream/field.glsl",
+                      .material = "ice_cream/material.glsl",
+                      .shading = "ice_cream/shading.glsl"})
+    {
+    }
+
+    [[nodiscard]] std::string_view name() const override { return "ice_cream"; }
+    [[nodiscard]] std::string_view title() const override { return "Soft Serve"; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "Thirty-three solids make one ice cream; each point asks the few that decide.";
+    }
+    [[nodiscard]] std::string_view tryThis() const override
+    {
+        return "build it up stage by stage, then strew sprinkles.";
+    }
+    [[nodiscard]] std::string_view buttonText() const override { return "let it turn"; }
+    [[nodiscard]] int place() const override { return 8; }
+    [[nodiscard]] const Table& parameters() const override { return table_; }
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
+    [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
+    bool press(ParameterValues&) const override;
+    [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    [[nodiscard]] SdfBody body(const ParameterValues&, double time) const override;
+
+private:
+    [[nodiscard]] const SdfRows& rows() const override { return table_; }
+    [[nodiscard]] bool isGlass(const ParameterValues&) const override;
+    [[nodiscard]] render::Box boxOverTime(const ParameterValues&) const override;
+    void planBeside(const SdfScene&, render::FramePlan&) const override;
+
+    Table table_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,48 @@
+// The ice cream of this moment as a field for the kit's march. Its numbers come ready made: the rows of the table that
+// they were made of are in `parameters`, too, and nothing here reads them. Permutation: SPRINKLES.
+#include "lib/bindings.glsl"
+#include "ice_cream/ice_cream_block.glsl"
+#include "lib/numerics.glsl"
+#include "lib/sdf.glsl"
+#include "lib/sdf_operators.glsl"
+
+layout(std140, binding = BLOCK_EXHIBIT) uniform Shape {
+    IceCreamShape shape;
+};
+
+int solids = 0;
+
+#ifdef SPRINKLES
+struct SprinkleCell {
+    int first, end;
+    float clear;
+    int unused;
+};
+layout(std430, binding = STORAGE_EXHIBIT_A) readonly buffer SprinkleCells {
+    SprinkleCell sprinkleCells[];
+};
+layout(std430, binding = STORAGE_EXHIBIT_B) readonly buffer SprinkleEnds {
+    vec4 sprinkleEnds[];
+};
+float sprinkleClear(int cell) { return sprinkleCells[cell].clear; }
+int sprinkleFirst(int cell) { return sprinkleCells[cell].first; }
+int sprinkleEnd(int cell) { return sprinkleCells[cell].end; }
+vec4 sprinkleStart(int i) { return sprinkleEnds[2 * i]; }
+vec4 sprinkleFinish(int i) { return sprinkleEnds[2 * i + 1]; }
+#else
+float sprinkleClear(int cell) { return 1.0e9; }
+int sprinkleFirst(int cell) { return 0; }
+int sprinkleEnd(int cell) { return 0; }
+vec4 sprinkleStart(int i) { return vec4(0.0); }
+vec4 sprinkleFinish(int i) { return vec4(0.0); }
+#endif
+
+#include "ice_cream/solids.glsl"
+
+// Normals and occlusion are those of the level: a bound on the way has edges where the shape has none.
+#define FIELD_LEVEL iceCreamLevel
+
+float fieldDistance(vec3 p)
+{
+    return iceCreamDistance(p);
+}

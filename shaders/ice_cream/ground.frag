@@ -1,0 +1,61 @@
+// The sand around the ice cream, and the black beyond it: a plane, found without a march. Permutation: WRITE_NORMAL.
+#include "kit/sdf/ray.glsl"
+#include "kit/sdf/shade.glsl"
+#include "kit/sdf/shading.glsl"
+
+layout(location = 0) out vec4 radiance;
+#ifdef WRITE_NORMAL
+layout(location = 1) out vec4 normalOut;
+#endif
+layout(depth_any) out float gl_FragDepth;
+
+// The sun's share at a point of the ground. Rays that pass the box farther away than half the sun is wide there meet
+// nothing.
+float groundVisibility(vec3 p, vec3 toSun)
+{
+    if (parameters.shadowMethod == shadowMethod_none) return 1.0;
+    float width = tan(0.5 * parameters.sunWidth);
+    float farthest = length(max(abs(object.boxLow - p), abs(object.boxHigh - p)));
+    vec2 span = rayBox(p, toSun, object.boxLow - vec3(width * farthest), object.boxHigh + vec3(width * farthest));
+    if (span.x >= span.y) return 1.0;
+    float tMin = max(span.x, 0.004);
+    Shadow s;
+    if (parameters.shadowMethod == shadowMethod_hard) s = shadowHard(p, toSun, tMin, span.y, parameters.stepLimit);
+    else if (parameters.shadowMethod == shadowMethod_classic) s = shadowClassic(p, toSun, width, tMin, span.y, parameters.stepLimit);
+    else if (parameters.shadowMethod == shadowMethod_improved) s = shadowAaltonen(p, toSun, width, tMin, span.y, parameters.stepLimit);
+    else if (parameters.shadowMethod == shadowMethod_signed) s = shadowSigned(p, toSun, width, tMin, span.y, parameters.stepLimit);
+    else s = shadowArea(p, toSun, width, tMin, span.y, parameters.stepLimit, parameters.shadowRays, 0.0);
+    return s.visibility;
+}
+
+void main()
+{
+    evaluations = 0;
+    LocalRay ray = localRay(gl_FragCoord.xy);
+    float t = -ray.origin.y / ray.direction.y;
+    bool below = ray.direction.y < 0.0 && ray.origin.y > 0.0;
+    // Beyond this the fog leaves nothing; depth 0 is the sky's.
+    float farthest = 1.0e4;
+    gl_FragDepth = max(frame.nearPlane / ((below ? min(t, farthest) : farthest) / ray.perDepth), 1.0e-9);
+    radiance = vec4(0.0, 0.0, 0.0, 1.0);
+    vec3 n = vec3(0.0, 1.0, 0.0);
+#ifdef WRITE_NORMAL
+    normalOut = vec4(worldNormalOf(n), 1.0);
+#endif
+    if (!below || t >= farthest) return;
+    vec3 p = ray.origin + ray.direction * t;
+    Surface s;
+    s.position = p;
+    s.normal = n;
+    s.baseColor = shape.stage < STAGE_COLORS ? vec3(0.5) : parameters.groundColor;
+    s.metalness = 0.0;
+    s.roughness = 0.9;
+    s.specular = 0.0;
+    s.ambient = vec3(0.0);
+    // The ground's own share of the occlusion: a point as high above it as it is away from it.
+    bool near = length(max(max(object.boxLow - p, p - object.boxHigh), vec3(0.0))) < 0.6;
+    s.occlusion = near ? sourceOcclusion(p, n) : 1.0;
+    s.specular = shape.stage < STAGE_SPECULAR ? 0.0 : 0.5;
+    vec3 color = sourceFogged(sourceReflected(s, -ray.direction, groundVisibility(p + n * 1.0e-4, sourceSun())), t);
+    radiance = vec4(min(color, vec3(6e4)), 1.0);
+}

@@ -1,0 +1,57 @@
+// What each part is made of: fieldPart says which part the ray found.
+
+vec3 sprinkleColor(int kind)
+{
+    // The candies come in five colors; the first five have one of each.
+    return parameters.sprinkleColors == sprinkleColors_candies ? shape.candies[kind].color : parameters.sprinkleColor;
+}
+
+vec3 partColor(int part)
+{
+    // Hues a golden ratio apart, so that neighbors differ.
+    float hue = fract(0.08 + 0.618034 * float(part));
+    return clamp(abs(fract(hue + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0) * 0.7 + 0.1;
+}
+
+FieldMaterial fieldMaterial(vec3 p)
+{
+    int part = fieldPart;
+    FieldMaterial m;
+    m.refractiveIndex = parameters.refractiveIndex;
+    m.specular = 0.5;
+    m.metalness = 0.0;
+    if (part >= PART_CANDY && part < PART_SPRINKLE) {
+        m.baseColor = shape.candies[part - PART_CANDY].color;
+        m.roughness = parameters.candyRoughness;
+        m.metalness = parameters.metalness;
+    } else if (part >= PART_SPRINKLE) {
+        m.baseColor = sprinkleColor(part - PART_SPRINKLE);
+        m.roughness = parameters.candyRoughness;
+        m.metalness = parameters.metalness;
+    } else if (part == PART_PLINTH) {
+        m.baseColor = parameters.plinthColor;
+        m.roughness = parameters.plinthRoughness;
+    } else if (part >= PART_CREAM) {
+        m.baseColor = shape.layers[part - PART_CREAM].color;
+        m.roughness = parameters.creamRoughness;
+        m.metalness = parameters.metalness;
+    } else {
+        m.baseColor = parameters.waferColor;
+        m.roughness = parameters.waferRoughness;
+        m.metalness = parameters.metalness;
+    }
+    if (shape.stage < STAGE_COLORS && part != PART_PLINTH) {
+        m.baseColor = vec3(0.5);
+        m.metalness = 0.0;
+    }
+    if (parameters.colorBy == colorBy_part) {
+        m.baseColor = partColor(part);
+        m.metalness = 0.0;
+    }
+    if (shape.stage < STAGE_SPECULAR) {
+        m.roughness = 1.0;
+        m.specular = 0.0;
+    }
+    if (parameters.material == material_glass) m.baseColor = parameters.glassColor;
+    return m;
+}

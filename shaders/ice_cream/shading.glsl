@@ -1,0 +1,28 @@
+// The ice cream in the hall's light and that of a lamp of its own, or in the light of the source.
+#include "ice_cream/source_light.glsl"
+
+// The lamp before the niche. It lights nothing else, so no other exhibit pays for it.
+vec3 exhibitLight(Surface s, Hit hit, vec3 toEye)
+{
+    if (parameters.lamp <= 0.0) return vec3(0.0);
+    vec3 toLamp = normalize(parameters.lampDirection);
+    vec3 world = worldDirection(toLamp);
+    if (dot(s.normal, world) <= 0.0) return vec3(0.0);
+    return lightReflected(s, toEye, world, parameters.lampColor * (parameters.lamp * selfVisibility(hit, toLamp)));
+}
+
+vec3 fieldRadiance(LocalRay ray, Hit hit, MarchSettings settings)
+{
+    if (parameters.lighting == lighting_hall) return shadeFound(ray, hit, settings);
+    FieldMaterial material = fieldMaterial(hit.local);
+    Surface s;
+    s.position = hit.world;
+    s.normal = hit.localNormal;
+    s.baseColor = material.baseColor;
+    s.metalness = material.metalness;
+    s.roughness = max(material.roughness, 0.02);
+    s.specular = material.specular;
+    s.ambient = vec3(0.0);
+    s.occlusion = sourceOcclusion(hit.local, hit.localNormal);
+    return sourceFogged(sourceReflected(s, -ray.direction, selfVisibility(hit, sourceSun())), hit.traveled);
+}
