@@ -133,6 +133,7 @@ void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
                                     "ice_cream/ground.frag");
         drawSurface(pass, {.normal = scene.context.channels.normal});
         scene.context.lighting.bindLighting(pass);
+        pass.shader.defines.push_back(shadowDefine(scene));
         pass.state.cull = render::Cull::none;
         pass.draws = {sdfDraw(scene, nullptr)};
         plan.add(std::move(pass));

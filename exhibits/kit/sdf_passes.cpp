@@ -118,6 +118,8 @@ struct SdfPlanner {
             made.shader.defines.push_back(coneDefine());
             made.inputs.push_back({UNIT_EXHIBIT_A, coneImage()});
         }
+        made.shader.defines.push_back(shadowDefine(scene));
+        if (values[table.bounces] > 0) made.shader.defines.emplace_back("BOUNCES");
         if (scene.glass) made.shader.defines.emplace_back("GLASS");
         if (values[table.heatMap] != SdfHeatMap::none) made.shader.defines.emplace_back("HEAT_MAP");
         scene.context.lighting.bindLighting(made);
@@ -226,6 +228,11 @@ render::Pass sdfPass(const SdfScene& scene, const char* step, std::string reason
     pass.blocks[BLOCK_EXHIBIT] = scene.body.block;
     pass.buffers = scene.body.buffers;
     return pass;
+}
+
+std::string shadowDefine(const SdfScene& scene)
+{
+    return "SHADOW_METHOD " + std::to_string(static_cast<int>(scene.body.values[scene.table.shadowMethod]));
 }
 
 render::Draw sdfDraw(const SdfScene& scene, std::shared_ptr<const render::Mesh> mesh)

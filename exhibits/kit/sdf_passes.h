@@ -27,6 +27,8 @@ struct SdfScene {
                                    std::string fragment);
 /// A mesh, or nothing for a triangle over the picture, with the body's place as its block.
 [[nodiscard]] render::Draw sdfDraw(const SdfScene&, std::shared_ptr<const render::Mesh>);
+/// What a pass that asks kit/sdf/shade.glsl for shadows has to define.
+[[nodiscard]] std::string shadowDefine(const SdfScene&);
 /// The sun's own rays find the body, and write where they did: its shadow has its true outline.
 void planSdfShadow(const SdfScene&, render::FramePlan&);
 /// March and cone pre-pass, counts, comparison and overlay, or why not. `mesh` is what the body is compared with; it

@@ -18,14 +18,7 @@ float groundVisibility(vec3 p, vec3 toSun)
     float farthest = length(max(abs(object.boxLow - p), abs(object.boxHigh - p)));
     vec2 span = rayBox(p, toSun, object.boxLow - vec3(width * farthest), object.boxHigh + vec3(width * farthest));
     if (span.x >= span.y) return 1.0;
-    float tMin = max(span.x, 0.004);
-    Shadow s;
-    if (parameters.shadowMethod == shadowMethod_hard) s = shadowHard(p, toSun, tMin, span.y, parameters.stepLimit);
-    else if (parameters.shadowMethod == shadowMethod_classic) s = shadowClassic(p, toSun, width, tMin, span.y, parameters.stepLimit);
-    else if (parameters.shadowMethod == shadowMethod_improved) s = shadowAaltonen(p, toSun, width, tMin, span.y, parameters.stepLimit);
-    else if (parameters.shadowMethod == shadowMethod_signed) s = shadowSigned(p, toSun, width, tMin, span.y, parameters.stepLimit);
-    else s = shadowArea(p, toSun, width, tMin, span.y, parameters.stepLimit, parameters.shadowRays, 0.0);
-    return s.visibility;
+    return fieldVisibility(p, toSun, max(span.x, 0.004), span.y);
 }
 
 void main()

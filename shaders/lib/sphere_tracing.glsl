@@ -297,22 +297,21 @@ float normalStep(float t, MarchSettings s)
 vec3 fieldNormal(vec3 p, float h, int method, vec3 fallback)
 {
     vec3 gradient = vec3(0.0);
-    if (method == NORMAL_FORWARD) {
-        float here = FIELD_LEVEL(p);
-        gradient = vec3(FIELD_LEVEL(p + vec3(h, 0.0, 0.0)) - here, FIELD_LEVEL(p + vec3(0.0, h, 0.0)) - here,
-                        FIELD_LEVEL(p + vec3(0.0, 0.0, h)) - here);
-    } else if (method == NORMAL_TETRAHEDRON) {
-        for (int i = 0; i < 4; ++i) {  // A loop, so that the field is compiled once.
-            vec3 corner = vec3(i < 2 ? 1.0 : -1.0, i == 0 || i == 2 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
-            gradient = gradient + corner * (0.25 * FIELD_LEVEL(p + corner * h));
-        }
-    } else {
-        for (int i = 0; i < 6; ++i) {
-            float side = i < 3 ? 0.5 : -0.5;
+    int taps = method == NORMAL_CENTRAL ? 6 : 4;
+    for (int i = 0; i < taps; ++i) {  // One loop for all methods, so that the field is compiled once.
+        vec3 offset = vec3(i < 2 ? 1.0 : -1.0, i == 0 || i == 2 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
+        vec3 weight = 0.25 * offset;  // The corners of a tetrahedron.
+        if (method != NORMAL_TETRAHEDRON) {
             int axis = i < 3 ? i : i - 3;
             vec3 along = vec3(axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0);
-            gradient = gradient + along * (side * FIELD_LEVEL(p + along * (2.0 * side * h)));
+            offset = i < 3 ? along : -along;
+            weight = 0.5 * offset;
+            if (method == NORMAL_FORWARD) {
+                weight = i < 3 ? along : vec3(-1.0);
+                if (i == 3) offset = vec3(0.0);
+            }
         }
+        gradient = gradient + weight * FIELD_LEVEL(p + offset * h);
     }
     // A field of slope 1 gives a gradient of length h here.
     return length(gradient) > 1.0e-3 * h ? safeNormalize(gradient, fallback) : fallback;

@@ -40,27 +40,39 @@ Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
     return hit;
 }
 
-// Share of a light in the direction `toSun` (local, unit length) that the object leaves itself, by the table's method.
-float selfVisibility(Hit hit, vec3 toSun)
+// Share of a light that the object leaves at a point (local) in the direction `toLight`, from tMin to tMax along the way, by
+// the table's method: SHADOW_METHOD is its number, since five ways to ask the field would be compiled otherwise.
+float fieldVisibility(vec3 p, vec3 toLight, float tMin, float tMax)
 {
-    if (parameters.shadowMethod == shadowMethod_none) return 1.0;
-    if (dot(hit.localNormal, toSun) <= 0.0) return 0.0;
-    vec3 start = hit.local + hit.localNormal * (2.0 * hit.tolerance);
-    float tMin = 0.004;
-    float tMax = rayBox(start, toSun, object.boxLow, object.boxHigh).y;
     float width = tan(0.5 * parameters.sunWidth);
+#if SHADOW_METHOD == 1
+    Shadow s = shadowHard(p, toLight, tMin, tMax, parameters.stepLimit);
+#elif SHADOW_METHOD == 2
+    Shadow s = shadowClassic(p, toLight, width, tMin, tMax, parameters.stepLimit);
+#elif SHADOW_METHOD == 3
+    Shadow s = shadowAaltonen(p, toLight, width, tMin, tMax, parameters.stepLimit);
+#elif SHADOW_METHOD == 4
+    Shadow s = shadowSigned(p, toLight, width, tMin, tMax, parameters.stepLimit);
+#elif SHADOW_METHOD == 5
+    uvec2 pixel = uvec2(framePixel(gl_FragCoord.xy));
+    uint bits = pcg(pixel.x + 65536u * pixel.y + 747796405u * uint(frame.sampleIndex));
+    Shadow s = shadowArea(p, toLight, width, tMin, tMax, parameters.stepLimit, parameters.shadowRays, 6.2831853 * unitFromBits(bits));
+#else
     Shadow s;
-    if (parameters.shadowMethod == shadowMethod_hard) s = shadowHard(start, toSun, tMin, tMax, parameters.stepLimit);
-    else if (parameters.shadowMethod == shadowMethod_classic) s = shadowClassic(start, toSun, width, tMin, tMax, parameters.stepLimit);
-    else if (parameters.shadowMethod == shadowMethod_improved) s = shadowAaltonen(start, toSun, width, tMin, tMax, parameters.stepLimit);
-    else if (parameters.shadowMethod == shadowMethod_signed) s = shadowSigned(start, toSun, width, tMin, tMax, parameters.stepLimit);
-    else {
-        uvec2 pixel = uvec2(framePixel(gl_FragCoord.xy));
-        uint bits = pcg(pixel.x + 65536u * pixel.y + 747796405u * uint(frame.sampleIndex));
-        s = shadowArea(start, toSun, width, tMin, tMax, parameters.stepLimit, parameters.shadowRays, 6.2831853 * unitFromBits(bits));
-    }
+    s.visibility = 1.0;
+    s.evaluations = 0;
+#endif
     evaluations += s.evaluations;
     return s.visibility;
+}
+
+// Share of a light in the direction `toLight` (local, unit length) that the object leaves itself.
+float selfVisibility(Hit hit, vec3 toLight)
+{
+    if (parameters.shadowMethod == shadowMethod_none) return 1.0;
+    if (dot(hit.localNormal, toLight) <= 0.0) return 0.0;
+    vec3 start = hit.local + hit.localNormal * (2.0 * hit.tolerance);
+    return fieldVisibility(start, toLight, 0.004, rayBox(start, toLight, object.boxLow, object.boxHigh).y);
 }
 
 // Share of the sun that the other exhibits leave: looked up beside the nearest corner of the object's box to the sun,
@@ -124,7 +136,12 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
 {
     vec3 color = vec3(0.0);
     vec3 throughput = vec3(1.0);
-    for (int bounce = 0; bounce <= 4; ++bounce) {
+#ifdef BOUNCES
+    const int most = 4;
+#else
+    const int most = 0;  // Nothing of a second surface is compiled.
+#endif
+    for (int bounce = 0; bounce <= most; ++bounce) {
         Surface s = surfaceOf(hit, fieldMaterial(hit.local));
         color += throughput * (shadeWithoutReflection(s, toEye, sunReaches(hit)) + exhibitLight(s, hit, toEye));
         throughput *= reflectance(s, toEye);
@@ -134,7 +151,9 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
         march.hit = false;
         vec3 start = hit.local + hit.localNormal * (2.0 * hit.tolerance);
         vec3 direction = normalize(mat3(object.localFromWorld) * mirrored);
+#ifdef BOUNCES
         if (!last) march = onward(start, direction, 1.0, settings, hit.traveled);
+#endif
         if (!march.hit) {
             // With no bounce left to find it, what the object hides from itself is only darkened.
             float open = last ? mix(1.0, s.occlusion, 0.7) : 1.0;
