@@ -3,13 +3,16 @@
 #include "exhibits/framework/derive.h"
 #include "exhibits/ice_cream/ice_cream_cpu.h"
 #include "exhibits/ice_cream/ice_cream_shape.h"
+#include "exhibits/ice_cream/sprinkles.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/sdf_passes.h"
 #include "render/glsl/std140.h"
+#include "shaders/lib/bindings.glsl"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -44,6 +47,16 @@ ParameterValues builtUp(const IceCreamTable& t, const ParameterValues& values, I
     return now;
 }
 
+struct PreparedSprinkles final : PreparedPart {
+    std::shared_ptr<const Sprinkles> sprinkles;
+};
+
+/// Writes a number into a block that is bytes already.
+template <typename T> void patch(render::Bytes& block, std::string_view field, const T& value)
+{
+    std::memcpy(block.data() + render::std140Offset<IceCreamShape>(field), &value, sizeof value);
+}
+
 }  // namespace
 
 SdfBody IceCream::body(const ParameterValues& values, double time) const
@@ -60,6 +73,48 @@ SdfBody IceCream::body(const ParameterValues& values, double time) const
     body.shape.assign(reinterpret_cast<const char*>(body.block.data()), body.block.size());
     if (shape.stage < STAGE_FINISHED) body.defines.emplace_back("PIXEL_CENTERS");
     return body;
+}
+
+std::shared_ptr<const PreparedPart> IceCream::prepareBody(const PrepareContext& context) const
+{
+    const ParameterValues& values = context.values;
+    IceCreamShape shape = iceCreamShape(table_, values, context.time);
+    if ((shape.parts >> PART_SPRINKLES & 1) == 0) return nullptr;
+    // They lie on finished cream, wherever the candies are and whatever else is shown.
+    ParameterValues whole = values;
+    whole.set(table_.show, IceCreamParts::all);
+    whole.set(table_.buildUp, false);
+    whole.set(table_.stage, IceCreamStage::finished);
+    shape = iceCreamShape(table_, whole, 0);
+    shape.candies = {};
+    const SprinkleSettings settings{values[table_.sprinkles], values[table_.sprinkleSeed],
+                                    values[table_.sprinkleLength]};
+    const render::Bytes bytes = render::std140Bytes(shape);
+    std::string key(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    key += derive::keyOf(values, {table_.sprinkles.row, table_.sprinkleSeed.row, table_.sprinkleLength.row});
+    auto made = std::make_shared<PreparedSprinkles>();
+    made->sprinkles = context.assets
+                          .made<Sprinkles>("ice_cream.sprinkles", key,
+                                           [&] {
+                                               auto all = std::make_shared<Sprinkles>(strewn(shape, settings));
+                                               const std::uint64_t held =
+                                                   2 * (all->cellBytes->size() + all->endBytes->size());
+                                               return render::AssetStore::Made<Sprinkles>{std::move(all), held};
+                                           })
+                          .value;
+    return made;
+}
+
+void IceCream::complete(SdfBody& body, const PreparedPart* prepared) const
+{
+    const auto* part = static_cast<const PreparedSprinkles*>(prepared);
+    if (!part || !part->sprinkles || part->sprinkles->all.empty()) return;
+    const Sprinkles& s = *part->sprinkles;
+    patch(body.block, "gridLow", s.low);
+    patch(body.block, "gridCell", s.cell);
+    patch(body.block, "gridCells", s.cells);
+    body.defines.emplace_back("SPRINKLES");
+    body.buffers = {{STORAGE_EXHIBIT_A, s.cellBytes}, {STORAGE_EXHIBIT_B, s.endBytes}};
 }
 
 render::Box IceCream::boxOverTime(const ParameterValues& values) const

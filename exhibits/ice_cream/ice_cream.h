@@ -42,6 +42,8 @@ private:
     [[nodiscard]] const SdfRows& rows() const override { return table_; }
     [[nodiscard]] bool isGlass(const ParameterValues&) const override;
     [[nodiscard]] render::Box boxOverTime(const ParameterValues&) const override;
+    [[nodiscard]] std::shared_ptr<const PreparedPart> prepareBody(const PrepareContext&) const override;
+    void complete(SdfBody&, const PreparedPart*) const override;
     void planBeside(const SdfScene&, render::FramePlan&) const override;
 
     Table table_;

@@ -60,8 +60,9 @@ glsl::CreamLayer layerOf(const CreamRows& rows, const ParameterValues& values, d
     // The smallest ball around base and tip has its center where they are equally far, but not below the base.
     const double along = std::max(0.5 * (length * length - layer.radius * layer.radius) / length, 0.0);
     const double reach = std::max(length - along, std::hypot(along, layer.radius)) + corner;
-    const dvec3 center = layer.foot + layer.axis * along;
-    layer.ball = {std::hypot(center.x, center.z), center.y, std::atan2(center.z, center.x), reach};
+    layer.ball = layer.foot + layer.axis * along;
+    layer.ballRadius = reach + 1e-6;  // Rounding.
+    layer.ballAngle = std::atan2(layer.ball.z, layer.ball.x);
     layer.hull = hullOf(layer.foot, tip, layer.radius, corner, margin + 0.25 * layer.blend);
     return layer;
 }
@@ -188,6 +189,8 @@ IceCreamShape iceCreamShape(const IceCreamRows& t, const ParameterValues& values
     if (!values[t.plinth]) s.parts &= ~(1 << PART_PLINTH);
     if (values[t.lighting] == IceCreamLighting::source) s.parts &= ~(1 << PART_PLINTH);
     if (values[t.sprinkles] == 0) s.parts &= ~(1 << PART_SPRINKLES);
+    s.sprinkleRadius = 0.5 * values[t.sprinkleThickness];
+    s.sprinkleReach = 0.5 * values[t.sprinkleLength] + 2 * s.sprinkleRadius;
     IceCreamShape rounded;
     copyShape(rounded, s);
     return rounded;
@@ -202,9 +205,11 @@ render::Box boxOf(const IceCreamShape& s)
         box.include({r, hull.y + hull.z + margin, r});
     };
     const double bulge = 0.25 * double{s.waferBlend} + 1e-4;
+    const bool sprinkled = (s.parts >> PART_SPRINKLES & 1) != 0;
     if ((s.parts & waferParts) != 0) include(dvec4(s.waferHull), bulge);
     for (std::size_t i = 0; i < creamLayerCount; ++i)
-        if ((s.parts >> (PART_CREAM + static_cast<int>(i)) & 1) != 0) include(dvec4(s.layers[i].hull), bulge);
+        if (sprinkled || (s.parts >> (PART_CREAM + static_cast<int>(i)) & 1) != 0)
+            include(dvec4(s.layers[i].hull), bulge + (sprinkled ? double{s.sprinkleReach} : 0));
     for (std::size_t i = 0; i < candyCount; ++i) {
         if ((s.parts >> (PART_CANDY + static_cast<int>(i)) & 1) == 0) continue;
         box.include(dvec3(s.candies[i].center) - double{s.candies[i].reach});

@@ -47,7 +47,9 @@
     FIELD(float, halfHeight) /* without the rounding */ \
     FIELD(vec3, color)       /* linear Rec. 709 */ \
     FIELD(float, corner)     /* radius of the rounding */ \
-    FIELD(vec4, ball)        /* that holds the first cone: distance from the axis, height, angle about it, radius */ \
+    FIELD(vec3, ball)        /* center of one that holds the first cone */ \
+    FIELD(float, ballRadius) \
+    FIELD(float, ballAngle)  /* of its center about the y axis, radians */ \
     FIELD(vec4, hull)        /* cylinder that holds all of them: radius, middle, half height */ \
     FIELD(int, lobes) \
     FIELD(float, twist)      /* radians for each meter of height */ \
@@ -88,5 +90,6 @@ BLOCK_STRUCT(Candy, CANDY_FIELDS)
     FIELD(vec3, gridLow)     /* of the sprinkles */ \
     FIELD(float, gridCell)   /* width of its cells */ \
     FIELD(ivec3, gridCells)  /* along each axis; 0: there are none */ \
-    FIELD(float, sprinkleRadius)
+    FIELD(float, sprinkleRadius) \
+    FIELD(float, sprinkleReach)  /* how far one may stand out of the cream */
 BLOCK_STRUCT(IceCreamShape, ICE_CREAM_FIELDS)

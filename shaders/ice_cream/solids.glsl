@@ -6,15 +6,15 @@
 //
 // Two functions of a point are made of them. The level is what the shape is defined by: its twisted layers are steeper
 // than 1. The distance is a bound on the way to the surface, below the level wherever a twist makes that necessary.
-// Every solid that is left out is one that a bound on its distance shows to change neither.
+// A solid is left out only where a bound on its distance shows that it changes neither; cheap bounds from above come
+// first, so that no order of the solids is needed: drivers that follow both sides of every branch go through each once.
 
-// The level and its pieces before candies are put on: kept apart, since only the cream is steep.
+// The level before candies are put on, in two halves: only the cream is steep. A half that is left out is a bound.
 struct IceCreamCore {
-    float wafer;  // Level of the wafer, or a bound on it where it changes nothing.
-    float cream;  // The same of the cream.
+    float wafer;
+    float cream;
     bool waferIsBound;
     bool creamIsBound;
-    int part;
 };
 
 bool hasPart(int part)
@@ -102,93 +102,104 @@ float footLevel(vec3 p, vec2 profile, float best)
     return level;
 }
 
-// Foot, collar and bowl stand on one another: the one at the point's height first, the others where the gap to their
-// own heights leaves them anything to say.
-float waferLevel(vec3 p, vec2 profile)
+// No less than the distance to foot, collar and bowl, from cylinders within them.
+float waferAtMost(vec2 profile)
 {
-    float best = 1.0e9;
-    int first = p.y < shape.collar.z ? 0 : (p.y < shape.bowl.z ? 1 : 2);
-    float relief = max(shape.ringTube, shape.barRadius) + 0.25 * (shape.footBlend + shape.reliefBlend);
-    for (int k = 0; k < 3; ++k) {
-        int piece = first + k < 3 ? first + k : first + k - 3;
-        if (piece == 0) {
-            if (p.y - shape.foot.z - relief < best) best = min(best, footLevel(p, profile, best));
-        } else if (piece == 1) {
-            if (hasPart(PART_COLLAR) && max(shape.collar.z - p.y, p.y - shape.collar.w) < best) {
-                float collar = frustumDistance(p, shape.collar.z, shape.collar.w, shape.collar.x, shape.collar.y);
-                if (collar < best) fieldPart = PART_COLLAR;
-                best = min(best, collar);
-            }
-        } else if (hasPart(PART_BOWL) && max(shape.bowl.z - p.y, p.y - shape.bowl.w) < best) {
-            float bowl = bowlDistance(profile, shape.bowl);
-            if (bowl < best) fieldPart = PART_BOWL;
-            best = min(best, bowl);
-        }
+    float most = 1.0e9;
+    if (hasPart(PART_FOOT))
+        most = hullDistance(profile, vec4(min(shape.foot.x, shape.foot.y), 0.5 * shape.foot.z, 0.5 * shape.foot.z, 0.0));
+    if (hasPart(PART_COLLAR)) {
+        vec4 within = vec4(min(shape.collar.x, shape.collar.y), 0.5 * (shape.collar.z + shape.collar.w), 0.5 * (shape.collar.w - shape.collar.z), 0.0);
+        most = min(most, hullDistance(profile, within));
     }
-    return best;
+    if (hasPart(PART_BOWL)) {
+        float low = shape.bowl.z - shape.bowl.y;
+        vec4 within = vec4(safeSqrt(shape.bowl.x * shape.bowl.x - low * low), 0.5 * (shape.bowl.z + shape.bowl.w), 0.5 * (shape.bowl.w - shape.bowl.z), 0.0);
+        most = min(most, hullDistance(profile, within));
+    }
+    return most;
+}
+
+// `most` as waferAtMost. Foot, collar and bowl stand on one another: the gap to the heights of each bounds its distance.
+float waferLevel(vec3 p, vec2 profile, float most)
+{
+    float level = 1.0e9;
+    if (hasPart(PART_BOWL) && max(shape.bowl.z - p.y, p.y - shape.bowl.w) <= most) {
+        level = bowlDistance(profile, shape.bowl);
+        fieldPart = PART_BOWL;
+    }
+    if (hasPart(PART_COLLAR) && max(shape.collar.z - p.y, p.y - shape.collar.w) <= min(level, most)) {
+        float collar = frustumDistance(p, shape.collar.z, shape.collar.w, shape.collar.x, shape.collar.y);
+        if (collar < level) fieldPart = PART_COLLAR;
+        level = min(level, collar);
+    }
+    float relief = max(shape.ringTube, shape.barRadius) + 0.25 * (shape.footBlend + shape.reliefBlend);
+    if ((shape.parts & 25) != 0 && p.y - shape.foot.z - relief <= min(level, most)) level = min(level, footLevel(p, profile, level));
+    return level;
 }
 
 // ---- Cream ---------------------------------------------------------------------------------------
 
 // Exact. The first cone of a layer.
-float lobeDistance(int layer, vec3 p)
+float lobeDistance(CreamLayer layer, vec3 p)
 {
     solids += 1;
-    vec3 v = p - shape.layers[layer].foot;
-    float along = dot(v, shape.layers[layer].axis);
-    float away = length(v - shape.layers[layer].axis * along);
-    return sdfCappedCone(vec3(away, along - shape.layers[layer].halfHeight, 0.0), shape.layers[layer].halfHeight,
-                         shape.layers[layer].radius, 0.0) -
-           shape.layers[layer].corner;
+    vec3 v = p - layer.foot;
+    float along = dot(v, layer.axis);
+    float away = length(v - layer.axis * along);
+    return sdfCappedCone(vec3(away, along - layer.halfHeight, 0.0), layer.halfHeight, layer.radius, 0.0) - layer.corner;
 }
 
-// Union of the two nearest cones of a layer, in its untwisted space. Cones are taken in the order in which balls that
-// hold them lie around the axis; when the next ball is too far to hold one of the two nearest, the rest are.
-float layerLevel(int layer, vec3 p)
+// Union of the two nearest cones of a layer, in its untwisted space; `angle` of the point about the axis. Cones are taken
+// in the order in which balls that hold them lie around the axis; when the next ball is too far to hold one of the two
+// nearest, the rest are.
+float layerLevel(CreamLayer layer, vec3 p, float angle)
 {
-    float twisted = shape.layers[layer].twist * p.y;
-    float c = cos(twisted);
-    float s = sin(twisted);
-    vec3 q = vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x);
-    float blend = shape.layers[layer].blend;
-    vec4 ball = shape.layers[layer].ball;
-    float turn = 2.0 * PI / float(shape.layers[layer].lobes);
-    float radius = length(vec2(q.x, q.z));
-    float angle = (angleOf(q.z, q.x) - ball.z) / turn;
-    float start = floor(angle + 0.5);
-    float within = angle - start;
-    float side = within < 0.0 ? -1.0 : 1.0;
+    float turn = 2.0 * PI / float(layer.lobes);
+    float twisted = layer.twist * p.y;
+    float turns = (angle - twisted - layer.ballAngle) / turn;
+    float start = floor(turns + 0.5);
+    float side = turns < start ? -1.0 : 1.0;
     float nearest = 1.0e9;
     float second = 1.0e9;
-    for (int k = 0; k < shape.layers[layer].lobes; ++k) {
+    for (int k = 0; k < layer.lobes; ++k) {
         float steps = (k & 1) != 0 ? side * float((k + 1) / 2) : -side * float(k / 2);
-        // Rounding of angles moves a ball by less than the last term.
-        float apart = radius * radius + ball.x * ball.x - 2.0 * radius * ball.x * cos((within - steps) * turn) +
-                      (q.y - ball.y) * (q.y - ball.y);
-        if (safeSqrt(apart) - ball.w - 1.0e-3 >= min(second, nearest + blend)) break;
-        float a = turn * (start + steps);
-        float ca = cos(a);
-        float sa = sin(a);
-        float d = lobeDistance(layer, vec3(ca * q.x + sa * q.z, q.y, ca * q.z - sa * q.x));
+        float a = twisted + turn * (start + steps);
+        float c = cos(a);
+        float s = sin(a);
+        vec3 q = vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x);
+        if (length(q - layer.ball) - layer.ballRadius >= min(second, nearest + layer.blend)) break;
+        float d = lobeDistance(layer, q);
         second = min(second, max(nearest, d));
         nearest = min(nearest, d);
     }
-    return sdfSmoothUnion(nearest, second, blend);
+    return sdfSmoothUnion(nearest, second, layer.blend);
 }
 
-// Union of the layers. A twist turns heights about the axis, so that it leaves every hull where it is.
-float creamLevel(vec3 p, vec2 profile)
+// No less than the level of a layer: the way through the axis to the middle of a cone at this height.
+float layerAtMost(CreamLayer layer, vec2 profile)
 {
-    float hulls[CREAM_LAYERS];
-    for (int i = 0; i < CREAM_LAYERS; ++i)
-        hulls[i] = hasPart(PART_CREAM + i) ? hullDistance(profile, shape.layers[i].hull) : 1.0e9;
-    int first = hulls[0] <= hulls[1] ? 0 : 1;
+    float length_ = 2.0 * layer.halfHeight;
+    float rise = layer.axis.y * length_;
+    float t = abs(rise) > 1.0e-6 ? clamp((profile.y - layer.foot.y) / rise, 0.0, 1.0) * length_ : 0.0;
+    vec3 middle = layer.foot + layer.axis * t;
+    return length(vec2(profile.x + length(vec2(middle.x, middle.z)), profile.y - middle.y));
+}
+
+// Union of the layers; `most` is a bound from above on what else there is. A twist turns heights about the axis, so that
+// it leaves every hull where it is.
+float creamLevel(vec3 p, vec2 profile, vec2 hulls, float most)
+{
+    float angle = angleOf(p.z, p.x);
     float level = 1.0e9;
-    for (int k = 0; k < CREAM_LAYERS; ++k) {
-        int layer = k == 0 ? first : 1 - first;
-        if (!hasPart(PART_CREAM + layer) || hulls[layer] >= level + shape.layerBlend) continue;
-        float d = layerLevel(layer, p);
-        if (d < level) fieldPart = PART_CREAM + layer;
+    float upper = hasPart(PART_CREAM + 1) ? layerAtMost(shape.layers[1], profile) : 1.0e9;
+    if (hulls.x < min(most, upper) + shape.layerBlend) {
+        level = layerLevel(shape.layers[0], p, angle);
+        fieldPart = PART_CREAM;
+    }
+    if (hulls.y < level + shape.layerBlend && hulls.y < 1.0e8) {
+        float d = layerLevel(shape.layers[1], p, angle);
+        if (d < level) fieldPart = PART_CREAM + 1;
         level = sdfSmoothUnion(level, d, shape.layerBlend);
     }
     return level;
@@ -207,31 +218,24 @@ float twistSlope(float radius)
 IceCreamCore iceCreamCore(vec3 p)
 {
     vec2 profile = vec2(length(vec2(p.x, p.z)), p.y);
+    vec2 hulls = vec2(hasPart(PART_CREAM) ? hullDistance(profile, shape.layers[0].hull) : 1.0e9,
+                      hasPart(PART_CREAM + 1) ? hullDistance(profile, shape.layers[1].hull) : 1.0e9);
     IceCreamCore core;
-    bool anyWafer = (shape.parts & 31) != 0;
-    bool anyCream = (shape.parts & 96) != 0;
-    core.wafer = anyWafer ? hullDistance(profile, shape.waferHull) : 1.0e9;
-    core.cream = 1.0e9;
-    for (int i = 0; i < CREAM_LAYERS; ++i)
-        if (hasPart(PART_CREAM + i)) core.cream = min(core.cream, hullDistance(profile, shape.layers[i].hull));
+    core.wafer = (shape.parts & 31) != 0 ? hullDistance(profile, shape.waferHull) : 1.0e9;
+    core.cream = min(hulls.x, hulls.y);
     core.waferIsBound = true;
     core.creamIsBound = true;
-    core.part = PART_FOOT;
-    bool creamFirst = core.cream < core.wafer;
-    for (int k = 0; k < 2; ++k) {
-        bool cream = (k == 0) == creamFirst;
-        if (cream) {
-            if (!anyCream || (k == 1 && core.cream >= core.wafer + shape.waferBlend)) continue;
-            core.cream = creamLevel(p, profile);
-            core.creamIsBound = false;
-            if (k == 0 || core.cream < core.wafer) core.part = fieldPart;
-        } else {
-            if (!anyWafer || (k == 1 && core.wafer >= core.cream + shape.waferBlend)) continue;
-            core.wafer = waferLevel(p, profile);
-            core.waferIsBound = false;
-            if (k == 0 || core.wafer < core.cream) core.part = fieldPart;
-        }
+    float most = waferAtMost(profile);
+    if (core.cream < most + shape.waferBlend && core.cream < 1.0e8) {
+        core.cream = creamLevel(p, profile, hulls, most + shape.waferBlend + 0.25 * shape.layerBlend);
+        core.creamIsBound = false;
     }
+    int part = fieldPart;
+    if (core.wafer < (core.creamIsBound ? 1.0e8 : core.cream + shape.waferBlend)) {
+        core.wafer = waferLevel(p, profile, most);
+        core.waferIsBound = false;
+    }
+    if (!core.creamIsBound && core.cream <= core.wafer) fieldPart = part;
     return core;
 }
 
@@ -293,13 +297,21 @@ float withSprinkles(vec3 p, float d)
 // `d` united with what lies on the cream and under the wafer: candies, sprinkles, plinth.
 float withToppings(vec3 p, float d)
 {
+    int near = 0;  // Bits of the candies that may be nearer.
     for (int i = 0; i < CANDIES; ++i) {
-        if (!hasPart(PART_CANDY + i) || length(p - shape.candies[i].center) - shape.candies[i].reach >= d) continue;
+        vec3 v = p - shape.candies[i].center;
+        float reach = d + shape.candies[i].reach;
+        if (reach > 0.0 && dot(v, v) < reach * reach) near |= 1 << i;
+    }
+    near &= shape.parts >> PART_CANDY;
+    while (near != 0) {
+        int i = findLSB(near);
+        near &= near - 1;
         float candy = candyDistance(i, p);
         if (candy < d) fieldPart = PART_CANDY + i;
         d = min(d, candy);
     }
-    if (hasPart(PART_SPRINKLES)) d = withSprinkles(p, d);
+    if (hasPart(PART_SPRINKLES) && shape.gridCells.x > 0) d = withSprinkles(p, d);
     if (hasPart(PART_PLINTH) && p.y < d) {
         solids += 1;
         vec3 q = p + vec3(0.0, 0.5 * shape.plinth.y, 0.0);
@@ -313,13 +325,11 @@ float withToppings(vec3 p, float d)
 float iceCreamLevel(vec3 p)
 {
     IceCreamCore core = iceCreamCore(p);
-    fieldPart = core.part;
     return withToppings(p, coreLevel(core));
 }
 
 float iceCreamDistance(vec3 p)
 {
     IceCreamCore core = iceCreamCore(p);
-    fieldPart = core.part;
     return withToppings(p, coreDistance(core, p));
 }
