@@ -26,6 +26,8 @@ struct IceCream {
     SprinkleLists sprinkles = {};
     int solids = 0;
     int fieldPart = 0;
+    float levelHere = 0;
+    float unlisted = 0;
 
     float sprinkleClear(int cell) const { return sprinkles.cells[static_cast<std::size_t>(cell)].clear; }
     int sprinkleFirst(int cell) const { return sprinkles.cells[static_cast<std::size_t>(cell)].first; }

@@ -11,6 +11,8 @@ layout(std140, binding = BLOCK_EXHIBIT) uniform Shape {
 };
 
 int solids = 0;
+float levelHere = 0.0;
+float unlisted = 0.0;
 
 #ifdef SPRINKLES
 struct SprinkleCell {
@@ -39,8 +41,9 @@ vec4 sprinkleFinish(int i) { return vec4(0.0); }
 
 #include "ice_cream/solids.glsl"
 
-// Normals and occlusion are those of the level: a bound on the way has edges where the shape has none.
+// Normals, occlusion and soft shadows are those of the level: a bound on the way has edges where the shape has none.
 #define FIELD_LEVEL iceCreamLevel
+#define FIELD_CLEARANCE(d) levelHere
 
 float fieldDistance(vec3 p)
 {

@@ -1,8 +1,9 @@
 // The solids of an ice cream and their union, each evaluated only where it decides.
 //
 // What surrounds this file supplies `shape` (IceCreamShape), `fieldPart`, `solids` (counts the solids that were
-// evaluated), and of the sprinkles sprinkleClear(cell), sprinkleFirst(cell), sprinkleEnd(cell), sprinkleStart(i) and
-// sprinkleFinish(i), points with the number of a color. In C++ it is the body of a class: exhibits/ice_cream/ice_cream_cpu.h.
+// evaluated), `levelHere`, `unlisted`, and of the sprinkles sprinkleClear(cell), sprinkleFirst(cell), sprinkleEnd(cell),
+// sprinkleStart(i) with the number of a color, and sprinkleFinish(i). In C++ it is the body of a class:
+// exhibits/ice_cream/ice_cream_cpu.h.
 //
 // Two functions of a point are made of them. The level is what the shape is defined by: its twisted layers are steeper
 // than 1. The distance is a bound on the way to the surface, below the level wherever a twist makes that necessary.
@@ -271,18 +272,20 @@ float candyDistance(int i, vec3 p)
     return sdfRoundBox(vec3(dot(v, x), dot(v, y), dot(v, cross(x, y))), shape.candies[i].halfSize, shape.candies[i].corner);
 }
 
-// `d` united with the sprinkles: capsules in a grid. A cell lists those that come near it, and says how far all others
-// are at least; its outermost cells list none.
+// `d` united with the sprinkles that are near: capsules in a grid. A cell lists those that come near it, and says how far
+// all others are at least, which becomes `unlisted`; its outermost cells list none.
 float withSprinkles(vec3 p, float d)
 {
     vec3 high = shape.gridLow + shape.gridCell * vec3(shape.gridCells);
     vec3 inside = clamp(p, shape.gridLow, high);
     float outside = length(p - inside);
+    unlisted = outside;
     if (outside >= d) return d;
     vec3 last = vec3(shape.gridCells) - vec3(1.0);
     ivec3 at = ivec3(clamp(floor((inside - shape.gridLow) / shape.gridCell), vec3(0.0), last));
     int cell = (at.z * shape.gridCells.y + at.y) * shape.gridCells.x + at.x;
-    float all = min(d, max(sprinkleClear(cell) - outside, outside));
+    unlisted = max(sprinkleClear(cell) - outside, outside);
+    float all = d;
     for (int i = sprinkleFirst(cell); i < sprinkleEnd(cell); ++i) {
         solids += 1;
         vec4 start = sprinkleStart(i);
@@ -324,12 +327,16 @@ float withToppings(vec3 p, float d)
 
 float iceCreamLevel(vec3 p)
 {
-    IceCreamCore core = iceCreamCore(p);
-    return withToppings(p, coreLevel(core));
+    return withToppings(p, coreLevel(iceCreamCore(p)));
 }
 
+// Leaves the level in `levelHere`.
 float iceCreamDistance(vec3 p)
 {
     IceCreamCore core = iceCreamCore(p);
-    return withToppings(p, coreDistance(core, p));
+    float level = coreLevel(core);
+    unlisted = 1.0e9;
+    levelHere = withToppings(p, level);
+    float d = min(coreDistance(core, p), unlisted);
+    return levelHere < level ? min(d, levelHere) : d;
 }

@@ -17,7 +17,8 @@
 //
 // fieldDistance must be 1-Lipschitz (lib/sdf.glsl says which are); a steeper one is divided by its
 // constant first. Where that makes it rough, FIELD_LEVEL names a smooth function with the same zeros and signs, of which
-// normals and occlusion are taken. Every `evaluations` counts calls of fieldDistance, exactly.
+// normals and occlusion are taken, and FIELD_CLEARANCE(d) its value where fieldDistance gave d last, by which soft shadows
+// are estimated. Every `evaluations` counts calls of fieldDistance, exactly.
 //
 // GLSL 4.50 and C++: no swizzles beyond one component, no `inout`, literals with a point.
 
@@ -27,6 +28,9 @@
 
 #ifndef FIELD_LEVEL
 #define FIELD_LEVEL fieldDistance
+#endif
+#ifndef FIELD_CLEARANCE
+#define FIELD_CLEARANCE(d) (d)
 #endif
 
 const int RELAXATION_NONE = 0;
@@ -360,7 +364,7 @@ Shadow shadowClassic(vec3 p, vec3 toLight, float tanRadius, float tMin, float tM
     for (int i = 0; i < stepLimit && t < tMax; ++i) {
         float d = fieldDistance(p + toLight * t);
         shadow.evaluations = i + 1;
-        shadow.visibility = min(shadow.visibility, max(d, 0.0) / (width * t));
+        shadow.visibility = min(shadow.visibility, max(FIELD_CLEARANCE(d), 0.0) / (width * t));
         if (d < 1.0e-4) {
             shadow.visibility = 0.0;
             return shadow;
@@ -387,10 +391,11 @@ Shadow shadowAaltonen(vec3 p, vec3 toLight, float tanRadius, float tMin, float t
             shadow.visibility = 0.0;
             return shadow;
         }
-        float back = d * d / (2.0 * previous);
-        float closest = safeSqrt(d * d - back * back);
+        float clear = FIELD_CLEARANCE(d);
+        float back = clear * clear / (2.0 * previous);
+        float closest = safeSqrt(clear * clear - back * back);
         shadow.visibility = min(shadow.visibility, closest / (width * max(t - back, 1.0e-5)));
-        previous = d;
+        previous = clear;
         t += d;
     }
     return shadow;
@@ -412,7 +417,7 @@ Shadow shadowSigned(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMa
     for (int i = 0; i < stepLimit && t < tMax; ++i) {
         float d = fieldDistance(p + toLight * t);
         shadow.evaluations = i + 1;
-        clearance = min(clearance, d / (width * t));
+        clearance = min(clearance, FIELD_CLEARANCE(d) / (width * t));
         if (clearance < -1.0) break;
         t += max(abs(d), 0.25 * width * t + 1.0e-3);  // Through the band where d is about 0.
     }
