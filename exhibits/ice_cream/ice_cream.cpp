@@ -143,7 +143,7 @@ render::Camera IceCream::bestView(const ParameterValues& values) const
         const glm::dvec3 foot(world[3]);
         return {foot + size * glm::dvec3(0, 1.5, 2), foot + size * glm::dvec3(0, 0.5, 0), 2 * std::atan(0.5)};
     }
-    return {{-0.62, 0.12, 1.55}, {0, -0.17, -0.15}, 0.62};
+    return {{-0.55, 0.06, 1.42}, {0.01, -0.2, -0.18}, 0.64};
 }
 
 double IceCream::nextChange(const ParameterValues& values, double) const

@@ -22,7 +22,7 @@ CreamRows IceCreamRows::layer(const CreamInitial& initial)
                       "Radians by which the layer turns for each meter of height.");
     rows.blend = real("blend", 0.01, meter, Range{0, 0.3}.soft(0, 0.08),
                       "Width of the fillet between neighbors: wide makes soft folds.");
-    rows.color = color("color", {0.9255, 0.9294, 0.8510}, "Of the layer.");
+    rows.color = color("color", {0.8388, 0.8468, 0.6939}, "Of the layer.");
     return rows;
 }
 

@@ -56,7 +56,7 @@ struct CandyRows {
 };
 
 /// The soft-serve: its shape, its materials, its two lights. Lengths in meters before `size`; y up from the wafer's
-/// foot.
+/// foot. The colors are the source's, which showed them without a gamma curve: here they are linear light.
 struct IceCreamRows : virtual Parameters {
     Group whole = group("Ice cream");
     Choice<IceCreamStage> stage = choice(
@@ -143,7 +143,7 @@ struct IceCreamRows : virtual Parameters {
                              when(material, SdfMaterial::glass));
     Real refractiveIndex = real("refractiveIndex", 1.5, none, Range{1, 3}.soft(1, 2.4),
                                 "Of the glass: 1 bends nothing, 2.4 is diamond.", when(material, SdfMaterial::glass));
-    Color waferColor = color("waferColor", {0.8627, 0.6510, 0.3255}, "Of the wafer.");
+    Color waferColor = color("waferColor", {0.7156, 0.3814, 0.0865}, "Of the wafer.");
     Real waferRoughness = real("waferRoughness", 1.0, none, {0, 1}, "Of the wafer: 0 is a mirror, 1 is chalk.");
     Real creamRoughness = real("creamRoughness", 0.25, none, {0, 1}, "Of the cream: low melts, high is dry.");
     Real candyRoughness = real("candyRoughness", 0.65, none, {0, 1}, "Of candies and sprinkles.");
@@ -151,18 +151,18 @@ struct IceCreamRows : virtual Parameters {
 
     Group stand = group("Plinth");
     Toggle plinth = toggle("plinth", true, "Stand it on a plinth.");
-    Color plinthColor = color("plinthColor", {0.62, 0.57, 0.50}, "Of the plinth.", when(plinth));
+    Color plinthColor = color("plinthColor", {0.36, 0.31, 0.26}, "Of the plinth.", when(plinth));
     Real plinthRoughness = real("plinthRoughness", 0.55, none, {0, 1}, "Of the plinth.", when(plinth));
 
     Group ownLight = group("Light");
     Choice<IceCreamLighting> lighting =
         choice("lighting", IceCreamLighting::hall, {"hall", "as in the source"},
                "Lit by what is around it, or by the one sun, the ambient light and the fog of the source.");
-    Real lamp = real("lamp", 2.2, none, Range{0, 100}.soft(0, 8), "Strength of the lamp before the niche.",
+    Real lamp = real("lamp", 1.1, none, Range{0, 100}.soft(0, 8), "Strength of the lamp before the niche.",
                      when(lighting, IceCreamLighting::hall));
-    Color lampColor = color("lampColor", {1.0, 0.86, 0.70}, "Of that lamp.", whenAbove(lamp, 0));
+    Color lampColor = color("lampColor", {1.0, 0.88, 0.74}, "Of that lamp.", whenAbove(lamp, 0));
     Direction lampDirection =
-        direction("lampDirection", {-0.55, 0.75, 0.62}, "Where it hangs, seen from the ice cream.", whenAbove(lamp, 0));
+        direction("lampDirection", {-0.85, 0.62, 0.42}, "Where it hangs, seen from the ice cream.", whenAbove(lamp, 0));
     Choice<IceCreamHighlight> highlight = choice(
         "highlight", IceCreamHighlight::blinnPhong, {"GGX", "Blinn-Phong"},
         "What roughness means for the source's sun: a lobe of microfacets, or the exponent 2^(10 (1 - roughness)).",
@@ -184,7 +184,7 @@ struct IceCreamRows : virtual Parameters {
     Toggle ground = toggle("ground", true, "Sand around it, and a black horizon, where it is shown alone.",
                            when(lighting, IceCreamLighting::source));
     Color groundColor =
-        color("groundColor", {0.9451, 0.9451, 0.9451}, "Of the sand, before the warm light.", when(ground));
+        color("groundColor", {0.8796, 0.8796, 0.8796}, "Of the sand, before the warm light.", when(ground));
 
 private:
     struct CreamInitial {
@@ -215,8 +215,8 @@ private:
                                                                     {"candy8", "Candy 8, in the air"},
                                                                     {"candy9", "Candy 9, in the air"},
                                                                     {"candy10", "Candy 10, in the air"}}};
-    static constexpr glm::dvec3 red{0.9451, 0.1324, 0.1216}, green{0.1397, 0.9288, 0.0943},
-        blue{0.1307, 0.3043, 0.9451}, yellow{0.9670, 0.9451, 0.0642}, pink{0.8431, 0.3485, 0.5084};
+    static constexpr glm::dvec3 red{0.8796, 0.0158, 0.0137}, green{0.0173, 0.8456, 0.0092},
+        blue{0.0155, 0.0754, 0.8796}, yellow{0.9266, 0.8796, 0.0053}, pink{0.6795, 0.0996, 0.2219};
     // The first one's z is 16 in the source, for .16: out of sight.
     static constexpr std::array<CandyInitial, candyCount> candyInitials{{
         {0.12, 1.0, 0.16, red, 1, 0, 0},

@@ -219,5 +219,10 @@ TEST_F(ActingRows, EveryRowOfTheSunbeamsActs)
     expectEveryRowActs("crepuscular_rays", {"mask"});
 }
 
+TEST_F(ActingRows, EveryRowOfTheIceCreamActs)
+{
+    expectEveryRowActs("ice_cream");
+}
+
 }  // namespace
 }  // namespace vitrine

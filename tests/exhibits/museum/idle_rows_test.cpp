@@ -134,6 +134,11 @@ TEST_F(IdleRows, ChangeNoPixelOfTheSunbeams)
     expectIdleRowsChangeNothing(gallery().museum.find("crepuscular_rays").value());
 }
 
+TEST_F(IdleRows, ChangeNoPixelOfTheIceCream)
+{
+    expectIdleRowsChangeNothing(gallery().museum.find("ice_cream").value());
+}
+
 /// The states above may miss rows that act only together.
 TEST_F(IdleRows, ChangeNoPixelInRandomStates)
 {
