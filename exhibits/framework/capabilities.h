@@ -43,6 +43,14 @@ public:
     virtual void planOverFrame(const PlanContext&, render::FramePlan&) const = 0;
 };
 
+/// Draws what surrounds it where it is shown alone: a ground, a sky of its own.
+class HasSurroundings {
+public:
+    virtual ~HasSurroundings() = default;
+    /// Whether it does so with these values: then it is planned wherever one looks.
+    [[nodiscard]] virtual bool surrounds(const ParameterValues&) const = 0;
+};
+
 /// Carries lamps. The hall may, too.
 class HasLocalLights {
 public:

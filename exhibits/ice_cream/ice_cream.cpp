@@ -157,20 +157,27 @@ bool IceCream::press(ParameterValues& values) const
     return true;
 }
 
+bool IceCream::surrounds(const ParameterValues& values) const
+{
+    return values[table_.lighting] == IceCreamLighting::source && values[table_.ground];
+}
+
 std::vector<StudyView> IceCream::studyViews(const ParameterValues& values) const
 {
     const render::Camera best = bestView(values);
     ParameterValues source = values;
     source.set(table_.lighting, IceCreamLighting::source);
     source.set(table_.material, SdfMaterial::opaque);
-    const glm::dvec3 middle = best.target;
+    // By places in the space of the source, whose axis and size are those of the exhibit at rest.
+    const glm::dmat4 placed = standing(table_, values, 0);
+    const auto from = [&](const glm::dvec3& eye, const glm::dvec3& target, double fovY) {
+        return render::Camera{eye, target, fovY}.transformed(placed);
+    };
     return {{"best view", best, 0, values},
             {"as in the source", bestView(source), 0, source},
-            {"folds of the cream, from near",
-             {middle + glm::dvec3(0.25, 0.35, 0.45), middle + glm::dvec3(0, 0.12, 0), 0.5},
-             0,
-             values},
-            {"from below", {middle + glm::dvec3(0.3, -0.4, 0.8), middle, 0.6}, 0, values}};
+            {"folds of the cream, from near", from({0.1, 1.25, 0.75}, {0, 1.0, 0}, 0.6), 0, values},
+            {"the back, from above", from({-0.25, 1.6, -0.9}, {0, 1.0, -0.05}, 0.6), 7.3, values},
+            {"the waffle, from below", from({0.25, 0.1, 0.8}, {0, 0.35, 0}, 0.7), 0, values}};
 }
 
 void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const

@@ -8,7 +8,7 @@ namespace vitrine {
 /// A soft-serve in a wafer with candies: a union of some thirty solids, of which each point evaluates the few that
 /// decide. Read in this order: the table, ice_cream_shape.cpp (what the numbers mean), shaders/ice_cream/solids.glsl
 /// (the field), sprinkles.cpp, then this file's passes beside the kit's march.
-class IceCream final : public SdfExhibit, public HasButton {
+class IceCream final : public SdfExhibit, public HasButton, public HasSurroundings {
 public:
     using Table = IceCreamTable;
 
@@ -37,6 +37,7 @@ public:
     bool press(ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] SdfBody body(const ParameterValues&, double time) const override;
+    [[nodiscard]] bool surrounds(const ParameterValues&) const override;
 
 private:
     [[nodiscard]] const SdfRows& rows() const override { return table_; }

@@ -217,13 +217,14 @@ private:
                                                                     {"candy10", "Candy 10, in the air"}}};
     static constexpr glm::dvec3 red{0.8796, 0.0158, 0.0137}, green{0.0173, 0.8456, 0.0092},
         blue{0.0155, 0.0754, 0.8796}, yellow{0.9266, 0.8796, 0.0053}, pink{0.6795, 0.0996, 0.2219};
-    // The first one's z is 16 in the source, for .16: out of sight.
+    // The first one's z is 16 in the source, for .16: out of sight. The fifth one, at (-.06, 1.1, -.11), lies within
+    // the cream there; here it is drawn out to the surface.
     static constexpr std::array<CandyInitial, candyCount> candyInitials{{
         {0.12, 1.0, 0.16, red, 1, 0, 0},
         {0.06, 1.2, -0.08, green, 2, 0, 0},
         {-0.16, 0.9, 0.11, blue, 3, 0, 0},
         {-0.2, 0.84, -0.2, yellow, 4, 0, 0},
-        {-0.06, 1.1, -0.11, pink, 5, 0, 0},
+        {-0.0745, 1.1, -0.1365, pink, 5, 0, 0},
         {0.168, 0.95, -0.156, yellow, 6, 0, 0},
         {0.01, 0.94, 0.19, red, 7, 0, 0},
         // In the air; a meter away from the axis in the source, nearer here, where there are walls.

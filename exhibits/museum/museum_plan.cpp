@@ -120,7 +120,9 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
             p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
         p.box = exhibit.boundsOf(prepared.state(i)).transformed(p.worldFromExhibit);
         p.unlit = capability<OverFrame>(exhibit) ? "it is made of light" : whyUnlit(scene, p.box);
-        p.hidden = request.runEverything ? std::string() : whyHidden(p.box, view, scene.alone);
+        const auto* around = request.alone == i ? capability<HasSurroundings>(exhibit) : nullptr;
+        const bool surrounds = around && around->surrounds(prepared.sceneState.values[i]);
+        p.hidden = request.runEverything || surrounds ? std::string() : whyHidden(p.box, view, scene.alone);
         p.noShadow = !p.unlit.empty() || request.runEverything ? p.unlit : whyNoShadow(scene, p.box, view);
         present.push_back(std::move(p));
     }
