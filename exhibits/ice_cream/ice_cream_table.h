@@ -239,7 +239,7 @@ private:
 
 /// Everything that can be set about it.
 struct IceCreamTable final : IceCreamRows, SdfRows {
-    IceCreamTable() : SdfRows(0) {}
+    IceCreamTable() : SdfRows(0, when(lighting, IceCreamLighting::source)) {}
 };
 
 }  // namespace vitrine

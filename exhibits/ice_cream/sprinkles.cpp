@@ -57,7 +57,7 @@ std::optional<Landing> landing(glsl::IceCream& solids, const dvec3& from, const 
 std::optional<Sprinkles::One> strew(glsl::IceCream& solids, const SprinkleSettings& settings, double low, double high,
                                     double outer, int sprinkle)
 {
-    for (int fall = 0; fall < 8; ++fall) {
+    for (int fall = 0; fall < 16; ++fall) {
         const dvec3 where = drawn(sprinkle, settings.seed, 2 * fall);
         const dvec3 how = drawn(sprinkle, settings.seed, 2 * fall + 1);
         const double angle = 2 * std::numbers::pi * where.x;
@@ -66,6 +66,8 @@ std::optional<Sprinkles::One> strew(glsl::IceCream& solids, const SprinkleSettin
         const double way = 2 * outer / std::hypot(direction.x, direction.z);
         const auto found = landing(solids, axis - direction * way, direction, way);
         if (!found || found->normal.y < -0.3) continue;
+        // Falls come as often to each height: what is wide takes more of them.
+        if (how.z * outer > std::hypot(found->point.x, found->point.z)) continue;
         const dvec3 across = glm::normalize(
             glm::cross(found->normal, std::abs(found->normal.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
         const double turn = 2 * std::numbers::pi * how.x;

@@ -36,11 +36,16 @@ struct SdfMaterialRows : virtual Parameters {
 
 /// How the body is marched, shaded and looked into.
 struct SdfRows : virtual Parameters {
-    /// `initialBounces`: few for what is rough, whose mirror images of itself nobody would see.
-    explicit SdfRows(int initialBounces = 2) : initialBounces_(initialBounces) {}
+    /// `initialBounces`: few for what is rough, whose mirror images of itself nobody would see. `occludedToo`: when
+    /// ambient occlusion acts on glass as well, in a light of the exhibit's own.
+    explicit SdfRows(int initialBounces = 2, std::optional<Condition> occludedToo = {})
+        : initialBounces_(initialBounces), occludedToo_(std::move(occludedToo))
+    {
+    }
 
 private:
     int initialBounces_;
+    std::optional<Condition> occludedToo_;
 
 public:
     Group reflections = group("Material");
@@ -115,8 +120,9 @@ private:
     [[nodiscard]] std::optional<Condition> whenOccluded() const
     {
         if (!find("material")) return {};
-        return whenLater("material", static_cast<double>(SdfMaterial::opaque)) ||
-               whenLater("heatMap", static_cast<double>(SdfHeatMap::evaluations));
+        Condition occluded = whenLater("material", static_cast<double>(SdfMaterial::opaque)) ||
+                             whenLater("heatMap", static_cast<double>(SdfHeatMap::evaluations));
+        return occludedToo_ ? std::move(occluded) || *occludedToo_ : std::move(occluded);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/fur/coat.h"
+#include "exhibits/ice_cream/ice_cream_table.h"
 #include "exhibits/lenticular/lenticular_table.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
 #include "render/files/read_file.h"
@@ -144,6 +145,56 @@ TEST(PresetOfTheSource, OfTheTorusMugHasItsConstants)
     EXPECT_TRUE(v[t.animate]);  // to the mug and back
     // EPSILON is a fixed 0.001 m there; ours is told in pixels, and stays at half a one.
     EXPECT_EQ(v[t.hitTolerance], 1);
+}
+
+/// What the source's numbers, shown without a gamma curve, are as linear light (IEC 61966-2-1).
+glm::dvec3 linear(const glm::dvec3& shown)
+{
+    glm::dvec3 light;
+    for (int i = 0; i < 3; ++i)
+        light[i] = shown[i] <= 0.04045 ? shown[i] / 12.92 : std::pow((shown[i] + 0.055) / 1.055, 2.4);
+    return light;
+}
+
+TEST(PresetOfTheSource, I4_I6_OfTheIceCreamHasItsPlacesAndMaterials)
+{
+    const IceCreamTable t;
+    const ParameterValues v = preset("ice_cream", "as-in-the-source", t);
+    const glm::dvec3 red(0.9451, 0.1324, 0.1216), green(0.1397, 0.9288, 0.0943), blue(0.1307, 0.3043, 0.9451),
+        yellow(0.9670, 0.9451, 0.0642), pink(0.8431, 0.3485, 0.5084);
+    const std::pair<glm::dvec3, glm::dvec3> candies[]{
+        {{0.12, 1, 0.16}, red},          {{0.06, 1.2, -0.08}, green},
+        {{-0.16, 0.9, 0.11}, blue},      {{-0.2, 0.84, -0.2}, yellow},
+        {{-0.0745, 1.1, -0.1365}, pink},  // Out of the cream; see the table.
+        {{0.168, 0.95, -0.156}, yellow}, {{0.01, 0.94, 0.19}, red},
+        {{0.5, 1, 0.866}, green},        {{-1, 0.8, 0}, pink},
+        {{0.5, 1.2, -0.866}, blue}};
+    for (std::size_t i = 0; i < candyCount; ++i) {
+        const CandyRows& candy = t.candies[i];
+        EXPECT_EQ(glm::dvec3(v[candy.x], v[candy.y], v[candy.z]), candies[i].first) << i;
+        EXPECT_LT(glm::distance(v[candy.color].value, linear(candies[i].second)), 2e-4) << i;
+        EXPECT_EQ(glm::dvec3(v[candy.halfX], v[candy.halfY], v[candy.halfZ]), glm::dvec3(0.02, 0.03, 0.01)) << i;
+        EXPECT_EQ(v[candy.corner], 0.007) << i;
+    }
+    EXPECT_LT(glm::distance(v[t.waferColor].value, linear({0.8627, 0.6510, 0.3255})), 2e-4);
+    for (const CreamRows& layer : t.layers)
+        EXPECT_LT(glm::distance(v[layer.color].value, linear({0.9255, 0.9294, 0.8510})), 2e-4);
+    EXPECT_LT(glm::distance(v[t.groundColor].value, linear(glm::dvec3(0.9451))), 2e-4);
+    EXPECT_EQ(v[t.waferRoughness], 1);
+    EXPECT_EQ(v[t.creamRoughness], 0.25);
+    EXPECT_EQ(v[t.candyRoughness], 0.65);
+    EXPECT_EQ(v[t.highlight], IceCreamHighlight::blinnPhong);
+    EXPECT_EQ(v[t.sourceSun].value, glm::normalize(glm::dvec3(-16, 12, 4)));
+    EXPECT_LT(glm::distance(v[t.sourceSunColor].value * v[t.sourceSunStrength], glm::dvec3(1, 0.7, 0.5) / 1.2), 1e-9);
+    EXPECT_EQ(v[t.sourceAmbient].value, glm::dvec3(0.2, 0.1, 0));
+    EXPECT_EQ(v[t.sourceFog], 0.0005);
+    EXPECT_EQ(v[t.occlusionTaps], 5);
+    EXPECT_EQ(v[t.shadowMethod], SdfShadow::improved);
+    EXPECT_NEAR(std::tan(0.5 * v[t.sunWidth]), 1.0 / 32, 1e-9);  // 32 d / t
+    EXPECT_EQ(v[t.stepLimit], 128);
+    EXPECT_EQ(v[t.lighting], IceCreamLighting::source);
+    EXPECT_NEAR(v[t.orbitSpeed] * 2 * std::numbers::pi, 0.1, 1e-12);
+    EXPECT_EQ(v[t.size], 1);
 }
 
 }  // namespace

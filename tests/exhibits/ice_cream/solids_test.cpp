@@ -3,6 +3,7 @@
 
 #include "exhibits/framework/random_values.h"
 #include "exhibits/ice_cream/ice_cream_cpu.h"
+#include "exhibits/ice_cream/ice_cream_cpu32.h"
 #include "exhibits/ice_cream/ice_cream_table.h"
 #include "tests/exhibits/ice_cream/every_solid.h"
 
@@ -165,6 +166,95 @@ TEST(Solids, LieInTheirBox)
     }
 }
 
+// ---- Marches -------------------------------------------------------------------------------------
+
+/// Rays of the source's first view.
+dvec3 sourceRay(int x, int y, int width, int height)
+{
+    const dvec3 forward = glm::normalize(dvec3(0, 0.5, 0) - dvec3(0, 1.5, 2));
+    const dvec3 right(1, 0, 0), up = glm::cross(right, forward);
+    return glm::normalize(forward + right * ((x + 0.5 - 0.5 * width) / height) +
+                          up * ((0.5 * height - y - 0.5) / height));
+}
+
+TEST(IceCreamMarch, I12_ARayThatIsOutOfStepsIsNoHit)
+{
+    constexpr int width = 98, height = 55;
+    constexpr double halfPixel = 0.5 / 441;  // Of the source's window.
+    const IceCreamShape shape = iceCreamShape(table(), source(), 0);
+    const EverySolid every(shape);
+    const render::Box box = boxOf(shape);
+    glsl::IceCream solids = solidsOf(shape);
+    glsl::Tracer tracer{[&](const dvec3& p) { return solids.iceCreamDistance(p); }};
+    int phantoms = 0, missed = 0, ofTheSource = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const dvec3 eye(0, 1.5, 2), ray = sourceRay(x, y, width, height);
+            // How near it comes to the ice cream, in pixels, and to the ground, by short steps.
+            double nearest = 1e9;
+            for (double t = 0.5; t < 4.5; t += 0.006)
+                nearest = std::min(nearest, every.level(eye + ray * t) / (2 * halfPixel * t));
+            if (nearest < 2) continue;
+            ++missed;
+            const auto span = tracer.rayBox(eye, ray, box.low, box.high);
+            for (const int steps : {64, 128}) {
+                auto settings = tracer.marchSettings(span.x, span.y, halfPixel);
+                settings.stepLimit = steps;
+                phantoms += tracer.sphereTrace(eye, ray, settings).hit;
+            }
+            // The source's way: 128 steps of the level with the ground; whatever has not gone far is a hit.
+            double t = 1;
+            bool hit = false;
+            for (int i = 0; i < 128 && t < 1e8 && !hit; ++i) {
+                const dvec3 p = eye + ray * t;
+                const double d = std::min(every.level(p), p.y);
+                hit = d < 1e-5 * t;
+                if (!hit) t += d;
+            }
+            ofTheSource += !hit && t < 1e8;
+        }
+    EXPECT_GT(missed, 2000);
+    EXPECT_EQ(phantoms, 0);
+    EXPECT_GT(ofTheSource, 20) << "rays near the horizon run out of steps, and the source takes them for hits";
+}
+
+TEST(IceCreamMarch, I13_NormalsAtFloat32AreThoseOfFloat64ByTheStepOfTheTable)
+{
+    const IceCreamShape shape = iceCreamShape(table(), source(), 0);
+    glsl::IceCream exact = solidsOf(shape);
+    glsl32::IceCream rounded;
+    copyShape(rounded.shape, shape);
+    glsl::Tracer march{[&](const dvec3& p) { return exact.iceCreamDistance(p); }};
+    glsl::Tracer truth{[&](const dvec3& p) { return exact.iceCreamLevel(p); }};
+    glsl32::Tracer tracer{[&](const glm::vec3& p) { return rounded.iceCreamLevel(p); }};
+    const auto errors = [&](double step) {
+        std::vector<double> degrees;
+        for (int y = 0; y < 110; ++y)
+            for (int x = 0; x < 196; ++x) {
+                const dvec3 ray = sourceRay(x, y, 196, 110);
+                const auto hit = march.sphereTrace({0, 1.5, 2}, ray, march.marchSettings(0.5, 5, 1e-7));
+                if (!hit.hit) continue;
+                const dvec3 p(glm::vec3(dvec3(0, 1.5, 2) + ray * hit.t));
+                const dvec3 n = truth.fieldNormal(p, 1e-6, truth.NORMAL_CENTRAL, -ray);
+                const dvec3 found(
+                    tracer.fieldNormal(glm::vec3(p), static_cast<float>(step), tracer.NORMAL_CENTRAL, glm::vec3(-ray)));
+                degrees.push_back(std::atan2(glm::length(glm::cross(n, found)), glm::dot(n, found)) * 180 /
+                                  std::numbers::pi);
+            }
+        std::sort(degrees.begin(), degrees.end());
+        return degrees;
+    };
+    const auto ours = errors(table().initial()[table().normalStep]);
+    EXPECT_GT(ours.size(), 1500U);
+    // Beyond are the pixels within a step of a crease, where both sides are seen.
+    EXPECT_LT(ours[ours.size() * 95 / 100], 0.1);
+    const auto sources = errors(1e-5);
+    EXPECT_GT(sources[sources.size() / 2], 5 * ours[ours.size() / 2]) << "the source's step drowns in rounding";
+    EXPECT_GT(sources[sources.size() * 95 / 100], 5 * ours[ours.size() * 95 / 100]);
+    std::printf("median, 95 %%: %.4f %.4f; the source's step: %.3f %.3f degrees\n", ours[ours.size() / 2],
+                ours[ours.size() * 95 / 100], sources[sources.size() / 2], sources[sources.size() * 95 / 100]);
+}
+
 // ---- Dimensions of the source --------------------------------------------------------------------
 
 /// Where a straight way from outside first meets the surface of some parts alone.
@@ -308,10 +398,14 @@ TEST(IceCreamDimensions, I4_I12_NoCandyIsLostBehindTheCamera)
         EXPECT_FLOAT_EQ(candy.corner, 0.007F);
         // Those on the cream stand out of it.
         const double depth = every.cream(dvec3(candy.center));
-        std::printf("candy %zu: %.3f m from the cream\n", i + 1, depth);
+        EXPECT_GT(depth, -0.012) << "candy " << i + 1;
+        if (i < 7) {
+            EXPECT_LT(depth, 0.012) << "candy " << i + 1;
+        }
     }
-    // The source's own place of the first one, which this would refuse.
+    // The source's own places of the first one and of the fifth one, whose every corner lies in the cream.
     EXPECT_GT(glm::length(dvec2(0.12, 16)), 1.01);
+    EXPECT_LT(every.cream({-0.06, 1.1, -0.11}), -0.036);
 }
 
 TEST(IceCreamDimensions, I4_CandiesSpinAndFloatAsTheSourceTellsThem)
