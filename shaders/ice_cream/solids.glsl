@@ -103,7 +103,8 @@ float footLevel(vec3 p, vec2 profile, float best)
     return level;
 }
 
-// No less than the distance to foot, collar and bowl, from cylinders within them.
+// No less than the distance to foot, collar and bowl, from cylinders within them; a hundredth of a millimeter more, or
+// rounding would leave out a solid whose bounds from both sides agree.
 float waferAtMost(vec2 profile)
 {
     float most = 1.0e9;
@@ -118,7 +119,7 @@ float waferAtMost(vec2 profile)
         vec4 within = vec4(safeSqrt(shape.bowl.x * shape.bowl.x - low * low), 0.5 * (shape.bowl.z + shape.bowl.w), 0.5 * (shape.bowl.w - shape.bowl.z), 0.0);
         most = min(most, hullDistance(profile, within));
     }
-    return most;
+    return most + 1.0e-5;
 }
 
 // `most` as waferAtMost. Foot, collar and bowl stand on one another: the gap to the heights of each bounds its distance.

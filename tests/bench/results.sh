@@ -19,6 +19,7 @@ study="build/release/vitrine study"
 entries() {
     cat <<END
 sdf_evaluations cpu $tests/bench_sdf_evaluations
+ice_cream_solids cpu $tests/bench_ice_cream_solids
 interlacing cpu $tests/bench_interlacing
 large_print cpu $tests/bench_large_print
 window_start gl xvfb-run -a $tests/bench_window_start
@@ -61,7 +62,7 @@ measure() {
     echo "$name: $command" >&2
     beside=""
     format=markdown
-    case $name in study_* | sdf_evaluations | stability_suite) format=text ;; esac
+    case $name in study_* | sdf_evaluations | ice_cream_solids | stability_suite) format=text ;; esac
     case $name in
     study_*)
         set -- --out "build/studies/$name"
