@@ -71,7 +71,11 @@ SdfBody IceCream::body(const ParameterValues& values, double time) const
                  .block = render::std140Bytes(shape),
                  .exhibitFromBody = standing(table_, values, time)};
     body.shape.assign(reinterpret_cast<const char*>(body.block.data()), body.block.size());
-    if (shape.stage < STAGE_FINISHED) body.defines.emplace_back("PIXEL_CENTERS");
+    if (shape.stage < STAGE_FINISHED) {
+        body.defines.emplace_back("PIXEL_CENTERS");
+        body.note = "built up to: " +
+                    std::string(values.rows()[table_.stage.row].choices[static_cast<std::size_t>(shape.stage)]);
+    }
     return body;
 }
 
@@ -184,6 +188,8 @@ void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
 {
     constexpr const char* ground = "ice_cream/ground";
     const ParameterValues& values = scene.body.values;
+    if (stageAt(table_, values, scene.context.time) < IceCreamStage::finished)
+        plan.skip("ice_cream/antialiasing", "the build-up has not come so far: every sample is the pixel's middle");
     if (values[table_.lighting] != IceCreamLighting::source)
         plan.skip(ground, "it stands in the hall's light");
     else if (!values[table_.ground])

@@ -5,7 +5,7 @@
 
 namespace vitrine {
 
-/// A soft-serve in a wafer with candies: a union of some thirty solids, of which each point evaluates the few that
+/// A soft-serve in a wafer with candies: a union of thirty-five solids, of which each point evaluates the few that
 /// decide. Read in this order: the table, ice_cream_shape.cpp (what the numbers mean), shaders/ice_cream/solids.glsl
 /// (the field), sprinkles.cpp, then this file's passes beside the kit's march.
 class IceCream final : public SdfExhibit, public HasButton, public HasSurroundings {
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] std::string_view title() const override { return "Soft Serve"; }
     [[nodiscard]] std::string_view summary() const override
     {
-        return "Thirty-three solids make one ice cream; each point asks the few that decide.";
+        return "Thirty-five solids make one ice cream; each point asks the few that decide.";
     }
     [[nodiscard]] std::string_view tryThis() const override
     {

@@ -34,6 +34,7 @@ struct SdfBody {
     /// A uniform block of its own (`render::std140Bytes`), at BLOCK_EXHIBIT; empty where `parameters` tells all.
     render::Bytes block = {};
     glm::dmat4 exhibitFromBody{1};                ///< Where it stands in the exhibit's space: the box is its own.
+    std::string note = {};                        ///< In the ledger, behind why it is marched.
     std::vector<std::string> defines = {};        ///< Permutations of its field, material and shading.
     std::vector<render::BufferUse> buffers = {};  ///< What its field reads at STORAGE_EXHIBIT_A, B and C.
 };

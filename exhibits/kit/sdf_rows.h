@@ -122,7 +122,7 @@ private:
         if (!find("material")) return {};
         Condition occluded = whenLater("material", static_cast<double>(SdfMaterial::opaque)) ||
                              whenLater("heatMap", static_cast<double>(SdfHeatMap::evaluations));
-        return occludedToo_ ? std::move(occluded) || *occludedToo_ : std::move(occluded);
+        return occludedToo_ ? *occludedToo_ || std::move(occluded) : std::move(occluded);
     }
 };
 

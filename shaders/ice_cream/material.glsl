@@ -52,6 +52,6 @@ FieldMaterial fieldMaterial(vec3 p)
         m.roughness = 1.0;
         m.specular = 0.0;
     }
-    if (parameters.material == material_glass) m.baseColor = parameters.glassColor;
+    if (parameters.material == material_glass && parameters.lighting == lighting_hall) m.baseColor = parameters.glassColor;
     return m;
 }

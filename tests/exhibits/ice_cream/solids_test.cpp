@@ -97,6 +97,26 @@ TEST(Solids, I14_TheFewThatAreEvaluatedGiveWhatAllOfThemGive)
                 double(all) / 48000);
 }
 
+/// Where a bound from below meets one from above, rounding must not leave out the solid that both are of.
+TEST(Solids, I14_AtFloat32NoneIsLostToRounding)
+{
+    RandomNumbers numbers(15);
+    for (int stage = 0; stage <= static_cast<int>(IceCreamStage::finished); ++stage) {
+        ParameterValues values = source();
+        values.set(table().stage, static_cast<IceCreamStage>(stage));
+        const IceCreamShape shape = iceCreamShape(table(), values, 0);
+        const EverySolid every(shape);
+        glsl32::IceCream rounded;
+        copyShape(rounded.shape, shape);
+        for (int k = 0; k < 4000; ++k) {
+            // Many of them straight above and below the wafer.
+            const double spread = k % 2 == 0 ? 0.2 : 1;
+            const glm::vec3 p(numbers.point({-spread, -1, -spread}, {spread, 2, spread}));
+            EXPECT_NEAR(rounded.iceCreamLevel(p), every.level(dvec3(p)), 1e-5) << "stage " << stage;
+        }
+    }
+}
+
 /// A fault that this has to see: one cone of each layer instead of two.
 TEST(Solids, I14_OneConeInsteadOfTwoWouldBeSeen)
 {
