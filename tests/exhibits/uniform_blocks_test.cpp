@@ -21,6 +21,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/crepuscular_rays/rays_block.glsl"
 #include "shaders/fur/body_block.glsl"
 #include "shaders/hall/probe_block.glsl"
+#include "shaders/ice_cream/ice_cream_block.glsl"
 #include "shaders/kit/sdf/object_block.glsl"
 #include "shaders/kit/surface_object_block.glsl"
 #include "shaders/lenticular/card_block.glsl"
@@ -124,12 +125,15 @@ const std::map<std::string, Described>& blocksOfCpp()
 {
     static const std::map<std::string, Described> blocks{
         {"BeamBlock", described<BeamBlock>()},
+        {"Candy", described<Candy>()},
         {"CardObject", described<CardObject>()},
         {"CardPrintBlock", described<CardPrintBlock>()},
         {"ClockLoadBlock", described<ClockLoadBlock>()},
+        {"CreamLayer", described<CreamLayer>()},
         {"FrameBlock", described<FrameBlock>()},
         {"FurBodies", described<FurBodies>()},
         {"FurBody", described<FurBody>()},
+        {"IceCreamShape", described<IceCreamShape>()},
         {"LightBlock", described<LightBlock>()},
         {"LocalLightEntry", described<LocalLightEntry>()},
         {"LocalLightsBlock", described<LocalLightsBlock>()},
