@@ -39,9 +39,9 @@ struct Solids {
     [[nodiscard]] double all() const { return march + normals + shadows + occlusion; }
 };
 
-IceCreamTable& table()
+const IceCreamTable& table()
 {
-    static IceCreamTable made;
+    static const IceCreamTable made;
     return made;
 }
 
@@ -88,7 +88,6 @@ Solids sourcesWay(const IceCreamShape& shape, int stride, bool shadows, bool occ
                                     32 * std::sqrt(std::max(d * d - back * back, 0.0)) / std::max(along - back, 1e-9));
                     previous = d;
                     along += d;
-                    if (found.shadows > 1e12) break;
                 }
             }
         }
@@ -211,22 +210,30 @@ void print(const char* name, const Solids& s)
                 s.shadows / s.pixels, s.occlusion / s.pixels, s.all() / s.pixels);
 }
 
-}  // namespace
+const char* const columns = "\n  %-42s %9s %9s %9s %9s %10s\n";
 
-int main()
+/// Whether a ray meets the ice cream, at float64 by short steps of the level.
+auto truthOf(const IceCreamShape& shape)
 {
-    std::printf("Solids asked for each pixel at %d x %d with %d samples, from the source's first view.\n", width,
-                height, samplesAcross * samplesAcross);
-    std::printf(
-        "The source's way: every 7th pixel along both axes. Ours, at float32: every second block of 8 x 8 pixels; a "
-        "sixteenth of its rays is held against float64.\n\n"
-        "  %-42s %9s %9s %9s %9s %10s\n",
-        "stage", "march", "normals", "shadows", "occlusion", "all");
+    return [every = test::EverySolid(shape)](const dvec3& ray) {
+        double t = 0.5;
+        for (int i = 0; i < 4000 && t < 4.5; ++i) {
+            const double d = every.level(eye + ray * t);
+            if (d < 1e-9) return true;
+            t += d / 3;  // The steepest twist is less steep than 3 within the cream.
+        }
+        return false;
+    };
+}
+
+void stages()
+{
+    std::printf(columns, "stage", "march", "normals", "shadows", "occlusion", "all");
     struct Stage {
         const char* name;
         IceCreamStage stage;
     };
-    double of = 0, ours = 0;
+    Solids source, exhibit;
     int missed = 0;
     for (const Stage& stage :
          {Stage{"first frustum", IceCreamStage::foot}, Stage{"five parts", IceCreamStage::bars},
@@ -238,43 +245,47 @@ int main()
         values.set(table().stage, stage.stage);
         const IceCreamShape shape = iceCreamShape(table(), values, 0);
         const bool shadows = stage.stage >= IceCreamStage::classic, occlusion = stage.stage >= IceCreamStage::occlusion;
-        const test::EverySolid every(shape);
-        const auto truth = [&](const dvec3& ray) {
-            double t = 0.5;
-            for (int i = 0; i < 4000 && t < 4.5; ++i) {
-                const double d = every.level(eye + ray * t);
-                if (d < 1e-9) return true;
-                t += d / 3;  // Less than the steepest twist within the cream.
-            }
-            return false;
-        };
-        const Solids source = sourcesWay(shape, 7, shadows, occlusion);
-        const Solids exhibit = OurWay(shape, nullptr, shadows, occlusion).measure(2, truth);
+        source = sourcesWay(shape, 7, shadows, occlusion);
+        exhibit = OurWay(shape, nullptr, shadows, occlusion).measure(2, truthOf(shape));
         print((std::string(stage.name) + ", the source's way").c_str(), source);
         print((std::string(stage.name) + ", ours").c_str(), exhibit);
         missed += exhibit.missed;
-        of = source.all() / source.pixels;
-        ours = exhibit.all() / exhibit.pixels;
     }
+    const double theirs = source.all() / source.pixels, ours = exhibit.all() / exhibit.pixels;
     std::printf(
         "\nWith all of its light, the source's way asks %.0f solids for each pixel, ours %.1f: %.0f times fewer; %d "
         "pixels are missed against float64 over all stages.\n",
-        of, ours, of / ours, missed);
+        theirs, ours, theirs / ours, missed);
+}
 
-    std::printf("\nSprinkles\n  %-42s %9s %9s %9s %9s %10s\n", "count", "march", "normals", "shadows", "occlusion",
-                "all");
+void sprinkled()
+{
+    std::printf(columns, "sprinkles, ours", "march", "normals", "shadows", "occlusion", "all");
     double ten = 0, thousand = 0;
     for (const int count : {0, 10, 100, 1000}) {
         ParameterValues values = sourceValues();
         values.set(table().sprinkles, count);
         const IceCreamShape shape = iceCreamShape(table(), values, 0);
         const Sprinkles sprinkles = strewn(shape, {count, 1, values[table().sprinkleLength]});
-        OurWay way(shape, count > 0 ? &sprinkles : nullptr, true, true);
-        const Solids found = way.measure(2, [](const dvec3&) { return false; });
+        const Solids found =
+            OurWay(shape, count > 0 ? &sprinkles : nullptr, true, true).measure(2, [](const dvec3&) { return false; });
         print(std::to_string(count).c_str(), found);
         if (count == 10) ten = found.all() / found.pixels;
         if (count == 1000) thousand = found.all() / found.pixels;
     }
     std::printf("\nA thousand sprinkles cost %.2f times the solids that ten cost.\n", thousand / ten);
+}
+
+}  // namespace
+
+int main()
+{
+    std::printf(
+        "Solids asked for each pixel at %d x %d with %d samples, from the source's first view.\n"
+        "The source's way: every 7th pixel along both axes. Ours, at float32: every second block of 8 x 8 pixels; a "
+        "sixteenth of its rays is held against float64.\n",
+        width, height, samplesAcross * samplesAcross);
+    stages();
+    sprinkled();
     return 0;
 }
