@@ -19,6 +19,14 @@
 
 #include "shaders/lib/hash.glsl"
 
+#include "shaders/lib/noise.glsl"
+
+#include "shaders/lib/noise_simplex.glsl"
+
+#include "shaders/lib/noise_cellular.glsl"
+
+#include "shaders/lib/noise_sums.glsl"
+
 #include "shaders/lib/local_lights_block.glsl"
 
 #include "shaders/lib/local_light.glsl"

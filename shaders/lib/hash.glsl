@@ -26,6 +26,22 @@ uvec3 pcg3d(uvec3 v)
     return w;
 }
 
+// Four well-mixed words from four, each depending on all. Same source: pcg4d.
+uvec4 pcg4d(uvec4 v)
+{
+    uvec4 w = v * 1664525u + 1013904223u;
+    w.x += w.y * w.w;
+    w.y += w.z * w.x;
+    w.z += w.x * w.y;
+    w.w += w.y * w.z;
+    w = w ^ (w >> 16u);
+    w.x += w.y * w.w;
+    w.y += w.z * w.x;
+    w.z += w.x * w.y;
+    w.w += w.y * w.z;
+    return w;
+}
+
 // The top 24 bits as a number in [0, 1): every value is exact in float32 and none rounds to 1.
 float unitFromBits(uint bits)
 {

@@ -1,0 +1,73 @@
+// Cellular noise (Worley 1996, "A Cellular Texture Basis Function") in two, three and four dimensions: one point anywhere
+// in each cell, and the distance to the nearest. Distances above 1 count as 1, which makes the search among the neighbors
+// of a cell exact: what lies beyond them is farther than that. Points, periods and seeds are those of lib/noise.glsl.
+//
+// GLSL 4.50 and C++ (render/glsl/cpu.h).
+#ifndef __cplusplus
+#include "lib/noise.glsl"
+#endif
+
+// `value` is 1 on a cell's point and falls to -1 at a distance of 1: like the other kinds, in [-1, 1].
+Noise2 cellularNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
+{
+    float nearest = 1.0;
+    vec2 away = vec2(0.0);
+    for (int i = 0; i < 9; ++i) {
+        ivec2 neighbor = ivec2(i % 3, i / 3) - 1;
+        ivec2 c = noiseWrap(cell + neighbor, period);
+        uvec3 bits = hashCell(ivec3(c.x, c.y, 0), seed);
+        vec2 d = place - (vec2(neighbor) + vec2(unitFromBits(bits.x), unitFromBits(bits.y)));
+        if (dot(d, d) < nearest) {
+            nearest = dot(d, d);
+            away = d;
+        }
+    }
+    float distance = sqrt(nearest);
+    Noise2 n;
+    n.value = 1.0 - 2.0 * distance;
+    n.slope = distance > 0.0 ? away * (-2.0 / distance) : vec2(0.0);
+    return n;
+}
+
+Noise3 cellularNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
+{
+    float nearest = 1.0;
+    vec3 away = vec3(0.0);
+    for (int i = 0; i < 27; ++i) {
+        ivec3 neighbor = ivec3(i % 3, (i / 3) % 3, i / 9) - 1;
+        uvec3 bits = hashCell(noiseWrap(cell + neighbor, period), seed);
+        vec3 d = place - (vec3(neighbor) + vec3(unitFromBits(bits.x), unitFromBits(bits.y), unitFromBits(bits.z)));
+        if (dot(d, d) < nearest) {
+            nearest = dot(d, d);
+            away = d;
+        }
+    }
+    float distance = sqrt(nearest);
+    Noise3 n;
+    n.value = 1.0 - 2.0 * distance;
+    n.slope = distance > 0.0 ? away * (-2.0 / distance) : vec3(0.0);
+    return n;
+}
+
+Noise4 cellularNoise(ivec4 cell, vec4 place, ivec4 period, uint seed)
+{
+    float nearest = 1.0;
+    vec4 away = vec4(0.0);
+    uvec4 s = uvec4(seed, pcg(seed), pcg(seed ^ 2654435769u), pcg(seed ^ 1640531527u));
+    for (int i = 0; i < 81; ++i) {
+        ivec4 neighbor = ivec4(i % 3, (i / 3) % 3, (i / 9) % 3, i / 27) - 1;
+        ivec4 c = noiseWrap(cell + neighbor, period);
+        uvec4 bits = pcg4d(uvec4(uint(c.x), uint(c.y), uint(c.z), uint(c.w)) ^ s);
+        vec4 point = vec4(unitFromBits(bits.x), unitFromBits(bits.y), unitFromBits(bits.z), unitFromBits(bits.w));
+        vec4 d = place - (vec4(neighbor) + point);
+        if (dot(d, d) < nearest) {
+            nearest = dot(d, d);
+            away = d;
+        }
+    }
+    float distance = sqrt(nearest);
+    Noise4 n;
+    n.value = 1.0 - 2.0 * distance;
+    n.slope = distance > 0.0 ? away * (-2.0 / distance) : vec4(0.0);
+    return n;
+}

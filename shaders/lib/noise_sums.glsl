@@ -1,0 +1,148 @@
+// Sums of octaves of noise in three dimensions: fractal Brownian motion, ridged, billow and turbulence (Musgrave, in
+// Ebert et al. 2003, "Texturing and Modeling"), and a domain warped by them. With derivatives, by the chain rule.
+//
+// GLSL 4.50 and C++ (render/glsl/cpu.h).
+#ifndef __cplusplus
+#include "lib/noise.glsl"
+#include "lib/noise_simplex.glsl"
+#include "lib/noise_cellular.glsl"
+#endif
+
+const int NOISE_VALUE = 0;
+const int NOISE_GRADIENT = 1;
+const int NOISE_SIMPLEX = 2;
+const int NOISE_CELLULAR = 3;
+
+const int NOISE_FBM = 0;
+const int NOISE_RIDGED = 1;
+const int NOISE_BILLOW = 2;
+const int NOISE_TURBULENCE = 3;
+
+Noise3 noiseOfKind(int kind, ivec3 cell, vec3 place, ivec3 period, uint seed)
+{
+    if (kind == NOISE_VALUE) return valueNoise(cell, place, period, seed);
+    if (kind == NOISE_SIMPLEX) return simplexNoise(cell, place, period, seed);
+    if (kind == NOISE_CELLULAR) return cellularNoise(cell, place, period, seed);
+    return gradientNoise(cell, place, period, seed);
+}
+
+// At a point near the origin of its lattice, or, with `cell` and `place`, near that point of it.
+Noise3 noiseNear(int kind, vec3 p, ivec3 cell, vec3 place, ivec3 period, uint seed)
+{
+    vec3 q = p + place;
+    vec3 base = floor(q);
+    return noiseOfKind(kind, cell + ivec3(base), q - base, period, seed);
+}
+
+// No noise of this kind is steeper than this per cell, whatever its seed.
+float noiseSteepest(int kind)
+{
+    if (kind == NOISE_VALUE) return 3.75;
+    if (kind == NOISE_SIMPLEX) return 6.57;
+    if (kind == NOISE_CELLULAR) return 2.0;
+    return 3.619;
+}
+
+// What a sum makes of the noise of one octave: again in [-1, 1], turbulence in [0, 1].
+Noise3 noiseShaped(int sum, Noise3 n)
+{
+    Noise3 shaped;
+    float size = abs(n.value);
+    float side = n.value < 0.0 ? -1.0 : 1.0;
+    if (sum == NOISE_RIDGED) {
+        shaped.value = 2.0 * (1.0 - size) * (1.0 - size) - 1.0;
+        shaped.slope = n.slope * (-4.0 * (1.0 - size) * side);
+    } else if (sum == NOISE_BILLOW) {
+        shaped.value = 2.0 * size - 1.0;
+        shaped.slope = n.slope * (2.0 * side);
+    } else if (sum == NOISE_TURBULENCE) {
+        shaped.value = size;
+        shaped.slope = n.slope * side;
+    } else {
+        shaped = n;
+    }
+    return shaped;
+}
+
+// By how much that makes noise steeper at most.
+float noiseShapedSteepest(int sum)
+{
+    return sum == NOISE_RIDGED ? 4.0 : (sum == NOISE_BILLOW ? 2.0 : 1.0);
+}
+
+// How much of an octave is left for a pixel that covers `footprint` of its cells: all of it up to a quarter of a cell,
+// nothing from half a cell on, where its waves would come out as others.
+float noiseFootprintFade(float footprint)
+{
+    float x = clamp(footprint * 4.0 - 1.0, 0.0, 1.0);
+    return 1.0 - x * x * (3.0 - 2.0 * x);
+}
+
+// By `angle` radians about an axis that lies along no lattice direction.
+mat3 noiseRotation(float angle)
+{
+    vec3 a = vec3(0.48, 0.6, 0.64);
+    float c = cos(angle);
+    float s = sin(angle);
+    float k = 1.0 - c;
+    return mat3(vec3(c + a.x * a.x * k, a.x * a.y * k + a.z * s, a.x * a.z * k - a.y * s),
+                vec3(a.x * a.y * k - a.z * s, c + a.y * a.y * k, a.y * a.z * k + a.x * s),
+                vec3(a.x * a.z * k + a.y * s, a.y * a.z * k - a.x * s, c + a.z * a.z * k));
+}
+
+struct NoiseSum {
+    int kind;          // NOISE_VALUE to NOISE_CELLULAR
+    int sum;           // NOISE_FBM to NOISE_TURBULENCE
+    int octaves;       // at least 1
+    float gain;        // amplitude of an octave over that of the one before
+    float lacunarity;  // frequency of an octave over that of the one before
+    float rotation;    // between octaves, radians
+    int period;        // cells of the first octave; 0: none. Needs an integer lacunarity, and no rotation.
+    uint seed;
+};
+
+// The sum at a point, in cells of the first octave, over the sum of its amplitudes; so in [-1, 1]. `footprint` is the
+// width of a pixel there, in the same cells; 0 leaves out nothing.
+Noise3 noiseSum(NoiseSum s, vec3 p, float footprint)
+{
+    mat3 turn = noiseRotation(s.rotation) * s.lacunarity;
+    mat3 domain = mat3(1.0);
+    float amplitude = 1.0;
+    float frequency = 1.0;
+    float amplitudes = 0.0;
+    Noise3 total;
+    total.value = 0.0;
+    total.slope = vec3(0.0);
+    for (int i = 0; i < s.octaves; ++i) {
+        float fade = noiseFootprintFade(footprint * frequency);
+        amplitudes += amplitude;
+        if (fade > 0.0) {
+            ivec3 period = ivec3(s.period > 0 ? int(floor(float(s.period) * frequency + 0.5)) : 0);
+            Noise3 n = noiseShaped(s.sum, noiseNear(s.kind, domain * p, ivec3(0), vec3(0.0), period, s.seed + uint(i)));
+            total.value += n.value * (amplitude * fade);
+            total.slope += (transpose(domain) * n.slope) * (amplitude * fade);
+        }
+        domain = turn * domain;
+        amplitude *= s.gain;
+        frequency *= s.lacunarity;
+    }
+    total.value /= amplitudes;
+    total.slope = total.slope / amplitudes;
+    return total;
+}
+
+// The sum at a point that three further sums have moved by up to `warp` cells along each axis.
+// Quilez 2002, "Domain warping"; the derivative is exact.
+Noise3 noiseWarpedSum(NoiseSum s, vec3 p, float warp, float footprint)
+{
+    NoiseSum other = s;
+    other.seed = s.seed + 101u;
+    Noise3 x = noiseSum(other, p, footprint);
+    other.seed = s.seed + 202u;
+    Noise3 y = noiseSum(other, p, footprint);
+    other.seed = s.seed + 303u;
+    Noise3 z = noiseSum(other, p, footprint);
+    Noise3 n = noiseSum(s, p + vec3(x.value, y.value, z.value) * warp, footprint);
+    n.slope += (x.slope * n.slope.x + y.slope * n.slope.y + z.slope * n.slope.z) * warp;
+    return n;
+}
