@@ -31,6 +31,7 @@ struct SceneLighting {
     glm::dvec3 towardsSun{0, 1, 0};  ///< Unit.
     glm::dvec3 sunIrradiance{0};     ///< On a plane that faces the sun; scene-linear.
     double exposure = 1;             ///< Radiance times this is what the film sees.
+    double adaptation = 1;           ///< The same before the visitor's own correction of the exposure.
 
     /// Of the lamps in the frame; none where no lamp shines. Their shadow maps are in the image "shadow.local".
     std::optional<render::LocalLighting> localLights;

@@ -90,6 +90,12 @@ glm::dvec3 lightmapWeights(const std::vector<SunLightmap>& maps, double elevatio
     return weights;
 }
 
+/// Exposure to which the eye has got used: in the hall, or in the studio.
+double adaptationOf(const HallScene& scene)
+{
+    return baseExposure * (scene.alone ? 0.16 : 1);
+}
+
 /// Sun, sky, exposure and filters as shaders read them; no shadow map and no probe yet.
 LightBlock lightBlock(const HallScene& scene, const Sun& source)
 {
@@ -113,8 +119,7 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
                   static_cast<int>(ShadowFilter::disk) == SHADOW_FILTER_SUN_DISK);
     light.sunTanHalfWidth = static_cast<float>(std::tan(values[table.sunDisk] / 2));
     light.sunDiskSamples = values[table.diskSamples];
-    light.exposure =
-        static_cast<float>(baseExposure * std::exp2(values[table.exposure])) * (scene.alone ? 0.16F : 1.0F);
+    light.exposure = static_cast<float>(adaptationOf(scene) * std::exp2(values[table.exposure]));
     if (scene.alone) return light;
     const std::vector<SunLightmap>& maps = scene.model.sunLightmapInfo();
     const glm::dvec3 weights = lightmapWeights(maps, source.elevation);
@@ -160,6 +165,7 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
     LightBlock& light = result.light;
     light = lightBlock(scene, source);
     result.exposure = light.exposure;
+    result.adaptation = adaptationOf(scene);
 
     result.hallCastsShadow = light.hallCastsShadow = values[table.sunShadows] && !scene.alone;
     if (result.hallCastsShadow) {

@@ -22,6 +22,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/fur/body_block.glsl"
 #include "shaders/hall/probe_block.glsl"
 #include "shaders/ice_cream/ice_cream_block.glsl"
+#include "shaders/kit/portal/portal_block.glsl"
 #include "shaders/kit/sdf/object_block.glsl"
 #include "shaders/kit/surface_object_block.glsl"
 #include "shaders/lenticular/card_block.glsl"
@@ -139,6 +140,7 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"LocalLightsBlock", described<LocalLightsBlock>()},
         {"ProbeLevel", described<ProbeLevel>()},
         {"RaysBlock", described<RaysBlock>()},
+        {"PortalBlock", described<PortalBlock>()},
         {"SdfObject", described<SdfObject>()},
         {"SurfaceObject", described<SurfaceObject>()},
         {"TemporalBlock", described<TemporalBlock>()},

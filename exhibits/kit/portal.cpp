@@ -1,0 +1,78 @@
+#include "exhibits/kit/portal.h"
+
+#include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/surface_draw.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace vitrine {
+namespace {
+
+/// A square from -1 to 1 on z = 0, seen from +z.
+std::shared_ptr<const render::Mesh> squareMesh()
+{
+    static const std::shared_ptr<const render::Mesh> square = [] {
+        auto mesh = std::make_shared<render::Mesh>();
+        mesh->name = "opening";
+        for (const glm::vec2 c : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)})
+            mesh->vertices.push_back({glm::vec3(c, 0), {0, 0, 1}, {1, 0, 0, 1}, c * 0.5F + 0.5F, {}});
+        mesh->indices = {0, 1, 2, 0, 2, 3};
+        mesh->bounds = {{-1, -1, 0}, {1, 1, 0}};
+        return mesh;
+    }();
+    return square;
+}
+
+PortalBlock portalBlock(const Portal& portal, const PlanContext& context)
+{
+    const glm::dmat4& worldFromExhibit = context.worldFromExhibit;
+    const glm::dmat4 exhibitFromOpening =
+        glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -portal.behind)), glm::dvec3(portal.halfSize, 1));
+    const glm::dmat4 workFromWorld = portal.workFromExhibit * glm::affineInverse(worldFromExhibit);
+    const glm::dvec3 middle(worldFromExhibit * glm::dvec4(0, 0, -portal.behind, 1));
+    const glm::dvec3 normal = glm::normalize(normalMatrix(glm::dmat3(worldFromExhibit)) * glm::dvec3(0, 0, 1));
+    PortalBlock block;
+    block.worldFromOpening = glm::mat4(worldFromExhibit * exhibitFromOpening);
+    block.workFromWorld = glm::mat4(workFromWorld);
+    block.plane = glm::vec4(glm::dvec4(normal, -glm::dot(normal, middle)));
+    block.workPerMeter = static_cast<float>(glm::length(glm::dvec3(workFromWorld[2])));
+    block.radianceScale = static_cast<float>(1 / context.lighting.adaptation);
+    return block;
+}
+
+}  // namespace
+
+render::Box portalBounds(const Portal& portal)
+{
+    return {{-portal.halfSize, -portal.behind}, {portal.halfSize, -portal.behind}};
+}
+
+render::Camera portalView(const Portal& portal)
+{
+    return {{0, 0, 1.9 * portal.halfSize.y + 0.03}, {0, 0, -portal.behind}, 0.872665};
+}
+
+render::Pass portalPass(std::string name, std::string reason, const ParameterValues& values, std::string fragment,
+                        const Portal& portal, const PlanContext& context)
+{
+    render::Pass pass =
+        exhibitPass(std::move(name), std::move(reason), values, "kit/portal/portal.vert", std::move(fragment));
+    drawSurface(pass, context.channels);
+    pass.blocks[BLOCK_LIGHT] = render::std140Bytes(context.lighting.light);
+    render::Draw draw;
+    draw.object = render::std140Bytes(portalBlock(portal, context));
+    if (context.alone) {
+        pass.shader.defines.emplace_back("ALONE");
+        pass.state.cull = render::Cull::none;
+    } else {
+        draw.mesh = squareMesh();
+        draw.mirrored = isMirrored(context.worldFromExhibit);
+        pass.depthOnly = {.shader = {.vertex = "kit/portal/portal.vert", .fragment = "kit/depth.frag"}};
+    }
+    pass.draws = {std::move(draw)};
+    return pass;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,28 @@
+// One ray per pixel into the world beyond. The depth is the opening's; with ALONE, that of what is seen.
+// Permutations: ALONE, WRITE_NORMAL, WRITE_EVALUATIONS.
+layout(location = 0) out vec4 radiance;
+#ifdef WRITE_NORMAL
+layout(location = 1) out vec4 normalOut;
+#endif
+#ifdef WRITE_EVALUATIONS
+layout(location = WRITE_EVALUATIONS) out vec4 evaluationsOut;
+#endif
+
+void main()
+{
+    PortalRay ray = portalRay(gl_FragCoord.xy);
+    PortalSeen seen = portalSeen(ray);
+    radiance = vec4(clamp(seen.radiance * portal.radianceScale, vec3(0.0), vec3(6e4)), 1.0);
+#ifdef WRITE_NORMAL
+    vec3 n = dot(seen.normal, seen.normal) > 0.5 ? normalize(seen.normal * mat3(portal.workFromWorld)) : portal.plane.xyz;
+    normalOut = vec4(n, 1.0);
+#endif
+#ifdef WRITE_EVALUATIONS
+    evaluationsOut = vec4(seen.evaluations, 0.0, 0.0, 1.0);
+#endif
+#ifdef ALONE
+    // Along the view axis. Never 0, which is where nothing was drawn.
+    float perDepth = length(frameRay(gl_FragCoord.xy)) * portal.workPerMeter;
+    gl_FragDepth = clamp(frame.nearPlane * perDepth / max(seen.distance, 1e-6), 1e-12, 1.0);
+#endif
+}

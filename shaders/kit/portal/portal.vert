@@ -1,0 +1,20 @@
+// The opening; with ALONE, the whole picture.
+#include "lib/frame.glsl"
+#include "kit/portal/portal_block.glsl"
+
+layout(std140, binding = BLOCK_OBJECT) uniform Object {
+    PortalBlock portal;
+};
+
+#ifndef ALONE
+layout(location = 0) in vec3 position;
+#endif
+
+void main()
+{
+#ifdef ALONE
+    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+#else
+    gl_Position = frame.clipFromWorld * (portal.worldFromOpening * vec4(position, 1.0));
+#endif
+}
