@@ -5,7 +5,7 @@ set -e
 cd "$(dirname "$0")/.."
 program=build/release/vitrine
 mkdir -p assets/thumbnails assets/pictures
-for exhibit in hall sdf_morph lenticular fur crepuscular_rays ice_cream; do
+for exhibit in hall sdf_morph lenticular fur crepuscular_rays noise ice_cream; do
     $program render $exhibit --size 192x120 --samples 16 --out assets/thumbnails/$exhibit.png
     for preset in assets/presets/$exhibit/*.json; do
         $program render $exhibit --preset "$preset" --size 192x120 --samples 16 --out "${preset%.json}.png"
@@ -27,3 +27,7 @@ for look in cat sea-urchin grass dandelion poodle as-in-the-source teddy carpet 
 done
 $program render ice_cream --size 960x540 --samples 16 --out assets/pictures/ice-cream.png
 $program render ice_cream --alone --preset assets/presets/ice_cream/as-in-the-source.json --size 784x441 --samples 16 --out assets/pictures/ice-cream-as-in-the-source.png
+for look in evening-clouds noon-clouds above-the-clouds storm wax asteroids; do
+    $program render noise --alone --preset assets/presets/noise/$look.json --size 480x300 --samples 16 --out assets/pictures/noise-$look.png
+done
+$program render noise --size 960x540 --samples 16 --out assets/pictures/noise.png

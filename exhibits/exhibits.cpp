@@ -4,6 +4,7 @@
 #include "exhibits/fur/fur.h"
 #include "exhibits/ice_cream/ice_cream.h"
 #include "exhibits/lenticular/lenticular.h"
+#include "exhibits/noise/noise.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 
 namespace vitrine {
@@ -15,6 +16,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<Lenticular>());
     exhibits.push_back(std::make_unique<Fur>());
     exhibits.push_back(std::make_unique<CrepuscularRays>());
+    exhibits.push_back(std::make_unique<Noise>());
     exhibits.push_back(std::make_unique<IceCream>());
     return exhibits;
 }

@@ -1,5 +1,5 @@
-#include "exhibits/crepuscular_rays/blue_noise.h"
 #include "exhibits/crepuscular_rays/rays_scene.h"
+#include "exhibits/kit/blue_noise.h"
 #include "shaders/lib/bindings.glsl"
 
 namespace vitrine {

@@ -1,6 +1,6 @@
-#include "exhibits/crepuscular_rays/blue_noise.h"
 #include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/rays_scene.h"
+#include "exhibits/kit/blue_noise.h"
 #include "render/plan/elsewhere.h"
 #include "shaders/lib/bindings.glsl"
 

@@ -83,6 +83,10 @@ public:
         return nextChange(state.values, state.time);
     }
 
+    /// Whether it may throw a shadow at all: what lies behind a wall and what is made of light does not, and takes no
+    /// room in the shadow map.
+    [[nodiscard]] virtual bool castsShadow() const { return true; }
+
     // Planning. Where one of the first two is not called, the ledger has one line that says why: "fur/shadow", "fur".
 
     /// Its part of the exhibits' shadow map (`castShadow` of the kit), before `plan`. Called only while the sun may

@@ -119,7 +119,9 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
         if (request.subject == i || request.alone == i)
             p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
         p.box = exhibit.boundsOf(prepared.state(i)).transformed(p.worldFromExhibit);
-        p.unlit = capability<OverFrame>(exhibit) ? "it is made of light" : whyUnlit(scene, p.box);
+        p.unlit = capability<OverFrame>(exhibit) ? "it is made of light"
+                  : exhibit.castsShadow()        ? whyUnlit(scene, p.box)
+                                                 : "it throws no shadow";
         const auto* around = request.alone == i ? capability<HasSurroundings>(exhibit) : nullptr;
         const bool surrounds = around && around->surrounds(prepared.sceneState.values[i]);
         p.hidden = request.runEverything || surrounds ? std::string() : whyHidden(p.box, view, scene.alone);

@@ -43,6 +43,15 @@ float noiseSteepest(int kind)
     return 3.619;
 }
 
+// The most that its derivative changes along any line, per cell; 0 where it has creases.
+float noiseMostCurved(int kind)
+{
+    if (kind == NOISE_VALUE) return 14.07;
+    if (kind == NOISE_SIMPLEX) return 46.4;
+    if (kind == NOISE_CELLULAR) return 0.0;
+    return 13.97;
+}
+
 // What a sum makes of the noise of one octave: again in [-1, 1], turbulence in [0, 1].
 Noise3 noiseShaped(int sum, Noise3 n)
 {

@@ -31,6 +31,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/lib/light_block.glsl"
 #include "shaders/lib/local_lights_block.glsl"
 #include "shaders/lib/temporal_block.glsl"
+#include "shaders/noise/noise_block.glsl"
 #include "shaders/sdf_morph/torus_mug_shape_block.glsl"
 
 /// Byte offset of every number, vector and matrix by its GLSL name.
@@ -140,6 +141,7 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"LocalLightsBlock", described<LocalLightsBlock>()},
         {"ProbeLevel", described<ProbeLevel>()},
         {"RaysBlock", described<RaysBlock>()},
+        {"NoiseBlock", described<NoiseBlock>()},
         {"PortalBlock", described<PortalBlock>()},
         {"SdfObject", described<SdfObject>()},
         {"SurfaceObject", described<SurfaceObject>()},

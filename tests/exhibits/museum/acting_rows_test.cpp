@@ -224,5 +224,10 @@ TEST_F(ActingRows, EveryRowOfTheIceCreamActs)
     expectEveryRowActs("ice_cream");
 }
 
+TEST_F(ActingRows, EveryRowOfTheNoiseActs)
+{
+    expectEveryRowActs("noise");
+}
+
 }  // namespace
 }  // namespace vitrine

@@ -139,6 +139,11 @@ TEST_F(IdleRows, ChangeNoPixelOfTheIceCream)
     expectIdleRowsChangeNothing(gallery().museum.find("ice_cream").value());
 }
 
+TEST_F(IdleRows, ChangeNoPixelOfTheNoise)
+{
+    expectIdleRowsChangeNothing(gallery().museum.find("noise").value());
+}
+
 /// The states above may miss rows that act only together.
 TEST_F(IdleRows, ChangeNoPixelInRandomStates)
 {

@@ -30,6 +30,7 @@ public:
     {
         return std::numeric_limits<double>::infinity();
     }
+    [[nodiscard]] bool castsShadow() const override { return false; }
     void plan(const PlanContext& context, render::FramePlan& plan) const override
     {
         render::Pass pass = portalPass("floor/world", "in view", context.values, "floor/floor.frag", portal(), context);

@@ -1,4 +1,4 @@
-#include "exhibits/crepuscular_rays/blue_noise.h"
+#include "exhibits/kit/blue_noise.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,150 @@
+#include "exhibits/noise/noise.h"
+
+#include "exhibits/kit/blue_noise.h"
+#include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/portal.h"
+#include "exhibits/noise/noise_scene.h"
+#include "render/hash.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace vitrine {
+namespace {
+
+/// Towards the work's sun, in its own world.
+glm::dvec3 towardsSunOf(const NoiseTable& t, const PlanContext& context)
+{
+    if (context.values[t.sunBy] == NoiseSun::hall)
+        return glm::normalize(glm::transpose(glm::dmat3(context.worldFromExhibit)) * context.lighting.towardsSun);
+    const double up = context.values[t.sunElevation];
+    const double right = context.values[t.sunAzimuth];
+    return {std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up)};
+}
+
+/// The clouds' noise in a volume, made once.
+render::ResourceId planBake(const NoiseTable& t, const ParameterValues& values, render::FramePlan& plan)
+{
+    const int size = values[t.bakeSize];
+    const render::ResourceId volume = plan.image({.name = "noise.clouds",
+                                                  .format = render::Format::rg16f,
+                                                  .type = render::TextureType::volume,
+                                                  .size = glm::ivec2(size),
+                                                  .layers = size,
+                                                  .persistent = true,
+                                                  .repeat = true});
+    render::Pass pass = exhibitPass("noise/bake", "the clouds look their noise up", values, "", "");
+    pass.work = render::Work::compute;
+    pass.phase = render::PassPhase::prepare;
+    pass.shader.compute = "noise/cloud_bake.comp";
+    pass.storage = {render::Attachment::whole(volume)};
+    pass.groups = glm::ivec3((size + 3) / 4);
+    render::Hash key;
+    pass.key = key.addValue(size).addValue(values[t.seed]).value();
+    plan.add(std::move(pass));
+    return volume;
+}
+
+struct WorkShader {
+    const char* name;
+    const char* fragment;
+};
+
+WorkShader shaderOf(NoiseWork work)
+{
+    switch (work) {
+    case NoiseWork::field: return {"noise/field", "noise/field.frag"};
+    case NoiseWork::fractal: return {"noise/fractal", "noise/field.frag"};
+    case NoiseWork::sea: return {"noise/sea", "noise/sea.frag"};
+    case NoiseWork::clouds: break;
+    }
+    return {"noise/clouds", "noise/clouds.frag"};
+}
+
+/// What the shader does not have to ask at every step.
+void addPermutation(const NoiseTable& t, const ParameterValues& values, render::Pass& pass)
+{
+    const auto define = [&](std::string text) { pass.shader.defines.push_back(std::move(text)); };
+    const NoiseWork work = values[t.work];
+    const bool ours = values[t.look] == NoiseLook::ours;
+    if (!ours) define("SOURCE");
+    if (work != NoiseWork::field && work != NoiseWork::fractal) return;
+    const bool fractal = work == NoiseWork::fractal;
+    define("FIELD_KIND " + std::to_string(static_cast<int>(values[t.kind])));
+    define("FIELD_SUM " + std::to_string(fractal ? static_cast<int>(values[t.sum]) : 0));
+    if (!ours) return;
+    if (fractal && values[t.warp] > 0) define("WARP");
+    if (values[t.march] == NoiseMarch::halved) define("HALVED");
+    if (values[t.normals] == NoiseNormal::derivative) define("DERIVATIVE");
+}
+
+}  // namespace
+
+render::Box Noise::bounds(const ParameterValues& values) const
+{
+    return portalBounds(noisePortal(table_, values));
+}
+
+render::Camera Noise::bestView(const ParameterValues& values) const
+{
+    return portalView(noisePortal(table_, values));
+}
+
+double Noise::nextChange(const ParameterValues& values, double) const
+{
+    return values[table_.animate] ? 0 : std::numeric_limits<double>::infinity();
+}
+
+bool Noise::press(ParameterValues& values) const
+{
+    values.set(table_.animate, !values[table_.animate]);
+    return true;
+}
+
+std::vector<StudyView> Noise::studyViews(const ParameterValues& values) const
+{
+    ParameterValues still = values;
+    still.set(table_.animate, false);
+    const auto shown = [&](NoiseWork work) {
+        ParameterValues of = still;
+        of.set(table_.work, work);
+        return of;
+    };
+    render::Camera aside = bestView(values);
+    aside.eye += glm::dvec3(0.9, -0.2, 0.1);
+    return {{"best view", bestView(values), 0, still},
+            {"from the side", aside, 0, still},
+            {"the field", aside, 0, shown(NoiseWork::field)},
+            {"the sum of octaves", bestView(values), 0, shown(NoiseWork::fractal)},
+            {"the sea", bestView(values), 0, shown(NoiseWork::sea)},
+            {"the clouds", bestView(values), 0, shown(NoiseWork::clouds)}};
+}
+
+void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
+{
+    const Table& t = table_;
+    const ParameterValues& values = context.values;
+    const NoiseWork work = values[t.work];
+    for (const NoiseWork other : {NoiseWork::field, NoiseWork::fractal, NoiseWork::sea, NoiseWork::clouds})
+        if (other != work) plan.skip(shaderOf(other).name, "another work is on show");
+    const bool baked =
+        work == NoiseWork::clouds && values[t.look] == NoiseLook::ours && values[t.cloudNoise] == CloudNoise::baked;
+    const WorkShader shader = shaderOf(work);
+    render::Pass pass = portalPass(shader.name, "in view", values, shader.fragment, noisePortal(t, values), context);
+    pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(
+        noiseBlock(t, values, noiseTime(t, values, context.time), towardsSunOf(t, context), plan.sample));
+    addPermutation(t, values, pass);
+    if (work == NoiseWork::clouds) pass.inputs.push_back({UNIT_EXHIBIT_B, blueNoise()});
+    if (baked) {
+        pass.shader.defines.emplace_back("BAKED");
+        pass.inputs.push_back({UNIT_EXHIBIT_A, planBake(t, values, plan)});
+    } else {
+        plan.skip("noise/bake", "no work looks its noise up", render::Work::compute);
+    }
+    plan.add(std::move(pass));
+}
+
+}  // namespace vitrine

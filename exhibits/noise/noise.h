@@ -1,0 +1,38 @@
+#pragma once
+
+#include "exhibits/framework/exhibit.h"
+#include "exhibits/noise/noise_table.h"
+
+namespace vitrine {
+
+/// Four works made of noise behind a deep frame: a field, a sum of octaves, a sea and a sky of clouds. Read the table,
+/// then noise_scene.h (what moves, and how far) and the shaders of the works; the noise itself is
+/// shaders/lib/noise.glsl and its neighbors.
+class Noise final : public Exhibit, public HasButton {
+public:
+    using Table = NoiseTable;
+
+    [[nodiscard]] std::string_view name() const override { return "noise"; }
+    [[nodiscard]] std::string_view title() const override { return "Noise"; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "A field, its octaves, a sea and a sky: all of them random numbers.";
+    }
+    [[nodiscard]] std::string_view tryThis() const override { return "let the sea roll, then look at the clouds."; }
+    [[nodiscard]] std::string_view buttonText() const override { return "let time run"; }
+    [[nodiscard]] int place() const override { return 6; }
+    [[nodiscard]] const Table& parameters() const override { return table_; }
+    /// The opening.
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
+    [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
+    bool press(ParameterValues&) const override;
+    [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    [[nodiscard]] bool castsShadow() const override { return false; }
+    void plan(const PlanContext&, render::FramePlan&) const override;
+
+private:
+    Table table_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,141 @@
+#include "exhibits/noise/noise_scene.h"
+
+#include "exhibits/noise/sea_waves.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+constexpr double metersOfCloudsPerMeter = 40;  ///< So that a step aside is a view from elsewhere.
+constexpr int mostTallWaves = 14;
+
+/// In [0, period), also of what is negative.
+double wrapped(double x, double period)
+{
+    const double rest = std::fmod(x, period);
+    return std::clamp(rest < 0 ? rest + period : rest, 0.0, period);
+}
+
+/// The same rotation as shaders/lib/noise_sums.glsl's.
+glm::dmat3 octaveTurn(double angle)
+{
+    return glm::dmat3(glm::rotate(glm::dmat4(1), angle, glm::dvec3(0.48, 0.6, 0.64)));
+}
+
+/// Where the work's origin lies in the lattice of an octave.
+void setOrigin(NoiseBlock& block, std::size_t octave, const glm::dvec3& point)
+{
+    const glm::dvec3 base = glm::floor(point);
+    glm::ivec3 cell;
+    // Modulo 2^32, as shaders count.
+    for (int i = 0; i < 3; ++i)
+        cell[i] = static_cast<std::int32_t>(
+            static_cast<std::uint32_t>(static_cast<std::int64_t>(wrapped(base[i], 4294967296.0))));
+    block.cells[octave] = glm::ivec4(cell, 0);
+    block.places[octave] = glm::vec4(glm::min(glm::vec3(point - base), glm::vec3(0x1.fffffep-1F)), 0);
+}
+
+void setField(const NoiseTable& t, const ParameterValues& values, double seconds, NoiseBlock& block)
+{
+    const bool one = values[t.work] == NoiseWork::field;
+    block.octaves = one ? 1 : values[t.octaves];
+    const glm::dvec3 origin(values[t.distance], 0, -values[t.drift] * seconds);
+    glm::dmat3 domain(values[t.frequency]);
+    const glm::dmat3 turn = octaveTurn(values[t.octaveRotation]) * values[t.lacunarity];
+    double amplitude = 1, sum = 0;
+    for (int i = 0; i < block.octaves; ++i) {
+        setOrigin(block, static_cast<std::size_t>(i), domain * origin);
+        sum += amplitude;
+        amplitude *= values[t.gain];
+        domain = turn * domain;
+    }
+    setOrigin(block, NOISE_OCTAVES - 1, 0.5 * values[t.frequency] * origin);
+    block.amplitudes = static_cast<float>(sum);
+}
+
+void setSea(const NoiseTable& t, const ParameterValues& values, double seconds, NoiseBlock& block)
+{
+    const double wind = values[t.windSpeed];
+    const std::vector<SeaWave> all =
+        seaWaves(wind, values[t.windDirection], SEA_WAVES, static_cast<std::uint32_t>(values[t.seed]));
+    block.waves = std::min(values[t.waves], SEA_WAVES);
+    double variance = 0, tall = 0, slopes = 0, hidden = 0, top = 0, tallSlopes = 0;
+    for (const SeaWave& w : all) variance += w.amplitude * w.amplitude;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const SeaWave& w = all[i];
+        const double steep = w.amplitude * glm::length(w.vector);
+        slopes += 0.5 * steep * steep;
+        if (i >= static_cast<std::size_t>(block.waves)) {
+            hidden += 0.5 * steep * steep;
+            continue;
+        }
+        const double phase = wrapped(w.frequency * seconds + w.phase, 2 * std::numbers::pi);
+        block.wave[i] = glm::vec4(glm::dvec4(w.vector, w.amplitude, phase));
+        if (tall < 0.985 * variance && i < mostTallWaves * 2) {
+            block.tallWaves = static_cast<int>(i) + 1;
+            top += w.amplitude;
+            tallSlopes += 0.5 * steep * steep;
+        }
+        tall += w.amplitude * w.amplitude;
+    }
+    block.seaTop = static_cast<float>(std::max(top, 1e-3));
+    block.seaSteepest = static_cast<float>(std::max(4 * std::sqrt(tallSlopes), 0.02));
+    block.hiddenSlopes = static_cast<float>(hidden + std::max(seaSlopes(wind) - slopes, 0.001));
+    block.foamTime = static_cast<float>(wrapped(0.25 * seconds, NOISE_PERIOD));
+    block.skyTime = static_cast<float>(wrapped(0.004 * seconds, NOISE_PERIOD));
+}
+
+void setClouds(const NoiseTable& t, const ParameterValues& values, double seconds, NoiseBlock& block)
+{
+    const double angle = values[t.windDirection];
+    // What moves with the wind was up-wind before.
+    const glm::dvec3 way = -seconds * values[t.windSpeed] * glm::dvec3(std::sin(angle), 0, -std::cos(angle));
+    const auto within = [](const glm::dvec3& shift, double repeat) {
+        return glm::vec3(wrapped(shift.x, repeat), wrapped(shift.y, repeat), wrapped(shift.z, repeat));
+    };
+    block.cloudShift = within(way, CLOUD_REPEAT);
+    block.fineShift = within(1.2 * way, CLOUD_FINE_REPEAT);
+    block.weatherShift = within(WEATHER_SCALE * way, CLOUD_REPEAT);
+}
+
+}  // namespace
+
+double noiseTime(const NoiseTable& t, const ParameterValues& values, double time)
+{
+    return values[t.moment] + (values[t.animate] && std::isfinite(time) ? time : 0);
+}
+
+Portal noisePortal(const NoiseTable& t, const ParameterValues& values)
+{
+    Portal portal;
+    const bool ours = values[t.look] == NoiseLook::ours;
+    if (values[t.work] == NoiseWork::sea && ours)
+        portal.workFromExhibit = glm::translate(glm::dmat4(1), {0, values[t.eyeHeight], 0});
+    if (values[t.work] == NoiseWork::clouds && ours) {
+        const glm::dmat4 up =
+            glm::rotate(glm::translate(glm::dmat4(1), {0, values[t.altitude], 0}), values[t.tilt], glm::dvec3(1, 0, 0));
+        portal.workFromExhibit = glm::scale(up, glm::dvec3(metersOfCloudsPerMeter));
+    }
+    return portal;
+}
+
+NoiseBlock noiseBlock(const NoiseTable& t, const ParameterValues& values, double seconds, const glm::dvec3& towardsSun,
+                      int sample)
+{
+    NoiseBlock block;
+    block.sunDirection = glm::vec3(towardsSun);
+    block.time = static_cast<float>(std::fmod(seconds, 3600.0));
+    block.sampleShift = static_cast<float>(std::fmod(0.6180339887498949 * sample, 1.0));
+    setField(t, values, seconds, block);
+    setSea(t, values, seconds, block);
+    setClouds(t, values, seconds, block);
+    return block;
+}
+
+}  // namespace vitrine

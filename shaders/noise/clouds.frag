@@ -1,0 +1,157 @@
+// Clouds: rays through a layer of noise, lit by the sun through the cloud itself and by the sky.
+// Permutations: BAKED, SOURCE.
+#include "noise/work.glsl"
+#include "noise/cloud_noise.glsl"
+#include "noise/cloud_medium.glsl"
+
+#ifdef BAKED
+layout(binding = UNIT_EXHIBIT_A) uniform sampler3D bakedNoise;
+#endif
+layout(binding = UNIT_EXHIBIT_B) uniform sampler2D blueNoise;
+
+const float CLOUD_FARTHEST = 32000.0;
+const float CLOUD_GROUND = -1100.0;  // meters, under the base
+
+float evaluations = 0.0;
+
+vec2 noiseOfClouds(vec3 p, float repeat)
+{
+    evaluations += 1.0;
+#ifdef BAKED
+    return textureLod(bakedNoise, p / repeat, 0.0).xy;
+#else
+    return cloudNoiseAt(fract(p / repeat), uint(parameters.seed));
+#endif
+}
+
+// How clouded it is over a place of the ground: 0 to 1.
+float weatherAt(vec3 p)
+{
+    float wide = noiseOfClouds(vec3(p.x, 1700.0, p.z) * WEATHER_SCALE + work.weatherShift, CLOUD_REPEAT).x;
+    return clamp(parameters.coverage + (wide - 0.5) * 1.5, 0.0, 1.0);
+}
+
+// Extinction per meter. `fine`: with what eats away the edges.
+float cloudDensity(vec3 p, float weather, bool fine)
+{
+    float h = p.y / CLOUD_TOP;
+    if (h <= 0.0 || h >= 1.0) return 0.0;
+    float top = mix(0.2, 0.98, weather * weather);
+    float profile = smoothstep(0.0, 0.09, h) * (1.0 - smoothstep(0.35 * top, top, h));
+    float shape = noiseOfClouds(p + work.cloudShift, CLOUD_REPEAT).x;
+    float d = (shape - mix(0.86, 0.34, weather) - 0.5 * (1.0 - profile)) * 4.5;
+    if (d <= 0.0) return 0.0;
+    d = min(d, 1.0);
+    if (fine && parameters.erosion > 0.0) {
+        float edges = noiseOfClouds(p + work.fineShift, CLOUD_FINE_REPEAT).y;
+        // Wisps below, lumps above.
+        float eaten = mix(edges, 1.0 - edges, clamp(h * 4.0, 0.0, 1.0));
+        d = clamp((d - parameters.erosion * eaten * (1.0 - 0.5 * d)) / (1.0 - 0.5 * parameters.erosion), 0.0, 1.0);
+    }
+    // Droplets grow on the way up.
+    return d * parameters.density * mix(0.55, 1.0, clamp(h * 2.0, 0.0, 1.0));
+}
+
+// `count` is 0 where no one asks: an empty loop costs less than a branch of which drivers run both sides.
+float depthToSun(vec3 p, float weather, float shift, int count)
+{
+    float depth = 0.0;
+    float last = 0.0;
+    float steps = float(parameters.lightSteps);
+    // Out of the layer, or 1.2 km far: what is beyond adds little.
+    float reach = min(1200.0, (CLOUD_TOP - p.y) / max(work.sunDirection.y, 0.05));
+    for (int i = 0; i < count; ++i) {
+        float end = reach * pow((float(i) + 1.0) / steps, 1.7);
+        float at = mix(last, end, mix(0.5, shift, 0.6));
+        depth += cloudDensity(p + work.sunDirection * at, weather, i < 2) * (end - last);
+        last = end;
+    }
+    return depth;
+}
+
+vec3 ground(PortalRay ray)
+{
+    vec3 d = ray.direction;
+    vec3 sky = skyLight(d) + sunDisk(d);
+    if (d.y >= 0.0) return sky;
+    float t = (CLOUD_GROUND - ray.origin.y) / min(d.y, -1e-4);
+    vec3 color = vec3(0.03, 0.055, 0.075) * (skyAmbient(1.0) + sunLight() * max(work.sunDirection.y, 0.0) * 0.3183);
+    return throughAir(color, d, max(t, 0.0), mix(60000.0, 8000.0, sqrt(parameters.haze)));
+}
+
+PortalSeen ourClouds(PortalRay ray)
+{
+    PortalSeen seen = nothingSeen();
+    vec3 d = ray.direction;
+    float rise = abs(d.y) < 1e-5 ? 1e-5 : d.y;
+    float a = -ray.origin.y / rise;
+    float b = (CLOUD_TOP - ray.origin.y) / rise;
+    float first = max(max(min(a, b), ray.start), 0.0);
+    float end = min(max(a, b), CLOUD_FARTHEST);
+    vec3 behind = ground(ray);
+    seen.radiance = behind;
+    if (!(end > first)) return seen;
+
+    float cosine = dot(d, work.sunDirection);
+    float through = 1.0;
+    vec3 sum = vec3(0.0);
+    float weight = 0.0;
+    float distance = 0.0;
+    float shift = parameters.jitter ? fract(texture(blueNoise, (floor(ray.pixel) + 0.5) / 64.0).r + work.sampleShift) : 0.5;
+    vec3 sun = sunLight();
+    vec3 above = skyAmbient(1.0);
+    vec3 below = skyAmbient(-0.6) * 0.55;
+    float t = first;
+    float fineLeft = 0.0;
+    for (int i = 0; i < parameters.cloudSteps && through > 0.01 && t < end; ++i) {
+        // Twice the root of the way is the stride that takes all of it in as many steps; in a cloud, a third of that.
+        float stretch = max(2.0 * sqrt((end - first) * (t - first)), 60.0) / float(parameters.cloudSteps) + 4.0;
+        if (fineLeft > 0.0) stretch *= 0.35;
+        stretch = min(stretch, end - t);
+        float at = t + shift * stretch;
+        vec3 p = ray.origin + d * at;
+        float weather = weatherAt(p);
+        float density = cloudDensity(p, weather, true);
+        bool back = density > 0.0 && fineLeft == 0.0;
+        float toSun = depthToSun(p, weather, shift, density > 0.0 && !back ? parameters.lightSteps : 0);
+        fineLeft = density > 0.0 ? 4.0 : max(fineLeft - 1.0, 0.0);
+        if (back) continue;
+        t += stretch;
+        if (density <= 0.0) continue;
+        float depth = density * stretch;
+        float h = p.y / CLOUD_TOP;
+        vec3 source = sun * cloudSunlight(cosine, toSun, parameters.forward, parameters.backward, parameters.scatterings);
+        // The sky from above, less of it deep within; what ground and haze send back from below.
+        source += mix(below, above, smoothstep(0.0, 0.8, h)) * mix(1.0, 0.35, clamp(density / parameters.density, 0.0, 1.0));
+        float added = through * cloudAdded(1.0, depth);
+        sum += source * added;
+        distance += at * added;
+        weight += added;
+        through *= cloudThrough(depth);
+    }
+    // What is left where the steps stop counts as nothing.
+    through = through > 0.01 ? (through - 0.01) / 0.99 : 0.0;
+    if (weight > 0.0) {
+        float reach = mix(60000.0, 7000.0, sqrt(parameters.haze));
+        sum = throughAir(sum / weight, d, distance / weight, reach) * weight;
+        seen.distance = through < 0.5 ? distance / weight : 1e20;
+    }
+    seen.radiance = sum + behind * through;
+    seen.evaluations = evaluations;
+    return seen;
+}
+
+#ifdef SOURCE
+#include "noise/source_clouds.glsl"
+#endif
+
+PortalSeen portalSeen(PortalRay ray)
+{
+#ifdef SOURCE
+    return sourceClouds(ray);
+#else
+    return ourClouds(ray);
+#endif
+}
+
+#include "kit/portal/main.glsl"

@@ -1,0 +1,207 @@
+// Blobs of noise: marched by the bounds of field.glsl, lit by sun and sky and through thin parts, fading into bright air.
+// Permutations: those of field.glsl; SOURCE; HALVED, steps of half the value; DERIVATIVE, of which normals are made.
+#include "noise/work.glsl"
+#include "noise/field.glsl"
+
+const float FIELD_FARTHEST = 60.0;
+
+// Positive in a cone around the way in, so that nothing stands before the eye: the source's.
+float clearing(float t)
+{
+    return clamp(1.0 - t * CLEARING_SLOPE, 0.0, 1.0);
+}
+
+// What a ray has found, step by step. Every step evaluates the field once, at one place of the shader, whether it looks
+// for the surface or, there, for normal, sky and sun: compiled once, not nine times.
+const int FIELD_MARCH = 0;
+const int FIELD_NORMAL = 1;
+const int FIELD_SKY = 2;
+const int FIELD_WAX = 3;
+const int FIELD_SUN = 4;
+const int FIELD_DONE = 5;
+#ifdef DERIVATIVE
+const int NORMAL_STEPS = 1;
+#else
+const int NORMAL_STEPS = 6;
+#endif
+
+struct FieldSearch {
+    int phase;
+    int index;      // within the phase
+    float t;        // along the eye's ray
+    float sunT;     // along that to the sun
+    vec3 position;  // of the surface
+    vec3 normal;
+    float open;     // share of the sky that is seen, 0 to 1
+    float inside;   // sum of the field on the way to the sun, where it is solid
+    float lit;      // least that was open towards the sun
+};
+
+vec3 differenceStep(int index, float h)
+{
+    vec3 e = vec3(0.0);
+    e[index >> 1] = (index & 1) == 0 ? h : -h;
+    return e;
+}
+
+// Where the next evaluation is.
+vec3 searchPoint(FieldSearch s, PortalRay ray, float footprint)
+{
+    float cell = 1.0 / parameters.frequency;
+    if (s.phase == FIELD_MARCH) return ray.origin + ray.direction * s.t;
+    if (s.phase == FIELD_NORMAL) return NORMAL_STEPS == 1 ? s.position : s.position + differenceStep(s.index, 0.5 * footprint);
+    if (s.phase == FIELD_SKY) return s.position + s.normal * (0.18 * cell * float(s.index + 1));
+    if (s.phase == FIELD_WAX) return s.position - s.normal * footprint + work.sunDirection * (0.22 * cell * float(s.index + 1));
+    return s.position + s.normal * footprint + work.sunDirection * s.sunT;
+}
+
+FieldSearch searchFurther(FieldSearch before, FieldPoint f, PortalRay ray, float footprint)
+{
+    FieldSearch s = before;
+    float cell = 1.0 / parameters.frequency;
+    s.index += 1;
+    if (s.phase == FIELD_MARCH) {
+#ifdef HALVED
+        float stride = max(0.5 * f.outside * cell, 1e-4);
+#else
+        float stride = max(f.stride, 0.5 * footprint);
+#endif
+        // Out of steps, a ray is near the surface that it grazes.
+        if (f.outside < footprint * parameters.hitTolerance * parameters.frequency || s.index >= parameters.stepLimit) {
+            s.phase = FIELD_NORMAL;
+            s.index = 0;
+            s.position = ray.origin + ray.direction * s.t;
+            s.normal = vec3(0.0);
+        } else {
+            s.t += stride;
+        }
+    } else if (s.phase == FIELD_NORMAL) {
+        if (NORMAL_STEPS == 1) s.normal = f.slope;
+        else s.normal += differenceStep(before.index, 1.0) * (f.outside / footprint);
+        if (s.index == NORMAL_STEPS) {
+            s.phase = FIELD_SKY;
+            s.index = 0;
+            // What is cut open near the eye faces it.
+            if (s.t - ray.start < 6.0) s.normal -= ray.direction * CLEARING_SLOPE;
+            s.normal = safeNormalize(s.normal, -ray.direction);
+        }
+    } else if (s.phase == FIELD_SKY) {
+        float h = 0.18 * float(s.index);
+        s.open += clamp(0.35 + f.outside / (0.9 * h), 0.0, 1.0) / 3.0;
+        if (s.index == 3) {
+            s.phase = FIELD_WAX;
+            s.index = 0;
+        }
+    } else if (s.phase == FIELD_WAX) {
+        s.inside += max(-f.outside, 0.0);
+        if (s.index == 3) {
+            s.phase = dot(s.normal, work.sunDirection) > 0.0 ? FIELD_SUN : FIELD_DONE;
+            s.index = 0;
+            s.sunT = 0.02 * cell + 2.0 * footprint;
+        }
+    } else {
+        s.lit = min(s.lit, 7.0 * f.outside * cell / s.sunT);
+        s.sunT += max(f.stride, 0.1 * cell);
+        if (s.index == 14 || s.sunT > 2.5 * cell || s.lit <= 0.0) s.phase = FIELD_DONE;
+    }
+    return s;
+}
+
+vec3 backdrop(vec3 d)
+{
+    return mix(skyLight(normalize(vec3(d.x, abs(d.y) * 0.6 + 0.06, d.z))), vec3(0.55, 0.62, 0.66), 0.35);
+}
+
+vec3 shadeField(FieldSearch s, vec3 direction)
+{
+    vec3 n = s.normal;
+    float lit = smoothstep(0.0, 1.0, s.lit) * max(dot(n, work.sunDirection), 0.0);
+    float through = exp(-9.0 * s.inside) * (work.octaves == 1 ? 1.0 : 0.3);
+    vec3 sun = sunLight();
+    // Hollows are deeper in color than ridges.
+    vec3 color = mix(parameters.albedo * parameters.albedo, parameters.albedo, smoothstep(0.1, 0.8, s.open));
+    vec3 radiance = color * (skyAmbient(n.y) * mix(0.15, 1.0, s.open) + sun * 0.3183 * lit);
+    // Light that has gone through wax takes its color twice.
+    vec3 tint = parameters.albedo * mix(parameters.albedo, vec3(1.0), 0.3);
+    radiance += tint * sun * (0.3183 * through * (0.35 + 0.65 * clamp(dot(direction, work.sunDirection), 0.0, 1.0)));
+    vec3 h = safeNormalize(work.sunDirection - direction, n);
+    radiance += sun * (0.35 * pow(max(dot(n, h), 0.0), 80.0) * lit);
+    float mirrored = schlick(clamp(-dot(n, direction), 0.0, 1.0), 0.04);
+    return mix(radiance, backdrop(reflect(direction, n)), mirrored * s.open * 0.35);
+}
+
+PortalSeen ourField(PortalRay ray)
+{
+    PortalSeen seen = nothingSeen();
+    float reach = mix(30.0, 7.0, parameters.haze);
+    float farthest = min(reach * 4.0, FIELD_FARTHEST);
+    FieldSearch s = FieldSearch(FIELD_MARCH, 0, ray.start + 0.02, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, 1.0);
+    int steps = parameters.stepLimit + NORMAL_STEPS + 20;
+    for (int i = 0; i < steps && s.phase != FIELD_DONE; ++i) {
+        if (s.phase == FIELD_MARCH && s.t > farthest) break;
+        float footprint = s.t * ray.footprint;
+        bool marching = s.phase == FIELD_MARCH;
+        float width = s.phase >= FIELD_SKY ? max(footprint, 0.06 / parameters.frequency) : footprint;
+#ifdef HALVED
+        bool all = s.phase != FIELD_SUN;
+#else
+        bool all = !marching && s.phase != FIELD_SUN;
+#endif
+        vec3 direction = s.phase == FIELD_SUN ? work.sunDirection : ray.direction;
+        float clear = marching ? clearing(s.t - ray.start) : 0.0;
+        s = searchFurther(s, fieldAt(searchPoint(s, ray, footprint), direction, width, clear, all), ray, footprint);
+    }
+    vec3 back = backdrop(ray.direction) + sunDisk(ray.direction) * 0.05;
+    seen.radiance = back;
+    if (s.phase != FIELD_MARCH) {
+        seen.radiance = mix(back, shadeField(s, ray.direction), exp(-max(s.t - ray.start - 1.0, 0.0) / reach));
+        seen.normal = s.normal;
+        seen.distance = s.t;
+    }
+    seen.evaluations = evaluations;
+    return seen;
+}
+
+// As the source draws it: half the value as a step, colors by height, and the number of steps as its fog.
+PortalSeen sourceField(PortalRay ray)
+{
+    PortalSeen seen = nothingSeen();
+    float t = 0.1;
+    int steps = 0;
+    bool hit = false;
+    vec3 p = ray.origin;
+    for (; steps < parameters.stepLimit && t < 100.0; ++steps) {
+        p = ray.origin + ray.direction * (t + ray.start);
+        float outside = fieldAt(p, ray.direction, 0.0, 0.0, true).outside * 0.5 + clearing(t);
+        if (outside < 0.01) {
+            hit = true;
+            break;
+        }
+        t += 0.5 * outside / parameters.frequency;
+    }
+    vec3 background = vec3(0.0, 0.9, 0.9);
+    vec3 color = 0.6 * background;
+    if (hit) {
+        vec3 q = p * parameters.frequency;
+        vec3 base = vec3(0.0, 0.7, 0.7 * sin(q.y - work.time + cos(q.x))) * 0.5 + 0.5;
+        float a = float(steps) / float(parameters.stepLimit);
+        color = base * (1.0 - 0.5 * a) + 0.2 * a * background;
+        seen.normal = safeNormalize(fieldAt(p, ray.direction, 0.0, 0.0, true).slope, -ray.direction);
+        seen.distance = t + ray.start;
+    }
+    // The source shows its numbers as they are; film sees their square.
+    seen.radiance = color * color * 0.8;
+    seen.evaluations = evaluations;
+    return seen;
+}
+
+PortalSeen portalSeen(PortalRay ray)
+{
+#ifdef SOURCE
+    return sourceField(ray);
+#else
+    return ourField(ray);
+#endif
+}
+
+#include "kit/portal/main.glsl"

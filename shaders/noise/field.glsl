@@ -1,0 +1,96 @@
+// The field: noise, or a sum of octaves, that is solid above a threshold. How far a ray may go without meeting it follows
+// from bounds of the noise's slope and curvature, octave by octave: far from the solid, the first octaves are enough.
+
+// Permutations: FIELD_KIND, a NOISE_ kind; FIELD_SUM, a NOISE_ sum; WARP. Drivers on processors run both sides of a
+// branch, so that what is not asked for must not be there.
+
+float evaluations = 0.0;  // of octaves
+
+struct FieldPoint {
+    float outside;  // threshold less noise: positive where space is empty
+    vec3 slope;
+    float stride;   // along the ray, for which it stays so; 0 where that is not known
+};
+
+// Moves the point by up to `warp` cells of the first octave; with the derivative's transpose.
+vec3 warpedPoint(vec3 p, out mat3 jacobian)
+{
+    jacobian = mat3(1.0);
+    vec3 moved = p;
+#ifdef WARP
+    float f = parameters.frequency * 0.5;
+    for (int i = 0; i < 3; ++i) {
+        Noise3 n = noiseNear(NOISE_GRADIENT, p * f, work.cells[NOISE_OCTAVES - 1].xyz, work.places[NOISE_OCTAVES - 1].xyz, ivec3(0), uint(parameters.seed) + 901u + uint(i));
+        moved[i] += n.value * parameters.warp / parameters.frequency;
+        jacobian[i] += n.slope * (parameters.warp * 0.5);
+        evaluations += 1.0;
+    }
+#endif
+    return moved;
+}
+
+// The most by which that stretches.
+float warpStretch()
+{
+#ifdef WARP
+    return 1.0 + parameters.warp * 0.5 * noiseSteepest(NOISE_GRADIENT) * 1.7320508;
+#else
+    return 1.0;
+#endif
+}
+
+// `all`: every octave, for the value and slope; else only as many as show how far one may go. `clear` is what is added
+// to the empty side, and falls by no more than CLEARING_SLOPE per meter.
+const float CLEARING_SLOPE = 1.0 / 6.0;
+
+FieldPoint fieldAt(vec3 p, vec3 direction, float footprint, float clear, bool all)
+{
+    mat3 jacobian;
+    vec3 q = warpedPoint(p, jacobian);
+    mat3 turn = noiseRotation(parameters.octaveRotation) * parameters.lacunarity;
+    mat3 domain = mat3(parameters.frequency);
+    float stretch = warpStretch();
+    float curved = FIELD_SUM == NOISE_FBM && stretch == 1.0 ? noiseMostCurved(FIELD_KIND) : 0.0;
+    float steepest = noiseSteepest(FIELD_KIND) * noiseShapedSteepest(FIELD_SUM) * stretch;
+    float amplitude = 1.0 / work.amplitudes;
+    float frequency = parameters.frequency;
+    float rest = 1.0;
+    float fall = clear > 0.0 ? CLEARING_SLOPE : 0.0;
+    float slopeBound = fall;
+    float curveBound = 0.0;
+    FieldPoint found;
+    found.outside = parameters.threshold + clear;
+    found.slope = vec3(0.0);
+    found.stride = 0.0;
+    for (int i = 0; i < work.octaves; ++i) {
+        float fade = i == 0 ? 1.0 : noiseFootprintFade(footprint * frequency * 0.5);
+        rest -= amplitude;
+        if (fade > 0.0) {
+            Noise3 n = noiseNear(FIELD_KIND, domain * q, work.cells[i].xyz, work.places[i].xyz, ivec3(0), uint(parameters.seed) + uint(i));
+            n = noiseShaped(FIELD_SUM, n);
+            found.outside -= n.value * (amplitude * fade);
+            found.slope -= (transpose(domain) * n.slope) * (amplitude * fade);
+            evaluations += 1.0;
+        }
+        slopeBound += amplitude * fade * steepest * frequency;
+        curveBound += amplitude * fade * curved * frequency * frequency;
+        float empty = found.outside - max(rest, 0.0) * parameters.boundShare;
+        if (!all && empty > 0.0) {
+            float stride = empty / (slopeBound * parameters.boundShare);
+            if (curveBound > 0.0) {
+                // No curve bends down more: f + f' t - c t^2 / 2 is still positive.
+                float along = dot(found.slope, direction) - fall;
+                float curve = curveBound * parameters.boundShare;
+                stride = max(stride, (along + sqrt(along * along + 2.0 * curve * empty)) / curve);
+            }
+            found.stride = max(found.stride, stride);
+            if (empty > 0.3 * found.outside) break;
+        }
+        domain = turn * domain;
+        amplitude *= parameters.gain;
+        frequency *= parameters.lacunarity;
+        if (fade <= 0.0) break;
+    }
+    found.slope = jacobian * found.slope;
+    return found;
+}

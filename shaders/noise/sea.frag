@@ -1,0 +1,209 @@
+// The sea: waves that roll as gravity makes them, in the light of the sky. Permutation: SOURCE.
+#include "noise/work.glsl"
+
+float evaluations = 0.0;
+
+// How much of a wave is left where a pixel covers `footprint` meters: noise/work.glsl's octaves, for its length.
+float waveFade(vec2 k, float footprint)
+{
+    return noiseFootprintFade(footprint * length(k) / (2.0 * PI));
+}
+
+// Where the water that rests at `q` is: to the side, and up. Gerstner 1809; of the tall waves alone.
+vec3 tallMotion(vec2 q, float footprint)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < work.tallWaves; ++i) {
+        vec4 w = work.wave[i];
+        float phase = dot(w.xy, q) - w.w;
+        float a = w.z * waveFade(w.xy, footprint);
+        vec2 side = w.xy * (-parameters.chop * a / length(w.xy) * sin(phase));
+        sum += vec3(side.x, a * cos(phase), side.y);
+    }
+    evaluations += 1.0;
+    return sum;
+}
+
+float tallHeight(vec2 p, float footprint)
+{
+    vec3 m = tallMotion(p, footprint);
+    return tallMotion(p - m.xz, footprint).y;
+}
+
+struct Water {
+    vec3 normal;
+    float folded;   // 1 where the surface is not drawn together; below 0 it turns over
+    float hidden;   // mean square slope of what a pixel does not resolve
+    float height;
+};
+
+Water waterAt(vec2 p, float footprint)
+{
+    vec2 q = p - tallMotion(p, footprint).xz;
+    vec2 slope = vec2(0.0);
+    vec3 stretch = vec3(0.0);
+    float hidden = work.hiddenSlopes;
+    float height = 0.0;
+    for (int i = 0; i < work.waves; ++i) {
+        vec4 w = work.wave[i];
+        float k = length(w.xy);
+        float fade = waveFade(w.xy, footprint);
+        float steep = w.z * k;
+        hidden += 0.5 * steep * steep * (1.0 - fade * fade);
+        if (fade <= 0.0) continue;
+        float phase = dot(w.xy, q) - w.w;
+        float a = w.z * fade;
+        float c = cos(phase);
+        slope -= w.xy * (a * sin(phase));
+        stretch += vec3(w.x * w.x, w.y * w.y, w.x * w.y) * (parameters.chop * a / k * c);
+        height += a * c;
+    }
+    evaluations += 1.0;
+    // The sides of a patch of water as it is moved, and how much of its area is left.
+    vec3 east = vec3(1.0 - stretch.x, slope.x, -stretch.z);
+    vec3 south = vec3(-stretch.z, slope.y, 1.0 - stretch.y);
+    Water water;
+    vec3 n = cross(south, east);
+    water.normal = safeNormalize(n.y > 0.05 ? n : vec3(n.x, 0.05, n.z), vec3(0.0, 1.0, 0.0));
+    water.folded = (1.0 - stretch.x) * (1.0 - stretch.y) - stretch.z * stretch.z;
+    water.hidden = hidden;
+    water.height = height;
+    return water;
+}
+
+// Distance along the ray to the water; negative: none.
+float waterDistance(PortalRay ray)
+{
+    vec3 d = ray.direction;
+    float top = (work.seaTop - ray.origin.y) / d.y;
+    float bottom = (-work.seaTop - ray.origin.y) / d.y;
+    float t = max(ray.start, ray.origin.y > work.seaTop ? (d.y < 0.0 ? top : 1e20) : 0.0);
+    if (t > 2e4) return d.y < -1e-4 ? -ray.origin.y / d.y : -1.0;
+    float along = length(d.xz);
+    float last = t;
+    float gapBefore = 0.0;
+    for (int i = 0; i < parameters.seaSteps; ++i) {
+        vec3 p = ray.origin + d * t;
+        float gap = p.y - tallHeight(p.xz, t * ray.footprint * 2.0);
+        if (gap < 0.0 && i > 0) {
+            // Between the last two points, as if the water were straight there.
+            return mix(last, t, gapBefore / max(gapBefore - gap, 1e-6));
+        }
+        if (gap < 0.5 * t * ray.footprint) return t;
+        if (d.y > 0.0 && p.y > work.seaTop) return -1.0;
+        if (t > 2e4) break;
+        last = t;
+        gapBefore = gap;
+        t += max(gap / (work.seaSteepest * along + max(-d.y, 0.0)), 0.35 * t * ray.footprint);
+    }
+    if (d.y >= 0.0) return -1.0;
+    // Out of steps: where the last height would be met.
+    float rest = gapBefore / -d.y;
+    return min(last + rest, bottom);
+}
+
+// Light of the sun that waves too fine to see mirror towards the eye: Beckmann's distribution of their slopes.
+float glitter(vec3 n, vec3 toEye, float slopes)
+{
+    vec3 h = safeNormalize(work.sunDirection + toEye, n);
+    float c = max(dot(n, h), 1e-3);
+    float c2 = c * c;
+    float d = exp((c2 - 1.0) / (c2 * slopes)) / (PI * slopes * c2 * c2);
+    float f = schlick(max(dot(h, toEye), 0.0), 0.02);
+    return f * d / (4.0 * max(dot(n, toEye), 0.08));
+}
+
+// Ripples finer than the last wave: noise that has as much slope as is hidden, as far as a pixel resolves it.
+vec2 ripples(vec2 p, float footprint, float slopes)
+{
+    NoiseSum s = NoiseSum(NOISE_GRADIENT, NOISE_FBM, 3, 0.55, 2.0, 0.0, NOISE_PERIOD, 31u);
+    Noise3 n = noiseSum(s, vec3(p.x * 3.0, work.foamTime * 4.0, p.y * 3.0), footprint * 3.0);
+    evaluations += 3.0;
+    // The mean square slope of that sum is 0.55 along each axis.
+    return n.slope.xz * sqrt(0.5 * slopes / 0.55);
+}
+
+float foamAt(vec2 p, Water water, float footprint)
+{
+    if (parameters.foam <= 0.0) return 0.0;
+    NoiseSum s = NoiseSum(NOISE_GRADIENT, NOISE_BILLOW, 4, 0.6, 2.0, 0.0, NOISE_PERIOD, 77u);
+    float grain = noiseSum(s, vec3(p.x * 1.7, work.foamTime, p.y * 1.7), footprint * 1.7).value;
+    evaluations += 4.0;
+    float breaking = smoothstep(0.05, -0.45, water.folded - 0.85 * parameters.foam + 0.1);
+    float streaks = smoothstep(-0.75 + 0.9 * (1.0 - breaking), 0.25, -grain);
+    return clamp(breaking * streaks, 0.0, 1.0);
+}
+
+vec3 waterLight(PortalRay ray, float t)
+{
+    vec3 p = ray.origin + ray.direction * t;
+    vec3 toEye = -ray.direction;
+    // A pixel is longer along the view where the water is seen at a graze; half of that is resolved by the sampling.
+    float footprint = t * ray.footprint * clamp(0.35 / max(toEye.y, 0.02), 1.0, 6.0);
+    Water water = waterAt(p.xz, footprint);
+    vec3 n = water.normal;
+    vec2 fine = ripples(p.xz, footprint, work.hiddenSlopes);
+    n = normalize(n - vec3(fine.x, 0.0, fine.y) * n.y);
+    water.hidden -= work.hiddenSlopes * 0.7 * noiseFootprintFade(footprint * 6.0);
+    float cosine = dot(n, toEye);
+    if (cosine < 0.02) n = safeNormalize(n + toEye * (0.02 - cosine), vec3(0.0, 1.0, 0.0));
+    cosine = max(dot(n, toEye), 0.02);
+    // Where slopes are unresolved, those that face the eye are seen more: they mirror a higher sky, less of it.
+    float rough = sqrt(water.hidden);
+    float fresnel = schlick(clamp(cosine + 0.55 * rough, 0.0, 1.0), 0.02);
+    vec3 mirrored = reflect(-toEye, n);
+    mirrored.y = abs(mirrored.y) + 0.9 * rough;
+    vec3 sky = skyLight(normalize(mirrored));
+    vec3 sun = sunLight();
+    vec3 day = skyAmbient(1.0) + sun * max(work.sunDirection.y, 0.0) * 0.35;
+    // Light that has gone through a crest, seen against the sun.
+    float thin = smoothstep(0.0, work.seaTop, water.height) * pow(clamp(dot(-toEye, work.sunDirection) * 0.5 + 0.5, 0.0, 1.0), 3.0);
+    vec3 body = parameters.water * (day * 0.9 + sun * thin * 1.6) * (1.0 + 0.35 * clamp(water.height / work.seaTop, -1.0, 1.0));
+    vec3 color = mix(body, sky, fresnel);
+    color += sun * glitter(n, toEye, max(water.hidden, 0.0008)) * max(dot(n, work.sunDirection), 0.0) * 1.0;
+    float foam = foamAt(p.xz, water, footprint);
+    vec3 white = vec3(0.75) * (skyAmbient(n.y) + sun * max(dot(n, work.sunDirection), 0.0) * 0.32);
+    color = mix(color, white, foam * 0.85);
+    return throughAir(color, ray.direction, t, mix(40000.0, 1800.0, sqrt(parameters.haze)));
+}
+
+// Thin high clouds in the sky above it.
+vec3 highClouds(vec3 d, float footprint)
+{
+    vec3 sky = skyLight(d) + sunDisk(d);
+    if (d.y < 0.004) return sky;
+    vec2 p = d.xz / (d.y + 0.05) * vec2(0.55, 1.3);
+    float blur = footprint / ((d.y + 0.05) * (d.y + 0.05));
+    NoiseSum s = NoiseSum(NOISE_GRADIENT, NOISE_FBM, 5, 0.52, 2.0, 0.0, NOISE_PERIOD, uint(parameters.seed) + 500u);
+    float n = noiseWarpedSum(s, vec3(p.x * 0.9 + 3.0, work.skyTime, p.y * 0.9), 0.5, blur).value;
+    evaluations += 20.0;
+    float veil = smoothstep(-0.02, 0.42, n) * smoothstep(0.0, 0.12, d.y) * 0.75;
+    float cosine = dot(d, work.sunDirection);
+    vec3 lit = sunLight() * (0.10 + 0.24 * pow(max(cosine, 0.0), 8.0)) + skyAmbient(-0.2) * 0.7;
+    return mix(sky, lit, veil);
+}
+
+#ifdef SOURCE
+#include "noise/source_sea.glsl"
+#endif
+
+PortalSeen portalSeen(PortalRay ray)
+{
+#ifdef SOURCE
+    return sourceSea(ray);
+#else
+    PortalSeen seen = nothingSeen();
+    float t = waterDistance(ray);
+    if (t > 0.0) {
+        seen.radiance = waterLight(ray, t);
+        seen.normal = vec3(0.0, 1.0, 0.0);
+        seen.distance = t;
+    } else {
+        seen.radiance = throughAir(highClouds(ray.direction, ray.footprint), ray.direction, max(0.03 - ray.direction.y, 0.0) * 2e4, 3000.0);
+    }
+    seen.evaluations = evaluations;
+    return seen;
+#endif
+}
+
+#include "kit/portal/main.glsl"
