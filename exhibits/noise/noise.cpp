@@ -43,7 +43,7 @@ render::ResourceId planBake(const NoiseTable& t, const ParameterValues& values, 
     pass.storage = {render::Attachment::whole(volume)};
     pass.groups = glm::ivec3((size + 3) / 4);
     render::Hash key;
-    pass.key = key.addValue(size).addValue(values[t.seed]).value();
+    pass.key = key.addValue(size).addValue(values[t.seed]).addValue(values[t.cloudOctaves]).value();
     plan.add(std::move(pass));
     return volume;
 }

@@ -137,6 +137,8 @@ struct NoiseTable final : Parameters {
         count("cloudSteps", 64, {1, 512, logarithmic}, "Steps of a ray through the clouds.", quality(512), inClouds);
     Count lightSteps =
         count("lightSteps", 5, {1, 64, logarithmic}, "Steps from there towards the sun.", quality(64), inClouds);
+    Count cloudOctaves =
+        count("cloudOctaves", 3, {1, 6}, "Octaves of the clouds' noise: more is finer.", quality(6), inClouds&& ours);
     Choice<CloudNoise> cloudNoise = choice("cloudNoise", CloudNoise::baked, {"evaluated", "baked"},
                                            "Whether the clouds' noise is evaluated at every step or looked up.",
                                            exactAt(CloudNoise::evaluated), inClouds&& ours);

@@ -10,6 +10,6 @@ void main()
     ivec3 size = imageSize(baked);
     ivec3 texel = ivec3(gl_GlobalInvocationID);
     if (any(greaterThanEqual(texel, size))) return;
-    vec2 n = cloudNoiseAt((vec3(texel) + 0.5) / vec3(size), uint(parameters.seed));
+    vec2 n = cloudNoiseAt((vec3(texel) + 0.5) / vec3(size), uint(parameters.seed), parameters.cloudOctaves);
     imageStore(baked, texel, vec4(n, 0.0, 0.0));
 }

@@ -20,7 +20,7 @@ vec2 noiseOfClouds(vec3 p, float repeat)
 #ifdef BAKED
     return textureLod(bakedNoise, p / repeat, 0.0).xy;
 #else
-    return cloudNoiseAt(fract(p / repeat), uint(parameters.seed));
+    return cloudNoiseAt(fract(p / repeat), uint(parameters.seed), parameters.cloudOctaves);
 #endif
 }
 

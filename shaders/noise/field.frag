@@ -64,7 +64,7 @@ FieldSearch searchFurther(FieldSearch before, FieldPoint f, PortalRay ray, float
 #ifdef HALVED
         float stride = max(0.5 * f.outside * cell, 1e-4);
 #else
-        float stride = max(f.stride, 0.5 * footprint);
+        float stride = max(f.stride, 0.5 * footprint * min(parameters.hitTolerance, 1.0));
 #endif
         // Out of steps, a ray is near the surface that it grazes.
         if (f.outside < footprint * parameters.hitTolerance * parameters.frequency || s.index >= parameters.stepLimit) {

@@ -6,6 +6,7 @@
 #include "exhibits/fur/coat.h"
 #include "exhibits/ice_cream/ice_cream_table.h"
 #include "exhibits/lenticular/lenticular_table.h"
+#include "exhibits/noise/noise_table.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
 #include "render/files/read_file.h"
 
@@ -128,6 +129,34 @@ TEST(PresetOfTheSource, OfTheCardHasItsUniforms)
     EXPECT_FALSE(v[t.dispersion]);
     EXPECT_EQ(v[t.apertureSamples], 1);
     EXPECT_TRUE(v[t.scroll]);
+}
+
+TEST(PresetOfTheSource, OfTheNoiseHasItsConstants)
+{
+    const NoiseTable t;
+    const ParameterValues field = preset("noise", "as-in-the-source-field", t);
+    const ParameterValues sum = preset("noise", "as-in-the-source-fractal-sum", t);
+    for (const ParameterValues& v : {field, sum}) {
+        EXPECT_EQ(v[t.kind], NoiseKind::value);
+        EXPECT_EQ(v[t.frequency], 1);
+        EXPECT_EQ(v[t.stepLimit], 256);
+        EXPECT_EQ(v[t.drift], -1);  // the camera goes ahead by a unit a second
+    }
+    // noise - 0.3 of noise from 0 to 1; ours goes from -1 to 1 and is solid above: (0.5 - 0.3) x 2.
+    EXPECT_NEAR(field[t.threshold], 0.4, 1e-9);
+    // fbm - 0.35 of octaves that begin at 0.5: (0.484 - 0.35) / 0.484.
+    EXPECT_NEAR(sum[t.threshold], (0.484375 - 0.35) / 0.484375, 1e-3);
+    EXPECT_EQ(sum[t.octaves], 5);
+    EXPECT_EQ(sum[t.gain], 0.5);
+    EXPECT_EQ(sum[t.lacunarity], 2);
+    EXPECT_EQ(sum[t.octaveRotation], 0);
+    const ParameterValues sea = preset("noise", "as-in-the-source-sea", t);
+    EXPECT_EQ(sea[t.work], NoiseWork::sea);
+    EXPECT_EQ(sea[t.stepLimit], 100);
+    const ParameterValues clouds = preset("noise", "as-in-the-source-clouds", t);
+    EXPECT_EQ(clouds[t.cloudSteps], 65);
+    EXPECT_EQ(clouds[t.lightSteps], 5);
+    for (const ParameterValues& v : {field, sum, sea, clouds}) EXPECT_EQ(v[t.look], NoiseLook::source);
 }
 
 TEST(PresetOfTheSource, OfTheTorusMugHasItsConstants)

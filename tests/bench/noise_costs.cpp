@@ -1,0 +1,206 @@
+// What the works behind the noise frame cost, beside the source's ways: the march by halves of the value against the
+// march by bounds, normals, the clouds' steps, baked noise against evaluated; and what a frame costs from near, from
+// afar and out of view. Prints Markdown.
+//   bench_noise_costs [--size 320x200]
+
+#include "exhibits/exhibits.h"
+#include "exhibits/museum/picture.h"
+#include "exhibits/noise/noise_table.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+#include "tests/support/planned.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace vitrine;
+
+const NoiseTable table;
+
+struct Measured {
+    render::Image picture;
+    double evaluations = 0;   ///< A pixel, mean.
+    double milliseconds = 0;  ///< Of the exhibit's own passes, median of five.
+};
+
+struct Bench {
+    render::gl::HeadlessContext context{false};
+    Museum museum{allExhibits()};
+    render::gl::Renderer renderer;
+    SceneState sceneState = museum.initialSceneState();
+    std::size_t exhibit = *museum.find("noise");
+    glm::ivec2 size{320, 200};
+
+    ParameterValues& values() { return sceneState.values[exhibit]; }
+
+    FrameRequest frame()
+    {
+        FrameRequest request;
+        request.alone = exhibit;
+        request.camera = museum.subject(exhibit).bestView(values());
+        request.raster.size = size;
+        request.averageIn = AverageIn::radiance;
+        request.channels.evaluations = true;
+        return request;
+    }
+
+    double millisecondsOf(const FrameRequest& request)
+    {
+        renderer.timeSteps(true);
+        std::vector<double> times;
+        for (int run = 0; run < 6; ++run) {
+            double sum = 0;
+            for (const render::StepReport& step :
+                 renderer.draw(test::planned(museum, sceneState, request, renderer.persistentState())).ran)
+                if (step.name.rfind("noise/", 0) == 0) sum += step.milliseconds;
+            if (run > 0) times.push_back(sum);
+        }
+        renderer.timeSteps(false);
+        std::sort(times.begin(), times.end());
+        return times[2];
+    }
+
+    Measured measure()
+    {
+        const FrameRequest request = frame();
+        PictureMaker maker(museum, renderer, sceneState, {.frame = request});
+        while (maker.step()) {
+        }
+        Measured result{maker.picture()};
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) result.evaluations += static_cast<double>(result.picture.at(x, y, 4));
+        result.evaluations /= static_cast<double>(size.x) * size.y;
+        result.milliseconds = millisecondsOf(request);
+        return result;
+    }
+};
+
+double errorOf(const render::Image& a, const render::Image& b)
+{
+    double sum = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const double d = static_cast<double>(a.at(x, y, c)) - static_cast<double>(b.at(x, y, c));
+                sum += d * d / 3;
+            }
+    return std::sqrt(sum / (static_cast<double>(a.width) * a.height));
+}
+
+void row(const std::string& name, const Measured& m, const render::Image& truth)
+{
+    std::printf("| %s | %.1f | %.4f | %.0f |\n", name.c_str(), m.evaluations, errorOf(m.picture, truth),
+                m.milliseconds);
+}
+
+constexpr const char* head = "| way | evaluations per pixel | RMSE | ms |\n|---|---|---|---|\n";
+
+void field(Bench& bench, NoiseWork work, const char* title)
+{
+    std::printf(
+        "\n## %s\n\nOctaves of noise for march and light together, against the bounds as proven with 1024 steps.\n\n%s",
+        title, head);
+    ParameterValues& v = bench.values();
+    const ParameterValues start = v = [&] {
+        ParameterValues of{table};
+        of.set(table.work, work);
+        return of;
+    }();
+    v.set(table.boundShare, 1.0);
+    v.set(table.stepLimit, 1024);
+    v.set(table.hitTolerance, 0.05);
+    const Measured truth = bench.measure();
+    row("reference", truth, truth.picture);
+    for (const int steps : {64, 160, 512, 1024}) {
+        v = start;
+        v.set(table.march, NoiseMarch::halved);
+        v.set(table.stepLimit, steps);
+        row("halved steps, at most " + std::to_string(steps), bench.measure(), truth.picture);
+    }
+    for (const double share : {1.0, 0.7, 0.45, 0.3}) {
+        v = start;
+        v.set(table.boundShare, share);
+        char name[64];
+        std::snprintf(name, sizeof name, "bounded, %.2f of the bounds", share);
+        row(name, bench.measure(), truth.picture);
+    }
+    v = start;
+    v.set(table.normals, NoiseNormal::differences);
+    row("bounded, normals by differences", bench.measure(), truth.picture);
+}
+
+void clouds(Bench& bench)
+{
+    std::printf("\n## Clouds\n\nLook-ups, or evaluations of two or three sums, against 512 steps; then against "
+                "evaluated noise.\n\n%s",
+                head);
+    ParameterValues& v = bench.values();
+    const ParameterValues start = v = [&] {
+        ParameterValues of{table};
+        of.set(table.work, NoiseWork::clouds);
+        of.set(table.jitter, false);
+        return of;
+    }();
+    v.set(table.cloudSteps, 512);
+    const Measured truth = bench.measure();
+    row("reference", truth, truth.picture);
+    for (const int steps : {16, 32, 64, 128, 256}) {
+        v = start;
+        v.set(table.cloudSteps, steps);
+        row(std::to_string(steps) + " steps", bench.measure(), truth.picture);
+    }
+    v = start;
+    v.set(table.cloudNoise, CloudNoise::evaluated);
+    const Measured evaluated = bench.measure();
+    row("64 steps, evaluated", evaluated, evaluated.picture);
+    v.set(table.cloudNoise, CloudNoise::baked);
+    for (const int size : {32, 64, 96, 160}) {
+        v.set(table.bakeSize, size);
+        const double megabytes = 4.0 * size * size * size / 1e6;
+        char name[64];
+        std::snprintf(name, sizeof name, "64 steps, baked to %d (%.1f MB)", size, megabytes);
+        row(name, bench.measure(), evaluated.picture);
+    }
+}
+
+void frames(Bench& bench)
+{
+    std::printf("\n## A frame in the hall\n\n| work | from before it | from across the hall | out of view "
+                "|\n|---|---|---|---|\n");
+    constexpr const char* names[] = {"field", "fractal sum", "sea", "clouds"};
+    for (int work = 0; work < 4; ++work) {
+        bench.values() = ParameterValues(table);
+        bench.values().set(table.work, static_cast<NoiseWork>(work));
+        FrameRequest request = bench.frame();
+        request.alone.reset();
+        request.channels.evaluations = false;
+        request.camera = bench.museum.bestView(bench.exhibit, bench.values());
+        const double near = bench.millisecondsOf(request);
+        request.camera.eye = {4.5, 1.65, 0};
+        const double far = bench.millisecondsOf(request);
+        request.camera.target = {9, 1.65, 0};
+        std::printf("| %s | %.0f | %.0f | %.0f |\n", names[work], near, far, bench.millisecondsOf(request));
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    Bench bench;
+    if (argc == 3 && std::strcmp(argv[1], "--size") == 0) std::sscanf(argv[2], "%dx%d", &bench.size.x, &bench.size.y);
+    std::printf("Pictures of %d x %d, alone from the best view; time is that of the exhibit's own passes, median of "
+                "five, by the process's CPU time around glFinish.\n",
+                bench.size.x, bench.size.y);
+    field(bench, NoiseWork::field, "Field");
+    field(bench, NoiseWork::fractal, "Fractal sum");
+    clouds(bench);
+    frames(bench);
+    return 0;
+}

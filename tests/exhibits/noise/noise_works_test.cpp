@@ -1,0 +1,215 @@
+// Pictures of the works behind the noise frame, against the same noise at float64 and against themselves.
+
+#include "exhibits/noise/noise_scene.h"
+#include "render/glsl/cpu.h"
+#include "tests/support/gallery.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace vitrine {
+namespace {
+
+using namespace test;
+using glm::dvec3;
+
+const NoiseTable& table()
+{
+    static const NoiseTable t;
+    return t;
+}
+
+/// A small picture of one work, alone.
+struct WorkShot : Shot {
+    std::size_t noise = *gallery().museum.find("noise");
+
+    explicit WorkShot(NoiseWork work, NoiseLook look = NoiseLook::ours)
+    {
+        request.frame.alone = noise;
+        request.frame.subject = std::nullopt;
+        request.frame.raster.size = {96, 60};
+        request.frame.camera = gallery().museum.subject(noise).bestView(values());
+        values().set(table().work, work);
+        values().set(table().look, look);
+    }
+    [[nodiscard]] ParameterValues& values() { return sceneState.values[noise]; }
+};
+
+class NoiseWorks : public GlTest {};
+
+constexpr NoiseWork allWorks[] = {NoiseWork::field, NoiseWork::fractal, NoiseWork::sea, NoiseWork::clouds};
+
+TEST_F(NoiseWorks, E17_AreFourThatDifferAndMove)
+{
+    for (const NoiseLook look : {NoiseLook::ours, NoiseLook::source}) {
+        std::vector<Picture> pictures;
+        for (const NoiseWork work : allWorks) {
+            WorkShot shot(work, look);
+            pictures.push_back(shot.take());
+            EXPECT_GT(pictures.back().mean(), 0.01);
+            shot.values().set(table().moment, 3.0);
+            EXPECT_GT(colorDifference(pictures.back(), shot.take()), 1e-4) << static_cast<int>(work);
+        }
+        for (std::size_t i = 0; i < pictures.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) EXPECT_GT(colorDifference(pictures[i], pictures[j]), 1e-3);
+    }
+}
+
+TEST_F(NoiseWorks, E21_StayFiniteAtAnyTimeAndPlace)
+{
+    for (const NoiseLook look : {NoiseLook::ours, NoiseLook::source})
+        for (const NoiseWork work : allWorks)
+            for (const double moment : {0.0, 1e6, -1e6}) {
+                WorkShot shot(work, look);
+                shot.values().set(table().moment, moment);
+                shot.values().set(table().distance, 1e7);
+                shot.values().set(table().sunElevation, moment > 0 ? -0.08 : 1.5);
+                EXPECT_EQ(notFinite(shot.take().image, 4), "") << static_cast<int>(work) << ' ' << moment;
+            }
+}
+
+/// The field's noise, at float64: `domain` in cells.
+double noiseAt(const dvec3& domain, int kind, glm::uint seed)
+{
+    return glsl::noiseNear(kind, domain, glm::ivec3(0), dvec3(0), glm::ivec3(0), seed).value;
+}
+
+TEST_F(NoiseWorks, E18_TheFieldIsWhereTheNoiseAtFloat64CrossesItsThreshold)
+{
+    for (const NoiseKind kind : {NoiseKind::value, NoiseKind::gradient, NoiseKind::simplex}) {
+        WorkShot shot(NoiseWork::field);
+        shot.values().set(table().kind, kind);
+        shot.values().set(table().boundShare, 1.0);
+        shot.values().set(table().stepLimit, 1024);
+        shot.values().set(table().hitTolerance, 0.05);
+        const double frequency = shot.values()[table().frequency], threshold = shot.values()[table().threshold];
+        const Picture p = shot.take();
+        int near = 0, wrong = 0, checked = 0;
+        for (int y = 2; y < p.height(); y += 5)
+            for (int x = 2; x < p.width(); x += 5) {
+                const dvec3 ray = p.view.direction(
+                    glm::dvec2(x + 0.5, p.height() - y - 0.5) / glm::dvec2(p.width(), p.height()) * 2.0 - 1.0);
+                const dvec3 d = glm::normalize(ray);
+                const double start = p.view.nearPlane * glm::length(ray);
+                const double seen = std::min(p.depth(x, y) * glm::length(ray), 1e9);
+                // Small even steps, and then halves: no bound is needed.
+                double first = 1e9;
+                for (double t = start + 0.02; t < 25; t += 0.002) {
+                    const double clear = std::clamp(1 - (t - start) / 6, 0.0, 1.0);
+                    if (threshold - noiseAt(frequency * (p.view.eye + d * t), static_cast<int>(kind), 1) + clear < 0) {
+                        first = t;
+                        break;
+                    }
+                }
+                if (first > 24) continue;
+                ++checked;
+                near += seen < 1e8;
+                wrong += std::abs(seen - first) > 0.01 * first;
+            }
+        EXPECT_GT(checked, 100);
+        EXPECT_GT(near, 0.98 * checked);
+        // A ray that grazes may end within its tolerance.
+        EXPECT_LE(wrong, 0.03 * checked) << static_cast<int>(kind);
+    }
+}
+
+TEST_F(NoiseWorks, OfTheDerivativeHasTheNormalsOfDifferences)
+{
+    for (const NoiseWork work : {NoiseWork::field, NoiseWork::fractal}) {
+        WorkShot shot(work);
+        shot.values().set(table().haze, 0.0);
+        if (work == NoiseWork::fractal) shot.values().set(table().warp, 0.5);
+        const Picture derivative = shot.take();
+        shot.values().set(table().normals, NoiseNormal::differences);
+        const Picture differences = shot.take();
+        int compared = 0;
+        double sum = 0;
+        derivative.each([&](int x, int y) {
+            if (derivative.depth(x, y) > 10) return;
+            ++compared;
+            sum += 1 - glm::dot(derivative.normal(x, y), differences.normal(x, y));
+        });
+        EXPECT_GT(compared, 300);
+        EXPECT_LT(sum / compared, work == NoiseWork::field ? 2e-3 : 0.05) << static_cast<int>(work);
+    }
+}
+
+/// Share of the surface between 6.5 and 12 m where the noise at float64 is off its threshold.
+double shareOff(double distance)
+{
+    WorkShot shot(NoiseWork::field);
+    const double frequency = shot.values()[table().frequency];
+    shot.values().set(table().distance, distance);
+    shot.values().set(table().boundShare, 1.0);
+    shot.values().set(table().stepLimit, 1024);
+    shot.values().set(table().hitTolerance, 0.05);
+    const Picture p = shot.take();
+    int surface = 0, off = 0;
+    p.each([&](int x, int y) {
+        const dvec3 ray =
+            p.view.direction(glm::dvec2(x + 0.5, p.height() - y - 0.5) / glm::dvec2(p.width(), p.height()) * 2.0 - 1.0);
+        const double t = p.depth(x, y) * glm::length(ray);
+        if (!(t > 6.5 && t < 12)) return;
+        ++surface;
+        const dvec3 at = frequency * (p.view.eye + ray * p.depth(x, y) + dvec3(distance, 0, 0));
+        const dvec3 base = glm::floor(at);
+        const double n = glsl::gradientNoise(glm::ivec3(base), at - base, glm::ivec3(0), 1).value;
+        off += std::abs(n - shot.values()[table().threshold]) > 0.02;
+    });
+    EXPECT_GT(surface, 300);
+    return static_cast<double>(off) / surface;
+}
+
+TEST_F(NoiseWorks, OfTheFieldAreAsSharpTenThousandKilometersFromTheOrigin)
+{
+    EXPECT_LT(shareOff(0), 0.01);
+    EXPECT_LT(shareOff(1e7), 0.01);
+}
+
+TEST_F(NoiseWorks, OfTheSeaMeetTheHorizonWhereItIs)
+{
+    WorkShot shot(NoiseWork::sea);
+    shot.values().set(table().windSpeed, 2.0);
+    const Picture p = shot.take();
+    int wrong = 0;
+    p.each([&](int x, int y) {
+        const double up = 1 - 2 * (y + 0.5) / p.height();
+        if (std::abs(up) < 0.06) return;
+        wrong += (p.depth(x, y) < 1e6) != (up < 0);
+    });
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST_F(NoiseWorks, OfTheCloudsAreAsBrightWithAnyNumberOfSteps)
+{
+    const auto meanWith = [](int steps) {
+        WorkShot shot(NoiseWork::clouds);
+        shot.values().set(table().cloudSteps, steps);
+        shot.values().set(table().bakeSize, 64);
+        shot.request.samples = 4;
+        return shot.take().mean();
+    };
+    const double fine = meanWith(512);
+    EXPECT_NEAR(meanWith(128) / fine, 1, 0.02);
+    EXPECT_NEAR(meanWith(64) / fine, 1, 0.04);
+}
+
+TEST_F(NoiseWorks, OfBakedCloudsComeNearerToTheEvaluatedOnesTheFinerTheVolumeIs)
+{
+    WorkShot shot(NoiseWork::clouds);
+    shot.request.frame.raster.size = {48, 30};
+    shot.values().set(table().cloudSteps, 32);
+    shot.values().set(table().cloudNoise, CloudNoise::evaluated);
+    const Picture evaluated = shot.take();
+    shot.values().set(table().cloudNoise, CloudNoise::baked);
+    double last = 1;
+    for (const int size : {16, 48, 160}) {
+        shot.values().set(table().bakeSize, size);
+        const double error = colorDifference(evaluated, shot.take());
+        EXPECT_LT(error, last) << size;
+        last = error;
+    }
+    EXPECT_LT(last, 0.05);
+}
+
+}  // namespace
+}  // namespace vitrine
