@@ -129,7 +129,7 @@ float foamAt(vec2 p, Water water, float footprint)
     NoiseSum s = NoiseSum(NOISE_GRADIENT, NOISE_BILLOW, 4, 0.6, 2.0, 0.0, NOISE_PERIOD, 77u);
     float grain = noiseSum(s, vec3(p.x * 1.7, work.foamTime, p.y * 1.7), footprint * 1.7).value;
     evaluations += 4.0;
-    float breaking = smoothstep(0.05, -0.45, water.folded - 0.85 * parameters.foam + 0.1);
+    float breaking = smoothstep(0.0, 0.4, 0.25 + 0.75 * parameters.foam - water.folded);
     float streaks = smoothstep(-0.75 + 0.9 * (1.0 - breaking), 0.25, -grain);
     return clamp(breaking * streaks, 0.0, 1.0);
 }
@@ -139,7 +139,7 @@ vec3 waterLight(PortalRay ray, float t)
     vec3 p = ray.origin + ray.direction * t;
     vec3 toEye = -ray.direction;
     // A pixel is longer along the view where the water is seen at a graze; half of that is resolved by the sampling.
-    float footprint = t * ray.footprint * clamp(0.35 / max(toEye.y, 0.02), 1.0, 6.0);
+    float footprint = t * ray.footprint * clamp(0.25 / max(toEye.y, 0.02), 1.0, 3.0);
     Water water = waterAt(p.xz, footprint);
     vec3 n = water.normal;
     vec2 fine = ripples(p.xz, footprint, work.hiddenSlopes);

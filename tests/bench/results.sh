@@ -28,6 +28,7 @@ fur_costs gl $tests/bench_fur_costs
 lenticular_card gl $tests/bench_lenticular_card
 shadow_filters gl $tests/bench_shadow_filters
 sunbeams gl $tests/bench_sunbeams
+noise_costs gl $tests/bench_noise_costs
 hall_costs gl $tests/bench_hall_costs
 study_sdf_morph_hitTolerance gl $study sdf_morph hitTolerance
 study_lenticular_apertureSamples gl $study lenticular apertureSamples
@@ -36,6 +37,11 @@ study_fur_rotationModel gl $study fur rotationModel --views 6 --runs 3
 study_fur_springModel gl $study fur springModel --views 6 --runs 3
 study_crepuscular_rays_volumeSteps gl $study crepuscular_rays volumeSteps
 study_crepuscular_rays_method_samples gl $study crepuscular_rays method samples --points 6 --runs 3 --set technique=screen\ space --set resolution=full
+study_noise_boundShare gl $study noise boundShare --set work=fractal\ sum
+study_noise_cloudSteps gl $study noise cloudSteps --set work=clouds
+study_noise_lightSteps gl $study noise lightSteps --set work=clouds
+study_noise_bakeSize gl $study noise bakeSize --set work=clouds
+study_noise_waves gl $study noise waves --set work=sea
 study_hall_supersamples gl $study hall supersamples --values 1,2,4,8,16,32 --size 160x90 --views 1
 study_sdf_morph_supersamples gl $study sdf_morph hall.supersamples --alone --values 1,2,4,8,16,32,64 --size 160x90 --views 1
 stability_suite gl env VITRINE_SCAN_PRESETS=100 ctest --test-dir build/release -L stability -j 2

@@ -179,6 +179,28 @@ TEST_F(NoiseWorks, OfTheSeaMeetTheHorizonWhereItIs)
     EXPECT_EQ(wrong, 0);
 }
 
+/// Mean change per pixel and channel when the camera's view moves by a pixel, as the screen shows it.
+double shimmer(NoiseWork work, int samples)
+{
+    WorkShot shot(work);
+    shot.request.frame.raster.size = {160, 100};
+    shot.request.frame.averageIn = AverageIn::display;
+    shot.request.samples = samples;
+    const Picture before = shot.take();
+    shot.request.frame.camera.lensShift.y = 2 * before.view.tanHalfFov.y / before.height();
+    const Picture after = shot.take();
+    double sum = 0;
+    before.each([&](int x, int y) { sum += glm::length(after.color(x, y) - before.color(x, y)); });
+    return sum / (before.width() * before.height());
+}
+
+TEST_F(NoiseWorks, E22_ShimmerLittleMoreWithOneSampleThanWith64)
+{
+    EXPECT_LT(shimmer(NoiseWork::sea, 1), 1.5 * shimmer(NoiseWork::sea, 64));
+    EXPECT_LT(shimmer(NoiseWork::field, 1), 1.5 * shimmer(NoiseWork::field, 64));
+    EXPECT_LT(shimmer(NoiseWork::fractal, 1), 1.5 * shimmer(NoiseWork::fractal, 64));
+}
+
 TEST_F(NoiseWorks, OfTheCloudsAreAsBrightWithAnyNumberOfSteps)
 {
     const auto meanWith = [](int steps) {
