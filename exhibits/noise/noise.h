@@ -8,7 +8,7 @@ namespace vitrine {
 /// Four works made of noise behind a deep frame: a field, a sum of octaves, a sea and a sky of clouds. Read the table,
 /// then noise_scene.h (what moves, and how far) and the shaders of the works; the noise itself is
 /// shaders/lib/noise.glsl and its neighbors.
-class Noise final : public Exhibit, public HasButton {
+class Noise final : public Exhibit, public HasButton, public HasSurroundings {
 public:
     using Table = NoiseTable;
 
@@ -24,6 +24,7 @@ public:
     [[nodiscard]] const Table& parameters() const override { return table_; }
     /// The opening.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    [[nodiscard]] bool surrounds(const ParameterValues&) const override { return true; }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     bool press(ParameterValues&) const override;
