@@ -38,14 +38,16 @@ struct DeclaredRow {
 /// The table of an exhibit as it is written, with the rows that it takes from the kit.
 std::string tableText(const std::string& exhibit)
 {
-    const std::string stem = "exhibits/" + exhibit + '/' + exhibit + "_table.";
-    std::string text;
-    for (const std::string& file : test::sourceFiles("exhibits/" + exhibit, test::cppExtensions)) {
-        if (!file.starts_with(stem)) continue;
-        text += test::withoutComments(test::sourceText(file));
-        for (const test::Include& include : test::includesOf(file))
-            if (include.target.starts_with("exhibits/kit/"))
-                text += test::withoutComments(test::sourceText(include.target));
+    const std::string file = "exhibits/" + exhibit + '/' + exhibit + "_table.h";
+    std::string text = test::withoutComments(test::sourceText(file));
+    const std::string own = text;
+    static const std::regex rows(R"(\nstruct (\w+) : virtual Parameters \{[^]*?\n\};)");
+    for (const test::Include& include : test::includesOf(file)) {
+        if (!include.target.starts_with("exhibits/kit/")) continue;
+        const std::string kit = test::withoutComments(test::sourceText(include.target));
+        // Of several groups of rows, those that the table inherits.
+        for (auto match = std::sregex_iterator(kit.begin(), kit.end(), rows); match != std::sregex_iterator(); ++match)
+            if (own.find((*match)[1].str()) != std::string::npos) text += match->str();
     }
     return text;
 }
