@@ -26,20 +26,20 @@ dvec3 turned(const dvec3& v, double yaw)
 }
 
 /// Smallest half height and middle, and the radius, of a cylinder around the axis that holds a rounded cone wherever it
-/// is turned to; grown by `margin`.
-dvec4 hullOf(const dvec3& foot, const dvec3& tip, double radius, double corner, double margin)
+/// is turned to; grown by `slack`.
+dvec4 hullOf(const dvec3& foot, const dvec3& tip, double radius, double corner, double slack)
 {
     // The base is a disk across the axis of the cone: as high as its slant lets it be.
     const dvec3 axis = glm::normalize(tip - foot);
     const double rise = radius * std::sqrt(std::max(1 - axis.y * axis.y, 0.0));
-    const double low = std::min(foot.y - rise, tip.y) - corner - margin;
-    const double high = std::max(foot.y + rise, tip.y) + corner + margin;
-    const double outer = std::max(std::hypot(foot.x, foot.z) + radius, std::hypot(tip.x, tip.z)) + corner + margin;
+    const double low = std::min(foot.y - rise, tip.y) - corner - slack;
+    const double high = std::max(foot.y + rise, tip.y) + corner + slack;
+    const double outer = std::max(std::hypot(foot.x, foot.z) + radius, std::hypot(tip.x, tip.z)) + corner + slack;
     return {outer, 0.5 * (low + high), 0.5 * (high - low), 0};
 }
 
 /// `stage` cuts what has not come yet.
-glsl::CreamLayer layerOf(const CreamRows& rows, const ParameterValues& values, double rim, int stage, double margin)
+glsl::CreamLayer layerOf(const CreamRows& rows, const ParameterValues& values, double rim, int stage, double slack)
 {
     glsl::CreamLayer layer{};
     const double height = values[rows.height], radius = values[rows.radius];
@@ -63,7 +63,7 @@ glsl::CreamLayer layerOf(const CreamRows& rows, const ParameterValues& values, d
     layer.ball = layer.foot + layer.axis * along;
     layer.ballRadius = reach + 1e-6;  // Rounding.
     layer.ballAngle = std::atan2(layer.ball.z, layer.ball.x);
-    layer.hull = hullOf(layer.foot, tip, layer.radius, corner, margin + 0.25 * layer.blend);
+    layer.hull = hullOf(layer.foot, tip, layer.radius, corner, slack + 0.25 * layer.blend);
     return layer;
 }
 
@@ -199,10 +199,10 @@ IceCreamShape iceCreamShape(const IceCreamRows& t, const ParameterValues& values
 render::Box boxOf(const IceCreamShape& s)
 {
     render::Box box;
-    const auto include = [&box](const dvec4& hull, double margin) {
-        const double r = hull.x + margin;
-        box.include({-r, hull.y - hull.z - margin, -r});
-        box.include({r, hull.y + hull.z + margin, r});
+    const auto include = [&box](const dvec4& hull, double slack) {
+        const double r = hull.x + slack;
+        box.include({-r, hull.y - hull.z - slack, -r});
+        box.include({r, hull.y + hull.z + slack, r});
     };
     const double bulge = 0.25 * double{s.waferBlend} + 1e-4;
     const bool sprinkled = (s.parts >> PART_SPRINKLES & 1) != 0;
