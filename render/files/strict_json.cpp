@@ -226,35 +226,37 @@ void JsonReader::comparePath()
     wantedLine_ = positionIn(source_).line;
 }
 
-[[noreturn]] void fail(const std::string& name, const std::string& problem)
-{
-    throw Failure(Blame::file, name + ": " + problem);
-}
-
 Json JsonReader::read(const std::string& name)
 {
     const std::string_view text = source_.text;
+    const auto refuseWhole = [&](const std::string& why) { throw JsonFailure(name, 1, 1, "", why); };
     if (text.size() > limits_.bytes) {
-        fail(name, "the file has " + std::to_string(text.size()) + " bytes, more than the " +
-                       std::to_string(limits_.bytes) + " allowed for JSON.");
+        refuseWhole("the file has " + std::to_string(text.size()) + " bytes, more than the " +
+                    std::to_string(limits_.bytes) + " allowed for JSON");
     }
-    if (text.empty()) fail(name, "the file is empty; it should hold JSON.");
+    if (text.empty()) refuseWhole("the file is empty; it should hold JSON");
     if (text.starts_with("\xEF\xBB\xBF"))
-        fail(name, "line 1: the file starts with a byte order mark; save it as UTF-8 without one.");
+        refuseWhole("the file starts with a byte order mark; save it as UTF-8 without one");
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        fail(name, "line 1: the file is UTF-16; save it as UTF-8.");
+        refuseWhole("the file is UTF-16; save it as UTF-8");
     if (Json::sax_parse(CountingIterator(source_, 0), CountingIterator(source_, text.size()), this))
         return std::move(root_);
 
     std::size_t& taken = source_.taken;
     while (numberEnded_ && taken > 1 && (text[taken - 1] < '0' || text[taken - 1] > '9')) --taken;
     const JsonPosition at = positionIn(source_);
-    std::string where = ", line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
-    if (const std::string here = path(); !here.empty()) where += ", " + here;
-    fail(name + where, problem_.empty() ? "this is not valid JSON." : problem_ + ".");
+    throw JsonFailure(name, at.line, at.column, path(), problem_.empty() ? "this is not valid JSON" : problem_);
 }
 
 }  // namespace
+
+JsonFailure::JsonFailure(const std::string& file, int line, int column, const std::string& key,
+                         const std::string& problem)
+    : Failure(Blame::file, file + ", line " + std::to_string(line) + ", column " + std::to_string(column) +
+                               (key.empty() ? "" : ", " + key) + ": " + problem + "."),
+      line_(line), column_(column), key_(key), problem_(problem)
+{
+}
 
 int JsonDocument::lineOf(std::string_view keyPath) const
 {

@@ -22,6 +22,22 @@ struct JsonLimits {
     std::size_t stringBytes = 1U << 20U;  ///< Of one string or key.
 };
 
+/// Where a text stops being JSON, and why; `what()` has it all in one sentence.
+class JsonFailure : public Failure {
+public:
+    /// `key` is a path ("values.morph"), empty outside of objects; `problem` a sentence without its full stop.
+    JsonFailure(const std::string& file, int line, int column, const std::string& key, const std::string& problem);
+
+    [[nodiscard]] int line() const { return line_; }      ///< From 1.
+    [[nodiscard]] int column() const { return column_; }  ///< From 1, in bytes.
+    [[nodiscard]] const std::string& key() const { return key_; }
+    [[nodiscard]] const std::string& problem() const { return problem_; }
+
+private:
+    int line_, column_;
+    std::string key_, problem_;
+};
+
 /// A JSON text that was read, and that can still say where each of its keys stands.
 class JsonDocument {
 public:
@@ -51,7 +67,7 @@ private:
 /// Reads one JSON value, strictly (RFC 8259): beyond what the grammar refuses, it refuses a byte order
 /// mark, a key that stands twice in one object, numbers beyond double range (1e999), invalid UTF-8, NUL in
 /// strings, control characters in keys, and everything beyond `limits`. `name` is the file's name for
-/// messages. Throws Failure naming file, line, column and, inside an object, the key path. Does not recurse.
+/// messages. Throws JsonFailure naming file, line, column and, inside an object, the key path. Does not recurse.
 [[nodiscard]] JsonDocument parseJson(std::string text, std::string name, const JsonLimits& limits = {});
 
 /// Reads a regular file with `parseJson`. Throws Failure as `readFile` and `parseJson` do.
