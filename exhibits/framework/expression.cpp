@@ -65,6 +65,68 @@ constexpr std::array<UnitWord, 23> unitWords = {{
     {"h", 1, {Measure::hour, 1}},  // Of the day: no length of time.
 }};
 
+const UnitWord* findUnit(std::string_view word)
+{
+    const auto* found =
+        std::find_if(unitWords.begin(), unitWords.end(), [&](const UnitWord& u) { return u.word == word; });
+    return found == unitWords.end() ? nullptr : found;
+}
+
+std::optional<Number> findConstant(std::string_view word)
+{
+    if (word == "pi" || word == "π") return std::numbers::pi_v<Number>;
+    if (word == "e") return std::numbers::e_v<Number>;
+    return std::nullopt;
+}
+
+struct FunctionWord {
+    std::string_view word;
+    std::size_t arguments;
+    bool keepsUnit;  ///< Of its arguments, which have one unit; else they are plain numbers or angles.
+    Number (*of)(const Number* x);
+};
+
+Number smoothStepOf(const Number* x)
+{
+    if (!(x[0] < x[1])) return x[2] < x[0] ? 0 : 1;
+    const Number u = std::clamp((x[2] - x[0]) / (x[1] - x[0]), Number(0), Number(1));
+    return u * u * (3 - 2 * u);
+}
+
+constexpr std::array<FunctionWord, 11> functionWords = {{
+    {"sin", 1, false, [](const Number* x) { return std::sin(x[0]); }},
+    {"cos", 1, false, [](const Number* x) { return std::cos(x[0]); }},
+    {"sqrt", 1, false, [](const Number* x) { return std::sqrt(x[0]); }},
+    {"smoothstep", 3, false, smoothStepOf},
+    {"abs", 1, true, [](const Number* x) { return std::abs(x[0]); }},
+    {"floor", 1, true, [](const Number* x) { return std::floor(x[0]); }},
+    {"min", 2, true, [](const Number* x) { return std::min(x[0], x[1]); }},
+    {"max", 2, true, [](const Number* x) { return std::max(x[0], x[1]); }},
+    {"mod", 2, true, [](const Number* x) { return x[0] - x[1] * std::floor(x[0] / x[1]); }},
+    {"clamp", 3, true, [](const Number* x) { return std::max(x[1], std::min(x[0], x[2])); }},
+    {"mix", 3, true, [](const Number* x) { return x[0] * (1 - x[2]) + x[1] * x[2]; }},
+}};
+
+const FunctionWord* findFunction(std::string_view word)
+{
+    const auto* found =
+        std::find_if(functionWords.begin(), functionWords.end(), [&](const FunctionWord& f) { return f.word == word; });
+    return found == functionWords.end() ? nullptr : found;
+}
+
+bool isNameStart(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+/// The name that the text begins with; empty: none.
+std::string_view nameAtStart(std::string_view text)
+{
+    std::size_t end = 0;
+    while (end < text.size() && (isNameStart(text[end]) || (end > 0 && text[end] >= '0' && text[end] <= '9'))) ++end;
+    return text.substr(0, end);
+}
+
 Dimension dimensionOf(Unit unit)
 {
     switch (unit) {
@@ -92,7 +154,10 @@ public:
     /// What a unit behind a division belongs to: "1/50 s" is 1/(50 s), or (1/50) s.
     enum class Suffix : std::uint8_t { divisor, quotient };
 
-    Parser(std::string_view text, Unit unit, Suffix suffix) : text_(text), unit_(unit), suffix_(suffix) {}
+    Parser(std::string_view text, Unit unit, Suffix suffix, const ExpressionNames* names)
+        : text_(text), unit_(unit), suffix_(suffix), names_(names)
+    {
+    }
 
     std::optional<double> result()
     {
@@ -220,6 +285,20 @@ private:
     {
         const bool keepSuffix = std::exchange(keepSuffix_, false);
         std::optional<Quantity> q;
+        if (names_) {
+            skipBlanks();
+            const std::string_view name = nameAtStart(text_.substr(at_));
+            if (const FunctionWord* function = findFunction(name);
+                function && text_.substr(at_ + name.size()).starts_with('(')) {
+                at_ += name.size() + 1;
+                return call(*function);
+            }
+            if (const std::optional<NamedValue> named = name.empty() ? std::nullopt : (*names_)(name)) {
+                at_ += name.size();
+                const Number value = named->value;
+                return Quantity{value, dimensionOf(named->unit)};
+            }
+        }
         if (take("(")) {
             q = sum();
             if (!q || !take(")")) return std::nullopt;
@@ -228,6 +307,27 @@ private:
         }
         if (!q) return wordAlone();
         return keepSuffix ? q : withSuffix(*q);
+    }
+
+    /// From behind its opening parenthesis.
+    std::optional<Quantity> call(const FunctionWord& function)
+    {
+        std::array<Quantity, 3> given{};
+        for (std::size_t i = 0; i < function.arguments; ++i) {
+            if (i > 0 && !take(",")) return std::nullopt;
+            const std::optional<Quantity> argument = sum();
+            if (!argument) return std::nullopt;
+            given[i] = *argument;
+            const bool plain = !function.keepsUnit || (function.word == "mix" && i == 2);
+            const bool angle = given[i].dimension == Dimension{Measure::angle, 1};
+            if (plain && given[i].dimension != Dimension{} && !angle) return std::nullopt;
+            if (plain) continue;
+            for (std::size_t j = 0; j < i; ++j)
+                if (!sameDimension(given[j], given[i])) return std::nullopt;
+        }
+        if (!take(")")) return std::nullopt;
+        const std::array<Number, 3> values{given[0].value, given[1].value, given[2].value};
+        return Quantity{function.of(values.data()), function.keepsUnit ? given[0].dimension : Dimension{}};
     }
 
     std::optional<Quantity> number()
@@ -240,19 +340,6 @@ private:
         if (end.ec != std::errc()) return std::nullopt;
         at_ += static_cast<std::size_t>(end.ptr - rest.data());
         return Quantity{x, {}};
-    }
-
-    static const UnitWord* findUnit(std::string_view word)
-    {
-        const auto* found =
-            std::find_if(unitWords.begin(), unitWords.end(), [&](const UnitWord& u) { return u.word == word; });
-        return found == unitWords.end() ? nullptr : found;
-    }
-    static std::optional<Number> findConstant(std::string_view word)
-    {
-        if (word == "pi" || word == "π") return std::numbers::pi_v<Number>;
-        if (word == "e") return std::numbers::e_v<Number>;
-        return std::nullopt;
     }
 
     /// "2 pi", "30 deg", "2 pi rad".
@@ -288,14 +375,13 @@ private:
     std::string_view text_;
     Unit unit_;
     Suffix suffix_;
+    const ExpressionNames* names_;
     bool keepSuffix_ = false;  // The next atom leaves its unit to the quotient.
     std::size_t at_ = 0;
     int depth_ = 0;
 };
 
-}  // namespace
-
-std::optional<double> evaluate(std::string_view text, Unit unit)
+std::optional<double> evaluateWith(std::string_view text, Unit unit, const ExpressionNames* names)
 {
     constexpr std::size_t longest = 4096;
     if (text.size() > longest) return std::nullopt;
@@ -304,8 +390,43 @@ std::optional<double> evaluate(std::string_view text, Unit unit)
         plain && std::isfinite(*plain) && info(unit).shownPerStored == 1)
         return plain;
     // The reading that measures the right thing is meant: 1/(20 ms) in hertz, (1/50) s in seconds.
-    const std::optional<double> x = Parser(text, unit, Parser::Suffix::divisor).result();
-    return x ? x : Parser(text, unit, Parser::Suffix::quotient).result();
+    const std::optional<double> x = Parser(text, unit, Parser::Suffix::divisor, names).result();
+    return x ? x : Parser(text, unit, Parser::Suffix::quotient, names).result();
+}
+
+}  // namespace
+
+std::optional<double> evaluate(std::string_view text, Unit unit)
+{
+    return evaluateWith(text, unit, nullptr);
+}
+
+std::optional<double> evaluate(std::string_view text, Unit unit, const ExpressionNames& names)
+{
+    return evaluateWith(text, unit, &names);
+}
+
+std::vector<std::string> namesIn(std::string_view text)
+{
+    std::vector<std::string> names;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::string_view rest = text.substr(at);
+        if (Number number = 0; (rest.front() >= '0' && rest.front() <= '9') || rest.front() == '.') {
+            const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+            at += std::max<std::size_t>(1, static_cast<std::size_t>(end.ptr - rest.data()));
+            continue;
+        }
+        const std::string_view name = nameAtStart(rest);
+        if (!name.empty() && !isExpressionWord(name) && std::find(names.begin(), names.end(), name) == names.end())
+            names.emplace_back(name);
+        at += std::max<std::size_t>(1, name.size());
+    }
+    return names;
+}
+
+bool isExpressionWord(std::string_view word)
+{
+    return findUnit(word) || findConstant(word) || findFunction(word);
 }
 
 }  // namespace vitrine
