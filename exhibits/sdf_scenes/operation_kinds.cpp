@@ -1,0 +1,389 @@
+#include "exhibits/sdf_scenes/node_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Operations: of several children, of one, and those that repeat one.
+
+namespace vitrine::scenes {
+namespace {
+
+constexpr unsigned evenInXz = evenInX | evenInZ;
+
+std::vector<Field> blendFields()
+{
+    return {{"blend",
+             FieldType::choice,
+             Unit::none,
+             0,
+             3,
+             0,
+             3,
+             {0, 0, 0},
+             "How the surfaces run into each other.",
+             {"quadratic", "cubic", "circular", "exponential"}},
+            width("blendWidth", 0, "How far the blend reaches; 0 is a hard edge.")};
+}
+
+render::Box overlap(const render::Box& a, const render::Box& b)
+{
+    return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
+}
+
+render::Box joined(const render::Box& a, const render::Box& b)
+{
+    return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
+
+Extent joinedExtent(const Extent& a, const Extent& b)
+{
+    return {joined(a.box, b.box), a.even & b.even, a.flat && b.flat};
+}
+
+/// A blend takes at most this share of its width from the distance, for each further child (the exponential one, from
+/// the limit for two).
+double levelOfOperand(const double* v, double level, double siblings)
+{
+    constexpr double shares[] = {0.25, 1.0 / 6, 0.3, 1};
+    return level + shares[static_cast<int>(v[0])] * std::min(v[1], 1000.0) * siblings;
+}
+
+/// Half the width of a box around the y axis.
+double radiusAround(const render::Box& box)
+{
+    const glm::dvec3 far = glm::max(glm::abs(box.low), glm::abs(box.high));
+    return std::hypot(far.x, far.z);
+}
+
+Extent extruded(const Extent& child, const double* v, double level)
+{
+    Extent all{child.box, (child.even & (evenInX | evenInY)) | evenInZ};
+    all.box.low.z = -0.5 * v[0] - level;
+    all.box.high.z = 0.5 * v[0] + level;
+    return all;
+}
+
+Extent revolved(const Extent& child, const double* v, double)
+{
+    const double reach = std::max({child.box.high.x + v[0], 0.0});
+    return {{{-reach, child.box.low.y, -reach}, {reach, child.box.high.y, reach}}, evenInXz | (child.even & evenInY)};
+}
+
+Extent mirrored(const Extent& child, const double* v, double)
+{
+    Extent all = child;
+    for (int i = 0; i < 3; ++i) {
+        if (v[i] < 0.5) continue;
+        const double reach = std::max(child.box.high[i], 0.0);
+        all.box.low[i] = -reach;
+        all.box.high[i] = reach;
+        all.even |= 1U << i;
+    }
+    return all;
+}
+
+Extent sameExtent(const Extent& child, const double*, double)
+{
+    return child;
+}
+
+/// Where space is sheared, what is within a level is known for level 0 alone.
+double levelOfSheared(const double* v, double level, double)
+{
+    return level > 0 && v[0] != 0 ? noEnd : level;
+}
+
+/// How many copies may be nearest along an axis of a child from `low` to `high`.
+double copiesAsked(double low, double high, bool even, double spacing, double copies)
+{
+    if (even && high <= 0.5 * spacing) return 1;
+    const double most = std::max(std::ceil((high - low) / spacing), 0.0) + 1;
+    return copies > 0.5 ? std::min(most, copies) : most;
+}
+
+Asked askedCells(const Extent& child, bool exactChild, const double* v)
+{
+    Asked asked;
+    double copies = 1;
+    bool allEven = true;
+    double nearest = noEnd;
+    for (int i = 0; i < 3; ++i) {
+        if (!(v[i] > 0)) continue;
+        nearest = std::min(nearest, v[i]);
+        const bool even = (child.even & (1U << i)) != 0;
+        asked.times[i] = copiesAsked(child.box.low[i], child.box.high[i], even, v[i], v[i + 3]);
+        asked.high[i] = asked.times[i] > 1 ? child.box.high[i] : 0;
+        const bool own = (even && child.box.high[i] <= 0.5 * v[i]) || v[i + 3] == 1;
+        allEven = allEven && own;
+        copies *= v[i + 3] > 0.5 ? v[i + 3] : noEnd;
+    }
+    if (exactChild || allEven) return asked;
+    constexpr double fewCopies = 27;
+    asked.cap = copies <= fewCopies ? 0 : 0.5 * nearest;
+    for (int i = 0; i < 3; ++i) {
+        if (!(v[i] > 0)) continue;
+        // All copies, or those whose boxes are within the cap.
+        const double within = std::floor((child.box.high[i] - child.box.low[i] + 2 * asked.cap) / v[i]) + 1;
+        asked.times[i] = asked.cap == 0 ? v[i + 3] : v[i + 3] > 0.5 ? std::min(within, v[i + 3]) : within;
+        asked.high[i] = child.box.high[i] + asked.cap - 0.5 * v[i];
+    }
+    asked.box = child.box;
+    return asked;
+}
+
+Extent repeatedExtent(const Extent& child, const double* v, double)
+{
+    Extent all{child.box, 0};
+    for (int i = 0; i < 3; ++i) {
+        if (!(v[i] > 0)) continue;
+        const double reach = v[i + 3] > 0.5 ? 0.5 * (v[i + 3] - 1) * v[i] : noEnd;
+        all.box.low[i] -= reach;
+        all.box.high[i] += reach;
+    }
+    return all;
+}
+
+Asked askedAround(const Extent& child, bool exactChild, const double* v)
+{
+    const double sector = 2 * std::numbers::pi / v[0];
+    const render::Box& box = child.box;
+    Asked all;
+    all.times.x = v[0];
+    const bool aroundAxis = !(box.low.x > 0 || box.high.x < 0 || box.low.z > 0 || box.high.z < 0);
+    if (aroundAxis || box.empty()) return all;
+    // The box does not hold the axis, so its corners span less than half a turn around its middle.
+    const glm::dvec3 center = glm::clamp(box.center(), glm::dvec3(-1e9), glm::dvec3(1e9));
+    const double middle = std::atan2(center.z, center.x);
+    double low = 0;
+    double high = 0;
+    for (const double x : {box.low.x, box.high.x})
+        for (const double z : {box.low.z, box.high.z}) {
+            const double away = std::remainder(std::atan2(z, x) - middle, 2 * std::numbers::pi);
+            low = std::min(low, away);
+            high = std::max(high, away);
+        }
+    if (!(std::isfinite(low) && std::isfinite(high))) return all;
+    const bool own = (child.even & evenInZ) != 0 && box.low.x > 0 && high - low <= sector;
+    if (!own && !exactChild) return all;
+    all.times.x = own ? 1 : std::min(std::ceil((high - low) / sector) + 1, v[0]);
+    all.high.x = own ? 0 : middle + high;
+    return all;
+}
+
+/// Around the y axis, as far as the child reaches.
+Extent turnedExtent(const Extent& child, const double*, double)
+{
+    const double reach = radiusAround(child.box);
+    return {{{-reach, child.box.low.y, -reach}, {reach, child.box.high.y, reach}}, 0};
+}
+
+Extent bentExtent(const Extent& child, const double*, double)
+{
+    const glm::dvec3 far = glm::max(glm::abs(child.box.low), glm::abs(child.box.high));
+    const double reach = std::hypot(far.x, far.y);
+    return {{{-reach, -reach, child.box.low.z}, {reach, reach, child.box.high.z}}, 0};
+}
+
+/// What changes the distance, or where it is asked, by the same everywhere.
+void addReshaping(std::vector<NodeKind>& kinds)
+{
+    const auto add = [&](NodeKind kind) {
+        kind.form = Form::modifier;
+        kinds.push_back(std::move(kind));
+    };
+    add({.name = "round",
+         .help = "Grown, with round edges.",
+         .fields = {width("radius", 0.05, "By how much.")},
+         .exactness = Exactness::exactOutside,
+         .after = SCENE_AFTER(sdfRound(d, V(0))),
+         .childLevel = [](const double* v, double level, double) { return level + v[0]; },
+         .extentOf = sameExtent});
+    add({.name = "onion",
+         .help = "A wall around the surface, hollow inside.",
+         .fields = {size("thickness", 0.05, "Of the wall.")},
+         .exactness = Exactness::bound,
+         .after = SCENE_AFTER(sdfOnion(d, V(0))),
+         .childLevel = [](const double* v, double level, double) { return level + 0.5 * v[0]; },
+         .extentOf = sameExtent});
+    add({.name = "elongate",
+         .help = "Cut at the origin and drawn apart along the axes.",
+         .fields = {{"size", FieldType::vector, Unit::meter, 0, largestSize, 0, 2, {0.5, 0, 0}, "Of the gaps."}},
+         .exactness = Exactness::bound,
+         .place = SCENE_PLACE(sdfElongate(p, 0.5 * V3(0))),
+         .extentOf = [](const Extent& child, const double* v, double) {
+             return Extent{{child.box.low - 0.5 * vec3At(v, 0), child.box.high + 0.5 * vec3At(v, 0)}, child.even};
+         }});
+    add({.name = "extrude",
+         .help = "What the child has in its plane z = 0, drawn out along z.",
+         .fields = {size("height", 0.4, "Along z.")},
+         .ofFlatChild = true,
+         .place = SCENE_PLACE(sceneFlat(p)),
+         .after = SCENE_AFTER(sdfExtrude(d, p.z, 0.5 * V(0))),
+         .extentOf = extruded});
+    add({.name = "revolve",
+         .help = "What the child has in its plane z = 0, turned around the y axis.",
+         .fields = {width("offset", 0.5, "Moves it out from the axis first.")},
+         .exactness = Exactness::exactOutside,
+         .ofFlatChild = true,
+         .place = SCENE_PLACE(sceneRevolve(p, V(0))),
+         .extentOf = revolved});
+    add({.name = "mirror",
+         .help = "The half with positive coordinates, and its mirror image.",
+         .fields = {toggle("x", true, "Across the plane x = 0."), toggle("y", false, "Across the plane y = 0."),
+                    toggle("z", false, "Across the plane z = 0.")},
+         .exactness = Exactness::bound,
+         .place = SCENE_PLACE(sceneMirror(p, V3(0))),
+         .extentOf = mirrored});
+}
+
+/// What stretches space, or the distance, by more in some places.
+void addDistorting(std::vector<NodeKind>& kinds)
+{
+    const auto add = [&](NodeKind kind) {
+        kind.form = Form::modifier;
+        kinds.push_back(std::move(kind));
+    };
+    add({.name = "twist",
+         .help = "Turned about the y axis, the more the higher.",
+         .fields = {angle("rate", 90, -3600, 3600, "For each meter.")},
+         .exactness = Exactness::bound,
+         .place = SCENE_PLACE(sceneTwist(p, V(0))),
+         .after = SCENE_AFTER(sceneTwisted(d, p, V(0))),
+         .lipschitz = [](const glm::dvec3& p, const double* v) { return 1 + std::abs(v[0]) * std::hypot(p.x, p.z); },
+         .childLevel = levelOfSheared,
+         .extentOf = turnedExtent});
+    add({.name = "bend",
+         .help = "Turned about the z axis, the more the farther along x.",
+         .fields = {angle("rate", 30, -3600, 3600, "For each meter.")},
+         .exactness = Exactness::bound,
+         .place = SCENE_PLACE(sceneBend(p, V(0))),
+         .after = SCENE_AFTER(sceneBent(d, p, V(0))),
+         .lipschitz = [](const glm::dvec3& p, const double* v) { return 1 + std::abs(v[0]) * std::hypot(p.x, p.y); },
+         .childLevel = levelOfSheared,
+         .extentOf = bentExtent});
+    add({.name = "displace",
+         .help = "Moved in and out by smooth noise.",
+         .fields = {width("amplitude", 0.05, "Of the first octave."),
+                    plain("frequency", 4, 0.01, 100, "Cells for each meter."),
+                    count("octaves", 1, 1, 8, "Finer noises that are added."),
+                    plain("gain", 0.5, 0, 1, "Strength of each octave against the one before."),
+                    point("shift", {0, 0, 0}, "Moves the noise through the shape.")},
+         .exactness = Exactness::bound,
+         .after = SCENE_AFTER(sceneDisplaced(d, p, V(0), V(1), V(2), V(3), V3(4))),
+         .lipschitz = [](const glm::dvec3&,
+                         const double* v) { return glsl::sceneDisplacementSlope(v[0], v[1], v[2], v[3]); },
+         .childLevel =
+             [](const double* v, double level, double) {
+                 const double octaves = v[3] < 1 ? (1 - std::pow(v[3], v[2])) / (1 - v[3]) : v[2];
+                 return level * glsl::sceneDisplacementSlope(v[0], v[1], v[2], v[3]) + v[0] * octaves;
+             },
+         .extentOf =
+             [](const Extent& child, const double*, double) {
+                 return Extent{child.box, 0};
+             }});
+}
+
+}  // namespace
+
+std::vector<NodeKind> operandKinds()
+{
+    std::vector<NodeKind> kinds;
+    const auto fields = blendFields();
+    kinds.push_back({.name = "union",
+                     .form = Form::operands,
+                     .help = "All children together.",
+                     .fields = fields,
+                     .exactness = Exactness::exactOutside,
+                     .combine = SCENE_COMBINE(sceneUnion(a, b, V(1), int(V(0)))),
+                     .share = SCENE_COMBINE(sceneUnionShare(a, b, V(1), int(V(0)))),
+                     .childLevel = levelOfOperand,
+                     .extentOfTwo = joinedExtent});
+    kinds.push_back({.name = "subtraction",
+                     .form = Form::operands,
+                     .help = "The first child without the others.",
+                     .fields = fields,
+                     .exactness = Exactness::bound,
+                     .combine = SCENE_COMBINE(sceneSubtraction(a, b, V(1), int(V(0)))),
+                     .share = SCENE_COMBINE(sceneSubtractionShare(a, b, V(1), int(V(0)))),
+                     .extentOfTwo = [](const Extent& a, const Extent& b) {
+                         return Extent{a.box, a.even & b.even, a.flat && b.flat};
+                     }});
+    kinds.push_back({.name = "intersection",
+                     .form = Form::operands,
+                     .help = "What all children share.",
+                     .fields = fields,
+                     .exactness = Exactness::bound,
+                     .combine = SCENE_COMBINE(sceneIntersection(a, b, V(1), int(V(0)))),
+                     .share = SCENE_COMBINE(sceneIntersectionShare(a, b, V(1), int(V(0)))),
+                     .extentOfTwo = [](const Extent& a, const Extent& b) {
+                         return Extent{overlap(a.box, b.box), a.even & b.even, a.flat && b.flat};
+                     }});
+    kinds.push_back({.name = "xor",
+                     .form = Form::operands,
+                     .help = "What is in an odd number of children.",
+                     .fields = fields,
+                     .exactness = Exactness::bound,
+                     .combine = SCENE_COMBINE(sceneXor(a, b, V(1), int(V(0)))),
+                     .share = SCENE_COMBINE(sceneXorShare(a, b, V(1), int(V(0)))),
+                     .childLevel = levelOfOperand,
+                     .extentOfTwo = joinedExtent});
+    kinds.push_back({.name = "morph",
+                     .form = Form::pair,
+                     .help = "Between the first child and the second.",
+                     .fields = {plain("share", 0.5, 0, 1, "0 is the first, 1 the second.")},
+                     .exactness = Exactness::bound,
+                     .combine = SCENE_COMBINE(sdfMix(a, b, V(0))),
+                     .share = SCENE_COMBINE(sceneMixShare(V(0))),
+                     .extentOfTwo = joinedExtent});
+    return kinds;
+}
+
+std::vector<NodeKind> modifierKinds()
+{
+    std::vector<NodeKind> kinds;
+    addReshaping(kinds);
+    addDistorting(kinds);
+    return kinds;
+}
+
+std::vector<NodeKind> repeaterKinds()
+{
+    std::vector<NodeKind> kinds;
+    const Field spacing{"spacing", FieldType::vector, Unit::meter,
+                        0,         largestSize,       0,
+                        4,         {1, 0, 0},         "Between copies, along x, y and z; 0 repeats nothing there."};
+    const Field copies{"count",
+                       FieldType::counts,
+                       Unit::none,
+                       0,
+                       1e6,
+                       0,
+                       32,
+                       {3, 1, 1},
+                       "How many along x, y and z; 0 is without end."};
+    kinds.push_back({.name = "repeat",
+                     .form = Form::repeater,
+                     .help = "Copies along the axes, around the origin.",
+                     .fields = {spacing, copies},
+                     .exactness = Exactness::exactOutside,
+                     .copy = SCENE_COPY(sceneRepeated(p, i, V3(0), V3(3), V3(6), V3(9))),
+                     .extentOf = repeatedExtent,
+                     .asked = askedCells,
+                     .fault = [](const double* v) {
+                         for (int i = 0; i < 3; ++i)
+                             if (v[i] > 0 && v[i] < smallestSize)
+                                 return std::string("the copies are nearer than 0.1 mm; give a larger spacing, or 0");
+                         return std::string();
+                     }});
+    kinds.push_back({.name = "repeatAround",
+                     .form = Form::repeater,
+                     .help = "Copies around the y axis, the first where the child is.",
+                     .fields = {count("count", 6, 1, 1e4, "How many.")},
+                     .exactness = Exactness::exactOutside,
+                     .copy = SCENE_COPY(sceneRepeatedAround(p, i, V(0), V(1))),
+                     .extentOf = turnedExtent,
+                     .asked = askedAround});
+    return kinds;
+}
+
+}  // namespace vitrine::scenes

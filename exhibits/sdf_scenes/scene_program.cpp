@@ -1,0 +1,322 @@
+#include "exhibits/sdf_scenes/scene_program.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::scenes {
+namespace {
+
+/// A rotation about z, then y, then x; radians. Its columns are the axes of the turned space.
+glm::dmat3 rotationOf(const double* angles)
+{
+    const glm::dmat4 one(1);
+    return glm::dmat3(glm::rotate(one, angles[0], {1, 0, 0}) * glm::rotate(one, angles[1], {0, 1, 0}) *
+                      glm::rotate(one, angles[2], {0, 0, 1}));
+}
+
+/// What a Phong material is as metal and glaze, and the other way round: highlights of one width, mirrors of one
+/// strength.
+void fillMaterial(const Record& record, const double* v, double* words)
+{
+    for (std::size_t i = 0; i < 3; ++i) words[i] = v[i];
+    double* rest =
+        words + 3;  // ambient, diffuse, specular, shininess, mirror, metalness, roughness, reflectance, index
+    if (record.kind->name == "phong") {
+        std::copy(v + 3, v + 8, rest);
+        const double mirror = v[7];
+        rest[5] = mirror;
+        rest[6] = mirror > 0 ? 0.02 : std::min(1.0, std::pow(2 / (v[6] + 2), 0.25));
+        rest[7] = std::min(1.0, 0.5 * v[5] + 0.25);
+        rest[8] = 1.5;
+        return;
+    }
+    std::copy(v + 3, v + 7, rest + 5);
+    const double alpha = std::max(v[4] * v[4], 0.01);
+    rest[0] = 0.2;
+    rest[1] = 1 - v[3];
+    rest[2] = v[5];
+    rest[3] = std::clamp(2 / (alpha * alpha) - 2, 1.0, 1e4);
+    rest[4] = v[4] < 0.3 ? v[3] * (1 - v[4] / 0.3) : 0;
+}
+
+/// The box around one that is turned and moved; an endless side makes it endless wherever it may turn to.
+render::Box placedBox(render::Box box, const double* words, const ProgramNode& node)
+{
+    if (box.empty()) return box;
+    if (node.scale != none) {
+        const glm::dvec3 factor = 1.0 / glm::dvec3(words[node.scale], words[node.scale + 1], words[node.scale + 2]);
+        box = {box.low * factor, box.high * factor};
+    }
+    if (node.rotate != none) {
+        render::Box turned{glm::dvec3(0), glm::dvec3(0)};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double* column = words + node.rotate + 3 * axis;
+            for (int i = 0; i < 3; ++i) {
+                if (column[i] == 0) continue;  // 0 times infinity is no number.
+                turned.low[i] += std::min(column[i] * box.low[axis], column[i] * box.high[axis]);
+                turned.high[i] += std::max(column[i] * box.low[axis], column[i] * box.high[axis]);
+            }
+        }
+        box = turned;
+    }
+    if (node.translate != none) {
+        const glm::dvec3 by(words[node.translate], words[node.translate + 1], words[node.translate + 2]);
+        box = {box.low + by, box.high + by};
+    }
+    return box;
+}
+
+/// What is nowhere, as an intersection may be, at a point.
+Extent withPlace(Extent extent)
+{
+    if (!extent.box.empty()) return extent;
+    for (int i = 0; i < 3; ++i) {
+        const double middle = extent.box.center()[i];
+        extent.box.low[i] = extent.box.high[i] = std::isfinite(middle) ? middle : 0;
+    }
+    return extent;
+}
+
+}  // namespace
+
+SceneProgram::SceneProgram(std::shared_ptr<const Scene> scene) : scene_(std::move(scene))
+{
+    keepNodes();
+    placeWords();
+    writeSteps();
+    findExactness();
+}
+
+void SceneProgram::keepNodes()
+{
+    const std::vector<Node>& all = scene_->nodes;
+    std::vector<char> kept(all.size(), 0);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        kept[i] = !all[i].hidden && (all[i].parent == none || kept[all[i].parent]);
+    // Children stand behind their parents, so backwards each is decided before its parent.
+    std::vector<char> hasChild(all.size(), 0);
+    for (std::size_t i = all.size(); i-- > 0;) {
+        const Node& node = all[i];
+        if (kept[i] && node.kind->form != Form::shape) {
+            const bool needsFirst = node.kind->name == "subtraction" && !kept[node.firstChild];
+            kept[i] = hasChild[i] && !needsFirst;
+        }
+        if (kept[i] && node.parent != none) hasChild[node.parent] = 1;
+    }
+    std::vector<std::uint32_t> programNode(all.size(), none);
+    std::vector<std::uint32_t> lastChild;
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+        const std::uint32_t parent = all[i].parent == none ? none : programNode[all[i].parent];
+        if (!kept[i] || (all[i].parent != none && parent == none)) continue;
+        const auto index = static_cast<std::uint32_t>(nodes_.size());
+        programNode[i] = index;
+        ProgramNode node;
+        node.node = i;
+        node.parent = parent;
+        node.material = all[i].material;
+        nodes_.push_back(node);
+        lastChild.push_back(none);
+        if (parent == none) continue;
+        ++nodes_[parent].children;
+        (lastChild[parent] == none ? nodes_[parent].firstChild : nodes_[lastChild[parent]].next) = index;
+        lastChild[parent] = index;
+    }
+}
+
+void SceneProgram::placeWords()
+{
+    std::uint32_t word = 0;
+    const auto take = [&](bool present, std::uint32_t words) {
+        const std::uint32_t at = word;
+        if (present) word += words;
+        return present ? at : none;
+    };
+    materialWords_.assign(scene_->materials.size(), none);
+    for (ProgramNode& node : nodes_) {
+        const Node& of = scene_->nodes[node.node];
+        if (of.kind->form == Form::shape && materialWords_[of.material] == none)
+            materialWords_[of.material] = take(true, wordsOfMaterial);
+    }
+    for (ProgramNode& node : nodes_) {
+        const Node& of = scene_->nodes[node.node];
+        node.translate = take(of.translate != none, 3);
+        node.rotate = take(of.rotate != none, 9);
+        node.scale = take(of.scale != none, 4);
+        node.numbers = take(true, static_cast<std::uint32_t>(of.kind->numbers()));
+        take(of.kind->form == Form::repeater, numbersOfAsked);
+    }
+    wordCount_ = word;
+}
+
+void SceneProgram::writeSteps()
+{
+    std::vector<std::uint32_t> entered(nodes_.size());
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+        entered[i] = static_cast<std::uint32_t>(steps_.size());
+        steps_.push_back({Step::Type::enter, i});
+        if (nodes_[i].firstChild != none) continue;
+        steps_.push_back({Step::Type::shape, i});
+        // Ends this node, and every one whose last child ends.
+        for (std::uint32_t done = i;;) {
+            steps_.push_back({Step::Type::leave, done});
+            const std::uint32_t parent = nodes_[done].parent;
+            if (parent == none) break;
+            const Form form = kind(nodes_[parent]).form;
+            if (form == Form::modifier)
+                steps_.push_back({Step::Type::modify, parent, done});
+            else if (form == Form::repeater)
+                steps_.push_back({Step::Type::again, parent, done, entered[parent] + 1});
+            else
+                steps_.push_back(
+                    {nodes_[parent].firstChild == done ? Step::Type::first : Step::Type::combine, parent, done});
+            if (nodes_[done].next != none) break;
+            done = parent;
+        }
+    }
+}
+
+/// From what does not change while it is drawn: a number that is computed counts as any.
+void SceneProgram::findExactness()
+{
+    const auto constant = [&](std::uint32_t number, double value) {
+        return scene_->numbers[number].expression == none && scene_->numbers[number].value == value;
+    };
+    std::vector<char> flat(nodes_.size(), 0);
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+        ProgramNode& node = nodes_[i];
+        const Node& of = scene_->nodes[node.node];
+        node.exactness = of.kind->exactness;
+        if (of.kind->form == Form::operands && node.children == 1) node.exactness = Exactness::exact;
+        bool flatChildren = true;
+        for (std::uint32_t c = node.firstChild; c != none; c = nodes_[c].next) {
+            node.exactness = std::max(node.exactness, nodes_[c].exactness);
+            flatChildren = flatChildren && flat[c];
+        }
+        if (of.kind->form == Form::shape) {
+            std::vector<double> v(of.kind->numbers());
+            for (std::size_t k = 0; k < v.size(); ++k) v[k] = scene_->numbers[of.numbers + k].value;
+            flat[i] = of.kind->extent(v.data()).flat && of.kind->name != "plane";
+        } else {
+            flat[i] = flatChildren && of.kind->form == Form::operands;
+        }
+        if (of.kind->ofFlatChild && !flatChildren) node.exactness = Exactness::bound;
+        const bool blends = of.kind->form == Form::operands && node.children > 1;
+        if (blends && !constant(of.numbers + 1, 0)) node.exactness = Exactness::bound;
+        if (of.rotate != none) flat[i] = 0;
+        if (of.scale == none) continue;
+        const double first = scene_->numbers[of.scale].value;
+        for (std::uint32_t k = 0; k < 3; ++k)
+            if (!constant(of.scale + k, first)) node.exactness = Exactness::bound;
+    }
+}
+
+SceneWords SceneProgram::words(const std::vector<double>& numbers) const
+{
+    SceneWords all;
+    all.words.resize(wordCount_);
+    std::vector<double>& words = all.words;
+    for (std::size_t m = 0; m < materialWords_.size(); ++m) {
+        if (materialWords_[m] == none) continue;
+        fillMaterial(scene_->materials[m], &numbers[scene_->materials[m].numbers], &words[materialWords_[m]]);
+    }
+    for (const ProgramNode& node : nodes_) {
+        const Node& of = scene_->nodes[node.node];
+        std::copy_n(numbers.begin() + of.numbers, of.kind->numbers(), words.begin() + node.numbers);
+        normalizeDirections(of.kind->fields, words.data() + node.numbers);
+        if (node.translate != none) std::copy_n(numbers.begin() + of.translate, 3, words.begin() + node.translate);
+        if (node.rotate != none) {
+            const glm::dmat3 turn = rotationOf(&numbers[of.rotate]);
+            for (int column = 0; column < 3; ++column)
+                for (int row = 0; row < 3; ++row)
+                    words[node.rotate + static_cast<std::uint32_t>(3 * column + row)] = turn[column][row];
+        }
+        if (node.scale != none) {
+            const double* factors = &numbers[of.scale];
+            for (std::uint32_t i = 0; i < 3; ++i) words[node.scale + i] = 1 / factors[i];
+            words[node.scale + 3] = std::min({factors[0], factors[1], factors[2]});
+        }
+    }
+    fillExtents(all);
+    return all;
+}
+
+/// Of a node in its own space, from those of its children.
+Extent SceneProgram::extentInside(const SceneWords& all, std::uint32_t i, double level) const
+{
+    const ProgramNode& node = nodes_[i];
+    const NodeKind& k = kind(node);
+    const double* v = all.words.data() + node.numbers;
+    if (k.form == Form::shape) {
+        Extent own = k.extent(v);
+        own.box = k.exactness == Exactness::bound && level > 0 ? endlessBox() : grown(own.box, level);
+        return own;
+    }
+    Extent inside = all.extents[node.firstChild];
+    if (k.extentOf) return k.extentOf(inside, v, level);
+    for (std::uint32_t c = nodes_[node.firstChild].next; c != none; c = nodes_[c].next)
+        inside = k.extentOfTwo(inside, all.extents[c]);
+    return inside;
+}
+
+/// The numbers of a repeater that follow from what its child covers.
+void SceneProgram::fillAsked(SceneWords& all, std::uint32_t i) const
+{
+    const ProgramNode& node = nodes_[i];
+    const NodeKind& k = kind(node);
+    double* v = all.words.data() + node.numbers;
+    const bool exactChild = nodes_[node.firstChild].exactness != Exactness::bound;
+    const Asked asked = k.asked(withPlace(all.extents[node.firstChild]), exactChild, v);
+    all.asked[i] = asked.times.x * asked.times.y * asked.times.z;
+    // Where a number that moves asks for more than the reader lets pass, a picture without all copies is better than
+    // none.
+    glm::dvec3 times(1);
+    for (int axis = 0; axis < 3; ++axis)
+        if (asked.times[axis] > 1) times[axis] = std::min(asked.times[axis], mostCopiesAsked);
+    while (times.x * times.y * times.z > mostCopiesAsked) {
+        double& most = times[times.x >= times.y && times.x >= times.z ? 0 : times.y >= times.z ? 1 : 2];
+        most = std::max(std::floor(most / 2), 1.0);
+    }
+    const glm::dvec3 far(1e9);
+    const glm::dvec3 low = glm::clamp(asked.box.low, -far, far);
+    const glm::dvec3 high = glm::clamp(asked.box.high, -far, far);
+    double* w = v + k.numbers();
+    for (int axis = 0; axis < 3; ++axis) {
+        w[axis] = std::clamp(asked.high[axis], -1e9, 1e9);
+        w[axis + 3] = times[axis];
+        w[axis + 7] = 0.5 * (low[axis] + high[axis]);
+        w[axis + 10] = 0.5 * std::max(high[axis] - low[axis], 0.0);
+    }
+    w[6] = asked.cap;
+}
+
+void SceneProgram::fillExtents(SceneWords& all) const
+{
+    // How far out of its surface each node counts: a blend or a rounding further up may reach so far.
+    std::vector<double> levels(nodes_.size(), 0);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const ProgramNode& node = nodes_[i];
+        if (node.scale != none) levels[i] /= all.words[node.scale + 3];
+        const NodeKind& k = kind(node);
+        const double siblings = node.children > 0 ? node.children - 1.0 : 0.0;
+        const double* v = all.words.data() + node.numbers;
+        const double level = k.childLevel ? k.childLevel(v, levels[i], siblings) : levels[i];
+        for (std::uint32_t c = node.firstChild; c != none; c = nodes_[c].next) levels[c] = level;
+    }
+    all.extents.resize(nodes_.size());
+    all.asked.assign(nodes_.size(), 1);
+    for (auto i = static_cast<std::uint32_t>(nodes_.size()); i-- > 0;) {
+        const ProgramNode& node = nodes_[i];
+        const NodeKind& k = kind(node);
+        if (k.form == Form::repeater) fillAsked(all, i);
+        Extent extent = extentInside(all, i, levels[i]);
+        extent.box = placedBox(extent.box, all.words.data(), node);
+        if (node.rotate != none) extent.even = 0;
+        for (std::uint32_t axis = 0; axis < 3 && node.translate != none; ++axis)
+            if (all.words[node.translate + axis] != 0) extent.even &= ~(1U << axis);
+        all.extents[i] = extent;
+    }
+}
+
+}  // namespace vitrine::scenes

@@ -1,0 +1,58 @@
+// What a surface of a scene is made of, for both ways to light it, and how two of them blend.
+//
+// GLSL 4.50 and C++ (exhibits/sdf_scenes/scene_functions_cpu.h).
+
+struct SceneMaterial {
+    vec3 color;             // linear; what both ways have in common
+    float ambient;          // Phong: shares of the color
+    float diffuse;
+    float specular;         // Phong: of the highlight, white
+    float shininess;        // Phong: exponent of the highlight
+    float mirror;           // Phong: share that is reflected
+    float metalness;        // 0 to 1
+    float roughness;        // perceptual, 0 to 1
+    float reflectance;      // 0.5 is 4 % at normal incidence
+    float refractiveIndex;  // of glass
+};
+
+struct SceneSurface {
+    float distance;
+    SceneMaterial material;
+};
+
+// From twelve numbers in the order above.
+SceneMaterial sceneMaterial(vec4 a, vec4 b, vec4 c)
+{
+    SceneMaterial m;
+    m.color = vec3(a.x, a.y, a.z);
+    m.ambient = a.w;
+    m.diffuse = b.x;
+    m.specular = b.y;
+    m.shininess = b.z;
+    m.mirror = b.w;
+    m.metalness = c.x;
+    m.roughness = c.y;
+    m.reflectance = c.z;
+    m.refractiveIndex = c.w;
+    return m;
+}
+
+// a at 0 and b at 1, both bitwise.
+SceneMaterial sceneBlend(SceneMaterial a, SceneMaterial b, float share)
+{
+    if (share <= 0.0) return a;
+    if (share >= 1.0) return b;
+    float rest = 1.0 - share;
+    SceneMaterial m;
+    m.color = a.color * rest + b.color * share;
+    m.ambient = a.ambient * rest + b.ambient * share;
+    m.diffuse = a.diffuse * rest + b.diffuse * share;
+    m.specular = a.specular * rest + b.specular * share;
+    m.shininess = a.shininess * rest + b.shininess * share;
+    m.mirror = a.mirror * rest + b.mirror * share;
+    m.metalness = a.metalness * rest + b.metalness * share;
+    m.roughness = a.roughness * rest + b.roughness * share;
+    m.reflectance = a.reflectance * rest + b.reflectance * share;
+    m.refractiveIndex = a.refractiveIndex * rest + b.refractiveIndex * share;
+    return m;
+}

@@ -1,0 +1,200 @@
+// What scene files do to distances and points, beside lib/sdf_operators.glsl. Every function keeps fields 1-Lipschitz:
+// where an operation stretches space, the distance is divided here by as much as it may have grown.
+//
+// A blend of two fields has a share as well: how much of the second is in the result, 0 to 1. It is the derivative of the
+// blended distance by the second one, so that materials turn where the surface does.
+//
+// GLSL 4.50 and C++ (exhibits/sdf_scenes/scene_functions_cpu.h).
+
+#ifndef __cplusplus
+#include "lib/numerics.glsl"
+#include "lib/sdf.glsl"
+#include "lib/sdf_operators.glsl"
+#endif
+
+// Which profile a blend has; all begin where the two distances differ by `k`, but the exponential one, which has no end.
+const int SCENE_QUADRATIC = 0;
+const int SCENE_CUBIC = 1;
+const int SCENE_CIRCULAR = 2;
+const int SCENE_EXPONENTIAL = 3;
+
+// Union with the arc of a circle between perpendicular faces; adds at most 0.3 k. k = 0 is the hard union. Quilez 2023,
+// "Smooth minimum", circular geometrical.
+float sceneSmoothUnionCircular(float a, float b, float k)
+{
+    if (!(k > SDF_NARROWEST_BLEND)) return min(a, b);
+    float width = min(k, SDF_WIDEST_BLEND);
+    float h = max(width - abs(a - b), 0.0) / width;
+    return min(a, b) - 0.5 * width * (1.0 + h - sqrt(1.0 + h * (2.0 - h)));
+}
+
+float sceneUnion(float a, float b, float k, int profile)
+{
+    if (profile == SCENE_CUBIC) return sdfSmoothUnionCubic(a, b, k);
+    if (profile == SCENE_CIRCULAR) return sceneSmoothUnionCircular(a, b, k);
+    if (profile == SCENE_EXPONENTIAL) return sdfSmoothUnionExponential(a, b, k);
+    return sdfSmoothUnion(a, b, k);
+}
+
+float sceneIntersection(float a, float b, float k, int profile)
+{
+    return -sceneUnion(-a, -b, k, profile);
+}
+
+// a without b.
+float sceneSubtraction(float a, float b, float k, int profile)
+{
+    return -sceneUnion(-a, b, k, profile);
+}
+
+// In one, but not in both.
+float sceneXor(float a, float b, float k, int profile)
+{
+    return sceneSubtraction(sceneUnion(a, b, k, profile), sceneIntersection(a, b, k, profile), k, profile);
+}
+
+float sceneUnionShare(float a, float b, float k, int profile)
+{
+    if (!(k > SDF_NARROWEST_BLEND)) return b < a ? 1.0 : 0.0;
+    float width = min(k, SDF_WIDEST_BLEND);
+    float farther;  // The share of the greater one.
+    if (profile == SCENE_EXPONENTIAL) {
+        float weight = exp2(max(-abs(a - b) / width, -126.0));
+        farther = weight / (1.0 + weight);
+    } else {
+        float h = max(width - abs(a - b), 0.0) / width;
+        farther = 0.5 * h;
+        if (profile == SCENE_CUBIC) farther = 0.5 * h * h;
+        else if (profile == SCENE_CIRCULAR) farther = 0.5 * (1.0 - (1.0 - h) / sqrt(1.0 + h * (2.0 - h)));
+    }
+    return b < a ? 1.0 - farther : farther;
+}
+
+float sceneIntersectionShare(float a, float b, float k, int profile)
+{
+    return sceneUnionShare(-a, -b, k, profile);
+}
+
+float sceneSubtractionShare(float a, float b, float k, int profile)
+{
+    return sceneUnionShare(-a, b, k, profile);
+}
+
+float sceneXorShare(float a, float b, float k, int profile)
+{
+    float either = sceneUnion(a, b, k, profile);
+    float both = sceneIntersection(a, b, k, profile);
+    float share = sceneSubtractionShare(either, both, k, profile);
+    return lerpExact(sceneUnionShare(a, b, k, profile), sceneIntersectionShare(a, b, k, profile), share);
+}
+
+float sceneMixShare(float t)
+{
+    return clamp(t, 0.0, 1.0);
+}
+
+// ---- Places --------------------------------------------------------------------------------------
+
+// Into a space whose axes are these, each of unit length.
+vec3 sceneTurned(vec3 p, vec3 x, vec3 y, vec3 z)
+{
+    return vec3(dot(p, x), dot(p, y), dot(p, z));
+}
+
+// The half that is kept is that of positive coordinates; an axis of 0 mirrors nothing.
+vec3 sceneMirror(vec3 p, vec3 axes)
+{
+    return vec3(axes.x > 0.5 ? abs(p.x) : p.x, axes.y > 0.5 ? abs(p.y) : p.y, axes.z > 0.5 ? abs(p.z) : p.z);
+}
+
+// The profile is what the child has in its plane z = 0.
+vec3 sceneFlat(vec3 p)
+{
+    return vec3(p.x, p.y, 0.0);
+}
+
+// Around the y axis, the profile moved out by `offset`.
+vec3 sceneRevolve(vec3 p, float offset)
+{
+    return vec3(length(vec2(p.x, p.z)) - offset, p.y, 0.0);
+}
+
+vec3 sceneTurnY(vec3 p, float angle)
+{
+    float c = cos(angle);
+    float s = sin(angle);
+    return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x);
+}
+
+// Turned about the y axis by `rate` radians for each meter of height.
+vec3 sceneTwist(vec3 p, float rate)
+{
+    return sceneTurnY(p, rate * p.y);
+}
+
+// Turned about the z axis by `rate` radians for each meter of x.
+vec3 sceneBend(vec3 p, float rate)
+{
+    float c = cos(rate * p.x);
+    float s = sin(rate * p.x);
+    return vec3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
+}
+
+// The largest s for which a field that grows by at most 1 + rate * radius per meter at `radius` from an axis cannot pass
+// zero within s: s (1 + rate (radius + s)) = d. It is itself 1-Lipschitz: its differential is at most
+// (1 + rate radius + rate s) / (1 + rate radius + 2 rate s).
+float sceneSheared(float d, float radius, float rate)
+{
+    float slope = 1.0 + abs(rate) * radius;
+    float s = 2.0 * abs(d) / (slope + sqrt(slope * slope + 4.0 * abs(rate) * abs(d)));
+    return d < 0.0 ? -s : s;
+}
+
+float sceneTwisted(float d, vec3 p, float rate)
+{
+    return sceneSheared(d, length(vec2(p.x, p.z)), rate);
+}
+
+float sceneBent(float d, vec3 p, float rate)
+{
+    return sceneSheared(d, length(vec2(p.x, p.y)), rate);
+}
+
+// ---- Repetition ----------------------------------------------------------------------------------
+// The nearest copy is found by asking as many of them as the content is wide, from the first one that may be nearest.
+
+// Along one axis: the copies are `spacing` apart, `count` of them around the origin or endless for 0, or there is one for
+// a spacing of 0. Of the `asked` ones, by `i` from 0, the first is that whose content, which ends at `high`, is nearest.
+float sceneCell(float x, float i, float spacing, float count, float high, float asked)
+{
+    if (!(spacing > 0.0)) return x;
+    float shifted = count > 0.5 ? x + 0.5 * (count - 1.0) * spacing : x;
+    float first = floor((shifted - high) / spacing + 0.5);
+    if (count > 0.5) first = clamp(first, 0.0, max(count - asked, 0.0));
+    return shifted - (first + i) * spacing;
+}
+
+vec3 sceneRepeated(vec3 p, int i, vec3 spacing, vec3 count, vec3 high, vec3 asked)
+{
+    int nx = int(asked.x);
+    int ny = int(asked.y);
+    return vec3(sceneCell(p.x, float(i % nx), spacing.x, count.x, high.x, asked.x),
+                sceneCell(p.y, float((i / nx) % ny), spacing.y, count.y, high.y, asked.y),
+                sceneCell(p.z, float(i / (nx * ny)), spacing.z, count.z, high.z, asked.z));
+}
+
+// Around the y axis: `count` copies, the first toward +x; the content ends at the angle `high`.
+vec3 sceneRepeatedAround(vec3 p, int i, float count, float high)
+{
+    float sector = 2.0 * PI / count;
+    float cell = floor((angleOf(p.z, p.x) - high) / sector + 0.5) + float(i);
+    return sceneTurnY(p, cell * sector);
+}
+
+// The distance of a copy whose content lies in a box: not less than that of the box, and not above `cap`, so that a copy
+// beyond it need not be asked. A cap of 0 leaves it as it is.
+float sceneCapped(float d, vec3 p, float cap, vec3 center, vec3 halfSize)
+{
+    if (!(cap > 0.0)) return d;
+    return min(max(d, sdfBox(p - center, halfSize)), cap);
+}
