@@ -1,0 +1,110 @@
+#include "exhibits/sdf_scenes/findings.h"
+
+#include "render/files/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vitrine::scenes {
+namespace {
+
+/// How many letters must be added, removed or changed (Levenshtein 1966).
+std::size_t editDistance(std::string_view a, std::string_view b)
+{
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, changed});
+        }
+    }
+    return row.back();
+}
+
+/// Fit for one line of a message.
+std::string shownWord(std::string_view word)
+{
+    constexpr std::size_t most = 40;
+    std::string text(word.substr(0, most));
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    return '"' + text + (word.size() > most ? "...\"" : "\"");
+}
+
+}  // namespace
+
+std::string sentenceNumber(double x)
+{
+    const std::string whole = std::isfinite(x) ? render::shortestNumber(x) : std::string(20, ' ');
+    constexpr std::size_t most = 8;
+    const bool isPlain = whole.size() <= most && whole.find('e') == std::string::npos;
+    return isPlain ? whole : render::shortNumber(x);
+}
+
+std::string listed(const std::vector<std::string>& words)
+{
+    constexpr std::size_t most = 12;
+    std::string text;
+    const std::size_t shown = std::min(words.size(), most);
+    for (std::size_t i = 0; i < shown; ++i) {
+        if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+        text += words[i];
+    }
+    return words.size() > most ? text + " and others" : text;
+}
+
+std::string unknownWord(std::string_view word, const std::string& of, const std::vector<std::string>& known)
+{
+    std::string sentence = shownWord(word) + " is no " + of;
+    const std::string_view start = word.substr(0, 40);
+    const std::string* nearest = nullptr;
+    std::size_t least = std::max<std::size_t>(2, start.size() / 3) + 1;
+    for (const std::string& candidate : known) {
+        const std::size_t distance = editDistance(start, candidate);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = &candidate;
+    }
+    if (nearest) return sentence + "; did you mean \"" + *nearest + "\"? Known are " + listed(known);
+    return sentence + (known.empty() ? "; there are none here" : "; take one of " + listed(known));
+}
+
+void Findings::translate(const render::JsonText& made, const render::JsonText& original, std::vector<MadeFrom> parts)
+{
+    made_ = &made;
+    original_ = &original;
+    parts_ = std::move(parts);
+}
+
+void Findings::add(const render::JsonText& text, std::uint32_t value, const std::string& sentence)
+{
+    if (full()) return;
+    if (&text != made_) {
+        const render::TextPosition at = text.position(value);
+        list_.push_back({text.name(), at.line, at.column, text.path(value), sentence + '.'});
+        return;
+    }
+    const std::string path = text.path(value);
+    const MadeFrom* nearest = nullptr;
+    for (const MadeFrom& part : parts_)
+        if (path.starts_with(part.path) && (!nearest || part.path.size() > nearest->path.size())) nearest = &part;
+    const std::uint32_t original = nearest ? nearest->original : 0;
+    const render::TextPosition at = original_->position(original);
+    list_.push_back({original_->name(), at.line, at.column, original_->path(original), sentence + '.'});
+}
+
+void Findings::add(const render::JsonFailure& failure, const std::string& file)
+{
+    if (full()) return;
+    constexpr std::size_t most = 200;  // Of a path that may be 40,000 levels long.
+    const std::string& key = failure.key();
+    list_.push_back({file, failure.line(), failure.column(),
+                     key.size() > most ? "..." + key.substr(key.size() - most) : key, failure.problem() + '.'});
+}
+
+}  // namespace vitrine::scenes
