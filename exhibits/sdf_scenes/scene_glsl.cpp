@@ -1,0 +1,299 @@
+#include "exhibits/sdf_scenes/scene_glsl.h"
+
+#include "render/files/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstring>
+#include <map>
+
+namespace vitrine::scenes {
+namespace {
+
+bool isWordByte(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+std::string floatLiteral(double x)
+{
+    std::string text = render::shortestNumber(static_cast<double>(static_cast<float>(x)));
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text.starts_with('-') ? '(' + text + ')' : text;
+}
+
+/// Writes one function after another; words are read from the block, or folded.
+class GlslWriter {
+public:
+    GlslWriter(const SceneProgram& program, const SceneWords* folded) : program_(program), folded_(folded) {}
+
+    std::string write()
+    {
+        std::string all = head();
+        all += "\nfloat fieldDistance(vec3 p)\n{\n" + body(false) + "}\n";
+        all += "\nSceneSurface sceneSurface(vec3 p)\n{\n" + body(true) + "}\n";
+        return all;
+    }
+
+private:
+    [[nodiscard]] std::string head() const;
+    [[nodiscard]] bool hasOneMaterial() const;
+    std::string body(bool withMaterials);
+    void writeStep(const Step&, bool withMaterials);
+    void writeEnter(std::uint32_t index, bool withMaterials);
+    void writeAgain(const Step&, bool withMaterials);
+    void line(const std::string& text) { text_ += std::string(4 * depth_, ' ') + text + '\n'; }
+
+    [[nodiscard]] std::string word(std::uint32_t at) const;
+    [[nodiscard]] std::string vector(std::uint32_t at) const;
+    [[nodiscard]] std::string material(std::uint32_t index) const;
+    [[nodiscard]] std::string call(std::string_view expression, const ProgramNode&,
+                                   const std::map<std::string, std::string, std::less<>>& names) const;
+    [[nodiscard]] std::string number(const ProgramNode&, std::uint32_t i) const;
+
+    static std::string named(char letter, std::uint32_t node) { return letter + std::to_string(node); }
+    /// Where the children of a node are asked.
+    [[nodiscard]] std::string askedAt(std::uint32_t node) const
+    {
+        const NodeKind& kind = program_.kind(program_.nodes()[node]);
+        return named(kind.place || kind.copy ? 'q' : 'p', node);
+    }
+
+    const SceneProgram& program_;
+    const SceneWords* folded_;
+    std::string text_;
+    std::size_t depth_ = 1;
+};
+
+std::string GlslWriter::head() const
+{
+    bool shapes = false;
+    bool noise = false;
+    for (const ProgramNode& node : program_.nodes()) {
+        const NodeKind& kind = program_.kind(node);
+        const bool ofNoise =
+            kind.distance.glsl.starts_with("sceneNoise") || kind.after.glsl.starts_with("sceneDisplaced");
+        noise = noise || ofNoise;
+        shapes = shapes || (!ofNoise && kind.distance.glsl.starts_with("scene"));
+    }
+    std::string text = "// Made from a scene file.\n#include \"lib/bindings.glsl\"\n#include \"lib/numerics.glsl\"\n"
+                       "#include \"lib/sdf.glsl\"\n#include \"lib/sdf_operators.glsl\"\n"
+                       "#include \"sdf_scenes/operators.glsl\"\n#include \"sdf_scenes/material.glsl\"\n";
+    if (shapes) text += "#include \"sdf_scenes/shapes.glsl\"\n";
+    if (noise) text += "#include \"sdf_scenes/noise.glsl\"\n";
+    if (folded_ || program_.wordCount() == 0) return text;
+    return text + "\nlayout(std140, binding = BLOCK_EXHIBIT) uniform Scene {\n    vec4 sceneValues[" +
+           std::to_string((program_.wordCount() + 3) / 4) + "];\n};\n";
+}
+
+std::string GlslWriter::word(std::uint32_t at) const
+{
+    if (folded_) return floatLiteral(folded_->words[at]);
+    return "sceneValues[" + std::to_string(at / 4) + "]." + "xyzw"[at % 4];
+}
+
+std::string GlslWriter::vector(std::uint32_t at) const
+{
+    return "vec3(" + word(at) + ", " + word(at + 1) + ", " + word(at + 2) + ')';
+}
+
+std::string GlslWriter::material(std::uint32_t index) const
+{
+    const std::uint32_t first = program_.materialWord(index);
+    std::string text = "sceneMaterial(";
+    for (std::uint32_t i = 0; i < wordsOfMaterial; i += 4) {
+        const std::uint32_t at = first + i;
+        text += i > 0 ? ", " : "";
+        if (folded_)
+            text += "vec4(" + word(at) + ", " + word(at + 1) + ", " + word(at + 2) + ", " + word(at + 3) + ')';
+        else
+            text += "sceneValues[" + std::to_string(at / 4) + ']';
+    }
+    return text + ')';
+}
+
+/// A number of a node; a choice is always written out, for it selects code.
+std::string GlslWriter::number(const ProgramNode& node, std::uint32_t i) const
+{
+    const Node& of = program_.scene().nodes[node.node];
+    std::uint32_t at = 0;
+    for (const Field& field : of.kind->fields) {
+        if (at == i && field.type == FieldType::choice)
+            return floatLiteral(program_.scene().numbers[of.numbers + i].value);
+        at += static_cast<std::uint32_t>(numbersOf(field.type));
+    }
+    return word(node.numbers + i);
+}
+
+/// An expression of the table of nodes, its names and numbers put in.
+std::string GlslWriter::call(std::string_view expression, const ProgramNode& node,
+                             const std::map<std::string, std::string, std::less<>>& names) const
+{
+    std::string text;
+    for (std::size_t at = 0; at < expression.size();) {
+        if (!isWordByte(expression[at])) {
+            text += expression[at++];
+            continue;
+        }
+        std::size_t end = at;
+        while (end < expression.size() && isWordByte(expression[end])) ++end;
+        const std::string_view token = expression.substr(at, end - at);
+        const bool isMember = at > 0 && expression[at - 1] == '.';
+        if (token == "V" || token == "V3") {
+            const std::size_t close = expression.find(')', end);
+            const std::optional<double> i = render::parseNumber(expression.substr(end + 1, close - end - 1));
+            const auto index = static_cast<std::uint32_t>(i.value());
+            text += token == "V" ? number(node, index) : vector(node.numbers + index);
+            at = close + 1;
+            continue;
+        }
+        const auto found = names.find(token);
+        text += found != names.end() && !isMember ? found->second : std::string(token);
+        at = end;
+    }
+    return text;
+}
+
+bool GlslWriter::hasOneMaterial() const
+{
+    std::uint32_t first = none;
+    for (const ProgramNode& node : program_.nodes()) {
+        if (program_.kind(node).form != Form::shape) continue;
+        if (first != none && node.material != first) return false;
+        first = node.material;
+    }
+    return true;
+}
+
+std::string GlslWriter::body(bool withMaterials)
+{
+    text_.clear();
+    depth_ = 1;
+    if (program_.nodes().empty()) {
+        line(withMaterials ? "return SceneSurface(1.0e9, sceneMaterial(vec4(0.0), vec4(0.0), vec4(1.0)));"
+                           : "return 1.0e9;");
+        return text_;
+    }
+    if (withMaterials && hasOneMaterial()) {
+        const auto shape = std::find_if(program_.nodes().begin(), program_.nodes().end(), [&](const ProgramNode& node) {
+            return program_.kind(node).form == Form::shape;
+        });
+        line("return SceneSurface(fieldDistance(p), " + material(shape->material) + ");");
+        return text_;
+    }
+    for (const Step& step : program_.steps()) writeStep(step, withMaterials);
+    line(withMaterials ? "return SceneSurface(d0, m0);" : "return d0;");
+    return text_;
+}
+
+void GlslWriter::writeEnter(std::uint32_t index, bool withMaterials)
+{
+    const ProgramNode& node = program_.nodes()[index];
+    const NodeKind& kind = program_.kind(node);
+    const std::string own = named('p', index);
+    std::string from = node.parent == none ? "p" : askedAt(node.parent);
+    if (node.translate != none) from = '(' + from + " - " + vector(node.translate) + ')';
+    if (node.rotate != none)
+        from = "sceneTurned(" + from + ", " + vector(node.rotate) + ", " + vector(node.rotate + 3) + ", " +
+               vector(node.rotate + 6) + ')';
+    if (node.scale != none) from += " * " + vector(node.scale);
+    line("vec3 " + own + " = " + from + ';');
+    if (kind.place) line("vec3 " + named('q', index) + " = " + call(kind.place.glsl, node, {{"p", own}}) + ';');
+    if (kind.form != Form::repeater) return;
+    const std::uint32_t times = node.numbers + static_cast<std::uint32_t>(kind.numbers()) + 3;
+    const std::string i = named('i', index);
+    line("float " + named('d', index) + " = 1.0e9;");
+    if (withMaterials)
+        line("SceneMaterial " + named('m', index) + " = sceneMaterial(vec4(0.0), vec4(0.0), vec4(1.0));");
+    line("for (int " + i + " = 0; " + i + " < int(" + word(times) + ") * int(" + word(times + 1) + ") * int(" +
+         word(times + 2) + "); ++" + i + ") {");
+    ++depth_;
+    line("vec3 " + named('q', index) + " = " + call(kind.copy.glsl, node, {{"p", own}, {"i", i}}) + ';');
+}
+
+void GlslWriter::writeAgain(const Step& step, bool withMaterials)
+{
+    const ProgramNode& node = program_.nodes()[step.node];
+    const std::uint32_t cap = node.numbers + static_cast<std::uint32_t>(program_.kind(node).numbers()) + 6;
+    const std::string d = named('d', step.node);
+    const std::string c = named('c', step.node);
+    line("float " + c + " = sceneCapped(" + named('d', step.child) + ", " + named('q', step.node) + ", " + word(cap) +
+         ", " + vector(cap + 1) + ", " + vector(cap + 4) + ");");
+    if (withMaterials)
+        line("if (" + c + " < " + d + " || " + named('i', step.node) + " == 0) " + named('m', step.node) + " = " +
+             named('m', step.child) + ';');
+    line(d + " = min(" + d + ", " + c + ");");
+    --depth_;
+    line("}");
+}
+
+void GlslWriter::writeStep(const Step& step, bool withMaterials)
+{
+    const ProgramNode& node = program_.nodes()[step.node];
+    const NodeKind& kind = program_.kind(node);
+    const std::string d = named('d', step.node);
+    const std::string m = named('m', step.node);
+    const std::string childD = named('d', step.child);
+    const std::string childM = named('m', step.child);
+    const auto inherit = [&] {
+        if (withMaterials) line("SceneMaterial " + m + " = " + childM + ';');
+    };
+    switch (step.type) {
+    case Step::Type::enter: writeEnter(step.node, withMaterials); break;
+    case Step::Type::shape:
+        line("float " + d + " = " + call(kind.distance.glsl, node, {{"p", named('p', step.node)}}) + ';');
+        if (withMaterials) line("SceneMaterial " + m + " = " + material(node.material) + ';');
+        break;
+    case Step::Type::first:
+        line("float " + d + " = " + childD + ';');
+        inherit();
+        break;
+    case Step::Type::combine: {
+        const std::map<std::string, std::string, std::less<>> names{{"a", d}, {"b", childD}};
+        if (withMaterials)
+            line(m + " = sceneBlend(" + m + ", " + childM + ", " + call(kind.share.glsl, node, names) + ");");
+        line(d + " = " + call(kind.combine.glsl, node, names) + ';');
+        break;
+    }
+    case Step::Type::modify:
+        line("float " + d + " = " +
+             (kind.after ? call(kind.after.glsl, node, {{"d", childD}, {"p", named('p', step.node)}}) : childD) + ';');
+        inherit();
+        break;
+    case Step::Type::again: writeAgain(step, withMaterials); break;
+    case Step::Type::leave:
+        if (node.scale != none) line(d + " = sdfScaled(" + d + ", " + word(node.scale + 3) + ");");
+        break;
+    }
+}
+
+}  // namespace
+
+std::string sceneGlsl(const SceneProgram& program)
+{
+    return GlslWriter(program, nullptr).write();
+}
+
+std::string foldedSceneGlsl(const SceneProgram& program, const SceneWords& words)
+{
+    return GlslWriter(program, &words).write();
+}
+
+std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl)
+{
+    return std::make_shared<const render::ShaderSources>(
+        std::map<std::string, std::string>{{generatedField, std::move(glsl)}});
+}
+
+std::vector<std::byte> sceneBlock(const SceneWords& words)
+{
+    std::vector<float> values((words.words.size() + 3) / 4 * 4, 0.0F);
+    std::transform(words.words.begin(), words.words.end(), values.begin(),
+                   [](double x) { return static_cast<float>(x); });
+    std::vector<std::byte> bytes(values.size() * sizeof(float));
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+    return bytes;
+}
+
+}  // namespace vitrine::scenes

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "exhibits/sdf_scenes/scene_program.h"
+#include "render/plan/shader_key.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vitrine::scenes {
+
+/// Where a generated field is included from; `sdf_scenes/field_material.glsl` includes nothing and stands behind it.
+inline constexpr const char* generatedField = "sdf_scenes/generated_field.glsl";
+
+/// GLSL of one scene, step by step, with nothing in it that the scene does not contain:
+///
+///     float fieldDistance(vec3 p);         // meters, 1-Lipschitz
+///     SceneSurface sceneSurface(vec3 p);   // shaders/sdf_scenes/material.glsl
+///
+/// Its numbers come from the uniform block at BLOCK_EXHIBIT (`sceneBlock`), so that changing them compiles nothing.
+/// Choices, such as the profile of a blend, are part of the text.
+[[nodiscard]] std::string sceneGlsl(const SceneProgram&);
+
+/// The same with these numbers folded into the text, and no block.
+[[nodiscard]] std::string foldedSceneGlsl(const SceneProgram&, const SceneWords&);
+
+/// A text as `SdfShaders::generated` takes it.
+[[nodiscard]] std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl);
+
+/// What the uniform block holds.
+[[nodiscard]] std::vector<std::byte> sceneBlock(const SceneWords&);
+
+}  // namespace vitrine::scenes
