@@ -258,8 +258,9 @@ void SourceReader::readNoise()
         children_.push_back(noise);
         return;
     }
+    // Its noise is 0 to 1 where ours is -1 to 1, and its octaves begin with one half: 0.3 and 0.35 there.
     Json noise = {{"kind", "noise"},
-                  {"level", 0.3},
+                  {"level", fractal ? -0.53 : -0.4},
                   {"frequency", 1},
                   {"octaves", fractal ? 5 : 1},
                   {"shift", {0, 0, "1.3 * t"}},
