@@ -135,8 +135,10 @@ Noise3 noiseSum(NoiseSum s, vec3 p, float footprint)
         amplitude *= s.gain;
         frequency *= s.lacunarity;
     }
-    total.value /= amplitudes;
-    total.slope = total.slope / amplitudes;
+    if (amplitudes > 0.0) {  // Of no octaves, the sum is 0.
+        total.value /= amplitudes;
+        total.slope = total.slope / amplitudes;
+    }
     return total;
 }
 

@@ -15,10 +15,10 @@ float cloudPhase(float cosine, float forward, float backward)
     return lerpExact(cloudLobe(cosine, forward), cloudLobe(cosine, -0.5 * forward), backward);
 }
 
-// What comes through the optical depth.
+// What comes through the optical depth; less than none is none, or the cloud would glow.
 float cloudThrough(float depth)
 {
-    return exp(-depth);
+    return exp(-max(depth, 0.0));
 }
 
 // Light that a stretch of optical depth `depth` adds to a ray when each part of it sends `source` towards the eye per unit

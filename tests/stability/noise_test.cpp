@@ -177,7 +177,7 @@ TEST(Noise, HasNoSeams)
     expectContinuous(kinds4());
 }
 
-TEST(Noise, OfTheGradientKindIsZeroAtLatticePoints)
+TEST(Noise, H100_OfTheGradientKindIsZeroAtLatticePoints)
 {
     for (int i = 0; i < 200; ++i) {
         const glm::ivec3 cell(i * 7 - 300, i * 3 - 100, 50 - i);
@@ -435,6 +435,37 @@ TEST(NoiseSums, StayInTheirRange)
         }
         EXPECT_GE(low, sum == n64::NOISE_TURBULENCE ? 0 : -1) << sum;
         EXPECT_LE(high, 1) << sum;
+    }
+}
+
+TEST(NoiseSums, H102_OfNoOctavesOrAnyGainAreFiniteAndInTheirRange)
+{
+    for (const int octaves : {0, 1, 10})
+        for (const double gain : {0.0, 1.0, 2.0})
+            for (const double lacunarity : {0.0, 0.5, 1.0, 8.0}) {
+                n64::NoiseSum s = sumOf(1, 0);
+                s.octaves = octaves;
+                s.gain = gain;
+                s.lacunarity = lacunarity;
+                for (int i = 0; i < 20; ++i) {
+                    const n64::Noise3 n = n64::noiseSum(s, dvec3(0.37 * i, 1.1, -2.3), 0.0);
+                    EXPECT_TRUE(test::isFinite(n.slope));
+                    EXPECT_LE(std::abs(n.value), 1) << octaves << ' ' << gain << ' ' << lacunarity;
+                }
+            }
+}
+
+TEST(NoiseSums, H104_StayInTheirRangeHoweverFarTheirDomainIsWarped)
+{
+    test::Random random(23);
+    for (int i = 0; i < 10000; ++i) {
+        n64::NoiseSum s = sumOf(i % 4, (i / 4) % 4);
+        s.gain = random.number(0, 1);
+        s.octaves = 1 + i % 6;
+        const double warp = std::pow(10, random.number(-3, 5));
+        const n64::Noise3 n = n64::noiseWarpedSum(s, random.point(1000), warp, 0.0);
+        EXPECT_LE(std::abs(n.value), 1);
+        EXPECT_TRUE(test::isFinite(n.slope));
     }
 }
 

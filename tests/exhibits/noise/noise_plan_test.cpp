@@ -156,6 +156,18 @@ TEST(CloudMedium, ScattersAllOfTheLightSomewhere)
         }
 }
 
+TEST(CloudMedium, H105_OfLessThanNoDensityDoesNotGlow)
+{
+    double last = 1;
+    for (double depth = -50; depth < 50; depth += 0.25) {
+        const double now = glsl::cloudThrough(depth);
+        EXPECT_LE(now, last);
+        EXPECT_GE(now, 0);
+        EXPECT_GE(glsl::cloudAdded(1, depth), 0);
+        last = now;
+    }
+}
+
 TEST(CloudMedium, IsBrighterWithEveryOrderAndBrightestTowardsTheSun)
 {
     double last = 0;
