@@ -117,10 +117,11 @@ struct NoiseTable final : Parameters {
                                       "How rays find the field: by half its value each step, or by as much as the "
                                       "noise's own slope allows, octaves one after another.",
                                       inField&& ours);
-    Real boundShare = real("boundShare", 0.45, none, {0.1, 1},
-                           "Share of the proven bounds of slope and curvature that strides go by: 1 passes no surface, "
-                           "less is quicker, for noise is seldom as steep as it may be.",
-                           exactAt(1), inField&& ours&& when(march, NoiseMarch::bounded));
+    Real boundShare =
+        real("boundShare", 0.45, none, {0.1, 1},
+             "Share of the proven bounds of slope and curvature that strides go by: 1 passes nothing wide, "
+             "less is quicker, for noise is seldom as steep as it may be.",
+             exactAt(1), inField&& ours&& when(march, NoiseMarch::bounded));
     Count stepLimit = count("stepLimit", 160, {1, 1024, logarithmic},
                             "Steps a ray may take to find the field, or the sea of the source.", quality(1024),
                             inField || (inSea && when(look, NoiseLook::source)));
