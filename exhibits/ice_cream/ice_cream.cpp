@@ -71,6 +71,9 @@ SdfBody IceCream::body(const ParameterValues& values, double time) const
                  .block = render::std140Bytes(shape),
                  .exhibitFromBody = standing(table_, values, time)};
     body.shape.assign(reinterpret_cast<const char*>(body.block.data()), body.block.size());
+    // The source's numbers are those of the film: over any exposure, they have no bound.
+    body.ownLight = values[table_.lighting] == IceCreamLighting::source ? std::numeric_limits<double>::infinity()
+                                                                        : values[table_.lamp];
     if (shape.stage < STAGE_FINISHED) {
         body.defines.emplace_back("PIXEL_CENTERS");
         body.note = "built up to: " +

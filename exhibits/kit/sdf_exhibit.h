@@ -33,7 +33,9 @@ struct SdfBody {
     std::string shape;
     /// A uniform block of its own (`render::std140Bytes`), at BLOCK_EXHIBIT; empty where `parameters` tells all.
     render::Bytes block = {};
-    glm::dmat4 exhibitFromBody{1};                ///< Where it stands in the exhibit's space: the box is its own.
+    glm::dmat4 exhibitFromBody{1};  ///< Where it stands in the exhibit's space: the box is its own.
+    double ownLight =
+        0;  ///< The most that light of its own sends to its surfaces (irradiance): it shades itself from that.
     std::string note = {};                        ///< In the ledger, behind why it is marched.
     std::vector<std::string> defines = {};        ///< Permutations of its field, material and shading.
     std::vector<render::BufferUse> buffers = {};  ///< What its field reads at STORAGE_EXHIBIT_A, B and C.

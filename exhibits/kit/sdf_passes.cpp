@@ -91,18 +91,21 @@ struct SdfPlanner {
         // A heat map shows what the effects cost, which no light bounds.
         const double any = heat ? std::numeric_limits<double>::infinity() : 1;
         const int bounces = values[table.bounces];
+        const double own = scene.body.ownLight * mostReflected;
         ParameterValues needed = values;
         occlusion(made, needed, heat, any);
 
         if (values[table.shadowMethod] == SdfShadow::none)
             plan.skip(named("self-shadow"), "the shadow method is none");
-        else if (!plan.includeIfEffective(made, {named("self-shadow"), render::boundOf(0, any * (1 + bounces),
-                                                                                       {{around.sunShadow.absolute,
-                                                                                         around.sunShadow.whyNone}})}))
+        else if (!plan.includeIfEffective(
+                     made, {named("self-shadow"),
+                            render::boundOf(0, any * (1 + bounces),
+                                            {{around.sunShadow.absolute + own, around.sunShadow.whyNone}})}))
             needed.set(table.shadowMethod, SdfShadow::none);
 
         // Beyond the first surface, each one adds its own light, and the last one the room's.
-        const double reflected = around.probeLight.absolute + bounces * around.sunShadow.absolute;
+        const double shaded = bounces > 0 ? bounces * (around.sunShadow.absolute + own) : 0;
+        const double reflected = around.probeLight.absolute + shaded;
         (void)plan.includeIfEffective(
             made, {named("bounces"), render::boundOf(0, any,
                                                      {{bounces > 0 ? 1.0 : 0.0, "no bounce is asked for"},
