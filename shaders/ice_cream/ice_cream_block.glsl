@@ -1,10 +1,10 @@
-// An ice cream at one moment, ready for many points: made once for each frame. Meters, in its own space: y up, the wafer's
-// foot on y = 0, its axis the y axis. GLSL and C++: render/glsl/std140.h.
+// An ice cream at one moment, ready for many points: made once for each frame. Meters, in its own space: y up, the
+// wafer's foot on y = 0, its axis the y axis. GLSL and C++: render/glsl/std140.h.
 #define CREAM_LAYERS 2
 #define CANDIES 10
 
-// Numbers of parts, and their bits in `parts`. The candies are PART_CANDY to PART_CANDY + CANDIES - 1; a sprinkle of color
-// k is found as PART_SPRINKLE + k.
+// Numbers of parts, and their bits in `parts`. The candies are PART_CANDY to PART_CANDY + CANDIES - 1; a sprinkle of
+// color k is found as PART_SPRINKLE + k.
 #define PART_FOOT 0
 #define PART_COLLAR 1
 #define PART_BOWL 2
@@ -91,5 +91,5 @@ BLOCK_STRUCT(Candy, CANDY_FIELDS)
     FIELD(float, gridCell)   /* width of its cells */ \
     FIELD(ivec3, gridCells)  /* along each axis; 0: there are none */ \
     FIELD(float, sprinkleRadius) \
-    FIELD(float, sprinkleReach)  /* how far one may stand out of the cream */
+    FIELD(float, sprinkleReach)  /* how far one may reach beyond the cream */
 BLOCK_STRUCT(IceCreamShape, ICE_CREAM_FIELDS)

@@ -1,14 +1,15 @@
 // The solids of an ice cream and their union, each evaluated only where it decides.
 //
 // What surrounds this file supplies `shape` (IceCreamShape), `fieldPart`, `solids` (counts the solids that were
-// evaluated), `levelHere`, `unlisted`, and of the sprinkles sprinkleClear(cell), sprinkleFirst(cell), sprinkleEnd(cell),
-// sprinkleStart(i) with the number of a color, and sprinkleFinish(i). In C++ it is the body of a class:
-// exhibits/ice_cream/ice_cream_cpu.h.
+// evaluated), `levelHere`, `unlisted`, and of the sprinkles sprinkleClear(cell), sprinkleFirst(cell),
+// sprinkleEnd(cell), sprinkleStart(i) with the number of a color, and sprinkleFinish(i). In C++ it is the body of a
+// class: exhibits/ice_cream/ice_cream_cpu.h.
 //
-// Two functions of a point are made of them. The level is what the shape is defined by: its twisted layers are steeper
-// than 1. The distance is a bound on the way to the surface, below the level wherever a twist makes that necessary.
-// A solid is left out only where a bound on its distance shows that it changes neither; cheap bounds from above come
-// first, so that no order of the solids is needed: drivers that follow both sides of every branch go through each once.
+// Two functions of a point are made of them. The level is what the shape is defined by: its twisted layers are
+// steeper than 1. The distance is a bound on the way to the surface, below the level wherever a twist makes that
+// necessary. A solid is left out only where a bound on its distance shows that it changes neither; cheap bounds from
+// above come first, so that no order of the solids is needed: drivers that follow both sides of every branch go
+// through each once.
 
 // The level before candies are put on, in two halves: only the cream is steep. A half that is left out is a bound.
 struct IceCreamCore {
@@ -108,21 +109,26 @@ float footLevel(vec3 p, vec2 profile, float best)
 float waferAtMost(vec2 profile)
 {
     float most = 1.0e9;
-    if (hasPart(PART_FOOT))
-        most = hullDistance(profile, vec4(min(shape.foot.x, shape.foot.y), 0.5 * shape.foot.z, 0.5 * shape.foot.z, 0.0));
+    if (hasPart(PART_FOOT)) {
+        vec4 within = vec4(min(shape.foot.x, shape.foot.y), 0.5 * shape.foot.z, 0.5 * shape.foot.z, 0.0);
+        most = hullDistance(profile, within);
+    }
     if (hasPart(PART_COLLAR)) {
-        vec4 within = vec4(min(shape.collar.x, shape.collar.y), 0.5 * (shape.collar.z + shape.collar.w), 0.5 * (shape.collar.w - shape.collar.z), 0.0);
+        vec4 within = vec4(min(shape.collar.x, shape.collar.y), 0.5 * (shape.collar.z + shape.collar.w),
+                           0.5 * (shape.collar.w - shape.collar.z), 0.0);
         most = min(most, hullDistance(profile, within));
     }
     if (hasPart(PART_BOWL)) {
         float low = shape.bowl.z - shape.bowl.y;
-        vec4 within = vec4(safeSqrt(shape.bowl.x * shape.bowl.x - low * low), 0.5 * (shape.bowl.z + shape.bowl.w), 0.5 * (shape.bowl.w - shape.bowl.z), 0.0);
+        vec4 within = vec4(safeSqrt(shape.bowl.x * shape.bowl.x - low * low), 0.5 * (shape.bowl.z + shape.bowl.w),
+                           0.5 * (shape.bowl.w - shape.bowl.z), 0.0);
         most = min(most, hullDistance(profile, within));
     }
     return most + 1.0e-5;
 }
 
-// `most` as waferAtMost. Foot, collar and bowl stand on one another: the gap to the heights of each bounds its distance.
+// `most` as waferAtMost. Foot, collar and bowl stand on one another: the gap to the heights of each bounds its
+// distance.
 float waferLevel(vec3 p, vec2 profile, float most)
 {
     float level = 1.0e9;
@@ -136,7 +142,8 @@ float waferLevel(vec3 p, vec2 profile, float most)
         level = min(level, collar);
     }
     float relief = max(shape.ringTube, shape.barRadius) + 0.25 * (shape.footBlend + shape.reliefBlend);
-    if ((shape.parts & 25) != 0 && p.y - shape.foot.z - relief <= min(level, most)) level = min(level, footLevel(p, profile, level));
+    if ((shape.parts & 25) != 0 && p.y - shape.foot.z - relief <= min(level, most))
+        level = min(level, footLevel(p, profile, level));
     return level;
 }
 
@@ -152,9 +159,9 @@ float lobeDistance(CreamLayer layer, vec3 p)
     return sdfCappedCone(vec3(away, along - layer.halfHeight, 0.0), layer.halfHeight, layer.radius, 0.0) - layer.corner;
 }
 
-// Union of the two nearest cones of a layer, in its untwisted space; `angle` of the point about the axis. Cones are taken
-// in the order in which balls that hold them lie around the axis; when the next ball is too far to hold one of the two
-// nearest, the rest are.
+// Union of the two nearest cones of a layer, in its untwisted space; `angle` of the point about the axis. Cones are
+// taken in the order in which balls that hold them lie around the axis; when the next ball is too far to hold one of
+// the two nearest, the rest are.
 float layerLevel(CreamLayer layer, vec3 p, float angle)
 {
     float turn = 2.0 * PI / float(layer.lobes);
@@ -188,8 +195,8 @@ float layerAtMost(CreamLayer layer, vec2 profile)
     return length(vec2(profile.x + length(vec2(middle.x, middle.z)), profile.y - middle.y));
 }
 
-// Union of the layers; `most` is a bound from above on what else there is. A twist turns heights about the axis, so that
-// it leaves every hull where it is.
+// Union of the layers; `most` is a bound from above on what else there is. A twist turns heights about the axis, so
+// that it leaves every hull where it is.
 float creamLevel(vec3 p, vec2 profile, vec2 hulls, float most)
 {
     float angle = angleOf(p.z, p.x);
@@ -270,11 +277,12 @@ float candyDistance(int i, vec3 p)
     vec3 v = p - shape.candies[i].center;
     vec3 x = shape.candies[i].axisX;
     vec3 y = shape.candies[i].axisY;
-    return sdfRoundBox(vec3(dot(v, x), dot(v, y), dot(v, cross(x, y))), shape.candies[i].halfSize, shape.candies[i].corner);
+    vec3 q = vec3(dot(v, x), dot(v, y), dot(v, cross(x, y)));
+    return sdfRoundBox(q, shape.candies[i].halfSize, shape.candies[i].corner);
 }
 
-// `d` united with the sprinkles that are near: capsules in a grid. A cell lists those that come near it, and says how far
-// all others are at least, which becomes `unlisted`; its outermost cells list none.
+// `d` united with the sprinkles that are near: capsules in a grid. A cell lists those that come near it, and says
+// how far all others are at least, which becomes `unlisted`; its outermost cells list none.
 float withSprinkles(vec3 p, float d)
 {
     vec3 high = shape.gridLow + shape.gridCell * vec3(shape.gridCells);
@@ -291,7 +299,9 @@ float withSprinkles(vec3 p, float d)
         solids += 1;
         vec4 start = sprinkleStart(i);
         vec4 finish = sprinkleFinish(i);
-        float one = sdfCapsule(p, vec3(start.x, start.y, start.z), vec3(finish.x, finish.y, finish.z), shape.sprinkleRadius);
+        vec3 a = vec3(start.x, start.y, start.z);
+        vec3 b = vec3(finish.x, finish.y, finish.z);
+        float one = sdfCapsule(p, a, b, shape.sprinkleRadius);
         if (one < all) fieldPart = PART_SPRINKLE + int(start.w);
         all = min(all, one);
     }

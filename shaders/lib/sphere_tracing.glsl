@@ -12,13 +12,13 @@
 //     if (!march.hit) discard;
 //     vec3 p = eye + direction * march.t;
 //     vec3 normal = fieldNormal(p, normalStep(march.t, settings), NORMAL_CENTRAL, -direction);
-// In C++: `Tracer` in render/glsl/cpu.h. `direction` has unit length everywhere, in the field's space.
-// pixelCone = tan(fovY / 2) / height in pixels: half a pixel's width at distance 1.
+// In C++: `Tracer` in render/glsl/cpu.h. `direction` has unit length everywhere, in the field's space. pixelCone =
+// tan(fovY / 2) / height in pixels: half a pixel's width at distance 1.
 //
-// fieldDistance must be 1-Lipschitz (lib/sdf.glsl says which are); a steeper one is divided by its
-// constant first. Where that makes it rough, FIELD_LEVEL names a smooth function with the same zeros and signs, of which
-// normals and occlusion are taken, and FIELD_CLEARANCE(d) its value where fieldDistance gave d last, by which soft shadows
-// are estimated. Every `evaluations` counts calls of fieldDistance, exactly.
+// fieldDistance must be 1-Lipschitz (lib/sdf.glsl says which are); a steeper one is divided by its constant first.
+// Where that makes it rough, FIELD_LEVEL names a smooth function with the same zeros and signs, of which normals and
+// occlusion are taken, and FIELD_CLEARANCE(d) its value where fieldDistance gave d last, by which soft shadows are
+// estimated. Every `evaluations` counts calls of fieldDistance, exactly.
 //
 // GLSL 4.50 and C++: no swizzles beyond one component, no `inout`, literals with a point.
 
