@@ -37,6 +37,11 @@ study_fur_rotationModel gl $study fur rotationModel --views 6 --runs 3
 study_fur_springModel gl $study fur springModel --views 6 --runs 3
 study_crepuscular_rays_volumeSteps gl $study crepuscular_rays volumeSteps
 study_crepuscular_rays_method_samples gl $study crepuscular_rays method samples --points 6 --runs 3 --set technique=screen\ space --set resolution=full
+study_ice_cream_hitTolerance gl $study ice_cream hitTolerance
+study_ice_cream_normalStep gl $study ice_cream normalStep
+study_ice_cream_shadowMethod_stepLimit gl $study ice_cream shadowMethod stepLimit --points 5 --runs 3
+study_ice_cream_occlusionTaps gl $study ice_cream occlusionTaps --alone --set lighting=as\ in\ the\ source
+study_ice_cream_supersamples gl $study ice_cream hall.supersamples --alone --values 1,2,4,8,16,32 --size 160x90 --views 1
 study_noise_boundShare gl $study noise boundShare --set work=fractal\ sum
 study_noise_cloudSteps gl $study noise cloudSteps --set work=clouds
 study_noise_lightSteps gl $study noise lightSteps --set work=clouds
