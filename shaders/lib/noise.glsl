@@ -1,8 +1,8 @@
 // Noise on a lattice of unit cells: value and gradient noise in two, three and four dimensions, with derivatives.
 // Simplex and cellular noise: lib/noise_simplex.glsl, lib/noise_cellular.glsl; sums of octaves: lib/noise_sums.glsl.
 //
-// A point is given as the integer cell that holds it and its place in that cell, 0 to 1 along each axis. So noise is the
-// same far from the origin as near it: what is lost there is lost by whoever adds cell and place into one float.
+// A point is given as the integer cell that holds it and its place in that cell, 0 to 1 along each axis. So noise is
+// the same far from the origin as near it: what is lost there is lost by whoever adds cell and place into one float.
 // `period` is the number of cells after which the noise repeats to the bit along each axis, 0 for never; `seed` chooses
 // one of many. Values lie in [-1, 1], their mean is 0.
 //
@@ -44,7 +44,8 @@ ivec3 noiseWrap(ivec3 cell, ivec3 period)
 
 ivec4 noiseWrap(ivec4 cell, ivec4 period)
 {
-    return ivec4(noiseWrap(cell.x, period.x), noiseWrap(cell.y, period.y), noiseWrap(cell.z, period.z), noiseWrap(cell.w, period.w));
+    return ivec4(noiseWrap(cell.x, period.x), noiseWrap(cell.y, period.y), noiseWrap(cell.z, period.z),
+                 noiseWrap(cell.w, period.w));
 }
 
 // Random bits of a lattice point: the same for the same point, period and seed on every machine.
@@ -149,7 +150,8 @@ Noise2 valueNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
     float v = noiseFade(place.y);
     Noise2 n;
     n.value = mix(mix(a, b, u), mix(c, d, u), v);
-    n.slope = vec2(mix(b - a, d - c, v) * noiseFadeSlope(place.x), (mix(c, d, u) - mix(a, b, u)) * noiseFadeSlope(place.y));
+    n.slope = vec2(mix(b - a, d - c, v) * noiseFadeSlope(place.x),
+                   (mix(c, d, u) - mix(a, b, u)) * noiseFadeSlope(place.y));
     return n;
 }
 
@@ -166,7 +168,8 @@ Noise3 valueNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
         float y = corner.y == 1 ? u.y : 1.0 - u.y;
         float z = corner.z == 1 ? u.z : 1.0 - u.z;
         n.value += value * (x * y * z);
-        n.slope += value * vec3(corner.x == 1 ? y * z : -(y * z), corner.y == 1 ? x * z : -(x * z), corner.z == 1 ? x * y : -(x * y));
+        n.slope += value * vec3(corner.x == 1 ? y * z : -(y * z), corner.y == 1 ? x * z : -(x * z),
+                                corner.z == 1 ? x * y : -(x * y));
     }
     n.slope = n.slope * vec3(noiseFadeSlope(place.x), noiseFadeSlope(place.y), noiseFadeSlope(place.z));
     return n;
@@ -189,7 +192,8 @@ Noise4 valueNoise(ivec4 cell, vec4 place, ivec4 period, uint seed)
         n.slope += value * vec4(corner.x == 1 ? y * z * w : -(y * z * w), corner.y == 1 ? x * z * w : -(x * z * w),
                                 corner.z == 1 ? x * y * w : -(x * y * w), corner.w == 1 ? x * y * z : -(x * y * z));
     }
-    n.slope = n.slope * vec4(noiseFadeSlope(place.x), noiseFadeSlope(place.y), noiseFadeSlope(place.z), noiseFadeSlope(place.w));
+    n.slope = n.slope * vec4(noiseFadeSlope(place.x), noiseFadeSlope(place.y), noiseFadeSlope(place.z),
+                             noiseFadeSlope(place.w));
     return n;
 }
 
@@ -215,7 +219,8 @@ Noise2 gradientNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
         float x = corner.x == 1 ? u.x : 1.0 - u.x;
         float y = corner.y == 1 ? u.y : 1.0 - u.y;
         n.value += ramp * (x * y);
-        n.slope += g * (x * y) + ramp * vec2(corner.x == 1 ? du.x * y : -(du.x * y), corner.y == 1 ? du.y * x : -(du.y * x));
+        n.slope += g * (x * y) + ramp * vec2(corner.x == 1 ? du.x * y : -(du.x * y),
+                                             corner.y == 1 ? du.y * x : -(du.y * x));
     }
     n.value *= GRADIENT_SCALE_2;
     n.slope = n.slope * GRADIENT_SCALE_2;

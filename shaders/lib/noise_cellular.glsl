@@ -1,6 +1,7 @@
-// Cellular noise (Worley 1996, "A Cellular Texture Basis Function") in two, three and four dimensions: one point anywhere
-// in each cell, and the distance to the nearest. Distances above 1 count as 1, which makes the search among the neighbors
-// of a cell exact: what lies beyond them is farther than that. Points, periods and seeds are those of lib/noise.glsl.
+// Cellular noise (Worley 1996, "A Cellular Texture Basis Function") in two, three and four dimensions: one point
+// anywhere in each cell, and the distance to the nearest. Distances above 1 count as 1, which makes the search among
+// the neighbors of a cell exact: what lies beyond them is farther than that. Points, periods and seeds are those of
+// lib/noise.glsl.
 //
 // GLSL 4.50 and C++ (render/glsl/cpu.h).
 #ifndef __cplusplus

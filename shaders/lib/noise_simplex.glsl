@@ -1,11 +1,12 @@
 // Simplex noise (Perlin 2001, "Noise hardware") in two, three and four dimensions: n + 1 lattice points around every
-// point instead of the 2^n of a cell, and no axis that it prefers. Points, periods and seeds are those of lib/noise.glsl.
+// point instead of the 2^n of a cell, and no axis that it prefers. Points, periods and seeds are those of
+// lib/noise.glsl.
 //
-// The lattices are chosen so that the unit steps along x, y, z and w belong to them: noise then repeats along these axes,
-// as lib/noise.glsl's does (Gustavson and McEwan 2022, "Tiling Simplex Noise and Flow Noise in Two and Three Dimensions").
-// In two dimensions rows are shifted by half a cell, so that the period along y has to be even; in three, it is the
-// body-centered cubic lattice, whose simplices are all alike; in four, lattice points lie at the thirds of a cell's
-// diagonal. Lattice points are handled as integers, in whatever part of a cell makes them so.
+// The lattices are chosen so that the unit steps along x, y, z and w belong to them: noise then repeats along these
+// axes, as lib/noise.glsl's does (Gustavson and McEwan 2022, "Tiling Simplex Noise and Flow Noise in Two and Three
+// Dimensions"). In two dimensions rows are shifted by half a cell, so that the period along y has to be even; in three,
+// it is the body-centered cubic lattice, whose simplices are all alike; in four, lattice points lie at the thirds of a
+// cell's diagonal. Lattice points are handled as integers, in whatever part of a cell makes them so.
 //
 // GLSL 4.50 and C++ (render/glsl/cpu.h).
 #ifndef __cplusplus
@@ -85,7 +86,8 @@ Noise3 simplexNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
     vec3 base = floor(skewed);
     vec3 f = skewed - base;
     // Along the largest part first, along the smallest last.
-    vec3 order = vec3(float(f.x >= f.y) + float(f.x >= f.z), float(f.y > f.x) + float(f.y >= f.z), float(f.z > f.x) + float(f.z > f.y));
+    vec3 order = vec3(float(f.x >= f.y) + float(f.x >= f.z), float(f.y > f.x) + float(f.y >= f.z),
+                      float(f.z > f.x) + float(f.z > f.y));
     Noise3 n;
     n.value = 0.0;
     n.slope = vec3(0.0);
@@ -109,14 +111,17 @@ Noise4 simplexNoise(ivec4 cell, vec4 place, ivec4 period, uint seed)
     vec4 skewed = vec4(place.x + place.y + place.z + place.w) - place;
     vec4 base = floor(skewed);
     vec4 f = skewed - base;
-    vec4 order = vec4(float(f.x >= f.y) + float(f.x >= f.z) + float(f.x >= f.w), float(f.y > f.x) + float(f.y >= f.z) + float(f.y >= f.w),
-                      float(f.z > f.x) + float(f.z > f.y) + float(f.z >= f.w), float(f.w > f.x) + float(f.w > f.y) + float(f.w > f.z));
+    vec4 order = vec4(float(f.x >= f.y) + float(f.x >= f.z) + float(f.x >= f.w),
+                      float(f.y > f.x) + float(f.y >= f.z) + float(f.y >= f.w),
+                      float(f.z > f.x) + float(f.z > f.y) + float(f.z >= f.w),
+                      float(f.w > f.x) + float(f.w > f.y) + float(f.w > f.z));
     Noise4 n;
     n.value = 0.0;
     n.slope = vec4(0.0);
     for (int i = 0; i < 5; ++i) {
         float last = 4.0 - float(i);
-        vec4 s = base + vec4(float(order.x >= last), float(order.y >= last), float(order.z >= last), float(order.w >= last));
+        vec4 s = base + vec4(float(order.x >= last), float(order.y >= last), float(order.z >= last),
+                             float(order.w >= last));
         vec4 thrice = vec4(s.x + s.y + s.z + s.w) - 3.0 * s;
         ivec4 thirds = 3 * cell + ivec4(int(thrice.x), int(thrice.y), int(thrice.z), int(thrice.w));
         uint bits = noiseBits(thirds, 3 * period, seed);

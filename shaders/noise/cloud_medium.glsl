@@ -21,17 +21,17 @@ float cloudThrough(float depth)
     return exp(-max(depth, 0.0));
 }
 
-// Light that a stretch of optical depth `depth` adds to a ray when each part of it sends `source` towards the eye per unit
-// of its own depth: the integral in closed form, so that the number of stretches does not matter (Hillaire 2015,
+// Light that a stretch of optical depth `depth` adds to a ray when each part of it sends `source` towards the eye per
+// unit of its own depth: the integral in closed form, so that the number of stretches does not matter (Hillaire 2015,
 // "Physically Based and Unified Volumetric Rendering in Frostbite"). Times what comes through the cloud before it.
 float cloudAdded(float source, float depth)
 {
     return source * (1.0 - cloudThrough(depth));
 }
 
-// Sunlight of irradiance 1 that reaches a place under the optical depth `depth` and leaves it towards the eye, after 1 to
-// `orders` scatterings, per unit of optical depth. Each order counts 3/4 of the one before, sees 2/5 of its depth and
-// scatters half as much ahead (Wrenninge, Kulla and Lundqvist 2013, "Oz: The Great and Volumetric").
+// Sunlight of irradiance 1 that reaches a place under the optical depth `depth` and leaves it towards the eye, after 1
+// to `orders` scatterings, per unit of optical depth. Each order counts 3/4 of the one before, sees 2/5 of its depth
+// and scatters half as much ahead (Wrenninge, Kulla and Lundqvist 2013, "Oz: The Great and Volumetric").
 float cloudSunlight(float cosine, float depth, float forward, float backward, int orders)
 {
     float sum = 0.0;

@@ -7,8 +7,9 @@
 #endif
 
 // No noise changes by more than this per unit. At a point whose faded coordinates are u, the differences D of the
-// interpolated values, which lie in [-1, 1], obey sum D^2 u (1 - u) <= 1 (Parseval's inequality for the product measure of
-// the corners), so the slope is at most the largest fade' / sqrt(fade (1 - fade)), which is 15/8 / (1/2) in the middle.
+// interpolated values, which lie in [-1, 1], obey sum D^2 u (1 - u) <= 1 (Parseval's inequality for the product measure
+// of the corners), so the slope is at most the largest fade' / sqrt(fade (1 - fade)), which is 15/8 / (1/2) in the
+// middle.
 const float SCENE_NOISE_SLOPE = 3.75;
 
 float sceneLatticeValue(ivec3 cell)

@@ -1,8 +1,8 @@
 // What scene files do to distances and points, beside lib/sdf_operators.glsl. Every function keeps fields 1-Lipschitz:
 // where an operation stretches space, the distance is divided here by as much as it may have grown.
 //
-// A blend of two fields has a share as well: how much of the second is in the result, 0 to 1. It is the derivative of the
-// blended distance by the second one, so that materials turn where the surface does.
+// A blend of two fields has a share as well: how much of the second is in the result, 0 to 1. It is the derivative of
+// the blended distance by the second one, so that materials turn where the surface does.
 //
 // GLSL 4.50 and C++ (exhibits/sdf_scenes/scene_functions_cpu.h).
 
@@ -12,7 +12,8 @@
 #include "lib/sdf_operators.glsl"
 #endif
 
-// Which profile a blend has; all begin where the two distances differ by `k`, but the exponential one, which has no end.
+// Which profile a blend has; all begin where the two distances differ by `k`, but the exponential one, which has no
+// end.
 const int SCENE_QUADRATIC = 0;
 const int SCENE_CUBIC = 1;
 const int SCENE_CIRCULAR = 2;
@@ -140,9 +141,9 @@ vec3 sceneBend(vec3 p, float rate)
     return vec3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
 }
 
-// The largest s for which a field that grows by at most 1 + rate * radius per meter at `radius` from an axis cannot pass
-// zero within s: s (1 + rate (radius + s)) = d. It is itself 1-Lipschitz: its differential is at most
-// (1 + rate radius + rate s) / (1 + rate radius + 2 rate s).
+// The largest s for which a field that grows by at most 1 + rate * radius per meter at `radius` from an axis cannot
+// pass zero within s: s (1 + rate (radius + s)) = d. It is itself 1-Lipschitz: its differential is at most (1 + rate
+// radius + rate s) / (1 + rate radius + 2 rate s).
 float sceneSheared(float d, float radius, float rate)
 {
     float slope = 1.0 + abs(rate) * radius;
@@ -163,8 +164,9 @@ float sceneBent(float d, vec3 p, float rate)
 // ---- Repetition ----------------------------------------------------------------------------------
 // The nearest copy is found by asking as many of them as the content is wide, from the first one that may be nearest.
 
-// Along one axis: the copies are `spacing` apart, `count` of them around the origin or endless for 0, or there is one for
-// a spacing of 0. Of the `asked` ones, by `i` from 0, the first is that whose content, which ends at `high`, is nearest.
+// Along one axis: the copies are `spacing` apart, `count` of them around the origin or endless for 0, or there is one
+// for a spacing of 0. Of the `asked` ones, by `i` from 0, the first is that whose content, which ends at `high`, is
+// nearest.
 float sceneCell(float x, float i, float spacing, float count, float high, float asked)
 {
     if (!(spacing > 0.0)) return x;
@@ -191,8 +193,8 @@ vec3 sceneRepeatedAround(vec3 p, int i, float count, float high)
     return sceneTurnY(p, cell * sector);
 }
 
-// The distance of a copy whose content lies in a box: not less than that of the box, and not above `cap`, so that a copy
-// beyond it need not be asked. A cap of 0 leaves it as it is.
+// The distance of a copy whose content lies in a box: not less than that of the box, and not above `cap`, so that a
+// copy beyond it need not be asked. A cap of 0 leaves it as it is.
 float sceneCapped(float d, vec3 p, float cap, vec3 center, vec3 halfSize)
 {
     if (!(cap > 0.0)) return d;

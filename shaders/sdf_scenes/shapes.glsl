@@ -1,8 +1,8 @@
 // Shapes of scene files that lib/sdf.glsl has not: signed distance in meters, negative inside. Words as there: exact,
 // bound; everything is 1-Lipschitz. Sizes are not negative.
 //
-// The shapes are those of Inigo Quilez's collection ("Distance functions", 2008 to 2023), derived here on the half or the
-// profile in which each is simplest; the ellipsoid is not.
+// The shapes are those of Inigo Quilez's collection ("Distance functions", 2008 to 2023), derived here on the half or
+// the profile in which each is simplest; the ellipsoid is not.
 //
 // GLSL 4.50 and C++ (exhibits/sdf_scenes/scene_functions_cpu.h).
 
@@ -66,8 +66,8 @@ float scenePyramid(vec3 p, float baseSize, float height)
     return p.y > 0.0 && above < 0.0 ? -nearest : nearest;
 }
 
-// Exact. Lens drawn out: arcs from a to b, turned around ab, `radius` in the middle. A radius of half the length or more
-// gives the ball around both.
+// Exact. Lens drawn out: arcs from a to b, turned around ab, `radius` in the middle. A radius of half the length or
+// more gives the ball around both.
 float sceneVesica(vec3 p, vec3 a, vec3 b, float radius)
 {
     vec2 q = abs(sceneAlong(p, a, b));
@@ -122,8 +122,8 @@ float sceneQuad(vec3 p, vec3 a, vec3 b, vec3 c, vec3 d)
 }
 
 // Exact. The foot of the perpendicular on the surface is r_i^2 p_i / (u + r_i^2 - m^2), m the smallest radius, where
-// |r_i p_i / (u + r_i^2 - m^2)| is 1. One over that length is concave in u, so Newton's steps rise to the root from any u
-// at which one component alone is 1 already (More and Sorensen 1983, "Computing a trust region step").
+// |r_i p_i / (u + r_i^2 - m^2)| is 1. One over that length is concave in u, so Newton's steps rise to the root from any
+// u at which one component alone is 1 already (More and Sorensen 1983, "Computing a trust region step").
 float sceneEllipsoid(vec3 p, vec3 radii)
 {
     vec3 r = max(radii, vec3(SDF_SMALLEST));
