@@ -251,7 +251,7 @@ render::Draw sdfDraw(const SdfScene& scene, std::shared_ptr<const render::Mesh> 
         static_cast<float>(std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])}));
     render::Draw draw;
     draw.mesh = std::move(mesh);
-    draw.mirrored = glm::determinant(linear) < 0;
+    draw.mirrored = isMirrored(worldFromLocal);
     draw.object = render::std140Bytes(object);
     return draw;
 }
