@@ -60,6 +60,7 @@ Json ranJson(const render::FrameReport& frame, const std::map<std::string, doubl
                            {"reason", step.reason},
                            {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)},
                            {"bound", boundJson(step.bound)}});
+        if (!step.variant.empty()) ran.back()["variant"] = step.variant;
         for (const render::Effect& effect : step.effects)
             ran.back()["effects"].push_back(Json{{"name", effect.name}, {"bound", boundJson(effect.bound)}});
     }

@@ -36,7 +36,7 @@ struct SdfBody {
     glm::dmat4 exhibitFromBody{1};  ///< Where it stands in the exhibit's space: the box is its own.
     double ownLight =
         0;  ///< The most that light of its own sends to its surfaces (irradiance): it shades itself from that.
-    std::string note = {};                        ///< In the ledger, behind why it is marched.
+    std::string variant = {};                     ///< `render::Pass::variant` of its march.
     std::vector<std::string> defines = {};        ///< Permutations of its field, material and shading.
     std::vector<render::BufferUse> buffers = {};  ///< What its field reads at STORAGE_EXHIBIT_A, B and C.
 };

@@ -138,7 +138,8 @@ struct SdfPlanner {
 
     void march() const
     {
-        Pass made = marchPass("march", scene.body.note.empty() ? "in view" : "in view; " + scene.body.note);
+        Pass made = marchPass("march", "in view");
+        made.variant = scene.body.variant;
         drawSurface(made, {.normal = scene.context.channels.normal});
         // Back faces: they are there even when the camera is inside the box.
         made.state.cull = render::Cull::front;

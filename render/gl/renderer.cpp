@@ -319,7 +319,7 @@ struct Renderer::State {
                 if (used.standIn.empty()) remember(pass, plan, lost);
                 report.unfinished = report.unfinished || used.building;
                 report.ran.push_back({pass.name, used.standIn.empty() ? pass.reason : pass.reason + ", " + used.standIn,
-                                      pass.work, -1, pass.bound, pass.effects});
+                                      pass.work, -1, pass.bound, pass.effects, pass.variant});
                 if (timeSteps) clock.mark();
                 countDraws(pass, report.counters);
             }

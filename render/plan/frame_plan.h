@@ -117,6 +117,8 @@ struct DepthOnly {
 struct Pass {
     std::string name;    ///< Unique in the plan: "sdf_morph/march".
     std::string reason;  ///< Why it is here, for people: "in view, 1.2 m away".
+    /// Which of several things it draws in turn, for people: "built up to: bars". The ledger keeps the time of each.
+    std::string variant = {};
     PassPhase phase = PassPhase::opaque;
     Work work = Work::raster;
 

@@ -18,6 +18,7 @@ struct StepReport {
     double milliseconds = -1;
     ContributionBound bound;      ///< As Pass::bound.
     std::vector<Effect> effects;  ///< As Pass::effects.
+    std::string variant = {};     ///< As Pass::variant.
 };
 
 /// The ledger of one frame.

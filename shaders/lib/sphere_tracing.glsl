@@ -126,8 +126,9 @@ float relaxedStep(float radius, float slope, MarchSettings s)
 // it: it cannot hit until it has been off it once, or is deeper inside than the tolerance. If its origin is
 // inside the solid it travels to the exit. A ray that starts later (tMin > 0, at the face of a box) inside
 // the solid hits there: a box that is too small shows a cut.
-// A ray out of steps hits when its closest approach so far, as seen from the eye, was within two pixels,
-// or when it was still closing in and would have arrived: grazing views get no holes.
+// A ray out of steps hits when its closest approach so far, as seen from the eye, was within a pixel,
+// or when it was still closing in and the field, asked once more, says that it would have arrived: grazing views get no
+// holes.
 March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
 {
     March march;
@@ -199,14 +200,21 @@ March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
 
     march.exhausted = true;
     float pixel = s.pixelCone * s.tolerance;
-    bool near = candidateCone <= 4.0 * pixel;
+    bool near = candidateCone <= 2.0 * pixel;
     bool arriving = free && slope < -1.0e-4 && radius <= 32.0 * pixel * (march.t + s.traveled) &&
                     march.t - radius / slope < s.tMax;
     if (arriving) {
-        march.hit = true;
-        march.t = march.t - radius / slope;
-        march.distance = 0.0;
-    } else if (near) {
+        float t = march.t - radius / slope;
+        float value = fieldDistance(origin + direction * t);
+        march.evaluations += 1;
+        if (abs(value) <= 2.0 * hitTolerance(t, s)) {
+            march.hit = true;
+            march.t = t;
+            march.distance = value;
+            return march;
+        }
+    }
+    if (near) {
         march.hit = true;
         march.t = candidateT;
         march.distance = candidateDistance;

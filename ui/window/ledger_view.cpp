@@ -58,10 +58,17 @@ void LedgerView::showEvent(QShowEvent* event)
     QTreeWidget::showEvent(event);
 }
 
+std::vector<std::pair<std::string, double>> LedgerView::otherVariants(const render::StepReport& ran) const
+{
+    auto others = costs_.variantsOf(ran.name);
+    std::erase_if(others, [&](const auto& variant) { return variant.first == ran.variant; });
+    return others;
+}
+
 void LedgerView::renew()
 {
     std::size_t steps = report_.ran.size() + report_.skipped.size();
-    for (const render::StepReport& s : report_.ran) steps += s.effects.size();
+    for (const render::StepReport& s : report_.ran) steps += s.effects.size() + otherVariants(s).size();
     const int wanted = static_cast<int>(steps);
     while (topLevelItemCount() > wanted) delete takeTopLevelItem(topLevelItemCount() - 1);
     while (topLevelItemCount() < wanted) {
@@ -87,10 +94,14 @@ void LedgerView::renew()
     };
     for (const render::StepReport& s : report_.ran) {
         fill(s.name, s.work, milliseconds(s.milliseconds), {},
-             s.reason + (s.bound.isKnown() ? "; " + toString(s.bound) : std::string()), true);
+             s.reason + (s.variant.empty() ? std::string() : "; " + s.variant) +
+                 (s.bound.isKnown() ? "; " + toString(s.bound) : std::string()),
+             true);
         for (const render::Effect& e : s.effects)
             fill(e.name, s.work, tr("in the step above"), {},
                  e.bound.isKnown() ? toString(e.bound) : tr("may change any pixel").toStdString(), true);
+        for (const auto& [variant, ms] : otherVariants(s))
+            fill(s.name, s.work, milliseconds(ms), {}, variant + tr("; when it was last drawn").toStdString(), false);
     }
     for (const render::CulledPass& s : report_.skipped)
         fill(s.name, s.work, tr("skipped"), milliseconds(costs_.of(s.name)),

@@ -26,6 +26,8 @@ protected:
 private:
     void renew();
     [[nodiscard]] QString stepText(const QString& name) const;
+    /// What the step's other variants took when they were last drawn.
+    [[nodiscard]] std::vector<std::pair<std::string, double>> otherVariants(const render::StepReport& ran) const;
 
     QHash<QString, QString> titles_;
     render::FrameReport report_;

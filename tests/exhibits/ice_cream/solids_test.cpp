@@ -217,7 +217,7 @@ TEST(IceCreamMarch, I12_ARayThatIsOutOfStepsIsNoHit)
             if (nearest < 2) continue;
             ++missed;
             const auto span = tracer.rayBox(eye, ray, box.low, box.high);
-            for (const int steps : {64, 128}) {
+            for (const int steps : {2, 4, 8, 16, 64, 128}) {
                 auto settings = tracer.marchSettings(span.x, span.y, halfPixel);
                 settings.stepLimit = steps;
                 phantoms += tracer.sphereTrace(eye, ray, settings).hit;

@@ -38,5 +38,25 @@ TEST(StepCosts, OfAnExhibitAsAWholeAreThoseOfItsPictureInOneFrame)
     EXPECT_EQ(costs.of("fur"), 4) << "its motion goes on for the sake of its shadow";
 }
 
+TEST(StepCosts, OfAStepThatDrawsSeveralThingsInTurnAreKeptForEach)
+{
+    StepCosts costs;
+    const auto draw = [&](const std::string& variant, double milliseconds) {
+        FrameReport report;
+        report.ran.push_back({.name = "cone/march", .milliseconds = milliseconds, .variant = variant});
+        costs.note(report);
+    };
+    draw("bars", 2);
+    draw("fog", 5);
+    draw("bars", 3);
+    draw("", 7);
+    const std::vector<std::pair<std::string, double>> expected{{"bars", 3}, {"fog", 5}};
+    EXPECT_EQ(costs.variantsOf("cone/march"), expected);
+    EXPECT_EQ(costs.of("cone/march"), 7);
+    EXPECT_TRUE(costs.variantsOf("fur/coat").empty());
+    for (int i = 0; i < 1000; ++i) draw(std::to_string(i), 1);
+    EXPECT_EQ(costs.variantsOf("cone/march").size(), 64U);
+}
+
 }  // namespace
 }  // namespace vitrine::render
