@@ -74,8 +74,8 @@ SdfBody IceCream::body(const ParameterValues& values, double time) const
     // The source's numbers are those of the film: over any exposure, they have no bound.
     body.ownLight = values[table_.lighting] == IceCreamLighting::source ? std::numeric_limits<double>::infinity()
                                                                         : values[table_.lamp];
-    body.variant = "built up to: " +
-                   std::string(values.rows()[table_.stage.row].choices[static_cast<std::size_t>(shape.stage)]);
+    body.variant =
+        "built up to: " + std::string(values.rows()[table_.stage.row].choices[static_cast<std::size_t>(shape.stage)]);
     if (shape.stage < STAGE_FINISHED) body.defines.emplace_back("PIXEL_CENTERS");
     return body;
 }

@@ -5,6 +5,7 @@
 #include "ui/kit/message_of.h"
 #include "ui/viewport/overlay.h"
 #include "ui/viewport/reading_notice.h"
+#include "ui/viewport/shader_problems_text.h"
 #include "ui/viewport/viewport_format.h"
 #include "ui/viewport/viewport_input.h"
 
@@ -31,11 +32,15 @@ constexpr double longestRegionTick = 5;  // After a longer pause (a machine that
 }  // namespace
 
 Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history, QWidget* parent)
-    : QOpenGLWidget(parent), museum_(museum), renderers_(renderers), history_(history),
+    : QOpenGLWidget(parent), museum_(museum), renderers_(renderers), history_(history), prepared_(museum),
       hint_(new Overlay(Overlay::Place::bottom, this)), label_(new Overlay(Overlay::Place::center, this)),
       problems_(new Overlay(Overlay::Place::topLeft, this)),
-      reading_(std::make_unique<ReadingNotice>(
-          this, [this] { return shown_.isNull() ? std::vector<render::PendingAsset>() : prepared().pending; })),
+      reading_(std::make_unique<ReadingNotice>(this,
+                                               [this] {
+                                                   prepared_.lookAgain();
+                                                   return shown_.isNull() ? std::vector<render::PendingAsset>()
+                                                                          : prepared().pending;
+                                               })),
       input_(std::make_unique<ViewportInput>(*this, control_, [this](const QPointF& at) { return pointedAt(at); }))
 {
     setFormat(viewportFormat());
@@ -257,15 +262,9 @@ void Viewport::scheduleNext()
 
 const Prepared& Viewport::prepared()
 {
-    if (!prepared_ || preparedState_ != sceneStateNumber_ || prepared_->time != time_ || !prepared_->pending.empty()) {
-        FrameRequest wanted = request(time_);
-        wanted.waitless = true;  // The render thread reads what it draws.
-        prepared_ = museum_.prepare(history_.sceneState(), wanted);
-        preparedState_ = sceneStateNumber_;
-        ++preparations_;
-        if (!prepared_->pending.empty()) reading_->start();
-    }
-    return *prepared_;
+    const Prepared& now = prepared_.of(history_.sceneState(), sceneStateNumber_, request(time_));
+    if (!now.pending.empty()) reading_->start();
+    return now;
 }
 
 std::optional<PictureRegion> Viewport::smallRegion()
@@ -320,6 +319,7 @@ void Viewport::advanceClock(double at)
 
 void Viewport::tick()
 {
+    prepared_.lookAgain();
     advanceClock(now());
     orderPicture();
     scheduleNext();
@@ -479,15 +479,7 @@ void Viewport::reloadShaders()
 
 void Viewport::showProblems(const std::vector<render::gl::ShaderProblem>& problems)
 {
-    QStringList lines;
-    for (const render::gl::ShaderProblem& problem : problems)
-        lines << QStringLiteral("%1:%2  %3")
-                     .arg(QString::fromStdString(problem.file))
-                     .arg(problem.line)
-                     .arg(QString::fromStdString(problem.message).trimmed());
-    if (!lines.isEmpty())
-        lines.prepend(tr("A shader did not build; the last good picture stays. Saving the file tries again."));
-    problems_->say(lines.join(QLatin1Char('\n')));
+    problems_->say(shaderProblemsText(problems));
 }
 
 void Viewport::showHint(const QString& text)

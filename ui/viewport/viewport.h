@@ -3,6 +3,7 @@
 #include "ui/model/history.h"
 #include "ui/viewport/camera_control.h"
 #include "ui/viewport/draw_schedule.h"
+#include "ui/viewport/prepared_look.h"
 #include "ui/viewport/render_thread.h"
 #include "ui/viewport/renderers.h"
 
@@ -67,7 +68,7 @@ public:
     [[nodiscard]] long long regionsDrawn() const { return regionsDrawn_; }
     /// How often what is asked of the museum was prepared since the start: tests count that one moment of one look
     /// takes one.
-    [[nodiscard]] long long preparations() const { return preparations_; }
+    [[nodiscard]] long long preparations() const { return prepared_.preparations(); }
     [[nodiscard]] RenderThread& renderThread() { return *thread_; }
 
 public slots:
@@ -148,9 +149,7 @@ private:
     long long drawnState_ = 0;        // Of the picture that is being drawn.
     long long picturesDrawn_ = 0;
 
-    std::optional<Prepared> prepared_;
-    long long preparedState_ = 0;  // What `prepared_` shows: `sceneStateNumber_`; its moment is its own.
-    long long preparations_ = 0;
+    PreparedLook prepared_;
 
     // What moves while the rest of the picture stands still.
     std::optional<PictureRegion> region_;

@@ -1,0 +1,22 @@
+#include "ui/viewport/shader_problems_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace vitrine::ui {
+
+QString shaderProblemsText(const std::vector<render::gl::ShaderProblem>& problems)
+{
+    QStringList lines;
+    for (const render::gl::ShaderProblem& problem : problems)
+        lines << QStringLiteral("%1:%2  %3")
+                     .arg(QString::fromStdString(problem.file))
+                     .arg(problem.line)
+                     .arg(QString::fromStdString(problem.message).trimmed());
+    if (!lines.isEmpty())
+        lines.prepend(QCoreApplication::translate(
+            "Viewport", "A shader did not build; the last good picture stays. Saving the file tries again."));
+    return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace vitrine::ui
