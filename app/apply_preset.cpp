@@ -2,10 +2,14 @@
 
 #include "exhibits/framework/preset.h"
 #include "render/failure.h"
+#include "render/files/assets.h"
 #include "render/files/extension.h"
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
+
+#include <filesystem>
+#include <set>
 
 namespace vitrine::app {
 namespace {
@@ -22,6 +26,25 @@ std::string presetTextOf(const std::string& file)
     return *text;
 }
 
+/// A shipped preset by its name, or the file as given.
+std::string presetFile(const std::string& given, const std::string& subject)
+{
+    namespace fs = std::filesystem;
+    const fs::path path = given;
+    std::error_code ignored;
+    if (path.has_parent_path() || path.has_extension() || fs::exists(path, ignored)) return given;
+    const fs::path folder = render::asset("presets/" + subject);
+    const fs::path shipped = folder / (given + ".json");
+    if (fs::exists(shipped, ignored)) return shipped.string();
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().extension() == ".json") names.insert(entry.path().stem().string());
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    throw Failure(Blame::file, "There is neither a file nor a preset of " + subject + " named " + given + "; " +
+                                   (all.empty() ? "give a preset file." : "its presets are " + all + "."));
+}
+
 void append(std::vector<std::string>& notes, const std::string& file, const std::vector<std::string>& more)
 {
     for (const std::string& note : more) notes.push_back(file + ": " + note);
@@ -29,8 +52,9 @@ void append(std::vector<std::string>& notes, const std::string& file, const std:
 
 }  // namespace
 
-void applyPreset(const Museum& museum, const std::string& file, RequestedPicture& job)
+void applyPreset(const Museum& museum, const std::string& given, RequestedPicture& job)
 {
+    const std::string file = presetFile(given, std::string(museum.subject(job.subject).name()));
     const std::string text = presetTextOf(file);
     const PresetHeader header = presetHeader(render::parseJson(text, file, presetLimits));
     if (header.isExhibition) {

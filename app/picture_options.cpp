@@ -189,7 +189,8 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
     const auto add = [&](const char* name, auto& value, const char* help) {
         return command.add_option(name, value, help)->group(heading);
     };
-    add("--preset", o.preset, "A preset of the exhibit, an exhibition, or a picture that carries one");
+    add("--preset", o.preset,
+        "A shipped preset of the exhibit by its name, or a file: a preset, an exhibition, a picture that carries one");
     add("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")
         ->take_all()
         ->allow_extra_args(true);

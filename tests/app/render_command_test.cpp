@@ -1,3 +1,4 @@
+#include "render/files/assets.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
 #include "tests/app/child_process.h"
@@ -258,6 +259,21 @@ TEST(RenderCommand, WhatCannotBeReadIsExit5)
         test::expectOneSentence(ended, {"broken.glb"});
     }
     EXPECT_EQ(folder.files().size(), 2U);
+}
+
+TEST(RenderCommand, AShippedPresetIsKnownByItsName)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "named.exr", {"--preset", "old-gold"})).code, 0);
+    const std::string file = render::asset("presets/sdf_morph/old-gold.json").string();
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "file.exr", {"--preset", file})).code, 0);
+    ASSERT_EQ(test::vitrine(rendering("sdf_morph", folder / "initial.exr")).code, 0);
+    const auto named = render::readImage(folder / "named.exr").pixels;
+    EXPECT_EQ(named, render::readImage(folder / "file.exr").pixels);
+    EXPECT_NE(named, render::readImage(folder / "initial.exr").pixels);
+    const Ended ended = test::vitrine(rendering("sdf_morph", folder / "x.png", {"--preset", "old-golf"}));
+    EXPECT_EQ(ended.code, 5);
+    test::expectOneSentence(ended, {"old-golf", "old-gold"});
 }
 
 TEST(RenderCommand, WithoutAssetsSaysWhatToDo)
