@@ -5,7 +5,6 @@
 #include "render/plan/frame_plan.h"
 
 #include <initializer_list>
-#include <optional>
 #include <string>
 #include <vector>
 

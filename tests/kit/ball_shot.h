@@ -47,15 +47,9 @@ struct BallShot {
     explicit BallShot(const Museum& of = ballMuseum(), const char* exhibit = "ball")
         : museum(of), sceneState(of.initialSceneState()), subject(*of.find(exhibit))
     {
-        sceneState.hall().set(hallTable().shadowMapSize, 512);
-        sceneState.hall().set(hallTable().probeSize, 32);
-        sceneState.hall().set(hallTable().probeSamples, 16);
+        useSmallMaps(sceneState, 512);
+        seeAlone(request, subject);
         FrameRequest& frame = request.frame;
-        frame.alone = subject;
-        frame.transparent = true;
-        frame.averageIn = AverageIn::radiance;
-        frame.channels.normal = true;
-        request.depth = true;
         frame.raster.size = {96, 72};
         frame.camera = {{0, 0, 2}, {0, 0, 0}, 0.6};
     }

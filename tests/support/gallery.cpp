@@ -43,22 +43,33 @@ double Picture::mean() const
     return sum / (width() * height());
 }
 
+void useSmallMaps(SceneState& sceneState, int shadowMapSize)
+{
+    sceneState.hall().set(hallTable().shadowMapSize, shadowMapSize);
+    sceneState.hall().set(hallTable().probeSize, 32);
+    sceneState.hall().set(hallTable().probeSamples, 16);
+}
+
+void seeAlone(PictureRequest& request, std::size_t subject)
+{
+    FrameRequest& frame = request.frame;
+    frame.alone = subject;
+    frame.transparent = true;
+    frame.averageIn = AverageIn::radiance;
+    frame.channels.normal = true;
+    request.depth = true;
+}
+
 Shot::Shot()
 {
     const Museum& museum = gallery().museum;
     sceneState = museum.initialSceneState();
     sdf = *museum.find("sdf_morph");
-    hall().set(hallTable().shadowMapSize, 512);
-    hall().set(hallTable().probeSize, 32);
-    hall().set(hallTable().probeSamples, 16);
+    useSmallMaps(sceneState, 512);
     // Clear air, so that surfaces are seen as they are.
     sceneState.values[*museum.find("crepuscular_rays")].set(raysTable().technique, RayTechnique::none);
+    seeAlone(request, sdf);
     FrameRequest& frame = request.frame;
-    frame.alone = sdf;
-    frame.transparent = true;
-    frame.averageIn = AverageIn::radiance;
-    frame.channels.normal = true;
-    request.depth = true;
     frame.raster.size = {96, 54};
     frame.camera = museum.subject(sdf).bestView(object());
 }

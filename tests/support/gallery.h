@@ -36,6 +36,11 @@ private:
     std::size_t errorsBefore_ = 0;
 };
 
+/// Shadow map and probe small, so that a picture of the hall takes less time.
+void useSmallMaps(SceneState&, int shadowMapSize);
+/// One exhibit alone on nothing: linear light, depth and normals.
+void seeAlone(PictureRequest&, std::size_t subject);
+
 /// A finished picture and what it shows where. Pixels from the top left.
 struct Picture {
     render::Image image;

@@ -20,17 +20,11 @@ struct IceCreamShot {
 
     IceCreamShot()
     {
-        sceneState.hall().set(hallTable().shadowMapSize, 256);
-        sceneState.hall().set(hallTable().probeSize, 32);
-        sceneState.hall().set(hallTable().probeSamples, 16);
+        useSmallMaps(sceneState, 256);
         values().set(iceCreamTable().lighting, IceCreamLighting::source);
         values().set(iceCreamTable().size, 1.0);
+        seeAlone(request, subject);
         FrameRequest& frame = request.frame;
-        frame.alone = subject;
-        frame.transparent = true;
-        frame.averageIn = AverageIn::radiance;
-        frame.channels.normal = true;
-        request.depth = true;
         frame.raster.size = {196, 110};
         frame.camera = gallery().museum.exhibit(subject).bestView(values());
     }
