@@ -44,7 +44,8 @@ INSTANTIATE_TEST_SUITE_P(Readers, FuzzCorpus,
                          testing::Values(Corpus{"preset", vitrine::fuzz::readPreset},
                                          Corpus{"exhibition", vitrine::fuzz::readExhibition},
                                          Corpus{"gltf", vitrine::fuzz::readGltf},
-                                         Corpus{"image", vitrine::fuzz::readImage}),
+                                         Corpus{"image", vitrine::fuzz::readImage},
+                                         Corpus{"scene", vitrine::fuzz::readScene}),
                          [](const auto& p) { return std::string(p.param.folder); });
 
 }  // namespace

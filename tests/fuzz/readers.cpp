@@ -3,6 +3,9 @@
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/hall/hall_table.h"
+#include "exhibits/sdf_scenes/scene_field.h"
+#include "exhibits/sdf_scenes/scene_glsl.h"
+#include "exhibits/sdf_scenes/scene_reader.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "render/scene/camera.h"
@@ -168,6 +171,30 @@ bool readImage(std::string_view bytes)
                 "an image is finite");
     });
     return texture || image;
+}
+
+bool readScene(std::string_view bytes)
+{
+    scenes::SceneLimits limits;
+    limits.nodes = 256;
+    const auto noFile = [](const std::string& path) -> std::string {
+        throw Failure(Blame::file, "There is no file " + path + ".");
+    };
+    const scenes::ReadScene read = scenes::readScene(std::string(bytes), "fuzz.json", noFile, limits);
+    require(read.scene != nullptr || !read.findings.empty(), "a refusal says why");
+    for (const scenes::Finding& finding : read.findings)
+        require(finding.line >= 1 && finding.column >= 1 && !finding.sentence.empty(), "a finding has its place");
+    if (!read.scene) return false;
+    for (const double time : {0.0, -1.5, 1e6}) {
+        const std::vector<double> numbers = read.scene->numbersAt(time);
+        require(std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }),
+                "numbers of an accepted scene are finite");
+    }
+    const scenes::SceneField field(read.scene);
+    for (const glm::dvec3& p : {glm::dvec3(0), glm::dvec3(0.3, -0.2, 0.1), glm::dvec3(-1e4, 5, 2e3)})
+        require(!std::isnan(field.distance(p)), "the distance of an accepted scene is a number");
+    require(!scenes::sceneGlsl(scenes::SceneProgram(read.scene)).empty(), "an accepted scene has a shader");
+    return true;
 }
 
 }  // namespace vitrine::fuzz

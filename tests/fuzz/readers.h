@@ -15,5 +15,7 @@ bool readExhibition(std::string_view bytes);
 bool readGltf(std::string_view bytes);
 /// A picture of any kind, as a texture and as an image; what is accepted is as large as it says and finite.
 bool readImage(std::string_view bytes);
+/// A scene of shapes; what is accepted has a field that is a number everywhere, and a shader.
+bool readScene(std::string_view bytes);
 
 }  // namespace vitrine::fuzz
