@@ -22,5 +22,8 @@ void addCompareCommand(CLI::App&, Action& chosen);
 void addStudyCommand(CLI::App&, Action& chosen);
 void addPrintCommand(CLI::App&, Action& chosen);
 void addProofCommand(CLI::App&, Action& chosen);
+void addSceneCommand(CLI::App&, Action& chosen);
+/// To `scene`.
+void addSceneMeshCommand(CLI::App&, Action& chosen);
 
 }  // namespace vitrine::app

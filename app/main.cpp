@@ -36,6 +36,7 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addStudyCommand(parser, chosen);
     vitrine::app::addPrintCommand(parser, chosen);
     vitrine::app::addProofCommand(parser, chosen);
+    vitrine::app::addSceneCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);
     try {
         parser.parse(argc, argv);

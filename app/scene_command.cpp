@@ -1,0 +1,78 @@
+#include "app/command.h"
+
+#include "exhibits/sdf_scenes/scene_reader.h"
+#include "render/failure.h"
+#include "render/files/strict_json.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+
+namespace vitrine::app {
+namespace {
+
+using render::Json;
+
+Json findingsJson(const std::vector<scenes::Finding>& findings)
+{
+    Json all = Json::array();
+    for (const scenes::Finding& finding : findings)
+        all.push_back(Json{{"file", finding.file},
+                           {"line", finding.line},
+                           {"column", finding.column},
+                           {"key", finding.key},
+                           {"sentence", finding.sentence}});
+    return all;
+}
+
+/// Reads one file and says what was found; 0, or the exit code of a failed check, or that of a failed read.
+int checkScene(const std::string& file, Json* report)
+{
+    const scenes::ReadScene read = scenes::readSceneFile(file);
+    if (report) {
+        report->push_back(
+            Json{{"file", file}, {"good", read.scene != nullptr}, {"findings", findingsJson(read.findings)}});
+    } else if (read.scene) {
+        std::printf("%s: good (\"%s\", %zu nodes, %zu parameters)\n", file.c_str(), read.scene->name.c_str(),
+                    read.scene->nodes.size(), read.scene->parameters().size());
+    } else {
+        for (const scenes::Finding& finding : read.findings) std::printf("%s\n", finding.text().c_str());
+    }
+    if (read.scene) return 0;
+    return static_cast<int>(std::ifstream(file).good() ? Blame::check : Blame::file);
+}
+
+int checkScenes(const std::vector<std::string>& files, bool asJson)
+{
+    Json report = Json::array();
+    int worst = 0;
+    for (const std::string& file : files) worst = std::max(worst, checkScene(file, asJson ? &report : nullptr));
+    if (asJson) std::fputs(render::writeJson(report).c_str(), stdout);
+    return worst;
+}
+
+void addCheck(CLI::App& command, Action& chosen)
+{
+    CLI::App* checking =
+        command.add_subcommand("check", "Say what is wrong in scene files: file:line:column: key: ...");
+    auto files = std::make_shared<std::vector<std::string>>();
+    auto asJson = std::make_shared<bool>(false);
+    checking->add_option("files", *files, "Scene files, of this program or of the source as JSON")->required();
+    checking->add_flag("--json", *asJson, "The findings as JSON");
+    checking->callback([&chosen, files, asJson] { chosen = [files, asJson] { return checkScenes(*files, *asJson); }; });
+}
+
+}  // namespace
+
+void addSceneCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand("scene", "Work with scene files of shapes");
+    command->require_subcommand(1);
+    addCheck(*command, chosen);
+    addSceneMeshCommand(*command, chosen);
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,167 @@
+#include "exhibits/sdf_scenes/scene_mesh.h"
+#include "render/files/strict_json.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace vitrine::scenes {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the three formats are little-endian");
+
+template <typename T> void put(std::string& bytes, const T& value)
+{
+    char raw[sizeof(T)];
+    std::memcpy(raw, &value, sizeof(T));
+    bytes.append(raw, sizeof(T));
+}
+
+void put(std::string& bytes, const glm::vec3& v)
+{
+    for (int i = 0; i < 3; ++i) put(bytes, v[i]);
+}
+
+std::uint8_t srgb(float linear)
+{
+    const float x = linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0F, 1.0F)));
+}
+
+/// The JSON of a glTF file whose binary part holds positions, normals, colors (16 bits, four of them) and indices.
+std::string gltfJson(const SceneMesh& mesh, const std::string& name)
+{
+    using render::Json;
+    const std::size_t n = mesh.vertices.size();
+    glm::vec3 low(0), high(0);
+    if (n > 0) low = high = mesh.vertices.front().position;
+    for (const MeshVertex& v : mesh.vertices) {
+        low = glm::min(low, v.position);
+        high = glm::max(high, v.position);
+    }
+    constexpr int arrayBuffer = 34962, elementBuffer = 34963, float32 = 5126, uint16 = 5123, uint32 = 5125;
+    const auto view = [](std::size_t offset, std::size_t length, int target) {
+        return Json{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}, {"target", target}};
+    };
+    const auto accessor = [](int bufferView, int type, std::size_t count, const char* shape) {
+        return Json{{"bufferView", bufferView}, {"componentType", type}, {"count", count}, {"type", shape}};
+    };
+    Json positions = accessor(0, float32, n, "VEC3");
+    positions["min"] = Json::array({low.x, low.y, low.z});
+    positions["max"] = Json::array({high.x, high.y, high.z});
+    Json colors = accessor(2, uint16, n, "VEC4");
+    colors["normalized"] = true;
+    const std::size_t indexBytes = 4 * mesh.indices.size();
+    const Json root{
+        {"asset", Json{{"version", "2.0"}, {"generator", "Vitrine " VITRINE_VERSION}}},
+        {"scene", 0},
+        {"scenes", Json::array({Json{{"nodes", Json::array({0})}}})},
+        {"nodes", Json::array({Json{{"name", name}, {"mesh", 0}}})},
+        {"materials",
+         Json::array({Json{{"pbrMetallicRoughness", Json{{"metallicFactor", 0}, {"roughnessFactor", 0.5}}}}})},
+        {"meshes",
+         Json::array({Json{
+             {"name", name},
+             {"primitives", Json::array({Json{{"attributes", Json{{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", 2}}},
+                                              {"indices", 3},
+                                              {"material", 0}}})}}})},
+        {"accessors", Json::array({positions, accessor(1, float32, n, "VEC3"), colors,
+                                   accessor(3, uint32, mesh.indices.size(), "SCALAR")})},
+        {"bufferViews", Json::array({view(0, 12 * n, arrayBuffer), view(12 * n, 12 * n, arrayBuffer),
+                                     view(24 * n, 8 * n, arrayBuffer), view(32 * n, indexBytes, elementBuffer)})},
+        {"buffers", Json::array({Json{{"byteLength", 32 * n + indexBytes}}})}};
+    std::string json = root.dump();
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    return json;
+}
+
+std::string glbFile(const SceneMesh& mesh, const std::string& name)
+{
+    const std::string json = gltfJson(mesh, name);
+    const std::size_t binary = 32 * mesh.vertices.size() + 4 * mesh.indices.size();
+    std::string bytes;
+    bytes.reserve(28 + json.size() + binary);
+    bytes += "glTF";
+    put(bytes, std::uint32_t{2});
+    put(bytes, static_cast<std::uint32_t>(28 + json.size() + binary));
+    put(bytes, static_cast<std::uint32_t>(json.size()));
+    bytes += "JSON" + json;
+    put(bytes, static_cast<std::uint32_t>(binary));
+    bytes.append("BIN\0", 4);
+    for (const MeshVertex& v : mesh.vertices) put(bytes, v.position);
+    for (const MeshVertex& v : mesh.vertices) put(bytes, v.normal);
+    for (const MeshVertex& v : mesh.vertices) {
+        for (int i = 0; i < 3; ++i) put(bytes, static_cast<std::uint16_t>(std::lround(65535 * v.color[i])));
+        put(bytes, std::uint16_t{65535});
+    }
+    for (const std::uint32_t i : mesh.indices) put(bytes, i);
+    return bytes;
+}
+
+std::string stlFile(const SceneMesh& mesh, const std::string& name)
+{
+    std::string bytes = "binary STL, millimeters: " + name;
+    bytes.resize(80, ' ');
+    bytes.reserve(84 + mesh.indices.size() / 3 * 50);
+    put(bytes, static_cast<std::uint32_t>(mesh.indices.size() / 3));
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const auto corner = [&](std::size_t k) { return 1000.0F * mesh.vertices[mesh.indices[i + k]].position; };
+        const glm::vec3 across = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+        const float length = glm::length(across);
+        put(bytes, length > 0 ? across / length : glm::vec3(0));
+        for (std::size_t k = 0; k < 3; ++k) put(bytes, corner(k));
+        put(bytes, std::uint16_t{0});
+    }
+    return bytes;
+}
+
+std::string plyFile(const SceneMesh& mesh, const std::string& name)
+{
+    std::string comment = name;
+    std::replace_if(
+        comment.begin(), comment.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    std::string bytes =
+        "ply\nformat binary_little_endian 1.0\ncomment meters: " + comment + "\nelement vertex " +
+        std::to_string(mesh.vertices.size()) +
+        "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\n"
+        "property float nz\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face " +
+        std::to_string(mesh.indices.size() / 3) + "\nproperty list uchar int vertex_indices\nend_header\n";
+    bytes.reserve(bytes.size() + 27 * mesh.vertices.size() + 13 * mesh.indices.size() / 3);
+    for (const MeshVertex& v : mesh.vertices) {
+        put(bytes, v.position);
+        put(bytes, v.normal);
+        for (int i = 0; i < 3; ++i) put(bytes, srgb(v.color[i]));
+    }
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        if (i % 3 == 0) put(bytes, std::uint8_t{3});
+        put(bytes, mesh.indices[i]);
+    }
+    return bytes;
+}
+
+}  // namespace
+
+std::optional<MeshFormat> meshFormat(const std::string& file)
+{
+    const std::size_t dot = file.rfind('.');
+    std::string end = dot == std::string::npos ? "" : file.substr(dot + 1);
+    std::transform(end.begin(), end.end(), end.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    if (end == "glb") return MeshFormat::glb;
+    if (end == "stl") return MeshFormat::stl;
+    if (end == "ply") return MeshFormat::ply;
+    return std::nullopt;
+}
+
+std::string meshFile(const SceneMesh& mesh, MeshFormat format, const std::string& name)
+{
+    switch (format) {
+    case MeshFormat::glb: return glbFile(mesh, name);
+    case MeshFormat::stl: return stlFile(mesh, name);
+    case MeshFormat::ply: return plyFile(mesh, name);
+    }
+    return {};
+}
+
+}  // namespace vitrine::scenes

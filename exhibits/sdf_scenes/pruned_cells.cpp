@@ -1,0 +1,95 @@
+#include "exhibits/sdf_scenes/pruning.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace vitrine::scenes {
+namespace {
+
+using ListKey = std::vector<std::tuple<Step::Type, std::uint32_t, std::uint32_t, std::uint32_t>>;
+
+/// Halves a block of cells along its longest side until it is one cell.
+class CellPruner {
+public:
+    CellPruner(const SceneProgram& program, const SceneWords& words, double tolerance, SceneCells& into)
+        : pruner_(program, words, tolerance), into_(into), size_(into.cellSize())
+    {
+    }
+
+    void prune(std::span<const Step> steps, const glm::ivec3& low, const glm::ivec3& high)
+    {
+        const glm::dvec3 half = 0.5 * size_ * glm::dvec3(high - low);
+        const glm::dvec3 center = into_.box.low + size_ * glm::dvec3(low) + half;
+        const double radius = glm::length(half);
+        const PrunedSteps left = pruner_.prune(steps, center, radius);
+        const glm::ivec3 sides = high - low;
+        if (sides == glm::ivec3(1)) {
+            addCell(left, low, radius);
+            return;
+        }
+        const int axis = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
+        glm::ivec3 middle = high;
+        middle[axis] = low[axis] + sides[axis] / 2;
+        prune(left.steps, low, middle);
+        glm::ivec3 from = low;
+        from[axis] = middle[axis];
+        prune(left.steps, from, high);
+    }
+
+    [[nodiscard]] std::size_t lists() const { return listAt_.size(); }
+
+private:
+    void addCell(const PrunedSteps& left, const glm::ivec3& at, double radius)
+    {
+        const std::size_t index = (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(into_.count.y) +
+                                   static_cast<std::size_t>(at.y)) *
+                                      static_cast<std::size_t>(into_.count.x) +
+                                  static_cast<std::size_t>(at.x);
+        SceneCell& cell = into_.cells[index];
+        cell.distance = static_cast<float>(left.distance);
+        if (std::abs(left.distance) > radius * (1 + 2e-6) + 1e-9) return;
+        ListKey key;
+        for (const Step& step : left.steps) key.emplace_back(step.type, step.node, step.child, step.back);
+        const auto [found, isNew] = listAt_.try_emplace(std::move(key), static_cast<std::uint32_t>(into_.steps.size()));
+        if (isNew) into_.steps.insert(into_.steps.end(), left.steps.begin(), left.steps.end());
+        cell.first = found->second;
+        cell.count = static_cast<std::uint32_t>(left.steps.size());
+        cell.shapes = static_cast<std::uint32_t>(left.shapes);
+        ++into_.withSurface;
+        into_.mostShapes = std::max(into_.mostShapes, left.shapes);
+        into_.meanShapes += static_cast<double>(left.shapes);
+    }
+
+    Pruner pruner_;
+    SceneCells& into_;
+    glm::dvec3 size_;
+    std::map<ListKey, std::uint32_t> listAt_;
+};
+
+}  // namespace
+
+std::size_t SceneCells::cellAt(const glm::dvec3& p) const
+{
+    const glm::ivec3 at(glm::clamp(glm::floor((p - box.low) / cellSize()), glm::dvec3(0), glm::dvec3(count - 1)));
+    return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(count.y) + static_cast<std::size_t>(at.y)) *
+               static_cast<std::size_t>(count.x) +
+           static_cast<std::size_t>(at.x);
+}
+
+SceneCells pruneCells(const SceneProgram& program, const SceneWords& words, const render::Box& box,
+                      const glm::ivec3& count, double tolerance)
+{
+    SceneCells cells;
+    cells.box = box;
+    cells.count = count;
+    cells.cells.resize(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
+                       static_cast<std::size_t>(count.z));
+    CellPruner pruner(program, words, tolerance, cells);
+    pruner.prune(program.steps(), glm::ivec3(0), count);
+    cells.lists = pruner.lists();
+    if (cells.withSurface > 0) cells.meanShapes /= static_cast<double>(cells.withSurface);
+    return cells;
+}
+
+}  // namespace vitrine::scenes

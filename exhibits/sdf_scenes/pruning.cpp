@@ -1,0 +1,160 @@
+#include "exhibits/sdf_scenes/pruning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vitrine::scenes {
+namespace {
+
+/// Tests hold every field to this slope, and coordinates have their rounding.
+constexpr double steepest = 1 + 2e-6, rounding = 1e-12;
+
+}  // namespace
+
+Pruner::Pruner(const SceneProgram& program, const SceneWords& words, double tolerance)
+    : program_(program), words_(words), tolerance_(tolerance), walk_(program, words.words, false),
+      reach_(program.nodes().size()), entered_(program.nodes().size()), joints_(program.nodes().size())
+{
+}
+
+/// How far from where its children are asked for the center they are asked for points this far from the center.
+double Pruner::reachInside(std::uint32_t index, double outside) const
+{
+    const ProgramNode& node = program_.nodes()[index];
+    const NodeKind& kind = program_.kind(node);
+    double reach = outside;
+    if (node.scale != none) {
+        const double* factor = words_.words.data() + node.scale;
+        reach *= std::max({std::abs(factor[0]), std::abs(factor[1]), std::abs(factor[2])});
+    }
+    if (kind.copy) return std::numeric_limits<double>::infinity();
+    // Turned by an angle that grows along an axis, points move apart by no more than the slope at the center: the part
+    // that turns the center itself is as long as the center is far from the axis.
+    if (kind.place && kind.lipschitz) reach *= walk_.state(index).lipschitz;
+    return reach;
+}
+
+/// A repeater with all that is in it.
+void Pruner::copyRepeated(std::span<const Step> steps, std::size_t& i, const glm::dvec3& center)
+{
+    const std::size_t begin = i;
+    const std::uint32_t repeater = steps[begin].node;
+    while (true) {
+        const bool last = steps[i].type == Step::Type::again && steps[i].node == repeater;
+        const std::size_t next = walk_.advance(steps, i, center);
+        if (last && next == i + 1) break;
+        i = next;
+    }
+    const auto moved = static_cast<std::uint32_t>(kept_.size() - begin);  // Unsigned, modulo 2^32.
+    for (std::size_t k = begin; k <= i; ++k) {
+        kept_.push_back(steps[k]);
+        if (steps[k].type == Step::Type::again) kept_.back().back += moved;
+    }
+    ++i;
+}
+
+/// Takes steps out of the kept ones.
+void Pruner::drop(std::size_t from, std::size_t to)
+{
+    kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(from), kept_.begin() + static_cast<std::ptrdiff_t>(to));
+    const auto moved = static_cast<std::uint32_t>(to - from);
+    for (std::size_t k = from; k < kept_.size(); ++k)
+        if (kept_[k].type == Step::Type::again) kept_[k].back -= moved;
+}
+
+/// Where a combination is exactly one operand, b is beyond a convex function of a (or a of b), so the four extremes
+/// tell for all between them; and its effect and shares are largest at one of them.
+void Pruner::combine(const Step& step)
+{
+    const ProgramNode& node = program_.nodes()[step.node];
+    const NodeKind& kind = program_.kind(node);
+    const double* v = words_.words.data() + node.numbers;
+    const double a = walk_.state(step.node).distance;
+    const double b = walk_.state(step.child).distance;
+    const double reach = reach_[step.node];
+    Joint joint{entered_[step.child], kept_.size()};
+    bool down = true, up = true, upOfFirst = true;
+    for (const double x : {a - reach, a + reach})
+        for (const double y : {b - reach, b + reach}) {
+            const double result = kind.combine.cpu(x, y, v);
+            joint.effect = std::max(joint.effect, std::abs(result - x));
+            joint.effectOfFormer = std::max(joint.effectOfFormer, std::abs(result - y));
+            joint.formerShare = std::max(joint.formerShare, 1 - kind.share.cpu(x, y, v));
+            down = down && result <= std::min(x, y);
+            up = up && result >= std::max(x, y);
+            upOfFirst = upOfFirst && result >= x;
+        }
+    const bool known = std::isfinite(reach);
+    if (known && joint.effect == 0) {
+        kept_.resize(joint.child);
+    } else if (known && joint.effectOfFormer == 0) {
+        drop(entered_[step.node] + 1, joint.child);
+        kept_.push_back({Step::Type::first, step.node, step.child});
+        joints_[step.node].clear();
+    } else {
+        if (known) joint.moves = down ? Moves::down : up ? Moves::up : upOfFirst ? Moves::upOfFirst : Moves::neither;
+        kept_.push_back(step);
+        joints_[step.node].push_back(joint);
+    }
+}
+
+/// What is joined first and then covered by nearer ones, blend by blend. Without an operand the result so far moves to
+/// where its own share in later joints is smaller, so the shares that were found bound the effect.
+void Pruner::leave(std::uint32_t index)
+{
+    std::vector<Joint>& joints = joints_[index];
+    if (joints.empty()) return;
+    const Moves moves = joints.front().moves;
+    const bool alike = std::all_of(joints.begin(), joints.end(), [&](const Joint& j) { return j.moves == moves; });
+    double share = alike && moves != Moves::neither ? 1 : std::numeric_limits<double>::infinity();
+    const double least = tolerance_ / static_cast<double>(joints.size());
+    for (std::size_t k = joints.size(); k-- > 0 && std::isfinite(share);) {
+        const Joint& joint = joints[k];
+        if (moves != Moves::upOfFirst && joint.effectOfFormer * share <= least) {
+            kept_[joint.combined].type = Step::Type::first;
+            drop(entered_[index] + 1, joint.child);
+            break;
+        }
+        if (joint.effect * share <= least)
+            drop(joint.child, joint.combined + 1);
+        else
+            share *= joint.formerShare;
+    }
+    joints.clear();
+}
+
+PrunedSteps Pruner::prune(std::span<const Step> steps, const glm::dvec3& center, double radius)
+{
+    PrunedSteps pruned;
+    if (steps.empty()) return pruned;
+    kept_.clear();
+    const double reach = radius * steepest + rounding * (1 + glm::length(center));
+    for (std::size_t i = 0; i < steps.size();) {
+        const Step& step = steps[i];
+        const ProgramNode& node = program_.nodes()[step.node];
+        if (step.type == Step::Type::enter) {
+            entered_[step.node] = kept_.size();
+            joints_[step.node].clear();
+            if (program_.kind(node).form == Form::repeater) {
+                copyRepeated(steps, i, center);
+                continue;
+            }
+        }
+        if (step.type == Step::Type::leave) leave(step.node);
+        if (step.type == Step::Type::combine)
+            combine(step);
+        else
+            kept_.push_back(step);
+        i = walk_.advance(steps, i, center);
+        if (step.type == Step::Type::enter)
+            reach_[step.node] = reachInside(step.node, node.parent == none ? reach : reach_[node.parent]);
+    }
+    pruned.steps = kept_;
+    pruned.distance = walk_.state(0).distance;
+    pruned.shapes = static_cast<std::size_t>(
+        std::count_if(kept_.begin(), kept_.end(), [](const Step& step) { return step.type == Step::Type::shape; }));
+    return pruned;
+}
+
+}  // namespace vitrine::scenes

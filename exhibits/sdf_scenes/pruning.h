@@ -1,0 +1,102 @@
+#pragma once
+
+#include "exhibits/sdf_scenes/scene_walk.h"
+
+#include <span>
+#include <vector>
+
+namespace vitrine::scenes {
+
+/// The steps of a program that matter in a part of space.
+struct PrunedSteps {
+    std::vector<Step> steps;
+    double distance = 1e9;   ///< Of the whole scene, at the center of that part.
+    std::size_t shapes = 0;  ///< How many are among the steps; each copy of what is repeated is the same one.
+};
+
+/// Leaves out of a program what cannot matter in a ball. Distances change by at most a meter per meter, so from those
+/// at the center it is known between what values two operands stay in it. Where an operation gives one of them exactly
+/// at all four extremes, it gives that one everywhere between, and the other one and all below it are left out: beyond
+/// its width a blend collapses. Of several operands joined in turn, one is left out as well where its effect, times the
+/// largest shares of the result so far in all later joints, is within a tolerance. This asks no kind for its name. (For
+/// unions of two: Barbier et al. 2025, "Lipschitz Pruning"; here for any operation of several.) What is repeated stays
+/// whole.
+///
+/// In the ball, what is left gives the same distance, material and node as the whole, up to the tolerance for each
+/// operation with several operands. Outside it may give anything. Keeps its memory between calls; for one thread at a
+/// time.
+class Pruner {
+public:
+    /// Meters: what is below the rounding of float64, and of float32, some meters from the origin.
+    static constexpr double exact = 1e-13, asShaders = 1e-7;
+
+    /// Both must outlive it. `tolerance` is in meters of the space of each operation.
+    Pruner(const SceneProgram&, const SceneWords&, double tolerance = exact);
+
+    /// Of `steps` (all, or what was left for a ball that holds this one), those for a ball of `radius` around `center`.
+    [[nodiscard]] PrunedSteps prune(std::span<const Step> steps, const glm::dvec3& center, double radius);
+
+private:
+    /// In what direction an operation moves its first operand, for all values that it may have in the ball.
+    enum class Moves : std::uint8_t { neither, down, up, upOfFirst };
+    /// A joint whose two operands are both kept so far.
+    struct Joint {
+        std::size_t child = 0, combined = 0;  // In kept_: where the operand begins, and the step that joins it.
+        double effect = 0;                    // By how much the operand may change the result.
+        double effectOfFormer = 0;            // By how much all before it may.
+        double formerShare = 0;               // The largest share of all before it.
+        Moves moves = Moves::neither;
+    };
+
+    [[nodiscard]] double reachInside(std::uint32_t node, double outside) const;
+    void copyRepeated(std::span<const Step> steps, std::size_t& i, const glm::dvec3& center);
+    void combine(const Step&);
+    void leave(std::uint32_t node);
+    void drop(std::size_t from, std::size_t to);
+
+    const SceneProgram& program_;
+    const SceneWords& words_;
+    double tolerance_;
+    SceneWalk walk_;
+    std::vector<Step> kept_;
+    std::vector<double> reach_;               // By node: how far apart the points are at which its children are asked.
+    std::vector<std::size_t> entered_;        // By node: which of the kept steps enters it.
+    std::vector<std::vector<Joint>> joints_;  // By node.
+};
+
+/// What is in a cell of a grid.
+struct SceneCell {
+    std::uint32_t first = 0, count = 0;  ///< Of `SceneCells::steps`; none where no surface passes through the cell.
+    /// At its center, negative inside. A point of a cell without steps is this far from any surface, less its distance
+    /// from the center.
+    float distance = 0;
+    std::uint32_t shapes = 0;
+};
+
+/// A grid of cells over a part of space, each with the steps that matter in it: in flat arrays, as a shader reads them.
+struct SceneCells {
+    render::Box box;
+    glm::ivec3 count{0};
+    std::vector<SceneCell> cells;  ///< x first, then y, then z.
+    /// Lists of all cells, those that are the same once. Steps count from the beginning of their list.
+    std::vector<Step> steps;
+
+    std::size_t withSurface = 0;  ///< Cells that a surface may pass through.
+    std::size_t lists = 0;        ///< That differ.
+    std::size_t mostShapes = 0;   ///< Of a cell.
+    double meanShapes = 0;        ///< Over the cells with surface.
+
+    /// The one that holds a point of the box; those outside are brought to the nearest cell.
+    [[nodiscard]] std::size_t cellAt(const glm::dvec3& p) const;
+    [[nodiscard]] std::span<const Step> stepsOf(const SceneCell& cell) const
+    {
+        return {steps.data() + cell.first, cell.count};
+    }
+    [[nodiscard]] glm::dvec3 cellSize() const { return 2.0 * box.halfSize() / glm::dvec3(count); }
+};
+
+/// Prunes a program for every cell of a finite box, from large parts of it to small ones.
+[[nodiscard]] SceneCells pruneCells(const SceneProgram&, const SceneWords&, const render::Box&, const glm::ivec3& count,
+                                    double tolerance = Pruner::asShaders);
+
+}  // namespace vitrine::scenes

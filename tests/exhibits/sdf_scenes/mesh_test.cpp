@@ -1,0 +1,231 @@
+// Meshes of scenes: closed manifolds whatever the field, as large as they should be, and true to their edges.
+
+#include "exhibits/sdf_scenes/cell_loops.h"
+#include "exhibits/sdf_scenes/scene_mesh.h"
+#include "render/failure.h"
+#include "tests/exhibits/sdf_scenes/support.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace vitrine {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+scenes::SceneMesh meshOf(const std::string& root, double cell, scenes::MeshPlan* plan = nullptr)
+{
+    const scenes::SceneField field = test::fieldOf(root);
+    scenes::SceneMesher mesher(field, {.cell = cell});
+    scenes::SceneMesh mesh = mesher.mesh().value();
+    if (plan) *plan = mesher.plan();
+    return mesh;
+}
+
+void expectGood(const scenes::MeshCheck& check)
+{
+    EXPECT_EQ(check.openEdges, 0U);
+    EXPECT_EQ(check.brokenVertices, 0U);
+    EXPECT_EQ(check.emptyTriangles, 0U);
+    EXPECT_EQ(check.joinedVertices, 0U);
+}
+
+TEST(CellLoops, CrossEveryEdgeThatHasAnEndOnEachSide)
+{
+    for (unsigned inside = 0; inside < 256; ++inside) {
+        const scenes::CellLoops& loops = scenes::cellLoops(inside);
+        std::set<int> found;
+        for (unsigned e = 0; e < 12; ++e) {
+            const unsigned start = scenes::edgeStart(e);
+            const bool crossed = (inside >> start & 1U) != (inside >> (start | 1U << (e / 4)) & 1U);
+            EXPECT_EQ(loops.loopOf[e] >= 0, crossed) << inside << ' ' << e;
+            if (crossed) found.insert(loops.loopOf[e]);
+            EXPECT_EQ(scenes::edgeAt(e / 4, start), e);
+        }
+        EXPECT_EQ(static_cast<int>(found.size()), loops.loops) << inside;
+    }
+    EXPECT_EQ(scenes::cellLoops(1).loops, 1);
+    EXPECT_EQ(scenes::cellLoops(0b10000001).loops, 2);  // Opposite corners.
+    EXPECT_EQ(scenes::cellLoops(0b01101001).loops, 4);  // Every other corner.
+}
+
+/// Volume and area against closed forms; a quarter of the error for half of the cell.
+TEST(SceneMesh, HasTheVolumeAndAreaOfTheBodyTheBetterTheFinerItIs)
+{
+    struct Body {
+        std::string root;
+        double volume, area;
+    };
+    const std::vector<Body> bodies{
+        {R"({"kind": "sphere", "radius": 0.5})", 4.0 / 3 * pi * 0.125, pi},
+        {R"({"kind": "torus", "majorRadius": 0.5, "minorRadius": 0.2})", 2 * pi * pi * 0.5 * 0.04, 4 * pi * pi * 0.1},
+        {R"({"kind": "cylinder", "radius": 0.4, "height": 1, "rotate": [30, 40, 10]})", pi * 0.16, 2 * pi * 0.4 * 1.4}};
+    for (const Body& body : bodies) {
+        double previous = 1;
+        for (const double cell : {0.05, 0.025, 0.0125}) {
+            const scenes::MeshCheck check = scenes::checkMesh(meshOf(body.root, cell));
+            expectGood(check);
+            const double volume = std::abs(check.volume / body.volume - 1), area = std::abs(check.area / body.area - 1);
+            EXPECT_LT(volume, 4 * cell * cell) << body.root;
+            EXPECT_LT(area, 4 * cell * cell) << body.root;
+            EXPECT_LT(volume, 0.45 * previous) << body.root << cell;
+            previous = volume;
+        }
+    }
+}
+
+/// How far a vertex may be from the surface: where only the rim of a cell is cut, of which vertices keep a hundredth of
+/// a cell away; and where its search ends.
+double offSurface(double cell)
+{
+    return (0.01 * std::sqrt(3.0) + 0.001) * cell;
+}
+
+/// A box has flat faces and sharp edges, which a mesh has but where an edge leaves the cell whose vertex it needs.
+TEST(SceneMesh, KeepsEdgesAndCornersSharp)
+{
+    constexpr double edges = 4 * (1 + 0.7 + 0.5);
+    for (const std::string place : {"", R"(, "rotate": [20, 30, 50], "translate": [0.1, 0.2, 0.3])"})
+        for (const double cell : {0.04, 0.02, 0.01}) {
+            const std::string root = R"({"kind": "box", "size": [1, 0.7, 0.5])" + place + "}";
+            const scenes::SceneMesh mesh = meshOf(root, cell);
+            const scenes::MeshCheck check = scenes::checkMesh(mesh);
+            expectGood(check);
+            EXPECT_NEAR(check.volume, 0.35, 0.03 * edges * cell * cell) << root;
+            EXPECT_NEAR(check.area, 2 * (0.7 + 0.5 + 0.35), 0.03 * edges * cell) << root;
+            const scenes::SceneField field = test::fieldOf(root);
+            double corner = -1;
+            for (const scenes::MeshVertex& v : mesh.vertices) {
+                EXPECT_LT(std::abs(field.distance(v.position)), offSurface(cell));
+                corner = std::max<double>(corner, glm::distance(glm::dvec3(v.position), field.box().center()));
+            }
+            EXPECT_NEAR(corner, 0.5 * std::hypot(1, 0.7, 0.5), 0.05 * cell);
+        }
+}
+
+TEST(SceneMesh, LiesOnTheSurfaceWithItsNormalsAndColors)
+{
+    const scenes::SceneField field = test::fieldOf(
+        R"({"kind": "union", "blend": "cubic", "blendWidth": 0.3, "children": [
+            {"kind": "sphere", "radius": 0.5, "material": "red"},
+            {"kind": "sphere", "radius": 0.4, "translate": [0.7, 0, 0], "material": "blue"}]})",
+        R"("materials": {"red": {"model": "phong", "color": [1, 0, 0]}, "blue": {"model": "phong", "color": [0, 0, 1]}},)");
+    const scenes::SceneMesh mesh = scenes::SceneMesher(field, {.cell = 0.02}).mesh().value();
+    for (const scenes::MeshVertex& v : mesh.vertices) {
+        const glm::dvec3 p(v.position);
+        EXPECT_LT(std::abs(field.distance(p)), offSurface(0.02));
+        EXPECT_GT(glm::dot(glm::dvec3(v.normal), glm::normalize(test::gradientAt(field, p))), 0.99);
+        EXPECT_NEAR(v.color.x + v.color.z, 1, 1e-5);
+        EXPECT_TRUE(p.x >= 0 || v.color.x == 1);
+        EXPECT_TRUE(p.x <= 0.8 || v.color.z == 1);
+    }
+}
+
+/// Random fields on coarse cells have every ambiguous neighborhood there is.
+TEST(SceneMesh, IsAClosedManifoldWhateverTheField)
+{
+    test::Random random(21);
+    std::size_t triangles = 0;
+    for (int sample = 0; sample < 60; ++sample) {
+        const std::string root = sample % 3 > 0 ? test::randomTree(random, 3)
+                                                : R"({"kind": "noise", "frequency": )" +
+                                                      std::to_string(random.between(3, 9)) + R"(, "octaves": 3})";
+        const scenes::SceneField field = test::fieldOf(root);
+        scenes::SceneMesher mesher(field, {.cell = 0.09, .part = render::Box{glm::dvec3(-1.2), glm::dvec3(1.2)}});
+        const scenes::SceneMesh mesh = mesher.mesh().value();
+        triangles += mesh.indices.size() / 3;
+        const scenes::MeshCheck check = scenes::checkMesh(mesh);
+        expectGood(check);
+        ASSERT_TRUE(check.good()) << root;
+    }
+    EXPECT_GT(triangles, 100'000U);
+}
+
+TEST(SceneMesh, ThinWallsAreKeptDownToACellAndAreSaidToBeLostBelow)
+{
+    const auto walls = [](double thickness) {
+        return R"({"kind": "box", "size": [1, 1, )" + std::to_string(thickness) + R"(], "rotate": [10, 20, 30]})";
+    };
+    scenes::MeshPlan plan;
+    const scenes::MeshCheck thick = scenes::checkMesh(meshOf(walls(0.05), 0.025, &plan));
+    expectGood(thick);
+    EXPECT_NEAR(thick.volume, 0.05, 0.002);
+    EXPECT_EQ(plan.lost, 0U);
+    const scenes::MeshCheck thin = scenes::checkMesh(meshOf(walls(0.01), 0.025, &plan));
+    expectGood(thin);
+    EXPECT_GT(plan.lost, 20U);
+    EXPECT_LT(thin.volume, 0.01);
+}
+
+TEST(SceneMesh, SkipsTheCellsThatAreFarFromTheSurface)
+{
+    scenes::MeshPlan coarse, fine;
+    (void)meshOf(R"({"kind": "sphere", "radius": 0.5})", 0.02, &coarse);
+    (void)meshOf(R"({"kind": "sphere", "radius": 0.5})", 0.01, &fine);
+    EXPECT_NEAR(fine.allCells() / coarse.allCells(), 8, 1);
+    EXPECT_NEAR(double(fine.nearSurface) / double(coarse.nearSurface), 4, 0.3);
+    EXPECT_LT(double(fine.nearSurface), 0.06 * fine.allCells());
+    // A plane through cells of this size crosses at least so many.
+    EXPECT_GT(double(fine.nearSurface), pi / (0.01 * 0.01));
+}
+
+TEST(SceneMesh, RefusesWhatHasNoEndOrNoRoom)
+{
+    const auto sentenceOf = [](const std::string& root, const scenes::MeshRequest& request) -> std::string {
+        const scenes::SceneField field = test::fieldOf(root);
+        try {
+            const scenes::SceneMesher mesher(field, request);
+        } catch (const Failure& failure) {
+            EXPECT_EQ(failure.blame(), Blame::usage);
+            return failure.what();
+        }
+        return {};
+    };
+    EXPECT_NE(sentenceOf(R"({"kind": "plane"})", {}).find("--low"), std::string::npos);
+    const std::string ball = R"({"kind": "sphere", "radius": 0.5})";
+    const std::string large = sentenceOf(ball, {.cell = 1e-4, .mostBytes = 100'000'000});
+    EXPECT_NE(large.find("give --cell 0.0"), std::string::npos) << large;
+    const double advised = std::stod(large.substr(large.find("--cell ") + 7));
+    EXPECT_EQ(sentenceOf(ball, {.cell = advised, .mostBytes = 100'000'000}), "");
+    EXPECT_NE(sentenceOf(ball, {.cell = 1e-9}).find("too small"), std::string::npos);
+    EXPECT_NE(sentenceOf(ball, {.cell = 0}), "");
+}
+
+TEST(SceneMesh, StopsWhenAsked)
+{
+    const scenes::SceneField field = test::fieldOf(R"({"kind": "sphere", "radius": 0.5})");
+    scenes::SceneMesher mesher(field, {.cell = 0.01});
+    int asked = 0;
+    EXPECT_FALSE(mesher.mesh([&](double part) {
+        EXPECT_GE(part, 0);
+        EXPECT_LE(part, 1);
+        return ++asked < 3;
+    }));
+    EXPECT_EQ(asked, 3);
+}
+
+TEST(MeshCheckControl, HolesAndPinchesAreFound)
+{
+    const scenes::SceneMesh good = meshOf(R"({"kind": "sphere", "radius": 0.5})", 0.1);
+    scenes::SceneMesh hole = good;
+    hole.indices.resize(hole.indices.size() - 3);
+    EXPECT_EQ(scenes::checkMesh(hole).openEdges, 3U);
+    scenes::SceneMesh turned = good;
+    std::swap(turned.indices[0], turned.indices[1]);
+    EXPECT_GT(scenes::checkMesh(turned).openEdges, 0U);
+    // Two balls that share one vertex.
+    scenes::SceneMesh pinched = good;
+    for (const scenes::MeshVertex& v : good.vertices) {
+        pinched.vertices.push_back(v);
+        pinched.vertices.back().position.x += 2;
+    }
+    const auto n = static_cast<std::uint32_t>(good.vertices.size());
+    for (const std::uint32_t i : good.indices) pinched.indices.push_back(i == 0 ? 0 : i + n);
+    const scenes::MeshCheck check = scenes::checkMesh(pinched);
+    EXPECT_EQ(check.openEdges, 0U);
+    EXPECT_EQ(check.brokenVertices, 1U);
+}
+
+}  // namespace
+}  // namespace vitrine

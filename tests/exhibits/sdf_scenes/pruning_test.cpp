@@ -1,0 +1,179 @@
+// What is left out of a scene in a part of space cannot be missed there.
+
+#include "exhibits/sdf_scenes/pruning.h"
+#include "tests/exhibits/sdf_scenes/support.h"
+
+#include <cmath>
+
+#ifdef VITRINE_RAPIDCHECK
+#include <rapidcheck/gtest.h>  // After gtest, which it needs.
+#endif
+
+namespace vitrine {
+namespace {
+
+/// How two evaluations of points of a ball differ: all steps, and those that are left for a ball `trusted` times as
+/// large.
+struct Differences {
+    int points = 0, distances = 0, signs = 0, nodes = 0, leftOut = 0;
+};
+
+/// Several trees in one operation, as far apart as they come.
+std::string randomOperation(test::Random& random)
+{
+    const char* const kinds[] = {"union", "subtraction", "intersection", "xor"};
+    const char* const blends[] = {"quadratic", "cubic", "circular", "exponential"};
+    while (true) {
+        std::string text =
+            std::string("{\"kind\": \"") + kinds[random.below(4)] + "\", \"blend\": \"" + blends[random.below(4)] +
+            "\", \"blendWidth\": " + std::to_string(random.below(3) * random.between(0.01, 0.3)) + ", \"children\": [";
+        const int children = 2 + random.below(6);
+        for (int i = 0; i < children; ++i) text += (i > 0 ? ", " : "") + test::randomTree(random, 2);
+        text += "]}";
+        if (test::readText(test::sceneText(text)).scene) return text;  // Some numbers make no end.
+    }
+}
+
+void compare(const scenes::SceneField& field, test::Random& random, int points, double trusted, Differences& found)
+{
+    const glm::dvec3 center = random.point(2);
+    const double radius = std::pow(10.0, random.between(-2.5, -0.5));
+    scenes::Pruner pruner(field.program(), field.words());
+    // From a larger ball first, as a walk down from large cells does.
+    const scenes::PrunedSteps outer = pruner.prune(field.program().steps(), center, 2 * radius * trusted);
+    const glm::dvec3 inside = center + random.between(0, 1) * radius * random.direction();
+    const scenes::PrunedSteps inner = pruner.prune(outer.steps, inside, radius * trusted);
+    found.leftOut += inner.steps.size() < field.program().steps().size();
+    scenes::SceneWalk walk(field.program(), field.words().words, true);
+    for (int i = 0; i < points; ++i) {
+        const glm::dvec3 p = inside + std::cbrt(random.between(0, 1)) * radius * random.direction();
+        const scenes::SceneSample whole = field.sample(p);
+        walk.run(inner.steps, p);
+        const double distance = walk.state(0).distance;
+        ++found.points;
+        found.distances += !(std::abs(distance - whole.distance) <= 1e-11);
+        found.signs += std::abs(whole.distance) > 1e-11 && (distance < 0) != (whole.distance < 0);
+        found.nodes += walk.surface(0).node != whole.node;
+    }
+}
+
+TEST(Pruning, LeavesDistanceSignAndShapeAsTheyAreInTheBall)
+{
+    test::Random random(11);
+    Differences found;
+    for (int sample = 0; sample < 4000; ++sample) {
+        const std::string root = sample % 2 == 0 ? test::randomTree(random, 4) : randomOperation(random);
+        compare(test::fieldOf(root), random, 25, 1, found);
+        ASSERT_EQ(found.distances + found.signs + found.nodes, 0) << root;
+    }
+    EXPECT_EQ(found.points, 100'000);
+    EXPECT_GT(found.leftOut, 1000);
+}
+
+/// The same comparison finds what is left out for too small a ball.
+TEST(PruningControl, TooSmallARadiusIsFound)
+{
+    test::Random random(11);
+    Differences found;
+    for (int sample = 0; sample < 2000; ++sample)
+        compare(test::fieldOf(randomOperation(random)), random, 25, 0.1, found);
+    EXPECT_GT(found.distances, 100);
+    EXPECT_GT(found.signs, 0);
+    EXPECT_GT(found.nodes, 0);
+}
+
+/// A row of balls, each `apart` from the next, in one operation.
+std::string rowOfBalls(int count, double apart, const std::string& operation)
+{
+    std::string text = "{" + operation + ", \"children\": [";
+    for (int i = 0; i < count; ++i)
+        text += (i > 0 ? ", " : "") +
+                ("{\"kind\": \"sphere\", \"radius\": 0.2, \"translate\": [" + std::to_string(i * apart) + ", 0, 0]}");
+    return text + "]}";
+}
+
+std::size_t shapesLeft(const std::string& root, const glm::dvec3& center, double radius,
+                       double tolerance = scenes::Pruner::exact)
+{
+    const scenes::SceneField field = test::fieldOf(root);
+    return scenes::Pruner(field.program(), field.words(), tolerance)
+        .prune(field.program().steps(), center, radius)
+        .shapes;
+}
+
+TEST(Pruning, OfAUnionKeepsWhatIsWithinItsBlend)
+{
+    const glm::dvec3 atBall50(50, 0.2, 0);
+    EXPECT_EQ(shapesLeft(rowOfBalls(100, 1, R"("kind": "union")"), atBall50, 0.1), 1U);
+    EXPECT_EQ(shapesLeft(rowOfBalls(100, 1, R"("kind": "union", "blend": "cubic", "blendWidth": 0.5)"), atBall50, 0.1),
+              1U);
+    // Each ball blends with its neighbors, and so does the blend of all before it: their effect fades.
+    const std::string chain = rowOfBalls(100, 1, R"("kind": "union", "blend": "cubic", "blendWidth": 1.2)");
+    EXPECT_LE(shapesLeft(chain, atBall50, 0.02), 10U);
+    EXPECT_LE(shapesLeft(chain, atBall50, 0.02, scenes::Pruner::asShaders), 6U);
+    EXPECT_GE(shapesLeft(chain, atBall50, 0.02, scenes::Pruner::asShaders), 3U);
+}
+
+TEST(Pruning, OfASubtractionKeepsTheHolesThatAreNear)
+{
+    std::string root = R"({"kind": "subtraction", "children": [
+        {"kind": "box", "size": [200, 1, 1], "translate": [50, 0, 0]})";
+    for (int i = 0; i < 100; ++i)
+        root += ", {\"kind\": \"sphere\", \"radius\": 0.2, \"translate\": [" + std::to_string(i) + ", 0.5, 0]}";
+    root += "]}";
+    EXPECT_EQ(shapesLeft(root, {50, 0.5, 0.1}, 0.1), 2U);
+    EXPECT_EQ(shapesLeft(root, {50.5, 0.5, 0}, 0.05), 1U);
+}
+
+TEST(Pruning, OfAnIntersectionKeepsTheNearestFace)
+{
+    const std::string root = R"({"kind": "intersection", "children": [
+        {"kind": "plane", "normal": [1, 0, 0], "height": 1}, {"kind": "plane", "normal": [-1, 0, 0], "height": 1},
+        {"kind": "plane", "normal": [0, 1, 0], "height": 1}, {"kind": "plane", "normal": [0, -1, 0], "height": 1}]})";
+    EXPECT_EQ(shapesLeft(root, {1, 0, 0}, 0.2), 1U);
+    EXPECT_EQ(shapesLeft(root, {1, 1, 0}, 0.2), 2U);
+}
+
+TEST(PruningCells, SayWhatIsNearAndHowFarAnEmptyCellIsFromASurface)
+{
+    const scenes::SceneField field =
+        test::fieldOf(rowOfBalls(64, 1, R"("kind": "union", "blend": "quadratic", "blendWidth": 0.3)"));
+    const scenes::SceneCells cells =
+        scenes::pruneCells(field.program(), field.words(), {{-0.5, -0.5, -0.5}, {63.5, 0.5, 0.5}}, {512, 8, 8});
+    EXPECT_LE(cells.mostShapes, 2U);
+    EXPECT_LE(cells.lists, 64U + 63U);
+    EXPECT_LT(cells.meanShapes, 1.5);
+    std::size_t withSurface = 0;
+    for (const scenes::SceneCell& cell : cells.cells) withSurface += cell.count > 0;
+    EXPECT_EQ(withSurface, cells.withSurface);
+    test::Random random(12);
+    scenes::SceneWalk walk(field.program(), field.words().words, false);
+    for (int i = 0; i < 20000; ++i) {
+        const glm::dvec3 p(random.between(-0.5, 63.5), random.between(-0.5, 0.5), random.between(-0.5, 0.5));
+        const std::size_t index = cells.cellAt(p);
+        const scenes::SceneCell& cell = cells.cells[index];
+        const glm::ivec3 at(index % 512, index / 512 % 8, index / 4096);
+        const glm::dvec3 center = cells.box.low + cells.cellSize() * (glm::dvec3(at) + 0.5);
+        const double truth = field.distance(p);
+        if (cell.count == 0) {
+            EXPECT_GT(std::abs(truth), std::abs(cell.distance) - glm::distance(p, center) - 1e-6);
+            EXPECT_EQ(truth < 0, cell.distance < 0);
+            continue;
+        }
+        walk.run(cells.stepsOf(cell), p);
+        EXPECT_NEAR(walk.state(0).distance, truth, scenes::Pruner::asShaders);
+    }
+}
+
+#ifdef VITRINE_RAPIDCHECK
+RC_GTEST_PROP(PruningProperty, LeavesAnyTreeAsItIsInTheBall, (unsigned seed))
+{
+    test::Random random(seed);
+    Differences found;
+    compare(test::fieldOf(randomOperation(random)), random, 50, 1, found);
+    RC_ASSERT(found.distances + found.signs + found.nodes == 0);
+}
+#endif
+
+}  // namespace
+}  // namespace vitrine
