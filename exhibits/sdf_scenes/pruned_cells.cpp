@@ -1,6 +1,7 @@
 #include "exhibits/sdf_scenes/pruning.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -48,7 +49,8 @@ private:
                                   static_cast<std::size_t>(at.x);
         SceneCell& cell = into_.cells[index];
         cell.distance = static_cast<float>(left.distance);
-        if (std::abs(left.distance) > radius * (1 + 2e-6) + 1e-9) return;
+        into_.withSurface += std::abs(left.distance) <= radius * (1 + 2e-6) + 1e-9;
+        if (std::abs(left.distance) > 2 * radius) return;
         ListKey key;
         for (const Step& step : left.steps) key.emplace_back(step.type, step.node, step.child, step.back);
         const auto [found, isNew] = listAt_.try_emplace(std::move(key), static_cast<std::uint32_t>(into_.steps.size()));
@@ -56,7 +58,7 @@ private:
         cell.first = found->second;
         cell.count = static_cast<std::uint32_t>(left.steps.size());
         cell.shapes = static_cast<std::uint32_t>(left.shapes);
-        ++into_.withSurface;
+        ++into_.withSteps;
         into_.mostShapes = std::max(into_.mostShapes, left.shapes);
         into_.meanShapes += static_cast<double>(left.shapes);
     }
@@ -67,7 +69,38 @@ private:
     std::map<ListKey, std::uint32_t> listAt_;
 };
 
+/// Includes the halves of a box in which something may be, down to a size.
+void includeOccupied(Pruner& pruner, std::span<const Step> steps, const render::Box& box, double smallest,
+                     render::Box& found)
+{
+    if (!found.empty() && found.contains(box.low) && found.contains(box.high)) return;
+    const glm::dvec3 half = box.halfSize();
+    const double radius = glm::length(half);
+    const PrunedSteps left = pruner.prune(steps, box.center(), radius);
+    if (left.distance > radius * (1 + 2e-6) + 1e-9) return;
+    const int axis = half.x >= half.y && half.x >= half.z ? 0 : half.y >= half.z ? 1 : 2;
+    if (2 * half[axis] <= smallest) {
+        found.include(box.low);
+        found.include(box.high);
+        return;
+    }
+    render::Box lower = box, upper = box;
+    lower.high[axis] = upper.low[axis] = box.center()[axis];
+    includeOccupied(pruner, left.steps, lower, smallest, found);
+    includeOccupied(pruner, left.steps, upper, smallest, found);
+}
+
 }  // namespace
+
+render::Box occupiedBox(const SceneProgram& program, const SceneWords& words, const render::Box& box)
+{
+    render::Box found;
+    if (program.nodes().empty() || box.empty()) return found;
+    Pruner pruner(program, words, Pruner::asShaders);
+    const glm::dvec3 size = box.high - box.low;
+    includeOccupied(pruner, program.steps(), box, std::max({size.x, size.y, size.z}) / 64, found);
+    return found;
+}
 
 std::size_t SceneCells::cellAt(const glm::dvec3& p) const
 {
@@ -75,6 +108,17 @@ std::size_t SceneCells::cellAt(const glm::dvec3& p) const
     return (static_cast<std::size_t>(at.z) * static_cast<std::size_t>(count.y) + static_cast<std::size_t>(at.y)) *
                static_cast<std::size_t>(count.x) +
            static_cast<std::size_t>(at.x);
+}
+
+double SceneCells::clearance(std::size_t cell, const glm::dvec3& p) const
+{
+    // Through float32, a distance moves by a part in 2^24.
+    constexpr double certain = 1 - 1e-6;
+    const auto i = static_cast<int>(cell);
+    const glm::ivec3 at(i % count.x, i / count.x % count.y, i / (count.x * count.y));
+    const glm::dvec3 center = box.low + cellSize() * (glm::dvec3(at) + 0.5);
+    const double d = double{cells[cell].distance} * certain;
+    return std::copysign(std::abs(d) - glm::distance(p, center), d);
 }
 
 SceneCells pruneCells(const SceneProgram& program, const SceneWords& words, const render::Box& box,
@@ -88,7 +132,7 @@ SceneCells pruneCells(const SceneProgram& program, const SceneWords& words, cons
     CellPruner pruner(program, words, tolerance, cells);
     pruner.prune(program.steps(), glm::ivec3(0), count);
     cells.lists = pruner.lists();
-    if (cells.withSurface > 0) cells.meanShapes /= static_cast<double>(cells.withSurface);
+    if (cells.withSteps > 0) cells.meanShapes /= static_cast<double>(cells.withSteps);
     return cells;
 }
 

@@ -66,14 +66,14 @@ private:
 
 /// What is in a cell of a grid.
 struct SceneCell {
-    std::uint32_t first = 0, count = 0;  ///< Of `SceneCells::steps`; none where no surface passes through the cell.
-    /// At its center, negative inside. A point of a cell without steps is this far from any surface, less its distance
-    /// from the center.
-    float distance = 0;
+    std::uint32_t first = 0, count = 0;  ///< Of `SceneCells::steps`; none where every surface is far from the cell.
+    float distance = 0;                  ///< At its center, negative inside.
     std::uint32_t shapes = 0;
 };
 
 /// A grid of cells over a part of space, each with the steps that matter in it: in flat arrays, as a shader reads them.
+/// A cell whose center is farther from any surface than the whole diagonal has none: the distance at its center, less
+/// that from the center, is a step there, and at least half a diagonal.
 struct SceneCells {
     render::Box box;
     glm::ivec3 count{0};
@@ -82,9 +82,10 @@ struct SceneCells {
     std::vector<Step> steps;
 
     std::size_t withSurface = 0;  ///< Cells that a surface may pass through.
+    std::size_t withSteps = 0;    ///< These and those near them.
     std::size_t lists = 0;        ///< That differ.
     std::size_t mostShapes = 0;   ///< Of a cell.
-    double meanShapes = 0;        ///< Over the cells with surface.
+    double meanShapes = 0;        ///< Over the cells with steps.
 
     /// The one that holds a point of the box; those outside are brought to the nearest cell.
     [[nodiscard]] std::size_t cellAt(const glm::dvec3& p) const;
@@ -93,7 +94,13 @@ struct SceneCells {
         return {steps.data() + cell.first, cell.count};
     }
     [[nodiscard]] glm::dvec3 cellSize() const { return 2.0 * box.halfSize() / glm::dvec3(count); }
+    /// In a cell without steps: a distance to no surface, negative inside.
+    [[nodiscard]] double clearance(std::size_t cell, const glm::dvec3& p) const;
 };
+
+/// The part of a finite box outside of which nothing of the scene is in it, to about a hundredth of its longest side:
+/// what `SceneWords::extents` know is much wider where many operands blend. Empty where nothing is.
+[[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneWords&, const render::Box&);
 
 /// Prunes a program for every cell of a finite box, from large parts of it to small ones.
 [[nodiscard]] SceneCells pruneCells(const SceneProgram&, const SceneWords&, const render::Box&, const glm::ivec3& count,

@@ -19,6 +19,7 @@ study="build/release/vitrine study"
 entries() {
     cat <<END
 sdf_evaluations cpu $tests/bench_sdf_evaluations
+scene_evaluations cpu $tests/bench_scene_evaluations
 ice_cream_solids cpu $tests/bench_ice_cream_solids
 interlacing cpu $tests/bench_interlacing
 large_print cpu $tests/bench_large_print

@@ -134,6 +134,26 @@ TEST(Pruning, OfAnIntersectionKeepsTheNearestFace)
     EXPECT_EQ(shapesLeft(root, {1, 1, 0}, 0.2), 2U);
 }
 
+TEST(OccupiedBox, HoldsAllThatIsInsideAndIsNarrow)
+{
+    test::Random random(13);
+    for (int sample = 0; sample < 300; ++sample) {
+        const std::string root = test::randomTree(random, 3);
+        const scenes::SceneField field = test::fieldOf(root);
+        const render::Box box = scenes::occupiedBox(field.program(), field.words(), {glm::dvec3(-3), glm::dvec3(3)});
+        for (int i = 0; i < 100; ++i) {
+            const glm::dvec3 p = random.point(3);
+            if (field.distance(p) > 0) continue;
+            ASSERT_TRUE(!box.empty() && box.contains(p)) << root;
+        }
+    }
+    // A thousand balls that blend: by what the blends may add, the scene might be as wide as this.
+    const scenes::SceneField many = test::fieldOf(rowOfBalls(1000, 0.002, R"("kind": "union", "blendWidth": 0.1)"));
+    EXPECT_GT(many.box().high.y, 10);
+    const render::Box narrow = scenes::occupiedBox(many.program(), many.words(), many.box());
+    EXPECT_LT(narrow.high.y, 2);
+}
+
 TEST(PruningCells, SayWhatIsNearAndHowFarAnEmptyCellIsFromASurface)
 {
     const scenes::SceneField field =
@@ -143,21 +163,23 @@ TEST(PruningCells, SayWhatIsNearAndHowFarAnEmptyCellIsFromASurface)
     EXPECT_LE(cells.mostShapes, 2U);
     EXPECT_LE(cells.lists, 64U + 63U);
     EXPECT_LT(cells.meanShapes, 1.5);
-    std::size_t withSurface = 0;
-    for (const scenes::SceneCell& cell : cells.cells) withSurface += cell.count > 0;
-    EXPECT_EQ(withSurface, cells.withSurface);
+    std::size_t withSteps = 0;
+    for (const scenes::SceneCell& cell : cells.cells) withSteps += cell.count > 0;
+    EXPECT_EQ(withSteps, cells.withSteps);
+    EXPECT_LT(cells.withSurface, cells.withSteps);
+    EXPECT_LT(cells.withSteps, cells.cells.size() / 2);
     test::Random random(12);
     scenes::SceneWalk walk(field.program(), field.words().words, false);
     for (int i = 0; i < 20000; ++i) {
         const glm::dvec3 p(random.between(-0.5, 63.5), random.between(-0.5, 0.5), random.between(-0.5, 0.5));
         const std::size_t index = cells.cellAt(p);
         const scenes::SceneCell& cell = cells.cells[index];
-        const glm::ivec3 at(index % 512, index / 512 % 8, index / 4096);
-        const glm::dvec3 center = cells.box.low + cells.cellSize() * (glm::dvec3(at) + 0.5);
         const double truth = field.distance(p);
         if (cell.count == 0) {
-            EXPECT_GT(std::abs(truth), std::abs(cell.distance) - glm::distance(p, center) - 1e-6);
-            EXPECT_EQ(truth < 0, cell.distance < 0);
+            const double step = cells.clearance(index, p);
+            EXPECT_GE(std::abs(truth), std::abs(step));
+            EXPECT_GE(std::abs(step), 0.499 * glm::length(cells.cellSize()));
+            EXPECT_EQ(truth < 0, step < 0);
             continue;
         }
         walk.run(cells.stepsOf(cell), p);
