@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <optional>
 #include <random>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -49,19 +49,20 @@ struct View {
 class CountedField {
 public:
     /// Nothing of the scene is outside of `box`.
-    CountedField(const scenes::SceneField& scene, const scenes::SceneCells* cells, const render::Box& box)
+    CountedField(const scenes::SceneField& scene, std::span<const scenes::SceneCells> cells, const render::Box& box)
         : scene_(scene), cells_(cells), walk_(scene.program(), scene.words().words, false), box_(box),
-          held_(cells && cells->box.contains(box.low) && cells->box.contains(box.high))
+          held_(!cells.empty() && cells.back().box.contains(box.low) && cells.back().box.contains(box.high))
     {
     }
 
     double operator()(const dvec3& p)
     {
-        if (cells_ && cells_->box.contains(p)) {
-            const std::size_t cell = cells_->cellAt(p);
-            if (cells_->cells[cell].count > 0) return asked(cells_->stepsOf(cells_->cells[cell]), p);
+        for (const scenes::SceneCells& cells : cells_) {
+            if (!cells.box.contains(p)) continue;
+            const std::size_t cell = cells.cellAt(p);
+            if (cells.cells[cell].count > 0) return asked(cells.stepsOf(cells.cells[cell]), p);
             ++looks;
-            return cells_->clearance(cell, p);
+            return cells.clearance(cell, p);
         }
         if (held_) {  // The cells hold all of the scene, and more.
             ++looks;
@@ -82,7 +83,7 @@ private:
     }
 
     const scenes::SceneField& scene_;
-    const scenes::SceneCells* cells_;
+    std::span<const scenes::SceneCells> cells_;
     scenes::SceneWalk walk_;
     render::Box box_;
     bool held_;
@@ -90,17 +91,19 @@ private:
 
 struct Way {
     const char* name;
-    bool source = false;  ///< 255 steps, hits within 1 mm, as the source has them.
+    double tolerance = 0;  ///< Meters; 0 is half a pixel.
+    int stepLimit = 1000;
     bool relaxed = false;
     int largestCone = 0, smallestCone = 0;  ///< One march for each block of so many pixels, and of half as many, ...
     bool pruned = false;
 };
 constexpr Way classic{"classic, half a pixel"};
-constexpr Way sourcesWay{"the source's march: 255 steps, 1 mm", true};
-constexpr Way kitsWay{"relaxed steps, cones", false, true, block, block};
-constexpr Way withCells{"relaxed steps, cones, cells", false, true, block, block, true};
-constexpr Way coneTree{"relaxed steps, cones of 32 to 2", false, true, 32, 2};
-constexpr Way coneTreeWithCells{"relaxed steps, cones of 32 to 2, cells", false, true, 32, 2, true};
+constexpr Way sourcesWay{"the source's march: 255 steps, 1 mm", 0.001, 255};
+constexpr Way fineWay{"classic, 0.1 mm", 1e-4};
+constexpr Way kitsWay{"relaxed steps, cones", 0, 1000, true, block, block};
+constexpr Way withCells{"relaxed steps, cones, cells", 0, 1000, true, block, block, true};
+constexpr Way coneTree{"relaxed steps, cones of 32 to 2", 0, 1000, true, 32, 2};
+constexpr Way coneTreeWithCells{"relaxed steps, cones of 32 to 2, cells", 0, 1000, true, 32, 2, true};
 
 /// Per pixel.
 struct Found {
@@ -112,25 +115,24 @@ struct Found {
 class Picture {
 public:
     /// `reach`: how far the eye is from what it looks at. `stride`: only every so many blocks of 32 pixels, both ways.
-    Picture(const scenes::SceneField& scene, const View& view, double reach, int stride)
+    Picture(const scenes::SceneField& scene, const View& view, double reach, int stride, int across)
         : scene_(scene), view_(view), box_(scene.box()), stride_(stride), truth_(width * height)
     {
         const auto finite = [](const render::Box& box) { return std::isfinite(glm::length(box.high - box.low)); };
         if (finite(box_)) box_ = scenes::occupiedBox(scene.program(), scene.words(), box_);
-        // Cells over all of a scene, or over what is around the target where it has no end.
+        // Cells over all of a scene, or over what is around the target where it has no end, and wider and wider.
         const dvec3 middle = view.eye + view.forward * reach;
-        render::Box box = box_;
-        if (!finite(box)) box = {glm::max(box.low, middle - 2 * reach), glm::min(box.high, middle + 2 * reach)};
-        const dvec3 size = box.high - box.low;
-        const double longest = std::max({size.x, size.y, size.z});
-        box = scenes::grown(box, 0.05 * longest);
-        const double cell = 1.1 * longest / cellsAcross;
-        const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(2.0 * box.halfSize() / cell - 1e-9)), glm::ivec3(1));
-        cells_ = scenes::pruneCells(scene.program(), scene.words(), box, count);
+        for (const double wide : {1.0, 4.0, 16.0}) {
+            render::Box box = box_;
+            if (!finite(box_))
+                box = {glm::max(box.low, middle - wide * reach), glm::min(box.high, middle + wide * reach)};
+            addCells(box, across);
+            if (finite(box_)) break;
+        }
         findTruth();
     }
 
-    [[nodiscard]] const scenes::SceneCells& cells() const { return cells_; }
+    [[nodiscard]] const scenes::SceneCells& cells() const { return cells_.front(); }
     [[nodiscard]] double covered() const
     {
         return 100 * double(std::count(truth_.begin(), truth_.end(), 1)) * stride_ * stride_ / (width * height);
@@ -156,13 +158,23 @@ public:
 private:
     static constexpr int large = 32;
 
+    void addCells(render::Box box, int across)
+    {
+        const dvec3 size = box.high - box.low;
+        const double longest = std::max({size.x, size.y, size.z});
+        box = scenes::grown(box, 0.05 * longest);
+        const double cell = 1.1 * longest / across;
+        const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(2.0 * box.halfSize() / cell - 1e-9)), glm::ivec3(1));
+        cells_.push_back(scenes::pruneCells(scene_.program(), scene_.words(), box, count));
+    }
+
     [[nodiscard]] bool isChosen(int x, int y) const { return x / large % stride_ == 0 && y / large % stride_ == 0; }
 
     /// Where a ray first is on a surface, by Hart's method at float64, unrelaxed, of all shapes, to 1e-9 m.
     void findTruth()
     {
         const auto rows = [&](int first) {
-            CountedField field(scene_, nullptr, box_);
+            CountedField field(scene_, {}, box_);
             glsl::Tracer tracer{[&](const dvec3& p) { return field(p); }};
             auto settings = tracer.marchSettings(0, farthest, 0);
             settings.toleranceFloor = 1e-9;
@@ -180,7 +192,7 @@ private:
 
     void measureHalf(const Way& way, int half, Found& found) const
     {
-        CountedField field(scene_, way.pruned ? &cells_ : nullptr, box_);
+        CountedField field(scene_, way.pruned ? std::span(cells_) : std::span<const scenes::SceneCells>(), box_);
         glsl::Tracer tracer{[&](const dvec3& p) { return field(p); }};
         for (int y = 0; y < height; y += large)
             for (int x = 0; x < width; x += large)
@@ -198,9 +210,9 @@ private:
         if (at.x >= width || at.y >= height) return;
         const dvec3 low = glm::clamp(box_.low, dvec3(-1e6), dvec3(1e6)),
                     high = glm::clamp(box_.high, dvec3(-1e6), dvec3(1e6));
-        auto settings = tracer.marchSettings(start, farthest, way.source ? 0 : view_.halfPixel());
-        if (way.source) settings.toleranceFloor = 0.001;
-        settings.stepLimit = way.source ? 255 : 1000;
+        auto settings = tracer.marchSettings(start, farthest, way.tolerance > 0 ? 0 : view_.halfPixel());
+        if (way.tolerance > 0) settings.toleranceFloor = way.tolerance;
+        settings.stepLimit = way.stepLimit;
         settings.relaxation = way.relaxed ? tracer.RELAXATION_AUTOMATIC : tracer.RELAXATION_NONE;
         if (size > 1) {
             if (size <= way.largestCone && size >= way.smallestCone && start < farthest) {
@@ -237,7 +249,7 @@ private:
     render::Box box_;
     int stride_;
     std::vector<char> truth_;
-    scenes::SceneCells cells_;
+    std::vector<scenes::SceneCells> cells_;
 };
 
 void print(const Way& way, const Found& found)
@@ -308,13 +320,14 @@ constexpr const char* sixteenOnAFloor = R"({"kind": "union", "children": [
     {"kind": "hexagonalPrism", "translate": [0.9, 0.3, 1.1], "height": 0.5, "inradius": 0.25}]})";
 
 struct Shapes {
-    double all = 0, pruned = 0;
+    double all = 0, pruned = 0, each = 0;  ///< Per pixel; per evaluation with cells.
 };
 
 Shapes smoothUnion(int count)
 {
     const scenes::SceneField scene = sceneOf(manyShapes(count));
-    const Picture picture(scene, View({2.2, 1.6, 3.2}, dvec3(0), {0, 1, 0}, 0.7), 4, count >= 256 ? 2 : 1);
+    const Picture picture(scene, View({2.2, 1.6, 3.2}, dvec3(0), {0, 1, 0}, 0.7), 4, count >= 256 ? 2 : 1,
+                          count >= 256 ? 2 * cellsAcross : cellsAcross);
     const scenes::SceneCells& cells = picture.cells();
     std::printf(
         "\n%d shapes in one smooth union: %.1f %% of the pixels; of %zu cells %zu have shapes, %.2f each, %zu at "
@@ -326,28 +339,30 @@ Shapes smoothUnion(int count)
         const Found found = picture.measure(way);
         print(way, found);
         if (way.name == kitsWay.name) shapes.all = found.shapes;
-        if (way.name == withCells.name) shapes.pruned = found.shapes;
+        if (way.name != withCells.name) continue;
+        shapes.pruned = found.shapes;
+        shapes.each = found.shapes / found.evaluations;
     }
     return shapes;
 }
 
-void onAFloor()
+void onAFloor(const char* from, const View& view)
 {
     const scenes::SceneField scene = sceneOf(sixteenOnAFloor);
-    const Picture picture(scene, View({2.5, 2, 4.5}, {0, 0.4, 0.3}, {0, 1, 0}, 0.7), 5, 1);
-    std::printf("\nSixteen shapes, added, cut and shared, on a floor\n");
+    const Picture picture(scene, view, 5, 1, cellsAcross);
+    std::printf("\nSixteen shapes, added, cut and shared, on a floor, %s\n", from);
     printColumns();
     Found best, plain;
-    for (const Way& way : {sourcesWay, classic, kitsWay, withCells, coneTree, coneTreeWithCells}) {
+    for (const Way& way : {fineWay, sourcesWay, classic, kitsWay, withCells, coneTree, coneTreeWithCells}) {
         const Found found = picture.measure(way);
         print(way, found);
-        if (way.name == classic.name) plain = found;
+        if (way.name == fineWay.name) plain = found;
         best = found;
     }
     std::printf(
-        "\nSixteen shapes on a floor take %.2f field evaluations and %.1f shapes per pixel (goal: 5 fields) and "
-        "miss %d pixels; classic sphere tracing takes %.2f and %.1f.\n",
-        best.evaluations, best.shapes, best.missed, plain.evaluations, plain.shapes);
+        "\nSixteen shapes on a floor, %s, take %.2f field evaluations and %.1f shapes per pixel (goal: 5 fields) "
+        "and miss %d pixels; classic sphere tracing to 0.1 mm takes %.2f and %.1f.\n",
+        from, best.evaluations, best.shapes, best.missed, plain.evaluations, plain.shapes);
 }
 
 void compositions(const std::string& folder)
@@ -368,7 +383,8 @@ void compositions(const std::string& folder)
         const std::vector<double> numbers = read.scene->numbersAt(1);
         const double* c = &numbers[read.scene->camera.numbers];
         const dvec3 eye(c[0], c[1], c[2]), target(c[3], c[4], c[5]);
-        const Picture picture(scene, View(eye, target, {c[6], c[7], c[8]}, c[9]), glm::distance(eye, target), 1);
+        const Picture picture(scene, View(eye, target, {c[6], c[7], c[8]}, c[9]), glm::distance(eye, target), 1,
+                              cellsAcross);
         const Found source = picture.measure(sourcesWay);
         const Found ours = picture.measure(coneTreeWithCells);
         std::size_t shapes = 0;
@@ -389,18 +405,21 @@ int main(int argc, char** argv)
         "Per pixel of the whole %d x %d frame, float64. Fields: evaluations of the scene; shapes, asked: of its\n"
         "shapes; cells: looks at a cell that has none. Missed and extra: pixels against a trace of all shapes to\n"
         "1e-9 m, without relaxation. Cones: one march for each block of %d x %d pixels unless stated, included.\n"
-        "Cells: %d along the longest side. Of 256 shapes and more, a quarter of the pixels, in blocks.\n",
+        "Cells: %d along the longest side; a scene without end has them around the target, and four and sixteen times "
+        "as\n"
+        "large around these. Of 256 shapes and more, twice as many cells, and a quarter of the pixels, in blocks.\n",
         width, height, block, block, cellsAcross);
+    onAFloor("up to the horizon", View({2.5, 2, 4.5}, {0, 0.4, 0.3}, {0, 1, 0}, 0.7));
+    onAFloor("from above", View({2, 3.2, 3.4}, {0, 0.3, 0.3}, {0, 1, 0}, 0.6));
     Shapes at16, last;
     for (const int count : {4, 16, 64, 256, 1024}) {
         last = smoothUnion(count);
         if (count == 16) at16 = last;
     }
     std::printf(
-        "\n1024 shapes take %.1f times the shapes of 16 per pixel where all are asked, and %.1f times with cells; "
-        "of 1024, cells ask %.1f where all are %.0f.\n",
-        last.all / at16.all, last.pruned / at16.pruned, last.pruned, last.all);
-    onAFloor();
+        "\n1024 shapes take %.1f times the shapes of 16 per pixel where all are asked, and %.1f times with cells "
+        "(per evaluation: %.1f times); of 1024, cells ask %.1f per pixel where all are %.0f.\n",
+        last.all / at16.all, last.pruned / at16.pruned, last.each / at16.each, last.pruned, last.all);
     compositions(argc > 1 ? argv[1] : "assets/scenes");
     return 0;
 }

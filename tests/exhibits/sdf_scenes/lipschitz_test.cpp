@@ -1,7 +1,7 @@
 // Whatever a scene file says, no step may pass a surface: random trees of all kinds.
 
 #include "exhibits/sdf_scenes/scene_functions_cpu.h"
-#include "tests/exhibits/sdf_scenes/support.h"
+#include "tests/exhibits/sdf_scenes/ray_steps.h"
 
 #include <cmath>
 
@@ -19,30 +19,6 @@ template <typename Field> double steepest(const Field& field, test::Random& rand
         most = std::max(most, std::abs(field(p) - field(q)) / glm::length(p - q));
     }
     return most;
-}
-
-/// How many of some rays pass through a surface in a step, all steps being as long as the field says.
-template <typename Field> int overshoots(const Field& field, test::Random& random, int rays)
-{
-    int passed = 0;
-    for (int ray = 0; ray < rays; ++ray) {
-        const glm::dvec3 origin = random.point(4);
-        const glm::dvec3 direction = random.direction();
-        double t = 0;
-        for (int step = 0; step < 60 && t < 12; ++step) {
-            const double d = field(origin + t * direction);
-            if (std::abs(d) < 1e-4) break;
-            // Anywhere on the way, the sign is the one at its start.
-            const double within = t + std::abs(d) * random.between(0.2, 1);
-            const double there = field(origin + within * direction);
-            if (std::abs(there) > 1e-9 && (there < 0) != (d < 0)) {
-                ++passed;
-                break;
-            }
-            t += std::abs(d);
-        }
-    }
-    return passed;
 }
 
 auto distanceOf(const scenes::SceneField& field)
@@ -88,7 +64,7 @@ TEST(SceneLipschitz, NoRayPassesASurface)
     for (int sample = 0; sample < 2000; ++sample) {
         const std::string root = test::randomTree(random, 3);
         const scenes::SceneField field = test::fieldOf(root);
-        ASSERT_EQ(overshoots(distanceOf(field), random, 50), 0) << root;
+        ASSERT_EQ(test::overshoots(distanceOf(field), random, 50), 0) << root;
     }
 }
 
@@ -111,8 +87,8 @@ TEST(SceneLipschitzControl, FieldsWithoutTheirFactorAreFound)
     EXPECT_GT(steepest(scaled, random, 20000), 1.2);
     EXPECT_GT(steepest(displaced, random, 20000), 1.2);
     EXPECT_GT(steepest(repeated, random, 20000), 1.2);
-    EXPECT_GT(overshoots(scaled, random, 20000), 0);
-    EXPECT_GT(overshoots(displaced, random, 20000), 0);
+    EXPECT_GT(test::overshoots(scaled, random, 20000), 0);
+    EXPECT_GT(test::overshoots(displaced, random, 20000), 0);
 }
 
 TEST(SceneLipschitz, EveryNodeSaysByHowMuchItWasDivided)
