@@ -13,7 +13,7 @@ constexpr double undecided = 1e-9;
 /// Vertices keep this share of a cell away from its faces, so that no two of them meet.
 constexpr double margin = 0.01;
 /// Directions in which the planes are this much weaker than in the strongest one count as left open.
-constexpr double weakest = 0.1;
+constexpr double weakest = 0.01;
 
 /// Eigenvectors of a symmetric matrix, by Jacobi rotations.
 void diagonalize(glm::dmat3& m, glm::dmat3& vectors)
@@ -49,34 +49,38 @@ double MeshField::cut(const glm::dvec3& p, double distance) const
     return std::max(distance, glm::length(glm::max(outside, glm::dvec3(0))) + within);
 }
 
-glm::dvec3 meetingPoint(const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& normals,
-                        const render::Box& within)
+Planes::Planes(const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& normals)
 {
-    glm::dvec3 mean(0);
-    for (const glm::dvec3& p : points) mean += p / static_cast<double>(points.size());
-    glm::dmat3 square(0);
-    glm::dvec3 right(0);
+    for (const glm::dvec3& p : points) mean_ += p / static_cast<double>(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        square += glm::outerProduct(normals[i], normals[i]);
-        right += normals[i] * glm::dot(normals[i], points[i] - mean);
+        square_ += glm::outerProduct(normals[i], normals[i]);
+        right_ += normals[i] * glm::dot(normals[i], points[i] - mean_);
     }
-    glm::dmat3 values = square, axes;
+}
+
+glm::dvec3 Planes::meetingPoint() const
+{
+    glm::dmat3 values = square_, axes;
     diagonalize(values, axes);
     const double strongest = std::max({values[0][0], values[1][1], values[2][2]});
     glm::dvec3 offset(0);
     for (int i = 0; i < 3; ++i)
-        if (values[i][i] > weakest * strongest) offset += axes[i] * (glm::dot(axes[i], right) / values[i][i]);
-    if (within.contains(mean + offset)) return mean + offset;
-    // The best point of the box, one coordinate after another: the squares are convex.
-    const glm::dvec3 low = within.low - mean, high = within.high - mean;
-    offset = glm::clamp(offset, low, high);
-    const double towardMean = 0.01 * strongest;
+        if (values[i][i] > weakest * strongest) offset += axes[i] * (glm::dot(axes[i], right_) / values[i][i]);
+    return mean_ + offset;
+}
+
+glm::dvec3 Planes::bestPointOf(const render::Box& box) const
+{
+    // One coordinate after another: the squares are convex.
+    const glm::dvec3 low = box.low - mean_, high = box.high - mean_;
+    glm::dvec3 offset = glm::clamp(glm::dvec3(0), low, high);
+    const double towardMean = 0.01 * (square_[0][0] + square_[1][1] + square_[2][2]);
     for (int round = 0; round < 24; ++round)
         for (int i = 0; i < 3; ++i) {
-            const double rest = right[i] - glm::dot(square[i], offset) + square[i][i] * offset[i];
-            offset[i] = std::clamp(rest / (square[i][i] + towardMean), low[i], high[i]);
+            const double rest = right_[i] - glm::dot(square_[i], offset) + square_[i][i] * offset[i];
+            offset[i] = std::clamp(rest / (square_[i][i] + towardMean), low[i], high[i]);
         }
-    return mean + offset;
+    return mean_ + offset;
 }
 
 LeafMesher::LeafMesher(const MeshField& field)
@@ -133,6 +137,19 @@ glm::dvec3 LeafMesher::slopeAt(const glm::dvec3& p, double d)
     const glm::dvec3 there(distance(p + glm::dvec3(h, 0, 0)), distance(p + glm::dvec3(0, h, 0)),
                            distance(p + glm::dvec3(0, 0, h)));
     return (there - d) / h;
+}
+
+/// A vertex of a cell. A thin wedge may end outside of the last cell that has a lattice point of it: where the planes
+/// meet up to two cells away and the surface is near, the vertex lies there, but not quite, so that it meets no other.
+glm::dvec3 LeafMesher::vertexOf(const Planes& planes, const render::Box& cell)
+{
+    const glm::dvec3 meeting = planes.meetingPoint();
+    if (cell.contains(meeting)) return broughtToSurface(meeting, cell);
+    const glm::dvec3 inside = glm::clamp(meeting, cell.low, cell.high);
+    const render::Box around = grown(cell, 2 * field_.cell);
+    if (around.contains(meeting) && std::abs(distance(meeting)) < 0.2 * field_.cell)
+        return glm::mix(inside, broughtToSurface(meeting, around), 1 - margin);
+    return broughtToSurface(planes.bestPointOf(cell), cell);
 }
 
 /// Onto the surface, as far as the cell reaches; at an edge it is there already.
@@ -216,7 +233,7 @@ void LeafMesher::addVertices(const glm::ivec3& place, unsigned inside, LeafSurfa
         means[k] /= static_cast<double>(points.size());
         const double length = glm::length(normals[k]);
         normals[k] = length > 1e-6 ? normals[k] / length : planes.front();
-        at[k] = broughtToSurface(meetingPoint(points, planes, cell), cell);
+        at[k] = vertexOf(Planes(points, planes), cell);
     }
     // Loops that meet, as those of a thin wall may, stay apart.
     for (std::size_t a = 0; a < static_cast<std::size_t>(loops.loops); ++a)

@@ -59,6 +59,21 @@ struct LeafSurface {
     return {i % leafCells, i / leafCells % leafCells, i / (leafCells * leafCells)};
 }
 
+/// Planes through points: the sum of the squared distances from them, as a function of a place.
+class Planes {
+public:
+    Planes(const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& normals);
+
+    /// Where they meet best; where they leave it open, nearest to the mean of the points.
+    [[nodiscard]] glm::dvec3 meetingPoint() const;
+    /// The same of the places in a box.
+    [[nodiscard]] glm::dvec3 bestPointOf(const render::Box&) const;
+
+private:
+    glm::dvec3 mean_{0}, right_{0};
+    glm::dmat3 square_{0};
+};
+
 /// Evaluates leaves, one after another; for one thread at a time.
 class LeafMesher {
 public:
@@ -83,6 +98,7 @@ private:
     const Crossing& crossingAt(const glm::ivec3& corner, unsigned axis);
     Crossing crossingBetween(const glm::dvec3& a, const glm::dvec3& b, double valueA, double valueB);
     glm::dvec3 slopeAt(const glm::dvec3& p, double distanceThere);
+    glm::dvec3 vertexOf(const Planes&, const render::Box& cell);
     glm::dvec3 broughtToSurface(glm::dvec3 p, const render::Box& cell);
     void addVertices(const glm::ivec3& place, unsigned inside, LeafSurface&);
     MeshVertex vertexAt(const glm::dvec3& p, const glm::dvec3& normal);
@@ -97,10 +113,5 @@ private:
     std::array<std::int32_t, 3 * corners_ * corners_ * corners_> crossingOf_{};
     std::vector<Crossing> crossings_;
 };
-
-/// Where planes through points meet best: the point of a box of least squared distances from them; where they leave it
-/// open, the one nearest to the mean of the points.
-[[nodiscard]] glm::dvec3 meetingPoint(const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& normals,
-                                      const render::Box& within);
 
 }  // namespace vitrine::scenes

@@ -132,17 +132,31 @@ private:
         mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
     }
 
-    /// Split where the surface is nearer to the diagonal, so that an edge of the scene is one of the mesh.
+    /// Whether a triangle faces away from the normals of its corners.
+    [[nodiscard]] bool isTurned(bool forward, std::size_t a, std::size_t b, std::size_t c) const
+    {
+        const MeshVertex& va = mesh_.vertices[polygon_[a]];
+        const MeshVertex& vb = mesh_.vertices[polygon_[b]];
+        const MeshVertex& vc = mesh_.vertices[polygon_[c]];
+        const glm::vec3 across = glm::cross(vb.position - va.position, vc.position - va.position);
+        return (forward ? 1.0F : -1.0F) * glm::dot(across, va.normal + vb.normal + vc.normal) < 0;
+    }
+
+    /// Split so that no triangle is turned over, if that can be, and where the surface is nearer to the diagonal, so
+    /// that an edge of the scene is one of the mesh.
     void addQuad(const CrossedEdge& edge)
     {
         const auto& q = polygon_;
+        const bool forward = edge.startsInside;
         const auto off = [&](std::size_t a, std::size_t b) {
             const glm::vec3 middle = 0.5F * (mesh_.vertices[q[a]].position + mesh_.vertices[q[b]].position);
             return std::abs(glm::dot(edge.normal, middle - edge.position));
         };
-        const bool first = off(0, 2) <= off(1, 3);
-        addTriangle(edge.startsInside, q[0], q[1], q[first ? 2 : 3]);
-        addTriangle(edge.startsInside, q[first ? 0 : 1], q[2], q[3]);
+        const int turnedFirst = isTurned(forward, 0, 1, 2) + isTurned(forward, 0, 2, 3);
+        const int turnedSecond = isTurned(forward, 0, 1, 3) + isTurned(forward, 1, 2, 3);
+        const bool first = turnedFirst != turnedSecond ? turnedFirst < turnedSecond : off(0, 2) <= off(1, 3);
+        addTriangle(forward, q[0], q[1], q[first ? 2 : 3]);
+        addTriangle(forward, q[first ? 0 : 1], q[2], q[3]);
     }
 
     /// Around the point where the surface crosses the edge.

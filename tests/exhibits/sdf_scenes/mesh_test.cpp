@@ -104,6 +104,35 @@ TEST(SceneMesh, KeepsEdgesAndCornersSharp)
         }
 }
 
+/// A ball taken from a box leaves edges of 34 degrees, thinner than a cell where they end.
+TEST(SceneMesh, KeepsThinEdgesSharp)
+{
+    const std::string root = R"({"kind": "subtraction", "rotate": [10, 30, 0], "children": [
+        {"kind": "box", "size": 0.6}, {"kind": "sphere", "radius": 0.36}]})";
+    constexpr double r = 0.36, cap = r - 0.3;
+    const double hole = pi * (r * r - 0.3 * 0.3);
+    const double volume = 0.6 * 0.6 * 0.6 - 4.0 / 3 * pi * r * r * r + 6 * pi * cap * cap * (3 * r - cap) / 3;
+    const double area = 6 * (0.36 - hole) + 4 * pi * r * r - 6 * 2 * pi * r * cap;
+    const double straight = 12 * 0.6, thin = 6 * 2 * std::sqrt(pi * hole);
+    const scenes::SceneField field = test::fieldOf(root);
+    for (const double cell : {0.02, 0.01, 0.005}) {
+        const scenes::SceneMesh mesh = meshOf(root, cell);
+        const scenes::MeshCheck check = scenes::checkMesh(mesh);
+        expectGood(check);
+        EXPECT_NEAR(check.volume, volume, 0.1 * (straight + thin) * cell * cell);
+        // Along the thin ones, triangles may overlap by a quarter of a cell.
+        EXPECT_NEAR(check.area, area, (0.03 * straight + 0.25 * thin) * cell);
+        // Teeth would be triangles across the wedge, one in each cell along it.
+        std::size_t teeth = 0;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            glm::dvec3 middle(0);
+            for (std::size_t k = 0; k < 3; ++k) middle += glm::dvec3(mesh.vertices[mesh.indices[i + k]].position) / 3.0;
+            teeth += std::abs(field.distance(middle)) > 0.1 * cell;
+        }
+        EXPECT_LT(static_cast<double>(teeth), 0.05 * thin / cell) << cell;
+    }
+}
+
 TEST(SceneMesh, LiesOnTheSurfaceWithItsNormalsAndColors)
 {
     const scenes::SceneField field = test::fieldOf(
