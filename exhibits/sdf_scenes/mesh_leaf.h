@@ -11,7 +11,7 @@
 namespace vitrine::scenes {
 
 /// Cells along the edge of a leaf: the smallest blocks that are pruned.
-inline constexpr int leafCells = 8;
+inline constexpr int leafCells = 4;
 inline constexpr std::size_t leafVolume = leafCells * leafCells * leafCells;
 
 /// A field on a lattice, cut by a box.

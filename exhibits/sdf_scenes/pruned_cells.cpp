@@ -96,7 +96,7 @@ render::Box occupiedBox(const SceneProgram& program, const SceneWords& words, co
 {
     render::Box found;
     if (program.nodes().empty() || box.empty()) return found;
-    Pruner pruner(program, words, Pruner::asShaders);
+    Pruner pruner(program, words);
     const glm::dvec3 size = box.high - box.low;
     includeOccupied(pruner, program.steps(), box, std::max({size.x, size.y, size.z}) / 64, found);
     return found;

@@ -43,6 +43,9 @@ render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
         throw Failure(Blame::usage,
                       "The scene has no end (a plane, an endless cylinder or copies without end); say with "
                       "--low and --high what part of it is to be meshed.");
+    // Only where something is; what the extents say of many blended operands is much wider.
+    const render::Box occupied = occupiedBox(scene.program(), scene.words(), box);
+    if (!occupied.empty()) box = occupied;
     const double reach = std::max({glm::length(box.low), glm::length(box.high)});
     if (request.cell < finestCell * reach)
         throw Failure(Blame::usage, "Cells of " + text(request.cell) + " m are too small for a scene that reaches " +
@@ -168,9 +171,11 @@ SceneMesher::SceneMesher(const SceneField& scene, const MeshRequest& request, co
                                                    work.threads[thread]->findNear(work.leaves[i]);
                                                });
     std::erase_if(work.leaves, [](const MeshLeaf& leaf) { return leaf.near.none(); });
-    for (const MeshLeaf& leaf : work.leaves) plan_.nearSurface += leaf.near.count();
-    plan_.bytes = plan_.nearSurface * bytesPerCell +
-                  work.leaves.size() * (sizeof(MeshLeaf) + sizeof(LeafSurface) + sizeof(Step) * 16);
+    for (const MeshLeaf& leaf : work.leaves) {
+        plan_.nearSurface += leaf.near.count();
+        plan_.bytes += sizeof(MeshLeaf) + sizeof(LeafSurface) + sizeof(Step) * leaf.steps->size();
+    }
+    plan_.bytes += plan_.nearSurface * bytesPerCell;
     if (!work.stopped && plan_.bytes > work.mostBytes) work.refuse(static_cast<double>(plan_.bytes) / bytesPerCell);
 }
 

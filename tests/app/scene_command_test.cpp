@@ -219,6 +219,19 @@ TEST(SceneMeshCommand, TakesParametersWithUnitsAndSaysWhatIsNone)
     EXPECT_NEAR(volumeOf(readStl(folder / "a.stl")), 2.0 / 3 * std::numbers::pi * 0.125e9, 0.002e9);
 }
 
+TEST(SceneMeshCommand, TakesTheTimeOfWhatMoves)
+{
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "moving.json", sceneText(R"({"kind": "box", "size": ["1 + sin(t) * 0.5", 1, 1]
+})"));
+    for (const auto& [time, volume] : {std::pair("0", 1.0), std::pair("1.5707963", 1.5)}) {
+        const Ended ended = test::vitrine(
+            {"scene", "mesh", folder / "moving.json", "--cell", "5cm", "--time", time, "--out", folder / "a.stl"});
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        EXPECT_NEAR(volumeOf(readStl(folder / "a.stl")), volume * 1e9, 1e7);
+    }
+}
+
 TEST(SceneMeshCommand, WhatCannotBeMeshedIsSaidAndLeavesTheOldFile)
 {
     const TemporaryFolder folder;

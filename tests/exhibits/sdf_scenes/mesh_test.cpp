@@ -199,6 +199,24 @@ TEST(SceneMesh, SkipsTheCellsThatAreFarFromTheSurface)
     EXPECT_GT(double(fine.nearSurface), pi / (0.01 * 0.01));
 }
 
+/// Of a thousand shapes in one blend, a point asks those that are near.
+TEST(SceneMesh, AsksFewShapesOfMany)
+{
+    test::Random random(22);
+    std::string root = R"({"kind": "union", "blend": "quadratic", "blendWidth": 0.05, "children": [)";
+    for (int i = 0; i < 1000; ++i) {
+        const glm::dvec3 p = random.point(1);
+        root +=
+            (i > 0 ? ", " : "") + ("{\"kind\": \"sphere\", \"radius\": 0.06, \"translate\": [" + std::to_string(p.x) +
+                                   ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + "]}");
+    }
+    const scenes::SceneField field = test::fieldOf(root + "]}");
+    scenes::SceneMesher mesher(field, {.cell = 0.01});
+    expectGood(scenes::checkMesh(mesher.mesh().value()));
+    EXPECT_LT(static_cast<double>(mesher.shapesAsked()), 10.0 * static_cast<double>(mesher.evaluations()));
+    EXPECT_LT(mesher.plan().cells.x, 300);  // Not where a thousand blends might reach.
+}
+
 TEST(SceneMesh, RefusesWhatHasNoEndOrNoRoom)
 {
     const auto sentenceOf = [](const std::string& root, const scenes::MeshRequest& request) -> std::string {
