@@ -25,27 +25,48 @@ glm::dvec3 towardsSunOf(const NoiseTable& t, const PlanContext& context)
     return {std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up)};
 }
 
-/// The clouds' noise in a volume, made once.
-render::ResourceId planBake(const NoiseTable& t, const ParameterValues& values, render::FramePlan& plan)
+/// Noise in a volume that repeats, made once.
+render::ResourceId planVolume(const char* name, render::Format format, int size, render::Pass pass,
+                              render::FramePlan& plan)
 {
-    const int size = values[t.bakeSize];
-    const render::ResourceId volume = plan.image({.name = "noise.clouds",
-                                                  .format = render::Format::rg16f,
+    const render::ResourceId volume = plan.image({.name = name,
+                                                  .format = format,
                                                   .type = render::TextureType::volume,
                                                   .size = glm::ivec2(size),
                                                   .layers = size,
                                                   .persistent = true,
                                                   .repeat = true});
-    render::Pass pass = exhibitPass("noise/bake", "the clouds look their noise up", values, "", "");
     pass.work = render::Work::compute;
     pass.phase = render::PassPhase::prepare;
-    pass.shader.compute = "noise/cloud_bake.comp";
     pass.storage = {render::Attachment::whole(volume)};
     pass.groups = glm::ivec3((size + 3) / 4);
-    render::Hash key;
-    pass.key = key.addValue(size).addValue(values[t.seed]).addValue(values[t.cloudOctaves]).value();
     plan.add(std::move(pass));
     return volume;
+}
+
+render::ResourceId planCloudBake(const NoiseTable& t, const ParameterValues& values, render::FramePlan& plan)
+{
+    const int size = values[t.bakeSize];
+    render::Pass pass = exhibitPass("noise/bake", "the clouds look their noise up", values, "", "");
+    pass.shader.compute = "noise/cloud_bake.comp";
+    render::Hash key;
+    pass.key = key.addValue(size).addValue(values[t.seed]).addValue(values[t.cloudOctaves]).value();
+    return planVolume("noise.clouds", render::Format::rg16f, size, std::move(pass), plan);
+}
+
+std::string kindDefine(const NoiseTable& t, const ParameterValues& values)
+{
+    return "FIELD_KIND " + std::to_string(static_cast<int>(values[t.kind]));
+}
+
+render::ResourceId planFieldBake(const NoiseTable& t, const ParameterValues& values, render::FramePlan& plan)
+{
+    render::Pass pass = exhibitPass("noise/bake", "rays look the field's noise up in empty space", values, "", "");
+    pass.shader.compute = "noise/field_bake.comp";
+    pass.shader.defines = {kindDefine(t, values)};
+    render::Hash key;
+    pass.key = key.addValue(values[t.seed]).addValue(values[t.kind]).value();
+    return planVolume("noise.field", render::Format::r16f, FIELD_REPEAT * FIELD_TEXELS, std::move(pass), plan);
 }
 
 struct WorkShader {
@@ -73,7 +94,7 @@ void addPermutation(const NoiseTable& t, const ParameterValues& values, render::
     if (!ours) define("SOURCE");
     if (work != NoiseWork::field && work != NoiseWork::fractal) return;
     const bool fractal = work == NoiseWork::fractal;
-    define("FIELD_KIND " + std::to_string(static_cast<int>(values[t.kind])));
+    define(kindDefine(t, values));
     define("FIELD_SUM " + std::to_string(fractal ? static_cast<int>(values[t.sum]) : 0));
     if (!ours) return;
     if (fractal && values[t.warp] > 0) define("WARP");
@@ -130,17 +151,22 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     const NoiseWork work = values[t.work];
     for (const NoiseWork other : {NoiseWork::field, NoiseWork::fractal, NoiseWork::sea, NoiseWork::clouds})
         if (other != work) plan.skip(shaderOf(other).name, "another work is on show");
-    const bool baked =
-        work == NoiseWork::clouds && values[t.look] == NoiseLook::ours && values[t.cloudNoise] == CloudNoise::baked;
+    const bool clouds = work == NoiseWork::clouds;
+    const bool field = work == NoiseWork::field || work == NoiseWork::fractal;
+    // Rows that do not act keep no volume.
+    const bool baked = values[t.look] == NoiseLook::ours && (clouds ? values[t.cloudNoise] == NoiseLookup::baked
+                                                                    : field && values[t.march] == NoiseMarch::bounded &&
+                                                                          values[t.fieldNoise] == NoiseLookup::baked);
     const WorkShader shader = shaderOf(work);
     render::Pass pass = portalPass(shader.name, "in view", values, shader.fragment, noisePortal(t, values), context);
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(
         noiseBlock(t, values, noiseTime(t, values, context.time), towardsSunOf(t, context), plan.sample));
     addPermutation(t, values, pass);
-    if (work == NoiseWork::clouds) pass.inputs.push_back({UNIT_EXHIBIT_B, blueNoise()});
+    if (clouds) pass.inputs.push_back({UNIT_EXHIBIT_B, blueNoise()});
     if (baked) {
         pass.shader.defines.emplace_back("BAKED");
-        pass.inputs.push_back({UNIT_EXHIBIT_A, planBake(t, values, plan)});
+        pass.inputs.push_back(
+            {UNIT_EXHIBIT_A, clouds ? planCloudBake(t, values, plan) : planFieldBake(t, values, plan)});
     } else {
         plan.skip("noise/bake", "no work looks its noise up", render::Work::compute);
     }

@@ -1,6 +1,7 @@
 #include "exhibits/noise/noise_scene.h"
 
 #include "exhibits/noise/sea_waves.h"
+#include "render/glsl/cpu.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -41,6 +42,14 @@ void setOrigin(NoiseBlock& block, std::size_t octave, const glm::dvec3& point)
     block.places[octave] = glm::vec4(glm::min(glm::vec3(point - base), glm::vec3(0x1.fffffep-1F)), 0);
 }
 
+/// Where in the one noise of all octaves each begins: the first at its origin, which tests know.
+glm::ivec4 octaveShift(int octave)
+{
+    if (octave == 0) return glm::ivec4(0);
+    return glm::ivec4(glm::ivec3(glsl::pcg3d({static_cast<std::uint32_t>(octave), 17U, 3U}) % glm::uvec3(FIELD_REPEAT)),
+                      0);
+}
+
 void setField(const NoiseTable& t, const ParameterValues& values, double seconds, NoiseBlock& block)
 {
     const bool one = values[t.work] == NoiseWork::field;
@@ -50,7 +59,9 @@ void setField(const NoiseTable& t, const ParameterValues& values, double seconds
     const glm::dmat3 turn = octaveTurn(values[t.octaveRotation]) * values[t.lacunarity];
     double amplitude = 1, sum = 0;
     for (int i = 0; i < block.octaves; ++i) {
-        setOrigin(block, static_cast<std::size_t>(i), domain * origin);
+        const auto octave = static_cast<std::size_t>(i);
+        setOrigin(block, octave, domain * origin);
+        block.cells[octave] = (block.cells[octave] + octaveShift(i)) & (FIELD_REPEAT - 1);
         sum += amplitude;
         amplitude *= values[t.gain];
         domain = turn * domain;

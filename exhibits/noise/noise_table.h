@@ -11,7 +11,7 @@ enum class NoiseSumKind : int { fbm, ridged, billow, turbulence };
 enum class NoiseMarch : int { halved, bounded };
 enum class NoiseNormal : int { differences, derivative };
 enum class NoiseSun : int { own, hall };
-enum class CloudNoise : int { evaluated, baked };
+enum class NoiseLookup : int { evaluated, baked };
 
 /// Everything that can be set about the works behind the noise frame. Lengths in meters of the work's own world.
 struct NoiseTable final : Parameters {
@@ -128,6 +128,11 @@ struct NoiseTable final : Parameters {
     Real hitTolerance =
         real("hitTolerance", 0.5, none, Range{0.01, 16, logarithmic}.soft(0.1, 4),
              "How near a ray must come to the field, in pixels at that distance.", quality(0.01), inField&& ours);
+    Choice<NoiseLookup> fieldNoise =
+        choice("fieldNoise", NoiseLookup::baked, {"evaluated", "baked"},
+               "Whether empty space is crossed, and light told, by evaluated noise or by noise that is looked up: the "
+               "surface itself is always evaluated.",
+               exactAt(NoiseLookup::evaluated), inField&& ours&& when(march, NoiseMarch::bounded));
     Choice<NoiseNormal> normals = choice("normals", NoiseNormal::derivative, {"differences", "derivative"},
                                          "The field's normal: by six further evaluations, or by its derivative.",
                                          exactAt(NoiseNormal::derivative), inField&& ours);
@@ -140,12 +145,12 @@ struct NoiseTable final : Parameters {
         count("lightSteps", 5, {1, 64, logarithmic}, "Steps from there towards the sun.", quality(64), inClouds);
     Count cloudOctaves =
         count("cloudOctaves", 3, {1, 6}, "Octaves of the clouds' noise: more is finer.", quality(6), inClouds&& ours);
-    Choice<CloudNoise> cloudNoise = choice("cloudNoise", CloudNoise::baked, {"evaluated", "baked"},
-                                           "Whether the clouds' noise is evaluated at every step or looked up.",
-                                           exactAt(CloudNoise::evaluated), inClouds&& ours);
+    Choice<NoiseLookup> cloudNoise = choice("cloudNoise", NoiseLookup::baked, {"evaluated", "baked"},
+                                            "Whether the clouds' noise is evaluated at every step or looked up.",
+                                            exactAt(NoiseLookup::evaluated), inClouds&& ours);
     Count bakeSize =
         count("bakeSize", 96, {16, 256, logarithmic}, "Texels along each side of the volume it is baked to.",
-              quality(256), inClouds&& ours&& when(cloudNoise, CloudNoise::baked));
+              quality(256), inClouds&& ours&& when(cloudNoise, NoiseLookup::baked));
     Toggle jitter = toggle("jitter", true,
                            "Shift the steps by blue noise, another at every supersample, so that few of them look like "
                            "grain and not like shells.",

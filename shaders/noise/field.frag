@@ -1,14 +1,32 @@
 // Blobs of noise: marched by the bounds of field.glsl, lit by sun and sky and through thin parts, fading into bright air.
-// Permutations: those of field.glsl; SOURCE; HALVED, steps of half the value; DERIVATIVE, of which normals are made.
+// Permutations: those of field.glsl, SOURCE; COUNT_LOOKUPS, in place of evaluations; HALVED, steps of half the value; DERIVATIVE, of which normals are made.
 #include "noise/work.glsl"
 #include "noise/field.glsl"
 
 const float FIELD_FARTHEST = 60.0;
+const float LEAST_LOOKED_STRIDE = 0.002;  // cells: by less, evaluated noise gets on better
 
 // Positive in a cone around the way in, so that nothing stands before the eye: the source's.
 float clearing(float t)
 {
     return clamp(1.0 - t * CLEARING_SLOPE, 0.0, 1.0);
+}
+
+// Along the ray to where the field may be, by what is looked up: nothing is evaluated in empty space.
+float throughEmptySpace(PortalRay ray, float from, float farthest, bool wanted)
+{
+    float t = from;
+#ifdef BAKED
+    // No step is cheaper than a branch of which drivers on processors run both sides.
+    int steps = wanted ? parameters.stepLimit : 0;
+    for (int i = 0; i < steps && t < farthest; ++i) {
+        float footprint = t * ray.footprint;
+        float stride = fieldAt(ray.origin + ray.direction * t, ray.direction, footprint, clearing(t - ray.start), false, true).stride;
+        if (stride < max(0.3 * footprint, LEAST_LOOKED_STRIDE / parameters.frequency)) break;
+        t += stride;
+    }
+#endif
+    return t;
 }
 
 // What a ray has found, step by step. Every step evaluates the field once, at one place of the shader, whether it looks
@@ -29,6 +47,7 @@ struct FieldSearch {
     int phase;
     int index;      // within the phase
     float t;        // along the eye's ray
+    bool away;      // from the surface, as far as look-ups can tell
     float sunT;     // along that to the sun
     vec3 position;  // of the surface
     vec3 normal;
@@ -55,6 +74,16 @@ vec3 searchPoint(FieldSearch s, PortalRay ray, float footprint)
     return s.position + s.normal * footprint + work.sunDirection * s.sunT;
 }
 
+FieldSearch withNormal(FieldSearch found, vec3 slope, PortalRay ray)
+{
+    FieldSearch s = found;
+    s.phase = FIELD_SKY;
+    s.index = 0;
+    // What is cut open near the eye faces it.
+    s.normal = safeNormalize(s.t - ray.start < 6.0 ? slope - ray.direction * CLEARING_SLOPE : slope, -ray.direction);
+    return s;
+}
+
 FieldSearch searchFurther(FieldSearch before, FieldPoint f, PortalRay ray, float footprint)
 {
     FieldSearch s = before;
@@ -72,19 +101,15 @@ FieldSearch searchFurther(FieldSearch before, FieldPoint f, PortalRay ray, float
             s.index = 0;
             s.position = ray.origin + ray.direction * s.t;
             s.normal = vec3(0.0);
+            // The last step has seen all octaves, and their slope, unless it was one too many.
+            if (NORMAL_STEPS == 1 && f.complete) s = withNormal(s, f.slope, ray);
         } else {
             s.t += stride;
+            s.away = f.outside > 1.2 * parameters.boundShare * lookedUpError();
         }
     } else if (s.phase == FIELD_NORMAL) {
-        if (NORMAL_STEPS == 1) s.normal = f.slope;
-        else s.normal += differenceStep(before.index, 1.0) * (f.outside / footprint);
-        if (s.index == NORMAL_STEPS) {
-            s.phase = FIELD_SKY;
-            s.index = 0;
-            // What is cut open near the eye faces it.
-            if (s.t - ray.start < 6.0) s.normal -= ray.direction * CLEARING_SLOPE;
-            s.normal = safeNormalize(s.normal, -ray.direction);
-        }
+        s.normal += NORMAL_STEPS == 1 ? f.slope : differenceStep(before.index, 1.0) * (f.outside / footprint);
+        if (s.index == NORMAL_STEPS) s = withNormal(s, s.normal, ray);
     } else if (s.phase == FIELD_SKY) {
         float h = 0.18 * float(s.index);
         s.open += clamp(0.35 + f.outside / (0.9 * h), 0.0, 1.0) / 3.0;
@@ -105,6 +130,21 @@ FieldSearch searchFurther(FieldSearch before, FieldPoint f, PortalRay ray, float
         if (s.index == 14 || s.sunT > 2.5 * cell || s.lit <= 0.0) s.phase = FIELD_DONE;
     }
     return s;
+}
+
+FieldSearch searchStep(FieldSearch s, PortalRay ray, const bool looked)
+{
+    float footprint = s.t * ray.footprint;
+    bool marching = s.phase == FIELD_MARCH;
+    float width = s.phase >= FIELD_SKY ? max(footprint, 0.06 / parameters.frequency) : footprint;
+#ifdef HALVED
+    bool all = s.phase != FIELD_SUN;
+#else
+    bool all = !marching && s.phase != FIELD_SUN;
+#endif
+    vec3 direction = s.phase == FIELD_SUN ? work.sunDirection : ray.direction;
+    float clear = marching ? clearing(s.t - ray.start) : 0.0;
+    return searchFurther(s, fieldAt(searchPoint(s, ray, footprint), direction, width, clear, all, looked), ray, footprint);
 }
 
 vec3 backdrop(vec3 d)
@@ -135,22 +175,18 @@ PortalSeen ourField(PortalRay ray)
     PortalSeen seen = nothingSeen();
     float reach = mix(30.0, 7.0, parameters.haze);
     float farthest = min(reach * 4.0, FIELD_FARTHEST);
-    FieldSearch s = FieldSearch(FIELD_MARCH, 0, ray.start + 0.02, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, 1.0);
+    FieldSearch s = FieldSearch(FIELD_MARCH, 0, ray.start + 0.02, true, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, 1.0);
     int steps = parameters.stepLimit + NORMAL_STEPS + 20;
-    for (int i = 0; i < steps && s.phase != FIELD_DONE; ++i) {
-        if (s.phase == FIELD_MARCH && s.t > farthest) break;
-        float footprint = s.t * ray.footprint;
-        bool marching = s.phase == FIELD_MARCH;
-        float width = s.phase >= FIELD_SKY ? max(footprint, 0.06 / parameters.frequency) : footprint;
-#ifdef HALVED
-        bool all = s.phase != FIELD_SUN;
-#else
-        bool all = !marching && s.phase != FIELD_SUN;
-#endif
-        vec3 direction = s.phase == FIELD_SUN ? work.sunDirection : ray.direction;
-        float clear = marching ? clearing(s.t - ray.start) : 0.0;
-        s = searchFurther(s, fieldAt(searchPoint(s, ray, footprint), direction, width, clear, all), ray, footprint);
+#ifdef BAKED
+    for (int i = 0; i < steps && s.phase < FIELD_SKY; ++i) {
+        s.t = throughEmptySpace(ray, s.t, farthest, s.phase == FIELD_MARCH && s.away);
+        if (s.t > farthest) break;
+        s = searchStep(s, ray, false);
     }
+    for (int i = 0; i < steps && s.phase >= FIELD_SKY && s.phase != FIELD_DONE; ++i) s = searchStep(s, ray, true);
+#else
+    for (int i = 0; i < steps && s.phase != FIELD_DONE && !(s.phase == FIELD_MARCH && s.t > farthest); ++i) s = searchStep(s, ray, false);
+#endif
     vec3 back = backdrop(ray.direction) + sunDisk(ray.direction) * 0.05;
     seen.radiance = back;
     if (s.phase != FIELD_MARCH) {
@@ -158,7 +194,11 @@ PortalSeen ourField(PortalRay ray)
         seen.normal = s.normal;
         seen.distance = s.t;
     }
+#ifdef COUNT_LOOKUPS
+    seen.evaluations = lookups;
+#else
     seen.evaluations = evaluations;
+#endif
     return seen;
 }
 
@@ -172,7 +212,7 @@ PortalSeen sourceField(PortalRay ray)
     vec3 p = ray.origin;
     for (; steps < parameters.stepLimit && t < 100.0; ++steps) {
         p = ray.origin + ray.direction * (t + ray.start);
-        float outside = fieldAt(p, ray.direction, 0.0, 0.0, true).outside * 0.5 + clearing(t);
+        float outside = fieldAt(p, ray.direction, 0.0, 0.0, true, false).outside * 0.5 + clearing(t);
         if (outside < 0.01) {
             hit = true;
             break;
@@ -186,7 +226,7 @@ PortalSeen sourceField(PortalRay ray)
         vec3 base = vec3(0.0, 0.7, 0.7 * sin(q.y - work.time + cos(q.x))) * 0.5 + 0.5;
         float a = float(steps) / float(parameters.stepLimit);
         color = base * (1.0 - 0.5 * a) + 0.2 * a * background;
-        seen.normal = safeNormalize(fieldAt(p, ray.direction, 0.0, 0.0, true).slope, -ray.direction);
+        seen.normal = safeNormalize(fieldAt(p, ray.direction, 0.0, 0.0, true, false).slope, -ray.direction);
         seen.distance = t + ray.start;
     }
     // The source shows its numbers as they are; film sees their square.

@@ -1,15 +1,37 @@
 // The field: noise, or a sum of octaves, that is solid above a threshold. How far a ray may go without meeting it follows
 // from bounds of the noise's slope and curvature, octave by octave: far from the solid, the first octaves are enough.
 
-// Permutations: FIELD_KIND, a NOISE_ kind; FIELD_SUM, a NOISE_ sum; WARP. Drivers on processors run both sides of a
+// Permutations: FIELD_KIND, a NOISE_ kind; FIELD_SUM, a NOISE_ sum; WARP; BAKED, with an octave in a volume. Drivers on processors run both sides of a
 // branch, so that what is not asked for must not be there.
 
 float evaluations = 0.0;  // of octaves
+float lookups = 0.0;
+
+#ifdef BAKED
+layout(binding = UNIT_EXHIBIT_A) uniform sampler3D bakedNoise;
+#endif
+
+// An octave at a point of its lattice. All have the same noise, each elsewhere in it, and turned.
+Noise3 fieldOctave(vec3 p, int octave, const bool looked)
+{
+    Noise3 n;
+#ifdef BAKED
+    if (looked) {
+        n.value = textureLod(bakedNoise, (p + work.places[octave].xyz + vec3(work.cells[octave].xyz)) / float(FIELD_REPEAT), 0.0).r;
+        n.slope = vec3(0.0);
+        lookups += 1.0;
+        return n;
+    }
+#endif
+    evaluations += 1.0;
+    return noiseNear(FIELD_KIND, p, work.cells[octave].xyz, work.places[octave].xyz, ivec3(FIELD_REPEAT), uint(parameters.seed));
+}
 
 struct FieldPoint {
     float outside;  // threshold less noise: positive where space is empty
     vec3 slope;
     float stride;   // along the ray, for which it stays so; 0 where that is not known
+    bool complete;  // whether it is of all octaves
 };
 
 // Moves the point by up to `warp` cells of the first octave; with the derivative's transpose.
@@ -39,22 +61,29 @@ float warpStretch()
 #endif
 }
 
+// How far the sum is off at most where it is looked up.
+float lookedUpError()
+{
+    return noiseLookedUpError(FIELD_KIND) * noiseShapedSteepest(FIELD_SUM);
+}
+
 // `all`: every octave, for the value and slope; else only as many as show how far one may go. `clear` is what is added
-// to the empty side, and falls by no more than CLEARING_SLOPE per meter.
+// to the empty side, and falls by no more than CLEARING_SLOPE per meter. `looked`: look octaves up, which tells no slope.
 const float CLEARING_SLOPE = 1.0 / 6.0;
 
-FieldPoint fieldAt(vec3 p, vec3 direction, float footprint, float clear, bool all)
+FieldPoint fieldAt(vec3 p, vec3 direction, float footprint, float clear, bool all, const bool looked)
 {
     mat3 jacobian;
     vec3 q = warpedPoint(p, jacobian);
     mat3 turn = noiseRotation(parameters.octaveRotation) * parameters.lacunarity;
     mat3 domain = mat3(parameters.frequency);
     float stretch = warpStretch();
-    float curved = FIELD_SUM == NOISE_FBM && stretch == 1.0 ? noiseMostCurved(FIELD_KIND) : 0.0;
+    float curved = !looked && FIELD_SUM == NOISE_FBM && stretch == 1.0 ? noiseMostCurved(FIELD_KIND) : 0.0;
     float steepest = noiseSteepest(FIELD_KIND) * noiseShapedSteepest(FIELD_SUM) * stretch;
     float amplitude = 1.0 / work.amplitudes;
     float frequency = parameters.frequency;
-    float rest = 1.0;
+    // What the octaves that are not known yet may add, and what known ones are off.
+    float rest = 1.0 + (looked ? lookedUpError() : 0.0);
     float fall = clear > 0.0 ? CLEARING_SLOPE : 0.0;
     float slopeBound = fall;
     float curveBound = 0.0;
@@ -62,15 +91,15 @@ FieldPoint fieldAt(vec3 p, vec3 direction, float footprint, float clear, bool al
     found.outside = parameters.threshold + clear;
     found.slope = vec3(0.0);
     found.stride = 0.0;
+    found.complete = false;
     for (int i = 0; i < work.octaves; ++i) {
+        found.complete = i + 1 == work.octaves;
         float fade = i == 0 ? 1.0 : noiseFootprintFade(footprint * frequency * 0.5);
         rest -= amplitude;
         if (fade > 0.0) {
-            Noise3 n = noiseNear(FIELD_KIND, domain * q, work.cells[i].xyz, work.places[i].xyz, ivec3(0), uint(parameters.seed) + uint(i));
-            n = noiseShaped(FIELD_SUM, n);
+            Noise3 n = noiseShaped(FIELD_SUM, fieldOctave(domain * q, i, looked));
             found.outside -= n.value * (amplitude * fade);
             found.slope -= (transpose(domain) * n.slope) * (amplitude * fade);
-            evaluations += 1.0;
         }
         slopeBound += amplitude * fade * steepest * frequency;
         curveBound += amplitude * fade * curved * frequency * frequency;
@@ -89,7 +118,10 @@ FieldPoint fieldAt(vec3 p, vec3 direction, float footprint, float clear, bool al
         domain = turn * domain;
         amplitude *= parameters.gain;
         frequency *= parameters.lacunarity;
-        if (fade <= 0.0) break;
+        if (fade <= 0.0) {
+            found.complete = true;
+            break;
+        }
     }
     found.slope = jacobian * found.slope;
     return found;

@@ -1,6 +1,8 @@
 // What the works behind the noise frame are drawn from at one moment. GLSL and C++: render/glsl/std140.h.
 #define NOISE_OCTAVES 11
 #define SEA_WAVES 64
+#define FIELD_REPEAT 16   // Cells after which an octave of the field repeats, so that a small volume holds it, ...
+#define FIELD_TEXELS 8   // ... with as many texels along a cell.
 #define NOISE_PERIOD 256  // Cells after which the noise of foam and high clouds repeats.
 #define CLOUD_REPEAT 5200.0      // Meters after which the clouds' noise repeats, ...
 #define CLOUD_FINE_REPEAT 830.0  // ... and that of their edges.

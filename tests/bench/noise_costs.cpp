@@ -1,7 +1,7 @@
 // What the works behind the noise frame cost, beside the source's ways: the march by halves of the value against the
 // march by bounds, normals, the clouds' steps, baked noise against evaluated; and what a frame costs from near, from
 // afar and out of view. Prints Markdown.
-//   bench_noise_costs [--size 320x200]
+//   bench_noise_costs [--size 320x200] [--only field|"fractal sum"|sea|clouds|frames]
 
 #include "exhibits/exhibits.h"
 #include "exhibits/museum/picture.h"
@@ -26,6 +26,7 @@ const NoiseTable table;
 struct Measured {
     render::Image picture;
     double evaluations = 0;   ///< A pixel, mean.
+    double lookups = 0;       ///< Of the field, in place of evaluations; a pixel, mean.
     double milliseconds = 0;  ///< Of the exhibit's own passes, median of five.
 };
 
@@ -66,6 +67,23 @@ struct Bench {
         return times[2];
     }
 
+    double lookupsOf(const FrameRequest& request)
+    {
+        const render::FramePlan plan = test::planned(museum, sceneState, request, renderer.persistentState());
+        for (const render::Pass& pass : plan.passes()) {
+            const bool field = pass.name == "noise/field" || pass.name == "noise/fractal";
+            if (!field) continue;
+            // No frame of the program asks for this, so that no plan offers it.
+            const_cast<render::Pass&>(pass).shader.defines.emplace_back("COUNT_LOOKUPS");
+            renderer.draw(plan);
+            const render::Image counts = renderer.read(evaluationsImage);
+            double sum = 0;
+            for (const float count : counts.pixels) sum += static_cast<double>(count);
+            return sum / (static_cast<double>(size.x) * size.y);
+        }
+        return 0;
+    }
+
     Measured measure()
     {
         const FrameRequest request = frame();
@@ -76,6 +94,7 @@ struct Bench {
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) result.evaluations += static_cast<double>(result.picture.at(x, y, 4));
         result.evaluations /= static_cast<double>(size.x) * size.y;
+        result.lookups = lookupsOf(request);
         result.milliseconds = millisecondsOf(request);
         return result;
     }
@@ -95,11 +114,12 @@ double errorOf(const render::Image& a, const render::Image& b)
 
 void row(const std::string& name, const Measured& m, const render::Image& truth)
 {
-    std::printf("| %s | %.1f | %.4f | %.0f |\n", name.c_str(), m.evaluations, errorOf(m.picture, truth),
-                m.milliseconds);
+    std::printf("| %s | %.1f | %.1f | %.4f | %.0f |\n", name.c_str(), m.evaluations, m.lookups,
+                errorOf(m.picture, truth), m.milliseconds);
+    std::fflush(stdout);
 }
 
-constexpr const char* head = "| way | evaluations per pixel | RMSE | ms |\n|---|---|---|---|\n";
+constexpr const char* head = "| way | evaluations per pixel | look-ups | RMSE | ms |\n|---|---|---|---|---|\n";
 
 void field(Bench& bench, NoiseWork work, const char* title)
 {
@@ -115,6 +135,7 @@ void field(Bench& bench, NoiseWork work, const char* title)
     v.set(table.boundShare, 1.0);
     v.set(table.stepLimit, 1024);
     v.set(table.hitTolerance, 0.05);
+    v.set(table.fieldNoise, NoiseLookup::evaluated);
     const Measured truth = bench.measure();
     row("reference", truth, truth.picture);
     for (const int steps : {64, 160, 512, 1024}) {
@@ -130,6 +151,9 @@ void field(Bench& bench, NoiseWork work, const char* title)
         std::snprintf(name, sizeof name, "bounded, %.2f of the bounds", share);
         row(name, bench.measure(), truth.picture);
     }
+    v = start;
+    v.set(table.fieldNoise, NoiseLookup::evaluated);
+    row("bounded, nothing looked up", bench.measure(), truth.picture);
     v = start;
     v.set(table.normals, NoiseNormal::differences);
     row("bounded, normals by differences", bench.measure(), truth.picture);
@@ -156,10 +180,10 @@ void clouds(Bench& bench)
         row(std::to_string(steps) + " steps", bench.measure(), truth.picture);
     }
     v = start;
-    v.set(table.cloudNoise, CloudNoise::evaluated);
+    v.set(table.cloudNoise, NoiseLookup::evaluated);
     const Measured evaluated = bench.measure();
     row("64 steps, evaluated", evaluated, evaluated.picture);
-    v.set(table.cloudNoise, CloudNoise::baked);
+    v.set(table.cloudNoise, NoiseLookup::baked);
     for (const int size : {32, 64, 96, 160}) {
         v.set(table.bakeSize, size);
         const double megabytes = 4.0 * size * size * size / 1e6;
@@ -194,13 +218,18 @@ void frames(Bench& bench)
 int main(int argc, char** argv)
 {
     Bench bench;
-    if (argc == 3 && std::strcmp(argv[1], "--size") == 0) std::sscanf(argv[2], "%dx%d", &bench.size.x, &bench.size.y);
+    std::string only;
+    for (int i = 1; i + 1 < argc; i += 2) {
+        if (std::strcmp(argv[i], "--size") == 0) std::sscanf(argv[i + 1], "%dx%d", &bench.size.x, &bench.size.y);
+        if (std::strcmp(argv[i], "--only") == 0) only = argv[i + 1];
+    }
+    const auto chosen = [&](const char* part) { return only.empty() || only == part; };
     std::printf("Pictures of %d x %d, alone from the best view; time is that of the exhibit's own passes, median of "
                 "five, by the process's CPU time around glFinish.\n",
                 bench.size.x, bench.size.y);
-    field(bench, NoiseWork::field, "Field");
-    field(bench, NoiseWork::fractal, "Fractal sum");
-    clouds(bench);
-    frames(bench);
+    if (chosen("field")) field(bench, NoiseWork::field, "Field");
+    if (chosen("fractal sum")) field(bench, NoiseWork::fractal, "Fractal sum");
+    if (chosen("clouds")) clouds(bench);
+    if (chosen("frames")) frames(bench);
     return 0;
 }

@@ -70,7 +70,7 @@ TEST_F(NoiseWorks, E21_StayFiniteAtAnyTimeAndPlace)
 /// The field's noise, at float64: `domain` in cells.
 double noiseAt(const dvec3& domain, int kind, glm::uint seed)
 {
-    return glsl::noiseNear(kind, domain, glm::ivec3(0), dvec3(0), glm::ivec3(0), seed).value;
+    return glsl::noiseNear(kind, domain, glm::ivec3(0), dvec3(0), glm::ivec3(FIELD_REPEAT), seed).value;
 }
 
 TEST_F(NoiseWorks, E18_TheFieldIsWhereTheNoiseAtFloat64CrossesItsThreshold)
@@ -152,7 +152,7 @@ double shareOff(double distance)
         ++surface;
         const dvec3 at = frequency * (p.view.eye + ray * p.depth(x, y) + dvec3(distance, 0, 0));
         const dvec3 base = glm::floor(at);
-        const double n = glsl::gradientNoise(glm::ivec3(base), at - base, glm::ivec3(0), 1).value;
+        const double n = glsl::gradientNoise(glm::ivec3(base), at - base, glm::ivec3(FIELD_REPEAT), 1).value;
         off += std::abs(n - shot.values()[table().threshold]) > 0.02;
     });
     EXPECT_GT(surface, 300);
@@ -220,9 +220,9 @@ TEST_F(NoiseWorks, OfBakedCloudsComeNearerToTheEvaluatedOnesTheFinerTheVolumeIs)
     WorkShot shot(NoiseWork::clouds);
     shot.request.frame.raster.size = {48, 30};
     shot.values().set(table().cloudSteps, 32);
-    shot.values().set(table().cloudNoise, CloudNoise::evaluated);
+    shot.values().set(table().cloudNoise, NoiseLookup::evaluated);
     const Picture evaluated = shot.take();
-    shot.values().set(table().cloudNoise, CloudNoise::baked);
+    shot.values().set(table().cloudNoise, NoiseLookup::baked);
     double last = 1;
     for (const int size : {16, 48, 160}) {
         shot.values().set(table().bakeSize, size);
