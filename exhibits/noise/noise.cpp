@@ -92,13 +92,16 @@ void addPermutation(const NoiseTable& t, const ParameterValues& values, render::
     const NoiseWork work = values[t.work];
     const bool ours = values[t.look] == NoiseLook::ours;
     if (!ours) define("SOURCE");
+    const bool halved = ours && values[t.march] == NoiseMarch::halved;
+    if (halved && work == NoiseWork::sea) define("HEIGHT_STEPS");
+    if (halved && work == NoiseWork::clouds) define("EVEN_STEPS");
     if (work != NoiseWork::field && work != NoiseWork::fractal) return;
     const bool fractal = work == NoiseWork::fractal;
     define(kindDefine(t, values));
     define("FIELD_SUM " + std::to_string(fractal ? static_cast<int>(values[t.sum]) : 0));
     if (!ours) return;
     if (fractal && values[t.warp] > 0) define("WARP");
-    if (values[t.march] == NoiseMarch::halved) define("HALVED");
+    if (halved) define("HALVED");
     if (values[t.normals] == NoiseNormal::derivative) define("DERIVATIVE");
 }
 

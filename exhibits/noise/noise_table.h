@@ -113,10 +113,11 @@ struct NoiseTable final : Parameters {
               quality(8), inClouds&& ours);
 
     Group accuracy = foldedGroup("Accuracy");
-    Choice<NoiseMarch> march = choice("march", NoiseMarch::bounded, {"halved steps", "bounded"},
-                                      "How rays find the field: by half its value each step, or by as much as the "
-                                      "noise's own slope allows, octaves one after another.",
-                                      inField&& ours);
+    Choice<NoiseMarch> march = choice(
+        "march", NoiseMarch::bounded, {"as in the source", "bounded"},
+        "How rays find what they show: by steps of half the field's value, of the height above the water, of one "
+        "length through clouds, or by as much as bounds of the slope allow, with clear air passed quickly.",
+        ours);
     Real boundShare =
         real("boundShare", 0.45, none, {0.1, 1},
              "Share of the proven bounds of slope and curvature that strides go by: 1 passes nothing wide, "
@@ -137,7 +138,7 @@ struct NoiseTable final : Parameters {
                                          "The field's normal: by six further evaluations, or by its derivative.",
                                          exactAt(NoiseNormal::derivative), inField&& ours);
     Count waves = count("waves", 48, {1, 64}, "Waves that are summed, from the longest on.", quality(64), inSea&& ours);
-    Count seaSteps = count("seaSteps", 20, {1, 256, logarithmic}, "Steps by which a ray finds the water.", quality(256),
+    Count seaSteps = count("seaSteps", 40, {1, 256, logarithmic}, "Steps by which a ray finds the water.", quality(256),
                            inSea&& ours);
     Count cloudSteps =
         count("cloudSteps", 64, {1, 512, logarithmic}, "Steps of a ray through the clouds.", quality(512), inClouds);

@@ -1,5 +1,5 @@
 // Clouds: rays through a layer of noise, lit by the sun through the cloud itself and by the sky.
-// Permutations: BAKED, SOURCE.
+// Permutations: BAKED; SOURCE; EVEN_STEPS, which skip nothing and are summed plainly.
 #include "noise/work.glsl"
 #include "noise/cloud_noise.glsl"
 #include "noise/cloud_medium.glsl"
@@ -102,32 +102,56 @@ PortalSeen ourClouds(PortalRay ray)
     vec3 above = skyAmbient(1.0);
     vec3 below = skyAmbient(-0.6) * 0.55;
     float t = first;
+    float densityBefore = 0.0;
+    vec3 glowBefore = vec3(0.0);
     float fineLeft = 0.0;
-    for (int i = 0; i < parameters.cloudSteps && through > 0.01 && t < end; ++i) {
+    float begun = shift;
+    // As many steps as long ones take through clear air; in clouds, where they are short, up to three times as many.
+    for (int i = 0; i < 3 * parameters.cloudSteps && through > 0.01 && t < end; ++i) {
         // Twice the root of the way is the stride that takes all of it in as many steps; in a cloud, a third of that.
         float stretch = max(2.0 * sqrt((end - first) * (t - first)), 60.0) / float(parameters.cloudSteps) + 4.0;
         if (fineLeft > 0.0) stretch *= 0.35;
-        stretch = min(stretch, end - t);
-        float at = t + shift * stretch;
+        stretch = min(stretch * begun, end - t);
+        float at = t + stretch;
         vec3 p = ray.origin + d * at;
         float weather = weatherAt(p);
         float density = cloudDensity(p, weather, true);
+#ifdef EVEN_STEPS
+        bool back = false;
+#else
+        // A cloud begins within a long stride: take it again in short ones.
         bool back = density > 0.0 && fineLeft == 0.0;
+        fineLeft = density > 0.0 ? 5.0 : max(fineLeft - 1.0, 0.0);
+#endif
         float toSun = depthToSun(p, weather, shift, density > 0.0 && !back ? parameters.lightSteps : 0);
-        fineLeft = density > 0.0 ? 4.0 : max(fineLeft - 1.0, 0.0);
-        if (back) continue;
-        t += stretch;
-        if (density <= 0.0) continue;
-        float depth = density * stretch;
+        if (back) {
+            begun = max(shift, 0.05);
+            continue;
+        }
+        begun = 1.0;
+        t = at;
         float h = p.y / CLOUD_TOP;
         vec3 source = sun * cloudSunlight(cosine, toSun, parameters.forward, parameters.backward, parameters.scatterings);
         // The sky from above, less of it deep within; what ground and haze send back from below.
         source += mix(below, above, smoothstep(0.0, 0.8, h)) * mix(1.0, 0.35, clamp(density / parameters.density, 0.0, 1.0));
-        float added = through * cloudAdded(1.0, depth);
+        vec3 glow = source * density;
+#ifdef EVEN_STEPS
+        float depth = density * stretch;
+        float added = through * min(depth, 1.0);
         sum += source * added;
-        distance += at * added;
-        weight += added;
+        through *= max(1.0 - depth, 0.0);
+#else
+        // Between two places, density and what it sends to the eye are taken as linear.
+        float densities = density + densityBefore;
+        float depth = 0.5 * densities * stretch;
+        float added = through * cloudAdded(1.0, depth);
+        sum += (glow + glowBefore) * (added / max(densities, 1e-9));
         through *= cloudThrough(depth);
+#endif
+        distance += (at - 0.5 * stretch) * added;
+        weight += added;
+        densityBefore = density;
+        glowBefore = glow;
     }
     // What is left where the steps stop counts as nothing.
     through = through > 0.01 ? (through - 0.01) / 0.99 : 0.0;

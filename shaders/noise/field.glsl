@@ -94,7 +94,7 @@ FieldPoint fieldAt(vec3 p, vec3 direction, float footprint, float clear, bool al
     found.complete = false;
     for (int i = 0; i < work.octaves; ++i) {
         found.complete = i + 1 == work.octaves;
-        float fade = i == 0 ? 1.0 : noiseFootprintFade(footprint * frequency * 0.5);
+        float fade = i == 0 ? 1.0 : noiseFootprintFade(footprint * frequency * 0.6);
         rest -= amplitude;
         if (fade > 0.0) {
             Noise3 n = noiseShaped(FIELD_SUM, fieldOctave(domain * q, i, looked));

@@ -1,4 +1,5 @@
-// The sea: waves that roll as gravity makes them, in the light of the sky. Permutation: SOURCE.
+// The sea: waves that roll as gravity makes them, in the light of the sky. Permutations: SOURCE; HEIGHT_STEPS,
+// as long as the height above the water.
 #include "noise/work.glsl"
 
 float evaluations = 0.0;
@@ -94,7 +95,11 @@ float waterDistance(PortalRay ray)
         if (t > 2e4) break;
         last = t;
         gapBefore = gap;
+#ifdef HEIGHT_STEPS
+        t += max(gap, 0.35 * t * ray.footprint);
+#else
         t += max(gap / (work.seaSteepest * along + max(-d.y, 0.0)), 0.35 * t * ray.footprint);
+#endif
     }
     if (d.y >= 0.0) return -1.0;
     // Out of steps: where the last height would be met.

@@ -142,7 +142,7 @@ void field(Bench& bench, NoiseWork work, const char* title)
         v = start;
         v.set(table.march, NoiseMarch::halved);
         v.set(table.stepLimit, steps);
-        row("halved steps, at most " + std::to_string(steps), bench.measure(), truth.picture);
+        row("half the value a step, at most " + std::to_string(steps), bench.measure(), truth.picture);
     }
     for (const double share : {1.0, 0.7, 0.45, 0.3}) {
         v = start;
@@ -174,6 +174,12 @@ void clouds(Bench& bench)
     v.set(table.cloudSteps, 512);
     const Measured truth = bench.measure();
     row("reference", truth, truth.picture);
+    for (const int steps : {64, 128, 256, 512}) {
+        v = start;
+        v.set(table.march, NoiseMarch::halved);
+        v.set(table.cloudSteps, steps);
+        row(std::to_string(steps) + " even steps, summed plainly", bench.measure(), truth.picture);
+    }
     for (const int steps : {16, 32, 64, 128, 256}) {
         v = start;
         v.set(table.cloudSteps, steps);
@@ -190,6 +196,27 @@ void clouds(Bench& bench)
         char name[64];
         std::snprintf(name, sizeof name, "64 steps, baked to %d (%.1f MB)", size, megabytes);
         row(name, bench.measure(), evaluated.picture);
+    }
+}
+
+void sea(Bench& bench)
+{
+    std::printf("\n## Sea\n\nHeights of the tall waves and of all, against 256 steps.\n\n%s", head);
+    ParameterValues& v = bench.values();
+    const ParameterValues start = v = ParameterValues(table);
+    v.set(table.seaSteps, 256);
+    const Measured truth = bench.measure();
+    row("reference", truth, truth.picture);
+    for (const int steps : {20, 64, 100, 256}) {
+        v = start;
+        v.set(table.march, NoiseMarch::halved);
+        v.set(table.seaSteps, steps);
+        row("steps of the height above the water, at most " + std::to_string(steps), bench.measure(), truth.picture);
+    }
+    for (const int steps : {5, 10, 20, 40}) {
+        v = start;
+        v.set(table.seaSteps, steps);
+        row("bounded, at most " + std::to_string(steps), bench.measure(), truth.picture);
     }
 }
 
@@ -229,6 +256,7 @@ int main(int argc, char** argv)
                 bench.size.x, bench.size.y);
     if (chosen("field")) field(bench, NoiseWork::field, "Field");
     if (chosen("fractal sum")) field(bench, NoiseWork::fractal, "Fractal sum");
+    if (chosen("sea")) sea(bench);
     if (chosen("clouds")) clouds(bench);
     if (chosen("frames")) frames(bench);
     return 0;
