@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/chart.h"
 #include "exhibits/framework/parameters.h"
 #include "exhibits/framework/prepare.h"
 #include "render/files/asset_store.h"
@@ -49,6 +50,14 @@ public:
     virtual ~HasSurroundings() = default;
     /// Whether it does so with these values: then it is planned wherever one looks.
     [[nodiscard]] virtual bool surrounds(const ParameterValues&) const = 0;
+};
+
+/// Shows numbers about what it draws, beside the picture.
+class HasCharts {
+public:
+    virtual ~HasCharts() = default;
+    /// Of these values, always the same charts in the same order. Any thread may call it; it may take a second.
+    [[nodiscard]] virtual std::vector<Chart> charts(const ParameterValues&) const = 0;
 };
 
 /// Carries lamps. The hall may, too.

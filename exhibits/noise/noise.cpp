@@ -3,6 +3,7 @@
 #include "exhibits/kit/blue_noise.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/portal.h"
+#include "exhibits/noise/noise_charts.h"
 #include "exhibits/noise/noise_scene.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
@@ -132,19 +133,22 @@ std::vector<StudyView> Noise::studyViews(const ParameterValues& values) const
 {
     ParameterValues still = values;
     still.set(table_.animate, false);
-    const auto shown = [&](NoiseWork work) {
-        ParameterValues of = still;
-        of.set(table_.work, work);
-        return of;
-    };
-    render::Camera aside = bestView(values);
+    ParameterValues later = still;
+    later.set(table_.moment, values[table_.moment] + 40);
+    ParameterValues noon = still;
+    noon.set(table_.sunElevation, 0.9);
+    render::Camera aside = bestView(values), near = aside;
     aside.eye += glm::dvec3(0.9, -0.2, 0.1);
+    near.eye += 0.6 * (near.target - near.eye);
     return {{"best view", bestView(values), 0, still},
             {"from the side", aside, 0, still},
-            {"the field", aside, 0, shown(NoiseWork::field)},
-            {"the sum of octaves", bestView(values), 0, shown(NoiseWork::fractal)},
-            {"the sea", bestView(values), 0, shown(NoiseWork::sea)},
-            {"the clouds", bestView(values), 0, shown(NoiseWork::clouds)}};
+            {"from near, later", near, 0, later},
+            {"under a high sun", bestView(values), 0, noon}};
+}
+
+std::vector<Chart> Noise::charts(const ParameterValues& values) const
+{
+    return noiseCharts(table_, values);
 }
 
 void Noise::plan(const PlanContext& context, render::FramePlan& plan) const

@@ -8,7 +8,7 @@ namespace vitrine {
 /// Four works made of noise behind a deep frame: a field, a sum of octaves, a sea and a sky of clouds. Read the table,
 /// then noise_scene.h (what moves, and how far) and the shaders of the works; the noise itself is
 /// shaders/lib/noise.glsl and its neighbors.
-class Noise final : public Exhibit, public HasButton, public HasSurroundings {
+class Noise final : public Exhibit, public HasButton, public HasSurroundings, public HasCharts {
 public:
     using Table = NoiseTable;
 
@@ -29,6 +29,7 @@ public:
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     bool press(ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    [[nodiscard]] std::vector<Chart> charts(const ParameterValues&) const override;
     [[nodiscard]] bool castsShadow() const override { return false; }
     void plan(const PlanContext&, render::FramePlan&) const override;
 

@@ -57,7 +57,7 @@ float noiseMostCurved(int kind)
 float noiseLookedUpError(int kind)
 {
     if (kind == NOISE_VALUE) return 0.058;
-    if (kind == NOISE_SIMPLEX) return 0.275;
+    if (kind == NOISE_SIMPLEX) return 0.276;
     if (kind == NOISE_CELLULAR) return 0.22;
     return 0.051;
 }

@@ -128,15 +128,22 @@ vec2 ripples(vec2 p, float footprint, float slopes)
     return n.slope.xz * sqrt(0.5 * slopes / 0.55);
 }
 
+// Foam where crests are drawn together, and the lace that they leave on the side that the wind comes from.
 float foamAt(vec2 p, Water water, float footprint)
 {
     if (parameters.foam <= 0.0) return 0.0;
-    NoiseSum s = NoiseSum(NOISE_GRADIENT, NOISE_BILLOW, 4, 0.6, 2.0, 0.0, NOISE_PERIOD, 77u);
-    float grain = noiseSum(s, vec3(p.x * 1.7, work.foamTime, p.y * 1.7), footprint * 1.7).value;
+    vec2 wind = vec2(sin(parameters.windDirection), -cos(parameters.windDirection));
+    // Wind draws it out along itself.
+    vec2 q = vec2(dot(p, wind) * 0.7, dot(p, vec2(-wind.y, wind.x)) * 1.5);
+    NoiseSum s = NoiseSum(NOISE_GRADIENT, NOISE_BILLOW, 4, 0.62, 2.0, 0.0, NOISE_PERIOD, 77u);
+    float grain = -noiseSum(s, vec3(q.x, work.foamTime, q.y), footprint * 1.5).value;
     evaluations += 4.0;
-    float breaking = smoothstep(0.0, 0.4, 0.25 + 0.75 * parameters.foam - water.folded);
-    float streaks = smoothstep(-0.75 + 0.9 * (1.0 - breaking), 0.25, -grain);
-    return clamp(breaking * streaks, 0.0, 1.0);
+    float breaking = smoothstep(0.0, 0.45, 0.3 + 0.7 * parameters.foam - water.folded);
+    float fresh = breaking * smoothstep(-0.8 + 0.9 * (1.0 - breaking), 0.25, grain);
+    float behind = smoothstep(-0.05, 0.1, -dot(water.normal.xz, wind)) * smoothstep(-0.1, 0.35, water.height / work.seaTop);
+    float stormy = parameters.foam * smoothstep(5.0, 16.0, parameters.windSpeed);
+    float lace = behind * stormy * smoothstep(0.62 - 0.3 * stormy, 0.8, grain + 0.35 * breaking);
+    return clamp(max(fresh, 0.8 * lace), 0.0, 1.0);
 }
 
 vec3 waterLight(PortalRay ray, float t)

@@ -43,11 +43,15 @@ study_ice_cream_normalStep gl $study ice_cream normalStep
 study_ice_cream_shadowMethod_stepLimit gl $study ice_cream shadowMethod stepLimit --points 5 --runs 3
 study_ice_cream_occlusionTaps gl $study ice_cream occlusionTaps --alone --set lighting=as\ in\ the\ source
 study_ice_cream_supersamples gl $study ice_cream hall.supersamples --alone --values 1,2,4,8,16,32 --size 160x90 --views 1
-study_noise_boundShare gl $study noise boundShare --set work=fractal\ sum
-study_noise_cloudSteps gl $study noise cloudSteps --set work=clouds
-study_noise_lightSteps gl $study noise lightSteps --set work=clouds
-study_noise_bakeSize gl $study noise bakeSize --set work=clouds
-study_noise_waves gl $study noise waves --set work=sea
+study_noise_boundShare gl $study noise boundShare --set work=fractal\ sum --points 6 --runs 3
+study_noise_octaves gl $study noise octaves --set work=fractal\ sum --points 6 --runs 3
+study_noise_normals gl $study noise normals --set work=fractal\ sum --runs 3
+study_noise_fieldNoise gl $study noise fieldNoise --set work=field --runs 3
+study_noise_cloudSteps gl $study noise cloudSteps --set work=clouds --points 6 --runs 3
+study_noise_lightSteps gl $study noise lightSteps --set work=clouds --points 6 --runs 3
+study_noise_bakeSize gl $study noise bakeSize --set work=clouds --points 5 --runs 3
+study_noise_waves gl $study noise waves --set work=sea --points 6 --runs 3
+study_noise_seaSteps gl $study noise seaSteps --set work=sea --points 6 --runs 3
 study_hall_supersamples gl $study hall supersamples --values 1,2,4,8,16,32 --size 160x90 --views 1
 study_sdf_morph_supersamples gl $study sdf_morph hall.supersamples --alone --values 1,2,4,8,16,32,64 --size 160x90 --views 1
 stability_suite gl env VITRINE_SCAN_PRESETS=100 ctest --test-dir build/release -L stability -j 2

@@ -1,6 +1,7 @@
 #include "ui/window/main_window.h"
 
 #include "render/files/assets.h"
+#include "ui/charts/charts_dock.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
@@ -176,6 +177,7 @@ void MainWindow::choose(std::size_t exhibit)
     viewport_->setSubject(exhibit);
     docks_->parameters().choose(exhibit);
     study().setSubject(exhibit);
+    docks_->charts().setSubject(exhibit);
     shelf_->refresh();
     if (keeper_) keeper_->noteLayout();
 }

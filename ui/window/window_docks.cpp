@@ -1,5 +1,6 @@
 #include "ui/window/window_docks.h"
 
+#include "ui/charts/charts_dock.h"
 #include "ui/kit/text.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -87,10 +88,14 @@ void WindowDocks::addLedgerAndLog()
     ledger_->view().setTitles(titles);
     connect(ledger_, &LedgerDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
     log_ = new LogView;
+    charts_ = new ChartsDock(workbench_.museum(), workbench_.history());
+    QDockWidget* charts = add(tr("Charts"), "charts", charts_, Qt::BottomDockWidgetArea);
     QDockWidget* ledger = add(tr("Ledger"), "ledger", ledger_, Qt::BottomDockWidgetArea);
     QDockWidget* log = add(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
-    window_.tabifyDockWidget(studyDock_, ledger);
+    window_.tabifyDockWidget(studyDock_, charts);
+    window_.tabifyDockWidget(charts, ledger);
     window_.tabifyDockWidget(ledger, log);
+    charts->hide();
     ledger->hide();
     log->hide();
     // Steps are timed one by one, which costs time, only while someone looks.

@@ -8,6 +8,7 @@ class QMainWindow;
 
 namespace vitrine::ui {
 
+class ChartsDock;
 class ExhibitList;
 class LedgerDock;
 class LogView;
@@ -29,6 +30,7 @@ public:
     [[nodiscard]] PresetList& presets() const { return *presets_; }
     [[nodiscard]] ParameterTabs& parameters() const { return *parameters_; }
     [[nodiscard]] StudyDock& study() const { return *study_; }
+    [[nodiscard]] ChartsDock& charts() const { return *charts_; }
     [[nodiscard]] LedgerDock& ledger() const { return *ledger_; }
     [[nodiscard]] LogView& log() const { return *log_; }
 
@@ -57,6 +59,7 @@ private:
     PresetList* presets_ = nullptr;
     ParameterTabs* parameters_ = nullptr;
     StudyDock* study_ = nullptr;
+    ChartsDock* charts_ = nullptr;
     LedgerDock* ledger_ = nullptr;
     LogView* log_ = nullptr;
 };

@@ -67,49 +67,105 @@ TEST_F(NoiseWorks, E21_StayFiniteAtAnyTimeAndPlace)
             }
 }
 
-/// The field's noise, at float64: `domain` in cells.
-double noiseAt(const dvec3& domain, int kind, glm::uint seed)
+/// Threshold less the sum of octaves at float64, on the side of the empty where the eye clears its way. `block` says
+/// where in the noise the octaves begin.
+double outsideAt(const ParameterValues& values, const NoiseBlock& block, const dvec3& p, double clear)
 {
-    return glsl::noiseNear(kind, domain, glm::ivec3(0), dvec3(0), glm::ivec3(FIELD_REPEAT), seed).value;
+    const auto kind = static_cast<int>(values[table().kind]);
+    const auto seed = static_cast<glm::uint>(values[table().seed]);
+    const glm::dmat3 turn = glsl::noiseRotation(values[table().octaveRotation]) * values[table().lacunarity];
+    glm::dmat3 domain(values[table().frequency]);
+    double amplitude = 1.0 / static_cast<double>(block.amplitudes), sum = 0;
+    for (int i = 0; i < block.octaves; ++i) {
+        const auto octave = static_cast<std::size_t>(i);
+        sum += amplitude * glsl::noiseNear(kind, domain * p, glm::ivec3(block.cells[octave]),
+                                           dvec3(block.places[octave]), glm::ivec3(FIELD_REPEAT), seed)
+                               .value;
+        domain = turn * domain;
+        amplitude *= values[table().gain];
+    }
+    return values[table().threshold] - sum + clear;
+}
+
+/// How a picture of the field's distances compares with small even steps, and then halves, at float64: no bound is
+/// needed there.
+struct FieldCheck {
+    int checked = 0, missed = 0, early = 0;
+};
+
+FieldCheck checkField(WorkShot& shot)
+{
+    const NoiseBlock block = noiseBlock(table(), shot.values(), 0, {0, 1, 0}, 0);
+    const Picture p = shot.take();
+    FieldCheck check;
+    for (int y = 2; y < p.height(); y += 5)
+        for (int x = 2; x < p.width(); x += 5) {
+            const dvec3 ray = p.view.direction(
+                glm::dvec2(x + 0.5, p.height() - y - 0.5) / glm::dvec2(p.width(), p.height()) * 2.0 - 1.0);
+            const dvec3 d = glm::normalize(ray);
+            const double start = p.view.nearPlane * glm::length(ray);
+            const double seen = std::min(p.depth(x, y) * glm::length(ray), 1e9);
+            for (double t = start + 0.02; t < 12; t += 0.002) {
+                const double clear = std::clamp(1 - (t - start) / 6, 0.0, 1.0);
+                if (outsideAt(shot.values(), block, p.view.eye + d * t, clear) > 0) continue;
+                ++check.checked;
+                check.missed += seen > 1.01 * t;
+                check.early += seen < 0.99 * t;
+                break;
+            }
+        }
+    return check;
+}
+
+WorkShot exactShot(NoiseWork work)
+{
+    WorkShot shot(work);
+    shot.values().set(table().boundShare, 1.0);
+    shot.values().set(table().stepLimit, 1024);
+    shot.values().set(table().hitTolerance, 0.05);
+    // Octaves that are all resolved: what fades with the distance is another sum.
+    shot.values().set(table().octaves, 3);
+    return shot;
 }
 
 TEST_F(NoiseWorks, E18_TheFieldIsWhereTheNoiseAtFloat64CrossesItsThreshold)
 {
-    for (const NoiseKind kind : {NoiseKind::value, NoiseKind::gradient, NoiseKind::simplex}) {
-        WorkShot shot(NoiseWork::field);
-        shot.values().set(table().kind, kind);
-        shot.values().set(table().boundShare, 1.0);
-        shot.values().set(table().stepLimit, 1024);
-        shot.values().set(table().hitTolerance, 0.05);
-        const double frequency = shot.values()[table().frequency], threshold = shot.values()[table().threshold];
-        const Picture p = shot.take();
-        int near = 0, wrong = 0, checked = 0;
-        for (int y = 2; y < p.height(); y += 5)
-            for (int x = 2; x < p.width(); x += 5) {
-                const dvec3 ray = p.view.direction(
-                    glm::dvec2(x + 0.5, p.height() - y - 0.5) / glm::dvec2(p.width(), p.height()) * 2.0 - 1.0);
-                const dvec3 d = glm::normalize(ray);
-                const double start = p.view.nearPlane * glm::length(ray);
-                const double seen = std::min(p.depth(x, y) * glm::length(ray), 1e9);
-                // Small even steps, and then halves: no bound is needed.
-                double first = 1e9;
-                for (double t = start + 0.02; t < 25; t += 0.002) {
-                    const double clear = std::clamp(1 - (t - start) / 6, 0.0, 1.0);
-                    if (threshold - noiseAt(frequency * (p.view.eye + d * t), static_cast<int>(kind), 1) + clear < 0) {
-                        first = t;
-                        break;
-                    }
-                }
-                if (first > 24) continue;
-                ++checked;
-                near += seen < 1e8;
-                wrong += std::abs(seen - first) > 0.01 * first;
-            }
-        EXPECT_GT(checked, 100);
-        EXPECT_GT(near, 0.98 * checked);
-        // A ray that grazes may end within its tolerance.
-        EXPECT_LE(wrong, 0.03 * checked) << static_cast<int>(kind);
+    for (const NoiseLookup lookup : {NoiseLookup::evaluated, NoiseLookup::baked})
+        for (const NoiseKind kind : {NoiseKind::value, NoiseKind::gradient, NoiseKind::simplex}) {
+            WorkShot shot = exactShot(NoiseWork::field);
+            shot.values().set(table().kind, kind);
+            shot.values().set(table().fieldNoise, lookup);
+            const FieldCheck check = checkField(shot);
+            EXPECT_GT(check.checked, 100);
+            EXPECT_EQ(check.missed, 0) << static_cast<int>(kind);
+            // A ray that grazes may end within its tolerance.
+            EXPECT_LE(check.early, 0.03 * check.checked) << static_cast<int>(kind);
+        }
+}
+
+TEST_F(NoiseWorks, E18_NoRayPassesThroughTheSumOfOctavesByTheWholeBounds)
+{
+    for (const NoiseSumKind sum : {NoiseSumKind::fbm, NoiseSumKind::ridged}) {
+        WorkShot shot = exactShot(NoiseWork::fractal);
+        shot.values().set(table().sum, sum);
+        if (sum == NoiseSumKind::fbm) {
+            const FieldCheck check = checkField(shot);
+            EXPECT_GT(check.checked, 100);
+            EXPECT_EQ(check.missed, 0);
+            EXPECT_LE(check.early, 0.05 * check.checked);
+        }
+        shot.values().set(table().fieldNoise, NoiseLookup::evaluated);
+        const Picture evaluated = shot.take();
+        shot.values().set(table().fieldNoise, NoiseLookup::baked);
+        const Picture baked = shot.take();
+        int off = 0;
+        baked.each([&](int x, int y) { off += std::abs(baked.depth(x, y) / evaluated.depth(x, y) - 1) > 0.01; });
+        EXPECT_LT(off, 0.02 * 96 * 60) << static_cast<int>(sum);
     }
+    // A tenth of the bounds does pass some.
+    WorkShot shot = exactShot(NoiseWork::fractal);
+    shot.values().set(table().boundShare, 0.1);
+    EXPECT_GT(checkField(shot).missed, 0);
 }
 
 TEST_F(NoiseWorks, OfTheDerivativeHasTheNormalsOfDifferences)

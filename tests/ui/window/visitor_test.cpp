@@ -81,7 +81,7 @@ private slots:
 
     void theViewMenuListsEveryPanelAndFindOpensAClosedOne()
     {
-        for (const char* panel : {"Exhibits", "Presets", "Parameters", "Study", "Ledger", "Log"})
+        for (const char* panel : {"Exhibits", "Presets", "Parameters", "Study", "Charts", "Ledger", "Log"})
             QVERIFY2(menu("View").contains(QLatin1String(panel)), panel);
         auto* parameters = window_->findChild<QDockWidget*>("parameters");
         action("Parameters")->trigger();

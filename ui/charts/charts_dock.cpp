@@ -1,0 +1,209 @@
+#include "ui/charts/charts_dock.h"
+
+#include "exhibits/framework/capabilities.h"
+#include "exhibits/museum/museum.h"
+#include "ui/kit/progress_job.h"
+#include "ui/kit/text.h"
+#include "ui/kit/theme.h"
+#include "ui/model/history.h"
+
+#include <qcustomplot.h>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace vitrine::ui {
+namespace {
+
+void colorPlot(QCustomPlot& plot)
+{
+    const Theme& t = theme();
+    plot.setBackground(t.base);
+    QColor faint = t.dim;
+    faint.setAlphaF(0.25F);
+    for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
+        for (const auto set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
+            (axis->*set)(QPen(t.dim));
+        axis->setTickLabelColor(t.text);
+        axis->setLabelColor(t.text);
+        axis->grid()->setPen(QPen(faint, 0));
+    }
+    plot.legend->setBrush(t.base);
+    plot.legend->setBorderPen(Qt::NoPen);
+    plot.legend->setTextColor(t.text);
+}
+
+/// The first curve is what one looks at, the others what it is compared with.
+QPen penOf(std::size_t curve)
+{
+    const Theme& t = theme();
+    if (curve == 0) return {t.accent, 2};
+    return {curve == 1 ? t.dim : t.good, 1.5, Qt::DashLine};
+}
+
+void scale(QCPAxis& axis, bool logarithmic)
+{
+    axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    if (logarithmic) axis.setTicker(QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog));
+    axis.setNumberFormat(logarithmic ? QStringLiteral("gb") : QStringLiteral("g"));
+    axis.setNumberPrecision(logarithmic ? 0 : 3);
+}
+
+/// Linear ones from 0 on, unless they go below.
+void setRanges(QCustomPlot& plot, const Chart& chart)
+{
+    plot.rescaleAxes();
+    QCPRange y = plot.yAxis->range();
+    if (chart.logarithmic) {
+        y.lower = std::max(y.lower, y.upper * 1e-7);
+        y.upper *= 2;
+    } else {
+        y.lower = std::min(y.lower, 0.0);
+        y.upper += 0.25 * (y.upper - y.lower);  // Room for the legend.
+    }
+    plot.yAxis->setRange(y);
+}
+
+void fill(QCustomPlot& plot, const Chart& chart)
+{
+    plot.clearGraphs();
+    plot.setAccessibleName(text(chart.title));
+    plot.xAxis->setLabel(text(chart.title + ": " + chart.xTitle));
+    plot.yAxis->setLabel(text(chart.yTitle));
+    for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) scale(*axis, chart.logarithmic);
+    for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+        const ChartCurve& curve = chart.curves[i];
+        QCPGraph* graph = plot.addGraph();
+        graph->setName(text(curve.name));
+        graph->setPen(penOf(i));
+        QVector<double> x, y;
+        for (std::size_t k = 0; k < curve.x.size() && k < curve.y.size(); ++k) {
+            if (chart.logarithmic && !(curve.x[k] > 0 && curve.y[k] > 0)) continue;
+            x.append(curve.x[k]);
+            y.append(curve.y[k]);
+        }
+        graph->setData(x, y, true);
+    }
+    plot.legend->setVisible(chart.curves.size() > 1);
+    setRanges(plot, chart);
+    colorPlot(plot);
+    plot.replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace
+
+ChartsDock::ChartsDock(const Museum& museum, History& history, QWidget* parent)
+    : QWidget(parent), museum_(museum), history_(history), row_(new QHBoxLayout(this)), note_(new QLabel(this)),
+      job_(new ProgressJob(this))
+{
+    row_->setContentsMargins(8, 8, 8, 8);
+    row_->setSpacing(8);
+    row_->addWidget(note_, 1);
+    note_->setTextFormat(Qt::PlainText);
+    note_->setAlignment(Qt::AlignCenter);
+    note_->setWordWrap(true);
+    setMinimumHeight(160);
+    soon_.setSingleShot(true);
+    soon_.setInterval(150);
+    connect(&soon_, &QTimer::timeout, this, &ChartsDock::renew);
+    connect(&history_, &History::changed, this, [this](std::size_t exhibit) {
+        if (exhibit == exhibit_) ask();
+    });
+    connect(&history_, &History::replaced, this, &ChartsDock::ask);
+    connect(job_, &ProgressJob::failed, this, [this](const QString& why) {
+        take(std::vector<Chart>());
+        say(why);
+    });
+    say(tr("This exhibit has no charts."));
+}
+
+ChartsDock::~ChartsDock() = default;
+
+void ChartsDock::setSubject(std::size_t exhibit)
+{
+    if (exhibit_ == exhibit) return;
+    exhibit_ = exhibit;
+    take(std::vector<Chart>());
+    ask();
+}
+
+QString ChartsDock::note() const
+{
+    return note_->text();
+}
+
+void ChartsDock::ask()
+{
+    if (isVisible()) soon_.start();
+}
+
+void ChartsDock::renew()
+{
+    const auto* maker = capability<HasCharts>(museum_.subject(exhibit_));
+    if (maker == nullptr) {
+        job_->stop();
+        take(std::vector<Chart>());
+        say(tr("This exhibit has no charts."));
+        return;
+    }
+    if (charts_.empty()) say(tr("The charts are being made."));
+    const ParameterValues values = history_.sceneState().values[exhibit_];
+    job_->start([this, maker, values, exhibit = exhibit_](const ProgressJob::Progress&) -> ProgressJob::Outcome {
+        auto made = std::make_shared<std::vector<Chart>>(maker->charts(values));
+        return [this, made, exhibit] {
+            if (exhibit == exhibit_) take(std::move(*made));
+        };
+    });
+}
+
+void ChartsDock::take(std::vector<Chart> charts)
+{
+    charts_ = std::move(charts);
+    draw();
+    if (!charts_.empty()) {
+        say({});
+        emit renewed();
+    }
+}
+
+void ChartsDock::draw()
+{
+    while (plots_.size() > charts_.size()) {
+        delete plots_.back();
+        plots_.pop_back();
+    }
+    while (plots_.size() < charts_.size()) {
+        auto* plot = new QCustomPlot(this);
+        plot->setMinimumSize(180, 120);
+        plots_.push_back(plot);
+        row_->addWidget(plot, 1);
+    }
+    for (std::size_t i = 0; i < charts_.size(); ++i) fill(*plots_[i], charts_[i]);
+}
+
+void ChartsDock::say(const QString& words)
+{
+    note_->setText(words);
+    note_->setVisible(!words.isEmpty());
+}
+
+void ChartsDock::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    ask();
+}
+
+void ChartsDock::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) draw();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_charts_dock.cpp"
