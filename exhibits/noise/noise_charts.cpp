@@ -156,7 +156,7 @@ ChartCurve noiseSpectrum(const std::string& name, const NoiseSample& noise)
     constexpr double width = static_cast<double>(perCell) / count;  // Waves per cell between two frequencies.
     for (std::size_t i = 2; i < power.size(); ++i) {
         curve.x.push_back(width * static_cast<double>(i));
-        curve.y.push_back(sum > 0 ? power[i] / sum / width : 0);
+        curve.y.push_back(sum > 1e-12 ? power[i] / sum / width : 0);
     }
     return curve;
 }

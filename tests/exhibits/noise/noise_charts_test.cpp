@@ -60,7 +60,7 @@ TEST(NoiseCharts, IsotropyShowsTheDirectionOfAWave)
     const ChartCurve curve = noiseIsotropy("wave", [](const glm::dvec3& p) { return std::sin(2 * pi * p.z); });
     EXPECT_NEAR(highestAt(curve), 90, 1e-9);
     EXPECT_NEAR(curve.y.front(), 0, 1e-9);
-    EXPECT_EQ(curve.y.front(), curve.y.back());
+    EXPECT_NEAR(curve.y.back(), 0, 1e-9);
 }
 
 double spread(const ChartCurve& curve)
@@ -79,10 +79,10 @@ TEST(NoiseCharts, ShowTheLatticeOfValueNoiseWhichSimplexHasNot)
     ASSERT_EQ(charts.size(), 3U);
     for (const Chart& chart : charts) ASSERT_EQ(chart.curves.size(), 2U) << chart.title;
     EXPECT_LT(spread(charts[2].curves[0]), 0.6 * spread(charts[2].curves[1]));
-    // Value noise has waves of any length, simplex a band.
+    // Value noise has waves of any length, simplex a band, of which a line shows the longer ones, too.
     const auto lowest = [](const ChartCurve& c) { return c.y.front() / *std::max_element(c.y.begin(), c.y.end()); };
-    EXPECT_LT(lowest(charts[1].curves[0]), 0.5);
-    EXPECT_GT(lowest(charts[1].curves[1]), 0.5);
+    EXPECT_LT(lowest(charts[1].curves[0]), 0.8);
+    EXPECT_GT(lowest(charts[1].curves[1]), 0.9);
 }
 
 TEST(NoiseCharts, AreFiniteForEveryWorkAndThoseOfTheSourceAreItsOwn)
