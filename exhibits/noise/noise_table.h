@@ -109,7 +109,7 @@ struct NoiseTable final : Parameters {
     Real backward = real("backward", 0.3, none, {0, 1},
                          "Share of the light that they scatter in the second lobe, back.", inClouds&& ours);
     Count scatterings =
-        count("scatterings", 8, {1, 8}, "Orders of scattering that are summed: 1 is dark within, each more is whiter.",
+        count("scatterings", 6, {1, 8}, "Orders of scattering that are summed: 1 is dark within, each more is whiter.",
               quality(8), inClouds&& ours);
 
     Group accuracy = foldedGroup("Accuracy");

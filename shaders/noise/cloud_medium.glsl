@@ -30,7 +30,7 @@ float cloudAdded(float source, float depth)
 }
 
 // Sunlight of irradiance 1 that reaches a place under the optical depth `depth` and leaves it towards the eye, after 1
-// to `orders` scatterings, per unit of optical depth. Each order counts 3/4 of the one before, sees 2/5 of its depth
+// to `orders` scatterings, per unit of optical depth. Each order counts 3/4 of the one before, sees half of its depth
 // and scatters half as much ahead (Wrenninge, Kulla and Lundqvist 2013, "Oz: The Great and Volumetric").
 float cloudSunlight(float cosine, float depth, float forward, float backward, int orders)
 {
@@ -41,7 +41,7 @@ float cloudSunlight(float cosine, float depth, float forward, float backward, in
     for (int i = 0; i < orders; ++i) {
         sum += share * cloudPhase(cosine, forward * lobeShare, backward) * cloudThrough(depth * depthShare);
         share *= 0.75;
-        depthShare *= 0.4;
+        depthShare *= 0.5;
         lobeShare *= 0.5;
     }
     return sum;

@@ -34,7 +34,8 @@ float tallHeight(vec2 p, float footprint)
 struct Water {
     vec3 normal;
     float folded;   // 1 where the surface is not drawn together; below 0 it turns over
-    float hidden;   // mean square slope of what a pixel does not resolve
+    float resolved; // mean square slope of what a pixel resolves, ...
+    float hidden;   // ... and of what it does not
     float height;
 };
 
@@ -43,6 +44,7 @@ Water waterAt(vec2 p, float footprint)
     vec2 q = p - tallMotion(p, footprint).xz;
     vec2 slope = vec2(0.0);
     vec3 stretch = vec3(0.0);
+    float resolved = 0.0;
     float hidden = work.hiddenSlopes;
     float height = 0.0;
     for (int i = 0; i < work.waves; ++i) {
@@ -50,6 +52,7 @@ Water waterAt(vec2 p, float footprint)
         float k = length(w.xy);
         float fade = waveFade(w.xy, footprint);
         float steep = w.z * k;
+        resolved += 0.5 * steep * steep * fade * fade;
         hidden += 0.5 * steep * steep * (1.0 - fade * fade);
         if (fade <= 0.0) continue;
         float phase = dot(w.xy, q) - w.w;
@@ -67,6 +70,7 @@ Water waterAt(vec2 p, float footprint)
     vec3 n = cross(south, east);
     water.normal = safeNormalize(n.y > 0.05 ? n : vec3(n.x, 0.05, n.z), vec3(0.0, 1.0, 0.0));
     water.folded = (1.0 - stretch.x) * (1.0 - stretch.y) - stretch.z * stretch.z;
+    water.resolved = resolved;
     water.hidden = hidden;
     water.height = height;
     return water;
@@ -138,11 +142,22 @@ float foamAt(vec2 p, Water water, float footprint)
     NoiseSum s = NoiseSum(NOISE_GRADIENT, NOISE_BILLOW, 4, 0.62, 2.0, 0.0, NOISE_PERIOD, 77u);
     float grain = -noiseSum(s, vec3(q.x, work.foamTime, q.y), footprint * 1.5).value;
     evaluations += 4.0;
-    float breaking = smoothstep(0.0, 0.45, 0.3 + 0.7 * parameters.foam - water.folded);
-    float fresh = breaking * smoothstep(-0.8 + 0.9 * (1.0 - breaking), 0.25, grain);
-    float behind = smoothstep(-0.05, 0.1, -dot(water.normal.xz, wind)) * smoothstep(-0.1, 0.35, water.height / work.seaTop);
+    // Octaves that have faded count as their mean.
+    float amplitude = 0.45;  // Of the first one over that of all.
+    for (int i = 0; i < 4; ++i) {
+        grain += 0.5 * amplitude * (1.0 - noiseFootprintFade(footprint * 1.5 * exp2(float(i))));
+        amplitude *= 0.62;
+    }
+    // How far it is drawn together, in standard deviations of the slope; stronger wind breaks more of the crests
+    // (Monahan and O'Muircheartaigh 1980, "Optimal Power-Law Description of Oceanic Whitecap Coverage", gives the share).
+    float together = (1.0 - water.folded) / max(sqrt(water.resolved), 0.01);
+    float least = max(2.6 - 0.1 * (parameters.windSpeed - 7.5) + 2.0 * (0.5 - parameters.foam), 0.5);
+    float breaking = smoothstep(least - 0.3, least + 0.9, together);
+    float fresh = smoothstep(0.0, 0.3, breaking) * smoothstep(0.75 - 0.65 * breaking, 0.95 - 0.45 * breaking, grain);
+    float behind = mix(0.55, 1.0, smoothstep(-0.05, 0.1, -dot(water.normal.xz, wind)));
+    behind *= smoothstep(-0.15, 0.3, water.height / work.seaTop);
     float stormy = parameters.foam * smoothstep(5.0, 16.0, parameters.windSpeed);
-    float lace = behind * stormy * smoothstep(0.62 - 0.3 * stormy, 0.8, grain + 0.35 * breaking);
+    float lace = behind * stormy * smoothstep(0.6, 0.85, grain + 0.25 * stormy + 0.3 * breaking);
     return clamp(max(fresh, 0.8 * lace), 0.0, 1.0);
 }
 
@@ -174,7 +189,7 @@ vec3 waterLight(PortalRay ray, float t)
     vec3 color = mix(body, sky, fresnel);
     color += sun * glitter(n, toEye, max(water.hidden, 0.0008)) * max(dot(n, work.sunDirection), 0.0) * 1.0;
     float foam = foamAt(p.xz, water, footprint);
-    vec3 white = vec3(0.75) * (skyAmbient(n.y) + sun * max(dot(n, work.sunDirection), 0.0) * 0.32);
+    vec3 white = vec3(0.85) * (skyAmbient(n.y) + sun * max(dot(n, work.sunDirection), 0.0) * 0.32);
     color = mix(color, white, foam * 0.85);
     return throughAir(color, ray.direction, t, mix(40000.0, 1800.0, sqrt(parameters.haze)));
 }
