@@ -126,9 +126,10 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"viewport", {"kit", "model"}},
     {"parameters", {"kit", "model", "viewport"}},
     {"presets", {"kit", "model", "viewport"}},
+    {"charts", {"kit", "model"}},
     {"study", {"kit", "model", "viewport"}},
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},
-    {"window", {"kit", "model", "viewport", "parameters", "presets", "study", "print"}},
+    {"window", {"kit", "model", "viewport", "parameters", "presets", "charts", "study", "print"}},
 };
 
 /// The folder below the first one; empty where there is none.
