@@ -1,8 +1,10 @@
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/capabilities.h"
 #include "exhibits/museum/museum.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "render/measure/clock.h"
+#include "ui/charts/charts_dock.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
@@ -273,6 +275,29 @@ private slots:
         QCOMPARE(after.size(), before.size());
         const double change = difference(before, after);
         QVERIFY2(change < 0.5, qPrintable(QString::number(change)));
+    }
+
+    void chartsOfAnExhibitFollowItsValuesAndLeaveThePictureAlone()
+    {
+        std::size_t charted = 0;
+        for (std::size_t i = 0; i < museum_->subjects().size(); ++i)
+            if (capability<HasCharts>(museum_->subject(i)) != nullptr) charted = i;
+        QVERIFY(charted != 0);
+        auto* charts = window_->findChild<ChartsDock*>();
+        window_->visit(charted);
+        window_->findChild<QDockWidget*>("charts")->show();
+        QTRY_VERIFY(!charts->charts().empty());
+        QCOMPARE(charts->plots().size(), charts->charts().size());
+        const ChartCurve before = charts->charts()[0].curves[0];
+        const std::size_t seed = *museum_->subject(charted).parameters().find("seed");
+        window_->history().set(charted, seed, 77.0, newGesture());
+        QTRY_VERIFY(charts->charts()[0].curves[0].y != before.y);
+        const QImage shown = pictureAtRest();
+        QTest::qWait(300);
+        QCOMPARE(difference(shown, picture()), 0.0);
+        window_->visit(exhibit_);
+        QTRY_VERIFY(charts->charts().empty());
+        QVERIFY(!charts->note().isEmpty());
     }
 
     void aCanceledExportLeavesNoFile()

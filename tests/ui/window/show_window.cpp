@@ -3,6 +3,8 @@
 #include "tests/ui/painted_gallery.h"
 
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/capabilities.h"
+#include "ui/charts/charts_dock.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/parameter_panel.h"
@@ -87,6 +89,19 @@ int main(int argc, char** argv)
             dialog->reject();
         }
         if (real) {
+            for (std::size_t i = 0; i < shown->subjects().size(); ++i) {
+                if (capability<HasCharts>(shown->subject(i)) == nullptr) continue;
+                auto* charts = window.findChild<ui::ChartsDock*>();
+                window.visit(i);
+                window.findChild<QDockWidget*>(QStringLiteral("charts"))->show();
+                window.findChild<QDockWidget*>(QStringLiteral("charts"))->raise();
+                QEventLoop made;
+                QObject::connect(charts, &ui::ChartsDock::renewed, &made, &QEventLoop::quit);
+                if (charts->charts().empty()) made.exec();
+                waitUntilStill(window, 60000);
+                window.grab().save(folder + QStringLiteral("/charts_%1").arg(i) + ending);
+            }
+            window.visit(1);
             window.findChild<QDockWidget*>(QStringLiteral("study"))->show();
             window.findChild<QDockWidget*>(QStringLiteral("study"))->raise();
             window.study().setEffort({240, 135}, 3);
