@@ -119,7 +119,7 @@ ChartsDock::ChartsDock(const Museum& museum, History& history, QWidget* parent)
         take(std::vector<Chart>());
         say(why);
     });
-    say(tr("This exhibit has no charts."));
+    sayWhyEmpty();
 }
 
 ChartsDock::~ChartsDock() = default;
@@ -129,6 +129,7 @@ void ChartsDock::setSubject(std::size_t exhibit)
     if (exhibit_ == exhibit) return;
     exhibit_ = exhibit;
     take(std::vector<Chart>());
+    sayWhyEmpty();
     ask();
 }
 
@@ -147,11 +148,8 @@ void ChartsDock::renew()
     const auto* maker = capability<HasCharts>(museum_.subject(exhibit_));
     if (maker == nullptr) {
         job_->stop();
-        take(std::vector<Chart>());
-        say(tr("This exhibit has no charts."));
         return;
     }
-    if (charts_.empty()) say(tr("The charts are being made."));
     const ParameterValues values = history_.sceneState().values[exhibit_];
     job_->start([this, maker, values, exhibit = exhibit_](const ProgressJob::Progress&) -> ProgressJob::Outcome {
         auto made = std::make_shared<std::vector<Chart>>(maker->charts(values));
@@ -184,6 +182,12 @@ void ChartsDock::draw()
         row_->addWidget(plot, 1);
     }
     for (std::size_t i = 0; i < charts_.size(); ++i) fill(*plots_[i], charts_[i]);
+}
+
+void ChartsDock::sayWhyEmpty()
+{
+    const bool some = capability<HasCharts>(museum_.subject(exhibit_)) != nullptr;
+    say(some ? tr("The charts are being made.") : tr("This exhibit has no charts."));
 }
 
 void ChartsDock::say(const QString& words)

@@ -50,6 +50,7 @@ private:
     void renew();
     void take(std::vector<Chart>);
     void draw();
+    void sayWhyEmpty();
     void say(const QString&);
 
     const Museum& museum_;

@@ -275,6 +275,23 @@ TEST_F(NoiseWorks, OfTheCloudsAreAsBrightWithAnyNumberOfSteps)
     EXPECT_GT(std::abs(meanWith(64, NoiseMarch::halved) / fine - 1), 0.01);
 }
 
+TEST_F(NoiseWorks, OfCloudsAtRestConvergeAndOweNothingToWhatWasDrawnBefore)
+{
+    WorkShot shot(NoiseWork::clouds);
+    shot.values().set(table().bakeSize, 64);
+    const auto with = [&](int samples) {
+        shot.request.samples = samples;
+        return shot.take();
+    };
+    const Picture fine = with(64), one = with(1);
+    EXPECT_LT(colorDifference(with(16), fine), 0.5 * colorDifference(one, fine));
+    // A cut: elsewhere, and back.
+    shot.request.frame.camera.eye.x += 0.5;
+    EXPECT_GT(colorDifference(with(1), one), 0);
+    shot.request.frame.camera.eye.x -= 0.5;
+    EXPECT_EQ(colorDifference(with(1), one), 0);
+}
+
 TEST_F(NoiseWorks, OfBakedCloudsComeNearerToTheEvaluatedOnesTheFinerTheVolumeIs)
 {
     WorkShot shot(NoiseWork::clouds);
