@@ -189,7 +189,7 @@ std::vector<Chart> noiseCharts(const NoiseTable& t, const ParameterValues& value
 {
     const NoiseSample now = sampleOnShow(t, values);
     const NoiseSample then = sourceSample(values[t.work]);
-    const std::string ours = "on show", source = "the source's value noise";
+    const std::string ours = "on show", source = "the source's";
     return {{"Histogram", "value", "density", false, {noiseHistogram(ours, now), noiseHistogram(source, then)}},
             {"Spectrum",
              "waves per cell",
@@ -198,7 +198,7 @@ std::vector<Chart> noiseCharts(const NoiseTable& t, const ParameterValues& value
              {noiseSpectrum(ours, now), noiseSpectrum(source, then)}},
             {"Isotropy",
              "direction, °",
-             "mean square change over its mean",
+             "change squared over its mean",
              false,
              {noiseIsotropy(ours, now), noiseIsotropy(source, then)}}};
 }

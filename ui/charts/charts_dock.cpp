@@ -32,10 +32,20 @@ void colorPlot(QCustomPlot& plot)
         axis->setTickLabelColor(t.text);
         axis->setLabelColor(t.text);
         axis->grid()->setPen(QPen(faint, 0));
+        axis->grid()->setZeroLinePen(QPen(faint, 0));
     }
     plot.legend->setBrush(t.base);
     plot.legend->setBorderPen(Qt::NoPen);
     plot.legend->setTextColor(t.text);
+}
+
+/// Where it covers no curve.
+void putLegendAbove(QCustomPlot& plot)
+{
+    plot.plotLayout()->insertRow(0);
+    plot.plotLayout()->addElement(0, 0, plot.legend);
+    plot.plotLayout()->setRowStretchFactor(0, 0.001);
+    plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
 }
 
 /// The first curve is what one looks at, the others what it is compared with.
@@ -64,7 +74,7 @@ void setRanges(QCustomPlot& plot, const Chart& chart)
         y.upper *= 2;
     } else {
         y.lower = std::min(y.lower, 0.0);
-        y.upper += 0.25 * (y.upper - y.lower);  // Room for the legend.
+        y.upper += 0.06 * (y.upper - y.lower);
     }
     plot.yAxis->setRange(y);
 }
@@ -178,6 +188,7 @@ void ChartsDock::draw()
     while (plots_.size() < charts_.size()) {
         auto* plot = new QCustomPlot(this);
         plot->setMinimumSize(180, 120);
+        putLegendAbove(*plot);
         plots_.push_back(plot);
         row_->addWidget(plot, 1);
     }
