@@ -22,7 +22,7 @@ float throughEmptySpace(PortalRay ray, float from, float farthest, bool wanted)
     for (int i = 0; i < steps && t < farthest; ++i) {
         float footprint = t * ray.footprint;
         float stride = fieldAt(ray.origin + ray.direction * t, ray.direction, footprint, clearing(t - ray.start), false, true).stride;
-        if (stride < max(0.3 * footprint, LEAST_LOOKED_STRIDE / parameters.frequency)) break;
+        if (stride < max(0.2 * footprint, LEAST_LOOKED_STRIDE / parameters.frequency)) break;
         t += stride;
     }
 #endif
