@@ -28,8 +28,10 @@ render::Box resized(const render::Box& box, double factor)
     return {box.center() - factor * box.halfSize(), box.center() + factor * box.halfSize()};
 }
 
+}  // namespace
+
 /// The kit's shaders include the field and its material under names of the kit.
-std::shared_ptr<const render::ShaderSources> sourcesOf(const SdfShaders& shaders)
+std::shared_ptr<const render::ShaderSources> sdfSources(const SdfShaders& shaders)
 {
     std::map<std::string, std::string> texts;
     if (shaders.generated) texts = shaders.generated->textByPath();
@@ -39,9 +41,7 @@ std::shared_ptr<const render::ShaderSources> sourcesOf(const SdfShaders& shaders
     return std::make_shared<render::ShaderSources>(std::move(texts));
 }
 
-}  // namespace
-
-SdfExhibit::SdfExhibit(const SdfShaders& shaders) : sources_(sourcesOf(shaders)) {}
+SdfExhibit::SdfExhibit(const SdfShaders& shaders) : sources_(sdfSources(shaders)) {}
 
 render::Box SdfExhibit::bounds(const ParameterValues& values) const
 {
@@ -107,7 +107,13 @@ double SdfExhibit::nextChange(const ParameterValues&, double) const
 
 SdfScene SdfExhibit::sceneOf(const PlanContext& context, const SdfBody& now) const
 {
-    return {name(), rows(), isGlass(now.values), context, now, resized(now.box, now.values[rows().boxSize]), sources_};
+    return {name(),
+            rows(),
+            isGlass(now.values),
+            context,
+            now,
+            resized(now.box, now.values[rows().boxSize]),
+            now.sources ? now.sources : sources_};
 }
 
 void SdfExhibit::planShadow(const PlanContext& context, render::FramePlan& plan) const

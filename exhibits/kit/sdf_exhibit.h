@@ -22,6 +22,9 @@ struct SdfShaders {
     std::shared_ptr<const render::ShaderSources> generated = {};
 };
 
+/// What passes of the kit are built with.
+[[nodiscard]] std::shared_ptr<const render::ShaderSources> sdfSources(const SdfShaders&);
+
 /// A body at one moment.
 struct SdfBody {
     /// `parameters` of its shaders: the table's values, with what is animated as it is at this moment.
@@ -39,6 +42,9 @@ struct SdfBody {
     std::string variant = {};                     ///< `render::Pass::variant` of its march.
     std::vector<std::string> defines = {};        ///< Permutations of its field, material and shading.
     std::vector<render::BufferUse> buffers = {};  ///< What its field reads at STORAGE_EXHIBIT_A, B and C.
+    /// Shaders of its own (`sdfSources`), where the exhibit's are not for every state: those of a scene that was read.
+    /// Make them once for each text, not for each picture. While new ones are built, the last ones are drawn.
+    std::shared_ptr<const render::ShaderSources> sources = {};
 };
 
 struct SdfScene;

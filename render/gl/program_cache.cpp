@@ -122,7 +122,10 @@ std::optional<ProgramInUse> ProgramCache::standIn(const Entry& entry)
     const auto good = last == lastGood_.end() ? programs_.end() : programs_.find(last->second);
     if (good == programs_.end() || !good->second.build.program) return std::nullopt;
     good->second.lastUse = frame_;
-    return ProgramInUse{good->second.build.program.name(), "drawn with the last good program " + why, building};
+    ProgramInUse used{good->second.build.program.name(), "drawn with the last good program " + why, building};
+    const auto hashOf = [](const ShaderKey& of) { return of.sources ? of.sources->hash() : 0; };
+    if (hashOf(good->second.key) != hashOf(key)) used.ofSources = hashOf(good->second.key);
+    return used;
 }
 
 void ProgramCache::dropIdle()

@@ -19,6 +19,8 @@ struct ProgramInUse {
     GLuint program = 0;
     std::string standIn = {};  ///< Why this is not the program that was asked for; empty when it is.
     bool building = false;     ///< The one that was asked for will be there in a later frame.
+    /// Of a stand-in from its slot that was made of other generated sources: their hash.
+    std::optional<std::uint64_t> ofSources = {};
 };
 
 /// Programs by key, built when first used; in a debug build rebuilt when a file of theirs changes. A driver keeps about

@@ -2,6 +2,7 @@
 
 #include "render/failure.h"
 #include "render/gl/context.h"
+#include "render/gl/draw_scopes.h"
 #include "render/gl/frame_block.h"
 #include "render/gl/frame_clock.h"
 #include "render/gl/framebuffers.h"
@@ -9,6 +10,7 @@
 #include "render/gl/program_cache.h"
 #include "render/gl/resources.h"
 #include "render/gl/screen.h"
+#include "render/gl/slot_inputs.h"
 #include "render/gl/uniform_allocator.h"
 #include "render/gl/uploads.h"
 #include "render/measure/clock.h"
@@ -29,6 +31,9 @@ struct PassRanges {
     std::vector<UniformAllocator::Range> temporal;  ///< By part that runs in this frame.
     std::vector<std::pair<int, UniformAllocator::Range>> blocks;
     std::vector<UniformAllocator::Range> objects;
+    // In place of both, for the last good program of its slot.
+    std::vector<std::pair<int, UniformAllocator::Range>> lastBlocks;
+    std::vector<UniformAllocator::Range> lastObjects;
 };
 
 void countDraws(const Pass& pass, std::map<std::string, std::int64_t>& counters)
@@ -45,38 +50,6 @@ HistoryRecord recordOf(const History& history, const FramePlan& plan)
 {
     return {history.image, history.view.value_or(plan.view), plan.time, history.dependencies};
 }
-
-/// Names what is drawn while it lives, for debuggers; closed also when a program does not build.
-class DebugGroup {
-public:
-    explicit DebugGroup(const char* name) { glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name); }
-    ~DebugGroup() { glPopDebugGroup(); }
-    DebugGroup(const DebugGroup&) = delete;
-    DebugGroup& operator=(const DebugGroup&) = delete;
-};
-
-/// Counts the samples that the draws between its making and `end` let pass.
-class SamplesQuery {
-public:
-    SamplesQuery()
-    {
-        GLuint name = 0;
-        glCreateQueries(GL_SAMPLES_PASSED, 1, &name);
-        query_ = QueryName(name);
-        glBeginQuery(GL_SAMPLES_PASSED, name);
-    }
-    static void end() { glEndQuery(GL_SAMPLES_PASSED); }
-    /// Waits for the draws to finish.
-    [[nodiscard]] std::int64_t result() const
-    {
-        GLint64 count = 0;
-        glGetQueryObjecti64v(query_.name(), GL_QUERY_RESULT, &count);
-        return count;
-    }
-
-private:
-    QueryName query_;
-};
 
 }  // namespace
 
@@ -95,6 +68,7 @@ struct Renderer::State {
     UniformAllocator arena;
     VertexArrayName noVertices;
     PersistentState kept;
+    LastInputs lastInputs;
     std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes whose key vouches for it.
     bool timeSteps = false;
     std::thread::id thread = std::this_thread::get_id();
@@ -141,11 +115,26 @@ struct Renderer::State {
                 ranges.temporal.push_back(
                     arena.add(std140Bytes(temporalBlock(pass, part, pass.past.valid && !missing))));
         }
-        for (const auto& [binding, bytes] : pass.blocks)
-            if (!bytes.empty()) ranges.blocks.emplace_back(binding, arena.add(bytes));
-        for (const Draw& draw : pass.draws)
-            ranges.objects.push_back(draw.object.empty() ? UniformAllocator::Range{} : arena.add(draw.object));
+        ranges.blocks = blockRanges(pass.blocks);
+        for (const Draw& draw : pass.draws) ranges.objects.push_back(objectRange(draw.object));
+        if (const SlotInputs* last = lastInputs.ofOthers(pass)) {
+            ranges.lastBlocks = blockRanges(last->blocks);
+            for (const Bytes& object : last->objects) ranges.lastObjects.push_back(objectRange(object));
+        }
         return ranges;
+    }
+
+    std::vector<std::pair<int, UniformAllocator::Range>> blockRanges(const std::map<int, Bytes>& blocks)
+    {
+        std::vector<std::pair<int, UniformAllocator::Range>> ranges;
+        for (const auto& [binding, bytes] : blocks)
+            if (!bytes.empty()) ranges.emplace_back(binding, arena.add(bytes));
+        return ranges;
+    }
+
+    UniformAllocator::Range objectRange(const Bytes& object)
+    {
+        return object.empty() ? UniformAllocator::Range{} : arena.add(object);
     }
 
     /// Gathers the blocks of all passes and hands them to the driver at once.
@@ -201,11 +190,19 @@ struct Renderer::State {
     ProgramInUse run(const Pass& pass, const PassRanges& ranges, ProgramCache::Building building)
     {
         if (pass.work == Work::simulation) return {};
-        const ProgramInUse used = programs.use(pass.shader, building);
+        ProgramInUse used = programs.use(pass.shader, building);
+        const SlotInputs* last = used.ofSources ? lastInputs.ofOthers(pass) : nullptr;
+        // Another renderer drew with it: what belongs to it is not here.
+        if (used.ofSources && (!last || last->sources != *used.ofSources)) {
+            used = programs.use(pass.shader, ProgramCache::Building::isWaitedFor);
+            last = nullptr;
+        }
         glUseProgram(used.program);
         arena.bind(BLOCK_FRAME, ranges.frame);
-        for (const auto& [binding, range] : ranges.blocks) arena.bind(binding, range);
+        for (const auto& [binding, range] : last ? ranges.lastBlocks : ranges.blocks) arena.bind(binding, range);
         bindInputs(pass.inputs);
+        if (last) bindInputs(last->textures);
+        if (used.standIn.empty()) lastInputs.keep(pass);
         bindBuffers(pass.buffers);
         for (int part = pass.past.firstPart; part < pass.past.endPart; ++part) {
             if (pass.past.used)
@@ -213,7 +210,7 @@ struct Renderer::State {
             if (pass.work == Work::compute)
                 dispatch(pass, resources);
             else
-                raster(pass, ranges, part == pass.past.firstPart);
+                raster(pass, last ? ranges.lastObjects : ranges.objects, ranges.clips, part == pass.past.firstPart);
         }
         if (std::any_of(pass.buffers.begin(), pass.buffers.end(),
                         [](const BufferUse& use) { return use.access != Access::read; }))
@@ -225,16 +222,16 @@ struct Renderer::State {
         return used;
     }
 
-    void raster(const Pass& pass, const PassRanges& ranges, bool clears)
+    void raster(const Pass& pass, const std::vector<UniformAllocator::Range>& objects, bool clips, bool clears)
     {
         bindTarget(pass, resources, clears);
         applyState(pass.state);
-        if (ranges.clips) glEnable(GL_CLIP_DISTANCE0);
+        if (clips) glEnable(GL_CLIP_DISTANCE0);
         for (std::size_t i = 0; i < pass.draws.size(); ++i) {
             const Draw& draw = pass.draws[i];
             bindInputs(draw.inputs);
             bindBuffers(draw.buffers);
-            arena.bind(BLOCK_OBJECT, ranges.objects[i]);
+            arena.bind(BLOCK_OBJECT, objects[i]);
             glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
             if (draw.mesh) {
                 uploads.mesh(draw.mesh).draw(draw.instances);
@@ -243,7 +240,7 @@ struct Renderer::State {
                 glDrawArraysInstanced(GL_TRIANGLES, 0, 3, draw.instances);
             }
         }
-        if (ranges.clips) glDisable(GL_CLIP_DISTANCE0);
+        if (clips) glDisable(GL_CLIP_DISTANCE0);
     }
 
     /// What was written into these images is not there any more.

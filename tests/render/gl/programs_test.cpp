@@ -3,12 +3,14 @@
 #include "render/failure.h"
 #include "render/gl/program_binaries.h"
 #include "render/gl/program_cache.h"
+#include "shaders/lib/bindings.glsl"
 #include "tests/render/gl/renderer_bench.h"
 #include "tests/support/image_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <future>
 #include <thread>
 
@@ -65,6 +67,7 @@ protected:
         plan.allParts = finishedPicture;
         Pass pass = fill("filled", "frame", "");
         pass.shader = shader;
+        pass.blocks[BLOCK_EXHIBIT] = block_;
         plan.add(std::move(pass));
         report_ = draw(plan);
         return renderer().read("frame").at(0, 0, 0);
@@ -86,6 +89,7 @@ protected:
     }
 
     FrameReport report_;
+    Bytes block_;  ///< BLOCK_EXHIBIT of what is drawn.
 };
 
 TEST_F(GeneratedShaders, AreFoundByIncludeBeforeFilesOfTheirPath)
@@ -151,6 +155,44 @@ TEST_F(GeneratedShaders, AreBuiltOnAThreadWhileTheLastGoodProgramDraws)
     drawUntilFinished(second, 1, 2);
     EXPECT_EQ(drawn(key(returns(1), "scene")), 1) << "which is still there";
     EXPECT_FALSE(report_.unfinished);
+}
+
+TEST_F(GeneratedShaders, KeepTheInputsOfTheLastGoodProgramWhileItDraws)
+{
+    const auto gate = std::make_shared<GatedContext>(context().shared());
+    renderer().buildInBackground(gate);
+    // Two scenes with numbers of their own: the block of the second one is shorter, and means something else.
+    const auto scene = [](int size, int at) {
+        return key(
+            "#include \"lib/bindings.glsl\"\nlayout(std140, binding = BLOCK_EXHIBIT) uniform Numbers {\n    vec4 "
+            "numbers[" +
+                std::to_string(size) + "];\n};\nfloat value()\n{\n    return numbers[" + std::to_string(at) +
+                "].x;\n}\n",
+            "scene");
+    };
+    const auto numbers = [](const std::vector<float>& values) {
+        Bytes bytes(values.size() * 16);
+        for (std::size_t i = 0; i < values.size(); ++i) std::memcpy(&bytes[16 * i], &values[i], sizeof(float));
+        return bytes;
+    };
+    block_ = numbers({7, 8, 9});
+    EXPECT_EQ(drawn(scene(3, 2)), 9);
+    block_ = numbers({5});
+    EXPECT_EQ(drawn(scene(1, 0)), 9) << "the last good program has its own numbers";
+    EXPECT_TRUE(report_.unfinished);
+    const auto sibling = renderer().sibling();
+    FramePlan plan = planOf({2, 2});
+    Pass pass = fill("filled", "frame", "");
+    pass.shader = scene(1, 0);
+    pass.blocks[BLOCK_EXHIBIT] = block_;
+    plan.add(std::move(pass));
+    plan.prune({"frame"}, sibling->persistentState());
+    (void)sibling->draw(plan);
+    EXPECT_EQ(sibling->read("frame").at(0, 0, 0), 5) << "who has no numbers for it waits";
+    gate->open();
+    EXPECT_EQ(drawn(scene(1, 0)), 5);
+    block_ = numbers({6});
+    EXPECT_EQ(drawn(scene(1, 0)), 6) << "of the same scene, numbers count at once";
 }
 
 TEST_F(GeneratedShaders, AreWaitedForByPicturesThatAreNotDrawnAgain)
