@@ -6,6 +6,7 @@
 #include "exhibits/lenticular/lenticular.h"
 #include "exhibits/noise/noise.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
+#include "exhibits/sdf_scenes/sdf_scenes.h"
 
 namespace vitrine {
 
@@ -16,6 +17,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<Lenticular>());
     exhibits.push_back(std::make_unique<Fur>());
     exhibits.push_back(std::make_unique<CrepuscularRays>());
+    exhibits.push_back(std::make_unique<SdfScenes>());
     exhibits.push_back(std::make_unique<Noise>());
     exhibits.push_back(std::make_unique<IceCream>());
     return exhibits;

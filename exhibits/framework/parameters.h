@@ -83,6 +83,7 @@ struct ParameterInfo {
     bool groupFolded = false;                ///< Whether the panel shows its group folded at first.
     std::string_view endings = {};           ///< For Kind::file: what a dialog offers, "glb gltf"; empty: everything.
     bool givesRows = false;                  ///< For Kind::file: its file gives the table further rows.
+    std::string_view shipped = {};           ///< For Kind::file: a folder of assets with files that a bare name means.
     std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
     std::size_t element = 0;                 ///< Which group of that array, from 0.
     std::string_view formerly = {};          ///< Its name in files of before; empty: the same.
@@ -180,6 +181,12 @@ protected:
         std::string_view text;
     };
     [[nodiscard]] static Endings endings(std::string_view text) { return {text}; }
+    struct Shipped {
+        std::string_view folder;
+    };
+    /// Of a file row: a name without a folder means a file of this folder of assets, where it has one of that name
+    /// (`filePath`).
+    [[nodiscard]] static Shipped shippedIn(std::string_view folder) { return {folder}; }
     struct GivesRows {};
     /// Of a file row: `TableFromFiles::tableFor` makes further rows of its file.
     [[nodiscard]] static GivesRows givesRows() { return {}; }
@@ -322,6 +329,7 @@ private:
     }
     static void say(ParameterInfo& row, const Endings& endings) { row.endings = endings.text; }
     static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
+    static void say(ParameterInfo& row, const Shipped& shipped) { row.shipped = shipped.folder; }
     static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
     static void say(ParameterInfo& row, const Formerly& formerly) { row.formerly = formerly.name; }
     static void say(ParameterInfo& row, const Word& word) { row.word = word; }

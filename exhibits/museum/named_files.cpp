@@ -1,5 +1,6 @@
 #include "exhibits/museum/named_files.h"
 
+#include "exhibits/framework/file_path.h"
 #include "render/files/asset_store.h"
 #include "render/hash.h"
 
@@ -13,7 +14,9 @@ void forEachFile(const SceneState& sceneState, const std::function<void(const st
     for (const ParameterValues& values : sceneState.values)
         for (std::size_t row = 0; row < values.rows().size(); ++row) {
             if (values.rows()[row].kind != Kind::file) continue;
-            if (const std::string path = std::get<std::string>(values.row(row)); !path.empty()) work(path);
+            if (const std::string path = filePath(values.rows()[row], std::get<std::string>(values.row(row)));
+                !path.empty())
+                work(path);
         }
 }
 

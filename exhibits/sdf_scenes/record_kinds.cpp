@@ -66,7 +66,9 @@ const RecordTable& materialTable()
            share("metalness", 0, "0 is no metal, 1 is bare metal."),
            share("roughness", 0.4, "0 is a mirror, 1 is chalk."),
            share("reflectance", 0.5, "Of what is no metal: 0.5 is 4 %."),
-           number("refractiveIndex", 1.5, 1, 3, "Of glass.")}}}};
+           number("refractiveIndex", 1.5, 1, 3, "Of glass."),
+           share("transmission", 0, "0 is opaque, 1 is clear glass, which has its color per 10 cm of depth."),
+           number("emission", 0, 0, 1e4, "Light of its own: so many times its color.")}}}};
     return table;
 }
 
@@ -76,16 +78,19 @@ const RecordTable& lightTable()
         "kind",
         {{"point",
           "A point that shines everywhere.",
-          {place("position", {0, 4, 0}, "Where it is."), radiance("color", {1, 1, 1}, "Its light, linear.")}},
+          {place("position", {0, 4, 0}, "Where it is."),
+           radiance("color", {1, 1, 1},
+                    "What white reflects where the camera looks, linear; as in the source, at any distance.")}},
          {"sun",
           "Light from one direction.",
-          {towards("direction", {0.4, 1, 0.3}, "Towards it."), radiance("color", {1, 1, 1}, "Its light, linear."),
+          {towards("direction", {0.4, 1, 0.3}, "Towards it."),
+           radiance("color", {1, 1, 1}, "What white reflects that faces it, linear."),
            turn("width", 0.5, 0.01, 60, "How wide it looks.")}},
          {"area",
           "A rectangle that shines to one side.",
           {place("position", {0, 4, 0}, "Its center."), towards("direction", {0, -1, 0}, "Where it shines."),
            length("width", 1, "One edge."), length("height", 1, "The other edge."),
-           radiance("color", {1, 1, 1}, "Its light, linear.")}}}};
+           radiance("color", {1, 1, 1}, "How bright it looks, linear.")}}}};
     return table;
 }
 
@@ -139,7 +144,8 @@ const RecordTable& lookTable()
            {"bounces", FieldType::count, Unit::none, 0, 4, 0, 4, {2, 0, 0}, "How often a ray is reflected."},
            number("softShadows", 0, 0, 1000, "The source's factor of its soft shadows; 0 is a hard edge."),
            share("ambientOcclusion", 1, "How much of it."),
-           radiance("ambient", {1, 1, 1}, "Light from everywhere, linear.")}}}};
+           radiance("ambient", {1, 1, 1}, "Light from everywhere, linear; only as in the source."),
+           number("exposure", 1, 0, 1e4, "Of the picture: a factor of all light; not as in the source.")}}}};
     return table;
 }
 

@@ -26,7 +26,10 @@ std::string floatLiteral(double x)
 /// Writes one function after another; words are read from the block, or folded.
 class GlslWriter {
 public:
-    GlslWriter(const SceneProgram& program, const SceneWords* folded) : program_(program), folded_(folded) {}
+    GlslWriter(const SceneProgram& program, const SceneWords* folded, const FurtherMember& further)
+        : program_(program), folded_(folded), further_(further)
+    {
+    }
 
     std::string write()
     {
@@ -62,6 +65,7 @@ private:
 
     const SceneProgram& program_;
     const SceneWords* folded_;
+    const FurtherMember& further_;
     std::string text_;
     std::size_t depth_ = 1;
 };
@@ -82,9 +86,13 @@ std::string GlslWriter::head() const
                        "#include \"sdf_scenes/operators.glsl\"\n#include \"sdf_scenes/material.glsl\"\n";
     if (shapes) text += "#include \"sdf_scenes/shapes.glsl\"\n";
     if (noise) text += "#include \"sdf_scenes/noise.glsl\"\n";
-    if (folded_ || program_.wordCount() == 0) return text;
-    return text + "\nlayout(std140, binding = BLOCK_EXHIBIT) uniform Scene {\n    vec4 sceneValues[" +
-           std::to_string((program_.wordCount() + 3) / 4) + "];\n};\n";
+    if (!further_.file.empty()) text += "#include \"" + further_.file + "\"\n";
+    std::string members;
+    if (!folded_ && program_.wordCount() > 0)
+        members = "    vec4 sceneValues[" + std::to_string((program_.wordCount() + 3) / 4) + "];\n";
+    if (!further_.declaration.empty()) members += "    " + further_.declaration + ";\n";
+    if (members.empty()) return text;
+    return text + "\nlayout(std140, binding = BLOCK_EXHIBIT) uniform Scene {\n" + members + "};\n";
 }
 
 std::string GlslWriter::word(std::uint32_t at) const
@@ -171,7 +179,7 @@ std::string GlslWriter::body(bool withMaterials)
     text_.clear();
     depth_ = 1;
     if (program_.nodes().empty()) {
-        line(withMaterials ? "return SceneSurface(1.0e9, sceneMaterial(vec4(0.0), vec4(0.0), vec4(1.0)));"
+        line(withMaterials ? "return SceneSurface(1.0e9, sceneMaterial(vec4(0.0), vec4(0.0), vec4(1.0), vec4(0.0)));"
                            : "return 1.0e9;");
         return text_;
     }
@@ -205,7 +213,7 @@ void GlslWriter::writeEnter(std::uint32_t index, bool withMaterials)
     const std::string i = named('i', index);
     line("float " + named('d', index) + " = 1.0e9;");
     if (withMaterials)
-        line("SceneMaterial " + named('m', index) + " = sceneMaterial(vec4(0.0), vec4(0.0), vec4(1.0));");
+        line("SceneMaterial " + named('m', index) + " = sceneMaterial(vec4(0.0), vec4(0.0), vec4(1.0), vec4(0.0));");
     line("for (int " + i + " = 0; " + i + " < int(" + word(times) + ") * int(" + word(times + 1) + ") * int(" +
          word(times + 2) + "); ++" + i + ") {");
     ++depth_;
@@ -270,14 +278,14 @@ void GlslWriter::writeStep(const Step& step, bool withMaterials)
 
 }  // namespace
 
-std::string sceneGlsl(const SceneProgram& program)
+std::string sceneGlsl(const SceneProgram& program, const FurtherMember& further)
 {
-    return GlslWriter(program, nullptr).write();
+    return GlslWriter(program, nullptr, further).write();
 }
 
-std::string foldedSceneGlsl(const SceneProgram& program, const SceneWords& words)
+std::string foldedSceneGlsl(const SceneProgram& program, const SceneWords& words, const FurtherMember& further)
 {
-    return GlslWriter(program, &words).write();
+    return GlslWriter(program, &words, further).write();
 }
 
 std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl)

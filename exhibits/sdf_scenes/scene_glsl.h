@@ -13,6 +13,12 @@ namespace vitrine::scenes {
 /// Where a generated field is included from; `sdf_scenes/field_material.glsl` includes nothing and stands behind it.
 inline constexpr const char* generatedField = "sdf_scenes/generated_field.glsl";
 
+/// A member that the uniform block has behind the scene's numbers, for the shader around the field.
+struct FurtherMember {
+    std::string file;         ///< Included before: it declares the type.
+    std::string declaration;  ///< "SceneStage stage".
+};
+
 /// GLSL of one scene, step by step, with nothing in it that the scene does not contain:
 ///
 ///     float fieldDistance(vec3 p);         // meters, 1-Lipschitz
@@ -20,15 +26,15 @@ inline constexpr const char* generatedField = "sdf_scenes/generated_field.glsl";
 ///
 /// Its numbers come from the uniform block at BLOCK_EXHIBIT (`sceneBlock`), so that changing them compiles nothing.
 /// Choices, such as the profile of a blend, are part of the text.
-[[nodiscard]] std::string sceneGlsl(const SceneProgram&);
+[[nodiscard]] std::string sceneGlsl(const SceneProgram&, const FurtherMember& = {});
 
-/// The same with these numbers folded into the text, and no block.
-[[nodiscard]] std::string foldedSceneGlsl(const SceneProgram&, const SceneWords&);
+/// The same with these numbers folded into the text: the block has the further member, or is not there.
+[[nodiscard]] std::string foldedSceneGlsl(const SceneProgram&, const SceneWords&, const FurtherMember& = {});
 
 /// A text as `SdfShaders::generated` takes it.
 [[nodiscard]] std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl);
 
-/// What the uniform block holds.
+/// What the uniform block holds, up to the further member.
 [[nodiscard]] std::vector<std::byte> sceneBlock(const SceneWords&);
 
 }  // namespace vitrine::scenes

@@ -22,7 +22,7 @@ void fillMaterial(const Record& record, const double* v, double* words)
 {
     for (std::size_t i = 0; i < 3; ++i) words[i] = v[i];
     double* rest =
-        words + 3;  // ambient, diffuse, specular, shininess, mirror, metalness, roughness, reflectance, index
+        words + 3;  // ambient, diffuse, specular, shininess, mirror, metalness, roughness, reflectance, index, ...
     if (record.kind->name == "phong") {
         std::copy(v + 3, v + 8, rest);
         const double mirror = v[7];
@@ -32,7 +32,7 @@ void fillMaterial(const Record& record, const double* v, double* words)
         rest[8] = 1.5;
         return;
     }
-    std::copy(v + 3, v + 7, rest + 5);
+    std::copy(v + 3, v + 9, rest + 5);
     const double alpha = std::max(v[4] * v[4], 0.01);
     rest[0] = 0.2;
     rest[1] = 1 - v[3];

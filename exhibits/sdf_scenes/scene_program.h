@@ -47,7 +47,7 @@ struct SceneWords {
 };
 
 /// The numbers of a material in the order of shaders/sdf_scenes/material.glsl.
-inline constexpr std::size_t wordsOfMaterial = 12;
+inline constexpr std::size_t wordsOfMaterial = 16;
 
 /// A scene's tree as steps. It depends on what the tree contains, not on its numbers.
 class SceneProgram {
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
     [[nodiscard]] const NodeKind& kind(const ProgramNode& node) const { return *scene_->nodes[node.node].kind; }
     [[nodiscard]] std::size_t wordCount() const { return wordCount_; }
-    /// Twelve words for each material that a node has, from here.
+    /// `wordsOfMaterial` for each material that a node has, from here.
     [[nodiscard]] std::uint32_t materialWord(std::uint32_t material) const { return materialWords_[material]; }
 
     /// From `Scene::numbersAt`.

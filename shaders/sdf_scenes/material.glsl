@@ -13,6 +13,8 @@ struct SceneMaterial {
     float roughness;        // perceptual, 0 to 1
     float reflectance;      // 0.5 is 4 % at normal incidence
     float refractiveIndex;  // of glass
+    float transmission;     // 0 is opaque, 1 is clear glass
+    float emission;         // light of its own, in colors
 };
 
 struct SceneSurface {
@@ -20,8 +22,8 @@ struct SceneSurface {
     SceneMaterial material;
 };
 
-// From twelve numbers in the order above.
-SceneMaterial sceneMaterial(vec4 a, vec4 b, vec4 c)
+// From the numbers in the order above; the last two are of no use yet.
+SceneMaterial sceneMaterial(vec4 a, vec4 b, vec4 c, vec4 d)
 {
     SceneMaterial m;
     m.color = vec3(a.x, a.y, a.z);
@@ -34,6 +36,8 @@ SceneMaterial sceneMaterial(vec4 a, vec4 b, vec4 c)
     m.roughness = c.y;
     m.reflectance = c.z;
     m.refractiveIndex = c.w;
+    m.transmission = d.x;
+    m.emission = d.y;
     return m;
 }
 
@@ -54,5 +58,7 @@ SceneMaterial sceneBlend(SceneMaterial a, SceneMaterial b, float share)
     m.roughness = a.roughness * rest + b.roughness * share;
     m.reflectance = a.reflectance * rest + b.reflectance * share;
     m.refractiveIndex = a.refractiveIndex * rest + b.refractiveIndex * share;
+    m.transmission = a.transmission * rest + b.transmission * share;
+    m.emission = a.emission * rest + b.emission * share;
     return m;
 }

@@ -4,6 +4,7 @@
 // SHADOW_METHOD (of the table), BOUNCES (some are asked for).
 #include "kit/sdf/ray.glsl"
 #include "kit/sdf/shade.glsl"
+#include "lib/heat_color.glsl"
 #include "lib/tonemap.glsl"
 #include "kit/sdf/shading.glsl"
 
@@ -16,16 +17,6 @@ layout(location = 1) out vec4 normalOut;
 #ifndef COUNT
 layout(depth_any) out float gl_FragDepth;
 #endif
-
-// Black, violet, red, amber, white: dark to bright, so that it also reads without color.
-vec3 heatColor(float x)
-{
-    float t = clamp(x, 0.0, 1.0) * 4.0;
-    vec3 c = mix(vec3(0.01, 0.01, 0.03), vec3(0.16, 0.04, 0.30), clamp(t, 0.0, 1.0));
-    c = mix(c, vec3(0.62, 0.09, 0.10), clamp(t - 1.0, 0.0, 1.0));
-    c = mix(c, vec3(0.90, 0.50, 0.08), clamp(t - 2.0, 0.0, 1.0));
-    return mix(c, vec3(0.97, 0.96, 0.90), clamp(t - 3.0, 0.0, 1.0));
-}
 
 vec3 heat(March march, Hit hit)
 {

@@ -1,0 +1,228 @@
+#include "exhibits/sdf_scenes/sdf_scenes.h"
+
+#include "exhibits/framework/file_path.h"
+#include "exhibits/sdf_scenes/scene_glsl.h"
+#include "render/files/assets.h"
+#include "render/scene/held_bytes.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <cmath>
+#include <functional>
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace vitrine {
+namespace {
+
+constexpr const char* firstScene = "scenes/conservatory.json";
+
+using scenes::SceneContents;
+using scenes::ShownScene;
+
+struct PreparedScene final : PreparedPart {
+    std::shared_ptr<const render::Texture> environment;
+};
+
+double secondsAt(const SdfScenesTable& t, const ParameterValues& values, double time)
+{
+    return values[t.moment] + (values[t.animate] && std::isfinite(time) ? time : 0);
+}
+
+double orbitAt(const SdfScenesTable& t, const ParameterValues& values, double time)
+{
+    const double gone = std::isfinite(time) ? values[t.orbitSpeed] * time : 0;
+    return std::remainder(values[t.orbit] + gone, 2 * std::numbers::pi);
+}
+
+/// What the shader has, and what it does without, and why.
+struct ScenePass {
+    const SdfScenesTable& t;
+    const ParameterValues& values;
+    const ShownScene& shown;
+    bool source;
+    render::Pass& pass;
+    render::FramePlan& plan;
+
+    void define(std::string text) const { pass.shader.defines.push_back(std::move(text)); }
+
+    void add(bool there, const char* text, const char* step, const char* why) const
+    {
+        if (there) define(text);
+        else plan.skip(std::string("sdf_scenes/") + step, why);
+    }
+
+    void shadows() const
+    {
+        const SceneShadow method = values[t.shadowMethod];
+        const bool lit = !shown.scene->lights.empty();
+        add(lit, "LIGHTS", "lights", "the scene has no lights");
+        if (!lit || method == SceneShadow::none)
+            plan.skip("sdf_scenes/shadows", lit ? "shadows are switched off" : "the scene has no lights");
+        else
+            define("SHADOWS " + std::to_string(method == SceneShadow::look ? (source ? 6 : 4)
+                                                                           : static_cast<int>(method) - 1));
+    }
+
+    void occlusion() const
+    {
+        SceneOcclusion method = values[t.occlusionMethod];
+        if (method == SceneOcclusion::look && !source) method = SceneOcclusion::taps;
+        if (method == SceneOcclusion::none)
+            plan.skip("sdf_scenes/occlusion", "ambient occlusion is switched off");
+        else
+            define("OCCLUSION " + std::to_string(static_cast<int>(method)));
+    }
+
+    void all() const
+    {
+        const SceneContents& has = shown.contents;
+        if (source) define("SOURCE_LOOK");
+        shadows();
+        occlusion();
+        add(source ? has.mirrorsInSource : has.mirrors, "MIRRORS", "reflections", "nothing in the scene mirrors");
+        add(!source && has.glass, "GLASS", "glass", source ? "the source has no glass" : "nothing is made of glass");
+        add(!source && has.lamps, "LAMPS", "lamps",
+            source ? "the source shows no lamps" : "no light of the scene has an area");
+        if (has.glows) define("GLOWS");
+        if (values[t.heatMap] != SceneHeatMap::none) define("HEAT_MAP");
+    }
+};
+
+}  // namespace
+
+SdfScenes::SdfScenes() : first_(scenes::readShownScene(render::asset(firstScene))) {}
+
+const ShownScene& SdfScenes::shown(const ParameterValues& values) const
+{
+    const auto& table = static_cast<const Table&>(values.table());
+    return table.shown ? *table.shown : *first_;
+}
+
+std::vector<double> SdfScenes::numbersAt(const ParameterValues& values, double time) const
+{
+    const auto& table = static_cast<const Table&>(values.table());
+    std::vector<double> ofScene;
+    for (const Real& row : table.ofScene) ofScene.push_back(values[row]);
+    const scenes::Scene& scene = *shown(values).scene;
+    std::vector<double> numbers = scene.numbersAt(secondsAt(table_, values, time), ofScene);
+    const SceneLook look = values[table_.look];
+    if (look != SceneLook::scene) numbers[scene.look.numbers] = look == SceneLook::source ? 1 : 0;
+    return numbers;
+}
+
+render::Box SdfScenes::bounds(const ParameterValues&) const
+{
+    return portalBounds({});
+}
+
+render::Camera SdfScenes::bestView(const ParameterValues& values) const
+{
+    return scenes::sceneView(scenes::sceneCamera(*shown(values).scene, numbersAt(values, 0), 0).fovY);
+}
+
+double SdfScenes::nextChange(const ParameterValues& values, double) const
+{
+    const bool moves = (values[table_.animate] && shown(values).contents.moves) || values[table_.orbitSpeed] != 0;
+    return moves ? 0 : std::numeric_limits<double>::infinity();
+}
+
+bool SdfScenes::press(ParameterValues& values) const
+{
+    values.set(table_.animate, !values[table_.animate]);
+    return true;
+}
+
+std::vector<StudyView> SdfScenes::studyViews(const ParameterValues& values) const
+{
+    ParameterValues still = values;
+    still.set(table_.animate, false);
+    still.set(table_.orbitSpeed, 0.0);
+    ParameterValues around = still;
+    around.set(table_.orbit, values[table_.orbit] + 0.6);
+    render::Camera aside = bestView(values);
+    aside.eye += glm::dvec3(0.5, 0.2, 0.1);
+    return {{"best view", bestView(values), 0, still},
+            {"from the side", aside, 0, still},
+            {"gone around", bestView(values), 0, around}};
+}
+
+CalledTable SdfScenes::tableFor(const ParameterValues& values, render::AssetStore& assets) const
+{
+    const ParameterInfo& row = table_.rows()[table_.scene.row];
+    const std::string path = filePath(row, values[table_.scene]);
+    if (path.empty()) return {{std::shared_ptr<const Parameters>(), &table_}, {}};
+    const auto read = assets.get<Table>("sdf_scenes.scene", path, [](const std::string& file) {
+        auto scene = scenes::readShownScene(file);
+        const std::uint64_t bytes = 4096 + 64 * scene->program->wordCount();
+        return render::AssetStore::Made<Table>{std::make_shared<const Table>(std::move(scene)), bytes};
+    });
+    if (read.value) return {read.value, {}};
+    return {nullptr, unreadableFile(row, title(), read.failure)};
+}
+
+std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& context) const
+{
+    const ShownScene& scene = shown(context.values);
+    const scenes::Record& environment = scene.scene->environment;
+    if (!context.seen || environment.files.empty()) return nullptr;
+    auto part = std::make_shared<PreparedScene>();
+    const std::string path = (scene.path.parent_path() / environment.files.front()).string();
+    std::uint64_t others = 0;
+    for (const std::string& file : environment.files) others = 31 * others + std::hash<std::string>()(file);
+    const auto read =
+        context.assets.get<render::Texture>("sdf_scenes.environment", path, [&scene](const std::string&) {
+            auto picture = scenes::readEnvironment(scene);
+            const std::uint64_t bytes = heldBytes(*picture);
+            return render::AssetStore::Made<render::Texture>{std::move(picture), bytes};
+        }, others);
+    part->environment = read.value;
+    part->filesId = read.id;
+    if (!read.failure.empty())
+        part->unreadable.push_back({"sdf_scenes/environment",
+                                    unreadableFile(table_.rows()[table_.scene.row], title(), read.failure),
+                                    "What surrounds the scene is black until it can be read."});
+    return part;
+}
+
+void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
+{
+    const ParameterValues& values = context.values;
+    const ShownScene& scene = shown(values);
+    const std::vector<double> numbers = numbersAt(values, context.time);
+    const scenes::SceneWords words = scene.program->words(numbers);
+    const scenes::SceneCamera camera =
+        scenes::sceneCamera(*scene.scene, numbers, orbitAt(table_, values, context.time));
+    // Shaders see the rows that every scene has, so that all scenes have one block of them.
+    std::vector<std::string> notes;
+    const ParameterValues common = values.under({std::shared_ptr<const Parameters>(), &table_}, notes);
+    render::Pass pass = portalPass("sdf_scenes/scene", "in view", common, "sdf_scenes/scene.frag",
+                                   scenes::scenePortal(camera, scene.toOpening), context);
+    pass.shader.sources = scene.sources;
+    pass.shader.slot = pass.name;
+    const bool source = numbers[scene.scene->look.numbers] > 0.5;
+    ScenePass{table_, values, scene, source, pass, plan}.all();
+
+    scenes::SceneStage stage = scenes::sceneStage(scene, words, numbers);
+    stage.bounces = std::min(stage.bounces, values[table_.bounces]);
+    stage.exposure *= static_cast<float>(values[table_.brightness]);
+    const auto* prepared = static_cast<const PreparedScene*>(context.prepared);
+    if (!scene.scene->environment.files.empty()) {
+        if (prepared && prepared->environment) {
+            pass.shader.defines.emplace_back("PANORAMA");
+            pass.inputs.push_back({UNIT_EXHIBIT_A, prepared->environment});
+        }
+    }
+    render::Bytes block = scenes::sceneBlock(words);
+    const render::Bytes around = render::std140Bytes(stage);
+    block.insert(block.end(), around.begin(), around.end());
+    pass.blocks[BLOCK_EXHIBIT] = std::move(block);
+    plan.add(std::move(pass));
+    if (scene.scene->lights.size() > SCENE_MOST_LIGHTS)
+        plan.warn("sdf_scenes/lights", "The scene has " + std::to_string(scene.scene->lights.size()) +
+                                           " lights; the first " + std::to_string(SCENE_MOST_LIGHTS) + " shine.");
+}
+
+}  // namespace vitrine

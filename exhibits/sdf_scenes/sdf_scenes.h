@@ -1,0 +1,50 @@
+#pragma once
+
+#include "exhibits/framework/exhibit.h"
+#include "exhibits/sdf_scenes/sdf_scenes_table.h"
+#include "exhibits/sdf_scenes/shown_scene.h"
+
+namespace vitrine {
+
+/// A scene of shapes from a file, behind a deep frame: its tree becomes a shader of its own, its parameters sliders.
+/// Read scene.h, then shown_scene.h (what is made of a scene once) and shaders/sdf_scenes/scene.frag.
+class SdfScenes final : public Exhibit, public HasButton, public HasSurroundings, public TableFromFiles {
+public:
+    using Table = SdfScenesTable;
+
+    /// Throws Failure where the scene that is there at first cannot be read.
+    SdfScenes();
+    [[nodiscard]] std::string_view name() const override { return "sdf_scenes"; }
+    [[nodiscard]] std::string_view title() const override { return "SDF Scenes"; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "A file of shapes becomes a shader; its numbers become sliders.";
+    }
+    [[nodiscard]] std::string_view tryThis() const override { return "load a preset, then drag what is its own."; }
+    [[nodiscard]] std::string_view buttonText() const override { return "let time run"; }
+    [[nodiscard]] int place() const override { return 5; }
+    [[nodiscard]] const Table& parameters() const override { return table_; }
+    /// The opening.
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    [[nodiscard]] bool surrounds(const ParameterValues&) const override { return true; }
+    /// Where the scene's camera stands.
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
+    [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
+    bool press(ParameterValues&) const override;
+    [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    [[nodiscard]] bool castsShadow() const override { return false; }
+    [[nodiscard]] CalledTable tableFor(const ParameterValues&, render::AssetStore&) const override;
+    [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
+    void plan(const PlanContext&, render::FramePlan&) const override;
+
+private:
+    /// Of these values' table, or the one that is there at first.
+    [[nodiscard]] const scenes::ShownScene& shown(const ParameterValues&) const;
+    /// All numbers of the scene at that time of the exhibit's clock, its look in place of the file's where asked for.
+    [[nodiscard]] std::vector<double> numbersAt(const ParameterValues&, double time) const;
+
+    Table table_;
+    std::shared_ptr<const scenes::ShownScene> first_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,32 @@
+#include "exhibits/sdf_scenes/sdf_scenes_table.h"
+
+#include "exhibits/sdf_scenes/shown_scene.h"
+
+#include <cctype>
+
+namespace vitrine {
+namespace {
+
+/// A name for the row of a scene's parameter, which the table does not have yet.
+std::string freeName(const SdfScenesTable& table, const std::string& name)
+{
+    if (!table.find(name)) return name;
+    std::string free = "own" + name;
+    free[3] = static_cast<char>(std::toupper(static_cast<unsigned char>(free[3])));
+    while (table.find(free)) free += "2";
+    return free;
+}
+
+}  // namespace
+
+SdfScenesTable::SdfScenesTable(std::shared_ptr<const scenes::ShownScene> of) : shown(std::move(of))
+{
+    if (!shown || shown->scene->parameters().empty()) return;
+    group(shown->scene->name.empty() ? "Of this scene" : shown->scene->name);
+    for (const scenes::SceneParameter& p : shown->scene->parameters()) {
+        const std::string help = p.help.empty() ? "A parameter of this scene." : p.help;
+        ofScene.push_back(real(freeName(*this, p.name), p.initial, p.unit, Range{p.low, p.high}, help));
+    }
+}
+
+}  // namespace vitrine

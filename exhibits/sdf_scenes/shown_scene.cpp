@@ -1,0 +1,153 @@
+#include "exhibits/sdf_scenes/shown_scene.h"
+
+#include "exhibits/sdf_scenes/scene_glsl.h"
+#include "exhibits/sdf_scenes/scene_reader.h"
+#include "render/failure.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::scenes {
+namespace {
+
+/// A number of a material: what it is, and whether it stays.
+struct MaterialNumbers {
+    const Scene& scene;
+    const Record& record;
+
+    [[nodiscard]] const Number& number(std::size_t i) const { return scene.numbers[record.numbers + i]; }
+    [[nodiscard]] bool mayBeAbove(std::size_t i, double limit) const
+    {
+        return number(i).expression != none || number(i).value > limit;
+    }
+    [[nodiscard]] bool mayBeBelow(std::size_t i, double limit) const
+    {
+        return number(i).expression != none || number(i).value < limit;
+    }
+};
+
+/// Rougher surfaces show a blurred environment in place of mirror images: shaders/sdf_scenes/our_look.glsl.
+constexpr double roughestMirror = 0.35;
+
+void addMaterial(const MaterialNumbers& m, SceneContents& contents)
+{
+    // color, then of Phong's: ambient, diffuse, specular, shininess, mirror
+    if (m.record.kind->name == "phong") {
+        const bool mirror = m.mayBeAbove(7, 0);
+        contents.mirrors = contents.mirrors || mirror;
+        contents.mirrorsInSource = contents.mirrorsInSource || mirror;
+        return;
+    }
+    // metalness, roughness, reflectance, refractive index, transmission, emission
+    contents.mirrors = contents.mirrors || m.mayBeBelow(4, roughestMirror);
+    contents.mirrorsInSource = contents.mirrorsInSource || (m.mayBeAbove(3, 0) && m.mayBeBelow(4, 0.3));
+    contents.glass = contents.glass || m.mayBeAbove(7, 0);
+    contents.glows = contents.glows || m.mayBeAbove(8, 0);
+}
+
+SceneContents contentsOf(const Scene& scene, const SceneProgram& program)
+{
+    SceneContents contents;
+    for (std::uint32_t i = 0; i < scene.materials.size(); ++i)
+        if (program.materialWord(i) != none) addMaterial({scene, scene.materials[i]}, contents);
+    contents.lamps = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                 [](const Record& light) { return light.kind->name == "area"; });
+    contents.moves = scene.animated();
+    return contents;
+}
+
+glm::dvec3 vectorAt(const std::vector<double>& numbers, std::size_t i)
+{
+    return {numbers[i], numbers[i + 1], numbers[i + 2]};
+}
+
+/// How far before the camera the frame can be, so that its pane cuts nothing: the nearest surface is no nearer than its
+/// corners.
+double openingOf(const Scene& scene, const std::shared_ptr<const SceneProgram>& program)
+{
+    const std::vector<double> numbers = scene.numbersAt(0);
+    const SceneCamera camera = sceneCamera(scene, numbers, 0);
+    const double clear = SceneField(program, program->words(numbers)).distance(camera.eye);
+    const Portal portal;
+    const double corner = std::tan(0.5 * camera.fovY) * glm::length(portal.halfSize) / portal.halfSize.y;
+    const double toTarget = glm::length(camera.target - camera.eye);
+    return std::clamp(clear / std::hypot(1.0, corner), 0.02 * toTarget, 0.7 * toTarget);
+}
+
+}  // namespace
+
+std::shared_ptr<const ShownScene> shownScene(std::shared_ptr<const Scene> scene, std::filesystem::path path)
+{
+    auto shown = std::make_shared<ShownScene>();
+    shown->scene = std::move(scene);
+    shown->program = std::make_shared<const SceneProgram>(shown->scene);
+    shown->sources =
+        generatedSources(sceneGlsl(*shown->program, {"sdf_scenes/stage_block.glsl", "SceneStage stage"}));
+    shown->contents = contentsOf(*shown->scene, *shown->program);
+    shown->toOpening = openingOf(*shown->scene, shown->program);
+    shown->path = std::move(path);
+    return shown;
+}
+
+std::shared_ptr<const ShownScene> readShownScene(const std::filesystem::path& path)
+{
+    ReadScene read = readSceneFile(path);
+    if (!read.scene) throw Failure(Blame::file, read.findings.front().text());
+    return shownScene(std::move(read.scene), path);
+}
+
+SceneCamera sceneCamera(const Scene& scene, const std::vector<double>& numbers, double orbit)
+{
+    const std::size_t at = scene.camera.numbers;
+    SceneCamera camera{vectorAt(numbers, at), vectorAt(numbers, at + 3), vectorAt(numbers, at + 6), numbers[at + 9]};
+    const double far = glm::length(camera.eye - camera.target);
+    if (!(far > 1e-6)) camera.eye = camera.target + glm::dvec3(0, 0, 1);
+    const double upright = glm::length(camera.up);
+    camera.up = upright > 0 ? camera.up / upright : glm::dvec3(0, 1, 0);
+    const glm::dvec3 away = glm::normalize(camera.eye - camera.target);
+    if (glm::length(glm::cross(away, camera.up)) < 1e-6)
+        camera.up = std::abs(away.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+    const glm::dmat3 turn(glm::rotate(glm::dmat4(1), orbit, {0, 1, 0}));
+    camera.eye = camera.target + turn * (camera.eye - camera.target);
+    camera.up = turn * camera.up;
+    return camera;
+}
+
+namespace {
+
+/// From the eye to the opening, meters of the hall: never so near that the wall would be in the way.
+double eyeToOpening(double fovY)
+{
+    const Portal portal;
+    return std::max(portal.halfSize.y / std::tan(0.5 * fovY), portal.behind + 0.35);
+}
+
+}  // namespace
+
+Portal scenePortal(const SceneCamera& camera, double toOpening)
+{
+    Portal portal;
+    const double toEye = eyeToOpening(camera.fovY);
+    const glm::dvec3 back = glm::normalize(camera.eye - camera.target);
+    const glm::dvec3 right = glm::normalize(glm::cross(camera.up, back));
+    const double scale = toOpening / toEye;
+    glm::dmat4 work(1);
+    work[0] = glm::dvec4(scale * right, 0);
+    work[1] = glm::dvec4(scale * glm::cross(back, right), 0);
+    work[2] = glm::dvec4(scale * back, 0);
+    work[3] = glm::dvec4(camera.eye - scale * (toEye - portal.behind) * back, 1);
+    portal.workFromExhibit = work;
+    return portal;
+}
+
+render::Camera sceneView(double fovY)
+{
+    const Portal portal;
+    const double toEye = eyeToOpening(fovY);
+    const double fits = 2 * std::atan(1.12 * portal.halfSize.y / toEye);
+    return {{0, 0, toEye - portal.behind}, {0, 0, -portal.behind}, fits};
+}
+
+}  // namespace vitrine::scenes

@@ -1,0 +1,49 @@
+// Where rays meet the scene.
+
+struct SceneHit {
+    vec3 position;
+    vec3 normal;      // unit; outward
+    float tolerance;  // meters
+    float traveled;   // length of the path so far
+};
+
+struct SceneSeen {
+    vec3 radiance;
+    vec3 normal;     // of the first surface; 0 where there is none
+    float distance;  // of the same; at least 1e20
+    int steps;       // of the eye's ray
+};
+
+MarchSettings sceneSettings(float tMin, float footprint)
+{
+    MarchSettings s = marchSettings(tMin, stage.farthest, 0.5 * footprint);
+    s.tolerance = parameters.hitTolerance;
+    s.stepLimit = parameters.stepLimit;
+    return s;
+}
+
+// The first surface along a ray, within the box that holds everything.
+March sceneMarch(vec3 origin, vec3 direction, MarchSettings settings)
+{
+    MarchSettings s = settings;
+    vec2 span = rayBox(origin, direction, stage.boxLow, stage.boxHigh);
+    if (s.tMin > 0.0) s.tMin = max(s.tMin, span.x);
+    s.tMax = min(s.tMax, span.y);
+    // Floats are coarser far from the origin.
+    s.toleranceFloor = 1e-5 + 4e-7 * length(origin);
+    March march = sphereTrace(origin, direction, s);
+    evaluations += march.evaluations;
+    return march;
+}
+
+SceneHit sceneHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
+{
+    SceneHit hit;
+    hit.position = origin + direction * march.t;
+    hit.tolerance = hitTolerance(march.t, settings);
+    hit.traveled = settings.traveled + march.t;
+    float h = max(max(parameters.normalStep, 0.25 * settings.pixelCone * hit.traveled), 2e-6 * length(hit.position));
+    hit.normal = fieldNormal(hit.position, h, NORMAL_CENTRAL, -direction * march.side);
+    evaluations += 6;
+    return hit;
+}

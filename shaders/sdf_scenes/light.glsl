@@ -1,0 +1,181 @@
+// What lights a point of a scene, and what keeps it away.
+
+#define SHADOWS_HARD 1
+#define SHADOWS_CLASSIC 2
+#define SHADOWS_IMPROVED 3
+#define SHADOWS_SIGNED 4
+#define SHADOWS_AREA 5
+#define SHADOWS_SOURCE 6
+
+#define OCCLUSION_SOURCE 0
+#define OCCLUSION_TAPS 2
+#define OCCLUSION_HEMISPHERE 3
+#define OCCLUSION_CONES 4
+
+// Another number for every pixel and supersample, 0 to 1.
+float pixelNumber(uint salt)
+{
+    uvec2 pixel = uvec2(framePixel(gl_FragCoord.xy));
+    return unitFromBits(pcg(pcg(pixel.x + 65536u * pixel.y) + 747796405u * uint(frame.sampleIndex) + salt));
+}
+
+#ifdef LIGHTS
+struct SceneLight {
+    vec3 direction;  // towards it, unit
+    vec3 arriving;   // irradiance over pi on what faces it
+    float distance;  // to it
+    float width;     // tangent of half the angle that it takes
+};
+
+SceneLight sceneLight(int i, vec3 p)
+{
+    SceneLight l;
+    vec4 place = stage.lightPlace[i];
+    vec4 color = stage.lightColor[i];
+    if (int(place.w) == SCENE_SUN) {
+        l.direction = place.xyz;
+        l.arriving = color.rgb;
+        l.distance = stage.farthest;
+        l.width = color.w;
+        return l;
+    }
+    vec3 away = place.xyz - p;
+    float squared = max(dot(away, away), 1e-6);
+    l.distance = sqrt(squared);
+    l.direction = safeNormalize(away, vec3(0.0, 1.0, 0.0));
+#ifdef SOURCE_LOOK
+    l.arriving = color.rgb;
+#else
+    // No nearer than its own size.
+    l.arriving = color.rgb / max(squared, parameters.lampSize * parameters.lampSize + 1e-4);
+#endif
+    l.width = parameters.lampSize / l.distance;
+#ifdef LAMPS
+    if (int(place.w) == SCENE_AREA) {
+        vec3 across = stage.lightAcross[i].xyz;
+        vec3 along = stage.lightAlong[i].xyz;
+        vec3 facing = cross(across, along);
+        float half_ = sqrt(length(facing));
+        // As a disk of its area (Snyder 1996): at any distance no brighter than a sky of its radiance.
+        float area = 4.0 * length(facing);
+        float shown = max(-dot(l.direction, safeNormalize(facing, vec3(0.0, 1.0, 0.0))), 0.0);
+        l.arriving = color.rgb * (area * shown / (PI * squared + area));
+        l.width = half_ * 1.1 / l.distance;
+    }
+#endif
+    return l;
+}
+
+#ifdef SHADOWS
+// Share of a light that shapes leave at `p`, which lies beside a surface.
+float sceneVisibility(vec3 p, SceneLight l, uint salt)
+{
+    float tMax = min(l.distance, rayBox(p, l.direction, stage.boxLow, stage.boxHigh).y);
+    float tMin = 0.002;
+#if SHADOWS == SHADOWS_HARD
+    Shadow s = shadowHard(p, l.direction, tMin, tMax, parameters.stepLimit);
+#elif SHADOWS == SHADOWS_CLASSIC
+    Shadow s = shadowClassic(p, l.direction, l.width, tMin, tMax, parameters.stepLimit);
+#elif SHADOWS == SHADOWS_IMPROVED
+    Shadow s = shadowAaltonen(p, l.direction, l.width, tMin, tMax, parameters.stepLimit);
+#elif SHADOWS == SHADOWS_SIGNED
+    Shadow s = shadowSigned(p, l.direction, l.width, tMin, tMax, parameters.stepLimit);
+#elif SHADOWS == SHADOWS_AREA
+    Shadow s = shadowArea(p, l.direction, l.width, tMin, tMax, parameters.stepLimit, parameters.shadowRays, 2.0 * PI * pixelNumber(salt));
+#else
+    // The source's: the narrowest clearance k d / t from 0.1 on, smoothed, and hard for k = 0. Unlike there, what is
+    // behind the light keeps nothing away.
+    Shadow s = shadowClassic(p, l.direction, stage.softShadows > 0.0 ? 1.0 / stage.softShadows : 1e-4, 0.1, tMax, parameters.stepLimit);
+    s.visibility = stage.softShadows > 0.0 ? smoothStep(0.0, 1.0, s.visibility) : step(1e-3, s.visibility);
+#endif
+    evaluations += s.evaluations;
+    return s.visibility;
+}
+#endif
+#endif
+
+#ifdef OCCLUSION
+// Orthonormal axes around a direction: Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+mat3 axesAround(vec3 n)
+{
+    float s = n.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (s + n.z);
+    float b = n.x * n.y * a;
+    return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
+}
+
+#if OCCLUSION == OCCLUSION_HEMISPHERE || OCCLUSION == OCCLUSION_SOURCE
+// Share of rays that find something within the range, which counts less towards its end.
+float hemisphereHidden(vec3 p, vec3 n, int rays, float range)
+{
+    mat3 axes = axesAround(n);
+    float turn = pixelNumber(17u);
+    float hidden = 0.0;
+    for (int k = 0; k < rays; ++k) {
+        float share = (float(k) + 0.5) / float(rays);
+#if OCCLUSION == OCCLUSION_SOURCE
+        // The source's angles are even in the polar angle, and the same for all pixels; here they turn.
+        float polar = 0.5 * PI * fract(float(k) * 0.754877666 + 0.5);
+        float sine = sin(polar);
+#else
+        float sine = sqrt(share);
+#endif
+        float angle = 2.0 * PI * (float(k) * 0.618033989 + turn);
+        vec3 d = axes * vec3(sine * cos(angle), sine * sin(angle), safeSqrt(1.0 - sine * sine));
+        float t = 0.002;
+        float blocked = 0.0;
+        for (int i = 0; i < 48 && t < range; ++i) {
+            float f = fieldDistance(p + d * t);
+            evaluations += 1;
+            if (f < 1e-3 * t + 1e-4) {
+                blocked = range < 1e3 ? 1.0 - t * t / (range * range) : 1.0;
+                break;
+            }
+            t += f;
+        }
+        hidden += blocked;
+    }
+    return hidden / float(max(rays, 1));
+}
+#endif
+
+#if OCCLUSION == OCCLUSION_CONES
+// Six cones of 30 degrees cover the hemisphere: one up the normal and five around it (Crassin et al. 2011, "Interactive
+// Indirect Illumination Using Voxel Cone Tracing"), weighted by their cosine.
+float conesHidden(vec3 p, vec3 n, float range)
+{
+    mat3 axes = axesAround(n);
+    float open = 0.0;
+    for (int k = 0; k < 6; ++k) {
+        float angle = 2.0 * PI * (float(k) * 0.2 + 0.1);
+        vec3 d = k == 0 ? n : axes * vec3(0.8660254 * cos(angle), 0.8660254 * sin(angle), 0.5);
+        float clear = 1.0;
+        float t = 0.02 * range;
+        for (int i = 0; i < 7 && t < range; ++i) {
+            float f = fieldDistance(p + d * t);
+            evaluations += 1;
+            float here = clamp(0.5 + 0.5 * f / (0.5773503 * t), 0.0, 1.0);
+            clear = min(clear, mix(here, 1.0, t * t / (range * range)));
+            t += max(f, 0.08 * range);
+        }
+        open += clear * (k == 0 ? 0.25 : 0.15);
+    }
+    return 1.0 - open;
+}
+#endif
+
+// Share of the light around a point that shapes keep away.
+float sceneHidden(vec3 p, vec3 n)
+{
+#if OCCLUSION == OCCLUSION_TAPS
+    evaluations += 5;
+    return 1.0 - fieldOcclusion(p, n, parameters.occlusionRange);
+#elif OCCLUSION == OCCLUSION_HEMISPHERE
+    return hemisphereHidden(p, n, parameters.occlusionRays, parameters.occlusionRange);
+#elif OCCLUSION == OCCLUSION_CONES
+    return conesHidden(p, n, parameters.occlusionRange);
+#else
+    return hemisphereHidden(p + n * 0.1, n, 32, 1e4);
+#endif
+}
+#endif

@@ -1,0 +1,190 @@
+// Metal, glaze and glass in the light of lamps and of all that surrounds the scene; in linear light.
+
+#define ROUGHEST_MIRROR 0.35  // Rougher ones show the environment, blurred, in place of mirror images.
+
+vec3 reflectanceOf(SceneMaterial m)
+{
+    return mix(vec3(0.08 * m.reflectance), m.color, m.metalness);
+}
+
+// Directional albedo of the GGX lobe as scale and bias of the reflectance; a fit in the manner of Karis 2014,
+// "Physically Based Shading on Mobile".
+vec2 mirrorShare(float roughness, float cosine)
+{
+    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float a = min(r.x * r.x, exp2(-9.28 * cosine)) * r.x + r.y;
+    return max(vec2(-1.04, 1.04) * a + r.zw, vec2(0.0));
+}
+
+// Of light from l that arrives with irradiance pi: Burley 2012, Heitz 2014, Schlick 1994. `width`: tangent of half the
+// angle that the light takes, by which highlights are no narrower (Karis 2013, "Real Shading in Unreal Engine 4").
+vec3 lightReflected(SceneMaterial m, vec3 n, vec3 toEye, vec3 l, float width)
+{
+    float cosL = dot(n, l);
+    if (cosL <= 0.0) return vec3(0.0);
+    vec3 h = safeNormalize(l + toEye, n);
+    float cosV = max(dot(n, toEye), 1e-3);
+    float cosH = clamp(dot(n, h), 0.0, 1.0);
+    float sharp = max(m.roughness * m.roughness, 0.003);
+    float a = clamp(sharp + 0.35 * width, 0.003, 1.0);
+    float a2 = a * a;
+    float d = a2 / (PI * pow(max(cosH * cosH * (a2 - 1.0) + 1.0, 1e-7), 2.0));
+    float energy = sharp / a;
+    float v = 0.5 / (cosL * sqrt(cosV * cosV * (1.0 - a2) + a2) + cosV * sqrt(cosL * cosL * (1.0 - a2) + a2));
+    vec3 f = reflectanceOf(m);
+    f += (1.0 - f) * schlick(clamp(dot(toEye, h), 0.0, 1.0), 0.0);
+    vec3 diffuse = m.color * (1.0 - m.metalness) * (1.0 - m.transmission) * (1.0 - f);
+    return (diffuse + PI * min(f * (d * v * energy), vec3(40.0))) * cosL;
+}
+
+vec3 allLights(SceneHit hit, SceneMaterial m, vec3 n, vec3 toEye)
+{
+    vec3 sum = vec3(0.0);
+#ifdef LIGHTS
+    for (int i = 0; i < min(stage.lights, SCENE_MOST_LIGHTS); ++i) {
+        SceneLight l = sceneLight(i, hit.position);
+        if (dot(n, l.direction) <= 0.0 || l.arriving.r + l.arriving.g + l.arriving.b <= 0.0) continue;
+#ifdef SHADOWS
+        float visible = sceneVisibility(hit.position + n * (2.0 * hit.tolerance), l, uint(i));
+        if (visible <= 0.0) continue;
+#else
+        float visible = 1.0;
+#endif
+        sum += visible * l.arriving * lightReflected(m, n, toEye, l.direction, l.width);
+    }
+#endif
+    return sum;
+}
+
+// What a ray sees that leaves the scene: what surrounds it, and suns.
+vec3 beyond(vec3 d, float roughness)
+{
+    vec3 light_ = environmentLight(d, roughness);
+#if defined(LIGHTS) && !defined(PANORAMA)
+    for (int i = 0; i < min(stage.lights, SCENE_MOST_LIGHTS); ++i) {
+        if (int(stage.lightPlace[i].w) != SCENE_SUN) continue;
+        float cosine = dot(d, stage.lightPlace[i].xyz);
+        float off = safeAcos(cosine);
+        float radius = max(atan(stage.lightColor[i].w), 0.004);
+        light_ += stage.lightColor[i].rgb * (0.12 * exp(-off * 7.0) + 14.0 * (1.0 - smoothstep(radius, 1.35 * radius, off)) * (1.0 - roughness));
+    }
+#endif
+    return light_;
+}
+
+#ifdef LAMPS
+// Areas that shine, seen themselves before `t`.
+vec3 lampsSeen(vec3 origin, vec3 d, float t)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < min(stage.lights, SCENE_MOST_LIGHTS); ++i) {
+        if (int(stage.lightPlace[i].w) != SCENE_AREA) continue;
+        vec3 across = stage.lightAcross[i].xyz;
+        vec3 along = stage.lightAlong[i].xyz;
+        vec3 facing = cross(across, along);
+        float towards = dot(d, facing);
+        if (towards >= 0.0) continue;
+        vec3 away = stage.lightPlace[i].xyz - origin;
+        float s = dot(away, facing) / towards;
+        if (s <= 0.0 || s >= t) continue;
+        vec3 place = d * s - away;
+        if (abs(dot(place, across)) <= dot(across, across) && abs(dot(place, along)) <= dot(along, along)) sum += stage.lightColor[i].rgb;
+    }
+    return sum;
+}
+#endif
+
+SceneSeen sceneSeen(PortalRay ray)
+{
+    SceneSeen seen = SceneSeen(vec3(0.0), vec3(0.0), 1e20, 0);
+    MarchSettings settings = sceneSettings(max(ray.start, 1e-4), ray.footprint);
+    vec3 origin = ray.origin;
+    vec3 direction = ray.direction;
+    vec3 color = vec3(0.0);
+    vec3 share = vec3(1.0);
+    float side = 1.0;  // -1 within glass
+    float roughness = 0.0;
+    int bounces = 0;
+#if defined(GLASS)
+    const int most = 10;
+#elif defined(MIRRORS)
+    const int most = 4;
+#else
+    const int most = 0;
+#endif
+    for (int i = 0; i <= most; ++i) {
+        March march = sceneMarch(origin, direction, settings);
+        if (i == 0) seen.steps = march.steps;
+#ifdef LAMPS
+        if (side > 0.0) color += share * lampsSeen(origin, direction, march.hit ? march.t : stage.farthest);
+#endif
+        if (!march.hit) {
+            color += share * beyond(direction, roughness);
+            break;
+        }
+        SceneHit hit = sceneHit(origin, direction, march, settings);
+        SceneMaterial m = sceneSurface(hit.position).material;
+        evaluations += 1;
+        vec3 n = hit.normal * side;
+        vec3 toEye = -direction;
+        if (i == 0) {
+            seen.normal = n;
+            seen.distance = march.t;
+        }
+        float cosine = clamp(dot(n, toEye), 0.0, 1.0);
+        settings.tMin = 0.0;
+        settings.traveled = hit.traveled;
+#ifdef GLASS
+        // Through glass; what it mirrors at its first side is the environment alone.
+        if (side < 0.0) share *= exp(log(clamp(m.color, 0.02, 1.0)) * (march.t * 10.0));
+        if (m.transmission > 0.5) {
+            float index = side > 0.0 ? m.refractiveIndex : 1.0 / m.refractiveIndex;
+            float mirrored = fresnelDielectric(cosine, index);
+            vec3 through = refract(direction, n, 1.0 / index);
+            vec3 image = reflect(direction, n);
+            bool total = dot(through, through) < 0.5;
+            if (side > 0.0) color += share * (mirrored * beyond(image, m.roughness) + allLights(hit, m, n, toEye));
+            if (total) {
+                direction = image;
+            } else {
+                share *= 1.0 - mirrored;
+                direction = through;
+                side = -side;
+            }
+            origin = hit.position + n * ((total ? 2.0 : -2.0) * hit.tolerance);
+            settings.side = side;
+            if (i == most) color += share * environmentAround(direction);
+            continue;
+        }
+#endif
+        float open = 1.0;
+#ifdef OCCLUSION
+        open = 1.0 - stage.occlusion * sceneHidden(hit.position, n);
+#endif
+        vec2 lobe = mirrorShare(m.roughness, cosine);
+        vec3 mirrors = reflectanceOf(m) * lobe.x + lobe.y;
+        vec3 diffuse = m.color * (1.0 - m.metalness) * (1.0 - mirrors) * environmentAround(n) * open;
+        color += share * (diffuse + allLights(hit, m, n, toEye));
+#ifdef GLOWS
+        color += share * (m.emission * m.color);
+#endif
+        vec3 image = reflect(direction, n);
+        bool last = true;
+#ifdef MIRRORS
+        last = i >= most || bounces >= stage.bounces || m.roughness > ROUGHEST_MIRROR || max(mirrors.r, max(mirrors.g, mirrors.b)) * max(share.r, max(share.g, share.b)) < 0.01;
+#endif
+        share *= mirrors;
+        if (last) {
+            // What shapes would hide of the image only darkens it.
+            color += share * beyond(image, m.roughness) * mix(1.0, open, 0.8);
+            break;
+        }
+        bounces += 1;
+        roughness = max(roughness, m.roughness);
+        origin = hit.position + n * (2.0 * hit.tolerance);
+        direction = image;
+        settings.side = side;
+    }
+    seen.radiance = color * stage.exposure;
+    return seen;
+}

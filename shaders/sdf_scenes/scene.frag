@@ -1,0 +1,41 @@
+// A scene behind the frame: its field is generated, everything around it is here.
+// Permutations: SOURCE_LOOK; LIGHTS, SHADOWS (a method), OCCLUSION (a method), MIRRORS, GLASS, GLOWS, LAMPS, PANORAMA, as far as the scene
+// has any; HEAT_MAP.
+#include "kit/portal/portal.glsl"
+#include "lib/numerics.glsl"
+#include "lib/hash.glsl"
+#include "lib/heat_color.glsl"
+#include "lib/tonemap.glsl"
+#include "sdf_scenes/generated_field.glsl"
+#include "lib/sphere_tracing.glsl"
+
+int evaluations;  // Calls of the field for this pixel.
+
+#include "sdf_scenes/environment.glsl"
+#include "sdf_scenes/hit.glsl"
+#include "sdf_scenes/light.glsl"
+#ifdef SOURCE_LOOK
+#include "sdf_scenes/source_look.glsl"
+#else
+#include "sdf_scenes/our_look.glsl"
+#endif
+
+PortalSeen portalSeen(PortalRay ray)
+{
+    evaluations = 0;
+    SceneSeen found = sceneSeen(ray);
+    PortalSeen seen;
+    seen.radiance = found.radiance;
+    seen.normal = found.normal;
+    seen.distance = found.distance;
+    seen.evaluations = float(evaluations);
+#ifdef HEAT_MAP
+    float count = parameters.heatMap == heatMap_steps ? float(found.steps) : float(evaluations);
+    vec3 shown = heatColor(count / parameters.heatScale);
+    if (parameters.heatMap == heatMap_normals) shown = found.normal * 0.5 + 0.5;
+    seen.radiance = inverseTonemap(shown * 0.98);
+#endif
+    return seen;
+}
+
+#include "kit/portal/main.glsl"
