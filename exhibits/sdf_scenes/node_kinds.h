@@ -78,7 +78,8 @@ struct Asked {
     render::Box box{glm::dvec3(0), glm::dvec3(0)};
 };
 /// How many numbers tell the copy and `capped` of it.
-inline constexpr std::size_t numbersOfAsked = 13;
+/// Behind these, center and half size of the box of all copies.
+inline constexpr std::size_t numbersOfAsked = 19;
 
 /// Bits of a field that does not change when a coordinate changes its sign.
 inline constexpr unsigned evenInX = 1, evenInY = 2, evenInZ = 4, evenInAll = 7;

@@ -234,6 +234,8 @@ void GlslWriter::writeAgain(const Step& step, bool withMaterials)
     line(d + " = min(" + d + ", " + c + ");");
     --depth_;
     line("}");
+    line(d + " = sceneBeyond(" + d + ", " + named('p', step.node) + ", " + word(cap) + ", " + vector(cap + 7) + ", " +
+         vector(cap + 10) + ");");
 }
 
 void GlslWriter::writeStep(const Step& step, bool withMaterials)

@@ -41,6 +41,18 @@ void fillMaterial(const Record& record, const double* v, double* words)
     rest[4] = v[4] < 0.3 ? v[3] * (1 - v[4] / 0.3) : 0;
 }
 
+/// Center and half size; endless sides are long ones.
+void writeBox(const render::Box& box, double* words)
+{
+    const glm::dvec3 far(1e9);
+    const glm::dvec3 low = glm::clamp(box.low, -far, far);
+    const glm::dvec3 high = glm::clamp(box.high, -far, far);
+    for (int axis = 0; axis < 3; ++axis) {
+        words[axis] = 0.5 * (low[axis] + high[axis]);
+        words[axis + 3] = 0.5 * std::max(high[axis] - low[axis], 0.0);
+    }
+}
+
 /// The box around one that is turned and moved; an endless side makes it endless wherever it may turn to.
 render::Box placedBox(render::Box box, const double* words, const ProgramNode& node)
 {
@@ -278,17 +290,13 @@ void SceneProgram::fillAsked(SceneWords& all, std::uint32_t i) const
         double& most = times[times.x >= times.y && times.x >= times.z ? 0 : times.y >= times.z ? 1 : 2];
         most = std::max(std::floor(most / 2), 1.0);
     }
-    const glm::dvec3 far(1e9);
-    const glm::dvec3 low = glm::clamp(asked.box.low, -far, far);
-    const glm::dvec3 high = glm::clamp(asked.box.high, -far, far);
     double* w = v + k.numbers();
     for (int axis = 0; axis < 3; ++axis) {
         w[axis] = std::clamp(asked.high[axis], -1e9, 1e9);
         w[axis + 3] = times[axis];
-        w[axis + 7] = 0.5 * (low[axis] + high[axis]);
-        w[axis + 10] = 0.5 * std::max(high[axis] - low[axis], 0.0);
     }
     w[6] = asked.cap;
+    writeBox(asked.box, w + 7);
 }
 
 void SceneProgram::fillExtents(SceneWords& all) const
@@ -311,6 +319,7 @@ void SceneProgram::fillExtents(SceneWords& all) const
         const NodeKind& k = kind(node);
         if (k.form == Form::repeater) fillAsked(all, i);
         Extent extent = extentInside(all, i, levels[i]);
+        if (k.form == Form::repeater) writeBox(extent.box, all.words.data() + node.numbers + k.numbers() + 13);
         extent.box = placedBox(extent.box, all.words.data(), node);
         if (node.rotate != none) extent.even = 0;
         for (std::uint32_t axis = 0; axis < 3 && node.translate != none; ++axis)

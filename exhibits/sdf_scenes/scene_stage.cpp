@@ -9,7 +9,7 @@ namespace vitrine::scenes {
 namespace {
 
 constexpr double farthestInSource = 100;
-constexpr double farthestOfOurs = 600;
+constexpr double farthestOfOurs = 300;
 
 glm::dvec3 vectorOf(const double* v)
 {

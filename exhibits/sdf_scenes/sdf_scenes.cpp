@@ -17,7 +17,7 @@
 namespace vitrine {
 namespace {
 
-constexpr const char* firstScene = "scenes/conservatory.json";
+constexpr const char* firstScene = "scenes/mercury.json";
 
 using scenes::SceneContents;
 using scenes::ShownScene;

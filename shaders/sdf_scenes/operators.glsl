@@ -200,3 +200,9 @@ float sceneCapped(float d, vec3 p, float cap, vec3 center, vec3 halfSize)
     if (!(cap > 0.0)) return d;
     return min(max(d, sdfBox(p - center, halfSize)), cap);
 }
+
+// Far from all copies, which lie in a box, the distance is not kept below the cap.
+float sceneBeyond(float d, vec3 p, float cap, vec3 center, vec3 halfSize)
+{
+    return cap > 0.0 ? max(d, sdfBox(p - center, halfSize)) : d;
+}

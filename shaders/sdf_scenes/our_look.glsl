@@ -123,6 +123,11 @@ SceneSeen sceneSeen(PortalRay ray)
             break;
         }
         SceneHit hit = sceneHit(origin, direction, march, settings);
+        // Endless floors fade into what surrounds them before rays run out of steps.
+        float haze = smoothstep(0.05, 0.5, hit.traveled / stage.farthest);
+        color += share * haze * beyond(direction, roughness);
+        share *= 1.0 - haze;
+        if (haze >= 1.0) break;
         SceneMaterial m = sceneSurface(hit.position).material;
         evaluations += 1;
         vec3 n = hit.normal * side;
