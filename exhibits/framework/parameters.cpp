@@ -195,7 +195,8 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
         row.name = inElement(row.name);
         if (!row.formerly.empty()) row.formerly = inElement(row.formerly);
     }
-    for (std::string_view* text : {&row.name, &row.group, &row.help, &row.called, &row.endings, &row.formerly, &row.shipped})
+    for (std::string_view* text :
+         {&row.name, &row.group, &row.help, &row.called, &row.endings, &row.formerly, &row.shipped})
         *text = owned(*text);
     for (std::string_view& choice : row.choices) choice = owned(choice);
     if (row.word) row.word->text = owned(row.word->text);

@@ -57,7 +57,8 @@ SceneStage sceneStage(const ShownScene& shown, const SceneWords& words, const st
     const double* look = &numbers[scene.look.numbers];
     const bool asInSource = look[0] > 0.5;
     SceneStage stage;
-    const render::Box box = words.extents.empty() ? render::Box{glm::dvec3(0), glm::dvec3(0)} : words.extents.front().box;
+    const render::Box box =
+        words.extents.empty() ? render::Box{glm::dvec3(0), glm::dvec3(0)} : words.extents.front().box;
     // Endless sides end where no ray comes.
     stage.boxLow = glm::vec3(glm::clamp(box.low - 1e-3, glm::dvec3(-1e6), glm::dvec3(1e6)));
     stage.boxHigh = glm::vec3(glm::clamp(box.high + 1e-3, glm::dvec3(-1e6), glm::dvec3(1e6)));

@@ -6,9 +6,9 @@
 #include "render/scene/held_bytes.h"
 #include "shaders/lib/bindings.glsl"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -50,8 +50,10 @@ struct ScenePass {
 
     void add(bool there, const char* text, const char* step, const char* why) const
     {
-        if (there) define(text);
-        else plan.skip(std::string("sdf_scenes/") + step, why);
+        if (there)
+            define(text);
+        else
+            plan.skip(std::string("sdf_scenes/") + step, why);
     }
 
     void shadows() const
@@ -62,8 +64,8 @@ struct ScenePass {
         if (!lit || method == SceneShadow::none)
             plan.skip("sdf_scenes/shadows", lit ? "shadows are switched off" : "the scene has no lights");
         else
-            define("SHADOWS " + std::to_string(method == SceneShadow::look ? (source ? 6 : 4)
-                                                                           : static_cast<int>(method) - 1));
+            define("SHADOWS " +
+                   std::to_string(method == SceneShadow::look ? (source ? 6 : 4) : static_cast<int>(method) - 1));
     }
 
     void occlusion() const
@@ -172,12 +174,14 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
     const std::string path = (scene.path.parent_path() / environment.files.front()).string();
     std::uint64_t others = 0;
     for (const std::string& file : environment.files) others = 31 * others + std::hash<std::string>()(file);
-    const auto read =
-        context.assets.get<render::Texture>("sdf_scenes.environment", path, [&scene](const std::string&) {
+    const auto read = context.assets.get<render::Texture>(
+        "sdf_scenes.environment", path,
+        [&scene](const std::string&) {
             auto picture = scenes::readEnvironment(scene);
             const std::uint64_t bytes = heldBytes(*picture);
             return render::AssetStore::Made<render::Texture>{std::move(picture), bytes};
-        }, others);
+        },
+        others);
     part->environment = read.value;
     part->filesId = read.id;
     if (!read.failure.empty())

@@ -32,14 +32,13 @@ struct SdfScenesTable final : Parameters {
     Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 20), "The moment that is shown, or begun with.");
     Real orbit = real("orbit", 0, degree, Range{degrees(-3600), degrees(3600)}.soft(degrees(-180), degrees(180)),
                       "How far the camera has gone around what it looks at.");
-    Real orbitSpeed =
-        real("orbitSpeed", 0, degree, Range{degrees(-360), degrees(360)}.soft(degrees(-30), degrees(30)),
-             "How far it goes in a second.");
+    Real orbitSpeed = real("orbitSpeed", 0, degree, Range{degrees(-360), degrees(360)}.soft(degrees(-30), degrees(30)),
+                           "How far it goes in a second.");
 
     Group light = group("Light");
     Real brightness = real("brightness", 1, none, Range{0.01, 100, logarithmic}.soft(0.1, 10), "Of the whole picture.");
-    Count bounces = count("bounces", 4, {0, 4}, "Mirror images of mirror images, at most; a scene may ask for fewer.",
-                          quality(4));
+    Count bounces =
+        count("bounces", 4, {0, 4}, "Mirror images of mirror images, at most; a scene may ask for fewer.", quality(4));
     Choice<SceneShadow> shadowMethod =
         choice("shadowMethod", SceneShadow::look,
                {"as the look has it", "none", "hard", "classic", "improved", "signed", "area"},
@@ -53,8 +52,7 @@ struct SdfScenesTable final : Parameters {
                                              SceneShadow::area}) ||
                              (when(shadowMethod, SceneShadow::look) && whenNot(look, SceneLook::source)));
     Choice<SceneOcclusion> occlusionMethod =
-        choice("occlusionMethod", SceneOcclusion::look,
-               {"as the look has it", "none", "5 taps", "hemisphere", "cones"},
+        choice("occlusionMethod", SceneOcclusion::look, {"as the look has it", "none", "5 taps", "hemisphere", "cones"},
                "How much of the light around a point shapes keep away: up the normal, or by rays or cones around it.",
                quality(SceneOcclusion::hemisphere));
     Count occlusionRays =
@@ -67,9 +65,8 @@ struct SdfScenesTable final : Parameters {
                  (when(occlusionMethod, SceneOcclusion::look) && whenNot(look, SceneLook::source)));
 
     Group accuracy = foldedGroup("Accuracy");
-    Real hitTolerance =
-        real("hitTolerance", 1, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
-             "How near a ray must come to a surface, in half pixels at that distance.", quality(0.001));
+    Real hitTolerance = real("hitTolerance", 1, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
+                             "How near a ray must come to a surface, in half pixels at that distance.", quality(0.001));
     Count stepLimit = count("stepLimit", 160, {1, 1024, logarithmic}, "Steps that a ray may take.", quality(1024));
     Real normalStep =
         real("normalStep", 0.0005, meter, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02),

@@ -83,8 +83,7 @@ std::shared_ptr<const ShownScene> shownScene(std::shared_ptr<const Scene> scene,
     auto shown = std::make_shared<ShownScene>();
     shown->scene = std::move(scene);
     shown->program = std::make_shared<const SceneProgram>(shown->scene);
-    shown->sources =
-        generatedSources(sceneGlsl(*shown->program, {"sdf_scenes/stage_block.glsl", "SceneStage stage"}));
+    shown->sources = generatedSources(sceneGlsl(*shown->program, {"sdf_scenes/stage_block.glsl", "SceneStage stage"}));
     shown->contents = contentsOf(*shown->scene, *shown->program);
     shown->toOpening = openingOf(*shown->scene, shown->program);
     shown->path = std::move(path);

@@ -8,8 +8,11 @@ vec3 panoramaAt(vec3 d, float width)
 {
     bool pole = abs(d.x) + abs(d.z) < 1e-6;
     float u = pole ? 0.5 : fract(atan(d.x, -d.z) / (2.0 * PI) + 0.5 + stage.environmentRotation / (2.0 * PI));
-    float level = log2(max(width * float(textureSize(panorama, 0).y) / PI, 1.0));
-    vec3 seen = textureLod(panorama, vec2(u, acos(clamp(d.y, -1.0, 1.0)) / PI), level).rgb;
+    float height = float(textureSize(panorama, 0).y);
+    float level = log2(max(width * height / PI, 1.0));
+    // The picture repeats downwards, too: what is above its first row is not its last one.
+    float edge = min(0.5 * exp2(ceil(level)) / height, 0.5);
+    vec3 seen = textureLod(panorama, vec2(u, clamp(acos(clamp(d.y, -1.0, 1.0)) / PI, edge, 1.0 - edge)), level).rgb;
     return max(seen, vec3(0.0)) * stage.environmentBrightness;
 }
 #else

@@ -122,6 +122,7 @@ protected:
         shot.sceneState = museum.initialSceneState();
         if (exhibit != hallIndex) shot.hall() = cheap(shot.hall());
         shot.sceneState.values[exhibit] = values;
+        shot.sceneState = museum.readTables(shot.sceneState).sceneState;
         const PictureQuality quality = pictureQuality(shot.hall());
         FrameRequest& frame = shot.request.frame;
         shot.request.samples = quality.supersamples;
@@ -141,6 +142,7 @@ protected:
     {
         const std::filesystem::path assets = std::filesystem::path(VITRINE_SOURCE_DIR) / "assets";
         if (row.endings.find("glb") != std::string_view::npos) return (assets / "models" / "teddy.glb").string();
+        if (row.shipped == "scenes") return (assets / "scenes" / "torus.json").string();
         const std::filesystem::path panorama = folder_.path() / "panorama.hdr";
         if (!std::filesystem::exists(panorama))
             writePanorama(panorama,
@@ -222,6 +224,11 @@ TEST_F(ActingRows, EveryRowOfTheSunbeamsActs)
 TEST_F(ActingRows, EveryRowOfTheIceCreamActs)
 {
     expectEveryRowActs("ice_cream");
+}
+
+TEST_F(ActingRows, EveryRowOfTheScenesActs)
+{
+    expectEveryRowActs("sdf_scenes");
 }
 
 TEST_F(ActingRows, EveryRowOfTheNoiseActs)

@@ -5,6 +5,7 @@
 #include "render/files/read_file.h"
 
 #include <filesystem>
+#include <set>
 
 namespace vitrine {
 namespace {
@@ -16,6 +17,13 @@ std::vector<std::filesystem::path> shippedScenes()
          std::filesystem::directory_iterator(std::filesystem::path(VITRINE_SOURCE_DIR) / "assets/scenes"))
         if (entry.path().filename() != "scene.schema.json") paths.push_back(entry.path());
     return paths;
+}
+
+/// Those that the source does not have.
+bool isOurs(const std::filesystem::path& path)
+{
+    static const std::set<std::string> ours{"dahlia", "mercury", "rotunda", "still_life"};
+    return ours.contains(path.stem().string());
 }
 
 TEST(SceneFiles, E20_TheFifteenCompositionsAreRead)
@@ -40,7 +48,7 @@ TEST(SceneFiles, E20_TheFifteenCompositionsAreRead)
             t += d;
         }
         EXPECT_LT(t, 100) << path;
-        ++read;
+        read += !isOurs(path);
     }
     EXPECT_EQ(read, 15);
 }
@@ -48,6 +56,7 @@ TEST(SceneFiles, E20_TheFifteenCompositionsAreRead)
 TEST(SceneFiles, MoveWhereTheSourceMoves)
 {
     for (const std::filesystem::path& path : shippedScenes()) {
+        if (isOurs(path)) continue;
         const std::string name = path.stem().string();
         const bool moves = name == "noise" || name == "fractal_noise" || name == "waves" || name == "clouds";
         EXPECT_EQ(scenes::readSceneFile(path).scene->animated(), moves) << path;

@@ -1,0 +1,287 @@
+// The exhibit's pictures against the evaluator of the same file, and against closed forms.
+
+#include "render/image/image_io.h"
+#include "render/image/srgb.h"
+#include "tests/exhibits/sdf_scenes/scene_shot.h"
+#include "tests/support/made_image.h"
+#include "tests/support/planned.h"
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+using glm::dvec3;
+using test::SceneShot;
+using test::scenesTable;
+using test::shippedScene;
+
+class ScenePicture : public test::GlTest {
+protected:
+    test::TemporaryFolder folder_;
+};
+
+/// Where a ray meets the field, at float64; infinity: nowhere within `far`.
+double firstHit(const scenes::SceneField& field, const dvec3& origin, const dvec3& d, double start, double far)
+{
+    double t = start;
+    for (int step = 0; step < 20'000 && t < far; ++step) {
+        const double f = field.distance(origin + t * d);
+        if (f < 1e-6) return t;
+        t += f;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+TEST_F(ScenePicture, E1_E2_ShowsSurfacesWhereTheEvaluatorFindsThem)
+{
+    for (const char* name : {"primitives", "unions", "torus", "mercury", "still_life"}) {
+        SceneShot shot(shippedScene(name));
+        shot.values().set(scenesTable().hitTolerance, 0.05);
+        shot.values().set(scenesTable().stepLimit, 1024);
+        const test::Picture p = shot.take();
+        const scenes::SceneField field = shot.field();
+        const glm::dmat4 scene = shot.sceneFromWorld();
+        const dvec3 origin(scene * glm::dvec4(p.view.eye, 1));
+        int solid = 0, wrong = 0, turned = 0;
+        for (int y = 1; y < p.height(); y += 3)
+            for (int x = 1; x < p.width(); x += 3) {
+                const dvec3 ray(scene * glm::dvec4(test::rayOf(p.view, x, y), 0));
+                const double perDepth = glm::length(ray);
+                const double truth = firstHit(field, origin, ray / perDepth, 0, 40);
+                const dvec3 aside(scene * glm::dvec4(test::rayOf(p.view, x + 1, y + 1), 0));
+                const double beside = firstHit(field, origin, glm::normalize(aside), 0, 40);
+                // Of what is as small as a pixel, the pixel's width decides.
+                if (!std::isfinite(truth) || std::abs(beside / truth - 1) > 0.05) continue;
+                const dvec3 point = origin + ray / perDepth * truth;
+                dvec3 slope;
+                for (int axis = 0; axis < 3; ++axis) {
+                    dvec3 h(0);
+                    h[axis] = 1e-4;
+                    slope[axis] = (field.distance(point + h) - field.distance(point - h)) / 2e-4;
+                }
+                // At outlines and creases, half a pixel decides.
+                if (std::abs(glm::dot(glm::normalize(slope), ray / perDepth)) < 0.2) continue;
+                ++solid;
+                const bool apart = std::abs(p.depth(x, y) * perDepth / truth - 1) > 5e-3;
+                wrong += apart;
+                turned += !apart &&
+                          glm::dot(p.normal(x, y), glm::normalize(glm::transpose(glm::dmat3(scene)) * slope)) < 0.98;
+            }
+        EXPECT_GT(solid, 60) << name;
+        EXPECT_LE(wrong, solid / 100) << name << ": of " << solid;
+        EXPECT_LE(turned, solid / 20) << name << ": of " << solid;
+    }
+}
+
+/// A ball of radius 1 at the origin and what else, as the source lights it, seen from z = 4; at 48 x 48 pixels.
+SceneShot sourceShot(const test::TemporaryFolder& folder, const std::string& others, const std::string& lights,
+                     const std::string& look)
+{
+    const std::string head = R"("camera": {"position": [0, 0, 4], "target": [0, 0, 0], "fieldOfView": 60},
+ "environment": {"kind": "sky", "zenith": [0.2, 0.3, 0.4], "horizon": [0.2, 0.3, 0.4], "ground": [0.2, 0.3, 0.4]},
+ "materials": {"ball": {"model": "phong", "color": [0.8, 0.4, 0.2], "ambient": 0.2, "diffuse": 0.5, "specular": 0.3, "shininess": 8, "mirror": 0.25}},
+ "lights": [)" + lights + "], \"look\": {\"asInTheSource\": true, \"bounces\": 1" +
+                             look + "},";
+    SceneShot shot(test::writeScene(
+        folder, R"({"kind": "union", "children": [{"kind": "sphere", "radius": 1, "material": "ball"})" + others + "]}",
+        head));
+    shot.request.frame.raster.size = {48, 48};
+    shot.request.frame.averageIn = AverageIn::display;
+    return shot;
+}
+
+/// The number that is shown.
+dvec3 shownAt(const test::Picture& p, int x, int y)
+{
+    const dvec3 c = p.color(x, y);
+    dvec3 number;
+    for (int i = 0; i < 3; ++i) number[i] = c[i] <= 0.0031308 ? 12.92 * c[i] : 1.055 * std::pow(c[i], 1 / 2.4) - 0.055;
+    return number;
+}
+
+TEST_F(ScenePicture, E8_E22_AsInTheSourceIsPhongWithAMirrorShownAsNumbers)
+{
+    SceneShot shot = sourceShot(folder_, "", R"({"kind": "point", "position": [2, 3, 4], "color": [0.9, 1, 0.8]})",
+                                R"(, "ambient": [0.5, 0.6, 0.7])");
+    shot.values().set(scenesTable().occlusionMethod, SceneOcclusion::none);
+    shot.values().set(scenesTable().hitTolerance, 0.01);
+    const test::Picture p = shot.take();
+    const glm::dmat4 scene = shot.sceneFromWorld();
+    const dvec3 eye(scene * glm::dvec4(p.view.eye, 1));
+    int compared = 0;
+    double worst = 0;
+    p.each([&](int x, int y) {
+        const dvec3 d = glm::normalize(dvec3(scene * glm::dvec4(test::rayOf(p.view, x, y), 0)));
+        const double middle = -glm::dot(eye, d);
+        const double inside = 1 - glm::dot(eye, eye) + middle * middle;
+        if (inside < 0.15) return;
+        const dvec3 n = eye + d * (middle - std::sqrt(inside));
+        const dvec3 toLight = glm::normalize(dvec3(2, 3, 4) - n);
+        const double cosine = glm::dot(n, toLight);
+        if (cosine < 0.05) return;
+        const double gleam = std::pow(std::max(glm::dot(glm::reflect(-toLight, n), -d), 0.0), 8.0);
+        const dvec3 color(0.8, 0.4, 0.2);
+        const dvec3 lit = dvec3(0.9, 1, 0.8) * (color * (0.5 * cosine) + 0.3 * gleam) +
+                          (0.8 + 1.0) * dvec3(0.5, 0.6, 0.7) * color * 0.2;
+        const dvec3 expected = glm::min(0.75 * lit + 0.25 * dvec3(0.2, 0.3, 0.4), 1.0);
+        ++compared;
+        const dvec3 off = glm::abs(shownAt(p, x, y) - expected);
+        worst = std::max({worst, off.x, off.y, off.z});
+    });
+    EXPECT_GT(compared, 200);
+    EXPECT_LT(worst, 0.012);
+}
+
+TEST_F(ScenePicture, E8_BouncesAreCounted)
+{
+    // A ring that mirrors itself.
+    SceneShot shot(shippedScene("environment_mapping_1"));
+    shot.values().set(scenesTable().look, SceneLook::source);
+    std::vector<test::Picture> pictures;
+    for (int bounces = 0; bounces <= 2; ++bounces) {
+        shot.values().set(scenesTable().bounces, bounces);
+        pictures.push_back(shot.take());
+    }
+    for (std::size_t i = 1; i < pictures.size(); ++i)
+        EXPECT_GT(test::largestDifference(pictures[i].image, pictures[i - 1].image), 1e-3) << i;
+}
+
+TEST_F(ScenePicture, E9_E10_WhatIsBehindTheLightKeepsNothingAway)
+{
+    const std::string light = R"({"kind": "point", "position": [0, 0, 3], "color": [1, 1, 1]})";
+    const auto middle = [&](const char* others, const char* look) {
+        SceneShot shot = sourceShot(folder_, others, light, look);
+        shot.values().set(scenesTable().bounces, 0);
+        shot.values().set(scenesTable().occlusionMethod, SceneOcclusion::none);
+        return shownAt(shot.take(), 19, 24).x;
+    };
+    // A board behind the light, beside the eye, and one before it.
+    const char* behind = R"(, {"kind": "box", "size": [20, 20, 0.1], "translate": [0, 0, 9]})";
+    const char* before = R"(, {"kind": "box", "size": [0.4, 0.4, 0.02], "translate": [0, 0, 2.2]})";
+    for (const char* look : {"", R"(, "softShadows": 20)"}) {
+        const double lit = middle("", look);
+        EXPECT_GT(lit, 0.3);
+        EXPECT_NEAR(middle(behind, look), lit, 0.01) << look;
+        SceneShot shaded = sourceShot(folder_, before, light, look);
+        SceneShot open = sourceShot(folder_, "", light, look);
+        // It hides the ball's middle from the eye, and more of it from the light.
+        const test::Picture with = shaded.take(), without = open.take();
+        double darker = 0;
+        with.each([&](int x, int y) { darker = std::max(darker, without.luminance(x, y) - with.luminance(x, y)); });
+        EXPECT_GT(darker, 0.03) << "control: before the light it does";
+    }
+}
+
+TEST_F(ScenePicture, E11_OcclusionOfAWallIsAHalfAtItsFoot)
+{
+    // A floor before an endless wall; light from everywhere, white.
+    const std::string head = R"("camera": {"position": [0, 2, 2], "target": [0, 0, 0], "fieldOfView": 40},
+ "environment": {"kind": "sky", "zenith": [1, 1, 1], "horizon": [1, 1, 1], "ground": [1, 1, 1]},
+ "materials": {"chalk": {"model": "pbr", "color": [0.5, 0.5, 0.5], "roughness": 1, "reflectance": 0}},)";
+    SceneShot shot(test::writeScene(folder_, R"({"kind": "union", "material": "chalk", "children": [
+      {"kind": "plane", "normal": [0, 1, 0]}, {"kind": "box", "size": [2000, 2000, 1], "translate": [0, 0, -0.5]}]})",
+                                    head));
+    shot.values().set(scenesTable().occlusionRange, 1000.0);
+    shot.values().set(scenesTable().occlusionRays, 512);
+    shot.request.frame.raster.size = {33, 33};
+    const auto openness = [&](SceneOcclusion method, int row) {
+        shot.values().set(scenesTable().occlusionMethod, method);
+        double sum = 0;
+        for (const int x : {4, 10, 16, 22, 28}) sum += shot.take().color(x, row).x / 5;
+        return sum;
+    };
+    const double all = openness(SceneOcclusion::none, 17);
+    // Row 17 lies just before the wall's foot. Of a wall's light half of the weight is missing there.
+    const double rays = openness(SceneOcclusion::hemisphere, 17) / all;
+    EXPECT_GT(rays, 0.44);
+    EXPECT_LT(rays, 0.58);
+    EXPECT_GT(openness(SceneOcclusion::hemisphere, 32) / all, rays) << "farther from it, more is open";
+    shot.values().set(scenesTable().occlusionRange, 0.5);
+    for (const SceneOcclusion method : {SceneOcclusion::taps, SceneOcclusion::cones}) {
+        const double estimate = openness(method, 17) / all;
+        EXPECT_GT(estimate, 0.1);
+        EXPECT_LT(estimate, 0.95);
+    }
+    shot.values().set(scenesTable().occlusionRange, 0.01);
+    EXPECT_GT(openness(SceneOcclusion::hemisphere, 32) / all, 0.97) << "E13: what is farther away than the range";
+}
+
+TEST_F(ScenePicture, E14_SixFacesSurroundTheSceneWhereTheirNamesSay)
+{
+    const dvec3 colors[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
+    const char* const names[] = {"right", "left", "top", "bottom", "front", "back"};
+    const dvec3 towards[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0.01}, {0, -1, 0.01}, {0, 0, -1}, {0, 0, 1}};
+    std::string faces;
+    for (int i = 0; i < 6; ++i) {
+        const std::string file = std::string(names[i]) + ".png";
+        writePicture(folder_ / file, test::made(16, 16, [&](int, int, int c) { return float(colors[i][c]); }),
+                     render::PictureFormat::png8);
+        faces += std::string(", \"") + names[i] + "\": \"" + file + '"';
+    }
+    for (int i = 0; i < 6; ++i) {
+        const dvec3 t = towards[i];
+        const std::string head = "\"camera\": {\"position\": [0, 0, 0], \"target\": [" + std::to_string(t.x) + ", " +
+                                 std::to_string(t.y) + ", " + std::to_string(t.z) +
+                                 "]},\n\"environment\": {\"kind\": \"faces\"" + faces + "},";
+        SceneShot shot(test::writeScene(folder_, R"({"kind": "sphere", "radius": 0.1, "translate": [9, 9, 9]})", head,
+                                        std::string(names[i]) + ".json"));
+        const dvec3 seen = shot.take().color(48, 32);
+        const double most = std::max({seen.x, seen.y, seen.z});
+        EXPECT_LT(glm::distance(seen / most, colors[i]), 0.02) << names[i];
+    }
+}
+
+TEST_F(ScenePicture, ASliderOfTheSceneMovesWhatItNamesWithoutAnotherProgram)
+{
+    SceneShot shot(test::writeScene(folder_, R"({"kind": "sphere", "radius": "size"})",
+                                    R"("parameters": {"size": {"value": 0.5, "unit": "m", "range": [0.1, 1]}},
+"camera": {"position": [0, 0, 5], "target": [0, 0, 0], "fieldOfView": 40},)"));
+    const auto pixels = [&] {
+        const test::Picture p = shot.take();
+        int solid = 0;
+        p.each([&](int x, int y) { solid += p.normal(x, y).z > 0 && p.depth(x, y) < 1000; });
+        return solid;
+    };
+    const auto shader = [&] {
+        const render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, shot.request.frame);
+        return plan.find("sdf_scenes/scene")->shader;
+    };
+    const int before = pixels();
+    const render::ShaderKey key = shader();
+    shot.set("size", 1.0);
+    EXPECT_EQ(shader(), key);
+    // Seen from 5 radii, a ball's outline is 1 / sqrt(24) wide; from 10 of them, 1 / sqrt(99).
+    EXPECT_NEAR(static_cast<double>(pixels()) / before, 99.0 / 24, 0.5);
+    shot.values().set(scenesTable().look, SceneLook::source);
+    EXPECT_FALSE(shader() == key) << "control: another look does compile";
+    EXPECT_EQ(shader().slot, key.slot) << "and the picture does not wait for it";
+}
+
+TEST_F(ScenePicture, IsSeenThroughItsFrameOnly)
+{
+    SceneShot shot(shippedScene("torus"));
+    shot.inHall();
+    shot.request.frame.raster.size = {160, 100};
+    const glm::dmat4 world = test::gallery().museum.worldFromExhibit(shot.subject);
+    const dvec3 eye(0.9, 0.1, 1.6);
+    shot.request.frame.camera = {dvec3(world * glm::dvec4(eye, 1)), dvec3(world * glm::dvec4(0, 0, 0, 1)), 1.1};
+    const test::Picture one = shot.take();
+    shot.values().set(scenesTable().brightness, 8.0);
+    shot.values().set(scenesTable().look, SceneLook::ours);
+    const test::Picture other = shot.take();
+    int through = 0, leaked = 0;
+    one.each([&](int x, int y) {
+        const dvec3 d(glm::inverse(world) * glm::dvec4(test::rayOf(one.view, x, y), 0));
+        const dvec3 at = eye + d * ((-0.495 - eye.z) / d.z);
+        const bool beside = d.z >= 0 || std::abs(at.x) > 1.22 || std::abs(at.y) > 0.82;
+        const bool changed = glm::distance(one.color(x, y), other.color(x, y)) > 1e-3;
+        through += !beside && changed;
+        leaked += beside && changed;
+    });
+    EXPECT_GT(through, 500);
+    EXPECT_EQ(leaked, 0);
+}
+
+}  // namespace
+}  // namespace vitrine
