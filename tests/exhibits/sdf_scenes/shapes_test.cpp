@@ -235,8 +235,8 @@ TEST(SceneShapes, TheNoiseNeverExceedsItsSlopeAndItsRange)
         steepest = std::max(steepest, glm::length(gradient));
         most = std::max(most, std::abs(glsl::sceneValueNoise(p)));
     }
-    EXPECT_LE(steepest, glsl::SCENE_NOISE_SLOPE);
-    EXPECT_GE(steepest, 0.7 * glsl::SCENE_NOISE_SLOPE);  // It is no loose bound.
+    EXPECT_LE(steepest, glsl::noiseSteepest(glsl::NOISE_VALUE));
+    EXPECT_GE(steepest, 0.7 * glsl::noiseSteepest(glsl::NOISE_VALUE));  // It is no loose bound.
     EXPECT_LE(most, 1);
     EXPECT_GE(most, 0.9);
 }
