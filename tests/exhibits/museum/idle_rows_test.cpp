@@ -144,6 +144,11 @@ TEST_F(IdleRows, ChangeNoPixelOfTheNoise)
     expectIdleRowsChangeNothing(gallery().museum.find("noise").value());
 }
 
+TEST_F(IdleRows, ChangeNoPixelOfTheScenes)
+{
+    expectIdleRowsChangeNothing(gallery().museum.find("sdf_scenes").value());
+}
+
 /// The states above may miss rows that act only together.
 TEST_F(IdleRows, ChangeNoPixelInRandomStates)
 {
