@@ -31,7 +31,7 @@ for look in evening-clouds noon-clouds above-the-clouds storm wax asteroids; do
     $program render noise --alone --preset assets/presets/noise/$look.json --size 480x300 --samples 16 --out assets/pictures/noise-$look.png
 done
 $program render noise --size 960x540 --samples 16 --out assets/pictures/noise.png
-for look in dahlia rotunda still-life as-in-the-source-primitives primitives as-in-the-source-torus; do
+for look in dahlia rotunda still-life as-in-the-source-primitives primitives; do
     $program render sdf_scenes --alone --preset assets/presets/sdf_scenes/$look.json --size 480x300 --samples 16 --out assets/pictures/scenes-$look.png
 done
 $program render sdf_scenes --size 960x540 --samples 16 --out assets/pictures/scenes.png

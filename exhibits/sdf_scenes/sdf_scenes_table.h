@@ -44,8 +44,8 @@ struct SdfScenesTable final : Parameters {
                {"as the look has it", "none", "hard", "classic", "improved", "signed", "area"},
                "How shapes shade each other: one ray, three kinds of estimate from one ray, or many rays.",
                quality(SceneShadow::area));
-    Count shadowRays = count("shadowRays", 16, {1, 256, logarithmic}, "Rays over each light, for the area method.",
-                             quality(256), when(shadowMethod, SceneShadow::area));
+    Count shadowRays = count("shadowRays", 16, {1, 64, logarithmic}, "Rays over each light, for the area method.",
+                             quality(64), when(shadowMethod, SceneShadow::area));
     Real lampSize = real("lampSize", 0.1, meter, Range{0, 100}.soft(0, 1),
                          "Radius of the scene's points of light: wide ones give soft shadows.",
                          when(shadowMethod, {SceneShadow::classic, SceneShadow::improved, SceneShadow::signedDistance,
@@ -56,8 +56,8 @@ struct SdfScenesTable final : Parameters {
                "How much of the light around a point shapes keep away: up the normal, or by rays or cones around it.",
                quality(SceneOcclusion::hemisphere));
     Count occlusionRays =
-        count("occlusionRays", 32, {1, 512, logarithmic}, "Rays of the hemisphere, more of them along the normal.",
-              quality(512), when(occlusionMethod, SceneOcclusion::hemisphere));
+        count("occlusionRays", 32, {1, 128, logarithmic}, "Rays of the hemisphere, more of them along the normal.",
+              quality(128), when(occlusionMethod, SceneOcclusion::hemisphere));
     Real occlusionRange =
         real("occlusionRange", 1.5, meter, Range{0.001, 1000, logarithmic}.soft(0.05, 20),
              "What is farther away keeps no light away. The source knows no such limit.",
@@ -67,7 +67,8 @@ struct SdfScenesTable final : Parameters {
     Group accuracy = foldedGroup("Accuracy");
     Real hitTolerance = real("hitTolerance", 1, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
                              "How near a ray must come to a surface, in half pixels at that distance.", quality(0.001));
-    Count stepLimit = count("stepLimit", 160, {1, 1024, logarithmic}, "Steps that a ray may take.", quality(1024));
+    Count stepLimit = count("stepLimit", 160, {1, 512, logarithmic},
+                            "Steps that a ray may take; towards a light at most 128.", quality(512));
     Real normalStep =
         real("normalStep", 0.0005, meter, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02),
              "Step of the differences that give the normal: small drowns in rounding, large rounds creases.",

@@ -72,20 +72,21 @@ float sceneVisibility(vec3 p, SceneLight l, uint salt)
 {
     float tMax = min(l.distance, rayBox(p, l.direction, stage.boxLow, stage.boxHigh).y);
     float tMin = 0.002;
+    int steps = min(parameters.stepLimit, 128);
 #if SHADOWS == SHADOWS_HARD
-    Shadow s = shadowHard(p, l.direction, tMin, tMax, parameters.stepLimit);
+    Shadow s = shadowHard(p, l.direction, tMin, tMax, steps);
 #elif SHADOWS == SHADOWS_CLASSIC
-    Shadow s = shadowClassic(p, l.direction, l.width, tMin, tMax, parameters.stepLimit);
+    Shadow s = shadowClassic(p, l.direction, l.width, tMin, tMax, steps);
 #elif SHADOWS == SHADOWS_IMPROVED
-    Shadow s = shadowAaltonen(p, l.direction, l.width, tMin, tMax, parameters.stepLimit);
+    Shadow s = shadowAaltonen(p, l.direction, l.width, tMin, tMax, steps);
 #elif SHADOWS == SHADOWS_SIGNED
-    Shadow s = shadowSigned(p, l.direction, l.width, tMin, tMax, parameters.stepLimit);
+    Shadow s = shadowSigned(p, l.direction, l.width, tMin, tMax, steps);
 #elif SHADOWS == SHADOWS_AREA
-    Shadow s = shadowArea(p, l.direction, l.width, tMin, tMax, parameters.stepLimit, parameters.shadowRays, 2.0 * PI * pixelNumber(salt));
+    Shadow s = shadowArea(p, l.direction, l.width, tMin, tMax, steps, parameters.shadowRays, 2.0 * PI * pixelNumber(salt));
 #else
     // The source's: the narrowest clearance k d / t from 0.1 on, smoothed, and hard for k = 0. Unlike there, what is
     // behind the light keeps nothing away.
-    Shadow s = shadowClassic(p, l.direction, stage.softShadows > 0.0 ? 1.0 / stage.softShadows : 1e-4, 0.1, tMax, parameters.stepLimit);
+    Shadow s = shadowClassic(p, l.direction, stage.softShadows > 0.0 ? 1.0 / stage.softShadows : 1e-4, 0.1, tMax, steps);
     s.visibility = stage.softShadows > 0.0 ? smoothStep(0.0, 1.0, s.visibility) : step(1e-3, s.visibility);
 #endif
     evaluations += s.evaluations;

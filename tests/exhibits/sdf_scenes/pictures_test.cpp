@@ -38,7 +38,7 @@ TEST_F(ScenePicture, E1_E2_ShowsSurfacesWhereTheEvaluatorFindsThem)
     for (const char* name : {"primitives", "unions", "torus", "mercury", "still_life"}) {
         SceneShot shot(shippedScene(name));
         shot.values().set(scenesTable().hitTolerance, 0.05);
-        shot.values().set(scenesTable().stepLimit, 1024);
+        shot.values().set(scenesTable().stepLimit, 512);
         const test::Picture p = shot.take();
         const scenes::SceneField field = shot.field();
         const glm::dmat4 scene = shot.sceneFromWorld();
@@ -183,7 +183,7 @@ TEST_F(ScenePicture, E11_OcclusionOfAWallIsAHalfAtItsFoot)
       {"kind": "plane", "normal": [0, 1, 0]}, {"kind": "box", "size": [2000, 2000, 1], "translate": [0, 0, -0.5]}]})",
                                     head));
     shot.values().set(scenesTable().occlusionRange, 1000.0);
-    shot.values().set(scenesTable().occlusionRays, 512);
+    shot.values().set(scenesTable().occlusionRays, 128);
     shot.request.frame.raster.size = {33, 33};
     const auto openness = [&](SceneOcclusion method, int row) {
         shot.values().set(scenesTable().occlusionMethod, method);
