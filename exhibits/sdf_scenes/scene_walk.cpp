@@ -15,7 +15,8 @@ glm::dvec3 wordsAt(const double* words, std::uint32_t word)
 
 glsl::SceneMaterial materialAt(const double* w)
 {
-    return glsl::sceneMaterial({w[0], w[1], w[2], w[3]}, {w[4], w[5], w[6], w[7]}, {w[8], w[9], w[10], w[11]});
+    return glsl::sceneMaterial({w[0], w[1], w[2], w[3]}, {w[4], w[5], w[6], w[7]}, {w[8], w[9], w[10], w[11]},
+                               {w[12], w[13], w[14], w[15]});
 }
 
 }  // namespace
@@ -103,8 +104,8 @@ void SceneWalk::combine(const Step& step)
     const double share = kind.share.cpu(a, b, v);
     const glsl::SceneMaterial m =
         glsl::sceneBlend(materialAt(own.material.data()), materialAt(surfaces_[step.child].material.data()), share);
-    own.material = {m.color.x,   m.color.y, m.color.z,   m.ambient,   m.diffuse,     m.specular,
-                    m.shininess, m.mirror,  m.metalness, m.roughness, m.reflectance, m.refractiveIndex};
+    own.material = {m.color.x, m.color.y,   m.color.z,   m.ambient,     m.diffuse,         m.specular,     m.shininess,
+                    m.mirror,  m.metalness, m.roughness, m.reflectance, m.refractiveIndex, m.transmission, m.emission};
     if (share > 0.5) own.node = surfaces_[step.child].node;
 }
 
@@ -130,8 +131,11 @@ bool SceneWalk::again(const Step& step)
                                        {asked[7], asked[8], asked[9]}, {asked[10], asked[11], asked[12]});
     if (d < state.distance || state.copy == 0) inherit(step.node, step.child);
     state.distance = std::min(state.distance, d);
-    if (++state.copy >= static_cast<int>(asked[3]) * static_cast<int>(asked[4]) * static_cast<int>(asked[5]))
+    if (++state.copy >= static_cast<int>(asked[3]) * static_cast<int>(asked[4]) * static_cast<int>(asked[5])) {
+        state.distance = glsl::sceneBeyond(state.distance, state.own, asked[6], {asked[13], asked[14], asked[15]},
+                                           {asked[16], asked[17], asked[18]});
         return false;
+    }
     state.asked = kind.copy.cpu(state.own, state.copy, v);
     return true;
 }
