@@ -46,11 +46,11 @@ struct SdfScenesTable final : Parameters {
                quality(SceneShadow::area));
     Count shadowRays = count("shadowRays", 16, {1, 64, logarithmic}, "Rays over each light, for the area method.",
                              quality(64), when(shadowMethod, SceneShadow::area));
-    Real lampSize = real("lampSize", 0.1, meter, Range{0, 100}.soft(0, 1),
-                         "Radius of the scene's points of light: wide ones give soft shadows.",
-                         when(shadowMethod, {SceneShadow::classic, SceneShadow::improved, SceneShadow::signedDistance,
-                                             SceneShadow::area}) ||
-                             (when(shadowMethod, SceneShadow::look) && whenNot(look, SceneLook::source)));
+    Real lampSize =
+        real("lampSize", 0.1, meter, Range{0, 100}.soft(0, 1),
+             "Radius of the scene's points of light: wide ones give soft shadows and wide highlights.",
+             whenNot(look, SceneLook::source) || when(shadowMethod, {SceneShadow::classic, SceneShadow::improved,
+                                                                     SceneShadow::signedDistance, SceneShadow::area}));
     Choice<SceneOcclusion> occlusionMethod =
         choice("occlusionMethod", SceneOcclusion::look, {"as the look has it", "none", "5 taps", "hemisphere", "cones"},
                "How much of the light around a point shapes keep away: up the normal, or by rays or cones around it.",
