@@ -126,7 +126,14 @@ TEST_F(SceneShaders, OfTheShippedScenesAreTheEvaluator)
         if (entry.path().filename() == "scene.schema.json") continue;
         const scenes::ReadScene read = scenes::readSceneFile(entry.path());
         ASSERT_TRUE(read.scene) << test::findingsText(read);
-        compareBothWays(read.scene, 1.25, entry.path().filename().string());
+        const std::string name = entry.path().stem().string();
+        // Folded, the loops of their repetitions are unrolled into shaders that llvmpipe builds for minutes.
+        if (name == "dahlia" || name == "rotunda") {
+            const scenes::SceneField field(read.scene, 1.25);
+            compare(field, scenes::sceneGlsl(field.program()), scenes::sceneBlock(field.words()), name);
+        } else {
+            compareBothWays(read.scene, 1.25, name);
+        }
     }
 }
 
