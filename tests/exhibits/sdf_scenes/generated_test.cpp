@@ -128,7 +128,7 @@ TEST_F(SceneShaders, OfTheShippedScenesAreTheEvaluator)
         ASSERT_TRUE(read.scene) << test::findingsText(read);
         const std::string name = entry.path().stem().string();
         // Folded, the loops of their repetitions are unrolled into shaders that llvmpipe builds for minutes.
-        if (name == "dahlia" || name == "rotunda") {
+        if (name == "dahlia" || name == "rotunda" || name == "mercury" || name == "still_life") {
             const scenes::SceneField field(read.scene, 1.25);
             compare(field, scenes::sceneGlsl(field.program()), scenes::sceneBlock(field.words()), name);
         } else {
