@@ -2,6 +2,8 @@
 
 #include "exhibits/framework/file_path.h"
 #include "exhibits/sdf_scenes/scene_glsl.h"
+#include "exhibits/sdf_scenes/scene_reader.h"
+#include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/scene/held_bytes.h"
 #include "shaders/lib/bindings.glsl"
@@ -95,7 +97,16 @@ struct ScenePass {
 
 }  // namespace
 
-SdfScenes::SdfScenes() : first_(scenes::readShownScene(render::asset(firstScene))) {}
+SdfScenes::SdfScenes(const std::filesystem::path& first)
+{
+    try {
+        first_ = scenes::readShownScene(first.empty() ? render::asset(firstScene) : first);
+    } catch (const Failure& failure) {
+        whyNotFirst_ = failure.what();
+        const std::string sphere = R"({"format": "vitrine-scene", "version": 1, "root": {"kind": "sphere"}})";
+        first_ = scenes::shownScene(scenes::readScene(sphere, "sphere", {}).scene);
+    }
+}
 
 const ShownScene& SdfScenes::shown(const ParameterValues& values) const
 {
@@ -155,7 +166,9 @@ CalledTable SdfScenes::tableFor(const ParameterValues& values, render::AssetStor
 {
     const ParameterInfo& row = table_.rows()[table_.scene.row];
     const std::string path = filePath(row, values[table_.scene]);
-    if (path.empty()) return {{std::shared_ptr<const Parameters>(), &table_}, {}};
+    if (path.empty())
+        return {{std::shared_ptr<const Parameters>(), &table_},
+                whyNotFirst_.empty() ? std::string() : unreadableFile(row, title(), whyNotFirst_)};
     const auto read = assets.get<Table>("sdf_scenes.scene", path, [](const std::string& file) {
         auto scene = scenes::readShownScene(file);
         const std::uint64_t bytes = 4096 + 64 * scene->program->wordCount();

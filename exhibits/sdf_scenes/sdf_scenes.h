@@ -4,6 +4,8 @@
 #include "exhibits/sdf_scenes/sdf_scenes_table.h"
 #include "exhibits/sdf_scenes/shown_scene.h"
 
+#include <filesystem>
+
 namespace vitrine {
 
 /// A scene of shapes from a file, behind a deep frame: its tree becomes a shader of its own, its parameters sliders.
@@ -12,8 +14,9 @@ class SdfScenes final : public Exhibit, public HasButton, public HasSurroundings
 public:
     using Table = SdfScenesTable;
 
-    /// Throws Failure where the scene that is there at first cannot be read.
-    SdfScenes();
+    /// With another scene than the shipped one while the values name none. Where it cannot be read, a sphere takes its
+    /// place, and `tableFor` says why.
+    explicit SdfScenes(const std::filesystem::path& first = {});
     [[nodiscard]] std::string_view name() const override { return "sdf_scenes"; }
     [[nodiscard]] std::string_view title() const override { return "SDF Scenes"; }
     [[nodiscard]] std::string_view summary() const override
@@ -45,6 +48,7 @@ private:
 
     Table table_;
     std::shared_ptr<const scenes::ShownScene> first_;
+    std::string whyNotFirst_;
 };
 
 }  // namespace vitrine

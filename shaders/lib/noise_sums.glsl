@@ -52,8 +52,8 @@ float noiseMostCurved(int kind)
     return 13.97;
 }
 
-// How far noise that is looked up in a volume with 8 texels along a cell, linear between them, is off at most: 3e-3 of it
-// for filters that weigh in 256 steps.
+// How far noise that is looked up in a volume with 8 texels along a cell, linear between them, is off at most: 3e-3 of
+// it for filters that weigh in 256 steps.
 float noiseLookedUpError(int kind)
 {
     if (kind == NOISE_VALUE) return 0.058;

@@ -1,6 +1,6 @@
 // What the exhibit plans, without a context: what a scene lacks is left out, what cannot be read changes nothing.
 
-#include "exhibits/sdf_scenes/sdf_scenes_table.h"
+#include "exhibits/sdf_scenes/sdf_scenes.h"
 #include "exhibits/sdf_scenes/shown_scene.h"
 #include "shaders/lib/bindings.glsl"
 #include "tests/support/museum_on_paper.h"
@@ -172,6 +172,18 @@ TEST(SceneExhibit, E15_OnlyWhatMovesIsDrawnAgain)
     EXPECT_EQ(exhibit.nextChange(moving.values(), 1), 0);
     still.values().set(table().orbitSpeed, 0.1);
     EXPECT_EQ(exhibit.nextChange(still.values(), 1), 0);
+}
+
+TEST(SceneExhibit, WithoutTheSceneThatIsThereAtFirstShowsASphereAndSaysWhy)
+{
+    render::AssetStore assets;
+    EXPECT_EQ(SdfScenes().tableFor(table().initial(), assets).why, "");
+    const test::TemporaryFolder folder;
+    const SdfScenes alone(folder.path() / "mercury.json");
+    const std::string why = alone.tableFor(alone.parameters().initial(), assets).why;
+    EXPECT_NE(why.find("mercury.json"), std::string::npos) << why;
+    EXPECT_TRUE(why.ends_with('.')) << why;
+    EXPECT_GT(alone.bestView(alone.parameters().initial()).fovY, 0);
 }
 
 }  // namespace
