@@ -33,6 +33,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/lib/temporal_block.glsl"
 #include "shaders/noise/noise_block.glsl"
 #include "shaders/sdf_morph/torus_mug_shape_block.glsl"
+#include "shaders/sdf_scenes/stage_block.glsl"
 
 /// Byte offset of every number, vector and matrix by its GLSL name.
 using Offsets = std::map<std::string, std::size_t>;
@@ -143,6 +144,7 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"RaysBlock", described<RaysBlock>()},
         {"NoiseBlock", described<NoiseBlock>()},
         {"PortalBlock", described<PortalBlock>()},
+        {"SceneStage", described<SceneStage>()},
         {"SdfObject", described<SdfObject>()},
         {"SurfaceObject", described<SurfaceObject>()},
         {"TemporalBlock", described<TemporalBlock>()},
