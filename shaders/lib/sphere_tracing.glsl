@@ -148,12 +148,30 @@ March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
     float candidateCone = 1.0e30;
     float candidateT = s.tMin;
     float candidateDistance = 0.0;
+    float pixel = s.pixelCone * s.tolerance;
 
-    for (int i = 0; i < s.stepLimit; ++i) {
+    for (int i = 0; i <= s.stepLimit; ++i) {
+        // The field is asked at one place of the program: a SIMD processor without branches would pay for another one.
+        bool outOfSteps = i == s.stepLimit;
+        if (outOfSteps) {
+            march.exhausted = true;
+            bool arriving = free && slope < -1.0e-4 && radius <= 32.0 * pixel * (march.t + s.traveled) &&
+                            march.t - radius / slope < s.tMax;
+            if (!arriving) break;
+            stepLength = -radius / slope;
+        }
+
         float t = march.t + stepLength;
         float value = fieldDistance(origin + direction * t);
         march.evaluations = i + 1;
         float tolerance = hitTolerance(t, s);
+        if (outOfSteps) {
+            if (abs(value) > 2.0 * tolerance) break;
+            march.hit = true;
+            march.t = t;
+            march.distance = value;
+            return march;
+        }
         if (i == 0 && march.side == 0.0) march.side = value < -tolerance && !free ? -1.0 : 1.0;
         float d = march.side * value;
 
@@ -198,23 +216,7 @@ March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
         }
     }
 
-    march.exhausted = true;
-    float pixel = s.pixelCone * s.tolerance;
-    bool near = candidateCone <= 2.0 * pixel;
-    bool arriving = free && slope < -1.0e-4 && radius <= 32.0 * pixel * (march.t + s.traveled) &&
-                    march.t - radius / slope < s.tMax;
-    if (arriving) {
-        float t = march.t - radius / slope;
-        float value = fieldDistance(origin + direction * t);
-        march.evaluations += 1;
-        if (abs(value) <= 2.0 * hitTolerance(t, s)) {
-            march.hit = true;
-            march.t = t;
-            march.distance = value;
-            return march;
-        }
-    }
-    if (near) {
+    if (march.exhausted && candidateCone <= 2.0 * pixel) {
         march.hit = true;
         march.t = candidateT;
         march.distance = candidateDistance;
