@@ -42,7 +42,7 @@ study_ice_cream_hitTolerance gl $study ice_cream hitTolerance
 study_ice_cream_normalStep gl $study ice_cream normalStep
 study_ice_cream_shadowMethod_stepLimit gl $study ice_cream shadowMethod stepLimit --points 5 --runs 3
 study_ice_cream_occlusionTaps gl $study ice_cream occlusionTaps --alone --set lighting=as\ in\ the\ source
-study_ice_cream_supersamples gl $study ice_cream hall.supersamples --alone --values 1,2,4,8,16,32 --size 160x90 --views 1
+study_ice_cream_supersamples gl $study ice_cream hall.supersamples --alone --values 1,2,4,8,16 --size 96x54 --views 1 --runs 3
 study_noise_boundShare gl $study noise boundShare --set work=fractal\ sum --points 6 --runs 3
 study_noise_octaves gl $study noise octaves --set work=fractal\ sum --points 6 --runs 3
 study_noise_normals gl $study noise normals --set work=fractal\ sum --runs 3
