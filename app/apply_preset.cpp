@@ -1,6 +1,6 @@
 #include "app/apply_preset.h"
 
-#include "exhibits/framework/preset.h"
+#include "exhibits/framework/preset_store.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/files/extension.h"
@@ -9,7 +9,6 @@
 #include "render/image/image_io.h"
 
 #include <filesystem>
-#include <set>
 
 namespace vitrine::app {
 namespace {
@@ -33,14 +32,13 @@ std::string presetFile(const std::string& given, const std::string& subject)
     const fs::path path = given;
     std::error_code ignored;
     if (path.has_parent_path() || path.has_extension() || fs::exists(path, ignored)) return given;
-    const fs::path folder = render::asset("presets/" + subject);
-    const fs::path shipped = folder / (given + ".json");
-    if (fs::exists(shipped, ignored)) return shipped.string();
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder, ignored))
-        if (entry.path().extension() == ".json") names.insert(entry.path().stem().string());
     std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    for (const PresetEntry& preset : PresetStore::standard(render::asset("presets")).list(subject)) {
+        if (!preset.shipped) continue;
+        const std::string name = preset.path.stem().string();
+        if (name == given) return preset.path.string();
+        all += (all.empty() ? "" : ", ") + name;
+    }
     throw Failure(Blame::file, "There is neither a file nor a preset of " + subject + " named " + given + "; " +
                                    (all.empty() ? "give a preset file." : "its presets are " + all + "."));
 }

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 namespace vitrine::app {
@@ -42,7 +41,7 @@ int checkScene(const std::string& file, Json* report)
         for (const scenes::Finding& finding : read.findings) std::printf("%s\n", finding.text().c_str());
     }
     if (read.scene) return 0;
-    return static_cast<int>(std::ifstream(file).good() ? Blame::check : Blame::file);
+    return static_cast<int>(read.fileRead ? Blame::check : Blame::file);
 }
 
 int checkScenes(const std::vector<std::string>& files, bool asJson)

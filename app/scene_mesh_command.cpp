@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 namespace vitrine::app {
@@ -33,16 +32,21 @@ std::shared_ptr<const scenes::Scene> readOrThrow(const std::string& file)
     if (read.scene) return read.scene;
     const std::size_t others = read.findings.size() - 1;
     throw Failure(
-        std::ifstream(file).good() ? Blame::check : Blame::file,
+        read.fileRead ? Blame::check : Blame::file,
         read.findings.front().text() +
             (others > 0 ? " And " + std::to_string(others) + " more; `vitrine scene check` lists them." : ""));
 }
 
-/// A length in meters, or with a unit of its own.
+/// A plain number in SI, or one with a unit of its own.
+std::optional<double> numberOption(const std::string& typed, Unit unit)
+{
+    const std::optional<double> plain = evaluate(typed, Unit::none);
+    return plain ? plain : evaluate(typed, unit);
+}
+
 double lengthOption(const std::string& option, const std::string& typed)
 {
-    std::optional<double> value = evaluate(typed, Unit::none);
-    if (!value) value = evaluate(typed, Unit::meter);
+    const std::optional<double> value = numberOption(typed, Unit::meter);
     if (!value || !(*value > 0))
         throw Failure(Blame::usage, option + " \"" + typed + "\": give a length, such as 5mm.");
     return *value;
@@ -68,8 +72,7 @@ std::vector<double> parameterValues(const scenes::Scene& scene, const std::vecto
             throw Failure(Blame::usage, "--set " + name + ": the scene has no such parameter" +
                                             (names.empty() ? " and no other." : "; it has " + names + "."));
         const scenes::SceneParameter& parameter = scene.parameters()[i];
-        std::optional<double> value = evaluate(typed, Unit::none);
-        if (!value) value = evaluate(typed, parameter.unit);
+        const std::optional<double> value = numberOption(typed, parameter.unit);
         if (!value || *value < parameter.low || *value > parameter.high)
             throw Failure(Blame::usage, "--set " + name + "=" + typed + ": give a number from " +
                                             render::shortestNumber(parameter.low) + " to " +

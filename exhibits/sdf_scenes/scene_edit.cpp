@@ -127,23 +127,6 @@ std::optional<std::uint32_t> SceneEdit::operationOf(std::uint32_t node) const
     return kind && text_.value(*kind).type == JsonType::string ? std::optional(holder) : std::nullopt;
 }
 
-std::string SceneEdit::pathOf(std::uint32_t value) const
-{
-    std::string path;
-    for (std::uint32_t here = value; here != 0;) {
-        const std::uint32_t parent = text_.value(here).parent;
-        if (text_.value(parent).type == JsonType::array) {
-            std::size_t number = 0;
-            for (std::uint32_t i = text_.value(parent).firstChild; i != here; i = text_.value(i).next) ++number;
-            path.insert(0, "[" + std::to_string(number) + "]");
-        } else {
-            path.insert(0, (parent == 0 ? "" : ".") + text_.key(here));
-        }
-        here = parent;
-    }
-    return path;
-}
-
 std::optional<std::uint32_t> SceneEdit::listOf(std::uint32_t node) const
 {
     const std::uint32_t parent = text_.value(node).parent;
@@ -186,7 +169,7 @@ EditedScene SceneEdit::added(std::string_view parent, std::size_t before, const 
     const auto list = text_.member(to, "children");
     if (!list || text_.value(*list).type != JsonType::array) refuse("This node has no \"children\"; mend the file.");
     const std::size_t index = std::min(before, text_.children(*list).size());
-    return {text_.withElement(*list, index, freshNode(kind)), inListText(pathOf(*list), index)};
+    return {text_.withElement(*list, index, freshNode(kind)), inListText(text_.wholePath(*list), index)};
 }
 
 EditedScene SceneEdit::duplicated(std::string_view node) const
@@ -203,8 +186,8 @@ EditedScene SceneEdit::duplicated(std::string_view node) const
         const std::string both = operationText(*findKind("union"), {std::string(text_.written(from)), copy});
         return {text_.withValue(from, both), std::string(node) + ".children[1]"};
     }
-    const auto in = inList(pathOf(from), pathOf(*list));
-    return {text_.withElement(*list, in->number + 1, copy), inListText(pathOf(*list), in->number + 1)};
+    const auto in = inList(text_.wholePath(from), text_.wholePath(*list));
+    return {text_.withElement(*list, in->number + 1, copy), inListText(text_.wholePath(*list), in->number + 1)};
 }
 
 EditedScene SceneEdit::removed(std::string_view node) const
@@ -213,15 +196,16 @@ EditedScene SceneEdit::removed(std::string_view node) const
     while (true) {
         const auto operation = operationOf(gone);
         if (!operation) {
-            if (pathOf(gone) == "root") refuse("The root cannot be deleted, a scene shows something; change its kind.");
+            if (text_.wholePath(gone) == "root")
+                refuse("The root cannot be deleted, a scene shows something; change its kind.");
             return {text_.without(gone), "root"};
         }
         const std::vector<std::uint32_t> children = childrenOf(*operation);
         if (children.size() > 2 || (children.size() == 2 && kindOf(*operation).form == Form::operands))
-            return {text_.without(gone), pathOf(*operation)};
+            return {text_.without(gone), text_.wholePath(*operation)};
         if (children.size() == 2) {
             const std::uint32_t left = children[0] == gone ? children[1] : children[0];
-            return {text_.withValue(*operation, text_.written(left)), pathOf(*operation)};
+            return {text_.withValue(*operation, text_.written(left)), text_.wholePath(*operation)};
         }
         gone = *operation;
     }
@@ -259,8 +243,8 @@ EditedScene SceneEdit::moved(std::string_view node, std::string_view parent, std
         refuse("A " + std::string(kindOf(to).name) + " takes no further child; wrap it in a union first.");
     if (!fromList || !operation || kindOf(*operation).form != Form::operands || childrenOf(*operation).size() < 2)
         refuse("Its operation would be left without what it works on; delete or unwrap that one.");
-    const std::string path = pathOf(from);
-    const std::string target = pathOf(*toList);
+    const std::string path = text_.wholePath(from);
+    const std::string target = text_.wholePath(*toList);
     if (target.compare(0, path.size(), path) == 0 && (target.size() == path.size() || target[path.size()] == '.'))
         refuse("A node cannot be moved into itself.");
     std::size_t index = std::min(before, text_.children(*toList).size());

@@ -63,8 +63,6 @@ private:
     [[nodiscard]] std::vector<std::uint32_t> childrenOf(std::uint32_t node) const;
     [[nodiscard]] std::vector<std::uint32_t> nodes() const;
     [[nodiscard]] std::string freeName(const std::string& like) const;
-    /// Unlike JsonText::path, the whole of it.
-    [[nodiscard]] std::string pathOf(std::uint32_t value) const;
     /// With these nodes hidden or shown.
     [[nodiscard]] std::string withHidden(const std::vector<std::pair<std::uint32_t, bool>>&) const;
 

@@ -10,7 +10,7 @@
 
 namespace vitrine::scenes {
 
-/// Where a generated field is included from; `sdf_scenes/field_material.glsl` includes nothing and stands behind it.
+/// Where a generated field is included from.
 inline constexpr const char* generatedField = "sdf_scenes/generated_field.glsl";
 
 /// A member that the uniform block has behind the scene's numbers, for the shader around the field.

@@ -362,7 +362,7 @@ ReadScene readSceneFile(const std::filesystem::path& path, const SceneLimits& li
     try {
         return readScene(render::readFile(path, limits.json.bytes), path.string(), included, limits);
     } catch (const Failure& failure) {
-        return {nullptr, {{path.string(), 1, 1, "", failure.what()}}};
+        return {nullptr, {{path.string(), 1, 1, "", failure.what()}}, false};
     }
 }
 

@@ -17,6 +17,7 @@ inline constexpr int sceneVersion = 1;
 struct ReadScene {
     std::shared_ptr<const Scene> scene;  ///< Null where something was found wrong.
     std::vector<Finding> findings;
+    bool fileRead = true;  ///< False where the file itself could not be read.
 };
 
 /// The text of an included file by its path from the scene's folder. Throws Failure.

@@ -173,7 +173,7 @@ std::optional<std::uint32_t> JsonText::at(std::string_view wanted) const
     return here;
 }
 
-std::string JsonText::path(std::uint32_t index) const
+std::string JsonText::path(std::uint32_t index, std::size_t mostParts) const
 {
     std::vector<std::string> parts;
     for (std::uint32_t i = index; values_[i].parent != JsonSpan::none; i = values_[i].parent) {
@@ -186,10 +186,10 @@ std::string JsonText::path(std::uint32_t index) const
         parts.push_back('[' + std::to_string(number) + ']');
     }
     std::reverse(parts.begin(), parts.end());
-    constexpr std::size_t most = 20;
-    if (parts.size() > most) {
-        parts.erase(parts.begin() + most / 2, parts.end() - most / 2);
-        parts[most / 2].insert(0, "...");
+    if (parts.size() > mostParts) {
+        const auto kept = static_cast<std::ptrdiff_t>(mostParts / 2);
+        parts.erase(parts.begin() + kept, parts.end() - kept);
+        parts[mostParts / 2].insert(0, "...");
     }
     std::string text;
     for (const std::string& part : parts) text += part;

@@ -56,8 +56,10 @@ public:
     [[nodiscard]] std::optional<std::uint32_t> member(std::uint32_t object, std::string_view key) const;
     /// The value at a path such as "root.children[2].radius", or nothing. "" is the whole.
     [[nodiscard]] std::optional<std::uint32_t> at(std::string_view path) const;
-    /// The path of a value. Of a path longer than 20 parts the beginning and the end.
-    [[nodiscard]] std::string path(std::uint32_t index) const;
+    /// The path of a value. Of one with more parts than `mostParts` the beginning and the end.
+    [[nodiscard]] std::string path(std::uint32_t index, std::size_t mostParts = 20) const;
+    /// The whole of it, as `at` takes it.
+    [[nodiscard]] std::string wholePath(std::uint32_t index) const { return path(index, std::string::npos); }
     /// Of a value's key, or of the value where it has none.
     [[nodiscard]] TextPosition position(std::uint32_t index) const;
 

@@ -14,15 +14,8 @@ vec3 exhibitLight(Surface s, Hit hit, vec3 toEye)
 vec3 fieldRadiance(LocalRay ray, Hit hit, MarchSettings settings)
 {
     if (parameters.lighting == lighting_hall) return shadeFound(ray, hit, settings);
-    FieldMaterial material = fieldMaterial(hit.local);
-    Surface s;
-    s.position = hit.world;
+    Surface s = bareSurface(hit, fieldMaterial(hit.local));
     s.normal = hit.localNormal;
-    s.baseColor = material.baseColor;
-    s.metalness = material.metalness;
-    s.roughness = max(material.roughness, 0.02);
-    s.specular = material.specular;
-    s.ambient = vec3(0.0);
     s.occlusion = sourceOcclusion(hit.local, hit.localNormal);
     return sourceFogged(sourceReflected(s, -ray.direction, selfVisibility(hit, sourceSun())), hit.traveled);
 }

@@ -22,7 +22,7 @@ struct SceneSurface {
     SceneMaterial material;
 };
 
-// From the numbers in the order above; the last two are of no use yet.
+// From the numbers in the order above; d.z and d.w only fill up.
 SceneMaterial sceneMaterial(vec4 a, vec4 b, vec4 c, vec4 d)
 {
     SceneMaterial m;

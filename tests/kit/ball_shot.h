@@ -47,7 +47,7 @@ struct BallShot {
     explicit BallShot(const Museum& of = ballMuseum(), const char* exhibit = "ball")
         : museum(of), sceneState(of.initialSceneState()), subject(*of.find(exhibit))
     {
-        useSmallMaps(sceneState, 512);
+        useSmallMaps(hall(), 512);
         seeAlone(request, subject);
         FrameRequest& frame = request.frame;
         frame.raster.size = {96, 72};

@@ -43,11 +43,11 @@ double Picture::mean() const
     return sum / (width() * height());
 }
 
-void useSmallMaps(SceneState& sceneState, int shadowMapSize)
+void useSmallMaps(ParameterValues& hall, int shadowMapSize)
 {
-    sceneState.hall().set(hallTable().shadowMapSize, shadowMapSize);
-    sceneState.hall().set(hallTable().probeSize, 32);
-    sceneState.hall().set(hallTable().probeSamples, 16);
+    hall.set(hallTable().shadowMapSize, shadowMapSize);
+    hall.set(hallTable().probeSize, 32);
+    hall.set(hallTable().probeSamples, 16);
 }
 
 void seeAlone(PictureRequest& request, std::size_t subject)
@@ -65,7 +65,7 @@ Shot::Shot()
     const Museum& museum = gallery().museum;
     sceneState = museum.initialSceneState();
     sdf = *museum.find("sdf_morph");
-    useSmallMaps(sceneState, 512);
+    useSmallMaps(hall(), 512);
     // Clear air, so that surfaces are seen as they are.
     sceneState.values[*museum.find("crepuscular_rays")].set(raysTable().technique, RayTechnique::none);
     seeAlone(request, sdf);

@@ -37,7 +37,7 @@ private:
 };
 
 /// Shadow map and probe small, so that a picture of the hall takes less time.
-void useSmallMaps(SceneState&, int shadowMapSize);
+void useSmallMaps(ParameterValues& hall, int shadowMapSize);
 /// One exhibit alone on nothing: linear light, depth and normals.
 void seeAlone(PictureRequest&, std::size_t subject);
 

@@ -98,7 +98,8 @@ float sunReaches(Hit hit)
     return visible > 0.0 ? visible * selfVisibility(hit, normalize(mat3(object.localFromWorld) * light.sunDirection)) : 0.0;
 }
 
-Surface surfaceOf(Hit hit, FieldMaterial material)
+// In no light from around it, with nothing near it.
+Surface bareSurface(Hit hit, FieldMaterial material)
 {
     Surface s;
     s.position = hit.world;
@@ -108,6 +109,13 @@ Surface surfaceOf(Hit hit, FieldMaterial material)
     s.roughness = max(material.roughness, 0.02);
     s.specular = material.specular;
     s.occlusion = 1.0;
+    s.ambient = vec3(0.0);
+    return s;
+}
+
+Surface surfaceOf(Hit hit, FieldMaterial material)
+{
+    Surface s = bareSurface(hit, material);
     if (parameters.ambientOcclusion) {
         s.occlusion = fieldOcclusion(hit.local, hit.localNormal, 0.25 * length(object.boxHigh - object.boxLow));
         evaluations += 5;

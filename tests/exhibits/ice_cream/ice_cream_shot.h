@@ -20,7 +20,7 @@ struct IceCreamShot {
 
     IceCreamShot()
     {
-        useSmallMaps(sceneState, 256);
+        useSmallMaps(sceneState.hall(), 256);
         values().set(iceCreamTable().lighting, IceCreamLighting::source);
         values().set(iceCreamTable().size, 1.0);
         seeAlone(request, subject);

@@ -105,9 +105,7 @@ std::vector<Situation> situationsOf(std::size_t exhibit, const ParameterValues& 
 /// The hall with small maps and without supersampling, so that a picture costs little.
 ParameterValues cheap(ParameterValues hall)
 {
-    hall.set(hallTable().shadowMapSize, 512);
-    hall.set(hallTable().probeSize, 32);
-    hall.set(hallTable().probeSamples, 16);
+    useSmallMaps(hall, 512);
     hall.set(hallTable().supersamples, 1);
     return hall;
 }

@@ -25,16 +25,9 @@ struct SceneShot {
 
     explicit SceneShot(const std::filesystem::path& file = {})
     {
-        sceneState.hall().set(hallTable().shadowMapSize, 256);
-        sceneState.hall().set(hallTable().probeSize, 32);
-        sceneState.hall().set(hallTable().probeSamples, 16);
-        FrameRequest& frame = request.frame;
-        frame.alone = subject;
-        frame.transparent = true;
-        frame.averageIn = AverageIn::radiance;
-        frame.channels.normal = true;
-        request.depth = true;
-        frame.raster.size = {96, 64};
+        useSmallMaps(sceneState.hall(), 256);
+        seeAlone(request, subject);
+        request.frame.raster.size = {96, 64};
         if (!file.empty()) values().set(scenesTable().scene, file.string());
         read();
     }
