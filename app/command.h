@@ -23,6 +23,7 @@ void addStudyCommand(CLI::App&, Action& chosen);
 void addPrintCommand(CLI::App&, Action& chosen);
 void addProofCommand(CLI::App&, Action& chosen);
 void addSceneCommand(CLI::App&, Action& chosen);
+void addSpriteCommand(CLI::App&, Action& chosen);
 /// To `scene`.
 void addSceneMeshCommand(CLI::App&, Action& chosen);
 

@@ -37,6 +37,7 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addPrintCommand(parser, chosen);
     vitrine::app::addProofCommand(parser, chosen);
     vitrine::app::addSceneCommand(parser, chosen);
+    vitrine::app::addSpriteCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);
     try {
         parser.parse(argc, argv);

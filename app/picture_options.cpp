@@ -245,7 +245,7 @@ void assign(const Museum& museum, SceneState& sceneState, const Assignment& assi
     if (!value || !nearestLegal(info, *value))
         throw Failure(Blame::usage,
                       "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info) + '.');
-    if (!values.setRow(*row, *value) && info.kind != Kind::direction)
+    if (!values.chooseFile(*row, *value) && info.kind != Kind::direction)
         notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(*row)) +
                         ", the nearest that is allowed (" + whatItTakes(info) + ").");
 }

@@ -5,7 +5,7 @@ set -e
 cd "$(dirname "$0")/.."
 program=build/release/vitrine
 mkdir -p assets/thumbnails assets/pictures
-for exhibit in hall sdf_morph lenticular fur crepuscular_rays sdf_scenes noise ice_cream; do
+for exhibit in hall sdf_morph lenticular fur crepuscular_rays sdf_scenes noise pixel_art ice_cream; do
     $program render $exhibit --size 192x120 --samples 16 --out assets/thumbnails/$exhibit.png
     for preset in assets/presets/$exhibit/*.json; do
         $program render $exhibit --preset "$preset" --size 192x120 --samples 16 --out "${preset%.json}.png"
@@ -35,3 +35,8 @@ for look in dahlia rotunda still-life as-in-the-source-primitives primitives; do
     $program render sdf_scenes --alone --preset assets/presets/sdf_scenes/$look.json --size 480x300 --samples 16 --out assets/pictures/scenes-$look.png
 done
 $program render sdf_scenes --size 960x540 --samples 16 --out assets/pictures/scenes.png
+$program render pixel_art --size 960x540 --samples 16 --out assets/pictures/pixel-art.png
+for look in as-in-the-source handheld-of-1989 console-of-1983 low-sun; do
+    $program render pixel_art --alone --preset assets/presets/pixel_art/$look.json --size 480x270 --samples 1 --out assets/pictures/pixel-art-$look.png
+done
+$program render pixel_art --alone --size 960x540 --samples 1 --out assets/pictures/pixel-art-isle.png

@@ -5,6 +5,7 @@
 #include "exhibits/ice_cream/ice_cream.h"
 #include "exhibits/lenticular/lenticular.h"
 #include "exhibits/noise/noise.h"
+#include "exhibits/pixel_art/pixel_art.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 #include "exhibits/sdf_scenes/sdf_scenes.h"
 
@@ -19,6 +20,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<CrepuscularRays>());
     exhibits.push_back(std::make_unique<SdfScenes>());
     exhibits.push_back(std::make_unique<Noise>());
+    exhibits.push_back(std::make_unique<PixelArt>());
     exhibits.push_back(std::make_unique<IceCream>());
     return exhibits;
 }

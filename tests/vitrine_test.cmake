@@ -34,7 +34,11 @@ function(vitrine_gtest_program name)
         target_compile_options(${name} PRIVATE ${vitrine_unoptimized})
         target_precompile_headers(${name} REUSE_FROM vitrine_test_headers)
     endif()
-    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+    set_target_properties(${name} PROPERTIES
+                          RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests
+                          UNITY_BUILD ${VITRINE_UNITY_BUILD} VITRINE_TESTS_TOGETHER ${VITRINE_UNITY_BUILD})
+    # Fixtures of one file each.
+    target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
 # vitrine_test(<name> [OPTIMIZED] LABELS <label>... SOURCES <file>... [LIBRARIES <target>...]): a GoogleTest program, one
@@ -50,12 +54,13 @@ function(vitrine_test name)
     set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600)
 endfunction()
 
-# vitrine_suites(<program> [AS <name>] LABELS <label>... [PROPERTIES <key> <value>...] [ENVIRONMENT <name=value>...]): an
-# entry <name>.<suite> for each suite of a GoogleTest program, and for each parameter of a suite with parameters. They are
-# listed when ctest starts, so that what is new in the program needs no line here. ctest starts what has the highest COST
-# first, and COST counts for all entries of a call: the seconds that the longest takes.
+# vitrine_suites(<program> [AS <name>] [LONG <regex>] LABELS <label>... [PROPERTIES <key> <value>...]
+# [ENVIRONMENT <name=value>...]): an entry <name>.<suite> for each suite of a GoogleTest program, and for each parameter of a
+# suite with parameters; those that match LONG have the label long besides. They are listed when ctest starts, so that what is
+# new in the program needs no line here. ctest starts what has the highest COST first, and COST counts for all entries of a
+# call: the seconds that the longest takes.
 function(vitrine_suites program)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "AS" "LABELS;PROPERTIES;ENVIRONMENT")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "AS;LONG" "LABELS;PROPERTIES;ENVIRONMENT")
     if(NOT arg_AS)
         set(arg_AS ${program})
     endif()
@@ -64,6 +69,7 @@ function(vitrine_suites program)
 "set(program [==[$<TARGET_FILE:${program}>]==])
 set(name [==[${arg_AS}]==])
 set(labels [==[${arg_LABELS}]==])
+set(long [==[${arg_LONG}]==])
 set(environment [==[${arg_ENVIRONMENT}]==])
 set(properties [==[${arg_PROPERTIES}]==])
 include([==[${PROJECT_SOURCE_DIR}/tests/list_suites.cmake]==])

@@ -86,6 +86,9 @@ public:
     /// the exhibit is given from then on has this table, so a table derived from Parameters may carry the scene that it
     /// was made of. Any thread may call it, several at once; never throws for a file that cannot be read.
     [[nodiscard]] virtual CalledTable tableFor(const ParameterValues&, render::AssetStore&) const = 0;
+    /// What the table of these values was made of beside the files that its rows name, and what is read for pictures of
+    /// it: paths that are watched, too.
+    [[nodiscard]] virtual std::vector<std::string> furtherFiles(const ParameterValues&) const { return {}; }
 };
 
 /// The exhibit as one that does this; null where it does not.

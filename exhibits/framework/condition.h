@@ -25,6 +25,8 @@ struct Condition {
     std::string_view row = {};
     std::vector<double> values = {};
     std::vector<Condition> parts = {};
+
+    bool operator==(const Condition&) const = default;
 };
 
 [[nodiscard]] Condition operator&&(Condition, Condition);

@@ -22,7 +22,8 @@ std::string_view glslType(Kind kind)
     case Kind::toggle: return "bool";
     case Kind::color:
     case Kind::direction: return "vec3";
-    case Kind::file: return "";
+    case Kind::file:
+    case Kind::text: return "";
     }
     return "";
 }
@@ -41,6 +42,7 @@ std::string rangeText(const ParameterInfo& row)
     case Kind::color: return "any color";
     case Kind::direction: return "any direction";
     case Kind::file: return "a file";
+    case Kind::text: return "a text";
     }
     return {};
 }
@@ -80,8 +82,7 @@ std::string uniformBlock(const Parameters& table)
 {
     std::string fields;
     for (const ParameterInfo& row : table.rows())
-        if (row.kind != Kind::file)
-            fields += "    " + std::string(glslType(row.kind)) + ' ' + std::string(row.name) + ";\n";
+        if (!row.isWritten()) fields += "    " + std::string(glslType(row.kind)) + ' ' + std::string(row.name) + ";\n";
     if (fields.empty()) return {};
     return enumerators(table) + "layout(std140, binding = " + std::to_string(BLOCK_PARAMETERS) +
            ") uniform Parameters {\n" + fields + "} parameters;\n";
@@ -92,7 +93,7 @@ render::Bytes uniformBytes(const ParameterValues& values)
     render::Std140Writer block;
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
         const ParameterInfo& row = values.rows()[i];
-        if (row.kind == Kind::file) continue;
+        if (row.isWritten()) continue;
         if (const auto* v = std::get_if<glm::dvec3>(&values.row(i)))
             block.put(glm::vec3(*v));
         else if (row.kind == Kind::real)

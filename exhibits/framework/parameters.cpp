@@ -33,6 +33,7 @@ std::string_view toString(Kind kind)
     case Kind::color: return "color";
     case Kind::direction: return "direction";
     case Kind::file: return "file";
+    case Kind::text: return "text";
     }
     return "";
 }
@@ -120,7 +121,8 @@ std::optional<Value> nearestLegal(const ParameterInfo& row, const Value& value)
         // A direction that is already unit length keeps its bits, so that presets round-trip.
         return std::abs(length - 1) < 1e-12 ? *v : *v / length;
     }
-    case Kind::file: {
+    case Kind::file:
+    case Kind::text: {
         const std::string* path = std::get_if<std::string>(&value);
         if (!path) return std::nullopt;
         return *path;
@@ -196,7 +198,7 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
         if (!row.formerly.empty()) row.formerly = inElement(row.formerly);
     }
     for (std::string_view* text :
-         {&row.name, &row.group, &row.help, &row.called, &row.endings, &row.formerly, &row.shipped})
+         {&row.name, &row.group, &row.help, &row.called, &row.endings, &row.formerly, &row.shipped, &row.documentOf})
         *text = owned(*text);
     for (std::string_view& choice : row.choices) choice = owned(choice);
     if (row.word) row.word->text = owned(row.word->text);
@@ -269,6 +271,14 @@ bool ParameterValues::setRow(std::size_t i, const Value& value)
     if (!legal) return false;
     values_[i] = *legal;
     return *legal == value;
+}
+
+bool ParameterValues::chooseFile(std::size_t i, const Value& value)
+{
+    if (value != values_[i])
+        for (std::size_t r = 0; r < rows().size(); ++r)
+            if (rows()[r].documentOf == rows()[i].name) resetRow(r);
+    return setRow(i, value);
 }
 
 void ParameterValues::resetRow(std::size_t i)

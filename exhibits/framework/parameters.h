@@ -23,7 +23,7 @@
 
 namespace vitrine {
 
-enum class Kind : std::uint8_t { real, count, toggle, choice, color, direction, file };
+enum class Kind : std::uint8_t { real, count, toggle, choice, color, direction, file, text };
 enum class Scale : std::uint8_t { linear, logarithmic };
 
 /// "real", "count", ... as `vitrine list --json` prints them.
@@ -49,16 +49,20 @@ struct Range {
     }
 
     [[nodiscard]] constexpr Range soft(double from, double to) const { return {low, high, scale, from, to}; }
+    bool operator==(const Range&) const = default;
 };
 
 /// A value as code that walks a table sees it: a number for real, count, toggle (0 or 1) and choice
-/// (its index); three numbers for color (linear Rec. 709) and direction (unit length); a path for file.
+/// (its index); three numbers for color (linear Rec. 709) and direction (unit length); a path for file; what is written
+/// for text.
 using Value = std::variant<double, glm::dvec3, std::string>;
 
 /// A number that means something else than a number: shown as this word, and typed as it.
 struct Word {
     double value = 0;
     std::string_view text;  ///< "auto".
+
+    bool operator==(const Word&) const = default;
 };
 
 /// One row of a parameter table.
@@ -82,15 +86,19 @@ struct ParameterInfo {
     std::optional<Word> word = {};           ///< For a real or a count.
     bool groupFolded = false;                ///< Whether the panel shows its group folded at first.
     std::string_view endings = {};           ///< For Kind::file: what a dialog offers, "glb gltf"; empty: everything.
-    bool givesRows = false;                  ///< For Kind::file: its file gives the table further rows.
+    bool givesRows = false;                  ///< For Kind::file and text: what it names or is gives further rows.
     std::string_view shipped = {};           ///< For Kind::file: a folder of assets with files that a bare name means.
     std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
     std::size_t element = 0;                 ///< Which group of that array, from 0.
     std::string_view formerly = {};          ///< Its name in files of before; empty: the same.
     std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
+    std::string_view documentOf = {};        ///< For Kind::text: the file row whose file it stands in for, where given.
 
     /// Whether its values are numbers, with others between them: a real or a count.
     [[nodiscard]] bool isNumeric() const { return kind == Kind::real || kind == Kind::count; }
+    /// Whether its values are strings: it is nothing for shaders and sweeps.
+    [[nodiscard]] bool isWritten() const { return kind == Kind::file || kind == Kind::text; }
+    bool operator==(const ParameterInfo&) const = default;
 };
 
 /// "Shell count" for "shellCount", or what the row is called.
@@ -143,6 +151,8 @@ public:
     ~Parameters() = default;
 
     [[nodiscard]] std::span<const ParameterInfo> rows() const { return rows_; }
+    /// Whether the other table says the same of the same rows.
+    [[nodiscard]] bool hasRowsOf(const Parameters& other) const { return rows_ == other.rows_; }
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     [[nodiscard]] ParameterValues initial() const;
 
@@ -296,6 +306,15 @@ protected:
     {
         return {append({name, group_, help, Kind::file, Unit::none, {0, 0}, std::string()}, traits...)};
     }
+    /// The content of the file that `of` names, changed and not written to it yet; empty: as it is in the file. It
+    /// gives rows as the file does. Who chooses another file empties it (`ParameterValues::chooseFile`).
+    File document(std::string_view name, File of, std::string_view help)
+    {
+        ParameterInfo row{name, group_, help, Kind::text, Unit::none, {0, 0}, std::string()};
+        row.givesRows = true;
+        row.documentOf = nameOf(of);
+        return {append(std::move(row))};
+    }
     template <typename Enum, typename... Traits>
     Choice<Enum> choice(std::string_view name, Enum initial, std::initializer_list<std::string_view> names,
                         std::string_view help, const Traits&... traits)
@@ -416,6 +435,8 @@ public:
     /// Returns whether the stored value is exactly `value`.
     bool setRow(std::size_t i, const Value& value);
     void resetRow(std::size_t i);
+    /// As `setRow`. Another file takes the documents of the one before with it.
+    bool chooseFile(std::size_t i, const Value& value);
     [[nodiscard]] bool isInitial(std::size_t i) const;
 
     /// Values that were read for rows which the table lacks, as JSON by the row's name: the file that gives these rows
@@ -423,7 +444,7 @@ public:
     using PendingRows = std::map<std::string, std::string>;
     [[nodiscard]] const PendingRows& pending() const { return pending_; }
     void setPending(PendingRows pending) { pending_ = std::move(pending); }
-    /// The files of the rows that give the table further rows, in their order.
+    /// What the rows name or are that give the table further rows, in their order: files and documents.
     [[nodiscard]] std::vector<std::string> tableFiles() const;
 
     /// These values under another table: rows of the same name and kind keep theirs, as near as is legal there; a row

@@ -79,7 +79,8 @@ Value readValue(const ParameterInfo& row, const Json& json, const JsonPlace& pla
     case Kind::color:
     case Kind::direction: return threeAt(json, place);
     case Kind::file:
-        if (!json.is_string()) wrongType(place, "a file name", json);
+    case Kind::text:
+        if (!json.is_string()) wrongType(place, row.kind == Kind::file ? "a file name" : "text", json);
         return json.get<std::string>();
     }
     return 0.0;

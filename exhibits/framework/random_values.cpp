@@ -52,7 +52,8 @@ Value randomValue(const ParameterInfo& row, RandomNumbers& random, RandomReach r
     case Kind::color:
         return random.chance(0.2) ? glm::round(random.point({}, glm::dvec3(1))) : random.point({}, glm::dvec3(1));
     case Kind::direction: return random.direction();
-    case Kind::file: break;
+    case Kind::file:
+    case Kind::text: break;
     }
     return row.initial;
 }

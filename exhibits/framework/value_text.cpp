@@ -132,7 +132,7 @@ std::string formatThree(const glm::dvec3& v)
 
 std::optional<Value> parseValue(const ParameterInfo& row, std::string_view text)
 {
-    if (row.kind == Kind::file) return std::string(text);
+    if (row.isWritten()) return std::string(text);
     text = trimmed(text);
     switch (row.kind) {
     case Kind::toggle: return parseToggle(text);

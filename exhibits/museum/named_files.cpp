@@ -9,8 +9,11 @@
 namespace vitrine {
 namespace {
 
-void forEachFile(const SceneState& sceneState, const std::function<void(const std::string&)>& work)
+void forEachFile(Subjects subjects, const SceneState& sceneState, const std::function<void(const std::string&)>& work)
 {
+    for (std::size_t i = 0; i < subjects.size() && i < sceneState.values.size(); ++i)
+        if (const auto* made = capability<TableFromFiles>(*subjects[i]))
+            for (const std::string& path : made->furtherFiles(sceneState.values[i])) work(path);
     for (const ParameterValues& values : sceneState.values)
         for (std::size_t row = 0; row < values.rows().size(); ++row) {
             if (values.rows()[row].kind != Kind::file) continue;
@@ -31,17 +34,17 @@ void addTo(render::Hash& hash, const render::FileState& state)
 
 }  // namespace
 
-bool namesFiles(const SceneState& sceneState)
+bool namesFiles(Subjects subjects, const SceneState& sceneState)
 {
     bool any = false;
-    forEachFile(sceneState, [&](const std::string&) { any = true; });
+    forEachFile(subjects, sceneState, [&](const std::string&) { any = true; });
     return any;
 }
 
-std::uint64_t stateOfFiles(const SceneState& sceneState)
+std::uint64_t stateOfFiles(Subjects subjects, const SceneState& sceneState)
 {
     render::Hash hash;
-    forEachFile(sceneState, [&](const std::string& path) {
+    forEachFile(subjects, sceneState, [&](const std::string& path) {
         hash.add(path);
         addTo(hash, render::fileState(path));
         addTo(hash, render::folderState(path));

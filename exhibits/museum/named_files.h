@@ -6,10 +6,11 @@
 
 namespace vitrine {
 
-/// Whether any parameter of the look names a file or folder.
-[[nodiscard]] bool namesFiles(const SceneState&);
+/// Whether any parameter of the look names a file or folder, or what it shows is made of one.
+[[nodiscard]] bool namesFiles(Subjects, const SceneState&);
 
-/// Another number when a file or folder that the look names, or something beside it, changed, came or went.
-[[nodiscard]] std::uint64_t stateOfFiles(const SceneState&);
+/// Another number when a file or folder that the look names, or something beside it, or what these need in turn
+/// (`TableFromFiles::furtherFiles`), changed, came or went.
+[[nodiscard]] std::uint64_t stateOfFiles(Subjects, const SceneState&);
 
 }  // namespace vitrine

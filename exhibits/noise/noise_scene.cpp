@@ -14,7 +14,7 @@ namespace vitrine {
 namespace {
 
 constexpr double metersOfCloudsPerMeter = 40;  ///< So that a step aside is a view from elsewhere.
-constexpr int mostTallWaves = 14;
+constexpr std::size_t mostTallWaves = 28;
 
 /// In [0, period), also of what is negative.
 double wrapped(double x, double period)
@@ -76,7 +76,7 @@ void setSea(const NoiseTable& t, const ParameterValues& values, double seconds, 
     const std::vector<SeaWave> all =
         seaWaves(wind, values[t.windDirection], SEA_WAVES, static_cast<std::uint32_t>(values[t.seed]));
     block.waves = std::min(values[t.waves], SEA_WAVES);
-    double variance = 0, tall = 0, slopes = 0, hidden = 0, top = 0, tallSlopes = 0;
+    double variance = 0, shown = 0, tall = 0, slopes = 0, hidden = 0;
     for (const SeaWave& w : all) variance += w.amplitude * w.amplitude;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const SeaWave& w = all[i];
@@ -88,15 +88,13 @@ void setSea(const NoiseTable& t, const ParameterValues& values, double seconds, 
         }
         const double phase = wrapped(w.frequency * seconds + w.phase, 2 * std::numbers::pi);
         block.wave[i] = glm::vec4(glm::dvec4(w.vector, w.amplitude, phase));
-        if (tall < 0.985 * variance && i < mostTallWaves * 2) {
+        if (shown < 0.985 * variance && i < mostTallWaves) {
             block.tallWaves = static_cast<int>(i) + 1;
-            top += w.amplitude;
-            tallSlopes += 0.5 * steep * steep;
+            tall += 0.5 * w.amplitude * w.amplitude;
         }
-        tall += w.amplitude * w.amplitude;
+        shown += w.amplitude * w.amplitude;
     }
-    block.seaTop = static_cast<float>(std::max(top, 1e-3));
-    block.seaSteepest = static_cast<float>(std::max(4 * std::sqrt(tallSlopes), 0.02));
+    block.seaTop = static_cast<float>(std::max(SEA_HIGHEST * std::sqrt(tall), 1e-3));
     block.hiddenSlopes = static_cast<float>(hidden + std::max(seaSlopes(wind) - slopes, 0.001));
     block.foamTime = static_cast<float>(wrapped(0.25 * seconds, NOISE_PERIOD));
     block.skyTime = static_cast<float>(wrapped(0.004 * seconds, NOISE_PERIOD));

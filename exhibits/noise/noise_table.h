@@ -120,15 +120,15 @@ struct NoiseTable final : Parameters {
         ours);
     Real boundShare =
         real("boundShare", 0.45, none, {0.1, 1},
-             "Share of the proven bounds of slope and curvature that strides go by: 1 passes nothing wide, "
-             "less is quicker, for noise is seldom as steep as it may be.",
-             exactAt(1), inField&& ours&& when(march, NoiseMarch::bounded));
+             "Share of the bounds of slope and curvature that strides go by, proven ones of the field, five and a half "
+             "standard deviations of the sea: 1 passes nothing wide, less is quicker, for noise is seldom as steep.",
+             exactAt(1), (inField || inSea) && ours && when(march, NoiseMarch::bounded));
     Count stepLimit = count("stepLimit", 160, {1, 1024, logarithmic},
                             "Steps a ray may take to find the field, or the sea of the source.", quality(1024),
                             inField || (inSea && when(look, NoiseLook::source)));
-    Real hitTolerance =
-        real("hitTolerance", 0.5, none, Range{0.01, 16, logarithmic}.soft(0.1, 4),
-             "How near a ray must come to the field, in pixels at that distance.", quality(0.01), inField&& ours);
+    Real hitTolerance = real("hitTolerance", 0.5, none, Range{0.01, 16, logarithmic}.soft(0.1, 4),
+                             "How near a ray must come to the field or the water, in pixels at that distance.",
+                             quality(0.01), (inField || inSea) && ours);
     Choice<NoiseLookup> fieldNoise =
         choice("fieldNoise", NoiseLookup::baked, {"evaluated", "baked"},
                "Whether empty space is crossed, and light told, by evaluated noise or by noise that is looked up: the "

@@ -27,8 +27,8 @@ struct PrunedSteps {
 /// time.
 class Pruner {
 public:
-    /// Meters: what is below the rounding of float64, and of float32, some meters from the origin.
-    static constexpr double exact = 1e-13, asShaders = 1e-7;
+    /// Meters: what is below the rounding of float64 some meters from the origin, and what is about that of float32.
+    static constexpr double exact = 1e-13, asShaders = 1e-6;
 
     /// Both must outlive it. `tolerance` is in meters of the space of each operation.
     Pruner(const SceneProgram&, const SceneWords&, double tolerance = exact);
@@ -67,7 +67,7 @@ private:
 /// What is in a cell of a grid.
 struct SceneCell {
     std::uint32_t first = 0, count = 0;  ///< Of `SceneCells::steps`; none where every surface is far from the cell.
-    float distance = 0;                  ///< At its center, negative inside.
+    float distance = 0;                  ///< At its center, or nearer to 0 than there; negative inside.
     std::uint32_t shapes = 0;
 };
 
@@ -100,10 +100,12 @@ struct SceneCells {
 
 /// The part of a finite box outside of which nothing of the scene is in it, to about a hundredth of its longest side:
 /// what `SceneWords::extents` know is much wider where many operands blend. Empty where nothing is.
-[[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneWords&, const render::Box&);
+[[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
+                                      const render::Box&);
 
-/// Prunes a program for every cell of a finite box, from large parts of it to small ones.
-[[nodiscard]] SceneCells pruneCells(const SceneProgram&, const SceneWords&, const render::Box&, const glm::ivec3& count,
-                                    double tolerance = Pruner::asShaders);
+/// Prunes steps of a program for every cell of a finite box, from large parts of it to small ones. Parts that are far
+/// from every surface are not looked into.
+[[nodiscard]] SceneCells pruneCells(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
+                                    const render::Box&, const glm::ivec3& count, double tolerance = Pruner::asShaders);
 
 }  // namespace vitrine::scenes

@@ -40,16 +40,24 @@ std::string operationText(const NodeKind& kind, const std::vector<std::string>& 
     return text + "]}";
 }
 
-/// Numbers of a field as files have them, in its unit.
+/// A number of a field as files have it, in its unit.
+std::string numberText(const Field& field, double x)
+{
+    if (field.type == FieldType::toggle) return x != 0 ? "true" : "false";
+    if (field.type == FieldType::choice) return quoted(std::string(field.choices.at(static_cast<std::size_t>(x))));
+    return render::shortestNumber(shown(x, field.unit));
+}
+
+std::string threeText(const std::vector<std::string>& numbers)
+{
+    return "[" + numbers[0] + ", " + numbers[1] + ", " + numbers[2] + "]";
+}
+
 std::string numbersText(const Field& field, const std::vector<double>& numbers)
 {
-    const auto one = [&](double x) -> std::string {
-        if (field.type == FieldType::toggle) return x != 0 ? "true" : "false";
-        if (field.type == FieldType::choice) return quoted(std::string(field.choices.at(static_cast<std::size_t>(x))));
-        return render::shortestNumber(shown(x, field.unit));
-    };
-    if (numbers.size() == 1) return one(numbers[0]);
-    return "[" + one(numbers[0]) + ", " + one(numbers[1]) + ", " + one(numbers[2]) + "]";
+    std::vector<std::string> all;
+    for (const double x : numbers) all.push_back(numberText(field, x));
+    return all.size() == 1 ? all[0] : threeText(all);
 }
 
 /// Whether a value is legal for a field, as far as it is a constant.
@@ -271,7 +279,10 @@ EditedScene SceneEdit::renamed(std::string_view node, const std::string& name) c
 
 EditedScene SceneEdit::withMaterial(std::string_view node, const std::string& material) const
 {
-    return {text_.withMember(at(node), "material", quoted(material)), std::string(node)};
+    const std::uint32_t made = at(node);
+    const auto old = text_.member(made, "material");
+    if (material.empty()) return {old ? text_.without(*old) : text_.text(), std::string(node)};
+    return {text_.withMember(made, "material", quoted(material)), std::string(node)};
 }
 
 EditedScene SceneEdit::hidden(std::string_view node, bool hide) const
@@ -372,6 +383,22 @@ EditedScene SceneEdit::withNumbers(std::string_view node, const Field& field, co
     if (numbers.size() != numbersOf(field.type))
         refuse("\"" + std::string(field.name) + "\" has " + std::to_string(numbersOf(field.type)) + " numbers.");
     return {text_.withMember(at(node), field.name, numbersText(field, numbers)), std::string(node)};
+}
+
+EditedScene SceneEdit::withNumber(std::string_view node, const Field& field, std::size_t component, double x) const
+{
+    const std::uint32_t changed = at(node);
+    const auto old = text_.member(changed, field.name);
+    const std::string number = numberText(field, x);
+    if (numbersOf(field.type) == 1) return {text_.withMember(changed, field.name, number), std::string(node)};
+    const bool isList = old && text_.value(*old).type == JsonType::array;
+    if (isList) return {text_.withValue(text_.children(*old).at(component), number), std::string(node)};
+    // One that stands for all, or none yet.
+    std::vector<std::string> all;
+    for (const double initial : field.initial)
+        all.push_back(old ? std::string(text_.written(*old)) : numberText(field, initial));
+    all.at(component) = number;
+    return {text_.withMember(changed, field.name, threeText(all)), std::string(node)};
 }
 
 }  // namespace vitrine::scenes

@@ -41,6 +41,7 @@ public:
     [[nodiscard]] EditedScene moved(std::string_view node, std::string_view parent, std::size_t before) const;
     /// "" takes its name away.
     [[nodiscard]] EditedScene renamed(std::string_view node, const std::string& name) const;
+    /// "" takes it away: it is made of what its parent is made of.
     [[nodiscard]] EditedScene withMaterial(std::string_view node, const std::string& material) const;
     [[nodiscard]] EditedScene hidden(std::string_view node, bool) const;
     /// Hides everything else.
@@ -51,6 +52,8 @@ public:
     [[nodiscard]] EditedScene ofKind(std::string_view node, const NodeKind&) const;
     /// With other numbers of a field, SI: one for each number of the field.
     [[nodiscard]] EditedScene withNumbers(std::string_view node, const Field&, const std::vector<double>&) const;
+    /// With one other number of a field, SI. The field's others keep their text, where they have one.
+    [[nodiscard]] EditedScene withNumber(std::string_view node, const Field&, std::size_t component, double) const;
 
 private:
     /// A node's index; throws where there is none at this path.

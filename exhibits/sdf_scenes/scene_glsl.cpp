@@ -1,27 +1,14 @@
 #include "exhibits/sdf_scenes/scene_glsl.h"
 
-#include "render/files/number_text.h"
+#include "exhibits/sdf_scenes/glsl_expression.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstring>
 #include <map>
 
 namespace vitrine::scenes {
 namespace {
-
-bool isWordByte(char c)
-{
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-std::string floatLiteral(double x)
-{
-    std::string text = render::shortestNumber(static_cast<double>(static_cast<float>(x)));
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";
-    return text.starts_with('-') ? '(' + text + ')' : text;
-}
 
 /// Writes one function after another; words are read from the block, or folded.
 class GlslWriter {
@@ -51,8 +38,7 @@ private:
     [[nodiscard]] std::string word(std::uint32_t at) const;
     [[nodiscard]] std::string vector(std::uint32_t at) const;
     [[nodiscard]] std::string material(std::uint32_t index) const;
-    [[nodiscard]] std::string call(std::string_view expression, const ProgramNode&,
-                                   const std::map<std::string, std::string, std::less<>>& names) const;
+    [[nodiscard]] std::string call(std::string_view expression, const ProgramNode&, const ExpressionNames& names) const;
     [[nodiscard]] std::string number(const ProgramNode&, std::uint32_t i) const;
 
     static std::string named(char letter, std::uint32_t node) { return letter + std::to_string(node); }
@@ -83,12 +69,16 @@ std::string GlslWriter::head() const
     }
     std::string text = "// Made from a scene file.\n#include \"lib/bindings.glsl\"\n#include \"lib/numerics.glsl\"\n"
                        "#include \"lib/sdf.glsl\"\n#include \"lib/sdf_operators.glsl\"\n"
-                       "#include \"sdf_scenes/operators.glsl\"\n#include \"sdf_scenes/material.glsl\"\n";
+                       "#include \"sdf_scenes/operators.glsl\"\n#include \"sdf_scenes/material.glsl\"\n"
+                       "#include \"sdf_scenes/asked.glsl\"\n";
     if (shapes) text += "#include \"sdf_scenes/shapes.glsl\"\n";
     if (noise) text += "#include \"sdf_scenes/noise.glsl\"\n";
     if (!further_.file.empty()) text += "#include \"" + further_.file + "\"\n";
     std::string members;
-    if (!folded_ && program_.wordCount() > 0)
+    if (!folded_ && isInBuffer(program_))
+        text += "\nlayout(std430, binding = STORAGE_EXHIBIT_A) readonly buffer SceneValues {\n    vec4 "
+                "sceneValues[];\n};\n";
+    else if (!folded_ && program_.wordCount() > 0)
         members = "    vec4 sceneValues[" + std::to_string((program_.wordCount() + 3) / 4) + "];\n";
     if (!further_.declaration.empty()) members += "    " + further_.declaration + ";\n";
     if (members.empty()) return text;
@@ -135,32 +125,9 @@ std::string GlslWriter::number(const ProgramNode& node, std::uint32_t i) const
 }
 
 /// An expression of the table of nodes, its names and numbers put in.
-std::string GlslWriter::call(std::string_view expression, const ProgramNode& node,
-                             const std::map<std::string, std::string, std::less<>>& names) const
+std::string GlslWriter::call(std::string_view expression, const ProgramNode& node, const ExpressionNames& names) const
 {
-    std::string text;
-    for (std::size_t at = 0; at < expression.size();) {
-        if (!isWordByte(expression[at])) {
-            text += expression[at++];
-            continue;
-        }
-        std::size_t end = at;
-        while (end < expression.size() && isWordByte(expression[end])) ++end;
-        const std::string_view token = expression.substr(at, end - at);
-        const bool isMember = at > 0 && expression[at - 1] == '.';
-        if (token == "V" || token == "V3") {
-            const std::size_t close = expression.find(')', end);
-            const std::optional<double> i = render::parseNumber(expression.substr(end + 1, close - end - 1));
-            const auto index = static_cast<std::uint32_t>(i.value());
-            text += token == "V" ? number(node, index) : vector(node.numbers + index);
-            at = close + 1;
-            continue;
-        }
-        const auto found = names.find(token);
-        text += found != names.end() && !isMember ? found->second : std::string(token);
-        at = end;
-    }
-    return text;
+    return writtenOut(expression, names, [&](std::uint32_t i) { return number(node, i); });
 }
 
 bool GlslWriter::hasOneMaterial() const
@@ -253,6 +220,7 @@ void GlslWriter::writeStep(const Step& step, bool withMaterials)
     case Step::Type::enter: writeEnter(step.node, withMaterials); break;
     case Step::Type::shape:
         line("float " + d + " = " + call(kind.distance.glsl, node, {{"p", named('p', step.node)}}) + ';');
+        line("SCENE_ASKED(true)");
         if (withMaterials) line("SceneMaterial " + m + " = " + material(node.material) + ';');
         break;
     case Step::Type::first:
@@ -260,7 +228,7 @@ void GlslWriter::writeStep(const Step& step, bool withMaterials)
         inherit();
         break;
     case Step::Type::combine: {
-        const std::map<std::string, std::string, std::less<>> names{{"a", d}, {"b", childD}};
+        const ExpressionNames names{{"a", d}, {"b", childD}};
         if (withMaterials)
             line(m + " = sceneBlend(" + m + ", " + childM + ", " + call(kind.share.glsl, node, names) + ");");
         line(d + " = " + call(kind.combine.glsl, node, names) + ';');
@@ -279,6 +247,12 @@ void GlslWriter::writeStep(const Step& step, bool withMaterials)
 }
 
 }  // namespace
+
+bool isInBuffer(const SceneProgram& program)
+{
+    constexpr std::size_t mostWords = 14'000;  // 64 KiB hold a block on every driver; the stage takes some of it.
+    return program.wordCount() > mostWords;
+}
 
 std::string sceneGlsl(const SceneProgram& program, const FurtherMember& further)
 {

@@ -28,13 +28,17 @@ struct FurtherMember {
 /// Choices, such as the profile of a blend, are part of the text.
 [[nodiscard]] std::string sceneGlsl(const SceneProgram&, const FurtherMember& = {});
 
+/// Whether they are more than a uniform block holds: then they come from the buffer at STORAGE_EXHIBIT_A, and the block
+/// has the further member alone.
+[[nodiscard]] bool isInBuffer(const SceneProgram&);
+
 /// The same with these numbers folded into the text: the block has the further member, or is not there.
 [[nodiscard]] std::string foldedSceneGlsl(const SceneProgram&, const SceneWords&, const FurtherMember& = {});
 
 /// A text as `SdfShaders::generated` takes it.
 [[nodiscard]] std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl);
 
-/// What the uniform block holds, up to the further member.
+/// What the uniform block holds, up to the further member; or the buffer.
 [[nodiscard]] std::vector<std::byte> sceneBlock(const SceneWords&);
 
 }  // namespace vitrine::scenes

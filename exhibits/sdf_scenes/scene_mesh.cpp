@@ -44,7 +44,7 @@ render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
                       "The scene has no end (a plane, an endless cylinder or copies without end); say with "
                       "--low and --high what part of it is to be meshed.");
     // Only where something is; what the extents say of many blended operands is much wider.
-    const render::Box occupied = occupiedBox(scene.program(), scene.words(), box);
+    const render::Box occupied = occupiedBox(scene.program(), scene.words(), scene.program().steps(), box);
     if (!occupied.empty()) box = occupied;
     const double reach = std::max({glm::length(box.low), glm::length(box.high)});
     if (request.cell < finestCell * reach)

@@ -51,17 +51,19 @@ void setLight(const Record& light, const double* v, const glm::dvec3& target, bo
 
 }  // namespace
 
+void setBox(SceneStage& stage, const render::Box& box)
+{
+    stage.boxLow = glm::vec3(glm::clamp(box.low - 1e-3, glm::dvec3(-1e6), glm::dvec3(1e6)));
+    stage.boxHigh = glm::vec3(glm::clamp(box.high + 1e-3, glm::dvec3(-1e6), glm::dvec3(1e6)));
+}
+
 SceneStage sceneStage(const ShownScene& shown, const SceneWords& words, const std::vector<double>& numbers)
 {
     const Scene& scene = *shown.scene;
     const double* look = &numbers[scene.look.numbers];
     const bool asInSource = look[0] > 0.5;
     SceneStage stage;
-    const render::Box box =
-        words.extents.empty() ? render::Box{glm::dvec3(0), glm::dvec3(0)} : words.extents.front().box;
-    // Endless sides end where no ray comes.
-    stage.boxLow = glm::vec3(glm::clamp(box.low - 1e-3, glm::dvec3(-1e6), glm::dvec3(1e6)));
-    stage.boxHigh = glm::vec3(glm::clamp(box.high + 1e-3, glm::dvec3(-1e6), glm::dvec3(1e6)));
+    setBox(stage, words.extents.empty() ? render::Box{glm::dvec3(0), glm::dvec3(0)} : words.extents.front().box);
     stage.farthest = static_cast<float>(asInSource ? farthestInSource : farthestOfOurs);
     stage.bounces = static_cast<int>(look[1]);
     stage.softShadows = static_cast<float>(look[2]);

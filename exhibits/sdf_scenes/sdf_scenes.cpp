@@ -1,6 +1,8 @@
 #include "exhibits/sdf_scenes/sdf_scenes.h"
 
 #include "exhibits/framework/file_path.h"
+#include "exhibits/sdf_scenes/asked_scene.h"
+#include "exhibits/sdf_scenes/scene_document.h"
 #include "exhibits/sdf_scenes/scene_glsl.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "render/failure.h"
@@ -26,6 +28,8 @@ using scenes::ShownScene;
 
 struct PreparedScene final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
+    scenes::SceneWords words;  ///< At the moment that it was prepared for.
+    scenes::AskedScene asked;
 };
 
 double secondsAt(const SdfScenesTable& t, const ParameterValues& values, double time)
@@ -92,6 +96,7 @@ struct ScenePass {
             source ? "the source shows no lamps" : "no light of the scene has an area");
         if (has.glows) define("GLOWS");
         if (values[t.heatMap] != SceneHeatMap::none) define("HEAT_MAP");
+        if (values[t.heatMap] == SceneHeatMap::shapes) define("COUNT_SHAPES");
     }
 };
 
@@ -124,6 +129,13 @@ std::vector<double> SdfScenes::numbersAt(const ParameterValues& values, double t
     const SceneLook look = values[table_.look];
     if (look != SceneLook::scene) numbers[scene.look.numbers] = look == SceneLook::source ? 1 : 0;
     return numbers;
+}
+
+Portal SdfScenes::portalAt(const ParameterValues& values, double time) const
+{
+    const ShownScene& scene = shown(values);
+    return scenes::scenePortal(
+        scenes::sceneCamera(*scene.scene, numbersAt(values, time), orbitAt(table_, values, time)), scene.toOpening);
 }
 
 render::Box SdfScenes::bounds(const ParameterValues&) const
@@ -164,29 +176,39 @@ std::vector<StudyView> SdfScenes::studyViews(const ParameterValues& values) cons
 
 CalledTable SdfScenes::tableFor(const ParameterValues& values, render::AssetStore& assets) const
 {
-    const ParameterInfo& row = table_.rows()[table_.scene.row];
-    const std::string path = filePath(row, values[table_.scene]);
-    if (path.empty())
+    const std::string path = filePath(table_.rows()[table_.scene.row], values[table_.scene]);
+    const std::string text = values[table_.document];
+    const ParameterInfo& row = table_.rows()[text.empty() ? table_.scene.row : table_.document.row];
+    if (path.empty() && text.empty())
         return {{std::shared_ptr<const Parameters>(), &table_},
                 whyNotFirst_.empty() ? std::string() : unreadableFile(row, title(), whyNotFirst_)};
-    const auto read = assets.get<Table>("sdf_scenes.scene", path, [](const std::string& file) {
-        auto scene = scenes::readShownScene(file);
-        const std::uint64_t bytes = 4096 + 64 * scene->program->wordCount();
-        return render::AssetStore::Made<Table>{std::make_shared<const Table>(std::move(scene)), bytes};
-    });
-    if (read.value) return {read.value, {}};
-    return {nullptr, unreadableFile(row, title(), read.failure)};
+    const auto reading = scenes::readDocument(path.empty() ? first_->path : std::filesystem::path(path), text, assets);
+    if (reading->table) return {reading->table, {}};
+    return {nullptr, unreadableFile(row, title(), reading->why)};
+}
+
+std::vector<std::string> SdfScenes::furtherFiles(const ParameterValues& values) const
+{
+    const auto& table = static_cast<const Table&>(values.table());
+    return table.shown ? scenes::filesBeside(*table.shown) : std::vector<std::string>();
 }
 
 std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& context) const
 {
+    if (!context.seen) return nullptr;
     const ShownScene& scene = shown(context.values);
-    const scenes::Record& environment = scene.scene->environment;
-    if (!context.seen || environment.files.empty()) return nullptr;
     auto part = std::make_shared<PreparedScene>();
+    part->words = scene.program->words(numbersAt(context.values, context.time));
+    part->asked = scenes::askedScene(scene, part->words, context.values[table_.evaluation], context.assets);
+    const scenes::Record& environment = scene.scene->environment;
+    if (environment.files.empty()) return part;
     const std::string path = (scene.path.parent_path() / environment.files.front()).string();
     std::uint64_t others = 0;
-    for (const std::string& file : environment.files) others = 31 * others + std::hash<std::string>()(file);
+    for (const std::string& file : environment.files) {
+        const render::FileState state = render::fileState(scene.path.parent_path() / file);
+        others = 31 * others + std::hash<std::string>()(file);
+        others = 31 * others + (state.there ? static_cast<std::uint64_t>(state.modified) + state.bytes : 0);
+    }
     const auto read = context.assets.get<render::Texture>(
         "sdf_scenes.environment", path,
         [&scene](const std::string&) {
@@ -209,30 +231,34 @@ void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
     const ParameterValues& values = context.values;
     const ShownScene& scene = shown(values);
     const std::vector<double> numbers = numbersAt(values, context.time);
-    const scenes::SceneWords words = scene.program->words(numbers);
-    const scenes::SceneCamera camera =
-        scenes::sceneCamera(*scene.scene, numbers, orbitAt(table_, values, context.time));
+    const auto* prepared = static_cast<const PreparedScene*>(context.prepared);
+    if (!prepared) {
+        plan.skip("sdf_scenes/scene", "it was not prepared");
+        return;
+    }
+    const scenes::AskedScene& asked = prepared->asked;
     // Shaders see the rows that every scene has, so that all scenes have one block of them.
     std::vector<std::string> notes;
     const ParameterValues common = values.under({std::shared_ptr<const Parameters>(), &table_}, notes);
     render::Pass pass = portalPass("sdf_scenes/scene", "in view", common, "sdf_scenes/scene.frag",
-                                   scenes::scenePortal(camera, scene.toOpening), context);
-    pass.shader.sources = scene.sources;
+                                   portalAt(values, context.time), context);
+    pass.shader.sources = asked.sources;
+    pass.buffers = asked.buffers;
     pass.shader.slot = pass.name;
     const bool source = numbers[scene.scene->look.numbers] > 0.5;
     ScenePass{table_, values, scene, source, pass, plan}.all();
 
-    scenes::SceneStage stage = scenes::sceneStage(scene, words, numbers);
+    if (!asked.why.empty()) plan.skip("sdf_scenes/cells", asked.why);
+    scenes::SceneStage stage = scenes::sceneStage(scene, prepared->words, numbers);
+    if (asked.near) scenes::setBox(stage, asked.near->box);
     stage.bounces = std::min(stage.bounces, values[table_.bounces]);
     stage.exposure *= static_cast<float>(values[table_.brightness]);
-    const auto* prepared = static_cast<const PreparedScene*>(context.prepared);
-    if (!scene.scene->environment.files.empty()) {
-        if (prepared && prepared->environment) {
-            pass.shader.defines.emplace_back("PANORAMA");
-            pass.inputs.push_back({UNIT_EXHIBIT_A, prepared->environment});
-        }
+    if (prepared->environment) {
+        pass.shader.defines.emplace_back("PANORAMA");
+        pass.inputs.push_back({UNIT_EXHIBIT_A, prepared->environment});
     }
-    render::Bytes block = scenes::sceneBlock(words);
+    render::Bytes block;
+    if (asked.numbersInBlock) block = scenes::sceneBlock(prepared->words);
     const render::Bytes around = render::std140Bytes(stage);
     block.insert(block.end(), around.begin(), around.end());
     pass.blocks[BLOCK_EXHIBIT] = std::move(block);

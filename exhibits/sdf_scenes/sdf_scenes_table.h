@@ -14,7 +14,8 @@ struct ShownScene;
 enum class SceneLook : int { scene, ours, source };
 enum class SceneShadow : int { look, none, hard, classic, improved, signedDistance, area };
 enum class SceneOcclusion : int { look, none, taps, hemisphere, cones };
-enum class SceneHeatMap : int { none, steps, evaluations, normals };
+enum class SceneHeatMap : int { none, steps, evaluations, normals, shapes };
+enum class SceneEvaluation : int { automatic, near, shapes, folded, lists, interpreter };
 
 /// Everything that can be set about the scene behind the frame. Its parameters are further rows, of the file that it is
 /// read from.
@@ -25,6 +26,8 @@ struct SdfScenesTable final : Parameters {
     Group show = group("On show");
     File scene = file("scene", "A scene of shapes, as JSON: assets/scenes/scene.schema.json says what may stand in it.",
                       endings("json"), givesRows(), shippedIn("scenes"));
+    File document = this->Parameters::document(
+        "document", scene, "The scene as it was edited here, as JSON: what is not in its file yet. Reset gives it up.");
     Choice<SceneLook> look =
         choice("look", SceneLook::scene, {"as the scene says", "ours", "as in the source"},
                "How it is lit: by metal, glaze and glass in the light around them, or by Phong's formulas.");
@@ -56,8 +59,8 @@ struct SdfScenesTable final : Parameters {
                "How much of the light around a point shapes keep away: up the normal, or by rays or cones around it.",
                quality(SceneOcclusion::hemisphere));
     Count occlusionRays =
-        count("occlusionRays", 32, {1, 128, logarithmic}, "Rays of the hemisphere, more of them along the normal.",
-              quality(128), when(occlusionMethod, SceneOcclusion::hemisphere));
+        count("occlusionRays", 32, {1, 512, logarithmic}, "Rays of the hemisphere, more of them along the normal.",
+              quality(512), when(occlusionMethod, SceneOcclusion::hemisphere));
     Real occlusionRange =
         real("occlusionRange", 1.5, meter, Range{0.001, 1000, logarithmic}.soft(0.05, 20),
              "What is farther away keeps no light away. The source knows no such limit.",
@@ -75,11 +78,17 @@ struct SdfScenesTable final : Parameters {
              quality(0.0005));
 
     Group costs = group("Costs");
-    Choice<SceneHeatMap> heatMap = choice("heatMap", SceneHeatMap::none, {"none", "steps", "evaluations", "normals"},
-                                          "Color the scene by what it cost, or by what was found.");
+    Choice<SceneHeatMap> heatMap =
+        choice("heatMap", SceneHeatMap::none, {"none", "steps", "evaluations", "normals", "shapes"},
+               "Color the scene by what it cost, or by what was found.");
     Real heatScale =
         real("heatScale", 64, none, Range{1, 4096, logarithmic}.soft(8, 512), "The count that is shown white.",
-             when(heatMap, {SceneHeatMap::steps, SceneHeatMap::evaluations}));
+             when(heatMap, {SceneHeatMap::steps, SceneHeatMap::evaluations, SceneHeatMap::shapes}));
+    Choice<SceneEvaluation> evaluation = choice(
+        "evaluation", SceneEvaluation::automatic,
+        {"automatic", "what is near", "every shape", "numbers folded", "lists", "interpreter"},
+        "What the shader asks at a point: the shapes that matter there, or all of them; written out for this scene "
+        "with its numbers beside it or in it, or as lists that it walks, of this scene's kinds or of all.");
 
     const std::shared_ptr<const scenes::ShownScene> shown;
     std::vector<Real> ofScene;  ///< Its parameters, in their order.

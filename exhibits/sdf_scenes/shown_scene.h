@@ -33,6 +33,7 @@ struct ShownScene {
     SceneContents contents;
     double toOpening = 1;        ///< From the camera to the frame's opening, so that nothing is seen before it, meters.
     std::filesystem::path path;  ///< Of its file: what it names lies beside it.
+    std::vector<std::filesystem::path> included;  ///< That were read for it.
 };
 
 /// Throws Failure (Blame::file) with the first finding for a scene that cannot be read.
@@ -56,6 +57,9 @@ struct SceneCamera {
 
 /// What stands around the shapes. Of more lights than `SCENE_MOST_LIGHTS` the first ones.
 [[nodiscard]] SceneStage sceneStage(const ShownScene&, const SceneWords&, const std::vector<double>& numbers);
+
+/// Rays look for surfaces in this box; endless sides end where none comes.
+void setBox(SceneStage&, const render::Box&);
 
 /// The picture of all directions that a scene's environment names, from one file or from six, about as large as asked;
 /// throws Failure.

@@ -204,6 +204,7 @@ struct Renderer::State {
         if (last) bindInputs(last->textures);
         if (used.standIn.empty()) lastInputs.keep(pass);
         bindBuffers(pass.buffers);
+        if (last) bindBuffers(last->buffers);
         for (int part = pass.past.firstPart; part < pass.past.endPart; ++part) {
             if (pass.past.used)
                 arena.bind(BLOCK_TEMPORAL, ranges.temporal[static_cast<std::size_t>(part - pass.past.firstPart)]);

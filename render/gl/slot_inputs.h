@@ -10,13 +10,14 @@
 
 namespace vitrine::render::gl {
 
-/// What belongs to a program of generated sources, and is of no use to one of others: the blocks that they declare, and
-/// the pictures that they sample.
+/// What belongs to a program of generated sources, and is of no use to one of others: the blocks that they declare, the
+/// pictures that they sample, and the constant buffers that they read.
 struct SlotInputs {
     std::uint64_t sources = 0;
     std::map<int, Bytes> blocks;
     std::vector<Bytes> objects;  ///< By draw.
     std::vector<SampledTexture> textures;
+    std::vector<BufferUse> buffers;
 
     SlotInputs() = default;
     explicit SlotInputs(const Pass& pass) : sources(pass.shader.sources->hash()), blocks(pass.blocks)
@@ -24,6 +25,8 @@ struct SlotInputs {
         for (const Draw& draw : pass.draws) objects.push_back(draw.object);
         for (const SampledTexture& input : pass.inputs)
             if (!std::holds_alternative<std::string>(input.source)) textures.push_back(input);
+        for (const BufferUse& use : pass.buffers)
+            if (!std::holds_alternative<std::string>(use.source)) buffers.push_back(use);
     }
 };
 

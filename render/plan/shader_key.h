@@ -31,8 +31,9 @@ struct ShaderKey {
     std::string prelude = {};  ///< GLSL before the files: the parameter block derived from a table.
     std::shared_ptr<const ShaderSources> sources = {};
     /// Programs that take each other's place, by a name of their own: while a new one is built in the background, or
-    /// when it does not build, the last good one of the slot is drawn, and where that was made of other `sources`, with
-    /// the blocks and pictures that it was last drawn with. Empty: the frame waits, and fails with the program.
+    /// when it does not build, the last good one of the slot is drawn, and where that was made of other `sources`,
+    /// with the blocks, pictures and constant buffers that it was last drawn with. Empty: the frame waits, and fails
+    /// with the program.
     std::string slot = {};
     /// Drawn meanwhile in place of the last good one of the slot: a slower program that takes the same inputs.
     std::shared_ptr<const ShaderKey> meanwhile = {};

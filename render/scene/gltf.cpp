@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace vitrine::render {
 namespace {
@@ -80,22 +81,28 @@ tinygltf::Model parse(const JsonDocument& document)
 
 }  // namespace
 
-Model parseGltf(const std::string& bytes, const std::filesystem::path& path, const GltfLimits& limits,
-                const std::function<bool()>& canceled)
+GltfFile readGltfFile(const std::string& bytes, const std::filesystem::path& path, const GltfLimits& limits)
 {
     const std::string name = path.string();
     if (bytes.size() > std::min<std::uint64_t>(limits.fileBytes, 0x7FFFFFFF)) {
         throw Failure(Blame::file, "Cannot read " + name + ": the file is too large; simplify the model.");
     }
-    const JsonDocument document = guardGltf(bytes, name, limits);
+    JsonDocument document = guardGltf(bytes, name, limits);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     tinygltf::Model gltf = parse(document);
     std::vector<std::string> warnings;
     gltf.buffers = readBuffers(document, binOf(bytes, name), folder, limits, warnings);
     gltf.images = readImages(document, folder, limits);
     validateGltf(gltf, document, limits);
-    Model model = convertGltf(gltf, document, limits, canceled);
-    model.warnings.insert(model.warnings.end(), warnings.begin(), warnings.end());
+    return {std::move(document), std::move(gltf), std::move(warnings)};
+}
+
+Model parseGltf(const std::string& bytes, const std::filesystem::path& path, const GltfLimits& limits,
+                const std::function<bool()>& canceled)
+{
+    const GltfFile file = readGltfFile(bytes, path, limits);
+    Model model = convertGltf(file.gltf, file.document, limits, canceled);
+    model.warnings.insert(model.warnings.end(), file.warnings.begin(), file.warnings.end());
     return model;
 }
 

@@ -2,6 +2,7 @@
 
 #include "render/scene/gltf_accessor.h"
 #include "render/scene/gltf_materials.h"
+#include "render/scene/gltf_pose.h"
 #include "render/scene/mesh_shading.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -11,12 +12,12 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace vitrine::render {
-namespace {
 
-glm::dmat4 transformOf(const tinygltf::Node& node)
+glm::dmat4 nodeTransform(const tinygltf::Node& node)
 {
     if (!node.matrix.empty()) return glm::make_mat4(node.matrix.data());
     glm::dmat4 transform(1);
@@ -32,6 +33,8 @@ glm::dmat4 transformOf(const tinygltf::Node& node)
     }
     return transform;
 }
+
+namespace {
 
 bool isFinite(const glm::dmat4& m)
 {
@@ -61,8 +64,8 @@ std::vector<std::uint32_t> triangulated(std::vector<std::uint32_t> in, int mode)
 class Converter {
 public:
     Converter(const tinygltf::Model& gltf, const JsonDocument& document, const GltfLimits& limits,
-              const std::function<bool()>& canceled)
-        : gltf_(gltf), document_(document), canceled_(canceled), warnings_(out_.warnings),
+              const std::function<bool()>& canceled, const GltfPose* pose)
+        : gltf_(gltf), document_(document), canceled_(canceled), pose_(pose), warnings_(out_.warnings),
           materials_(gltf, document, limits, canceled, warnings_)
     {
     }
@@ -81,12 +84,12 @@ public:
             const Visit visit = open.back();
             open.pop_back();
             const tinygltf::Node& node = gltf_.nodes[static_cast<std::size_t>(visit.node)];
-            const glm::dmat4 modelFromNode = visit.modelFromParent * transformOf(node);
+            const glm::dmat4 modelFromNode = visit.modelFromParent * nodeTransform(node);
             if (!isFinite(modelFromNode)) {
                 throw document_.failure("nodes[" + std::to_string(visit.node) + "]",
                                         "its place overflows; export the file again.");
             }
-            add(node, modelFromNode);
+            add(visit.node, modelFromNode);
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
                 open.push_back({*child, modelFromNode});
         }
@@ -115,8 +118,8 @@ private:
     void warnAboutTheRest()
     {
         const auto has = [this](const char* array) { return document_.root().contains(array); };
-        if (has("animations")) warnings_.add("Animations are not supported; the model stands still.");
-        if (has("skins")) warnings_.add("Skins are not supported; meshes keep their rest pose.");
+        if (has("animations") && !pose_) warnings_.add("Animations are not supported; the model stands still.");
+        if (has("skins") && !pose_) warnings_.add("Skins are not supported; meshes keep their rest pose.");
         if (has("cameras")) warnings_.add("Cameras are not supported; their nodes become markers.");
         if (gltf_.scenes.size() > 1) warnings_.add("Only the default scene is shown.");
         for (const std::string& name : gltf_.extensionsUsed) {
@@ -125,8 +128,11 @@ private:
         }
     }
 
-    void add(const tinygltf::Node& node, const glm::dmat4& modelFromNode)
+    void add(int index, const glm::dmat4& placed)
     {
+        const tinygltf::Node& node = gltf_.nodes[static_cast<std::size_t>(index)];
+        // Joints alone place what has a skin.
+        const glm::dmat4 modelFromNode = pose_ && pose_->isSkinned(index) ? glm::dmat4(1) : placed;
         if (node.mesh < 0) {
             out_.markers.push_back({node.name, modelFromNode});
             return;
@@ -136,7 +142,7 @@ private:
             MeshInstance part;
             part.name = node.name;
             part.material = materials_.material(primitives[p].material);
-            part.mesh = mesh(node.mesh, p, *part.material);
+            part.mesh = mesh(index, p, *part.material);
             if (!part.mesh) continue;
             part.modelFromPart = modelFromNode;
             part.mirrored = glm::determinant(glm::dmat3(modelFromNode)) < 0;
@@ -147,20 +153,23 @@ private:
         }
     }
 
-    /// Primitive `p` of mesh `m`, converted once; null when it has no triangles.
-    std::shared_ptr<const Mesh> mesh(int m, std::size_t p, const Material& material)
+    /// Primitive `p` of a node's mesh, converted once, or once for each node that deforms it; null when it has no
+    /// triangles.
+    std::shared_ptr<const Mesh> mesh(int node, std::size_t p, const Material& material)
     {
-        const auto key = std::pair(m, p);
+        const int m = gltf_.nodes[static_cast<std::size_t>(node)].mesh;
+        const bool deformed = pose_ && pose_->deforms(node);
+        const auto key = std::tuple(m, p, deformed ? node : -1);
         const auto known = meshes_.find(key);
         if (known != meshes_.end()) return known->second;
         if (canceled_ && canceled_()) throw document_.failure({}, "loading was canceled.");
         const tinygltf::Mesh& source = gltf_.meshes[static_cast<std::size_t>(m)];
         const std::string path = "meshes[" + std::to_string(m) + "].primitives[" + std::to_string(p) + "]";
-        return meshes_[key] = convertPrimitive(source.primitives[p], source.name, path, material);
+        return meshes_[key] = convertPrimitive(source.primitives[p], source.name, path, material, deformed ? node : -1);
     }
 
     std::shared_ptr<const Mesh> convertPrimitive(const tinygltf::Primitive& primitive, const std::string& name,
-                                                 const std::string& path, const Material& material)
+                                                 const std::string& path, const Material& material, int deformedBy)
     {
         const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
         if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -172,7 +181,7 @@ private:
             warnings_.add("Mesh " + name + " has a part without positions, which was left out.");
             return nullptr;
         }
-        if (!primitive.targets.empty())
+        if (!primitive.targets.empty() && !pose_)
             warnings_.add("Morph targets are not supported; mesh " + name + " keeps its first shape.");
 
         auto mesh = std::make_shared<Mesh>();
@@ -184,6 +193,7 @@ private:
         for (const auto& [attribute, accessor] : primitive.attributes) {
             readAttribute(*mesh, attribute, accessor, path + ".attributes." + attribute);
         }
+        if (deformedBy >= 0) pose_->deform(*mesh, gltf_, primitive, deformedBy);
         if (primitive.indices >= 0) {
             mesh->indices = readIndices(gltf_, primitive.indices);
         } else {
@@ -250,18 +260,19 @@ private:
     const tinygltf::Model& gltf_;
     const JsonDocument& document_;
     const std::function<bool()>& canceled_;
+    const GltfPose* pose_;
     Model out_;
     Warnings warnings_;
     GltfMaterials materials_;
-    std::map<std::pair<int, std::size_t>, std::shared_ptr<const Mesh>> meshes_;
+    std::map<std::tuple<int, std::size_t, int>, std::shared_ptr<const Mesh>> meshes_;
 };
 
 }  // namespace
 
 Model convertGltf(const tinygltf::Model& gltf, const JsonDocument& document, const GltfLimits& limits,
-                  const std::function<bool()>& canceled)
+                  const std::function<bool()>& canceled, const GltfPose* pose)
 {
-    return Converter(gltf, document, limits, canceled).convert();
+    return Converter(gltf, document, limits, canceled, pose).convert();
 }
 
 }  // namespace vitrine::render

@@ -37,6 +37,8 @@ float cloudDensity(vec3 p, float weather, bool fine)
     float h = p.y / CLOUD_TOP;
     if (h <= 0.0 || h >= 1.0) return 0.0;
     float top = mix(0.2, 0.98, weather * weather);
+    // Nothing above it, whatever the noise.
+    if (h >= top) return 0.0;
     float profile = smoothstep(0.0, 0.09, h) * (1.0 - smoothstep(0.35 * top, top, h));
     float shape = noiseOfClouds(p + work.cloudShift, CLOUD_REPEAT).x;
     float d = (shape - mix(0.86, 0.34, weather) - 0.5 * (1.0 - profile)) * 4.5;

@@ -1,6 +1,7 @@
 // What the works behind the noise frame are drawn from at one moment. GLSL and C++: render/glsl/std140.h.
 #define NOISE_OCTAVES 11
 #define SEA_WAVES 64
+#define SEA_HIGHEST 4.5  // One place of 300,000 is higher: rays begin there.
 #define FIELD_REPEAT 16   // Cells after which an octave of the field repeats, so that a small volume holds it, ...
 #define FIELD_TEXELS 8   // ... with as many texels along a cell.
 #define NOISE_PERIOD 256  // Cells after which the noise of foam and high clouds repeats.
@@ -19,8 +20,7 @@
     FIELD(float, skyTime)          /* the same of the high clouds */ \
     FIELD(int, waves)              /* of the sea */ \
     FIELD(int, tallWaves)          /* the first ones, which decide where a ray meets the water */ \
-    FIELD(float, seaTop)           /* no crest is higher, meters */ \
-    FIELD(float, seaSteepest)      /* rise of the tall waves per meter: four standard deviations */ \
+    FIELD(float, seaTop)           /* SEA_HIGHEST standard deviations of their height, meters */ \
     FIELD(float, hiddenSlopes)     /* mean square slope of what is finer than the last wave */ \
     FIELD(float, sampleShift)      /* by which the supersample shifts steps, 0 to 1 */ \
     ARRAY(ivec4, cells, NOISE_OCTAVES)  /* origin of the work in the lattice of each octave, the last for the warp: the cell ... */ \

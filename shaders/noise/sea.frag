@@ -1,5 +1,5 @@
 // The sea: waves that roll as gravity makes them, in the light of the sky. Permutations: SOURCE; HEIGHT_STEPS,
-// as long as the height above the water.
+// as long as the height above the water; COUNT_MARCH, what light takes is not counted.
 #include "noise/work.glsl"
 
 float evaluations = 0.0;
@@ -10,25 +10,59 @@ float waveFade(vec2 k, float footprint)
     return noiseFootprintFade(footprint * length(k) / (2.0 * PI));
 }
 
-// Where the water that rests at `q` is: to the side, and up. Gerstner 1809; of the tall waves alone.
-vec3 tallMotion(vec2 q, float footprint)
+// Standard deviations that count as the bound of slopes and curvatures, all of it: more than waves of even phases are
+// met with.
+const float SEA_BOUND = 5.5;
+
+// The tall waves around a place, as they are there: moved to the side as Gerstner's are (1809).
+struct TallWater {
+    float height;
+    vec2 slope;
+    vec2 moved;       // from where that water rests
+    float top;        // SEA_HIGHEST
+    float steepest;   // the bound of the slope along any direction, ...
+    float curvature;  // ... and of its change per meter
+};
+
+// One evaluation of them: where the water rests is found by one step of Newton's, from `moved` on.
+TallWater tallWaterAt(vec2 p, vec2 moved, float footprint)
 {
-    vec3 sum = vec3(0.0);
+    vec2 q = p - moved;
+    vec2 side = vec2(0.0);
+    vec2 slope = vec2(0.0);
+    vec3 stretch = vec3(0.0);
+    float height = 0.0;
+    vec3 squares = vec3(0.0);  // of amplitude, slope and curvature
     for (int i = 0; i < work.tallWaves; ++i) {
         vec4 w = work.wave[i];
+        float k = length(w.xy);
         float phase = dot(w.xy, q) - w.w;
         float a = w.z * waveFade(w.xy, footprint);
-        vec2 side = w.xy * (-parameters.chop * a / length(w.xy) * sin(phase));
-        sum += vec3(side.x, a * cos(phase), side.y);
+        float s = a * sin(phase);
+        float c = a * cos(phase);
+        vec2 ahead = w.xy * (parameters.chop / k);
+        side -= ahead * s;
+        stretch += vec3(w.xy * ahead, w.x * ahead.y) * c;
+        slope -= w.xy * s;
+        height += c;
+        vec3 orders = a * vec3(1.0, k, k * k);
+        squares += orders * orders;
     }
     evaluations += 1.0;
-    return sum;
-}
-
-float tallHeight(vec2 p, float footprint)
-{
-    vec3 m = tallMotion(p, footprint);
-    return tallMotion(p - m.xz, footprint).y;
+    // How p moves with q is a symmetric matrix, near the identity but where the water folds over.
+    vec3 m = vec3(1.0, 1.0, 0.0) - stretch;
+    float area = max(m.x * m.y - m.z * m.z, 0.1);
+    mat2 back = mat2(m.y, -m.z, -m.z, m.x) / area;
+    vec2 further = back * (moved - side);
+    vec3 bounds = vec3(SEA_HIGHEST, vec2(SEA_BOUND * parameters.boundShare)) * sqrt(0.5 * squares);
+    TallWater water;
+    water.height = clamp(height + dot(slope, further), -bounds.x, bounds.x);
+    water.slope = back * slope;
+    water.moved = moved - further;
+    water.top = bounds.x;
+    water.steepest = max(bounds.y, 0.02);
+    water.curvature = bounds.z;
+    return water;
 }
 
 struct Water {
@@ -39,9 +73,9 @@ struct Water {
     float height;
 };
 
-Water waterAt(vec2 p, float footprint)
+Water waterAt(vec2 p, vec2 moved, float footprint)
 {
-    vec2 q = p - tallMotion(p, footprint).xz;
+    vec2 q = p - moved;
     vec2 slope = vec2(0.0);
     vec3 stretch = vec3(0.0);
     float resolved = 0.0;
@@ -76,39 +110,70 @@ Water waterAt(vec2 p, float footprint)
     return water;
 }
 
-// Distance along the ray to the water; negative: none.
-float waterDistance(PortalRay ray)
+struct SeaHit {
+    float distance;  // along the ray; negative: none
+    vec2 moved;      // tallWaterAt's
+};
+
+SeaHit seaHit(PortalRay ray)
 {
     vec3 d = ray.direction;
-    float top = (work.seaTop - ray.origin.y) / d.y;
+    float highest = (work.seaTop - ray.origin.y) / d.y;
     float bottom = (-work.seaTop - ray.origin.y) / d.y;
-    float t = max(ray.start, ray.origin.y > work.seaTop ? (d.y < 0.0 ? top : 1e20) : 0.0);
-    if (t > 2e4) return d.y < -1e-4 ? -ray.origin.y / d.y : -1.0;
+    float t = max(ray.start, ray.origin.y > work.seaTop ? (d.y < 0.0 ? highest : 1e20) : 0.0);
+    if (t > 2e4) return SeaHit(d.y < -1e-4 ? -ray.origin.y / d.y : -1.0, vec2(0.0));
     float along = length(d.xz);
     float last = t;
     float gapBefore = 0.0;
+    vec2 moved = vec2(0.0);
+    bool met = false;
     for (int i = 0; i < parameters.seaSteps; ++i) {
         vec3 p = ray.origin + d * t;
-        float gap = p.y - tallHeight(p.xz, t * ray.footprint * 2.0);
-        if (gap < 0.0 && i > 0) {
-            // Between the last two points, as if the water were straight there.
-            return mix(last, t, gapBefore / max(gapBefore - gap, 1e-6));
+        float pixel = t * ray.footprint;
+        float tolerance = parameters.hitTolerance * pixel;
+        TallWater water = tallWaterAt(p.xz, moved, pixel * 2.0);
+        float gap = p.y - water.height;
+        if (gap < 0.0 && i == 0) return SeaHit(t, water.moved);
+#ifndef HEIGHT_STEPS
+        // However the water bends it meets the ray: from here on by Newton's steps, until the next would be too short.
+        float closing = dot(water.slope, d.xz) - d.y;
+        float bend = max(water.curvature * along * along, 1e-6);
+        met = met || (closing > 0.0 && closing * closing > 2.0 * bend * gap);
+        if (met && closing > 0.0) {
+            float further = clamp(gap / closing, -2.0 * abs(t - last) - tolerance, 2.0 * t + 1.0);
+            if (0.5 * bend * further * further < tolerance) return SeaHit(t + further, water.moved);
+            last = t;
+            moved = water.moved * exp2(-abs(further));
+            t += further;
+            continue;
         }
-        if (gap < 0.5 * t * ray.footprint) return t;
-        if (d.y > 0.0 && p.y > work.seaTop) return -1.0;
+#endif
+        // Between the last two points, as if the water were straight there.
+        if (gap < 0.0) return SeaHit(mix(last, t, gapBefore / max(gapBefore - gap, 1e-6)), water.moved);
+        if (d.y > 0.0 && p.y > water.top) return SeaHit(-1.0, vec2(0.0));
         if (t > 2e4) break;
         last = t;
         gapBefore = gap;
 #ifdef HEIGHT_STEPS
-        t += max(gap, 0.35 * t * ray.footprint);
+        if (gap < tolerance) return SeaHit(t, water.moved);
+        float stride = gap;
 #else
-        t += max(gap / (work.seaSteepest * along + max(-d.y, 0.0)), 0.35 * t * ray.footprint);
+        // No sooner than the steepest water rises to the ray, or the one most bent, from its slope here on.
+        float stride = gap / (water.steepest * along + max(-d.y, 0.0));
+        stride = max(stride, (sqrt(closing * closing + 2.0 * bend * gap) - closing) / bend);
+#endif
+        stride = max(stride, 0.35 * tolerance);
+        // The water has moved less than it is away from where the stride ends.
+        moved = water.moved * exp2(-stride);
+        t += stride;
+#ifndef HEIGHT_STEPS
+        // Down to where crests can be.
+        if (d.y < 0.0) t = max(t, (water.top - ray.origin.y) / d.y);
 #endif
     }
-    if (d.y >= 0.0) return -1.0;
+    if (d.y >= 0.0) return SeaHit(-1.0, vec2(0.0));
     // Out of steps: where the last height would be met.
-    float rest = gapBefore / -d.y;
-    return min(last + rest, bottom);
+    return SeaHit(min(last + gapBefore / -d.y, bottom), moved);
 }
 
 // Light of the sun that waves too fine to see mirror towards the eye: Beckmann's distribution of their slopes.
@@ -161,13 +226,14 @@ float foamAt(vec2 p, Water water, float footprint)
     return clamp(max(fresh, 0.8 * lace), 0.0, 1.0);
 }
 
-vec3 waterLight(PortalRay ray, float t)
+vec3 waterLight(PortalRay ray, SeaHit hit)
 {
+    float t = hit.distance;
     vec3 p = ray.origin + ray.direction * t;
     vec3 toEye = -ray.direction;
     // A pixel is longer along the view where the water is seen at a graze; half of that is resolved by the sampling.
     float footprint = t * ray.footprint * clamp(0.25 / max(toEye.y, 0.02), 1.0, 3.0);
-    Water water = waterAt(p.xz, footprint);
+    Water water = waterAt(p.xz, hit.moved, footprint);
     vec3 n = water.normal;
     vec2 fine = ripples(p.xz, footprint, work.hiddenSlopes);
     n = normalize(n - vec3(fine.x, 0.0, fine.y) * n.y);
@@ -220,15 +286,20 @@ PortalSeen portalSeen(PortalRay ray)
     return sourceSea(ray);
 #else
     PortalSeen seen = nothingSeen();
-    float t = waterDistance(ray);
-    if (t > 0.0) {
-        seen.radiance = waterLight(ray, t);
+    SeaHit hit = seaHit(ray);
+#ifdef COUNT_MARCH
+    seen.evaluations = evaluations;
+#endif
+    if (hit.distance > 0.0) {
+        seen.radiance = waterLight(ray, hit);
         seen.normal = vec3(0.0, 1.0, 0.0);
-        seen.distance = t;
+        seen.distance = hit.distance;
     } else {
         seen.radiance = throughAir(highClouds(ray.direction, ray.footprint), ray.direction, max(0.03 - ray.direction.y, 0.0) * 2e4, 3000.0);
     }
+#ifndef COUNT_MARCH
     seen.evaluations = evaluations;
+#endif
     return seen;
 #endif
 }

@@ -22,17 +22,33 @@ MarchSettings sceneSettings(float tMin, float footprint)
     return s;
 }
 
-// The first surface along a ray, within the box that holds everything.
+// The first surface along a ray, within the box that holds everything; planes that are known as such are met in closed
+// form, if the ray starts outside of them.
 March sceneMarch(vec3 origin, vec3 direction, MarchSettings settings)
 {
     MarchSettings s = settings;
     vec2 span = rayBox(origin, direction, stage.boxLow, stage.boxHigh);
+#ifdef SCENE_NEAR
+    float plane = settings.side < 0.0 ? -1.0 : scenePlaneAhead(origin, direction, SCENE_PLANES);
+    if (plane < 0.0) span = vec2(0.0, settings.tMax);
+    else s.tMax = min(s.tMax, plane);
+    scenePlanesAway = plane < 0.0 ? 0.0 : 1e30;
+#endif
     if (s.tMin > 0.0) s.tMin = max(s.tMin, span.x);
     s.tMax = min(s.tMax, span.y);
     // Floats are coarser far from the origin.
     s.toleranceFloor = 1e-5 + 4e-7 * length(origin);
     March march = sphereTrace(origin, direction, s);
     evaluations += march.evaluations;
+#ifdef SCENE_NEAR
+    scenePlanesAway = 0.0;
+    if (!march.hit && plane >= 0.0 && plane <= settings.tMax) {
+        march.hit = true;
+        march.t = max(plane, settings.tMin);
+        march.distance = 0.0;
+        march.side = 1.0;
+    }
+#endif
     return march;
 }
 

@@ -1,11 +1,13 @@
 // What lights a point of a scene, and what keeps it away.
 
-#define SHADOWS_HARD 1
-#define SHADOWS_CLASSIC 2
-#define SHADOWS_IMPROVED 3
-#define SHADOWS_SIGNED 4
-#define SHADOWS_AREA 5
+// SHADOWS is one of the kit's methods, or the source's.
 #define SHADOWS_SOURCE 6
+#ifdef SHADOWS
+#if SHADOWS != SHADOWS_SOURCE
+#define SHADOW_METHOD SHADOWS
+#include "kit/sdf/shadow_method.glsl"
+#endif
+#endif
 
 #define OCCLUSION_SOURCE 0
 #define OCCLUSION_TAPS 2
@@ -71,18 +73,14 @@ SceneLight sceneLight(int i, vec3 p)
 float sceneVisibility(vec3 p, SceneLight l, uint salt)
 {
     float tMax = min(l.distance, rayBox(p, l.direction, stage.boxLow, stage.boxHigh).y);
+#ifdef SCENE_NEAR
+    float plane = scenePlaneAhead(p, l.direction, SCENE_PLANES);
+    if (plane >= 0.0 && plane < l.distance) return 0.0;
+#endif
     float tMin = 0.002;
     int steps = min(parameters.stepLimit, 128);
-#if SHADOWS == SHADOWS_HARD
-    Shadow s = shadowHard(p, l.direction, tMin, tMax, steps);
-#elif SHADOWS == SHADOWS_CLASSIC
-    Shadow s = shadowClassic(p, l.direction, l.width, tMin, tMax, steps);
-#elif SHADOWS == SHADOWS_IMPROVED
-    Shadow s = shadowAaltonen(p, l.direction, l.width, tMin, tMax, steps);
-#elif SHADOWS == SHADOWS_SIGNED
-    Shadow s = shadowSigned(p, l.direction, l.width, tMin, tMax, steps);
-#elif SHADOWS == SHADOWS_AREA
-    Shadow s = shadowArea(p, l.direction, l.width, tMin, tMax, steps, parameters.shadowRays, 2.0 * PI * pixelNumber(salt));
+#if SHADOWS != SHADOWS_SOURCE
+    Shadow s = shadowByMethod(p, l.direction, l.width, tMin, tMax, steps, parameters.shadowRays, 2.0 * PI * pixelNumber(salt));
 #else
     // The source's: the narrowest clearance k d / t from 0.1 on, smoothed, and hard for k = 0. Unlike there, what is
     // behind the light keeps nothing away.

@@ -106,13 +106,36 @@ SceneSeen sceneSeen(PortalRay ray)
     float roughness = 0.0;
     int bounces = 0;
 #if defined(GLASS)
-    const int most = 10;
+    const int most = 14;
+    // The mirror image at the first side of glass, which is followed when the way through it has ended.
+    bool waits = false;
+    bool waited = false;
+    vec3 waitingOrigin = vec3(0.0);
+    vec3 waitingDirection = vec3(0.0);
+    vec3 waitingShare = vec3(0.0);
+    float waitingTraveled = 0.0;
 #elif defined(MIRRORS)
     const int most = 4;
 #else
     const int most = 0;
 #endif
+    bool ended = false;
     for (int i = 0; i <= most; ++i) {
+        if (ended) {
+#ifdef GLASS
+            if (!waits) break;
+            waits = false;
+            ended = false;
+            origin = waitingOrigin;
+            direction = waitingDirection;
+            share = waitingShare;
+            side = 1.0;
+            settings.side = 1.0;
+            settings.traveled = waitingTraveled;
+#else
+            break;
+#endif
+        }
         March march = sceneMarch(origin, direction, settings);
         if (i == 0) seen.steps = march.steps;
 #ifdef LAMPS
@@ -120,14 +143,18 @@ SceneSeen sceneSeen(PortalRay ray)
 #endif
         if (!march.hit) {
             color += share * beyond(direction, roughness);
-            break;
+            ended = true;
+            continue;
         }
         SceneHit hit = sceneHit(origin, direction, march, settings);
         // Endless floors fade into what surrounds them before rays run out of steps.
         float haze = smoothstep(0.05, 0.5, hit.traveled / stage.farthest);
         color += share * haze * beyond(direction, roughness);
         share *= 1.0 - haze;
-        if (haze >= 1.0) break;
+        if (haze >= 1.0) {
+            ended = true;
+            continue;
+        }
         SceneMaterial m = sceneSurface(hit.position).material;
         evaluations += 1;
         vec3 n = hit.normal * side;
@@ -140,7 +167,7 @@ SceneSeen sceneSeen(PortalRay ray)
         settings.tMin = 0.0;
         settings.traveled = hit.traveled;
 #ifdef GLASS
-        // Through glass; what it mirrors at its first side is the environment alone.
+        // Through glass, and then to what it mirrors at its first side; of later ones, the environment alone.
         if (side < 0.0) share *= exp(log(clamp(m.color, 0.02, 1.0)) * (march.t * 10.0));
         if (m.transmission > 0.5) {
             float index = side > 0.0 ? m.refractiveIndex : 1.0 / m.refractiveIndex;
@@ -148,7 +175,21 @@ SceneSeen sceneSeen(PortalRay ray)
             vec3 through = refract(direction, n, 1.0 / index);
             vec3 image = reflect(direction, n);
             bool total = dot(through, through) < 0.5;
-            if (side > 0.0) color += share * (mirrored * beyond(image, m.roughness) + allLights(hit, m, n, toEye));
+            if (side > 0.0) {
+                color += share * allLights(hit, m, n, toEye);
+                vec3 imageShare = share * mirrored;
+                bool follows = !waited && bounces < stage.bounces && m.roughness <= ROUGHEST_MIRROR && max(imageShare.r, max(imageShare.g, imageShare.b)) >= 0.01;
+                if (follows) {
+                    waits = true;
+                    waited = true;
+                    waitingOrigin = hit.position + n * (2.0 * hit.tolerance);
+                    waitingDirection = image;
+                    waitingShare = imageShare;
+                    waitingTraveled = hit.traveled;
+                } else {
+                    color += imageShare * beyond(image, m.roughness);
+                }
+            }
             if (total) {
                 direction = image;
             } else {
@@ -182,7 +223,8 @@ SceneSeen sceneSeen(PortalRay ray)
         if (last) {
             // What shapes would hide of the image only darkens it.
             color += share * beyond(image, m.roughness) * mix(1.0, open, 0.8);
-            break;
+            ended = true;
+            continue;
         }
         bounces += 1;
         roughness = max(roughness, m.roughness);
@@ -190,6 +232,9 @@ SceneSeen sceneSeen(PortalRay ray)
         direction = image;
         settings.side = side;
     }
+#ifdef GLASS
+    if (waits) color += waitingShare * beyond(waitingDirection, roughness);
+#endif
     seen.radiance = color * stage.exposure;
     return seen;
 }

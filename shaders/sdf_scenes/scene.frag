@@ -1,6 +1,6 @@
 // A scene behind the frame: its field is generated, everything around it is here.
 // Permutations: SOURCE_LOOK; LIGHTS, SHADOWS (a method), OCCLUSION (a method), MIRRORS, GLASS, GLOWS, LAMPS, PANORAMA, as far as the scene
-// has any; HEAT_MAP.
+// has any; HEAT_MAP, COUNT_SHAPES (in place of evaluations).
 #include "kit/portal/portal.glsl"
 #include "lib/numerics.glsl"
 #include "lib/hash.glsl"
@@ -23,14 +23,20 @@ int evaluations;  // Calls of the field for this pixel.
 PortalSeen portalSeen(PortalRay ray)
 {
     evaluations = 0;
+    shapesAsked = 0;
     SceneSeen found = sceneSeen(ray);
     PortalSeen seen;
     seen.radiance = found.radiance;
     seen.normal = found.normal;
     seen.distance = found.distance;
+#ifdef COUNT_SHAPES
+    seen.evaluations = float(shapesAsked);
+#else
     seen.evaluations = float(evaluations);
+#endif
 #ifdef HEAT_MAP
     float count = parameters.heatMap == heatMap_steps ? float(found.steps) : float(evaluations);
+    if (parameters.heatMap == heatMap_shapes) count = float(shapesAsked);
     vec3 shown = heatColor(count / parameters.heatScale);
     if (parameters.heatMap == heatMap_normals) shown = found.normal * 0.5 + 0.5;
     seen.radiance = inverseTonemap(shown * 0.98);

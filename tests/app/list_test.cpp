@@ -36,7 +36,7 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
     EXPECT_EQ(ended.err, "");
     const Json all = render::parseJson(ended.out, "list").root();
     ASSERT_TRUE(all.is_array());
-    const std::set<std::string> kinds{"real", "count", "toggle", "choice", "color", "direction", "file"};
+    const std::set<std::string> kinds{"real", "count", "toggle", "choice", "color", "direction", "file", "text"};
     int rows = 0, qualities = 0, conditions = 0;
     for (const Json& exhibit : all) {
         EXPECT_EQ(keysOf(exhibit), (std::set<std::string>{"name", "title", "summary", "parameters"}));

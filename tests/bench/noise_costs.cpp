@@ -25,8 +25,8 @@ const NoiseTable table;
 
 struct Measured {
     render::Image picture;
-    double evaluations = 0;   ///< A pixel, mean.
-    double lookups = 0;       ///< Of the field, in place of evaluations; a pixel, mean.
+    double evaluations = 0;  ///< A pixel, mean.
+    double part = 0;  ///< Of the field, look-ups in place of evaluations; of the sea, evaluations of the march alone.
     double milliseconds = 0;  ///< Of the exhibit's own passes, median of five.
 };
 
@@ -67,14 +67,14 @@ struct Bench {
         return times[2];
     }
 
-    double lookupsOf(const FrameRequest& request)
+    double partOf(const FrameRequest& request)
     {
         const render::FramePlan plan = test::planned(museum, sceneState, request, renderer.persistentState());
         for (const render::Pass& pass : plan.passes()) {
             const bool field = pass.name == "noise/field" || pass.name == "noise/fractal";
-            if (!field) continue;
+            if (!field && pass.name != "noise/sea") continue;
             // No frame of the program asks for this, so that no plan offers it.
-            const_cast<render::Pass&>(pass).shader.defines.emplace_back("COUNT_LOOKUPS");
+            const_cast<render::Pass&>(pass).shader.defines.emplace_back(field ? "COUNT_LOOKUPS" : "COUNT_MARCH");
             renderer.draw(plan);
             const render::Image counts = renderer.read(evaluationsImage);
             double sum = 0;
@@ -94,7 +94,7 @@ struct Bench {
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) result.evaluations += static_cast<double>(result.picture.at(x, y, 4));
         result.evaluations /= static_cast<double>(size.x) * size.y;
-        result.lookups = lookupsOf(request);
+        result.part = partOf(request);
         result.milliseconds = millisecondsOf(request);
         return result;
     }
@@ -114,18 +114,22 @@ double errorOf(const render::Image& a, const render::Image& b)
 
 void row(const std::string& name, const Measured& m, const render::Image& truth)
 {
-    std::printf("| %s | %.1f | %.1f | %.4f | %.0f |\n", name.c_str(), m.evaluations, m.lookups,
-                errorOf(m.picture, truth), m.milliseconds);
+    std::printf("| %s | %.1f | %.1f | %.4f | %.0f |\n", name.c_str(), m.evaluations, m.part, errorOf(m.picture, truth),
+                m.milliseconds);
     std::fflush(stdout);
 }
 
-constexpr const char* head = "| way | evaluations per pixel | look-ups | RMSE | ms |\n|---|---|---|---|---|\n";
+/// Columns of a table; `part` says what Measured::part is.
+std::string head(const char* part)
+{
+    return std::string("| way | evaluations per pixel | ") + part + " | RMSE | ms |\n|---|---|---|---|---|\n";
+}
 
 void field(Bench& bench, NoiseWork work, const char* title)
 {
     std::printf(
         "\n## %s\n\nOctaves of noise for march and light together, against the bounds as proven with 1024 steps.\n\n%s",
-        title, head);
+        title, head("look-ups").c_str());
     ParameterValues& v = bench.values();
     const ParameterValues start = v = [&] {
         ParameterValues of{table};
@@ -163,7 +167,7 @@ void clouds(Bench& bench)
 {
     std::printf("\n## Clouds\n\nLook-ups, or evaluations of two or three sums, against 512 steps; then against "
                 "evaluated noise.\n\n%s",
-                head);
+                head("of these, by the march").c_str());
     ParameterValues& v = bench.values();
     const ParameterValues start = v = [&] {
         ParameterValues of{table};
@@ -201,18 +205,26 @@ void clouds(Bench& bench)
 
 void sea(Bench& bench)
 {
-    std::printf("\n## Sea\n\nHeights of the tall waves and of all, against 256 steps.\n\n%s", head);
+    std::printf(
+        "\n## Sea\n\nHeights of the tall waves and of all, against 256 steps; a height is one evaluation.\n\n%s",
+        head("of these, by the march").c_str());
     ParameterValues& v = bench.values();
     const ParameterValues start = v = ParameterValues(table);
     v.set(table.seaSteps, 256);
+    v.set(table.hitTolerance, 0.01);
     const Measured truth = bench.measure();
     row("reference", truth, truth.picture);
-    for (const int steps : {20, 64, 100, 256}) {
-        v = start;
-        v.set(table.march, NoiseMarch::halved);
-        v.set(table.seaSteps, steps);
-        row("steps of the height above the water, at most " + std::to_string(steps), bench.measure(), truth.picture);
-    }
+    for (const NoiseMarch march : {NoiseMarch::halved, NoiseMarch::bounded})
+        for (const double tolerance : {0.5, 0.1, 0.02}) {
+            v = start;
+            v.set(table.march, march);
+            v.set(table.seaSteps, 256);
+            v.set(table.hitTolerance, tolerance);
+            char name[80];
+            std::snprintf(name, sizeof name, "%s, as near as %.2f pixels",
+                          march == NoiseMarch::halved ? "steps of the height above the water" : "bounded", tolerance);
+            row(name, bench.measure(), truth.picture);
+        }
     for (const int steps : {5, 10, 20, 40}) {
         v = start;
         v.set(table.seaSteps, steps);

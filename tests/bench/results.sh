@@ -30,6 +30,8 @@ lenticular_card gl $tests/bench_lenticular_card
 shadow_filters gl $tests/bench_shadow_filters
 sunbeams gl $tests/bench_sunbeams
 noise_costs gl $tests/bench_noise_costs
+scene_speed gl $tests/bench_scene_speed
+pixel_normals gl $tests/bench_pixel_normals --model assets/models/teddy.glb
 hall_costs gl $tests/bench_hall_costs
 study_sdf_morph_hitTolerance gl $study sdf_morph hitTolerance
 study_lenticular_apertureSamples gl $study lenticular apertureSamples
@@ -52,10 +54,18 @@ study_noise_lightSteps gl $study noise lightSteps --set work=clouds --points 6 -
 study_noise_bakeSize gl $study noise bakeSize --set work=clouds --points 5 --runs 3
 study_noise_waves gl $study noise waves --set work=sea --points 6 --runs 3
 study_noise_seaSteps gl $study noise seaSteps --set work=sea --points 6 --runs 3
+study_pixel_art_method gl $study pixel_art method --runs 3
+study_pixel_art_depthBits gl $study pixel_art depthBits --runs 3
 study_hall_supersamples gl $study hall supersamples --values 1,2,4,8,16,32 --size 160x90 --views 1
 study_sdf_morph_supersamples gl $study sdf_morph hall.supersamples --alone --values 1,2,4,8,16,32,64 --size 160x90 --views 1
 stability_suite gl env VITRINE_SCAN_PRESETS=100 ctest --test-dir build/release -L stability -j 2
 END
+    for scene in primitives ambient_occlusion mercury; do
+        for varied in shadowMethod\ shadowRays occlusionMethod\ occlusionRays bounces hitTolerance normalStep; do
+            name=$(echo "$varied" | tr ' ' '_')
+            echo "study_sdf_scenes_${name}_$scene gl $study sdf_scenes $varied --points 5 --runs 3 --alone --set scene=$scene.json"
+        done
+    done
 }
 
 # field NAME: what bench_machine said.

@@ -7,6 +7,7 @@
 #include "exhibits/ice_cream/ice_cream_table.h"
 #include "exhibits/lenticular/lenticular_table.h"
 #include "exhibits/noise/noise_table.h"
+#include "exhibits/pixel_art/pixel_art_table.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
 #include "render/files/read_file.h"
 
@@ -129,6 +130,22 @@ TEST(PresetOfTheSource, OfTheCardHasItsUniforms)
     EXPECT_FALSE(v[t.dispersion]);
     EXPECT_EQ(v[t.apertureSamples], 1);
     EXPECT_TRUE(v[t.scroll]);
+}
+
+TEST(PresetOfTheSource, N5_OfThePixelArtHasItsStrengths)
+{
+    const PixelArtTable t;
+    const ParameterValues v = preset("pixel_art", "as-in-the-source", t);
+    EXPECT_EQ(v[t.highlightStrength], 0.1);
+    EXPECT_EQ(v[t.outlineStrength], 0.4);
+    EXPECT_EQ(v[t.highlightColor].value, glm::dvec3(1));
+    EXPECT_EQ(v[t.outlineColor].value, glm::dvec3(0));
+    EXPECT_EQ(v[t.edges], EdgeLook::source);
+    EXPECT_EQ(v[t.method], NormalsBy::tap9Plus);
+    EXPECT_EQ(v[t.resolution], PixelResolution::r240);
+    EXPECT_EQ(v[t.projection], PixelProjection::orthographic);
+    EXPECT_EQ(v[t.world], PixelWorld::testScene);
+    EXPECT_TRUE(v[t.fixVoid]);
 }
 
 TEST(PresetOfTheSource, OfTheNoiseHasItsConstants)

@@ -32,6 +32,8 @@ using UniformBlocks = test::GlTest;
 #include "shaders/lib/local_lights_block.glsl"
 #include "shaders/lib/temporal_block.glsl"
 #include "shaders/noise/noise_block.glsl"
+#include "shaders/pixel_art/object_block.glsl"
+#include "shaders/pixel_art/pixel_block.glsl"
 #include "shaders/sdf_morph/torus_mug_shape_block.glsl"
 #include "shaders/sdf_scenes/stage_block.glsl"
 
@@ -143,6 +145,8 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"ProbeLevel", described<ProbeLevel>()},
         {"RaysBlock", described<RaysBlock>()},
         {"NoiseBlock", described<NoiseBlock>()},
+        {"PixelBlock", described<PixelBlock>()},
+        {"PixelObjectBlock", described<PixelObjectBlock>()},
         {"PortalBlock", described<PortalBlock>()},
         {"SceneStage", described<SceneStage>()},
         {"SdfObject", described<SdfObject>()},

@@ -55,7 +55,8 @@ std::string tableText(const std::string& exhibit)
 /// The rows as they are written in a table's header.
 std::vector<DeclaredRow> declaredRows(const std::string& text)
 {
-    static const std::regex row(R"re((\w+)\s*=\s*(?:real|count|toggle|choice|color|direction|file)\(\s*"(\w+)")re");
+    static const std::regex row(
+        R"re((\w+)\s*=\s*(?:this->Parameters::)?(?:real|count|toggle|choice|color|direction|file|document)\(\s*"(\w+)")re");
     std::vector<DeclaredRow> rows;
     for (auto match = std::sregex_iterator(text.begin(), text.end(), row); match != std::sregex_iterator(); ++match)
         rows.push_back({(*match)[1], (*match)[2]});
@@ -249,7 +250,7 @@ TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)
     for (const auto& [exhibit, table] : tables()) {
         std::size_t expected = 0;
         for (const ParameterInfo& row : table->rows()) {
-            if (row.kind == Kind::file) continue;
+            if (row.isWritten()) continue;
             const bool vector = row.kind == Kind::color || row.kind == Kind::direction;
             expected = vector ? (expected + 15) / 16 * 16 + 12 : expected + 4;
         }
@@ -274,7 +275,7 @@ TEST(Tables, TheSweepOfAStudyHoldsBothEndsAndTheInitialValue)
         for (const ParameterInfo& row : table->rows()) {
             const std::vector<double> points = derive::sweep(row, 7);
             SCOPED_TRACE(exhibit + '.' + std::string(row.name));
-            if (row.kind == Kind::color || row.kind == Kind::direction || row.kind == Kind::file) {
+            if (row.kind == Kind::color || row.kind == Kind::direction || row.isWritten()) {
                 EXPECT_TRUE(points.empty());
                 continue;
             }

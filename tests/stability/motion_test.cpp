@@ -18,7 +18,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr FurSpring closed = FurSpring::closedForm;
 
 SpringState stepped(SpringState s, const glm::dvec3& target, const Spring& spring, double seconds, int steps,

@@ -3,12 +3,17 @@
 #include "exhibits/exhibits.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/museum/museum.h"
+#include "tests/support/plan_steps.h"
 #include "tests/support/planned.h"
 #include "tests/support/tables.h"
 
+#include <limits>
 #include <string>
 
 namespace vitrine::test {
+
+/// The moment of a change that does not come.
+inline constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The real museum and its building, read once.
 inline const Museum& museum()
@@ -43,20 +48,6 @@ struct Scene {
         return test::planned(museum(), sceneState, request, kept);
     }
 };
-
-inline std::string reasonFor(const render::FramePlan& plan, std::string_view name)
-{
-    const render::CulledPass* skipped = plan.findSkipped(name);
-    return skipped ? skipped->reason : plan.find(name) ? "it ran" : "not in the plan";
-}
-
-/// Whether any pass that will run has a name that starts so.
-inline bool runs(const render::FramePlan& plan, std::string_view start)
-{
-    for (const render::Pass& pass : plan.passes())
-        if (pass.name.substr(0, start.size()) == start) return true;
-    return false;
-}
 
 /// What a renderer has kept after it drew the plan.
 inline render::PersistentState keptAfter(const render::FramePlan& plan)

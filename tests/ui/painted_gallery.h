@@ -54,6 +54,18 @@ private:
     SampleTable table_;
 };
 
+/// Draws nothing.
+class BlankBackend final : public render::RenderBackend {
+public:
+    render::FrameReport draw(const render::FramePlan&) override { return {}; }
+    [[nodiscard]] render::Image read(const std::string&) override { return {}; }
+    [[nodiscard]] const render::PersistentState& persistentState() const override { return kept_; }
+    [[nodiscard]] int largestSide() const override { return 16384; }
+
+private:
+    render::PersistentState kept_;
+};
+
 /// The hall with plain exhibits in it.
 struct PlainMuseum {
     explicit PlainMuseum(std::unique_ptr<Exhibit> another = nullptr) : museum(exhibits(std::move(another))) {}
@@ -158,6 +170,11 @@ public:
     [[nodiscard]] ui::PictureJob makePicture(const SceneState&, const PictureRequest&) override { return {}; }
     void nextPicture(ui::PictureJob&, const SceneState&, const PictureRequest&) override {}
     [[nodiscard]] ui::StudyJob makeStudy(const StudyRequest&) override { return {}; }
+
+    [[nodiscard]] std::unique_ptr<render::RenderBackend> makeBackend(bool) override
+    {
+        return std::make_unique<BlankBackend>();
+    }
 
     /// Of the pictures drawn so far.
     [[nodiscard]] std::vector<FrameRequest> requests() const

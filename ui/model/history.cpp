@@ -87,9 +87,14 @@ void History::set(std::size_t exhibit, std::size_t row, const Value& value, Gest
     const std::optional<Value> legal = nearestLegal(info, value);
     if (!legal || *legal == values.row(row)) return;
     gesture_ = gesture;
+    SceneStateChange change(sceneState_, exhibit, row, *legal);
+    if (info.kind == Kind::file) {
+        SceneState after = sceneState_;
+        after.values[exhibit].chooseFile(row, *legal);
+        change = SceneStateChange(sceneState_, after);
+    }
     const QString step = text.isEmpty() ? tr("Change %1").arg(QString::fromStdString(label(info)).toLower()) : text;
-    stack_.push(new SceneStateStep(*this, step, SceneStateChange(sceneState_, exhibit, row, *legal), sceneState_.camera,
-                                   gesture, Camera::stays));
+    stack_.push(new SceneStateStep(*this, step, std::move(change), sceneState_.camera, gesture, Camera::stays));
 }
 
 void History::change(const QString& text, const SceneState& wanted, Gesture gesture, Camera camera)
@@ -125,6 +130,14 @@ void History::exchangeTables(const SceneState& tabled)
     if (const QUndoCommand* last = stack_.index() > 0 ? stack_.command(stack_.index() - 1) : nullptr)
         static_cast<const SceneStateStep*>(last)->change().append(change);  // Nothing else is pushed.
     change.apply(sceneState_);
+    gesture_ = 0;
+    emit replaced();
+}
+
+void History::settle(const SceneState& after)
+{
+    if (sceneState_.values == after.values) return;
+    sceneState_.values = after.values;
     gesture_ = 0;
     emit replaced();
 }

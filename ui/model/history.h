@@ -41,6 +41,9 @@ public:
     /// Exchanges the tables of exhibits that name the same files as in `tabled`, which has read them. No step of its
     /// own: undo takes it back with the step that stands last, which is the one that named the files.
     void exchangeTables(const SceneState& tabled);
+    /// Shows `after`, which looks the same: a document that was written to its file. No step, and undo and redo show
+    /// what they showed.
+    void settle(const SceneState& after);
     /// Starts over from `look`, with nothing to undo: a session that comes back.
     void restart(const SceneState&);
 

@@ -4,26 +4,43 @@
 
 namespace vitrine::ui {
 
-/// One value of the look on show, as a control reads and sets it. The history must outlive it.
+/// Values outside of the history, whose changes become steps of it in a way of their own.
+class ValueHolder {
+public:
+    virtual ~ValueHolder() = default;
+    [[nodiscard]] virtual const ParameterValues& heldValues() const = 0;
+    /// As `History::set`.
+    virtual void hold(std::size_t row, const Value&, Gesture, const QString& text) = 0;
+};
+
+/// One value of the look on show, as a control reads and sets it. The history or the holder must outlive it.
 class ValueRef {
 public:
     ValueRef(History& history, std::size_t exhibit, std::size_t row) : history_(&history), exhibit_(exhibit), row_(row)
     {
     }
+    ValueRef(ValueHolder& holder, std::size_t row) : holder_(&holder), row_(row) {}
 
     [[nodiscard]] const ParameterInfo& info() const { return values().rows()[row_]; }
     [[nodiscard]] const Value& value() const { return values().row(row_); }
     /// As `History::set`.
     void set(const Value& value, Gesture gesture, const QString& text = {}) const
     {
-        history_->set(exhibit_, row_, value, gesture, text);
+        if (holder_)
+            holder_->hold(row_, value, gesture, text);
+        else
+            history_->set(exhibit_, row_, value, gesture, text);
     }
 
 private:
-    [[nodiscard]] const ParameterValues& values() const { return history_->sceneState().values[exhibit_]; }
+    [[nodiscard]] const ParameterValues& values() const
+    {
+        return holder_ ? holder_->heldValues() : history_->sceneState().values[exhibit_];
+    }
 
-    History* history_;
-    std::size_t exhibit_, row_;
+    History* history_ = nullptr;
+    ValueHolder* holder_ = nullptr;
+    std::size_t exhibit_ = 0, row_ = 0;
 };
 
 }  // namespace vitrine::ui

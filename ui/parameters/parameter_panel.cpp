@@ -103,12 +103,15 @@ void ParameterPanel::showExhibit(std::size_t exhibit, const QString& name)
 void ParameterPanel::showAll()
 {
     if (name_.isEmpty()) return;  // Nothing is shown yet.
-    const bool sameTable = table_ == values().sharedTable();
+    // A file that was read again gives another table, mostly of the same rows: their controls stay as they are.
+    const bool sameTable = table_ && table_->hasRowsOf(values().table());
     const bool onlyRows = table_ && !sameTable;  // Of the same exhibit: a file gave others.
     const std::string focused = onlyRows ? focusedRow() : std::string();
     const int scrolled = onlyRows ? scroll_->verticalScrollBar()->value() : 0;
-    table_ = values().sharedTable();
-    if (!sameTable) rebuild();
+    if (!sameTable) {
+        table_ = values().sharedTable();
+        rebuild();
+    }
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->showValue(values().row(i));
     showWhatActs();
     for (ParameterSection* section : sections_) section->refresh();

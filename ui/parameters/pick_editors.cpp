@@ -76,6 +76,18 @@ void ChoiceEditor::showValue(const Value& value)
     box_->setCurrentIndex(static_cast<int>(std::get<double>(value)));
 }
 
+TextMark::TextMark(const ValueRef& value, QWidget* parent) : ValueEditor(value, parent), words_(new QLabel(this))
+{
+    words_->setTextFormat(Qt::PlainText);
+    words_->setAccessibleName(nameOf(row()));
+    rowLayout(this)->addWidget(words_, 1);
+}
+
+void TextMark::showValue(const Value& value)
+{
+    words_->setText(std::get<std::string>(value).empty() ? tr("none") : tr("not in the file yet"));
+}
+
 FileEditor::FileEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), path_(new QLineEdit(this)), browse_(new QToolButton(this))
 {

@@ -4,6 +4,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QToolButton;
 
@@ -31,6 +32,18 @@ public:
 
 private:
     QComboBox* box_;
+};
+
+/// Whether there is a text: what it says is edited elsewhere, and reset here.
+class TextMark final : public ValueEditor {
+    Q_OBJECT
+
+public:
+    TextMark(const ValueRef&, QWidget* parent);
+    void showValue(const Value&) override;
+
+private:
+    QLabel* words_;
 };
 
 /// A path: typed, chosen, or dropped on the row.

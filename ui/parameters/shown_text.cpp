@@ -88,7 +88,8 @@ QString whatItTakes(const ParameterInfo& row)
     }
     case Kind::color: return QStringLiteral("#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.");
     case Kind::direction: return QStringLiteral("Three numbers are: x, y, z.");
-    case Kind::file: return {};
+    case Kind::file:
+    case Kind::text: return {};
     }
     return {};
 }
@@ -117,6 +118,7 @@ QString shownText(const ParameterInfo& row, const Value& value)
         const std::string& path = std::get<std::string>(value);
         return path.empty() ? QStringLiteral("none") : text(path);
     }
+    case Kind::text: return std::get<std::string>(value).empty() ? QStringLiteral("none") : QStringLiteral("a text");
     }
     return {};
 }

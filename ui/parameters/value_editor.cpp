@@ -23,6 +23,7 @@ ValueEditor* makeEditor(const ValueRef& value, QWidget* parent)
     case Kind::color: return new ColorEditor(value, parent);
     case Kind::direction: return new DirectionEditor(value, parent);
     case Kind::file: return new FileEditor(value, parent);
+    case Kind::text: return new TextMark(value, parent);
     }
     return nullptr;
 }

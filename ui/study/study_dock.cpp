@@ -174,7 +174,7 @@ void StudyDock::connectParts()
     connect(&history_, &History::changed, this, refreshWhileSeen);
     connect(&history_, &History::replaced, this, refreshWhileSeen);
     connect(&history_, &History::replaced, this, [this] {
-        if (table_ && table_ != history_.sceneState().values[subject_].sharedTable()) setSubject(subject_);
+        if (table_ && !table_->hasRowsOf(history_.sceneState().values[subject_].table())) setSubject(subject_);
     });
 }
 

@@ -117,4 +117,11 @@ StudyJob MuseumRenderers::makeStudy(const StudyRequest& request)
     return job;
 }
 
+std::unique_ptr<render::RenderBackend> MuseumRenderers::makeBackend(bool timesSteps)
+{
+    std::unique_ptr<render::gl::Renderer> made = renderer_->sibling();
+    made->timeSteps(timesSteps);
+    return made;
+}
+
 }  // namespace vitrine::ui

@@ -23,6 +23,7 @@ public:
     [[nodiscard]] PictureJob makePicture(const SceneState&, const PictureRequest&) override;
     void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) override;
     [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override;
+    [[nodiscard]] std::unique_ptr<render::RenderBackend> makeBackend(bool timesSteps) override;
 
     /// What the viewport's renderer keeps, by owner; nothing before it is open. On the render thread.
     [[nodiscard]] std::vector<render::gl::Stored> stored() const;

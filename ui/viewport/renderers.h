@@ -56,6 +56,9 @@ public:
     virtual void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) = 0;
     /// A study to make step by step. Throws Failure when there is nothing to measure.
     [[nodiscard]] virtual StudyJob makeStudy(const StudyRequest&) = 0;
+    /// A renderer for work of another kind, which may time every step; it ends on this thread, too. Null where there
+    /// are no graphics.
+    [[nodiscard]] virtual std::unique_ptr<render::RenderBackend> makeBackend(bool /*timesSteps*/) { return nullptr; }
 };
 
 }  // namespace vitrine::ui

@@ -20,9 +20,8 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double longestTick = 0.5;
-constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
-constexpr double firstTick = 1.0 / 60;  // After a rest no time has passed for those who walk.
-constexpr std::size_t mostFormer = 100;
+constexpr int lookAtFilesEvery = 1000;   // Milliseconds.
+constexpr double firstTick = 1.0 / 60;   // After a rest no time has passed for those who walk.
 constexpr int hiddenWait = 250;          // Milliseconds after which a hidden viewport looks whether it is seen again.
 constexpr double largestRegion = 0.25;   // Of the picture, that is drawn by itself where something moves.
 constexpr double restOfRegions = 5;      // Times as long as drawing one took, the machine rests before the next one ...
@@ -68,7 +67,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     connect(input_.get(), &ViewportInput::pressAsked, this, &Viewport::press);
     fileWatch_.setInterval(lookAtFilesEvery);
     connect(&fileWatch_, &QTimer::timeout, this, [this] {
-        if (stateOfFiles(history_.sceneState()) == filesDrawn_) return;
+        if (stateOfFiles(museum_.subjects(), history_.sceneState()) == filesDrawn_) return;
         watchFiles();
         sceneStateChanged();
         emit filesChanged();
@@ -97,6 +96,12 @@ FrameRequest Viewport::request(double time) const
     wanted.runEverything = runEverything_;
     for (const double pressedAt : pressedAt_) wanted.sincePressed.push_back(time - pressedAt);
     return wanted;
+}
+
+render::View Viewport::view() const
+{
+    const FrameRequest now = request(time_);
+    return render::makeView(now.camera, now.raster);
 }
 
 QSize Viewport::devicePixels() const
@@ -196,6 +201,7 @@ void Viewport::take(const DrawnPicture& picture)
         if (picture.report.unfinished) schedule_.changed(now());  // Work is left, or a program is still being built.
         const glm::ivec2 size = picture.order.request.raster.size;
         emit drawn(picture.report, QSize(size.x, size.y));
+        if (picture.order.order.sample == 0) emit looked();
         update();
     }
     showProblems(picture.problems);
@@ -212,6 +218,7 @@ void Viewport::takeRegion(const DrawnPicture& picture)
     regionShown_ = *picture.order.region;
     layRegionOver();
     ++regionsDrawn_;
+    emit looked();
     update();
 }
 
@@ -231,8 +238,8 @@ void Viewport::fail(const QString& why)
 
 void Viewport::watchFiles()
 {
-    const bool named = namesFiles(history_.sceneState());
-    filesDrawn_ = named ? stateOfFiles(history_.sceneState()) : 0;
+    const bool named = namesFiles(museum_.subjects(), history_.sceneState());
+    filesDrawn_ = named ? stateOfFiles(museum_.subjects(), history_.sceneState()) : 0;
     if (named && !fileWatch_.isActive()) fileWatch_.start();
     if (!named) fileWatch_.stop();
 }
@@ -243,6 +250,7 @@ void Viewport::resizeGL(int, int)
     schedule_.changed(now());
     for (Overlay* overlay : {hint_, label_, problems_}) overlay->place();
     reading_->place();
+    emit looked();
 }
 
 void Viewport::scheduleNext()
@@ -352,82 +360,7 @@ void Viewport::cameraChanged()
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? museum_.lookedAt(prepared()) : std::nullopt;
     label_->say(lookedAt_ ? QString::fromStdString(lookedAt_->text) : QString());
     input_->lookAgain();
-}
-
-void Viewport::visit(std::size_t exhibit)
-{
-    remember();
-    subject_ = exhibit;
-    control_.glideTo({museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
-                      exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
-    cameraChanged();
-}
-
-void Viewport::remember()
-{
-    if (former_.size() == mostFormer) former_.erase(former_.begin());
-    former_.push_back({control_.standpoint(), subject_});
-}
-
-void Viewport::goBack()
-{
-    if (former_.empty()) return;
-    const Former former = former_.back();
-    former_.pop_back();
-    subject_ = former.subject;
-    control_.glideTo(former.standpoint);
-    cameraChanged();
-    emit visited(former.subject);
-}
-
-void Viewport::jumpTo(const render::Camera& camera)
-{
-    cut_ = true;
-    control_.jumpTo(camera);
-    cameraChanged();
-}
-
-void Viewport::walkOn()
-{
-    if (control_.standpoint().mode == CameraControl::Mode::walk) return;
-    remember();
-    control_.walkOn();
-    cameraChanged();
-    emit walkedOn();
-}
-
-void Viewport::click(const QPointF& at)
-{
-    const std::optional<Pointed> found = pointedAt(at);
-    if (!found) return;
-    const bool orbited = control_.mode() == CameraControl::Mode::orbit && found->exhibit == subject_;
-    if (found->button && (found->inReach || orbited)) return pressButton(found->exhibit);
-    remember();
-    subject_ = found->exhibit;
-    control_.visit(found->view);
-    cameraChanged();
-    emit visited(found->exhibit);
-}
-
-std::optional<Pointed> Viewport::pointedAt(const QPointF& at)
-{
-    if (width() <= 0 || height() <= 0) return std::nullopt;
-    return museum_.pick(prepared(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
-}
-
-void Viewport::press()
-{
-    if (control_.mode() == CameraControl::Mode::orbit && capability<HasButton>(museum_.subject(subject_)))
-        pressButton(subject_);
-    else if (lookedAt_)
-        pressButton(lookedAt_->exhibit);
-}
-
-void Viewport::pressButton(std::size_t exhibit)
-{
-    pressedAt_[exhibit] = time_;
-    sceneStateChanged();
-    emit pressed(exhibit);
+    emit looked();
 }
 
 QString Viewport::reason() const

@@ -40,6 +40,8 @@ public:
     /// Whose parameters are on show: what E presses while it is orbited.
     void setSubject(std::size_t exhibit) { subject_ = exhibit; }
     void jumpTo(const render::Camera&);
+    /// What one sees from where the visitor is, in device pixels.
+    [[nodiscard]] render::View view() const;
     /// Leaves the exhibit.
     void walkOn();
     [[nodiscard]] CameraControl::Mode mode() const { return control_.mode(); }
@@ -83,6 +85,10 @@ signals:
     /// The visitor pressed this exhibit's button.
     void pressed(std::size_t exhibit);
     void drawn(const vitrine::render::FrameReport& report, const QSize& pixels);
+    /// The camera, the moment or the size of the picture is another one.
+    void looked();
+    /// The visitor clicked an exhibit with a tree that he orbits, here.
+    void shapeClicked(std::size_t exhibit, const QPointF& at);
     /// A file that the look names, or one beside it, is another one now.
     void filesChanged();
     /// Drawing failed; the last good picture stays.

@@ -27,9 +27,46 @@ CloseGuard::CloseGuard(QWidget& window) : QObject(&window), window_(window) {}
 
 bool CloseGuard::mayClose()
 {
-    if (givenUp_ || unfinished(window_).isEmpty()) return true;
-    ask();
-    return false;
+    if (!givenUp_ && !unfinished(window_).isEmpty()) {
+        ask();
+        return false;
+    }
+    const QStringList names = unsaved_ && !kept_ ? unsaved_() : QStringList();
+    if (!names.isEmpty()) askToSave(names);
+    return names.isEmpty();
+}
+
+void CloseGuard::setUnsaved(std::function<QStringList()> names, std::function<bool()> save)
+{
+    unsaved_ = std::move(names);
+    save_ = std::move(save);
+}
+
+void CloseGuard::askToSave(const QStringList& names)
+{
+    if (question_) {
+        question_->raise();
+        return;
+    }
+    const QString words = tr("Not saved: %1. Without saving, your changes stay in this session and come back with it.")
+                              .arg(names.join(QStringLiteral(", ")));
+    question_ = new QMessageBox(QMessageBox::Question, tr("Close Vitrine?"), words, QMessageBox::Cancel, &window_);
+    question_->setTextFormat(Qt::PlainText);
+    question_->setAttribute(Qt::WA_DeleteOnClose);
+    auto* save = question_->addButton(tr("Save and close"), QMessageBox::AcceptRole);
+    auto* keep = question_->addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
+    question_->button(QMessageBox::Cancel)->setText(tr("Stay open"));
+    save->setObjectName(QStringLiteral("saveAndClose"));
+    keep->setObjectName(QStringLiteral("closeUnsaved"));
+    question_->setDefaultButton(save);
+    connect(save, &QPushButton::clicked, this, [this] {
+        if (save_()) window_.close();
+    });
+    connect(keep, &QPushButton::clicked, this, [this] {
+        kept_ = true;
+        window_.close();
+    });
+    question_->open();
 }
 
 void CloseGuard::ask()

@@ -1,13 +1,16 @@
 #include "ui/window/file_opener.h"
 
+#include "exhibits/framework/tree.h"
 #include "exhibits/printing/print_json.h"
 #include "render/failure.h"
+#include "render/files/read_file.h"
 #include "render/image/image_io.h"
 #include "ui/kit/message_of.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/recent_files.h"
 
 #include <QFileInfo>
 
@@ -81,13 +84,36 @@ QStringList FileOpener::openable()
     return patterns;
 }
 
+bool FileOpener::openDocument(const QString& path)
+{
+    constexpr std::uint64_t most = 8U << 20U;
+    const std::string file = QFileInfo(path).absoluteFilePath().toStdString();
+    for (const MuseumExhibit& each : window_.museum().exhibits()) {
+        const auto* tree = capability<HasTree>(each.exhibit);
+        if (!tree) continue;
+        try {
+            if (!tree->isDocument(render::readFile(file, most))) continue;
+        } catch (const Failure&) {
+            return false;  // Who reads it next says why it cannot be read.
+        }
+        SceneState next = window_.history().sceneState();
+        ParameterValues& values = next.values[each.index];
+        values.chooseFile(tree->document(values).file, file);
+        window_.history().change(tr("Open %1").arg(QFileInfo(path).fileName()), next);
+        emit documentOpened(each.index);
+        return true;
+    }
+    return false;
+}
+
 void FileOpener::open(const QString& path)
 {
+    if (QFileInfo::exists(path)) addRecentFile(path);
     const QString ending = QFileInfo(path).suffix().toLower();
     if (ending == QLatin1String("json")) {
         if (isPrint(path))
             emit printFound(path);
-        else
+        else if (!openDocument(path))
             shelf_.loadFile(path);
     } else if (models.contains(ending)) {
         setHallFile("model", path);

@@ -3,13 +3,15 @@
 #include <QObject>
 #include <QStringList>
 
+#include <cstddef>
+
 namespace vitrine::ui {
 
 class PresetShelf;
 class Workbench;
 
-/// Puts files that come to the window where they belong: presets and pictures with one inside, models, panoramas,
-/// prints.
+/// Puts files that come to the window where they belong: presets and pictures with one inside, scenes, models,
+/// panoramas, prints.
 class FileOpener final : public QObject {
     Q_OBJECT
 
@@ -26,8 +28,12 @@ public:
 signals:
     /// A lenticular print, or the settings of one.
     void printFound(const QString& path);
+    /// This exhibit shows it now.
+    void documentOpened(std::size_t exhibit);
 
 private:
+    /// Where it is one for the tree of an exhibit.
+    [[nodiscard]] bool openDocument(const QString& path);
     void openPicture(const QString& path);
     void setHallFile(const char* parameter, const QString& path);
 

@@ -11,7 +11,11 @@
 #include "ui/presets/preset_shelf.h"
 #include "ui/print/print_dialog.h"
 #include "ui/print/shown_views.h"
+#include "ui/sprites/sprite_dialog.h"
 #include "ui/study/study_dock.h"
+#include "ui/study/table_export.h"
+#include "ui/tree/tree_file.h"
+#include "ui/viewport/row_drag.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/close_guard.h"
@@ -22,6 +26,7 @@
 #include "ui/window/log_view.h"
 #include "ui/window/parameter_tabs.h"
 #include "ui/window/picture_export.h"
+#include "ui/window/recent_files.h"
 #include "ui/window/screenshot_dialog.h"
 #include "ui/window/session_keeper.h"
 #include "ui/window/status_line.h"
@@ -69,6 +74,8 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     connectParts();
     connectViewport();
     new TableReader(*this, this);
+    new RowDrag(
+        museum_, history_, *viewport_, [this] { return chosen_; }, this);
     showShippedThumbnails();
     choose(hallIndex);
     keeper_ = new SessionKeeper(*this);
@@ -109,6 +116,8 @@ MainWindow::~MainWindow()
 {
     // Pictures in the making end while the viewport, its render thread and the message strip are still there.
     qDeleteAll(findChildren<PrintDialog*>());
+    qDeleteAll(findChildren<SpriteDialog*>());
+    qDeleteAll(findChildren<TableExport*>());
     qDeleteAll(findChildren<PictureExport*>());
     study().stop();
 }
@@ -118,6 +127,9 @@ void MainWindow::connectParts()
     connect(&docks_->parameters(), &ParameterTabs::turned, shelf_, &PresetShelf::refresh);
     connect(&panel(), &ParameterPanel::filterLeft, viewport_, [this] { viewport_->setFocus(); });
     connect(shelf_, &PresetShelf::marked, this, &MainWindow::showTitle);
+    connect(files_, &FileOpener::documentOpened, this, &MainWindow::visit);
+    connect(&docks_->treeFile(), &TreeFile::saved, this, &addRecentFile);
+    guard_->setUnsaved([this] { return docks_->treeFile().unsaved(); }, [this] { return docks_->treeFile().save(); });
     connect(files_, &FileOpener::printFound, this, &MainWindow::openPrintDialog);
     connect(&docks_->exhibits(), &ExhibitList::chosen, this, &MainWindow::visit);
     connect(&study(), &StudyDock::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
@@ -178,6 +190,7 @@ void MainWindow::choose(std::size_t exhibit)
     docks_->parameters().choose(exhibit);
     study().setSubject(exhibit);
     docks_->charts().setSubject(exhibit);
+    docks_->setTreeSubject(exhibit);
     shelf_->refresh();
     if (keeper_) keeper_->noteLayout();
 }
@@ -309,6 +322,18 @@ void MainWindow::openPrintDialog(const QString& print)
     dialog->raise();
     dialog->activateWindow();
     if (!print.isEmpty()) dialog->open({print});
+}
+
+void MainWindow::openSpriteDialog()
+{
+    const std::optional<std::size_t> look = museum_.find(spriteLookName);
+    if (!look) return;  // Its action is not enabled then.
+    auto* dialog = findChild<SpriteDialog*>();
+    if (!dialog)
+        dialog = new SpriteDialog(history_.sceneState().values[*look], renderers_, viewport_->renderThread(), this);
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
 }
 
 void MainWindow::openPalette()

@@ -61,6 +61,7 @@ public:
     void setFullScreen(bool);
     void openScreenshotDialog();
     void openPrintDialog(const QString& print = {});
+    void openSpriteDialog();
     void resetEverything();
     void openPalette();
     void openShortcutSheet();

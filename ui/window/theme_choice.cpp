@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::array<const char*, 3> names{"desktop", "light", "dark"};
 
-QSettings settings()
+QSettings themeSettings()
 {
     return QSettings(QString::fromStdString((configFolder() / "window.ini").string()), QSettings::IniFormat);
 }
 
-QString key()
+QString themeKey()
 {
     return QStringLiteral("theme");
 }
@@ -30,7 +30,7 @@ QString key()
 
 ThemeChoice savedThemeChoice()
 {
-    const QString saved = settings().value(key()).toString();
+    const QString saved = themeSettings().value(themeKey()).toString();
     for (std::size_t i = 0; i < names.size(); ++i)
         if (saved == QLatin1String(names[i])) return static_cast<ThemeChoice>(i);
     return ThemeChoice::desktop;
@@ -43,8 +43,8 @@ void chooseTheme(QApplication& app, ThemeChoice choice)
     applyTheme(app, dark ? darkTheme() : lightTheme());
     for (QWidget* widget : QApplication::allWidgets())
         widget->update();  // What paints itself asks for the theme's colors.
-    QSettings kept = settings();
-    kept.setValue(key(), QLatin1String(names[static_cast<std::size_t>(choice)]));
+    QSettings kept = themeSettings();
+    kept.setValue(themeKey(), QLatin1String(names[static_cast<std::size_t>(choice)]));
 }
 
 QMenu* themeMenu(QWidget* parent)

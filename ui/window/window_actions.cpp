@@ -1,12 +1,16 @@
 #include "ui/window/window_actions.h"
 
+#include "exhibits/sprites/sprite_shots.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_shelf.h"
+#include "ui/study/table_export.h"
+#include "ui/tree/tree_file.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/main_window.h"
+#include "ui/window/recent_files.h"
 #include "ui/window/screenshot.h"
 #include "ui/window/theme_choice.h"
 #include "ui/window/window_docks.h"
@@ -107,7 +111,14 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("&File"));
     make.add(tr("&Open…"), {QKeySequence(Qt::CTRL | Qt::Key_O)},
-             tr("A preset, a picture with one inside, a model or a panorama."), [&window] { chooseFile(window); });
+             tr("A preset, a picture with one inside, a scene of shapes, a model or a panorama."),
+             [&window] { chooseFile(window); });
+    make.submenu(recentMenu(&window, window.files()));
+    make.add(tr("Save &file"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)},
+             tr("Writes what you edited in the tree to the file that the exhibit was read from."),
+             [&window] { window.docks().treeFile().save(); });
+    make.add(tr("Save file &as…"), {}, tr("Writes the tree to another file."),
+             [&window] { window.docks().treeFile().saveAs(); });
     make.add(tr("Save e&xhibition…"), {},
              tr("Saves everything in one file: all exhibits, the hall and where you stand."),
              [&window] { window.shelf().saveExhibition(); });
@@ -121,6 +132,15 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
              tr("Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to "
                 "calibrate it."),
              [&window] { window.openPrintDialog(); });
+    make.add(tr("Export sp&rites…"), {},
+             tr("Draws an object from all sides, as large pixels: a sheet with one palette, normals and depth, for "
+                "games."),
+             [&window] { window.openSpriteDialog(); })
+        ->setEnabled(window.museum().find(spriteLookName).has_value());
+    make.add(tr("Export &table…"), {},
+             tr("Measures what the visited exhibit has a table of, such as the pixel art's methods, and saves it as "
+                "CSV."),
+             [&window] { TableExport::ask(window, &window); });
     make.separator();
     make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)},
              tr("Closes the window; everything comes back next time."), [&window] { window.close(); });

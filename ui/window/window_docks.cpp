@@ -7,6 +7,10 @@
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_list.h"
 #include "ui/study/study_dock.h"
+#include "ui/tree/tree_dock.h"
+#include "ui/tree/tree_editor.h"
+#include "ui/tree/tree_file.h"
+#include "ui/tree/tree_overlay.h"
 #include "ui/viewport/renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/dock_title.h"
@@ -32,6 +36,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
     addLists();
     parameters_ = new ParameterTabs(workbench_.museum().subjects(), workbench_.history());
     parametersDock_ = add(tr("Parameters"), "parameters", parameters_, Qt::RightDockWidgetArea);
+    addTree();
     addStudy();
     addLedgerAndLog();
     nameStacks();
@@ -58,6 +63,35 @@ void WindowDocks::addLists()
     add(tr("Exhibits"), "exhibits", exhibits_, Qt::LeftDockWidgetArea);
     add(tr("Presets"), "presets", presets_, Qt::LeftDockWidgetArea);
     exhibits_->fill(workbench_.museum());
+}
+
+void WindowDocks::addTree()
+{
+    auto* editor = new TreeEditor(workbench_, this);
+    treeFile_ = new TreeFile(workbench_, *editor, this);
+    tree_ = new TreeDock(*editor, *new TreeOverlay(workbench_.museum(), *editor, workbench_.viewport()), *treeFile_);
+    treeDock_ = add(tr("Tree"), "tree", tree_, Qt::RightDockWidgetArea);
+    window_.tabifyDockWidget(parametersDock_, treeDock_);
+    treeDock_->hide();
+    connect(treeDock_->toggleViewAction(), &QAction::triggered, this, [this](bool on) { treeWanted_ = on; });
+    connect(editor, &TreeEditor::shown, this, [this] {
+        treeDock_->show();
+        treeDock_->raise();
+    });
+    // A layout that comes back may have it where there is no tree.
+    connect(treeDock_, &QDockWidget::visibilityChanged, this, [this, editor](bool visible) {
+        if (visible && !editor->source()) treeDock_->hide();
+    });
+}
+
+void WindowDocks::setTreeSubject(std::size_t exhibit)
+{
+    tree_->editor().setSubject(exhibit);
+    const bool some = tree_->editor().source() != nullptr;
+    treeDock_->toggleViewAction()->setEnabled(some);
+    const bool comes = some && treeDock_->isHidden();
+    if (hidden_.isEmpty()) treeDock_->setVisible(some && treeWanted_);
+    if (comes) parametersDock_->raise();
 }
 
 void WindowDocks::addStudy()

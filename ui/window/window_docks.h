@@ -3,6 +3,8 @@
 #include <QList>
 #include <QObject>
 
+#include <cstddef>
+
 class QDockWidget;
 class QMainWindow;
 
@@ -15,6 +17,8 @@ class LogView;
 class ParameterTabs;
 class PresetList;
 class StudyDock;
+class TreeDock;
+class TreeFile;
 class Workbench;
 
 /// The panels around the picture: what is in them, where they start, how they go out of sight and come back.
@@ -31,6 +35,8 @@ public:
     [[nodiscard]] ParameterTabs& parameters() const { return *parameters_; }
     [[nodiscard]] StudyDock& study() const { return *study_; }
     [[nodiscard]] ChartsDock& charts() const { return *charts_; }
+    [[nodiscard]] TreeDock& tree() const { return *tree_; }
+    [[nodiscard]] TreeFile& treeFile() const { return *treeFile_; }
     [[nodiscard]] LedgerDock& ledger() const { return *ledger_; }
     [[nodiscard]] LogView& log() const { return *log_; }
 
@@ -38,6 +44,8 @@ public:
     void hideAll();
     /// Shows those again that `hideAll` hid.
     void showAgain();
+    /// Shows this exhibit's tree; there is no panel for it where the exhibit has none.
+    void setTreeSubject(std::size_t exhibit);
     /// Opens the parameters, in front where they are stacked with others.
     void showParameters();
     /// The same of the study, large enough for its chart.
@@ -48,6 +56,7 @@ private:
     void addLists();
     void addStudy();
     void addLedgerAndLog();
+    void addTree();
     void nameStacks();
 
     QMainWindow& window_;
@@ -59,6 +68,10 @@ private:
     PresetList* presets_ = nullptr;
     ParameterTabs* parameters_ = nullptr;
     StudyDock* study_ = nullptr;
+    QDockWidget* treeDock_ = nullptr;
+    TreeDock* tree_ = nullptr;
+    TreeFile* treeFile_ = nullptr;
+    bool treeWanted_ = true;  // The visitor did not close it.
     ChartsDock* charts_ = nullptr;
     LedgerDock* ledger_ = nullptr;
     LogView* log_ = nullptr;

@@ -2,6 +2,7 @@
 // images of the object in itself, glass.
 #include "lib/surface.glsl"
 #include "lib/hash.glsl"
+#include "kit/sdf/shadow_method.glsl"
 
 int evaluations;  // Calls of fieldDistance for this pixel.
 
@@ -41,27 +42,13 @@ Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
 }
 
 // Share of a light that the object leaves at a point (local) in the direction `toLight`, from tMin to tMax along the way, by
-// the table's method: SHADOW_METHOD is its number, since five ways to ask the field would be compiled otherwise.
+// the table's method.
 float fieldVisibility(vec3 p, vec3 toLight, float tMin, float tMax)
 {
     float width = tan(0.5 * parameters.sunWidth);
-#if SHADOW_METHOD == 1
-    Shadow s = shadowHard(p, toLight, tMin, tMax, parameters.stepLimit);
-#elif SHADOW_METHOD == 2
-    Shadow s = shadowClassic(p, toLight, width, tMin, tMax, parameters.stepLimit);
-#elif SHADOW_METHOD == 3
-    Shadow s = shadowAaltonen(p, toLight, width, tMin, tMax, parameters.stepLimit);
-#elif SHADOW_METHOD == 4
-    Shadow s = shadowSigned(p, toLight, width, tMin, tMax, parameters.stepLimit);
-#elif SHADOW_METHOD == 5
     uvec2 pixel = uvec2(framePixel(gl_FragCoord.xy));
     uint bits = pcg(pixel.x + 65536u * pixel.y + 747796405u * uint(frame.sampleIndex));
-    Shadow s = shadowArea(p, toLight, width, tMin, tMax, parameters.stepLimit, parameters.shadowRays, 6.2831853 * unitFromBits(bits));
-#else
-    Shadow s;
-    s.visibility = 1.0;
-    s.evaluations = 0;
-#endif
+    Shadow s = shadowByMethod(p, toLight, width, tMin, tMax, parameters.stepLimit, parameters.shadowRays, 6.2831853 * unitFromBits(bits));
     evaluations += s.evaluations;
     return s.visibility;
 }

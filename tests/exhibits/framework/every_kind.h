@@ -23,4 +23,6 @@ struct EveryKind final : Parameters {
     File picture = file("picture", "A file.");
 };
 
+inline const EveryKind everyKind;
+
 }  // namespace vitrine::test

@@ -12,8 +12,7 @@ namespace {
 
 using namespace vitrine;
 using render::Json;
-
-const test::EveryKind table;
+using test::everyKind;
 
 /// Any legal value of a row.
 rc::Gen<Value> legalValue(const ParameterInfo& row)
@@ -26,7 +25,7 @@ rc::Gen<Value> legalValue(const ParameterInfo& row)
             value = glm::dvec3(fraction(), fraction(), fraction());
         else if (row.kind == Kind::direction)
             value = glm::dvec3(fraction() - 0.5, fraction() - 0.5, 1.0);
-        else if (row.kind == Kind::file)
+        else if (row.isWritten())
             value = *rc::gen::string<std::string>();
         else if (*rc::gen::arbitrary<bool>())
             value = number();
@@ -40,9 +39,9 @@ rc::Gen<Value> legalValue(const ParameterInfo& row)
 rc::Gen<ParameterValues> legalValues()
 {
     return rc::gen::exec([]() {
-        ParameterValues values = table.initial();
+        ParameterValues values = everyKind.initial();
         for (std::size_t i = 0; i < values.rows().size(); ++i) {
-            if (values.rows()[i].kind == Kind::file)
+            if (values.rows()[i].isWritten())
                 values.setRow(i, std::string("picture ") + std::to_string(*rc::gen::inRange(0, 99)) + ".png");
             else if (*rc::gen::arbitrary<bool>())
                 values.setRow(i, *legalValue(values.rows()[i]));
@@ -82,7 +81,7 @@ rc::Gen<Json> anyJson(int depth)
 RC_GTEST_PROP(PresetProperty, EveryLegalSetOfValuesReadsBackBitForBit, ())
 {
     const Preset preset{"everything", "A", *legalValues(), std::nullopt, presetVersion, Json::object(), {}};
-    const Preset back = parsePreset(presetText(preset), "a.json", "everything", table);
+    const Preset back = parsePreset(presetText(preset), "a.json", "everything", everyKind);
     RC_ASSERT(back.values == preset.values);
     RC_ASSERT(back.notes.empty());
 }
@@ -90,9 +89,9 @@ RC_GTEST_PROP(PresetProperty, EveryLegalSetOfValuesReadsBackBitForBit, ())
 TEST(PresetProperty, ANumberIsRoundedOnce)
 {
     // By way of 64 bits of mantissa, this one became the next double.
-    const std::size_t tint = *table.find("tint");
+    const std::size_t tint = *everyKind.find("tint");
     const Value color = glm::dvec3(0, 0, 0.024421);
-    EXPECT_EQ(parseValue(table.rows()[tint], formatValue(table.rows()[tint], color)), color);
+    EXPECT_EQ(parseValue(everyKind.rows()[tint], formatValue(everyKind.rows()[tint], color)), color);
 }
 
 RC_GTEST_PROP(PresetProperty, EveryValueReadsBackFromItsText, ())
@@ -113,8 +112,8 @@ RC_GTEST_PROP(PresetProperty, UnknownKeysSurviveLoadingEditingAndSaving, ())
         root["values"]["unknown" + std::to_string(*rc::gen::inRange(0, 99))] = *anyJson(4);
     for (int n = *rc::gen::inRange(0, 5); n > 0; --n)
         root["unknown" + std::to_string(*rc::gen::inRange(0, 99))] = *anyJson(4);
-    Preset preset = parsePreset(render::writeJson(root), "a.json", "everything", table);
-    preset.values.set(table.exposure, 1.0);
+    Preset preset = parsePreset(render::writeJson(root), "a.json", "everything", everyKind);
+    preset.values.set(everyKind.exposure, 1.0);
     const Json back = Json::parse(presetText(preset));
     for (const auto& [key, value] : root["values"].items()) RC_ASSERT(back["values"][key].dump() == value.dump());
     for (const auto& [key, value] : root.items()) {

@@ -14,19 +14,18 @@
 namespace {
 
 using namespace vitrine;
+using test::everyKind;
 namespace fs = std::filesystem;
-
-const test::EveryKind table;
 
 class Store : public ::testing::Test {
 protected:
     static Preset preset(const std::string& name)
     {
-        Preset p{"everything", name, table.initial(), std::nullopt, presetVersion, render::Json::object(), {}};
-        p.values.set(table.morph, 0.75);
+        Preset p{"everything", name, everyKind.initial(), std::nullopt, presetVersion, render::Json::object(), {}};
+        p.values.set(everyKind.morph, 0.75);
         return p;
     }
-    StoredPreset load(const fs::path& path) const { return store.load(path, "everything", table); }
+    StoredPreset load(const fs::path& path) const { return store.load(path, "everything", everyKind); }
     std::vector<std::string> names() const
     {
         std::vector<std::string> all;
@@ -66,14 +65,14 @@ TEST_F(Store, NoticesThatTheFileChangedOnDisk)
 {
     StoredPreset first = store.saveAs(preset("A"));
     StoredPreset second = load(first.path);
-    second.preset.values.set(table.morph, 0.1);
+    second.preset.values.set(everyKind.morph, 0.1);
     EXPECT_EQ(store.save(second), SaveOutcome::saved);
     EXPECT_EQ(store.save(second), SaveOutcome::saved) << "one's own change is no surprise";
-    first.preset.values.set(table.morph, 0.9);
+    first.preset.values.set(everyKind.morph, 0.9);
     EXPECT_EQ(store.save(first), SaveOutcome::changedOnDisk);
-    EXPECT_EQ(load(first.path).preset.values[table.morph], 0.1);
+    EXPECT_EQ(load(first.path).preset.values[everyKind.morph], 0.1);
     EXPECT_EQ(store.save(first, IfChanged::overwrite), SaveOutcome::saved);
-    EXPECT_EQ(load(first.path).preset.values[table.morph], 0.9);
+    EXPECT_EQ(load(first.path).preset.values[everyKind.morph], 0.9);
 }
 
 TEST_F(Store, NeverRewritesWhatItCouldNotRead)
@@ -88,7 +87,7 @@ TEST_F(Store, NeverRewritesWhatItCouldNotRead)
     EXPECT_FAILURE(store.rename(broken, "Other"), "broken.json");
     EXPECT_FAILURE(store.duplicate(broken, "Other"), "broken.json");
     EXPECT_FAILURE(store.exportFile(broken, folder / "out.json"), "broken.json");
-    EXPECT_FAILURE(store.importFile(broken, "everything", table), "broken.json");
+    EXPECT_FAILURE(store.importFile(broken, "everything", everyKind), "broken.json");
     EXPECT_EQ(store.saveAs(preset("Broken")).path.filename(), "broken-2.json");
     EXPECT_EQ(test::bytesOf(broken), "{\"format\": ");
 }
@@ -149,7 +148,7 @@ TEST_F(Store, KeepsTheOldVersionBeforeTheFirstMigratedSave)
     const std::string old = test::bytesOf(VITRINE_SOURCE_DIR "/tests/exhibits/framework/samples/preset_v0.json");
     test::writeBytes(path, old);
     StoredPreset stored = load(path);
-    stored.preset.values.set(table.morph, 1.0);
+    stored.preset.values.set(everyKind.morph, 1.0);
     EXPECT_EQ(store.save(stored), SaveOutcome::saved);
     EXPECT_EQ(store.save(stored), SaveOutcome::saved);
     EXPECT_EQ(test::bytesOf(folder / "user/everything/old.v0.bak"), old);
@@ -160,7 +159,7 @@ TEST_F(Store, KeepsTheOldVersionBeforeTheFirstMigratedSave)
 TEST_F(Store, ImportsFilesAndPicturesAndExports)
 {
     test::writeBytes(folder / "in/some.json", presetText(preset("From a file")));
-    const fs::path imported = store.importFile(folder / "in/some.json", "everything", table);
+    const fs::path imported = store.importFile(folder / "in/some.json", "everything", everyKind);
     EXPECT_EQ(imported.filename(), "from-a-file.json");
     store.exportFile(imported, folder / "out/x.json");
     EXPECT_EQ(test::bytesOf(folder / "out/x.json"), test::bytesOf(folder / "in/some.json"));
@@ -168,13 +167,13 @@ TEST_F(Store, ImportsFilesAndPicturesAndExports)
     const render::Image image(4, 4, 3, 0.5F);
     render::writePicture(folder / "in/a.png", image, render::PictureFormat::png8,
                          {.preset = presetText(preset("In a picture 😀"))});
-    EXPECT_EQ(load(store.importFile(folder / "in/a.png", "everything", table)).preset.name, "In a picture 😀");
+    EXPECT_EQ(load(store.importFile(folder / "in/a.png", "everything", everyKind)).preset.name, "In a picture 😀");
     render::writePicture(folder / "in/b.png", image, render::PictureFormat::png8);
-    EXPECT_FAILURE(store.importFile(folder / "in/b.png", "everything", table), "no preset in this picture");
-    EXPECT_FAILURE(store.importFile(folder / "in/none.json", "everything", table), "no such file");
+    EXPECT_FAILURE(store.importFile(folder / "in/b.png", "everything", everyKind), "no preset in this picture");
+    EXPECT_FAILURE(store.importFile(folder / "in/none.json", "everything", everyKind), "no such file");
     test::writeBytes(folder / "in/other.json",
                      R"({"format": "vitrine-preset", "version": 1, "exhibit": "fur", "name": "x"})");
-    EXPECT_FAILURE(store.importFile(folder / "in/other.json", "everything", table), "this preset is for fur");
+    EXPECT_FAILURE(store.importFile(folder / "in/other.json", "everything", everyKind), "this preset is for fur");
 }
 
 TEST_F(Store, FollowsTheFoldersOfTheDesktop)

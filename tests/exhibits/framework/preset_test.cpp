@@ -15,12 +15,11 @@ namespace {
 
 using namespace vitrine;
 using render::Json;
-
-const test::EveryKind table;
+using test::everyKind;
 
 Preset read(const std::string& text)
 {
-    return parsePreset(text, "a.json", "everything", table);
+    return parsePreset(text, "a.json", "everything", everyKind);
 }
 
 /// A preset file with these values.
@@ -33,18 +32,18 @@ std::string fileWith(const std::string& values, const std::string& more = "")
 
 Preset plain()
 {
-    return {"everything", "A", table.initial(), std::nullopt, presetVersion, Json::object(), {}};
+    return {"everything", "A", everyKind.initial(), std::nullopt, presetVersion, Json::object(), {}};
 }
 
 TEST(Preset, IsWrittenTheSameWayEveryTime)
 {
     Preset preset = plain();
     preset.name = "Tasse 杯";
-    preset.values.set(table.morph, 0.1);
-    preset.values.set(table.stepLimit, 128);
-    preset.values.set(table.wind, true);
-    preset.values.set(table.way, test::Way::Fancy);
-    preset.values.set(table.tint, ColorValue{{0, 0.5, 1}});
+    preset.values.set(everyKind.morph, 0.1);
+    preset.values.set(everyKind.stepLimit, 128);
+    preset.values.set(everyKind.wind, true);
+    preset.values.set(everyKind.way, test::Way::Fancy);
+    preset.values.set(everyKind.tint, ColorValue{{0, 0.5, 1}});
     preset.camera = render::Camera{{1, 2, 3}, {0, 1, 0}, 0.5};
     EXPECT_EQ(presetText(preset), R"({
   "format": "vitrine-preset",
@@ -77,9 +76,9 @@ TEST(Preset, IsWrittenTheSameWayEveryTime)
 TEST(Preset, HoldsOnlyWhatDiffersFromTheInitialValues)
 {
     EXPECT_NE(presetText(plain()).find("\"values\": {}"), std::string::npos);
-    EXPECT_EQ(read(fileWith("")).values, table.initial());
+    EXPECT_EQ(read(fileWith("")).values, everyKind.initial());
     Preset preset = read(fileWith("\"morph\": 0.75"));
-    preset.values.set(table.morph, 0.5);
+    preset.values.set(everyKind.morph, 0.5);
     EXPECT_EQ(presetText(preset).find("morph"), std::string::npos) << "back at its initial value";
 }
 
@@ -102,7 +101,7 @@ TEST(Preset, ClampsARoundedLimitWithoutAWord)
 {
     const Preset rounded = read(fileWith(R"("angle": 3.141593)"));
     EXPECT_TRUE(rounded.notes.empty());
-    EXPECT_EQ(rounded.values[table.angle], 3.141592653589793);
+    EXPECT_EQ(rounded.values[everyKind.angle], 3.141592653589793);
     EXPECT_EQ(read(fileWith(R"("angle": 3.1417)")).notes.size(), 1U);
 }
 
@@ -113,7 +112,7 @@ TEST(Preset, ReportsEveryClamp)
                                                       "stepLimit 64.4 -> 64 (whole numbers only)",
                                                       "tint (2, 0, 0) -> (1, 0, 0) (allowed 0 to 1)",
                                                       "sun (0, 3, 4) -> (0, 0.6, 0.8) (made unit length)"}));
-    EXPECT_EQ(preset.values[table.exposure], 16);
+    EXPECT_EQ(preset.values[everyKind.exposure], 16);
     EXPECT_EQ(read(fileWith("", ", \"camera\": {\"fov\": 9}")).notes.size(), 1U);
     const Preset far = read(fileWith("", ", \"camera\": {\"eye\": [1e300, 1, -1e17]}"));
     EXPECT_EQ(far.notes, std::vector<std::string>{
@@ -171,9 +170,9 @@ TEST(Preset, OfVersionZeroIsMigrated)
     const Preset preset = read(text);
     EXPECT_EQ(preset.versionRead, 0);
     EXPECT_EQ(preset.name, "Frozen");
-    EXPECT_EQ(preset.values[table.morph], 0.25);
-    EXPECT_EQ(preset.values[table.stepLimit], 128);
-    EXPECT_EQ(preset.values[table.way], test::Way::both);
+    EXPECT_EQ(preset.values[everyKind.morph], 0.25);
+    EXPECT_EQ(preset.values[everyKind.stepLimit], 128);
+    EXPECT_EQ(preset.values[everyKind.way], test::Way::both);
     ASSERT_TRUE(preset.camera);
     EXPECT_EQ(preset.camera->eye, glm::dvec3(1, 2, 3));
     const Json now = Json::parse(presetText(preset));
@@ -194,7 +193,7 @@ TEST(Preset, IsTheSameInAGermanLocale)
     const test::GermanLocale german;
     if (!german.active()) GTEST_SKIP() << "no German locale here";
     Preset preset = plain();
-    preset.values.set(table.exposure, 1.5);
+    preset.values.set(everyKind.exposure, 1.5);
     EXPECT_NE(presetText(preset).find("\"exposure\": 1.5\n"), std::string::npos);
     EXPECT_EQ(read(presetText(preset)).values, preset.values);
 }
@@ -202,10 +201,10 @@ TEST(Preset, IsTheSameInAGermanLocale)
 TEST(Preset, OfTheWholeExhibitionHasDottedKeys)
 {
     const test::EveryKind hall;
-    NamedValues initial = {{"hall", hall.initial()}, {"everything", table.initial()}};
+    NamedValues initial = {{"hall", hall.initial()}, {"everything", everyKind.initial()}};
     Exhibition exhibition{"All", initial, {{9, 8, 7}, {0, 0, 0}, 1}, Json::object(), {}};
     exhibition.values[0].second.set(hall.exposure, 2.0);
-    exhibition.values[1].second.set(table.morph, 0.75);
+    exhibition.values[1].second.set(everyKind.morph, 0.75);
     exhibition.chosen = "everything";
     const std::string text = exhibitionText(exhibition);
     EXPECT_EQ(Json::parse(text)["values"].dump(), R"({"everything.morph":0.75,"hall.exposure":2.0})");
@@ -231,13 +230,13 @@ TEST(Preset, OfTheWholeExhibitionHasDottedKeys)
 TEST(Preset, H106_NeverCrashesOnDamagedFiles)
 {
     Preset rich = plain();
-    rich.values.set(table.morph, 0.123456789);
-    rich.values.set(table.stepLimit, 128);
-    rich.values.set(table.wind, true);
-    rich.values.set(table.way, test::Way::Fancy);
-    rich.values.set(table.tint, ColorValue{{0, 0.5, 1}});
-    rich.values.set(table.sun, DirectionValue{{1, 0, 0}});
-    rich.values.set(table.picture, std::string("a.png"));
+    rich.values.set(everyKind.morph, 0.123456789);
+    rich.values.set(everyKind.stepLimit, 128);
+    rich.values.set(everyKind.wind, true);
+    rich.values.set(everyKind.way, test::Way::Fancy);
+    rich.values.set(everyKind.tint, ColorValue{{0, 0.5, 1}});
+    rich.values.set(everyKind.sun, DirectionValue{{1, 0, 0}});
+    rich.values.set(everyKind.picture, std::string("a.png"));
     rich.camera = render::Camera{};
     const std::string good = presetText(rich);
     const std::vector<std::string> pieces = {"1e999", "NaN",     "-1e308", "null",          "{}",
@@ -246,8 +245,8 @@ TEST(Preset, H106_NeverCrashesOnDamagedFiles)
                                              "-0.0"};
     std::mt19937 generator(8);
     const auto random = [&generator] { return static_cast<unsigned>(generator()); };
-    ParameterValues current = table.initial();
-    current.set(table.exposure, 3.0);
+    ParameterValues current = everyKind.initial();
+    current.set(everyKind.exposure, 3.0);
     const ParameterValues before = current;
     int accepted = 0;
     for (int i = 0; i < 10'000; ++i) {

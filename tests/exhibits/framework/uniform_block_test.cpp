@@ -61,7 +61,7 @@ void expectBlockOf(const Parameters& table, const std::string& exhibit)
             values.setRow(i, glm::dvec3(share, 0.5 * share, 0.25 * share));
         else if (row.kind == Kind::direction)
             values.setRow(i, glm::dvec3(share, 0.3, 1 - share));
-        else if (row.kind != Kind::file)
+        else if (!row.isWritten())
             values.setRow(i, row.range.low + share * (row.range.high - row.range.low));
     }
     const render::Bytes bytes = derive::uniformBytes(values);
@@ -72,7 +72,7 @@ void expectBlockOf(const Parameters& table, const std::string& exhibit)
     ASSERT_NE(program, 0U) << exhibit;
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
         const ParameterInfo& row = table.rows()[i];
-        if (row.kind == Kind::file) continue;
+        if (row.isWritten()) continue;
         SCOPED_TRACE(exhibit + '.' + std::string(row.name));
         const GLint offset = offsetOf(program, std::string(row.name));
         ASSERT_GE(offset, 0);

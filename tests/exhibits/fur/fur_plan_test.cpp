@@ -17,16 +17,16 @@ namespace {
 using test::reasonFor;
 using test::runs;
 
-constexpr double never = std::numeric_limits<double>::infinity();
+using test::never;
 
-const FurTable& table()
+const FurTable& furTable()
 {
     static const FurTable made;
     return made;
 }
 
 /// The hall with the torus-mug and the fur alone: what else stands there may move of itself.
-const Museum& museum()
+const Museum& museumOfFur()
 {
     static const Museum opened = [] {
         std::vector<std::unique_ptr<Exhibit>> guests;
@@ -38,16 +38,16 @@ const Museum& museum()
 }
 
 struct FurScene : test::Scene {
-    std::size_t fur = *museum().find("fur");
+    std::size_t fur = *museumOfFur().find("fur");
 
     FurScene()
     {
-        sceneState = museum().initialSceneState();
-        see(museum().bestView(fur, values()));
+        sceneState = museumOfFur().initialSceneState();
+        see(museumOfFur().bestView(fur, values()));
     }
     [[nodiscard]] render::FramePlan plan(const render::PersistentState& kept = {}) const
     {
-        return test::planned(museum(), sceneState, request, kept);
+        return test::planned(museumOfFur(), sceneState, request, kept);
     }
     [[nodiscard]] ParameterValues& values() { return sceneState.values[fur]; }
     void press(double since)
@@ -55,7 +55,7 @@ struct FurScene : test::Scene {
         request.sincePressed.assign(fur + 1, never);
         request.sincePressed[fur] = since;
     }
-    [[nodiscard]] double next() const { return test::nextChange(museum(), sceneState, request); }
+    [[nodiscard]] double next() const { return test::nextChange(museumOfFur(), sceneState, request); }
 };
 
 TEST(FurPlan, AsleepTakesNoStepAndAsksForNoFrame)
@@ -84,17 +84,17 @@ TEST(FurPlan, WakesWithinOneFrameOfTheButton)
 TEST(FurPlan, CountsTheStepsFromThePressToTheMomentWhoeverSimulatedThem)
 {
     FurScene scene;
-    scene.values().set(table().toss, 77);  // A jump that nobody has simulated yet.
+    scene.values().set(furTable().toss, 77);  // A jump that nobody has simulated yet.
     const auto steps = [](const render::FramePlan& plan) {
         const render::Pass* motion = plan.find("fur/motion");
         return motion ? motion->counts.at("simulationSteps") : -1;
     };
-    const std::int64_t before = museum().assets().builds("fur.jump");
+    const std::int64_t before = museumOfFur().assets().builds("fur.jump");
     for (const double since : {0.5, 0.5, 0.6, 0.1}) {
         scene.press(since);
         EXPECT_EQ(steps(scene.plan()), std::llround(240 * since));
     }
-    EXPECT_EQ(museum().assets().builds("fur.jump"), before + 1) << "one jump is simulated once";
+    EXPECT_EQ(museumOfFur().assets().builds("fur.jump"), before + 1) << "one jump is simulated once";
 }
 
 TEST(FurPlan, SleepsAgainWhenTheJumpIsOver)
@@ -129,7 +129,7 @@ TEST(FurPlan, DrawsOnlyTheBodyThatIsInView)
 {
     FurScene scene;
     // From straight above the ball, with a narrow view.
-    const glm::dvec3 ball = glm::dvec3(museum().worldFromExhibit(scene.fur)[3]) + glm::dvec3(-0.62, 0.3, -0.02);
+    const glm::dvec3 ball = glm::dvec3(museumOfFur().worldFromExhibit(scene.fur)[3]) + glm::dvec3(-0.62, 0.3, -0.02);
     scene.see({ball + glm::dvec3(-0.1, 1.3, 0.01), ball - glm::dvec3(0.1, 0, 0), 0.2});
     const render::FramePlan plan = scene.plan();
     const render::Pass* coat = plan.find("fur/coat");
@@ -141,16 +141,16 @@ TEST(FurPlan, DrawsOnlyTheBodyThatIsInView)
 TEST(FurPlan, DrawsEachBodyWithAllItsShellsInOneCall)
 {
     FurScene scene;
-    scene.values().set(table().levelOfDetail, false);
+    scene.values().set(furTable().levelOfDetail, false);
     for (const int shells : {1, 2, 16, 256}) {
-        scene.values().set(table().shellCount, shells);
+        scene.values().set(furTable().shellCount, shells);
         const render::FramePlan plan = scene.plan();
         const render::Pass* coat = plan.find("fur/coat");
         ASSERT_EQ(coat->draws.size(), 3U);
         for (const render::Draw& draw : coat->draws) EXPECT_EQ(draw.instances, shells);
         EXPECT_EQ(coat->counts.at("shells"), 3 * shells);
     }
-    scene.values().set(table().coats[furBall].length, 0.0);
+    scene.values().set(furTable().coats[furBall].length, 0.0);
     EXPECT_EQ(scene.plan().find("fur/coat")->draws[0].instances, 1) << "a bare skin has no shells";
 }
 
@@ -162,19 +162,19 @@ TEST(FurPlan, DrawsFewerShellsFromAfar)
     const auto near = shells();
     scene.see({3.3, 1.65, 11.5}, {3.3, 0.1, 3});
     EXPECT_LT(shells(), near);
-    scene.values().set(table().levelOfDetail, false);
+    scene.values().set(furTable().levelOfDetail, false);
     EXPECT_EQ(shells(), 30);
 }
 
 TEST(FurPlan, AFrozenOrHandSetMomentNeverChangesByItself)
 {
     FurScene scene;
-    scene.values().set(table().frozenAt, 0.4);
+    scene.values().set(furTable().frozenAt, 0.4);
     EXPECT_EQ(scene.next(), never);
     (void)scene.plan();
     EXPECT_EQ(reasonFor(scene.plan(), "fur/motion"), "frozen 0.4 s after the jump");
-    scene.values().set(table().frozenAt, 0.0);
-    scene.values().set(table().byHand, true);
+    scene.values().set(furTable().frozenAt, 0.0);
+    scene.values().set(furTable().byHand, true);
     scene.press(0.3);
     EXPECT_EQ(scene.next(), never);
     EXPECT_EQ(reasonFor(scene.plan(), "fur/motion"), "set by hand");
@@ -182,16 +182,16 @@ TEST(FurPlan, AFrozenOrHandSetMomentNeverChangesByItself)
 
 TEST(FurPlan, MovesByItselfOnlyWhenAsked)
 {
-    for (const auto& ask : {+[](ParameterValues& v) { v.set(table().wind, 1.0); },
-                            +[](ParameterValues& v) { v.set(table().growing, true); },
-                            +[](ParameterValues& v) { v.set(table().bouncePeriod, 8.0); }}) {
+    for (const auto& ask : {+[](ParameterValues& v) { v.set(furTable().wind, 1.0); },
+                            +[](ParameterValues& v) { v.set(furTable().growing, true); },
+                            +[](ParameterValues& v) { v.set(furTable().bouncePeriod, 8.0); }}) {
         FurScene scene;
         ask(scene.values());
         EXPECT_EQ(scene.next(), 0);
     }
     FurScene steady;
-    steady.values().set(table().wind, 1.0);
-    steady.values().set(table().gustiness, 0.0);
+    steady.values().set(furTable().wind, 1.0);
+    steady.values().set(furTable().gustiness, 0.0);
     EXPECT_EQ(steady.next(), never) << "a draft without gusts leans on the fur and leaves it there";
 }
 
@@ -199,7 +199,7 @@ TEST(FurPlan, PressingOneButtonWakesNoOtherExhibit)
 {
     FurScene scene;
     scene.request.sincePressed.assign(scene.fur + 1, never);
-    scene.request.sincePressed[*museum().find("sdf_morph")] = 0.8;
+    scene.request.sincePressed[*museumOfFur().find("sdf_morph")] = 0.8;
     EXPECT_EQ(reasonFor(scene.plan(), "fur/motion"), "at rest");
     EXPECT_EQ(scene.next(), never);
 }
@@ -241,8 +241,8 @@ TEST(FurPlan, TellsTheLogOncePerStretchOfABrokenClock)
 TEST(FurPlan, ABrokenClockMovesNothing)
 {
     FurScene scene;
-    scene.values().set(table().wind, 1.0);
-    scene.values().set(table().growing, true);
+    scene.values().set(furTable().wind, 1.0);
+    scene.values().set(furTable().growing, true);
     const auto body = [&](double time) {
         scene.request.time = time;
         return scene.plan().find("fur/coat")->draws[0].object;
@@ -256,13 +256,13 @@ TEST(FurPlan, ABrokenClockMovesNothing)
 TEST(FurPlan, DressesAModelOfItsOwnByItsPlaceAmongTheAssets)
 {
     FurScene scene;
-    scene.values().set(table().ringModel, std::string("models/teddy.glb"));
+    scene.values().set(furTable().ringModel, std::string("models/teddy.glb"));
     const render::FramePlan plan = scene.plan();
     const render::Pass* coat = plan.find("fur/coat");
     ASSERT_EQ(coat->draws.size(), 3U);
     EXPECT_EQ(coat->draws[2].mesh->name, "model");
     EXPECT_TRUE(render::Diagnostics().begun(plan.skipped()).empty());
-    scene.values().set(table().silhouette, FurSilhouette::fins);
+    scene.values().set(furTable().silhouette, FurSilhouette::fins);
     EXPECT_EQ(scene.plan().find("fur/fins")->draws.size(), 3U) << "a model has fins as well";
 }
 

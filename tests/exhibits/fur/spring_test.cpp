@@ -10,7 +10,7 @@
 namespace vitrine {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr FurSpring closed = FurSpring::closedForm;
 
 /// Classic Runge-Kutta of fourth order with steps far below the period: knows nothing of cosines.

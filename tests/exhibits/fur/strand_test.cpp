@@ -17,7 +17,7 @@ namespace {
 using glm::dvec3;
 using glsl::Strand;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Points spread evenly over a sphere: Fibonacci's spiral (Gonzalez 2010).
 dvec3 onSphere(int i, int n)

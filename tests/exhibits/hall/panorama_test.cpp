@@ -14,7 +14,7 @@ using namespace test;
 
 using Panorama = GlTest;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int width = 1024;
 constexpr int stripe = 4;  ///< Columns of texels.
 

@@ -17,7 +17,7 @@ class SunDisk : public test::GlTest {};
 
 constexpr double elevation = 0.3316;
 constexpr double azimuth = -0.0524;
-constexpr double width = 0.05;  ///< Radians: five times the sun's, so that its half-shadows are half a meter wide.
+constexpr double sunWidth = 0.05;  ///< Radians: five times the sun's, so that its half-shadows are half a meter wide.
 
 /// The floor under the right edge of the window's light, ten meters from what makes that edge.
 Shot floorShot(ShadowFilter filter)
@@ -34,7 +34,7 @@ Shot floorShot(ShadowFilter filter)
     shot.hall().set(hallTable().sunElevation, elevation);
     shot.hall().set(hallTable().sunAzimuth, azimuth);
     shot.hall().set(hallTable().shadowFilter, filter);
-    shot.hall().set(hallTable().sunDisk, width);
+    shot.hall().set(hallTable().sunDisk, sunWidth);
     shot.hall().set(hallTable().diskSamples, 64);
     return shot;
 }
@@ -47,7 +47,7 @@ Picture areaLight()
     Picture mean = shot.take();
     for (float& value : mean.image.pixels) value = 0;
     for (int i = 0; i < suns; ++i) {
-        const double radius = 0.5 * width * std::sqrt((i + 0.5) / suns);
+        const double radius = 0.5 * sunWidth * std::sqrt((i + 0.5) / suns);
         const double angle = 2.39996323 * i;
         shot.hall().set(hallTable().sunElevation, elevation + radius * std::sin(angle));
         shot.hall().set(hallTable().sunAzimuth, azimuth + radius * std::cos(angle) / std::cos(elevation));

@@ -1,6 +1,7 @@
 // Every row of every exhibit changes the picture somewhere: at its initial values, or in the setting in which its table
 // says that it acts. A slider that moves nothing would be a lie.
 
+#include "render/files/read_file.h"
 #include "tests/support/gallery.h"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/temporary_folder.h"
@@ -60,6 +61,7 @@ std::vector<Value> others(const ParameterInfo& row, const Value& now, const std:
     case Kind::color: values = {glm::dvec3(0.1, 0.8, 0.9), glm::dvec3(0.9, 0.1, 0.2)}; break;
     case Kind::direction: values = {glm::dvec3(0.6, 0.64, 0.48), glm::dvec3(-0.6, 0.0, 0.8)}; break;
     case Kind::file: values = {file}; break;
+    case Kind::text: values = {render::readFile(file, 1U << 20U)}; break;
     }
     std::erase(values, now);
     return values;
@@ -136,8 +138,9 @@ protected:
     }
 
     /// A picture and a model to stand in for the user's files.
-    std::string fileFor(const ParameterInfo& row)
+    std::string fileFor(const Parameters& table, const ParameterInfo& row)
     {
+        if (!row.documentOf.empty()) return fileFor(table, table.rows()[table.find(row.documentOf).value()]);
         const std::filesystem::path assets = std::filesystem::path(VITRINE_SOURCE_DIR) / "assets";
         if (row.endings.find("glb") != std::string_view::npos) return (assets / "models" / "teddy.glb").string();
         if (row.shipped == "scenes") return (assets / "scenes" / "torus.json").string();
@@ -155,13 +158,13 @@ protected:
         if (exhibit == hallIndex) start = cheap(start);
         const ParameterInfo& info = start.table().rows()[row];
         if (info.actsWhen && !acts(start, row))
-            satisfy(start, *info.actsWhen, [this](const ParameterInfo& file) { return fileFor(file); });
+            satisfy(start, *info.actsWhen, [&](const ParameterInfo& file) { return fileFor(start.table(), file); });
         if (!acts(start, row)) return "its condition cannot be met";
         int tried = 0;
         for (const Situation& situation : situationsOf(exhibit, start)) {
             if (!acts(situation.values, row)) continue;
             const Picture before = take(exhibit, situation.values, situation);
-            for (const Value& value : others(info, situation.values.row(row), fileFor(info))) {
+            for (const Value& value : others(info, situation.values.row(row), fileFor(start.table(), info))) {
                 ParameterValues changed = situation.values;
                 changed.setRow(row, value);
                 ++tried;
@@ -232,6 +235,11 @@ TEST_F(ActingRows, EveryRowOfTheScenesActs)
 TEST_F(ActingRows, EveryRowOfTheNoiseActs)
 {
     expectEveryRowActs("noise");
+}
+
+TEST_F(ActingRows, EveryRowOfThePixelArtActs)
+{
+    expectEveryRowActs("pixel_art");
 }
 
 }  // namespace

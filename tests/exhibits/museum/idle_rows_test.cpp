@@ -144,6 +144,11 @@ TEST_F(IdleRows, ChangeNoPixelOfTheNoise)
     expectIdleRowsChangeNothing(gallery().museum.find("noise").value());
 }
 
+TEST_F(IdleRows, ChangeNoPixelOfThePixelArt)
+{
+    expectIdleRowsChangeNothing(gallery().museum.find("pixel_art").value());
+}
+
 TEST_F(IdleRows, ChangeNoPixelOfTheScenes)
 {
     expectIdleRowsChangeNothing(gallery().museum.find("sdf_scenes").value());

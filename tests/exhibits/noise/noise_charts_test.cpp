@@ -11,7 +11,7 @@
 namespace vitrine {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double integral(const ChartCurve& curve)
 {

@@ -12,9 +12,9 @@
 namespace vitrine {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-const NoiseTable& table()
+const NoiseTable& noiseTable()
 {
     static const NoiseTable t;
     return t;
@@ -57,13 +57,13 @@ TEST(SeaWaves, StayFlatterThanTheSlopesThatPhotographsShow)
 
 NoiseBlock blockAt(const ParameterValues& values, double seconds)
 {
-    return noiseBlock(table(), values, seconds, {0, 1, 0}, 0);
+    return noiseBlock(noiseTable(), values, seconds, {0, 1, 0}, 0);
 }
 
 TEST(NoiseScene, IsFiniteAndWithinItsPeriodsAtAnyTime)
 {
-    ParameterValues values(table());
-    values.set(table().work, NoiseWork::fractal);
+    ParameterValues values(noiseTable());
+    values.set(noiseTable().work, NoiseWork::fractal);
     for (const double seconds : {0.0, -3.7, 1e6, -1e6, 1e12}) {
         const NoiseBlock b = blockAt(values, seconds);
         for (const glm::vec4& place : b.places)
@@ -86,8 +86,8 @@ TEST(NoiseScene, IsFiniteAndWithinItsPeriodsAtAnyTime)
 
 TEST(NoiseScene, MovesSixtyTimesASecondAfterAMillionSeconds)
 {
-    ParameterValues values(table());
-    values.set(table().work, NoiseWork::field);
+    ParameterValues values(noiseTable());
+    values.set(noiseTable().work, NoiseWork::field);
     float last = -1;
     int steps = 0;
     for (int i = 0; i < 60; ++i) {
@@ -100,13 +100,13 @@ TEST(NoiseScene, MovesSixtyTimesASecondAfterAMillionSeconds)
 
 TEST(NoiseScene, KeepsTheHallsLengthsBehindTheFrameExceptForTheClouds)
 {
-    ParameterValues values(table());
+    ParameterValues values(noiseTable());
     for (const NoiseWork work : {NoiseWork::field, NoiseWork::fractal, NoiseWork::sea}) {
-        values.set(table().work, work);
-        EXPECT_NEAR(glm::length(glm::dvec3(noisePortal(table(), values).workFromExhibit[0])), 1, 1e-12);
+        values.set(noiseTable().work, work);
+        EXPECT_NEAR(glm::length(glm::dvec3(noisePortal(noiseTable(), values).workFromExhibit[0])), 1, 1e-12);
     }
-    values.set(table().work, NoiseWork::clouds);
-    EXPECT_NEAR(glm::length(glm::dvec3(noisePortal(table(), values).workFromExhibit[0])), 40, 1e-12);
+    values.set(noiseTable().work, NoiseWork::clouds);
+    EXPECT_NEAR(glm::length(glm::dvec3(noisePortal(noiseTable(), values).workFromExhibit[0])), 40, 1e-12);
 }
 
 /// Light that comes to the eye out of a slab of optical depth `depth` with `source` everywhere, in `steps`, and what is

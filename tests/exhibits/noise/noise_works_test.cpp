@@ -221,6 +221,64 @@ TEST_F(NoiseWorks, OfTheFieldAreAsSharpTenThousandKilometersFromTheOrigin)
     EXPECT_LT(shareOff(1e7), 0.01);
 }
 
+/// Height of the tall waves over a place at rest, at float64: where that water comes from is found by iteration.
+double tallHeight(const NoiseBlock& block, double chop, const glm::dvec2& p)
+{
+    glm::dvec2 moved(0);
+    double height = 0;
+    for (int k = 0; k < 24; ++k) {
+        const glm::dvec2 q = p - moved;
+        moved = glm::dvec2(0);
+        height = 0;
+        for (int i = 0; i < block.tallWaves; ++i) {
+            const glm::dvec4 w(block.wave[static_cast<std::size_t>(i)]);
+            const glm::dvec2 vector(w);
+            const double phase = glm::dot(vector, q) - w.w;
+            moved -= vector / glm::length(vector) * (chop * w.z * std::sin(phase));
+            height += w.z * std::cos(phase);
+        }
+    }
+    return height;
+}
+
+TEST_F(NoiseWorks, E17_TheSeaIsWhereItsWavesAtFloat64Are)
+{
+    for (const double wind : {7.5, 18.0})
+        for (const double share : {0.45, 1.0}) {
+            WorkShot shot(NoiseWork::sea);
+            shot.values().set(table().windSpeed, wind);
+            shot.values().set(table().eyeHeight, wind);
+            shot.values().set(table().boundShare, share);
+            shot.values().set(table().seaSteps, 256);
+            shot.values().set(table().hitTolerance, 0.05);
+            const NoiseBlock block = noiseBlock(table(), shot.values(), 0, {0, 1, 0}, 0);
+            const Picture p = shot.take();
+            int checked = 0, missed = 0, early = 0;
+            for (int y = p.height() / 2 + 3; y < p.height(); y += 2)
+                for (int x = 1; x < p.width(); x += 3) {
+                    const dvec3 ray = p.view.direction(
+                        glm::dvec2(x + 0.5, p.height() - y - 0.5) / glm::dvec2(p.width(), p.height()) * 2.0 - 1.0);
+                    const dvec3 d = glm::normalize(ray);
+                    const dvec3 eye = p.view.eye + dvec3(0, wind, 0);
+                    const double seen = std::min(p.depth(x, y) * glm::length(ray), 1e9);
+                    // Farther waves fade, by less than a pixel.
+                    for (double t = wind; t < 8 * wind; t += 0.0015 * wind) {
+                        const dvec3 at = eye + d * t;
+                        if (at.y > block.seaTop) continue;
+                        if (at.y > tallHeight(block, shot.values()[table().chop], {at.x, at.z})) continue;
+                        ++checked;
+                        missed += seen > 1.004 * t + 0.02;
+                        early += seen < 0.996 * t - 0.03;
+                        break;
+                    }
+                }
+            EXPECT_GT(checked, 200) << wind;
+            EXPECT_EQ(missed, 0) << wind << ", " << share;
+            // Where water is steeper than less of the bounds says, a ray that grazes a crest may end on it.
+            EXPECT_LE(early, share < 1 ? 0.01 * checked : 0) << wind << ", " << share;
+        }
+}
+
 TEST_F(NoiseWorks, OfTheSeaMeetTheHorizonWhereItIs)
 {
     WorkShot shot(NoiseWork::sea);

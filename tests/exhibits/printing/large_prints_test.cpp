@@ -1,7 +1,6 @@
 // What is too large for memory: views in a scratch file, rasters that are never held, files read by rows.
 
 #include "exhibits/printing/print_file.h"
-#include "exhibits/printing/print_json.h"
 #include "exhibits/printing/print_raster.h"
 #include "exhibits/printing/proof.h"
 #include "render/files/scratch_file.h"
@@ -227,18 +226,13 @@ TEST(LargePrints, BeyondFourGigabytesATiffIsABigOneAndBelowItIsNot)
     }
 }
 
-std::string descriptionOf(const PrintLayout& layout)
-{
-    return render::writeJson(printJson(layout, layout.settings().dpiX, {"a.png"}));
-}
-
 TEST(PrintRaster, GivesTheRowsOfATiffAPngAndOfTilesInAnyOrder)
 {
     const TemporaryFolder folder;
     const ViewSet views = noisyViews(3, 40, 30);
     const PrintLayout layout(settingsFor(40.15, 600, 3, 700, 333));
     std::vector<std::uint8_t> whole = printOf(layout, views);
-    const std::string json = descriptionOf(layout);
+    const std::string json = test::descriptionOf(layout);
     (void)writePrint(layout, views,
                      {.path = folder / "a.tif", .compression = render::StreamCompression::deflate, .json = json});
     (void)writePrint(layout, views, {.path = folder / "b.png", .json = json});
@@ -271,7 +265,7 @@ TEST(PrintRaster, AProofOfTheFileIsTheProofOfTheRasterInMemory)
         s.direction = direction;
         s.mirror = direction == 25.0;
         const PrintLayout layout(s);
-        (void)writePrint(layout, views, {.path = folder / "a.tif", .json = descriptionOf(layout)});
+        (void)writePrint(layout, views, {.path = folder / "a.tif", .json = test::descriptionOf(layout)});
         PrintRaster print = readPrint(folder / "a.tif");
         for (const Eye& eye : {Eye{.angle = 0.2}, Eye{.angle = -0.1, .angleAlong = 0.6, .distance = 120}}) {
             const render::Image fromFile = lookThrough(print, eye, 32);
@@ -287,7 +281,7 @@ TEST(PrintRaster, WhatIsCutOffOrOfAnotherSizeIsRefusedByName)
     const ViewSet views = noisyViews(3, 40, 30);
     const PrintLayout layout(settingsFor(40.15, 600, 3, 300, 200));
     for (const char* name : {"a.tif", "a.png"}) {
-        (void)writePrint(layout, views, {.path = folder / name, .json = descriptionOf(layout)});
+        (void)writePrint(layout, views, {.path = folder / name, .json = test::descriptionOf(layout)});
         const std::string whole = bytesOf(folder / name);
         for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{60}, whole.size() / 2}) {
             vitrine::test::writeBytes(folder / name, whole.substr(0, size));

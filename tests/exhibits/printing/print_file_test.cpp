@@ -1,6 +1,5 @@
 #include "exhibits/printing/print_file.h"
 
-#include "exhibits/printing/print_json.h"
 #include "render/image/image_io.h"
 #include "tests/exhibits/printing/samples.h"
 #include "tests/support/failures.h"
@@ -20,11 +19,6 @@ using test::noisyViews;
 using test::settingsFor;
 using vitrine::test::bytesOf;
 using vitrine::test::TemporaryFolder;
-
-std::string descriptionOf(const PrintLayout& layout)
-{
-    return render::writeJson(printJson(layout, layout.settings().dpiX, {"a.png"}));
-}
 
 std::vector<std::uint8_t> codesOf(const std::filesystem::path& path)
 {
@@ -67,8 +61,10 @@ TEST(PrintFile, ATiffHasThePixelsTheExactResolutionAndTheDescription)
         Interlacer(layout, views).fill({0, 0, layout.width(), layout.height()}, whole.data());
         for (const auto compression :
              {render::StreamCompression::none, render::StreamCompression::deflate, render::StreamCompression::zstd}) {
-            PrintFile file{
-                .path = folder / "a.tif", .compression = compression, .json = descriptionOf(layout), .threads = 2};
+            PrintFile file{.path = folder / "a.tif",
+                           .compression = compression,
+                           .json = test::descriptionOf(layout),
+                           .threads = 2};
             (void)writePrint(layout, views, file);
             EXPECT_EQ(codesOf(file.path), whole);
             const std::string bytes = bytesOf(file.path);
@@ -93,7 +89,7 @@ TEST(PrintFile, APngAndSixteenBitsHaveThePixels)
     const PrintLayout layout(settingsFor(40.15, 600, 3, 301, 733));
     std::vector<std::uint8_t> whole(static_cast<std::size_t>(layout.width() * layout.height()) * 3);
     Interlacer(layout, views).fill({0, 0, layout.width(), layout.height()}, whole.data());
-    const std::string json = descriptionOf(layout);
+    const std::string json = test::descriptionOf(layout);
     (void)writePrint(layout, views, {.path = folder / "a.png", .json = json});
     EXPECT_EQ(codesOf(folder / "a.png"), whole);
     EXPECT_EQ(render::embeddedPrint(folder / "a.png"), json);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double degree = 3.14159265358979323846 / 180;
+using test::degree;
 
 class PrintPlans : public test::SetUpPrint {};
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "exhibits/printing/interlace.h"
+#include "exhibits/printing/print_json.h"
+#include "render/files/strict_json.h"
 #include "render/image/image.h"
 #include "render/image/srgb.h"
 
@@ -46,6 +48,12 @@ inline std::vector<std::uint8_t> printOf(const PrintLayout& layout, const ViewSe
     std::vector<std::uint8_t> out(static_cast<std::size_t>(layout.width() * layout.height()) * 3);
     Interlacer(layout, views).fill({0, 0, layout.width(), layout.height()}, out.data(), threads);
     return out;
+}
+
+/// What a print's file says of it.
+inline std::string descriptionOf(const PrintLayout& layout)
+{
+    return render::writeJson(printJson(layout, layout.settings().dpiX, {"a.png"}));
 }
 
 inline render::Image linearImage(const PrintLayout& layout, const std::vector<std::uint8_t>& codes)

@@ -7,8 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <numbers>
 
 namespace vitrine::printing::test {
+
+inline constexpr double degree = std::numbers::pi / 180;  ///< Radians.
 
 /// The settings of a small print of views from files, and a folder.
 class SetUpPrint : public testing::Test {

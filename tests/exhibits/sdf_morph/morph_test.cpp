@@ -11,7 +11,7 @@
 namespace vitrine {
 namespace {
 
-const double never = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Morph, StartsWhereTheSliderStands)
 {
@@ -46,7 +46,7 @@ TEST(Morph, MovesSteadilyAndStaysBetweenTheShapes)
 TEST(Morph, HostileTimesAreTheSlider)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const double time : {nan, never, -never}) EXPECT_EQ(morphAt(0.62, 0.08, time), 0.62);
+    for (const double time : {nan, infinity, -infinity}) EXPECT_EQ(morphAt(0.62, 0.08, time), 0.62);
     for (const double time : {1e300, -1e300, 1e-310}) {
         EXPECT_GE(morphAt(0.62, 10, time), 0);
         EXPECT_LE(morphAt(0.62, 10, time), 1);

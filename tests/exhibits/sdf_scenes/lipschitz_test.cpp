@@ -14,7 +14,7 @@ template <typename Field> double steepest(const Field& field, test::Random& rand
     double most = 0;
     for (int i = 0; i < pairs; ++i) {
         const glm::dvec3 p = random.point(3);
-        const double apart = std::pow(10.0, random.between(-4, 0));
+        const double apart = std::pow(10.0, random.number(-4, 0));
         const glm::dvec3 q = p + apart * random.direction();
         most = std::max(most, std::abs(field(p) - field(q)) / glm::length(p - q));
     }

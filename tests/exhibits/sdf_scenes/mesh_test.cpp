@@ -12,7 +12,7 @@
 namespace vitrine {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 scenes::SceneMesh meshOf(const std::string& root, double cell, scenes::MeshPlan* plan = nullptr)
 {
@@ -159,7 +159,7 @@ TEST(SceneMesh, IsAClosedManifoldWhateverTheField)
     for (int sample = 0; sample < 60; ++sample) {
         const std::string root = sample % 3 > 0 ? test::randomTree(random, 3)
                                                 : R"({"kind": "noise", "frequency": )" +
-                                                      std::to_string(random.between(3, 9)) + R"(, "octaves": 3})";
+                                                      std::to_string(random.number(3, 9)) + R"(, "octaves": 3})";
         const scenes::SceneField field = test::fieldOf(root);
         scenes::SceneMesher mesher(field, {.cell = 0.09, .part = render::Box{glm::dvec3(-1.2), glm::dvec3(1.2)}});
         const scenes::SceneMesh mesh = mesher.mesh().value();

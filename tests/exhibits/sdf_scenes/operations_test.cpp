@@ -192,8 +192,8 @@ TEST(SceneOperations, H38_RepetitionsAreTheUnionOfTheirCopies)
 {
     test::Random random(9);
     for (int sample = 0; sample < 40; ++sample) {
-        const double x = random.between(-0.4, 0.4);
-        const double spacing = random.between(0.7, 1.5);
+        const double x = random.number(-0.4, 0.4);
+        const double spacing = random.number(0.7, 1.5);
         const int count = 1 + random.below(6);
         const std::string child = "{\"kind\": \"capsule\", \"start\": [" + std::to_string(x) +
                                   ", 0, 0], \"end\": [0.2, 0.5, 0.1], \"radius\": 0.15}";
@@ -219,9 +219,9 @@ TEST(SceneOperations, H38_RepetitionsAroundAnAxisAreTheUnionOfTheirCopies)
     for (int sample = 0; sample < 40; ++sample) {
         const int count = 1 + random.below(12);
         const std::string child = "{\"kind\": \"box\", \"size\": [0.5, 0.3, " +
-                                  std::to_string(random.between(0.1, 0.6)) + "], \"translate\": [" +
-                                  std::to_string(random.between(0.3, 1)) + ", 0.1, " +
-                                  std::to_string(random.between(-0.6, 0.6)) + "]}";
+                                  std::to_string(random.number(0.1, 0.6)) + "], \"translate\": [" +
+                                  std::to_string(random.number(0.3, 1)) + ", 0.1, " +
+                                  std::to_string(random.number(-0.6, 0.6)) + "]}";
         const SceneField repeated = test::fieldOf("{\"kind\": \"repeatAround\", \"count\": " + std::to_string(count) +
                                                   ", \"child\": " + child + "}");
         std::vector<std::string> copies;

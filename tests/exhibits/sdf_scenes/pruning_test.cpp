@@ -26,7 +26,7 @@ std::string randomOperation(test::Random& random)
     while (true) {
         std::string text =
             std::string("{\"kind\": \"") + kinds[random.below(4)] + "\", \"blend\": \"" + blends[random.below(4)] +
-            "\", \"blendWidth\": " + std::to_string(random.below(3) * random.between(0.01, 0.3)) + ", \"children\": [";
+            "\", \"blendWidth\": " + std::to_string(random.below(3) * random.number(0.01, 0.3)) + ", \"children\": [";
         const int children = 2 + random.below(6);
         for (int i = 0; i < children; ++i) text += (i > 0 ? ", " : "") + test::randomTree(random, 2);
         text += "]}";
@@ -37,16 +37,16 @@ std::string randomOperation(test::Random& random)
 void compare(const scenes::SceneField& field, test::Random& random, int points, double trusted, Differences& found)
 {
     const glm::dvec3 center = random.point(2);
-    const double radius = std::pow(10.0, random.between(-2.5, -0.5));
+    const double radius = std::pow(10.0, random.number(-2.5, -0.5));
     scenes::Pruner pruner(field.program(), field.words());
     // From a larger ball first, as a walk down from large cells does.
     const scenes::PrunedSteps outer = pruner.prune(field.program().steps(), center, 2 * radius * trusted);
-    const glm::dvec3 inside = center + random.between(0, 1) * radius * random.direction();
+    const glm::dvec3 inside = center + random.number(0, 1) * radius * random.direction();
     const scenes::PrunedSteps inner = pruner.prune(outer.steps, inside, radius * trusted);
     found.leftOut += inner.steps.size() < field.program().steps().size();
     scenes::SceneWalk walk(field.program(), field.words().words, true);
     for (int i = 0; i < points; ++i) {
-        const glm::dvec3 p = inside + std::cbrt(random.between(0, 1)) * radius * random.direction();
+        const glm::dvec3 p = inside + std::cbrt(random.number(0, 1)) * radius * random.direction();
         const scenes::SceneSample whole = field.sample(p);
         walk.run(inner.steps, p);
         const double distance = walk.state(0).distance;
@@ -140,7 +140,8 @@ TEST(OccupiedBox, HoldsAllThatIsInsideAndIsNarrow)
     for (int sample = 0; sample < 300; ++sample) {
         const std::string root = test::randomTree(random, 3);
         const scenes::SceneField field = test::fieldOf(root);
-        const render::Box box = scenes::occupiedBox(field.program(), field.words(), {glm::dvec3(-3), glm::dvec3(3)});
+        const render::Box box = scenes::occupiedBox(field.program(), field.words(), field.program().steps(),
+                                                    {glm::dvec3(-3), glm::dvec3(3)});
         for (int i = 0; i < 100; ++i) {
             const glm::dvec3 p = random.point(3);
             if (field.distance(p) > 0) continue;
@@ -150,16 +151,16 @@ TEST(OccupiedBox, HoldsAllThatIsInsideAndIsNarrow)
     // A thousand balls that blend: by what the blends may add, the scene might be as wide as this.
     const scenes::SceneField many = test::fieldOf(rowOfBalls(1000, 0.002, R"("kind": "union", "blendWidth": 0.1)"));
     EXPECT_GT(many.box().high.y, 10);
-    const render::Box narrow = scenes::occupiedBox(many.program(), many.words(), many.box());
+    const render::Box narrow = scenes::occupiedBox(many.program(), many.words(), many.program().steps(), many.box());
     EXPECT_LT(narrow.high.y, 2);
 }
 
-TEST(PruningCells, SayWhatIsNearAndHowFarAnEmptyCellIsFromASurface)
+void compareCells(const glm::ivec3& count)
 {
     const scenes::SceneField field =
         test::fieldOf(rowOfBalls(64, 1, R"("kind": "union", "blend": "quadratic", "blendWidth": 0.3)"));
-    const scenes::SceneCells cells =
-        scenes::pruneCells(field.program(), field.words(), {{-0.5, -0.5, -0.5}, {63.5, 0.5, 0.5}}, {512, 8, 8});
+    const scenes::SceneCells cells = scenes::pruneCells(field.program(), field.words(), field.program().steps(),
+                                                        {{-0.5, -0.5, -0.5}, {63.5, 0.5, 0.5}}, count);
     EXPECT_LE(cells.mostShapes, 2U);
     EXPECT_LE(cells.lists, 64U + 63U);
     EXPECT_LT(cells.meanShapes, 1.5);
@@ -171,7 +172,7 @@ TEST(PruningCells, SayWhatIsNearAndHowFarAnEmptyCellIsFromASurface)
     test::Random random(12);
     scenes::SceneWalk walk(field.program(), field.words().words, false);
     for (int i = 0; i < 20000; ++i) {
-        const glm::dvec3 p(random.between(-0.5, 63.5), random.between(-0.5, 0.5), random.between(-0.5, 0.5));
+        const glm::dvec3 p(random.number(-0.5, 63.5), random.number(-0.5, 0.5), random.number(-0.5, 0.5));
         const std::size_t index = cells.cellAt(p);
         const scenes::SceneCell& cell = cells.cells[index];
         const double truth = field.distance(p);
@@ -185,6 +186,12 @@ TEST(PruningCells, SayWhatIsNearAndHowFarAnEmptyCellIsFromASurface)
         walk.run(cells.stepsOf(cell), p);
         EXPECT_NEAR(walk.state(0).distance, truth, scenes::Pruner::asShaders);
     }
+}
+
+TEST(PruningCells, SayWhatIsNearAndHowFarAnEmptyCellIsFromASurface)
+{
+    compareCells({512, 8, 8});
+    compareCells({512, 16, 16});  // By two threads.
 }
 
 #ifdef VITRINE_RAPIDCHECK

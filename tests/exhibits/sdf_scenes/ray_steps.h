@@ -18,7 +18,7 @@ template <typename Field> int overshoots(const Field& field, Random& random, int
             const double d = field(origin + t * direction);
             if (std::abs(d) < 1e-4) break;
             // Anywhere on the way, the sign is the one at its start.
-            const double within = t + std::abs(d) * random.between(0.2, 1);
+            const double within = t + std::abs(d) * random.number(0.2, 1);
             const double there = field(origin + within * direction);
             if (std::abs(there) > 1e-9 && (there < 0) != (d < 0)) {
                 ++passed;

@@ -144,7 +144,7 @@ TEST(SceneShapes, AllTurnMoveAndScale)
         for (int set = 0; set < 10; ++set) {
             const glm::dvec3 t = random.point(1);
             const glm::dvec3 r = random.point(180);
-            const double s = random.between(0.3, 3);
+            const double s = random.number(0.3, 3);
             const std::string place = ", \"translate\": [" + std::to_string(t.x) + "," + std::to_string(t.y) + "," +
                                       std::to_string(t.z) + "], \"rotate\": [" + std::to_string(r.x) + "," +
                                       std::to_string(r.y) + "," + std::to_string(r.z) +
@@ -177,7 +177,7 @@ TEST(SceneShapes, ScaledUnevenlyKeepTheirSignAndAreBounds)
     test::Random random(15);
     eachShape([&](const NodeKind& kind) {
         for (int set = 0; set < 5; ++set) {
-            const glm::dvec3 s(random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2));
+            const glm::dvec3 s(random.number(0.5, 2), random.number(0.5, 2), random.number(0.5, 2));
             const Sample sample = sampleOf(kind, random,
                                            ", \"scale\": [" + std::to_string(s.x) + "," + std::to_string(s.y) + "," +
                                                std::to_string(s.z) + "]");
@@ -201,8 +201,8 @@ TEST(SceneShapes, TheEllipsoidIsExactAtAnyAspect)
 {
     test::Random random(16);
     for (int set = 0; set < 2000; ++set) {
-        const glm::dvec3 r(std::pow(10, random.between(-2.5, 0)), std::pow(10, random.between(-2.5, 0)),
-                           std::pow(10, random.between(-2.5, 0)));
+        const glm::dvec3 r(std::pow(10, random.number(-2.5, 0)), std::pow(10, random.number(-2.5, 0)),
+                           std::pow(10, random.number(-2.5, 0)));
         // A point of the surface and its normal give points whose distance is known, until the normals cross.
         const glm::dvec3 u = random.direction();
         const glm::dvec3 foot = u * r;

@@ -251,7 +251,7 @@ Inside insideOf(std::string_view kind, const double* v)
 bool isBound(const Inside& inside, const dvec3& p, double d, Random& random)
 {
     for (int i = 0; i < 100; ++i) {
-        const double within = (std::abs(d) - 1e-9) * std::cbrt(random.between(0.5, 1));
+        const double within = (std::abs(d) - 1e-9) * std::cbrt(random.number(0.5, 1));
         if (within > 0 && inside(p + within * random.direction()) != inside(p)) return false;
     }
     return true;
@@ -261,7 +261,7 @@ bool isOnSurface(const Inside& inside, const dvec3& p, double near, Random& rand
 {
     const bool side = inside(p + near * random.direction());
     for (int i = 0; i < 3000; ++i)
-        if (inside(p + near * random.direction() * std::cbrt(random.between(0, 1))) != side) return true;
+        if (inside(p + near * random.direction() * std::cbrt(random.number(0, 1))) != side) return true;
     return false;
 }
 

@@ -26,15 +26,15 @@ std::string vector(const glm::dvec3& v)
 /// A number of moderate size within the field's range.
 double randomNumber(const Field& field, Random& random)
 {
-    if (field.type == FieldType::count) return std::floor(random.between(field.low, std::min(field.high, 7.0)));
+    if (field.type == FieldType::count) return std::floor(random.number(field.low, std::min(field.high, 7.0)));
     if (field.unit == Unit::degree) {
         const double reach = std::min(field.high, 3.0) - std::max(field.low, -3.0);
-        return shown(std::max(field.low, -3.0) + reach * random.between(0.05, 0.95), field.unit);
+        return shown(std::max(field.low, -3.0) + reach * random.number(0.05, 0.95), field.unit);
     }
-    if (field.unit == Unit::meter && field.low >= 0) return random.between(0.15, 0.8);
-    if (field.unit == Unit::meter) return random.between(-0.7, 0.7);
-    if (field.name == "frequency") return random.between(0.5, 5);
-    return random.between(std::max(field.low, -1.0), std::min(field.high, 1.0));
+    if (field.unit == Unit::meter && field.low >= 0) return random.number(0.15, 0.8);
+    if (field.unit == Unit::meter) return random.number(-0.7, 0.7);
+    if (field.name == "frequency") return random.number(0.5, 5);
+    return random.number(std::max(field.low, -1.0), std::min(field.high, 1.0));
 }
 
 std::string randomField(const Field& field, Random& random)
@@ -48,7 +48,7 @@ std::string randomField(const Field& field, Random& random)
     if (field.type == FieldType::direction) return vector(random.direction());
     if (field.type == FieldType::counts) return vector({random.below(4), random.below(4), random.below(4)});
     if (field.name == "spacing")
-        return vector({random.below(2) * random.between(0.6, 3), random.below(2) * 2, random.below(2) * 1.5});
+        return vector({random.below(2) * random.number(0.6, 3), random.below(2) * 2, random.below(2) * 1.5});
     if (numbersOf(field.type) == 3)
         return vector({randomNumber(field, random), randomNumber(field, random), randomNumber(field, random)});
     return number(randomNumber(field, random));
@@ -102,7 +102,7 @@ std::string randomPlace(Random& random, bool evenScale)
     if (random.below(2) == 0) text += ", \"translate\": " + vector(random.point(1));
     if (random.below(2) == 0) text += ", \"rotate\": " + vector(random.point(180));
     if (random.below(3) > 0) return text;
-    const glm::dvec3 factors{random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2)};
+    const glm::dvec3 factors{random.number(0.5, 2), random.number(0.5, 2), random.number(0.5, 2)};
     return text + ", \"scale\": " + (evenScale ? number(factors.x) : vector(factors));
 }
 

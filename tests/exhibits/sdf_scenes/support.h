@@ -2,11 +2,11 @@
 
 #include "exhibits/sdf_scenes/scene_field.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
+#include "tests/support/random.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <random>
 #include <string>
 
 namespace vitrine::test {
@@ -23,34 +23,6 @@ namespace vitrine::test {
 
 /// The findings, a line each.
 [[nodiscard]] std::string findingsText(const scenes::ReadScene&);
-
-/// The same numbers on every machine.
-class Random {
-public:
-    explicit Random(unsigned seed) : engine_(seed) {}
-    [[nodiscard]] double between(double low, double high)
-    {
-        return low + (high - low) * static_cast<double>(engine_() - std::mt19937::min()) / 4294967296.0;
-    }
-    [[nodiscard]] int below(int count) { return static_cast<int>(between(0, count)); }
-    [[nodiscard]] glm::dvec3 point(double reach)
-    {
-        const double x = between(-reach, reach);
-        const double y = between(-reach, reach);
-        return {x, y, between(-reach, reach)};
-    }
-    [[nodiscard]] glm::dvec3 direction()
-    {
-        while (true) {
-            const glm::dvec3 p = point(1);
-            const double length = glm::length(p);
-            if (length > 0.1 && length < 1) return p / length;
-        }
-    }
-
-private:
-    std::mt19937 engine_;
-};
 
 /// A node of this kind with random numbers that are legal, as JSON; `further` members have a comma before each.
 [[nodiscard]] std::string randomNode(const scenes::NodeKind&, Random&, const std::string& further = "");

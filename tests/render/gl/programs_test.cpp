@@ -68,6 +68,7 @@ protected:
         Pass pass = fill("filled", "frame", "");
         pass.shader = shader;
         pass.blocks[BLOCK_EXHIBIT] = block_;
+        pass.buffers = buffers_;
         plan.add(std::move(pass));
         report_ = draw(plan);
         return renderer().read("frame").at(0, 0, 0);
@@ -90,6 +91,7 @@ protected:
 
     FrameReport report_;
     Bytes block_;  ///< BLOCK_EXHIBIT of what is drawn.
+    std::vector<BufferUse> buffers_;
 };
 
 TEST_F(GeneratedShaders, AreFoundByIncludeBeforeFilesOfTheirPath)
@@ -193,6 +195,32 @@ TEST_F(GeneratedShaders, KeepTheInputsOfTheLastGoodProgramWhileItDraws)
     EXPECT_EQ(drawn(scene(1, 0)), 5);
     block_ = numbers({6});
     EXPECT_EQ(drawn(scene(1, 0)), 6) << "of the same scene, numbers count at once";
+}
+
+TEST_F(GeneratedShaders, KeepTheBuffersOfTheLastGoodProgramWhileItDraws)
+{
+    const auto gate = std::make_shared<GatedContext>(context().shared());
+    renderer().buildInBackground(gate);
+    const auto scene = [](int at) {
+        return key(
+            "#include \"lib/bindings.glsl\"\nlayout(std430, binding = STORAGE_EXHIBIT_A) readonly buffer Numbers "
+            "{\n    float numbers[];\n};\nfloat value()\n{\n    return numbers[" +
+                std::to_string(at) + "];\n}\n",
+            "scene");
+    };
+    const auto numbers = [](const std::vector<float>& values) {
+        Bytes bytes(values.size() * sizeof(float));
+        std::memcpy(bytes.data(), values.data(), bytes.size());
+        return std::vector<BufferUse>{{STORAGE_EXHIBIT_A, std::make_shared<const Bytes>(std::move(bytes))}};
+    };
+    buffers_ = numbers({7, 8, 9});
+    EXPECT_EQ(drawn(scene(2)), 9);
+    buffers_ = numbers({5, 4, 3});
+    EXPECT_EQ(drawn(scene(0)), 9) << "the last good program has its own numbers";
+    gate->open();
+    drawUntilFinished(scene(0), 9, 5);
+    buffers_ = numbers({6});
+    EXPECT_EQ(drawn(scene(0)), 6) << "of the same scene, numbers count at once";
 }
 
 TEST_F(GeneratedShaders, AreWaitedForByPicturesThatAreNotDrawnAgain)

@@ -23,7 +23,7 @@ using test::made;
 using Color = std::array<double, 3>;
 using Matrix = std::array<Color, 3>;  // Rows.
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Color times(const Matrix& m, const Color& v)
 {
@@ -204,7 +204,7 @@ double errorAt(const Map& reference, const Map& test, int x, int y, double ppd)
     return std::pow(color, 1 - feature);
 }
 
-Image noise(unsigned seed, int width, int height)
+Image noisePicture(unsigned seed, int width, int height)
 {
     std::mt19937 random(seed);
     return made(width, height, [&](int, int, int) { return static_cast<float>(random() >> 8U) * 0x1p-24F; });
@@ -237,13 +237,14 @@ constexpr double float32Rounding = 1e-7;
 TEST(FlipPaper, NoiseIsWhatTheEquationsSay)
 {
     for (const unsigned seed : {1U, 2U, 3U})
-        EXPECT_LT(largestDeparture(noise(seed, 24, 18), noise(seed + 10, 24, 18), 67), float32Rounding) << seed;
+        EXPECT_LT(largestDeparture(noisePicture(seed, 24, 18), noisePicture(seed + 10, 24, 18), 67), float32Rounding)
+            << seed;
 }
 
 TEST(FlipPaper, NoiseIsWhatTheEquationsSayNearAndFar)
 {
     for (const double ppd : {12.0, 30.5, 90.0})
-        EXPECT_LT(largestDeparture(noise(4, 16, 16), noise(5, 16, 16), ppd), float32Rounding) << ppd;
+        EXPECT_LT(largestDeparture(noisePicture(4, 16, 16), noisePicture(5, 16, 16), ppd), float32Rounding) << ppd;
 }
 
 TEST(FlipPaper, EdgesThatMoveOrTurnAreWhatTheEquationsSay)
@@ -259,15 +260,15 @@ TEST(FlipPaper, EdgesThatMoveOrTurnAreWhatTheEquationsSay)
 TEST(FlipPaper, PicturesSmallerThanTheFiltersRepeatTheirEdge)
 {
     for (const auto& [width, height] : {std::pair(1, 1), std::pair(3, 2), std::pair(1, 17)})
-        EXPECT_LT(largestDeparture(noise(6, width, height), noise(7, width, height), 67), float32Rounding)
+        EXPECT_LT(largestDeparture(noisePicture(6, width, height), noisePicture(7, width, height), 67), float32Rounding)
             << width << 'x' << height;
 }
 
 TEST(FlipPaper, AWrongFilterWouldBeSeen)
 {
     // The negative control: another distance is another filter, and is off by far more than rounding.
-    const Image a = noise(8, 16, 16);
-    const Image b = noise(9, 16, 16);
+    const Image a = noisePicture(8, 16, 16);
+    const Image b = noisePicture(9, 16, 16);
     const Image map = render::flipMap(a, b, 66);
     EXPECT_GT(std::fabs(errorAt(opponentMap(a), opponentMap(b), 8, 8, 67) - static_cast<double>(map.at(8, 8))),
               100 * float32Rounding);

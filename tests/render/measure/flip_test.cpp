@@ -15,7 +15,7 @@ namespace {
 using test::made;
 using namespace render;
 
-Image noise(unsigned seed)
+Image evenNoise(unsigned seed)
 {
     std::mt19937 random(seed);
     return made(40, 30, [&](int, int, int) { return std::uniform_real_distribution<float>(0, 1)(random); });
@@ -36,14 +36,14 @@ Image stripes(double amplitude, int period)
 
 TEST(Flip, IsZeroForEqualPictures)
 {
-    const Image a = noise(1);
+    const Image a = evenNoise(1);
     EXPECT_EQ(flip(a, a), 0);
 }
 
 TEST(Flip, IsSymmetric)
 {
-    const Image a = noise(1);
-    const Image b = noise(2);
+    const Image a = evenNoise(1);
+    const Image b = evenNoise(2);
     const Image there = flipMap(a, b);
     const Image back = flipMap(b, a);
     EXPECT_GT(flip(a, b), 0.1);
@@ -53,9 +53,9 @@ TEST(Flip, IsSymmetric)
 TEST(Flip, StaysBetweenZeroAndOne)
 {
     for (unsigned seed = 1; seed < 5; ++seed) {
-        Image wild = noise(seed);
+        Image wild = evenNoise(seed);
         for (float& p : wild.pixels) p = 20 * p - 10;
-        const Image map = flipMap(noise(seed + 10), wild);
+        const Image map = flipMap(evenNoise(seed + 10), wild);
         EXPECT_GE(*std::min_element(map.pixels.begin(), map.pixels.end()), 0);
         EXPECT_LE(*std::max_element(map.pixels.begin(), map.pixels.end()), 1);
     }
@@ -113,8 +113,8 @@ TEST(Flip, MirroringBothPicturesMirrorsTheMap)
     const auto mirrored = [](const Image& a) {
         return made(a.width, a.height, [&](int x, int y, int c) { return a.at(a.width - 1 - x, y, c); });
     };
-    const Image a = noise(3);
-    const Image b = noise(4);
+    const Image a = evenNoise(3);
+    const Image b = evenNoise(4);
     const Image map = flipMap(a, b);
     const Image turned = flipMap(mirrored(a), mirrored(b));
     for (int y = 0; y < map.height; ++y)

@@ -16,7 +16,7 @@ namespace {
 
 using namespace render;
 
-Image noise(int channels, unsigned seed, double low = 0, double high = 1)
+Image noiseBetween(int channels, unsigned seed, double low = 0, double high = 1)
 {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(low, high);
@@ -33,7 +33,7 @@ Image plus(Image image, float offset)
 
 TEST(Metrics, EqualPicturesAreAtDistanceZero)
 {
-    const Image a = noise(3, 1);
+    const Image a = noiseBetween(3, 1);
     const ColorDifference d = colorDifference(a, a);
     EXPECT_EQ(d.rmse, 0);
     EXPECT_EQ(d.max, 0);
@@ -43,7 +43,7 @@ TEST(Metrics, EqualPicturesAreAtDistanceZero)
 
 TEST(Metrics, AConstantOffsetIsTheRmsError)
 {
-    const Image a = noise(3, 1, 0.25, 0.5);
+    const Image a = noiseBetween(3, 1, 0.25, 0.5);
     const ColorDifference d = colorDifference(a, plus(a, 0.125F));
     EXPECT_NEAR(d.rmse, 0.125, 1e-7);
     EXPECT_NEAR(d.max, 0.125, 1e-7);
@@ -55,7 +55,7 @@ TEST(Metrics, UniformNoiseHasTheRmsErrorOfItsVariance)
 {
     const Image a(64, 48, 3, 0.5F);
     Image b = a;
-    const Image n = noise(3, 7, -0.1, 0.1);
+    const Image n = noiseBetween(3, 7, -0.1, 0.1);
     for (std::size_t i = 0; i < b.pixels.size(); ++i) b.pixels[i] += n.pixels[i];
     // Variance of the uniform distribution over 0.2: 0.2² / 12. With 9216 samples the estimate's own spread is 0.5 %.
     EXPECT_NEAR(colorDifference(a, b).rmse, 0.2 / std::sqrt(12.0), 0.02 * 0.2 / std::sqrt(12.0));

@@ -15,7 +15,7 @@ namespace vitrine {
 namespace {
 
 using render::localLighting;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 glsl::LocalLightEntry lightAt(const glm::dvec3& position, double radius = 0, double range = 0)
 {

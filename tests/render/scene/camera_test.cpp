@@ -15,7 +15,7 @@ namespace {
 
 using namespace render;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 bool allFinite(const glm::dmat4& m)
 {

@@ -1,4 +1,5 @@
 #include "tests/support/balls.h"
+#include "tests/support/blocks.h"
 #include "tests/ui/sample_tables.h"
 
 #include "ui/model/history.h"
@@ -16,6 +17,9 @@ class HistoryTest : public QObject {
     Q_OBJECT
 
     const test::SampleTable table_;
+    struct BlockRows {
+        std::size_t file, document;
+    };
     [[nodiscard]] SceneState start() const { return {{table_.initial()}, {}}; }
     [[nodiscard]] static SceneState with(SceneState sceneState, Real parameter, double value)
     {
@@ -24,6 +28,32 @@ class HistoryTest : public QObject {
     }
 
 private slots:
+    void anotherFileTakesItsDocumentWithItInOneStep()
+    {
+        const test::BlocksExhibit blocks;
+        const BlockRows rows{blocks.parameters().pile.row, blocks.parameters().document.row};
+        SceneState look{{blocks.parameters().initial()}, {}};
+        look.values[0].setRow(rows.file, std::string("a.json"));
+        look.values[0].setRow(rows.document, std::string("edited"));
+        History history(look);
+        history.set(0, rows.file, std::string("b.json"), 0);
+        QCOMPARE(history.stack().count(), 1);
+        QCOMPARE(history.sceneState().values[0].row(rows.document), Value(std::string()));
+        history.stack().undo();
+        QVERIFY(history.sceneState() == look);
+        // What was written to its file is no step, and undo shows what it showed.
+        history.set(0, rows.document, std::string("edited twice"), 0);
+        SceneState saved = history.sceneState();
+        saved.values[0].setRow(rows.document, std::string());
+        history.settle(saved);
+        QCOMPARE(history.stack().count(), 1);
+        QVERIFY(history.sceneState() == saved);
+        history.stack().undo();
+        QCOMPARE(history.sceneState().values[0].row(rows.document), Value(std::string("edited")));
+        history.stack().redo();
+        QCOMPARE(history.sceneState().values[0].row(rows.document), Value(std::string("edited twice")));
+    }
+
     void oneGestureIsOneStep()
     {
         History history(start());

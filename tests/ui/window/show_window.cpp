@@ -1,9 +1,11 @@
-// Draws the window into pictures, dark and light, to look at: show_window FOLDER [museum]. With "museum"
-// the real one, else a gallery of one color with every kind of parameter.
+// Draws the window into pictures, dark and light, to look at: show_window FOLDER [museum | tree]. With "museum"
+// the real one, with "tree" its exhibits that are made of trees; else a gallery of one color with every kind of
+// parameter.
 #include "tests/ui/painted_gallery.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/capabilities.h"
+#include "exhibits/framework/tree.h"
 #include "ui/charts/charts_dock.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/color_picker.h"
@@ -12,9 +14,12 @@
 #include "ui/print/eyes_preview.h"
 #include "ui/print/print_dialog.h"
 #include "ui/study/study_dock.h"
+#include "ui/tree/tree_dock.h"
+#include "ui/tree/tree_overlay.h"
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_docks.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -37,6 +42,25 @@ void waitUntilStill(const ui::MainWindow& window, int mostMilliseconds)
     while (passed.elapsed() < mostMilliseconds && (passed.elapsed() < 1200 || !window.viewport().schedule().still()));
 }
 
+/// Every exhibit that is made of a tree, with the node in the middle of its picture selected.
+void showTrees(ui::MainWindow& window, const Museum& museum, const QString& folder, const QString& ending)
+{
+    for (const MuseumExhibit& each : museum.exhibits()) {
+        if (!capability<HasTree>(each.exhibit)) continue;
+        window.visit(each.index);
+        waitUntilStill(window, 120000);
+        const QPointF middle(window.viewport().width() / 2.0, window.viewport().height() / 2.0);
+        for (const auto& [mode, name] :
+             {std::pair{ui::HandleMode::move, "move"}, std::pair{ui::HandleMode::turn, "turn"}}) {
+            window.docks().tree().overlay().setMode(mode);
+            emit window.viewport().shapeClicked(each.index, middle);
+            waitUntilStill(window, 60000);
+            window.grab().save(folder + QStringLiteral("/tree_%1_%2").arg(each.index).arg(QLatin1String(name)) +
+                               ending);
+        }
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -49,6 +73,7 @@ int main(int argc, char** argv)
     std::setlocale(LC_NUMERIC, "C");
     const QString folder = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral(".");
     const bool real = argc > 2;
+    const bool trees = real && QLatin1String(argv[2]) == QLatin1String("tree");
     std::unique_ptr<Museum> museum;
     if (real) museum = std::make_unique<Museum>(allExhibits());
     for (const bool dark : {true, false}) {
@@ -65,6 +90,10 @@ int main(int argc, char** argv)
         }
         ui::MainWindow window(*shown, *renderers);
         window.show();
+        if (trees) {
+            showTrees(window, *museum, folder, ending);
+            continue;
+        }
         waitUntilStill(window, 60000);
         window.grab().save(folder + QStringLiteral("/entrance") + ending);
         std::printf("entrance: %lld pictures drawn\n", window.viewport().picturesDrawn());

@@ -1,0 +1,125 @@
+#include "app/command.h"
+#include "app/picture_options.h"
+#include "exhibits/exhibits.h"
+#include "exhibits/museum/museum.h"
+#include "exhibits/sprites/sprite_files.h"
+#include "render/failure.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vitrine::app {
+namespace {
+
+struct SpriteOptions {
+    std::string subject, out, size = "64x64", animation, preset, palette = "own", dither = "none", pivot = "origin";
+    std::vector<std::string> sets;
+    int directions = 8, frames = 1, colors = 32;
+    bool trimmed = false, noMaps = false;
+    double fps = 12;
+};
+
+ParameterValues lookOf(const Museum& museum, const SpriteOptions& options)
+{
+    PictureOptions picture;
+    picture.subject = spriteLookName;
+    picture.preset = options.preset;
+    picture.sets = options.sets;
+    const RequestedPicture job = requestedPicture(museum, picture);
+    for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    return job.sceneState.values[museum.find(spriteLookName).value()];
+}
+
+void choose(ParameterValues& values, std::size_t row, const char* flag, const std::string& name)
+{
+    const ParameterInfo& info = values.rows()[row];
+    const std::optional<Value> value = optionValue(info, name);
+    if (!value)
+        throw Failure(Blame::usage, std::string(flag) + ' ' + name + ": give one of " + whatItTakes(info) + ".");
+    values.setRow(row, *value);
+}
+
+/// Throws Failure (Blame::usage) for what no sheet can be made of.
+ParameterValues sheetValues(const SpriteOptions& options)
+{
+    const SpriteTable& t = spriteTable();
+    ParameterValues values = t.initial();
+    const glm::ivec2 size = parseSize("--size", options.size);
+    if (options.subject != spriteLookName) values.set(t.model, options.subject);
+    values.set(t.directions, options.directions);
+    values.set(t.frames, options.frames);
+    values.set(t.framesPerSecond, options.fps);
+    values.set(t.width, size.x);
+    values.set(t.height, size.y);
+    values.set(t.colors, options.colors);
+    choose(values, t.palette.row, "--palette", options.palette);
+    choose(values, t.dither.row, "--dither", options.dither);
+    choose(values, t.pivot.row, "--pivot", options.pivot);
+    values.set(t.trimmed, options.trimmed);
+    values.set(t.normals, !options.noMaps);
+    values.set(t.depth, !options.noMaps);
+    if (const std::string why = whyNoSheet(values); !why.empty()) throw Failure(Blame::usage, why);
+    return values;
+}
+
+int makeSprite(const SpriteOptions& options)
+{
+    if (pictureFormat("--out", options.out, false) != render::PictureFormat::png8)
+        throw Failure(Blame::usage, "--out " + options.out + ": sprite sheets are PNG files; give a name with .png.");
+    const ParameterValues values = sheetValues(options);
+    const std::shared_ptr<const SpriteSubject> subject = spriteSubject(values);
+    for (const std::string& warning : subject->warnings()) std::fprintf(stderr, "vitrine: %s\n", warning.c_str());
+    const render::gl::HeadlessContext context;
+    const Museum museum{allExhibits()};
+    render::gl::Renderer renderer;
+    const SpriteRequest request = spriteRequest(values, options.animation);
+    const std::vector<SpriteFrame> frames = drawSprite(lookOf(museum, options), *subject, request, renderer);
+    const SpriteSheet sheet =
+        sheetOf(frames, values, options.animation, *subject, std::filesystem::path(options.out).filename().string());
+    writeSheet(sheet, values, options.out);
+    std::printf("%s: %zu frames of %d x %d, %zu colors, %d x %d pixels\n", options.out.c_str(), frames.size(),
+                request.size.x, request.size.y, sheet.palette.size(), sheet.color.width, sheet.color.height);
+    return 0;
+}
+
+}  // namespace
+
+void addSpriteCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand(
+        "sprite",
+        "Draw an object from all sides as a sheet of sprites, with normals, depth and Aseprite's JSON beside it");
+    auto o = std::make_shared<SpriteOptions>();
+    command->add_option("object", o->subject, "pixel_art, or a glTF file (.glb, .gltf), whose animation is played")
+        ->required();
+    command->add_option("--out", o->out, "The sheet: .png; further files take its name")->required();
+    command->add_option("--directions", o->directions, "Around it")->capture_default_str()->check(CLI::Range(1, 64));
+    command->add_option("--frames", o->frames, "Of each direction, over the animation")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 256));
+    command->add_option("--size", o->size, "Of a frame, pixels")->capture_default_str();
+    command->add_option("--animation", o->animation, "By its name; the file's first one otherwise");
+    command->add_option("--fps", o->fps, "Frames a second that the description tells; 0: as long as the animation")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1000.0));
+    command->add_option("--palette", o->palette, "own (made of all frames), or a shipped palette's name")
+        ->capture_default_str();
+    command->add_option("--colors", o->colors, "Of its own palette")->capture_default_str()->check(CLI::Range(1, 256));
+    command->add_option("--dither", o->dither, "none, ordered, or error diffusion")->capture_default_str();
+    command->add_option("--pivot", o->pivot, "That the description gives: origin, center, or bottom")
+        ->capture_default_str();
+    command->add_option("--preset", o->preset, "A look of pixel_art");
+    command->add_option("--set", o->sets, "name=value of pixel_art");
+    command->add_flag("--trim", o->trimmed, "Cut off empty rows and columns");
+    command->add_flag("--no-maps", o->noMaps, "Neither normals nor depth");
+    command->callback([&chosen, o] { chosen = [o] { return makeSprite(*o); }; });
+}
+
+}  // namespace vitrine::app

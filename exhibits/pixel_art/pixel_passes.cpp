@@ -1,0 +1,335 @@
+#include "exhibits/pixel_art/pixel_passes.h"
+
+#include "exhibits/framework/derive.h"
+#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/kit/blue_noise.h"
+#include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/surface_draw.h"
+#include "render/hash.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace vitrine {
+namespace {
+
+using render::Attachment;
+
+constexpr int shadowSize = 1024;
+constexpr double shadowHalf = 9;  ///< Meters around the middle that throw shadows.
+constexpr const char* shadowImage = "pixel_art.shadow";
+constexpr const char* colorImage = "pixel_art.color";
+constexpr const char* storedDepthImage = "pixel_art.stored_depth";
+constexpr const char* facetsImage = "pixel_art.facets";
+
+glm::dvec3 towardsSun(const PixelArtTable& t, const ParameterValues& values)
+{
+    const double a = values[t.azimuth] + values[t.sunAzimuth];
+    const double e = values[t.sunElevation];
+    return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
+}
+
+/// The images and keys of one picture, and the passes that fill them.
+class Picture {
+public:
+    Picture(const PixelShot& shot, render::FramePlan& plan);
+
+    PixelBlock planned();
+
+private:
+    /// With levels, it is filtered between them; else a shader reads texels.
+    render::ResourceId image(const char* name, render::Format format, int levels = 0);
+    std::vector<render::Draw> draws() const;
+    void planShadow();
+    void planWorld();
+    void planDepth();
+    void planNormals();
+    void planLook();
+    void planDiffusion();
+    /// A pass over the whole picture, with everything that its shader may read.
+    render::Pass over(std::string name, std::string reason, const char* fragment) const;
+
+    const PixelShot& shot_;
+    const PixelArtTable& table_;
+    const ParameterValues& values_;
+    render::FramePlan& plan_;
+    PixelEye eye_;
+    render::View sunView_;
+    std::uint64_t worldKey_ = 0, shadowKey_ = 0, key_ = 0;
+    std::string depth_;
+};
+
+Picture::Picture(const PixelShot& shot, render::FramePlan& plan)
+    : shot_(shot), table_(shot.table), values_(shot.values), plan_(plan),
+      eye_(pixelView(shot.camera, shot.values[table_.snap]))
+{
+    const glm::dvec3 sun = towardsSun(table_, values_);
+    render::Box box = boundsOf(shot_.parts);
+    box.low = glm::clamp(box.low, glm::dvec3(-shadowHalf), glm::dvec3(shadowHalf));
+    box.high = glm::clamp(box.high, glm::dvec3(-shadowHalf), glm::dvec3(shadowHalf));
+    if (box.empty()) box = {glm::dvec3(-1), glm::dvec3(1)};
+    sunView_ = lightView(box, sun, glm::ivec2(shadowSize), 6);
+    PixelBlock& block = eye_.block;
+    block.sun = glm::vec3(eye_.view.viewFromWorld * glm::dvec4(sun, 0));
+    block.shadowFromView = shadowFromWorld(sunView_) * block.worldFromView;
+    block.standardDepth = values_[table_.depthOrder] == DepthOrder::standard;
+    const DepthBits bits = values_[table_.depthBits];
+    block.depthLevels = bits == DepthBits::unorm16 ? 65535.0F : bits == DepthBits::unorm24 ? 16777215.0F : 0.0F;
+    block.time = static_cast<float>(shot_.time);
+    if (values_[table_.split])
+        block.divider = static_cast<int>(std::floor(values_[table_.divider] * shot_.camera.size.x + 0.5));
+
+    render::Hash parts;
+    parts.addValue(shot_.partsId).addValue(static_cast<int>(values_[table_.world]));
+    for (const WorldPart& part : shot_.parts) parts.addValue(part.worldFromModel);
+    shadowKey_ = render::Hash(parts).addValue(sunView_.clipFromWorld).value();
+    worldKey_ =
+        render::Hash(parts).addValue(eye_.view.clipFromWorld).addValue(shot_.camera.size).addValue(shot_.time).value();
+    render::Hash all = render::Hash(parts).addValue(worldKey_).addValue(shadowKey_);
+    derive::addToKey(all, values_);
+    const render::Bytes bytes = render::std140Bytes(block);
+    all.add({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    all.addValue(shot_.keepsLit).addValue(shot_.seenSmaller);
+    if (shot_.palette)
+        for (const Rgb8& c : shot_.palette->colors) all.addValue(c);
+    key_ = all.value();
+}
+
+render::ResourceId Picture::image(const char* name, render::Format format, int levels)
+{
+    return plan_.image({.name = name,
+                        .format = format,
+                        .size = shot_.camera.size,
+                        .levels = std::max(levels, 1),
+                        .persistent = true,
+                        .nearest = levels == 0,
+                        .ownPixels = levels == 0});
+}
+
+std::vector<render::Draw> Picture::draws() const
+{
+    std::vector<render::Draw> draws;
+    for (const WorldPart& part : shot_.parts) {
+        const render::Material material = part.material ? *part.material : render::Material{};
+        render::Draw draw = surfaceDraw(part.mesh, part.worldFromModel, material);
+        PixelObjectBlock object;
+        object.worldFromModel = glm::mat4(part.worldFromModel);
+        object.worldFromModelNormals = glm::mat4(glm::dmat4(normalMatrix(glm::dmat3(part.worldFromModel))));
+        object.color = material.baseColor;
+        object.emissive = material.emissive;
+        object.id = static_cast<float>(part.firstId);
+        object.alphaCutoff =
+            material.alphaMode == render::AlphaMode::opaque ? -1.0F : std::max(material.alphaCutoff, 0.01F);
+        object.colored = part.material == nullptr;
+        draw.object = render::std140Bytes(object);
+        draw.inputs = {draw.inputs.front()};
+        draws.push_back(std::move(draw));
+    }
+    return draws;
+}
+
+void Picture::planShadow()
+{
+    if (!values_[table_.shadows]) {
+        plan_.skip("pixel_art/sun", "shadows are off");
+        plan_.image({.name = shadowImage,
+                     .format = render::Format::depth32f,
+                     .size = glm::ivec2(1),
+                     .persistent = true,
+                     .comparison = true,
+                     .ownPixels = true});
+    } else {
+        plan_.image({.name = shadowImage,
+                     .format = render::Format::depth32f,
+                     .size = glm::ivec2(shadowSize),
+                     .persistent = true,
+                     .comparison = true,
+                     .ownPixels = true});
+    }
+    render::Pass pass;
+    pass.name = values_[table_.shadows] ? "pixel_art/sun" : "pixel_art/no_sun";
+    pass.reason = values_[table_.shadows] ? "what the small world's sun reaches" : "the look's shader reads a map";
+    pass.phase = render::PassPhase::prepare;
+    pass.shader = {.vertex = "pixel_art/shadow.vert", .fragment = "kit/depth.frag"};
+    pass.view = sunView_;
+    pass.key = shadowKey_;
+    pass.depth = Attachment::cleared(shadowImage);
+    pass.state.depthTest = render::DepthTest::nearer;
+    pass.state.depthWrite = true;
+    pass.state.depthClamp = true;
+    pass.state.depthBias = {1.5F, 2};
+    if (values_[table_.shadows]) pass.draws = draws();
+    plan_.add(std::move(pass));
+}
+
+void Picture::planWorld()
+{
+    image(colorImage, render::Format::rgba16f);
+    image(pixelTruthImage, render::Format::rgba16f);
+    image(pixelDrawnDepthImage, render::Format::depth32f);
+    render::Pass pass;
+    pass.name = "pixel_art/world";
+    pass.reason = "another camera, moment or world than before";
+    pass.phase = render::PassPhase::prepare;
+    pass.shader = {.vertex = "pixel_art/world.vert", .fragment = "pixel_art/world.frag"};
+    pass.view = eye_.view;
+    pass.key = worldKey_;
+    pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(eye_.block);
+    pass.colors = {Attachment::cleared(colorImage), Attachment::cleared(pixelTruthImage)};
+    pass.depth = Attachment::cleared(pixelDrawnDepthImage);
+    pass.state.depthTest = render::DepthTest::nearer;
+    pass.state.depthWrite = true;
+    pass.draws = draws();
+    plan_.add(std::move(pass));
+}
+
+render::Pass Picture::over(std::string name, std::string reason, const char* fragment) const
+{
+    render::Pass pass = exhibitPass(std::move(name), std::move(reason), values_, "lib/fullscreen.vert", fragment);
+    pass.phase = render::PassPhase::prepare;
+    pass.key = key_;
+    pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(eye_.block);
+    pass.draws = {render::Draw{}};
+    if (shot_.camera.orthographic) pass.shader.defines.emplace_back("ORTHOGRAPHIC");
+    if (values_[table_.depthOrder] == DepthOrder::standard) pass.shader.defines.emplace_back("STANDARD_DEPTH");
+    return pass;
+}
+
+void Picture::planDepth()
+{
+    depth_ = pixelDrawnDepthImage;
+    if (values_[table_.depthBits] == DepthBits::float32 && values_[table_.depthOrder] == DepthOrder::reversed) {
+        plan_.skip("pixel_art/depth", "the depth is stored as it is drawn");
+        return;
+    }
+    depth_ = image(storedDepthImage, render::Format::r32f);
+    render::Pass pass = over("pixel_art/depth", "a depth buffer of another kind is asked for", "pixel_art/depth.frag");
+    pass.colors = {Attachment::whole(storedDepthImage)};
+    pass.inputs = {{UNIT_SOURCE, pixelDrawnDepthImage}};
+    plan_.add(std::move(pass));
+}
+
+void Picture::planNormals()
+{
+    const bool smooth = values_[table_.smoothing] > 0;
+    const NormalsBy left = values_[table_.method];
+    const NormalsBy right = values_[table_.split] ? values_[table_.rightMethod] : left;
+    image(pixelNormalImage, render::Format::rgba16f);
+    if (smooth) image(facetsImage, render::Format::rgba16f);
+    render::Pass pass = over("pixel_art/normals", "one for every texel", "pixel_art/normals.frag");
+    pass.shader.defines.push_back("LEFT_METHOD " + std::to_string(static_cast<int>(left)));
+    pass.shader.defines.push_back("RIGHT_METHOD " + std::to_string(static_cast<int>(right)));
+    pass.colors = {Attachment::whole(smooth ? facetsImage : pixelNormalImage)};
+    pass.inputs = {{UNIT_EXHIBIT_A, depth_}, {UNIT_NORMAL, pixelTruthImage}};
+    const std::int64_t lefts = eye_.block.divider, rights = shot_.camera.size.x - eye_.block.divider;
+    pass.counts["depthFetches"] = shot_.camera.size.y * (lefts * fetchesOf(left) + rights * fetchesOf(right));
+    plan_.add(std::move(pass));
+    if (!smooth) {
+        plan_.skip("pixel_art/smooth", "smoothing is 0");
+        return;
+    }
+    render::Pass mean = over("pixel_art/smooth", "facets are averaged", "pixel_art/smooth.frag");
+    mean.colors = {Attachment::whole(pixelNormalImage)};
+    mean.inputs = {{UNIT_EXHIBIT_A, depth_}, {UNIT_NORMAL, facetsImage}};
+    plan_.add(std::move(mean));
+}
+
+void Picture::planLook()
+{
+    const bool diffused = shot_.palette && values_[table_.dither] == Dither::errorDiffusion;
+    render::Pass pass = over("pixel_art/look", "light, lines and palette", "pixel_art/look.frag");
+    std::vector<std::string>& defines = pass.shader.defines;
+    const PixelView left = values_[table_.view];
+    const PixelView right = values_[table_.split] ? values_[table_.rightView] : left;
+    defines.push_back("LEFT_VIEW " + std::to_string(static_cast<int>(left)));
+    defines.push_back("RIGHT_VIEW " + std::to_string(static_cast<int>(right)));
+    if (values_[table_.outlineStrength] > 0 || values_[table_.highlightStrength] > 0) defines.emplace_back("LINES");
+    if (values_[table_.edges] == EdgeLook::source) defines.emplace_back("EDGES_OF_THE_SOURCE");
+    if (values_[table_.shadows]) defines.emplace_back("SHADOWS");
+    pass.inputs = {{UNIT_EXHIBIT_A, depth_},
+                   {UNIT_BASE_COLOR, colorImage},
+                   {UNIT_NORMAL, pixelNormalImage},
+                   {UNIT_ORM, pixelTruthImage},
+                   {UNIT_SHADOW_EXHIBITS, shadowImage}};
+    const int all = 1 + static_cast<int>(std::floor(std::log2(std::max(shot_.camera.size.x, shot_.camera.size.y))));
+    image(pixelShownImage, render::Format::rgba16f, shot_.seenSmaller ? all : 1);
+    const auto writes = [&](const char* define, const char* name) {
+        defines.push_back(define + (' ' + std::to_string(pass.colors.size())));
+        pass.colors.push_back(Attachment::whole(name));
+    };
+    if (!diffused) {
+        writes("SHOWN", pixelShownImage);
+        if (shot_.seenSmaller) pass.mipmaps = {pixelShownImage};
+    }
+    if (diffused || shot_.keepsLit) {
+        image(pixelLitImage, render::Format::rgba16f);
+        writes("LIT", pixelLitImage);
+    }
+    if (shot_.palette && !diffused) {
+        defines.emplace_back("PALETTE");
+        if (values_[table_.dither] == Dither::ordered) defines.emplace_back("ORDERED");
+        if (values_[table_.dither] == Dither::blueNoise) defines.emplace_back("BLUE_NOISE");
+        pass.inputs.push_back({UNIT_EXHIBIT_B, shot_.palette->linear});
+        pass.inputs.push_back({UNIT_EXHIBIT_C, shot_.palette->nearest});
+        pass.inputs.push_back({UNIT_EMISSIVE, blueNoise()});
+    }
+    plan_.add(std::move(pass));
+    if (diffused)
+        planDiffusion();
+    else
+        plan_.skip("pixel_art/diffuse", "errors are not diffused", render::Work::compute);
+}
+
+void Picture::planDiffusion()
+{
+    render::Pass pass = over("pixel_art/diffuse", "errors are handed on", "");
+    pass.shader.vertex = pass.shader.fragment = {};
+    pass.shader.compute = "pixel_art/diffuse.comp";
+    pass.work = render::Work::compute;
+    pass.draws.clear();
+    pass.inputs = {{UNIT_SOURCE, pixelLitImage},
+                   {UNIT_EXHIBIT_B, shot_.palette->linear},
+                   {UNIT_EXHIBIT_C, shot_.palette->nearest}};
+    pass.storage = {Attachment::whole(pixelShownImage)};
+    const std::string errors = plan_.buffer({"pixel_art.errors", std::int64_t{257} * shot_.camera.size.x * 16});
+    pass.buffers = {{STORAGE_EXHIBIT_A, errors, render::Access::readWrite}};
+    if (shot_.seenSmaller) pass.mipmaps = {pixelShownImage};
+    plan_.add(std::move(pass));
+}
+
+PixelBlock Picture::planned()
+{
+    planShadow();
+    planWorld();
+    planDepth();
+    planNormals();
+    planLook();
+    return eye_.block;
+}
+
+}  // namespace
+
+int fetchesOf(NormalsBy method)
+{
+    switch (method) {
+    case NormalsBy::trueNormals: return 1;
+    case NormalsBy::tap3: return 3;
+    case NormalsBy::tap4: return 5;
+    case NormalsBy::tap5: return 5;
+    case NormalsBy::tap9: return 13;
+    case NormalsBy::tap9Plus:
+    case NormalsBy::parabola: return 9;
+    case NormalsBy::vote: break;
+    }
+    return 65;
+}
+
+PixelBlock planPixelPicture(const PixelShot& shot, render::FramePlan& plan)
+{
+    return Picture(shot, plan).planned();
+}
+
+}  // namespace vitrine

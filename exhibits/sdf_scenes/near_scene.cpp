@@ -1,0 +1,183 @@
+#include "exhibits/sdf_scenes/near_scene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+namespace vitrine::scenes {
+namespace {
+
+constexpr std::uint32_t nothing = ~std::uint32_t{0};
+
+bool isFinite(const render::Box& box)
+{
+    return std::isfinite(glm::length(box.high - box.low));
+}
+
+/// A union whose operands stand in the scene's space and are joined as they are.
+bool isPlainUnion(const SceneProgram& program, const SceneWords& words, const ProgramNode& node)
+{
+    const bool moved = node.translate != none || node.rotate != none || node.scale != none;
+    return !moved && program.kind(node).name == "union" && words.words[node.numbers + 1] == 0;
+}
+
+/// std430, as in shaders/sdf_scenes/near.glsl.
+struct GridHead {
+    glm::vec4 low, high, heldLow, heldHigh;
+    glm::uvec4 count;
+    glm::vec4 planes[NearScene::mostPlanes];
+    std::uint32_t planeMaterials[NearScene::mostPlanes];
+};
+
+template <typename T> void append(render::Bytes& bytes, const T* first, std::size_t count)
+{
+    const std::size_t at = bytes.size();
+    bytes.resize(at + count * sizeof(T));
+    if (count > 0) std::memcpy(bytes.data() + at, first, count * sizeof(T));
+}
+
+template <typename T> std::shared_ptr<const render::Bytes> bytesOf(const std::vector<T>& all)
+{
+    render::Bytes bytes;
+    append(bytes, all.data(), all.size());
+    return std::make_shared<const render::Bytes>(std::move(bytes));
+}
+
+/// Lists of all cells, each once: where each begins.
+struct PackedLists {
+    std::vector<ListStep> steps;
+    std::map<std::uint32_t, std::uint32_t> startOf;  ///< By `SceneCell::first`.
+};
+
+PackedLists packLists(const SceneCells& cells, ListWriter& writer)
+{
+    PackedLists packed;
+    for (const SceneCell& cell : cells.cells) {
+        if (cell.count == 0) continue;
+        const auto [found, isNew] = packed.startOf.try_emplace(cell.first, std::uint32_t(packed.steps.size()));
+        if (!isNew) continue;
+        const std::vector<ListStep> list = writer.write(cells.stepsOf(cell));
+        packed.steps.insert(packed.steps.end(), list.begin(), list.end());
+    }
+    return packed;
+}
+
+render::Bytes gridBytes(const NearScene& near, const SceneWithoutPlanes& rest, const ListRecords& records,
+                        const PackedLists& packed)
+{
+    GridHead head{};
+    const SceneCells& cells = near.cells;
+    const glm::dvec3 perMeter = cells.cells.empty() ? glm::dvec3(1) : 1.0 / cells.cellSize();
+    head.low = glm::vec4(glm::dvec4(cells.cells.empty() ? glm::dvec3(0) : cells.box.low, perMeter.x));
+    head.high = glm::vec4(glm::dvec4(cells.cells.empty() ? glm::dvec3(0) : cells.box.high, perMeter.y));
+    const glm::dvec3 far(1e6);
+    head.heldLow = glm::vec4(glm::dvec4(glm::clamp(near.box.low, -far, far), perMeter.z));
+    head.heldHigh = glm::vec4(glm::dvec4(glm::clamp(near.box.high, -far, far), 0));
+    head.count = cells.cells.empty() ? glm::uvec4(0) : glm::uvec4(glm::uvec3(cells.count), 1);
+    for (std::size_t i = 0; i < rest.planes.size(); ++i) {
+        head.planes[i] = glm::vec4(glm::dvec4(rest.planes[i].normal, rest.planes[i].height));
+        head.planeMaterials[i] = records.ofMaterial(rest.planes[i].material);
+    }
+    render::Bytes bytes;
+    append(bytes, &head, 1);
+    std::vector<glm::uvec2> entries;
+    entries.reserve(cells.cells.size());
+    for (const SceneCell& cell : cells.cells) {
+        glm::uvec2 entry(cell.count > 0 ? packed.startOf.at(cell.first) : nothing, 0);
+        std::memcpy(&entry.y, &cell.distance, sizeof(float));
+        entries.push_back(entry);
+    }
+    if (entries.empty()) entries.emplace_back(0, 0);
+    append(bytes, entries.data(), entries.size());
+    return bytes;
+}
+
+}  // namespace
+
+SceneWithoutPlanes::SceneWithoutPlanes(const SceneProgram& program, const SceneWords& words, std::size_t mostPlanes)
+{
+    const std::vector<ProgramNode>& nodes = program.nodes();
+    std::vector<char> plain(nodes.size(), 0), gone(nodes.size(), 0);
+    std::vector<std::uint32_t> left(nodes.size(), 0);
+    const ListRecords ways(program, words);
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        const bool inPlain = nodes[i].parent == none || plain[nodes[i].parent] != 0;
+        plain[i] = inPlain && isPlainUnion(program, words, nodes[i]);
+        left[i] = nodes[i].children;
+        if (!inPlain || program.kind(nodes[i]).name != "plane" || planes.size() >= mostPlanes) continue;
+        const double* v = words.words.data() + nodes[i].numbers;
+        const ListRecords::Way& way = ways.way(i);
+        const glm::dvec3 normal(v[0], v[1], v[2]);
+        const glm::dvec3 turned = way.scale * (glm::transpose(way.turn) * normal);
+        if (std::abs(glm::length(turned) - 1) > 1e-9) continue;  // An uneven scale makes it a mere bound.
+        gone[i] = 1;
+        planes.push_back({turned, way.scale * (v[3] - glm::dot(normal, way.shift)), nodes[i].material});
+    }
+    for (std::uint32_t i = static_cast<std::uint32_t>(nodes.size()); i-- > 0;) {
+        if (plain[i] != 0 && left[i] == 0) gone[i] = 1;
+        if (gone[i] != 0 && nodes[i].parent != none) --left[nodes[i].parent];
+    }
+    // Every box of a plain union is in the scene's space.
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        const bool whole = gone[i] == 0 && plain[i] == 0 && (nodes[i].parent == none || plain[nodes[i].parent] != 0);
+        if (!whole) continue;
+        box.include(words.extents[i].box.low);
+        box.include(words.extents[i].box.high);
+    }
+    std::vector<char> joined(nodes.size(), 0);
+    for (const Step& step : program.steps()) {
+        const bool joins = step.type == Step::Type::first || step.type == Step::Type::combine;
+        if (gone[step.node] != 0 || (joins && gone[step.child] != 0)) continue;
+        steps.push_back(step);
+        if (joins && joined[step.node] == 0) steps.back().type = Step::Type::first;
+        if (joins) joined[step.node] = 1;
+    }
+}
+
+std::uint32_t planesOf(const SceneProgram& program, const SceneWords& words)
+{
+    return static_cast<std::uint32_t>(SceneWithoutPlanes(program, words, NearScene::mostPlanes).planes.size());
+}
+
+int cellsAcross(std::size_t shapes)
+{
+    // A cell is about as large as a shape of an even cloud of them, twice over.
+    return std::clamp(static_cast<int>(14 * std::cbrt(static_cast<double>(shapes))), 24, 144);
+}
+
+std::shared_ptr<const NearScene> nearScene(const SceneProgram& program, const SceneWords& words,
+                                           const ListVocabulary& vocabulary, int across)
+{
+    const auto begun = std::chrono::steady_clock::now();
+    auto near = std::make_shared<NearScene>();
+    SceneWithoutPlanes rest(program, words, across > 0 ? NearScene::mostPlanes : 0);
+    near->planes = static_cast<std::uint32_t>(rest.planes.size());
+    near->box = rest.box;
+    const ListRecords records(program, words);
+    ListWriter writer(program, vocabulary, &records);
+    PackedLists packed;
+    const bool ends = across > 0 && isFinite(rest.box) && !rest.steps.empty();
+    const render::Box occupied = ends ? occupiedBox(program, words, rest.steps, rest.box) : render::Box{};
+    if (!occupied.empty()) {
+        near->box = occupied;
+        const double longest = std::max({near->box.high.x - near->box.low.x, near->box.high.y - near->box.low.y,
+                                         near->box.high.z - near->box.low.z, 1e-3});
+        const render::Box box = grown(near->box, 0.05 * longest);
+        const double cell = 1.1 * longest / across;
+        const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(2.0 * box.halfSize() / cell - 1e-9)), glm::ivec3(1));
+        near->cells = pruneCells(program, words, rest.steps, box, count);
+        packed = packLists(near->cells, writer);
+    } else {
+        packed.steps = writer.write(rest.steps);
+    }
+    if (packed.steps.empty()) packed.steps.emplace_back();
+    near->records = bytesOf(records.records());
+    near->lists = bytesOf(packed.steps);
+    near->grid = std::make_shared<const render::Bytes>(gridBytes(*near, rest, records, packed));
+    near->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return near;
+}
+
+}  // namespace vitrine::scenes

@@ -1,0 +1,233 @@
+#include "exhibits/sdf_scenes/step_lists.h"
+
+#include <algorithm>
+
+namespace vitrine::scenes {
+namespace {
+
+bool isSpace(const NodeKind& kind)
+{
+    return kind.form == Form::modifier || kind.form == Form::repeater;
+}
+
+/// The choice of a kind that combines; 0 where it has none.
+int choiceOf(const SceneProgram& program, const ProgramNode& node)
+{
+    const Node& of = program.scene().nodes[node.node];
+    const std::vector<Field>& fields = of.kind->fields;
+    if (fields.empty() || fields.front().type != FieldType::choice) return 0;
+    return static_cast<int>(program.scene().numbers[of.numbers].value);
+}
+
+template <typename T> void addOnce(std::vector<T>& all, const T& one)
+{
+    if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+template <typename T> std::uint32_t indexOf(const std::vector<T>& all, const T& one)
+{
+    return static_cast<std::uint32_t>(std::find(all.begin(), all.end(), one) - all.begin());
+}
+
+}  // namespace
+
+ListVocabulary ListVocabulary::everything(std::uint32_t results, std::uint32_t places)
+{
+    ListVocabulary all;
+    all.results = results;
+    all.places = places;
+    for (const NodeKind& kind : nodeKinds()) {
+        if (kind.form == Form::shape) all.shapes.push_back(&kind);
+        if (isSpace(kind)) all.spaces.push_back(&kind);
+        if (!kind.combine) continue;
+        const std::size_t choices =
+            kind.fields.front().type == FieldType::choice ? kind.fields.front().choices.size() : 1;
+        for (std::size_t choice = 0; choice < choices; ++choice)
+            all.joints.push_back({&kind, static_cast<int>(choice)});
+    }
+    return all;
+}
+
+ListVocabulary ListVocabulary::of(const SceneProgram& program)
+{
+    ListVocabulary own;
+    for (const ProgramNode& node : program.nodes()) {
+        const NodeKind& kind = program.kind(node);
+        if (kind.form == Form::shape) addOnce(own.shapes, &kind);
+        if (isSpace(kind)) addOnce(own.spaces, &kind);
+        if (kind.combine && node.children > 1) addOnce(own.joints, {&kind, choiceOf(program, node)});
+    }
+    // In the order of the table, so that other trees of the same kinds have the same text.
+    std::sort(own.shapes.begin(), own.shapes.end());
+    std::sort(own.spaces.begin(), own.spaces.end());
+    std::sort(own.joints.begin(), own.joints.end(),
+              [](const Joint& a, const Joint& b) { return a.kind != b.kind ? a.kind < b.kind : a.choice < b.choice; });
+    if (program.nodes().empty()) return own;
+    ListWriter writer(program, own, nullptr);
+    (void)writer.write(program.steps());
+    own.results = writer.results();
+    own.places = writer.places();
+    return own;
+}
+
+ListRecords::ListRecords(const SceneProgram& program, const SceneWords& words)
+    : program_(program), words_(words), nodes_(program.nodes().size()),
+      materials_(program.scene().materials.size(), none), ways_(program.nodes().size())
+{
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i) addNode(i);
+    for (std::uint32_t m = 0; m < materials_.size(); ++m) {
+        if (program.materialWord(m) == none) continue;
+        materials_[m] = static_cast<std::uint32_t>(records_.size());
+        const double* w = words.words.data() + program.materialWord(m);
+        for (std::size_t i = 0; i < wordsOfMaterial; i += 4)
+            records_.push_back(glm::vec4(glm::dvec4(w[i], w[i + 1], w[i + 2], w[i + 3])));
+    }
+    records_.resize(records_.size() + 4, glm::vec4(0));  // A step may read what it has no use for.
+}
+
+void ListRecords::addNode(std::uint32_t index)
+{
+    const ProgramNode& node = program_.nodes()[index];
+    const NodeKind& kind = program_.kind(node);
+    const double* w = words_.words.data();
+    Way way;
+    if (node.parent != none && !isSpace(program_.kind(program_.nodes()[node.parent]))) way = ways_[node.parent];
+    if (node.translate != none)
+        way.shift -= glm::dvec3(w[node.translate], w[node.translate + 1], w[node.translate + 2]);
+    if (node.rotate != none) {
+        const double* r = w + node.rotate;
+        const glm::dmat3 axes = glm::transpose(glm::dmat3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]));
+        way.turn = axes * way.turn;
+        way.shift = axes * way.shift;
+    }
+    if (node.scale != none) {
+        const glm::dvec3 factor(w[node.scale], w[node.scale + 1], w[node.scale + 2]);
+        const glm::dmat3 scale(factor.x, 0, 0, 0, factor.y, 0, 0, 0, factor.z);
+        way.turn = scale * way.turn;
+        way.shift = scale * way.shift;
+        way.scale *= w[node.scale + 3];
+    }
+    ways_[index] = way;
+    nodes_[index] = static_cast<std::uint32_t>(records_.size());
+    for (int row = 0; row < 3; ++row)
+        records_.push_back(glm::vec4(glm::dvec4(way.turn[0][row], way.turn[1][row], way.turn[2][row], way.shift[row])));
+    std::vector<double> numbers{way.scale};
+    const std::size_t count = kind.numbers() + (kind.form == Form::repeater ? numbersOfAsked : 0);
+    numbers.insert(numbers.end(), w + node.numbers, w + node.numbers + count);
+    // Operations that change no space work in the one around them, where their lengths are others.
+    if (kind.combine) {
+        std::size_t at = 1;
+        for (const Field& field : kind.fields) {
+            if (field.unit == Unit::meter) numbers[at] *= way.scale;
+            at += numbersOf(field.type);
+        }
+    }
+    numbers.resize((numbers.size() + 3) / 4 * 4, 0);
+    for (std::size_t i = 0; i < numbers.size(); i += 4)
+        records_.push_back(glm::vec4(glm::dvec4(numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3])));
+}
+
+ListWriter::ListWriter(const SceneProgram& program, const ListVocabulary& vocabulary, const ListRecords* records)
+    : program_(program), vocabulary_(vocabulary), records_(records), children_(program.nodes().size()),
+      opened_(program.nodes().size()), began_(program.nodes().size())
+{
+}
+
+std::uint32_t ListWriter::spaceOf(const NodeKind& kind) const
+{
+    return static_cast<std::uint32_t>(vocabulary_.shapes.size()) + static_cast<std::uint32_t>(ListOp::enter) +
+           3 * indexOf(vocabulary_.spaces, &kind);
+}
+
+std::uint32_t ListWriter::jointOf(const ProgramNode& node) const
+{
+    return 2 + indexOf(vocabulary_.joints, {&program_.kind(node), choiceOf(program_, node)});
+}
+
+void ListWriter::add(std::uint32_t operation, std::uint32_t node, std::uint32_t further)
+{
+    list_.push_back({operation, records_ ? records_->ofNode(node) : 0, 0, further});
+}
+
+/// The result that waits goes to the level that is open.
+void ListWriter::join(std::uint32_t how, std::uint32_t parent)
+{
+    if (waiting_ == none) return;
+    list_[waiting_].operation |= how << 8U;
+    list_[waiting_].joint = records_ ? records_->ofNode(parent) : 0;
+    waiting_ = none;
+    fresh_.back() = 0;
+}
+
+void ListWriter::begin(const Step& step)
+{
+    const ProgramNode& node = program_.nodes()[step.node];
+    const NodeKind& kind = program_.kind(node);
+    if (kind.form == Form::shape) return;
+    const auto shapes = static_cast<std::uint32_t>(vocabulary_.shapes.size());
+    opened_[step.node] = isSpace(kind) || (fresh_.back() == 0 && children_[step.node] > 1);
+    if (opened_[step.node] == 0) return;
+    if (isSpace(kind)) {
+        add(spaceOf(kind), step.node);
+        places_ = std::max(places_, ++inside_);
+    } else {
+        add(shapes + static_cast<std::uint32_t>(ListOp::open), step.node);
+    }
+    began_[step.node] = static_cast<std::uint32_t>(list_.size());
+    results_ = std::max(results_, ++depth_);
+    fresh_.push_back(1);
+}
+
+void ListWriter::end(const Step& step)
+{
+    const NodeKind& kind = program_.kind(program_.nodes()[step.node]);
+    if (kind.form == Form::shape || opened_[step.node] == 0) return;
+    const auto shapes = static_cast<std::uint32_t>(vocabulary_.shapes.size());
+    add(shapes + static_cast<std::uint32_t>(isSpace(kind) ? ListOp::leave : ListOp::close), step.node);
+    waiting_ = static_cast<std::uint32_t>(list_.size() - 1);
+    --depth_;
+    inside_ -= isSpace(kind) ? 1 : 0;
+    fresh_.pop_back();
+}
+
+std::vector<ListStep> ListWriter::write(std::span<const Step> steps)
+{
+    list_.clear();
+    fresh_.assign(1, 1);
+    waiting_ = none;
+    depth_ = inside_ = results_ = places_ = 0;
+    for (const Step& step : steps) {
+        if (step.type == Step::Type::enter) children_[step.node] = 0;
+        if (step.type == Step::Type::first || step.type == Step::Type::combine) ++children_[step.node];
+    }
+    for (const Step& step : steps) {
+        const ProgramNode& node = program_.nodes()[step.node];
+        switch (step.type) {
+        case Step::Type::enter: begin(step); break;
+        case Step::Type::shape:
+            add(indexOf(vocabulary_.shapes, &program_.kind(node)), step.node,
+                records_ ? records_->ofMaterial(node.material) : 0);
+            waiting_ = static_cast<std::uint32_t>(list_.size() - 1);
+            break;
+        case Step::Type::first:
+            // A level of its own begins with it; else it goes on to the operation around.
+            if (fresh_.back() != 0 && (opened_[step.node] != 0 || children_[step.node] > 1)) join(1, step.node);
+            break;
+        case Step::Type::combine: join(jointOf(node), step.node); break;
+        case Step::Type::modify:
+            join(1, step.node);
+            if (program_.kind(node).after) add(spaceOf(program_.kind(node)) + 1, step.node);
+            break;
+        case Step::Type::again:
+            join(1, step.node);
+            add(spaceOf(program_.kind(node)) + 2, step.node, began_[step.node]);
+            break;
+        case Step::Type::leave: end(step); break;
+        }
+    }
+    join(1, 0);
+    for (std::size_t i = 0; i + 1 < list_.size(); ++i) list_[i].operation |= moreSteps;
+    return list_;
+}
+
+}  // namespace vitrine::scenes

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "exhibits/sprites/sprite_shots.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// What these values (of `SpriteTable`) ask to draw.
+[[nodiscard]] SpriteRequest spriteRequest(const ParameterValues&, const std::string& animation);
+
+/// The object that they name: a file is read. Throws Failure as SpriteSubject does.
+[[nodiscard]] std::shared_ptr<const SpriteSubject> spriteSubject(const ParameterValues&);
+
+/// The frames of these values as a sheet of that file name.
+[[nodiscard]] SpriteSheet sheetOf(const std::vector<SpriteFrame>&, const ParameterValues&, const std::string& animation,
+                                  const SpriteSubject&, const std::string& imageName);
+
+/// The files of a sheet that is written to `out` ("hero.png": also "hero_normal.png", "hero_depth.png", "hero.json").
+[[nodiscard]] std::vector<std::filesystem::path> sheetFiles(const ParameterValues&, const std::filesystem::path& out);
+
+/// Writes them. Throws Failure naming file and cause; then those that were written are taken away again.
+void writeSheet(const SpriteSheet&, const ParameterValues&, const std::filesystem::path& out);
+
+}  // namespace vitrine

@@ -1,0 +1,79 @@
+// Outlines, highlights and creases of one texel. After pixel_art/picture.glsl; `surfaceAt(ivec2)`, normal and number, is
+// defined before.
+
+struct Edges {
+    float outline;    // 1 on the near side of a step in depth, or between objects
+    float highlight;  // 1 on edges that face the light and the eye
+    float crease;     // 1 in the corner where two faces meet that look at each other
+};
+
+const vec3 HIGHLIGHT_BIAS = vec3(1.0, 1.0, 1.0);
+
+// How much farther from the eye a point is than the plane through another one, of which it lies `away`, in widths of a
+// texel. Positive: the plane is on the near side. In perspective the plane goes on while the ray to the point turns: to
+// first order, over one texel.
+float gapTo(vec3 away, vec3 n, float width)
+{
+    float predicted = -(n.x * away.x + n.y * away.y) / max(n.z, 0.12);
+    return (predicted - away.z) / width;
+}
+
+// A texel beyond the border of the picture is the one at it, from which nothing sets it off. All four neighbors are read
+// before anything is decided.
+Edges ourEdges(DepthLens lens, ivec2 p, float depth, vec4 surface)
+{
+    Edges e = Edges(0.0, 0.0, 0.0);
+    vec3 n = surface.xyz;
+    vec3 place = positionAt(lens, p, depth);
+    float width = texelWidth(lens, depth);
+    float leastTurn = parameters.edgeAngle * parameters.edgeAngle * 0.5;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 q = p + ivec2(i == 0 ? 1 : i == 1 ? -1 : 0, i == 2 ? 1 : i == 3 ? -1 : 0);
+        q = clamp(q, ivec2(0), lens.size - 1);
+        float d = depthAt(q);
+        vec4 other = surfaceAt(q);
+        vec3 m = other.xyz;
+        vec3 there = positionAt(lens, q, d);
+        vec3 away = there - place;
+        float gap = gapTo(away, n, width);
+        float back = gapTo(vec3(0.0) - away, m, width);
+        // Both planes have to miss: the fold of a roof is no step.
+        bool nothing = isSky(lens, d);
+        bool apart = min(abs(gap), abs(back)) > parameters.outlineGap;
+        bool named = parameters.objectOutlines && other.a != surface.a;
+        float line = named && surface.a > other.a ? 0.6 : 0.0;
+        line = apart ? (there.z < place.z ? 1.0 : 0.0) : line;
+        e.outline = max(e.outline, nothing ? 1.0 : line);
+        vec3 turn = n - m;
+        bool folded = !nothing && !apart && !named && 1.0 - dot(n, m) >= leastTurn;
+        float convex = -dot(turn, away);
+        bool chosen = dot(turn, HIGHLIGHT_BIAS) > 0.0;
+        e.highlight = folded && chosen && convex > 0.0 ? 1.0 : e.highlight;
+        e.crease = folded && !chosen && convex < 0.0 ? 1.0 : e.crease;
+    }
+    return e;
+}
+
+// The formulas that the source had from others: sums of absolute differences in meters, smoothed steps.
+Edges sourceEdges(DepthLens lens, ivec2 p, float depth, vec3 n)
+{
+    float z = viewDistance(lens, depth);
+    float nearer = 0.0;
+    float farther = 0.5;
+    float turned = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 q = p + ivec2(i == 0 ? 1 : i == 1 ? -1 : 0, i == 2 ? 1 : i == 3 ? -1 : 0);
+        q = clamp(q, ivec2(0), lens.size - 1);
+        float zq = viewDistance(lens, depthAt(q));
+        nearer += clamp(zq - z, 0.0, 1.0);
+        farther += z - zq;
+        vec3 m = surfaceAt(q).xyz;
+        turned += (1.0 - dot(n, m)) * smoothstep(-0.01, 0.01, dot(n - m, HIGHLIGHT_BIAS));
+    }
+    float behind = step(0.5, clamp(farther, 0.0, 1.0)) * clamp((farther - 0.5) * 10.0, 0.0, 1.0);
+    Edges e;
+    e.outline = smoothstep(0.2, 0.3, nearer);
+    e.highlight = clamp(smoothstep(0.2, 0.8, turned) - behind, 0.0, 1.0);
+    e.crease = 0.0;
+    return e;
+}

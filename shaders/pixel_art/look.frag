@@ -1,0 +1,150 @@
+// The finished look, or a view of what it is made of. Linear display light; a: 1 where anything is seen. Before the
+// palette, a is 2 in what is no finished picture and keeps its own colors. Permutations: LEFT_VIEW and RIGHT_VIEW, numbers
+// of the row `view`; LINES, EDGES_OF_THE_SOURCE, SHADOWS; SHOWN and LIT, locations of the picture with the palette and of the one
+// before; PALETTE, and those of pixel_art/dither.glsl. No branch stands where a program may know: some processors run both sides.
+#include "pixel_art/picture.glsl"
+#include "lib/heat_color.glsl"
+
+layout(binding = UNIT_BASE_COLOR) uniform sampler2D colors;
+layout(binding = UNIT_NORMAL) uniform sampler2D normals;
+layout(binding = UNIT_ORM) uniform sampler2D trueNormals;
+layout(binding = UNIT_SHADOW_EXHIBITS) uniform sampler2DShadow shadowMap;
+
+#ifdef SHOWN
+layout(location = SHOWN) out vec4 shown;
+#endif
+#ifdef LIT
+layout(location = LIT) out vec4 lit;
+#endif
+#ifdef PALETTE
+#include "pixel_art/dither.glsl"
+#endif
+
+// The normal, and the number of what it belongs to.
+vec4 surfaceAt(ivec2 p)
+{
+    return texelFetch(normals, p, 0);
+}
+
+#include "pixel_art/edges.glsl"
+
+Edges edgesAt(DepthLens lens, ivec2 p, float depth, vec4 surface)
+{
+#ifdef EDGES_OF_THE_SOURCE
+    return sourceEdges(lens, p, depth, surface.xyz);
+#else
+    Edges e = ourEdges(lens, p, depth, surface);
+    if (isSky(lens, depth)) e = Edges(0.0, 0.0, 0.0);
+    return e;
+#endif
+}
+
+float sunlit(vec3 place, vec3 n, float width)
+{
+#ifdef SHADOWS
+    // Out of the surface by more than the map's texel is wide.
+    vec4 at = pixel.shadowFromView * vec4(place + n * (0.6 * width + 0.02) + pixel.sun * 0.02, 1.0);
+    float reached = texture(shadowMap, at.xyz);
+    bool beyond = any(lessThan(at.xyz, vec3(0.0))) || any(greaterThan(at.xy, vec2(1.0)));
+    return beyond ? 1.0 : reached;
+#else
+    return 1.0;
+#endif
+}
+
+// Light in so many even tones: the darkest is none, the brightest all.
+float banded(float light)
+{
+    int bands = parameters.bands;
+    if (bands < 2) return light;
+    float steps = float(bands - 1);
+    return min(floor(light * float(bands)), steps) / steps;
+}
+
+vec3 skyColor(ivec2 p)
+{
+    float up = (float(p.y) + 0.5) / float(pixel.size.y);
+    float towardsView = dot(pixel.up, vec3(0.0, 0.0, -1.0));
+    return mix(parameters.horizon, parameters.zenith, clamp(up * 0.8 + 0.2 * towardsView, 0.0, 1.0));
+}
+
+vec3 finished(ivec2 p, DepthLens lens, float depth, vec4 surface)
+{
+    bool sky = isSky(lens, depth);
+    vec4 base = texelFetch(colors, p, 0);
+    vec3 n = surface.xyz;
+    vec3 place = positionAt(lens, p, depth);
+    float faces = clamp(dot(n, pixel.sun), 0.0, 1.0);
+    float light = banded(faces * sunlit(place, n, texelWidth(lens, depth)));
+    float up = 0.5 + 0.5 * dot(n, pixel.up);
+    vec3 shade = mix(parameters.bounceLight, parameters.shadeLight, floor(up * 3.0 + 0.52) / 3.0);
+    vec3 color = base.rgb * (shade + parameters.sunLight * light);
+    color += base.rgb * ((base.a - 1.0) * 1.6);
+    if (sky) color = skyColor(p);
+#ifndef LINES
+    return color;
+#else
+    Edges e = edgesAt(lens, p, depth, surface);
+#ifdef EDGES_OF_THE_SOURCE
+    color = mix(color, mix(color, parameters.highlightColor, parameters.highlightStrength), e.highlight);
+    return mix(color, mix(color, parameters.outlineColor, parameters.outlineStrength), e.outline);
+#else
+    float glows = clamp(base.a - 1.0, 0.0, 1.0);
+    vec3 lighter = mix(color * 1.5, parameters.highlightColor, 0.35) * mix(0.75, 1.0, light);
+    color = mix(color, lighter, clamp(2.5 * parameters.highlightStrength, 0.0, 1.0) * e.highlight * (1.0 - glows));
+    vec3 own = color * vec3(0.20, 0.16, 0.30);
+    color = mix(color, mix(color, own, 0.6), parameters.outlineStrength * e.crease * (1.0 - e.outline));
+    vec3 line = mix(parameters.outlineColor, own, parameters.coloredOutline);
+    return mix(color, line, parameters.outlineStrength * e.outline * (1.0 - 0.7 * glows));
+#endif
+#endif
+}
+
+// `view` is known to the program: the other views are not in it.
+vec4 viewOf(int view, ivec2 p, DepthLens lens, float depth, vec4 surface)
+{
+    bool sky = isSky(lens, depth);
+    if (view == view_finished) return vec4(clamp(finished(p, lens, depth, surface), 0.0, 1.0), sky ? 0.0 : 1.0);
+    vec3 color = vec3(0.0);
+    if (view == view_normals) color = pow(surface.xyz * 0.5 + 0.5, vec3(2.2));
+    if (view == view_error && !sky) {
+        float cosine = dot(surface.xyz, texelFetch(trueNormals, p, 0).xyz);
+        color = heatColor(degrees(acos(clamp(cosine, -1.0, 1.0))) / parameters.errorScale);
+    }
+    if (view == view_depth && !sky) {
+        float near = viewDistance(lens, depth);
+        color = vec3(0.9 * clamp(1.0 - (near - parameters.distance * 0.55) / (parameters.distance * 0.9), 0.0, 1.0));
+    }
+    if (view == view_edges) {
+        Edges e = edgesAt(lens, p, depth, surface);
+        color = vec3(0.05) + vec3(0.9, 0.25, 0.1) * e.outline + vec3(0.1, 0.75, 0.3) * e.highlight +
+                vec3(0.1, 0.3, 0.9) * e.crease;
+    }
+    return vec4(clamp(color, 0.0, 1.0), 2.0);
+}
+
+void main()
+{
+    DepthLens lens = pictureLens();
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    float depth = depthAt(p);
+    vec4 surface = surfaceAt(p);
+#if LEFT_VIEW == RIGHT_VIEW
+    vec4 color = viewOf(LEFT_VIEW, p, lens, depth, surface);
+#else
+    vec4 color;
+    if (p.x < pixel.divider)
+        color = viewOf(LEFT_VIEW, p, lens, depth, surface);
+    else
+        color = viewOf(RIGHT_VIEW, p, lens, depth, surface);
+#endif
+#ifdef LIT
+    lit = color;
+#endif
+#ifdef SHOWN
+    shown = vec4(color.rgb, min(color.a, 1.0));
+#ifdef PALETTE
+    if (color.a < 1.5) shown.rgb = paletteColor(ditheredIndex(color.rgb, p));
+#endif
+#endif
+}

@@ -1,0 +1,275 @@
+// Normals from a depth buffer. GLSL and C++ (exhibits/pixel_art/normals_cpu.h): whoever includes this file defines
+// `float depthAt(ivec2)`, the stored value of a texel within the picture, before.
+//
+// Methods by the number of texels they look at: 3 and 4 are differences to fixed neighbors; 5 takes the nearer neighbor
+// of each axis (Turanszki 2019, "Improved normal reconstruction from depth"); 9 the one on whose line the texel lies
+// (Wu 2021, "Accurate Normal Reconstruction from Depth Buffer"), in stored depth, which is affine on every plane; 9+
+// chooses before it unprojects. Where a neighbor is outside the picture, the other side counts.
+
+struct DepthLens {
+    vec2 halfExtent;    // of the picture: meters, or tangents in perspective
+    float nearPlane;    // meters
+    float farPlane;
+    bool orthographic;
+    bool standardDepth; // near 0, far 1; else near 1, far 0
+    ivec2 size;         // texels
+    float quantum;      // of stored depth; 0: of floats
+};
+
+// Beyond any error that two texels can have.
+const float DEPTH_UNKNOWN = 8.0;
+// What rounding to 32-bit floats can make of a line's error, of reversed depth.
+const float DEPTH_NOISE = 6e-7;
+
+bool isSky(DepthLens lens, float depth)
+{
+    return lens.standardDepth ? depth >= 1.0 : depth <= 0.0;
+}
+
+float viewDistance(DepthLens lens, float depth)
+{
+    float d = lens.standardDepth ? 1.0 - depth : depth;
+    float span = lens.farPlane - lens.nearPlane;
+    return lens.orthographic ? lens.farPlane - d * span : lens.nearPlane * lens.farPlane / (lens.nearPlane + d * span);
+}
+
+// View space, meters; `texel` is its middle when it ends in a half.
+vec3 viewPosition(DepthLens lens, vec2 texel, float depth)
+{
+    float z = viewDistance(lens, depth);
+    vec2 at = (texel / vec2(lens.size) * 2.0 - vec2(1.0)) * lens.halfExtent;
+    float wide = lens.orthographic ? 1.0 : z;
+    return vec3(at.x * wide, at.y * wide, -z);
+}
+
+vec3 positionAt(DepthLens lens, ivec2 p, float depth)
+{
+    return viewPosition(lens, vec2(p) + vec2(0.5), depth);
+}
+
+// Width of a texel at this depth, meters.
+float texelWidth(DepthLens lens, float depth)
+{
+    float wide = lens.orthographic ? 1.0 : viewDistance(lens, depth);
+    return 2.0 * lens.halfExtent.y * wide / float(lens.size.y);
+}
+
+bool isInside(DepthLens lens, ivec2 p)
+{
+    return p.x >= 0 && p.y >= 0 && p.x < lens.size.x && p.y < lens.size.y;
+}
+
+vec3 unitOrFacing(vec3 n)
+{
+    float square = dot(n, n);
+    return square > 1e-30 && square < 1e30 ? n * (1.0 / sqrt(square)) : vec3(0.0, 0.0, 1.0);
+}
+
+// A step along one axis: `side` -1 or 1, and the position there.
+vec3 stepTo(DepthLens lens, ivec2 p, ivec2 axis, int side, float depth, vec3 center)
+{
+    vec3 there = positionAt(lens, p + axis * side, depth);
+    return float(side) * (there - center);
+}
+
+float depthOr(DepthLens lens, ivec2 p, float otherwise)
+{
+    return isInside(lens, p) ? depthAt(p) : otherwise;
+}
+
+vec3 normal3Tap(DepthLens lens, ivec2 p)
+{
+    float c = depthAt(p);
+    vec3 center = positionAt(lens, p, c);
+    int right = p.x + 1 < lens.size.x ? 1 : -1;
+    int up = p.y + 1 < lens.size.y ? 1 : -1;
+    vec3 h = stepTo(lens, p, ivec2(1, 0), right, depthOr(lens, p + ivec2(right, 0), c), center);
+    vec3 v = stepTo(lens, p, ivec2(0, 1), up, depthOr(lens, p + ivec2(0, up), c), center);
+    return unitOrFacing(cross(h, v));
+}
+
+// Both neighbors of an axis; at the border, the texel itself in place of the one that is missing.
+vec3 across(DepthLens lens, ivec2 p, ivec2 axis, float c)
+{
+    ivec2 low = isInside(lens, p - axis) ? p - axis : p;
+    ivec2 high = isInside(lens, p + axis) ? p + axis : p;
+    if (low == high) high = p + axis;
+    return positionAt(lens, high, depthOr(lens, high, c)) - positionAt(lens, low, depthOr(lens, low, c));
+}
+
+vec3 normal4Tap(DepthLens lens, ivec2 p)
+{
+    float c = depthAt(p);
+    return unitOrFacing(cross(across(lens, p, ivec2(1, 0), c), across(lens, p, ivec2(0, 1), c)));
+}
+
+vec3 nearerStep(DepthLens lens, ivec2 p, ivec2 axis, float c, vec3 center)
+{
+    vec3 low = stepTo(lens, p, axis, -1, depthOr(lens, p - axis, c), center);
+    vec3 high = stepTo(lens, p, axis, 1, depthOr(lens, p + axis, c), center);
+    if (!isInside(lens, p - axis)) return high;
+    if (!isInside(lens, p + axis)) return low;
+    return abs(low.z) < abs(high.z) ? low : high;
+}
+
+vec3 normal5Tap(DepthLens lens, ivec2 p)
+{
+    float c = depthAt(p);
+    vec3 center = positionAt(lens, p, c);
+    return unitOrFacing(
+        cross(nearerStep(lens, p, ivec2(1, 0), c, center), nearerStep(lens, p, ivec2(0, 1), c, center)));
+}
+
+// How far the line through two texels of one side misses the middle one.
+float lineError(DepthLens lens, ivec2 p, ivec2 stride, float c)
+{
+    ivec2 first = p + stride;
+    ivec2 second = first + stride;
+    if (!isInside(lens, first)) return 2.0 * DEPTH_UNKNOWN;
+    if (!isInside(lens, second)) return DEPTH_UNKNOWN;
+    return abs(2.0 * depthAt(first) - depthAt(second) - c);
+}
+
+// How much better a side has to be: what is less decides nothing, so that the choice on a plane stays when the camera
+// moves by whole texels and depths come out a rounding apart.
+float certainty(DepthLens lens, float c)
+{
+    return DEPTH_NOISE * (lens.standardDepth ? 1.0 - c : c);
+}
+
+int lineSide(DepthLens lens, ivec2 p, ivec2 axis, float c)
+{
+    return lineError(lens, p, ivec2(0) - axis, c) + certainty(lens, c) < lineError(lens, p, axis, c) ? -1 : 1;
+}
+
+// As it was first written: both steps of each axis, then one of them.
+vec3 normal9Tap(DepthLens lens, ivec2 p)
+{
+    float c = depthAt(p);
+    vec3 center = positionAt(lens, p, c);
+    vec3 left = stepTo(lens, p, ivec2(1, 0), -1, depthOr(lens, p - ivec2(1, 0), c), center);
+    vec3 right = stepTo(lens, p, ivec2(1, 0), 1, depthOr(lens, p + ivec2(1, 0), c), center);
+    vec3 down = stepTo(lens, p, ivec2(0, 1), -1, depthOr(lens, p - ivec2(0, 1), c), center);
+    vec3 up = stepTo(lens, p, ivec2(0, 1), 1, depthOr(lens, p + ivec2(0, 1), c), center);
+    vec3 h = lineSide(lens, p, ivec2(1, 0), c) < 0 ? left : right;
+    vec3 v = lineSide(lens, p, ivec2(0, 1), c) < 0 ? down : up;
+    return unitOrFacing(cross(h, v));
+}
+
+struct Side {
+    int way;     // -1 or 1
+    float first; // stored depth of the texel there, ...
+    float second; // ... and of the one beyond it; the line through middle and first where that is outside
+    float error; // as `lineError`
+};
+
+Side sideAt(DepthLens lens, ivec2 p, ivec2 axis, int way, float c)
+{
+    Side side;
+    ivec2 first = p + axis * way;
+    ivec2 second = first + axis * way;
+    bool one = isInside(lens, first);
+    bool two = isInside(lens, second);
+    side.way = way;
+    side.first = depthAt(one ? first : p);
+    float beyond = depthAt(two ? second : p);
+    side.second = two ? beyond : 2.0 * side.first - c;
+    side.error = two ? abs(2.0 * side.first - beyond - c) : one ? DEPTH_UNKNOWN : 2.0 * DEPTH_UNKNOWN;
+    return side;
+}
+
+Side betterSide(Side low, Side high, float certain)
+{
+    if (low.error + certain < high.error) return low;
+    return high;
+}
+
+Side chosenSide(DepthLens lens, ivec2 p, ivec2 axis, float c)
+{
+    return betterSide(sideAt(lens, p, axis, -1, c), sideAt(lens, p, axis, 1, c), certainty(lens, c));
+}
+
+vec3 normal9TapPlus(DepthLens lens, ivec2 p)
+{
+    float c = depthAt(p);
+    Side h = chosenSide(lens, p, ivec2(1, 0), c);
+    Side v = chosenSide(lens, p, ivec2(0, 1), c);
+    vec3 center = positionAt(lens, p, c);
+    return unitOrFacing(cross(stepTo(lens, p, ivec2(1, 0), h.way, h.first, center),
+                              stepTo(lens, p, ivec2(0, 1), v.way, v.first, center)));
+}
+
+// Change of stored depth over one texel to that side, at the middle and not half a texel beyond it: of the parabola
+// through three texels. The more the correction is of the difference, the likelier an edge lies two texels away: beyond
+// three tenths it falls, and from six on there is none. On planes it is 0, for what rounding can bend does not count.
+float slopeAt(DepthLens lens, Side side, float c)
+{
+    float first = side.first - c;
+    float bend = 0.5 * (c - 2.0 * side.first + side.second);
+    float certain = max(abs(bend) - 1.01 * lens.quantum - 0.5 * certainty(lens, c), 0.0);
+    float most = min(certain, max(0.6 * abs(first) - certain, 0.0));
+    return first - (bend < 0.0 ? -most : most);
+}
+
+vec3 normalOfSides(DepthLens lens, ivec2 p, float c, Side h, Side v)
+{
+    vec3 center = positionAt(lens, p, c);
+    return unitOrFacing(cross(stepTo(lens, p, ivec2(1, 0), h.way, c + slopeAt(lens, h, c), center),
+                              stepTo(lens, p, ivec2(0, 1), v.way, c + slopeAt(lens, v, c), center)));
+}
+
+// 9+ with the slope of a parabola in place of a line.
+vec3 normalCurved(DepthLens lens, ivec2 p)
+{
+    float c = depthAt(p);
+    return normalOfSides(lens, p, c, chosenSide(lens, p, ivec2(1, 0), c), chosenSide(lens, p, ivec2(0, 1), c));
+}
+
+// How many of the eight texels around lie on the plane that these two sides span, within 0.3 % of their distance.
+int planeVotes(DepthLens lens, ivec2 p, float c, Side h, Side v)
+{
+    int votes = 0;
+    for (int i = 0; i < 9; ++i) {
+        ivec2 away = ivec2(i % 3 - 1, i / 3 - 1);
+        ivec2 q = p + away;
+        if (i == 4 || !isInside(lens, q)) continue;
+        float guess = c + float(away.x * h.way) * (h.first - c) + float(away.y * v.way) * (v.first - c);
+        float there = viewDistance(lens, depthAt(q));
+        if (abs(viewDistance(lens, guess) - there) < 0.003 * abs(there)) votes += 1;
+    }
+    return votes;
+}
+
+// Whether a line of three texels goes through the middle one, within 0.3 % of its distance.
+bool isOnLine(DepthLens lens, Side side, float c)
+{
+    float there = viewDistance(lens, c);
+    return side.error < DEPTH_UNKNOWN &&
+           abs(viewDistance(lens, 2.0 * side.first - side.second) - there) < 0.003 * abs(there);
+}
+
+// Where a texel lies on no line of three, as on bars of one and two texels, both axes' sides are chosen together by
+// what the texels around say. Ties go to the smaller error of the lines.
+vec3 normalVoted(DepthLens lens, ivec2 p)
+{
+    float c = depthAt(p);
+    Side bestH = chosenSide(lens, p, ivec2(1, 0), c);
+    Side bestV = chosenSide(lens, p, ivec2(0, 1), c);
+    if (isOnLine(lens, bestH, c) && isOnLine(lens, bestV, c)) return normalOfSides(lens, p, c, bestH, bestV);
+    int most = planeVotes(lens, p, c, bestH, bestV);
+    for (int i = 0; i < 4; ++i) {
+        Side h = sideAt(lens, p, ivec2(1, 0), i % 2 == 0 ? -1 : 1, c);
+        Side v = sideAt(lens, p, ivec2(0, 1), i / 2 == 0 ? -1 : 1, c);
+        if (h.error > DEPTH_UNKNOWN || v.error > DEPTH_UNKNOWN) continue;
+        int votes = planeVotes(lens, p, c, h, v);
+        if (votes > most) {
+            most = votes;
+            bestH = h;
+            bestV = v;
+        }
+    }
+    // Where no line of three goes on, what lies beyond bends nothing.
+    if (!isOnLine(lens, bestH, c)) bestH.second = 2.0 * bestH.first - c;
+    if (!isOnLine(lens, bestV, c)) bestV.second = 2.0 * bestV.first - c;
+    return normalOfSides(lens, p, c, bestH, bestV);
+}

@@ -1,0 +1,74 @@
+// What is near a point: a grid of cells, each with the list of steps that matter in it, and planes that lie in no cell.
+
+#define SCENE_MOST_PLANES 4
+
+layout(std430, binding = STORAGE_EXHIBIT_A) readonly buffer SceneRecords {
+    vec4 sceneRecords[];
+};
+
+layout(std430, binding = STORAGE_EXHIBIT_B) readonly buffer SceneLists {
+    uvec4 sceneLists[];
+};
+
+// exhibits/sdf_scenes/near_scene.h writes it.
+layout(std430, binding = STORAGE_EXHIBIT_C) readonly buffer SceneNear {
+    vec4 low;                           // of the grid; w: cells per meter along x, ...
+    vec4 high;                          // ... y ...
+    vec4 heldLow;                       // ... and z. All that is not a plane is in this box.
+    vec4 heldHigh;
+    uvec4 count;                        // of cells; w: 0 where there are none, and all steps matter everywhere
+    vec4 planes[SCENE_MOST_PLANES];     // normal and height
+    uint planeMaterials[SCENE_MOST_PLANES];
+    uvec2 cells[];                      // the first step, or none; the distance at the center
+} sceneNear;
+
+// Added to the distances of planes: a march that meets them in closed form keeps them out of the field.
+float scenePlanesAway = 0.0;
+
+struct SceneCell {
+    uint first;       // its list
+    bool near;        // without, no surface is within `clearance` of the point
+    float clearance;  // negative inside
+};
+
+SceneCell sceneCellAt(vec3 p)
+{
+    SceneCell cell = SceneCell(0u, true, 0.0);
+    if (sceneNear.count.w == 0u) return cell;
+    vec3 perMeter = vec3(sceneNear.low.w, sceneNear.high.w, sceneNear.heldLow.w);
+    vec3 last = vec3(sceneNear.count.xyz - 1u);
+    vec3 at = clamp(floor((p - sceneNear.low.xyz) * perMeter), vec3(0.0), last);
+    uvec3 index = uvec3(at);
+    uvec2 found = sceneNear.cells[(index.z * sceneNear.count.y + index.y) * sceneNear.count.x + index.x];
+    cell.near = found.x != 0xFFFFFFFFu;
+    cell.first = cell.near ? found.x : 0u;
+    // Rounding of float32, a few times over.
+    vec3 center = sceneNear.low.xyz + (at + 0.5) / perMeter;
+    float d = uintBitsToFloat(found.y);
+    float sure = max(abs(d) * (1.0 - 2e-6) - distance(p, center), 0.0);
+    cell.clearance = d < 0.0 ? -sure : sure;
+    vec3 outside = max(max(sceneNear.low.xyz - p, p - sceneNear.high.xyz), vec3(0.0));
+    if (outside.x + outside.y + outside.z > 0.0) {
+        cell.near = false;
+        cell.clearance = length(max(max(sceneNear.heldLow.xyz - p, p - sceneNear.heldHigh.xyz), vec3(0.0)));
+    }
+    return cell;
+}
+
+SceneMaterial sceneMaterialAt(uint record)
+{
+    return sceneMaterial(sceneRecords[record], sceneRecords[record + 1u], sceneRecords[record + 2u], sceneRecords[record + 3u]);
+}
+
+// Where a ray that starts outside of all planes meets the first of them; below 0 where it starts inside of one.
+float scenePlaneAhead(vec3 origin, vec3 direction, int planes)
+{
+    float first = 1e30;
+    for (int i = 0; i < planes; ++i) {
+        float height = dot(sceneNear.planes[i].xyz, origin) - sceneNear.planes[i].w;
+        float towards = -dot(sceneNear.planes[i].xyz, direction);
+        if (height <= 0.0) return -1.0;
+        if (towards * first > height) first = height / towards;
+    }
+    return first;
+}

@@ -1,0 +1,127 @@
+// What normals from depth err by and cost, for every method, scene, resolution and depth buffer, in perspective, and at
+// two resolutions in parallel projection; and what the whole look costs over the scene alone: over what it is drawn
+// from (its sun's shadow map, its colors, normals and depth), and over the same scene lit, without lines and palette.
+// Angles against the drawn normals. Prints Markdown.
+//   bench_pixel_normals [--model FILE.glb] [--csv] [--look] [--small]
+// --look: the whole look alone; --small: 240 x 135 alone.
+
+#include "exhibits/pixel_art/method_table.h"
+#include "exhibits/pixel_art/pixel_passes.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+#include "render/scene/gltf.h"
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace vitrine;
+
+const PixelArtTable table;
+
+struct Bench {
+    render::gl::HeadlessContext context{false};
+    render::gl::Renderer renderer;
+    bool csv = false, small = false;
+
+    NormalErrors measure(const ParameterValues& values, const std::vector<WorldPart>& parts,
+                         const PaletteTextures* palette = nullptr)
+    {
+        renderer.timeSteps(true);
+        NormalErrors m = measureNormals(renderer, values, parts, palette, 5);
+        renderer.timeSteps(false);
+        return m;
+    }
+};
+
+struct World {
+    const char* name;
+    std::vector<WorldPart> parts;
+};
+
+void printMethods(Bench& bench, const World& world, PixelResolution resolution, DepthBits bits,
+                  PixelProjection projection = PixelProjection::perspective)
+{
+    const ParameterInfo& methods = table.rows()[table.method.row];
+    const std::string size(table.rows()[table.resolution.row].choices[static_cast<std::size_t>(resolution)]);
+    const std::string depth(table.rows()[table.depthBits.row].choices[static_cast<std::size_t>(bits)]);
+    const std::string lens(table.rows()[table.projection.row].choices[static_cast<std::size_t>(projection)]);
+    if (!bench.csv) {
+        std::printf("\n## %s, %s, %s depth, %s\n\n", world.name, size.c_str(), depth.c_str(), lens.c_str());
+        std::printf("| method | mean° | p99° | beyond 5°, %% | beyond 20°, %% | fetches | ms "
+                    "|\n|---|---|---|---|---|---|---|\n");
+    }
+    for (std::size_t i = 1; i < methods.choices.size(); ++i) {
+        ParameterValues values = table.initial();
+        values.set(table.resolution, resolution);
+        values.set(table.depthBits, bits);
+        values.set(table.projection, projection);
+        values.set(table.method, static_cast<NormalsBy>(i));
+        const NormalErrors m = bench.measure(values, world.parts);
+        const std::string method(methods.choices[i]);
+        const double ms = m.milliseconds.at("pixel_art/normals");
+        const int fetches = fetchesOf(static_cast<NormalsBy>(i));
+        if (bench.csv)
+            std::printf("%s,%s,%s,%s,%s,%.4f,%.3f,%.4f,%.4f,%d,%.4f\n", world.name, size.c_str(), depth.c_str(),
+                        lens.c_str(), method.c_str(), m.mean, m.p99, m.beyond5, m.beyond20, fetches, ms);
+        else
+            std::printf("| %s | %.3f | %.2f | %.3f | %.3f | %d | %.3f |\n", method.c_str(), m.mean, m.p99, m.beyond5,
+                        m.beyond20, fetches, ms);
+    }
+}
+
+double sumOf(const NormalErrors& m)
+{
+    double all = 0;
+    for (const auto& [name, ms] : m.milliseconds)
+        if (name.rfind("pixel_art/", 0) == 0) all += ms;
+    return all;
+}
+
+void printLook(Bench& bench)
+{
+    ParameterValues values = table.initial();
+    values.set(table.resolution, PixelResolution::r480);
+    const auto colors = shippedPalette(PaletteName::isle);
+    const PaletteTextures palette = paletteTextures({colors.begin(), colors.end()});
+    const NormalErrors m = bench.measure(values, isleParts(0.5), &palette);
+    std::printf("\n## The whole look of the isle, 480 x 270\n\n| pass | ms |\n|---|---|\n");
+    for (const auto& [name, ms] : m.milliseconds)
+        if (name.rfind("pixel_art/", 0) == 0) std::printf("| %s | %.3f |\n", name.c_str(), ms);
+    const double scene = m.milliseconds.at("pixel_art/sun") + m.milliseconds.at("pixel_art/world");
+    std::printf("\nThe whole look takes %.2f times what it is drawn from (goal: 1.3)", sumOf(m) / scene);
+    values.set(table.method, NormalsBy::trueNormals);
+    values.set(table.outlineStrength, 0.0);
+    values.set(table.highlightStrength, 0.0);
+    std::printf(" and %.2f times the scene lit, with the normals as drawn, without lines and palette.\n",
+                sumOf(m) / sumOf(bench.measure(values, isleParts(0.5))));
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    Bench bench;
+    std::vector<World> worlds{{"test scene", testParts(0.5)}, {"thin bars", barParts()}, {"isle", isleParts(0.5)}};
+    for (int i = 1; i < argc; ++i) {
+        if (std::strcmp(argv[i], "--csv") == 0) bench.csv = true;
+        if (std::strcmp(argv[i], "--small") == 0) bench.small = true;
+        if (std::strcmp(argv[i], "--look") == 0) worlds.clear();
+        if (std::strcmp(argv[i], "--model") == 0 && i + 1 < argc)
+            worlds.push_back({"a visitor's model", modelParts(render::loadGltf(argv[i + 1]), 0)});
+    }
+    if (bench.csv) std::printf("scene,size,depth,projection,method,mean,p99,beyond5,beyond20,fetches,ms\n");
+    for (const World& world : worlds) {
+        const std::size_t sizes = bench.small ? 1 : table.rows()[table.resolution.row].choices.size();
+        for (std::size_t size = 0; size < sizes; ++size)
+            for (const DepthBits bits : {DepthBits::float32, DepthBits::unorm24, DepthBits::unorm16})
+                printMethods(bench, world, static_cast<PixelResolution>(size), bits);
+        for (const PixelResolution size : {PixelResolution::r240, PixelResolution::r480})
+            printMethods(bench, world, size, DepthBits::float32, PixelProjection::orthographic);
+    }
+    if (!bench.csv) printLook(bench);
+    return 0;
+}

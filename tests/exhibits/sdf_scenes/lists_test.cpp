@@ -1,0 +1,118 @@
+// Shaders that walk lists of steps against the evaluator: 1,024 points each. All steps; those of the point's cell.
+
+#include "exhibits/sdf_scenes/list_glsl.h"
+#include "exhibits/sdf_scenes/near_scene.h"
+#include "shaders/lib/bindings.glsl"
+#include "tests/exhibits/sdf_scenes/drawn_points.h"
+
+#include <filesystem>
+
+#ifdef VITRINE_RAPIDCHECK
+#include <rapidcheck/gtest.h>  // After gtest, which it needs.
+#endif
+
+namespace vitrine {
+namespace {
+
+using SceneLists = test::GlTest;
+using SceneListsProperty = test::GlTest;
+
+std::vector<render::BufferUse> buffersOf(const scenes::NearScene& near)
+{
+    return {{STORAGE_EXHIBIT_A, near.records}, {STORAGE_EXHIBIT_B, near.lists}, {STORAGE_EXHIBIT_C, near.grid}};
+}
+
+bool fits(const scenes::ListVocabulary& v)
+{
+    return v.results <= scenes::ListVocabulary::mostResults && v.places <= scenes::ListVocabulary::mostPlaces;
+}
+
+/// Without cells, and with so many.
+void compareLists(const scenes::SceneField& field, int across, const std::string& what)
+{
+    const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program());
+    ASSERT_TRUE(fits(own)) << what;
+    const auto whole = scenes::nearScene(field.program(), field.words(), own, 0);
+    test::compareAtPoints(field, scenes::listGlsl(own, 0), {}, what + " by lists: ", buffersOf(*whole));
+    if (testing::Test::HasFatalFailure()) return;
+    const auto near = scenes::nearScene(field.program(), field.words(), own, across);
+    test::ByCells byCells;
+    if (!near->cells.cells.empty()) byCells = {0.5 * glm::length(near->cells.cellSize()), near->cells.box, near->box};
+    test::compareAtPoints(field, scenes::listGlsl(own, near->planes), {}, what + " by cells: ", buffersOf(*near),
+                          byCells);
+}
+
+TEST_F(SceneLists, OfTheShippedScenesAreTheEvaluator)
+{
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(VITRINE_SOURCE_DIR) / "assets/scenes")) {
+        if (entry.path().filename() == "scene.schema.json") continue;
+        const scenes::ReadScene read = scenes::readSceneFile(entry.path());
+        ASSERT_TRUE(read.scene) << test::findingsText(read);
+        compareLists(scenes::SceneField(read.scene, 1.25), 24, entry.path().stem().string());
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST_F(SceneLists, OfRandomTreesAreTheEvaluator)
+{
+    test::Random random(63);
+    for (int sample = 0; sample < 12; ++sample) {
+        const std::string root = test::randomTree(random, 3);
+        compareLists(test::fieldOf(root), 16, root);
+        if (HasFatalFailure()) return;
+    }
+}
+
+/// A union of many in unions, subtractions and intersections, with planes beside it.
+TEST_F(SceneLists, WithPlanesAndNestedOperationsAreTheEvaluator)
+{
+    const std::string root = R"({"kind": "union", "children": [
+        {"kind": "plane", "height": -0.7}, {"kind": "sphere", "translate": [0.4, 0.2, 0]},
+        {"kind": "union", "children": [{"kind": "plane", "normal": [1, 2, 0.5], "height": -3, "translate": [0.3, 0, 1], "rotate": [10, 20, 30], "scale": 1.5},
+            {"kind": "union", "blend": "cubic", "blendWidth": 0.3, "scale": [0.7, 0.7, 0.7], "children": [
+                {"kind": "box"}, {"kind": "subtraction", "blend": "circular", "blendWidth": 0.1, "translate": [1, 0, 0], "rotate": [0, 30, 20],
+                    "children": [{"kind": "box"}, {"kind": "intersection", "scale": [0.5, 1, 0.8], "children": [{"kind": "sphere", "radius": 0.6}, {"kind": "box", "size": 0.9}]}]}]}]},
+        {"kind": "twist", "rate": 60, "translate": [-1, 0.5, 1], "child": {"kind": "union", "blendWidth": 0.1, "children": [
+            {"kind": "box", "size": [0.4, 1.5, 0.2]}, {"kind": "repeatAround", "count": 5, "child": {"kind": "sphere", "radius": 0.1, "translate": [0.3, 0, 0]}}]}}]})";
+    const scenes::SceneField field = test::fieldOf(root);
+    EXPECT_EQ(scenes::planesOf(field.program(), field.words()), 2U);
+    compareLists(field, 32, root);
+}
+
+/// One program for all of them.
+TEST_F(SceneLists, OfEveryKindAreTheEvaluatorInOneProgram)
+{
+    const scenes::ListVocabulary all = scenes::ListVocabulary::everything(4, 3);
+    const std::string glsl = scenes::listGlsl(all, 0);
+    test::Random random(64);
+    for (int sample = 0; sample < 40; ++sample) {
+        const std::string root = test::randomTree(random, 3);
+        const scenes::SceneField field = test::fieldOf(root);
+        const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program());
+        if (own.results > all.results || own.places > all.places) continue;
+        const auto near = scenes::nearScene(field.program(), field.words(), all, 0);
+        test::compareAtPoints(field, glsl, {}, root, buffersOf(*near));
+        if (HasFatalFailure()) return;
+    }
+}
+
+#ifdef VITRINE_RAPIDCHECK
+/// Random scenes, by the program of all kinds: 1,024 points each.
+RC_GTEST_FIXTURE_PROP(SceneListsProperty, AnySceneIsTheEvaluator, (unsigned seed))
+{
+    static const scenes::ListVocabulary all = scenes::ListVocabulary::everything(4, 3);
+    static const std::string glsl = scenes::listGlsl(all, 0);
+    test::Random random(seed);
+    const std::string root = test::randomTree(random, 4);
+    const scenes::SceneField field = test::fieldOf(root);
+    const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program());
+    RC_PRE(own.results <= all.results && own.places <= all.places);
+    const auto near = scenes::nearScene(field.program(), field.words(), all, 0);
+    test::compareAtPoints(field, glsl, {}, root, buffersOf(*near));
+    RC_ASSERT(!HasFatalFailure());
+}
+#endif
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,283 @@
+#include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
+
+#include "exhibits/sdf_scenes/sdf_scenes.h"
+#include "render/files/read_file.h"
+#include "ui/tree/tree_dock.h"
+#include "ui/tree/tree_editor.h"
+#include "ui/tree/tree_file.h"
+#include "ui/tree/tree_overlay.h"
+#include "ui/tree/tree_rows.h"
+#include "ui/tree/tree_view.h"
+#include "ui/window/file_opener.h"
+#include "ui/window/recent_files.h"
+#include "ui/window/window_docks.h"
+
+#include <QDockWidget>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+
+#include <fstream>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+using vitrine::test::patience;
+
+namespace {
+
+const std::string twoBalls = R"({"format": "vitrine-scene",   "version": 1,
+ "camera": {"position": [0, 0, 8], "target": [0, 0, 0], "fieldOfView": 40},
+ "root": { "kind":"union", "children": [
+   {"kind": "sphere", "name": "left",  "radius": 0.50, "translate": [-1, 0, 0]},
+   {"kind": "sphere", "name": "right", "radius": 0.50, "translate": [1, 0, 0]}
+ ]}}
+)";
+
+}  // namespace
+
+/// A scene of shapes in the window: it is clicked, edited and saved. The picture is painted; the field is the real one.
+class TreeWindowTest : public test::OpenWindow {
+    Q_OBJECT
+
+    static constexpr std::size_t scenes = 2;
+
+    std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<SdfScenes>(); }
+    [[nodiscard]] QString path() const { return home_->filePath("two.json"); }
+    [[nodiscard]] std::string onDisk() const { return render::readFile(path().toStdString(), 1 << 20); }
+    void write(const std::string& text) const { std::ofstream(path().toStdString()) << text; }
+    [[nodiscard]] const ParameterValues& values() { return window_->history().sceneState().values[scenes]; }
+    [[nodiscard]] std::string document()
+    {
+        return std::get<std::string>(values().row(values().table().find("document").value()));
+    }
+    [[nodiscard]] TreeDock& dock() { return window_->docks().tree(); }
+    [[nodiscard]] TreeEditor& editor() { return dock().editor(); }
+    [[nodiscard]] QUndoStack& stack() { return window_->history().stack(); }
+    /// Of the selected node.
+    [[nodiscard]] double number(const char* row)
+    {
+        const TreeRows rows = editor().source()->rowsOf(editor().values(), editor().selected()).value();
+        return std::get<double>(rows.values.row(rows.values.table().find(row).value()));
+    }
+    /// Where a point of the scene is in the picture: x, y at the depth of the balls.
+    [[nodiscard]] QPoint at(double x, double y)
+    {
+        const ExhibitState state{values()};
+        const TreePlace place = editor().source()->placeOf(state, "root.children[0]").value();
+        const glm::dmat4 world = gallery_->museum().worldFromExhibit(scenes) * place.exhibitFromParent;
+        const render::View view = window_->viewport().view();
+        const glm::dvec4 clip = view.clipFromWorld * world * glm::dvec4(x, y, 0, 1);
+        const QSize size = window_->viewport().size();
+        return {static_cast<int>((0.5 + 0.5 * clip.x / clip.w) * size.width()),
+                static_cast<int>((0.5 - 0.5 * clip.y / clip.w) * size.height())};
+    }
+    void click(const QPoint& point) { QTest::mouseClick(&window_->viewport(), Qt::LeftButton, {}, point); }
+    void openScene()
+    {
+        write(twoBalls);
+        window_->files().open(path());
+        QTRY_VERIFY(values().table().find("document") && editor().tree().nodes.size() == 3);
+        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        settle();
+    }
+    QMessageBox* question() { return window_->findChild<QMessageBox*>(); }
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init()
+    {
+        start();
+        openScene();
+    }
+    void cleanup()
+    {
+        if (window_) stack().clear();
+        if (window_ && document() != "")
+            window_->history().set(scenes, values().table().find("document").value(), std::string(), 0);
+        finish();
+    }
+
+    void clickDragUndoSaveAndReload()
+    {
+        click(at(1, 0));
+        QCOMPARE(editor().selected(), std::string("root.children[1]"));
+        QCOMPARE(dock().view().currentItem()->text(0), QString("right"));
+        QTRY_VERIFY(!dock().overlay().outline().empty());
+        // Its radius is dragged: one step, and only its own text changes.
+        auto* slider = dock().rows().row("radius")->findChild<ValueSlider*>();
+        QVERIFY(slider);
+        const render::Camera camera = window_->history().sceneState().camera;
+        const int steps = stack().count();
+        const QPoint from(12, slider->height() / 2);
+        QTest::mousePress(slider, Qt::LeftButton, {}, from);
+        for (int x = 0; x <= 60; x += 4) QTest::mouseMove(slider, from + QPoint(x, 0));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(60, 0));
+        QCOMPARE(stack().count(), steps + 1);
+        QCOMPARE(stack().undoText(), QString("Change radius of right"));
+        const double dragged = number("radius");
+        QVERIFY(dragged != 0.5);
+        QCOMPARE(onDisk(), twoBalls);
+        QVERIFY(document().starts_with(twoBalls.substr(0, twoBalls.rfind("0.50"))));
+        stack().undo();
+        QCOMPARE(number("radius"), 0.5);
+        QCOMPARE(document(), twoBalls);
+        QVERIFY(window_->docks().treeFile().unsaved().isEmpty());
+        QTRY_COMPARE(document(), std::string());  // Nothing is edited any more.
+        QCOMPARE(number("radius"), 0.5);
+        stack().redo();
+        QCOMPARE(number("radius"), dragged);
+        QCOMPARE(window_->docks().treeFile().unsaved(), QStringList("two.json"));
+
+        QVERIFY(window_->docks().treeFile().save());
+        QCOMPARE(onDisk().substr(0, 60), twoBalls.substr(0, 60));
+        QVERIFY(onDisk() != twoBalls);
+        QCOMPARE(document(), std::string());
+        QTRY_VERIFY(window_->docks().treeFile().unsaved().isEmpty());
+        // What was saved can still be undone.
+        stack().undo();
+        QCOMPARE(number("radius"), 0.5);
+        stack().redo();
+        QTRY_COMPARE(number("radius"), dragged);
+
+        // Another program saves the file: it is read within a second or so, and the camera stays.
+        if (!document().empty()) QVERIFY(window_->docks().treeFile().save());
+        std::string other = twoBalls;
+        other.replace(other.rfind("0.50"), 4, "0.8125");
+        QTest::qWait(20);
+        write(other);
+        QTRY_COMPARE_WITH_TIMEOUT(number("radius"), 0.8125, patience);
+        QCOMPARE(window_->history().sceneState().camera, camera);
+        QCOMPARE(editor().selected(), std::string("root.children[1]"));
+    }
+
+    void handlesMoveWhatIsSelectedInOneStep()
+    {
+        click(at(-1, 0));
+        QCOMPARE(editor().selected(), std::string("root.children[0]"));
+        const auto& handles = dock().overlay().handles();
+        QVERIFY(handles.size() >= 2);
+        QCOMPARE(handles[0].axis, 0);
+        const QPoint end = handles[0].line.back().toPoint();
+        const int steps = stack().count();
+        auto* viewport = &window_->viewport();
+        QTest::mousePress(viewport, Qt::LeftButton, {}, end);
+        for (int x = 0; x <= 40; x += 4) QTest::mouseMove(viewport, end + QPoint(x, 0));
+        QTest::mouseRelease(viewport, Qt::LeftButton, {}, end + QPoint(40, 0));
+        QCOMPARE(stack().count(), steps + 1);
+        QVERIFY(number("translateX") > -0.9);
+        QCOMPARE(number("translateY"), 0.0);
+        // As far as the pointer went.
+        const QPoint middle = at(number("translateX"), 0);
+        QVERIFY2(std::abs(middle.x() - (at(-1, 0).x() + 40)) <= 2, qPrintable(QString::number(middle.x())));
+        stack().undo();
+        QCOMPARE(number("translateX"), -1.0);
+    }
+
+    void theTreeAddsWrapsRenamesHidesAndTakesBack()
+    {
+        editor().select("root.children[0]");
+        QVERIFY(editor().apply({TreeEdit::What::wrap, "root.children[0]", "twist"}, "Wrap"));
+        QCOMPARE(dock().view().topLevelItem(0)->childCount(), 2);
+        QCOMPARE(dock().view().topLevelItem(0)->child(0)->text(0), QString("twist"));
+        dock().view().topLevelItem(0)->child(1)->setText(0, "egg");
+        QTRY_COMPARE(editor().tree().nodes[3].name, std::string("egg"));
+        dock().view().topLevelItem(0)->child(1)->setCheckState(0, Qt::Unchecked);
+        QTRY_VERIFY(editor().tree().nodes[3].hidden);
+        dock().action(TreeEdit::What::duplicate)->trigger();
+        QCOMPARE(editor().tree().nodes.size(), std::size_t(5));
+        dock().action(TreeEdit::What::remove)->trigger();
+        QCOMPARE(editor().tree().nodes.size(), std::size_t(4));
+        for (int i = 0; i < 5; ++i) stack().undo();
+        QCOMPARE(editor().tree().nodes.size(), std::size_t(3));
+        QCOMPARE(document(), twoBalls);
+    }
+
+    void draggingReorders()
+    {
+        QTreeWidgetItem& root = *dock().view().topLevelItem(0);
+        const TreeEdit below = TreeView::moveOf(*root.child(0), *root.child(1), 1);
+        QCOMPARE(below.parent, std::string("root"));
+        QCOMPARE(below.before, std::size_t(2));
+        QCOMPARE(TreeView::moveOf(*root.child(1), *root.child(0), -1).before, std::size_t(0));
+        QCOMPARE(TreeView::moveOf(*root.child(1), root, 0).parent, std::string("root"));
+        QVERIFY(TreeView::moveOf(*root.child(1), root, -1).parent.empty());
+        QVERIFY(editor().apply(below, "Move"));
+        QCOMPARE(dock().view().topLevelItem(0)->child(1)->text(0), QString("left"));
+        QCOMPARE(editor().selected(), std::string("root.children[1]"));
+    }
+
+    void whatMakesNoSenseIsSaidAndChangesNothing()
+    {
+        const int steps = stack().count();
+        editor().select("root");
+        dock().action(TreeEdit::What::remove)->trigger();
+        QCOMPARE(stack().count(), steps);
+        QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("root cannot be deleted"));
+    }
+
+    void aFileThatTwoChangedIsAskedAbout()
+    {
+        for (const char* answer : {"keepMine", "takeTheirs"}) {
+            editor().select("root.children[1]");
+            editor().setRow(0, 0.625, newGesture(), "Change");
+            QCOMPARE(number("radius"), 0.625);
+            std::string other = twoBalls;
+            other.replace(other.rfind("0.50"), 4, answer[0] == 'k' ? "0.75" : "0.875");
+            write(other);
+            QTRY_VERIFY_WITH_TIMEOUT(question(), patience);
+            question()->findChild<QPushButton*>(answer)->click();
+            QTRY_VERIFY(!question());
+            if (answer[0] == 'k') QCOMPARE(number("radius"), 0.625);
+        }
+        QTRY_COMPARE(number("radius"), 0.875);
+        stack().undo();
+        QCOMPARE(number("radius"), 0.625);
+    }
+
+    void closingAsksToSave()
+    {
+        editor().select("root.children[1]");
+        editor().setRow(0, 0.625, newGesture(), "Change");
+        window_->close();
+        QVERIFY(window_->isVisible());
+        QVERIFY(question());
+        question()->findChild<QPushButton*>("saveAndClose")->click();
+        QTRY_VERIFY(!window_->isVisible());
+        QVERIFY(onDisk().find("0.625") != std::string::npos);
+        window_.reset();
+    }
+
+    void sessionsBringWhatIsNotSavedBack()
+    {
+        editor().select("root.children[1]");
+        editor().setRow(0, 0.625, newGesture(), "Change");
+        const std::string before = document();
+        window_->close();
+        question()->findChild<QPushButton*>("closeUnsaved")->click();
+        QTRY_VERIFY(!window_->isVisible());
+        window_.reset();
+        openWindow();
+        QCOMPARE(document(), before);
+        QTRY_COMPARE(editor().tree().nodes.size(), std::size_t(3));
+        editor().select("root.children[1]");
+        QCOMPARE(number("radius"), 0.625);
+    }
+
+    void thePanelIsThereOnlyWithATree()
+    {
+        auto* panel = window_->findChild<QDockWidget*>("tree");
+        QVERIFY(panel->toggleViewAction()->isEnabled());
+        QVERIFY(!panel->isHidden());
+        window_->visit(1);
+        QVERIFY(panel->isHidden());
+        QVERIFY(!panel->toggleViewAction()->isEnabled());
+        window_->visit(scenes);
+        QVERIFY(!panel->isHidden());
+        QVERIFY(recentFiles().contains(path()));
+    }
+};
+
+VITRINE_TEST_MAIN(TreeWindowTest)
+
+#include "tree_window_test.moc"

@@ -1,0 +1,190 @@
+// What exhibits offer beside their rows: lines that are dragged in the picture, and tables to measure.
+
+#include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
+
+#include "exhibits/framework/dragged_rows.h"
+#include "exhibits/framework/measured_table.h"
+#include "ui/study/table_export.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QProgressDialog>
+#include <QPushButton>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+namespace {
+
+struct DividedTable final : Parameters {
+    Toggle split = toggle("split", true, "Divides it.");
+    Real divider = real("divider", 0.5, none, {0, 1}, "Where.", when(split));
+};
+
+/// Counts to four, then writes that down.
+class Counted final : public TableMeasurement {
+public:
+    bool step(render::RenderBackend&) override
+    {
+        while (wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        csv_ += std::to_string(++count_) + "\n";
+        return count_ < 4;
+    }
+    [[nodiscard]] double progress() const override { return count_ / 4.0; }
+    [[nodiscard]] std::string csv() const override { return csv_; }
+
+    inline static std::atomic<bool> wait = false;
+
+private:
+    int count_ = 0;
+    std::string csv_ = "number\n";
+};
+
+/// A square of two meters, divided by an upright line.
+class Divided final : public Exhibit, public HasDraggedRows, public MeasuresTable {
+public:
+    inline static const DividedTable table;
+
+    [[nodiscard]] std::string_view name() const override { return "divided"; }
+    [[nodiscard]] std::string_view title() const override { return "Divided"; }
+    [[nodiscard]] std::string_view summary() const override { return "Two halves."; }
+    [[nodiscard]] int place() const override { return 2; }
+    [[nodiscard]] const Parameters& parameters() const override { return table; }
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override { return {{-1, -1, -0.1}, {1, 1, 0.1}}; }
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override { return {{0, 0, 4}, {0, 0, 0}, 0.8}; }
+    [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
+    [[nodiscard]] std::vector<DraggedLine> draggedLines(const ExhibitState& state, const glm::dvec3&) const override
+    {
+        if (!state.values[table.split]) return {};
+        const double x = 2 * state.values[table.divider] - 1;
+        return {{table.divider.row, {x, -1, 0}, {x, 1, 0}}};
+    }
+    [[nodiscard]] double valueUnder(const ExhibitState&, std::size_t, const render::Ray& ray) const override
+    {
+        return 0.5 + 0.5 * ray.at(-ray.origin.z / ray.direction.z).x;
+    }
+    [[nodiscard]] std::string_view tableTitle() const override { return "Numbers"; }
+    [[nodiscard]] std::unique_ptr<TableMeasurement> measureTable(const ParameterValues&) const override
+    {
+        return std::make_unique<Counted>();
+    }
+};
+
+}  // namespace
+
+class DraggedRowsTest : public test::OpenWindow {
+    Q_OBJECT
+
+    static constexpr std::size_t divided = 2;
+
+    std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<Divided>(); }
+    [[nodiscard]] double divider() { return window_->history().sceneState().values[divided][Divided::table.divider]; }
+    [[nodiscard]] QUndoStack& stack() { return window_->history().stack(); }
+    /// Where a point of the exhibit is in the picture.
+    [[nodiscard]] QPointF at(double x, double y)
+    {
+        const render::View view = window_->viewport().view();
+        const glm::dvec4 clip =
+            view.clipFromWorld * gallery_->museum().worldFromExhibit(divided) * glm::dvec4(x, y, 0, 1);
+        const QSize size = window_->viewport().size();
+        return {(0.5 + 0.5 * clip.x / clip.w) * size.width(), (0.5 - 0.5 * clip.y / clip.w) * size.height()};
+    }
+    void dragBy(const QPoint& from, int pixels)
+    {
+        Viewport* viewport = &window_->viewport();
+        QTest::mousePress(viewport, Qt::LeftButton, {}, from);
+        for (int x = 0; std::abs(x) <= std::abs(pixels); x += pixels > 0 ? 4 : -4)
+            QTest::mouseMove(viewport, from + QPoint(x, 0));
+        QTest::mouseMove(viewport, from + QPoint(pixels, 0));
+        QTest::mouseRelease(viewport, Qt::LeftButton, {}, from + QPoint(pixels, 0));
+    }
+    [[nodiscard]] QString said() { return window_->findChild<MessageStrip*>()->texts().join('\n'); }
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init()
+    {
+        start();
+        window_->visit(divided);
+        QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
+        settle();
+    }
+    void cleanup()
+    {
+        Counted::wait = false;
+        finish();
+    }
+
+    void aLineIsDraggedToThePixelInOneStep()
+    {
+        const int steps = stack().count();
+        const render::Camera camera = window_->history().sceneState().camera;
+        const QPointF before = at(0, 0.3);
+        dragBy(before.toPoint(), 61);
+        QCOMPARE(stack().count(), steps + 1);
+        QVERIFY(std::abs(at(2 * divider() - 1, 0.3).x() - before.x() - 61) < 0.5);
+        QCOMPARE(window_->history().sceneState().camera, camera);
+        stack().undo();
+        QCOMPARE(divider(), 0.5);
+        // Beyond the end it stays at the end.
+        dragBy(at(0, 0).toPoint(), 900);
+        QCOMPARE(divider(), 1.0);
+    }
+
+    void besideTheLineThePictureIsTurned()
+    {
+        const render::Camera camera = window_->history().sceneState().camera;
+        dragBy(at(0, 0.3).toPoint() + QPoint(40, 0), 40);
+        QCOMPARE(divider(), 0.5);
+        QVERIFY(!(window_->history().sceneState().camera == camera));
+        settle();
+        // So it is where there is no line.
+        window_->history().set(divided, Divided::table.split.row, 0.0, 0);
+        dragBy(at(0, 0).toPoint(), 40);
+        QCOMPARE(divider(), 0.5);
+    }
+
+    void theTableIsMeasuredAndSaved()
+    {
+        const QString path = home_->filePath("numbers.csv");
+        new TableExport(*window_, dynamic_cast<const MeasuresTable&>(gallery_->museum().subject(divided)), path,
+                        window_.get());
+        QTRY_VERIFY(QFile::exists(path));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray("number\n1\n2\n3\n4\n"));
+        QTRY_VERIFY(!window_->findChild<TableExport*>());
+        QVERIFY(said().contains("numbers.csv"));
+    }
+
+    void itIsAskedForInTheMenuAndCanBeCanceled()
+    {
+        Counted::wait = true;
+        action("Export table…")->trigger();
+        auto* dialog = window_->findChild<QFileDialog*>();
+        QVERIFY(dialog);
+        const QString path = home_->filePath("canceled.csv");
+        emit dialog->fileSelected(path);
+        dialog->close();
+        QTRY_VERIFY(window_->findChild<QProgressDialog*>());
+        window_->findChild<QProgressDialog*>()->findChild<QPushButton*>()->click();
+        QTRY_VERIFY(!window_->findChild<TableExport*>());
+        Counted::wait = false;
+        QTest::qWait(100);
+        QVERIFY(!QFile::exists(path));
+        QVERIFY(said().contains("no table was written"));
+    }
+
+    void whoHasNoTableSaysSo()
+    {
+        window_->visit(1);
+        action("Export table…")->trigger();
+        QVERIFY(!window_->findChild<QFileDialog*>());
+        QVERIFY(said().contains("has no table"));
+    }
+};
+
+VITRINE_TEST_MAIN(DraggedRowsTest)
+
+#include "dragged_rows_test.moc"

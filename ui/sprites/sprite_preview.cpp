@@ -1,0 +1,81 @@
+#include "ui/sprites/sprite_preview.h"
+
+#include "ui/kit/theme.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr double shortestTurn = 0.25;  ///< Seconds that a direction is shown at least.
+
+}  // namespace
+
+SpritePreview::SpritePreview(QWidget* parent) : QWidget(parent)
+{
+    setMinimumSize(240, 240);
+    setAccessibleName(tr("Preview"));
+    setToolTip(tr("The sprite from all its sides. The cross is its pivot."));
+    connect(&timer_, &QTimer::timeout, this, &SpritePreview::next);
+}
+
+void SpritePreview::setShown(std::shared_ptr<const Shown> shown)
+{
+    shown_ = std::move(shown);
+    if (!shown_ || cell_ >= static_cast<int>(shown_->cells.size())) cell_ = 0;
+    if (shown_) {
+        const double each = shown_->frames == 1 ? std::max(shown_->seconds, shortestTurn) : shown_->seconds;
+        timer_.setInterval(static_cast<int>(std::lround(std::clamp(each, 0.015, 10.0) * 1000)));
+    }
+    if (shown_ && isVisible())
+        timer_.start();
+    else
+        timer_.stop();
+    update();
+}
+
+void SpritePreview::next()
+{
+    cell_ = (cell_ + 1) % static_cast<int>(shown_->cells.size());
+    update();
+}
+
+void SpritePreview::showEvent(QShowEvent*)
+{
+    if (shown_) timer_.start();
+}
+
+void SpritePreview::hideEvent(QHideEvent*)
+{
+    timer_.stop();
+}
+
+void SpritePreview::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().color(QPalette::Base));
+    if (!shown_) return;
+    const SpriteCell& cell = shown_->cells[static_cast<std::size_t>(cell_)];
+    // Whole pixels of the screen for each of the sprite, unless it is too large for that.
+    const double room = std::min(0.9 * width() / shown_->frame.width(), 0.9 * height() / shown_->frame.height());
+    const double scale = room >= 1 ? std::floor(room) : room;
+    const QSizeF whole = QSizeF(shown_->frame) * scale;
+    const QPointF corner(std::floor((width() - whole.width()) / 2), std::floor((height() - whole.height()) / 2));
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.drawRect(QRectF(corner, whole).adjusted(-1, -1, 0, 0));
+    painter.drawImage(
+        QRectF(corner + QPointF(cell.cutOff.x, cell.cutOff.y) * scale, QSizeF(cell.size.x, cell.size.y) * scale),
+        shown_->picture, QRectF(cell.place.x, cell.place.y, cell.size.x, cell.size.y));
+    const QPointF pivot = corner + QPointF(shown_->pivots[static_cast<std::size_t>(cell_)]) * scale;
+    painter.setPen(theme().accent);
+    painter.drawLine(pivot - QPointF(5, 0), pivot + QPointF(5, 0));
+    painter.drawLine(pivot - QPointF(0, 5), pivot + QPointF(0, 5));
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_sprite_preview.cpp"

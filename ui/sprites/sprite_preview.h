@@ -1,0 +1,54 @@
+#pragma once
+
+#include "exhibits/sprites/sprite_sheet.h"
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QPoint>
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+namespace vitrine::ui {
+
+/// What a sheet shows, in motion: every direction for one round of its frames, large pixels. Its own clock stops while
+/// it cannot be seen.
+class SpritePreview final : public QWidget {
+    Q_OBJECT
+
+public:
+    /// A sheet to look at: its picture, and where the frames lie in it.
+    struct Shown {
+        QImage picture;
+        std::vector<SpriteCell> cells;  ///< Direction by direction.
+        std::vector<QPoint> pivots;     ///< Of each, pixels of the uncut frame.
+        QSize frame;                    ///< Uncut.
+        int frames = 1;                 ///< Of each direction.
+        double seconds = 1.0 / 12;      ///< Of each frame.
+    };
+
+    explicit SpritePreview(QWidget* parent);
+
+    /// Null: nothing is to be seen.
+    void setShown(std::shared_ptr<const Shown>);
+    [[nodiscard]] const Shown* shown() const { return shown_.get(); }
+    /// Of all cells, the one that is shown.
+    [[nodiscard]] int cell() const { return cell_; }
+    [[nodiscard]] QSize sizeHint() const override { return {480, 480}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void showEvent(QShowEvent*) override;
+    void hideEvent(QHideEvent*) override;
+
+private:
+    void next();
+
+    std::shared_ptr<const Shown> shown_;
+    int cell_ = 0;
+    QTimer timer_;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "ui/viewport/render_thread.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include <memory>
+
+class QProgressDialog;
+class QWidget;
+
+namespace vitrine {
+class MeasuresTable;
+}
+
+namespace vitrine::ui {
+
+class Workbench;
+
+/// Measures the table that the visited exhibit has (`MeasuresTable`) on the render thread, and saves it as CSV. Deletes
+/// itself when that is done, canceled or failed.
+class TableExport final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Asks for a file name and begins; says so where the visited exhibit has no table. Returns at once.
+    static void ask(Workbench&, QWidget* window);
+
+    /// Begins. All must outlive it.
+    TableExport(Workbench&, const MeasuresTable&, QString path, QWidget* window);
+    ~TableExport() override;
+
+    /// No file is written.
+    void cancel();
+
+private:
+    struct Work;
+    void note(double part);
+    void end(const QString& failure);
+
+    Workbench& window_;
+    QString path_;
+    QByteArray csv_;
+    QElapsedTimer elapsed_;
+    QProgressDialog* shown_;
+    RenderThread::Task task_;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,211 @@
+#include "ui/tree/tree_dock.h"
+
+#include "ui/kit/text.h"
+#include "ui/tree/tree_editor.h"
+#include "ui/tree/tree_file.h"
+#include "ui/tree/tree_overlay.h"
+#include "ui/tree/tree_rows.h"
+#include "ui/tree/tree_view.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <tuple>
+
+namespace vitrine::ui {
+
+using What = TreeEdit::What;
+
+TreeDock::TreeDock(TreeEditor& editor, TreeOverlay& overlay, TreeFile& file, QWidget* parent)
+    : QWidget(parent), editor_(editor), overlay_(overlay), file_(file), view_(new TreeView(editor, this)),
+      rows_(new TreeRowsView(editor, this)), adds_(new QMenu(tr("Add"), this)), wraps_(new QMenu(tr("Wrap in"), this)),
+      kinds_(new QMenu(tr("Change kind"), this))
+{
+    addActions();
+    offerKinds(adds_, What::add, true, true);
+    offerKinds(wraps_, What::wrap, false, true);
+    offerKinds(kinds_, What::kind, true, true);
+    auto* parts = new QSplitter(Qt::Vertical);
+    parts->addWidget(view_);
+    parts->addWidget(rows_);
+    parts->setChildrenCollapsible(false);
+    parts->setSizes({220, 320});
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(bar());
+    layout->addWidget(parts, 1);
+    setMinimumWidth(320);
+    connect(view_, &QWidget::customContextMenuRequested, this, &TreeDock::openMenu);
+    connect(&editor_, &TreeEditor::selectionChanged, this, &TreeDock::enable);
+    connect(&editor_, &TreeEditor::treeChanged, this, &TreeDock::enable);
+    enable();
+}
+
+QAction* TreeDock::add(What what, const QString& text, const QString& tip, const QKeySequence& key)
+{
+    auto* action = new QAction(text, this);
+    action->setToolTip(tip);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    view_->addAction(action);
+    connect(action, &QAction::triggered, this, [this, what] { apply(what); });
+    actions_.insert(static_cast<int>(what), action);
+    return action;
+}
+
+void TreeDock::addActions()
+{
+    add(What::duplicate, tr("Duplicate"), tr("Once more, behind it."), QKeySequence(Qt::CTRL | Qt::Key_D));
+    add(What::remove, tr("Delete"), tr("Takes it out of the tree, with all that is in it."),
+        QKeySequence(Qt::Key_Delete));
+    add(What::unwrap, tr("Unwrap"), tr("Its only child takes its place."));
+    add(What::solo, tr("Solo"), tr("Hides everything else."));
+    add(What::showAll, tr("Show all"), tr("Hides nothing any more."));
+    auto* rename = new QAction(tr("Rename\tF2"), this);
+    connect(rename, &QAction::triggered, this, [this] {
+        if (view_->currentItem()) view_->editItem(view_->currentItem(), 0);
+    });
+    actions_.insert(static_cast<int>(What::rename), rename);
+}
+
+QWidget* TreeDock::bar()
+{
+    auto* bar = new QWidget;
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setSpacing(4);
+    const auto button = [&](const QString& text, const QString& tip) {
+        auto* made = new QToolButton;
+        made->setText(text);
+        made->setToolTip(tip);
+        made->setAccessibleName(text);
+        made->setFocusPolicy(Qt::StrongFocus);
+        made->setFixedHeight(26);
+        layout->addWidget(made);
+        return made;
+    };
+    auto* adds = button(tr("Add"), tr("Adds a shape or an operation to the selected one, or beside it."));
+    adds->setMenu(adds_);
+    adds->setPopupMode(QToolButton::InstantPopup);
+    auto* wraps = button(tr("Wrap"), tr("Puts the selected node into an operation."));
+    wraps->setMenu(wraps_);
+    wraps->setPopupMode(QToolButton::InstantPopup);
+    auto* save = button(tr("Save"), tr("Writes what you edited to the file that the exhibit was read from."));
+    connect(save, &QToolButton::clicked, this, [this] { file_.save(); });
+    layout->addStretch(1);
+    auto* group = new QActionGroup(this);
+    group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    for (const auto& [mode, text, key] :
+         {std::tuple{HandleMode::move, tr("Move"), Qt::Key_1}, std::tuple{HandleMode::turn, tr("Turn"), Qt::Key_2},
+          std::tuple{HandleMode::scale, tr("Scale"), Qt::Key_3}}) {
+        auto* action = new QAction(text, group);
+        action->setCheckable(true);
+        action->setChecked(mode == overlay_.mode());
+        action->setShortcut(QKeySequence(key));
+        action->setShortcutContext(Qt::WidgetShortcut);
+        action->setToolTip(
+            tr("Handles in the picture; %1 while the picture has the focus.").arg(QKeySequence(key).toString()));
+        overlay_.parentWidget()->addAction(action);
+        connect(action, &QAction::toggled, this, [this, group, mode = mode](bool on) {
+            if (on) overlay_.setMode(mode);
+            if (!group->checkedAction()) overlay_.setMode(HandleMode::none);
+        });
+        auto* made = button(text, action->toolTip());
+        made->setDefaultAction(action);
+    }
+    return bar;
+}
+
+QString TreeDock::words(What what, const std::string& word) const
+{
+    const QString node = editor_.selectedTitle(), kind = QString::fromStdString(word);
+    switch (what) {
+    case What::add: return tr("Add %1").arg(kind);
+    case What::duplicate: return tr("Duplicate %1").arg(node);
+    case What::remove: return tr("Delete %1").arg(node);
+    case What::wrap: return tr("Wrap %1 in %2").arg(node, kind);
+    case What::unwrap: return tr("Unwrap %1").arg(node);
+    case What::solo: return tr("Show %1 alone").arg(node);
+    case What::showAll: return tr("Show all nodes");
+    case What::kind: return tr("Make %1 a %2").arg(node, kind);
+    default: return tr("Change the tree");
+    }
+}
+
+TreeEdit TreeDock::addition(const std::string& kind) const
+{
+    const Tree& tree = editor_.tree();
+    TreeEdit edit{What::add, "root", kind};
+    for (std::size_t at = tree.find(editor_.selected()); at != TreeNode::none; at = tree.nodes[at].parent) {
+        edit.node = tree.nodes[at].id;
+        if (tree.nodes[at].takesChildren) break;
+    }
+    return edit;
+}
+
+void TreeDock::apply(What what, const std::string& word)
+{
+    const TreeEdit edit = what == What::add ? addition(word) : TreeEdit{what, editor_.selected(), word};
+    editor_.apply(edit, words(what, word));
+}
+
+void TreeDock::offerKinds(QMenu* menu, What what, bool shapes, bool operations)
+{
+    menu->setToolTipsVisible(true);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu, what, shapes, operations] {
+        menu->clear();
+        const Tree& tree = editor_.tree();
+        const std::size_t index = tree.find(editor_.selected());
+        const auto isOperation = [&](const TreeKind& kind) {
+            return index != TreeNode::none && kind.operation && kind.name == tree.nodes[index].kind;
+        };
+        const bool ofOperation = std::any_of(tree.kinds.begin(), tree.kinds.end(), isOperation);
+        for (const bool operation : {false, true}) {
+            if (operation ? !operations : !shapes) continue;
+            if (what == What::kind && operation != ofOperation) continue;  // A shape stays one.
+            if (what == What::add && operation) menu->addSeparator();
+            for (const TreeKind& kind : editor_.tree().kinds) {
+                if (kind.operation != operation) continue;
+                QAction* action = menu->addAction(text(kind.name));
+                action->setToolTip(text(kind.help));
+                connect(action, &QAction::triggered, this,
+                        [this, what, word = std::string(kind.name)] { apply(what, word); });
+            }
+        }
+    });
+}
+
+void TreeDock::openMenu(const QPoint& at)
+{
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addMenu(adds_);
+    menu->addMenu(wraps_);
+    menu->addMenu(kinds_);
+    menu->addSeparator();
+    for (const What what : {What::duplicate, What::remove, What::unwrap, What::rename}) menu->addAction(action(what));
+    menu->addSeparator();
+    for (const What what : {What::solo, What::showAll}) menu->addAction(action(what));
+    menu->popup(view_->viewport()->mapToGlobal(at));
+}
+
+void TreeDock::enable()
+{
+    const bool some = !editor_.selected().empty();
+    for (const What what : {What::duplicate, What::remove, What::unwrap, What::rename, What::solo})
+        action(what)->setEnabled(some);
+    for (QMenu* menu : {wraps_, kinds_}) menu->setEnabled(some);
+    adds_->setEnabled(editor_.source() != nullptr);
+    action(What::showAll)->setEnabled(editor_.source() != nullptr);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_tree_dock.cpp"

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "exhibits/framework/tree.h"
+
+#include <QHash>
+#include <QWidget>
+
+class QAction;
+class QMenu;
+
+namespace vitrine::ui {
+
+class TreeEditor;
+class TreeFile;
+class TreeOverlay;
+class TreeRowsView;
+class TreeView;
+
+/// The tree of the visited exhibit, what can be done with its nodes, and the numbers of the selected one.
+class TreeDock final : public QWidget {
+    Q_OBJECT
+
+public:
+    /// All must outlive it.
+    TreeDock(TreeEditor&, TreeOverlay&, TreeFile&, QWidget* parent = nullptr);
+
+    [[nodiscard]] TreeView& view() const { return *view_; }
+    [[nodiscard]] TreeRowsView& rows() const { return *rows_; }
+    [[nodiscard]] TreeEditor& editor() const { return editor_; }
+    [[nodiscard]] TreeOverlay& overlay() const { return overlay_; }
+    /// By what it does.
+    [[nodiscard]] QAction* action(TreeEdit::What what) const { return actions_.value(static_cast<int>(what)); }
+
+private:
+    QAction* add(TreeEdit::What, const QString& text, const QString& tip, const QKeySequence& = {});
+    void addActions();
+    [[nodiscard]] QWidget* bar();
+    /// Fills a menu of kinds when it opens; `operations`: those that hold others, or shapes.
+    void offerKinds(QMenu*, TreeEdit::What, bool shapes, bool operations);
+    void openMenu(const QPoint&);
+    void apply(TreeEdit::What, const std::string& word = {});
+    void enable();
+    /// Where what is added goes: the selected node, or the nearest around it that takes children.
+    [[nodiscard]] TreeEdit addition(const std::string& kind) const;
+    [[nodiscard]] QString words(TreeEdit::What, const std::string& word) const;
+
+    TreeEditor& editor_;
+    TreeOverlay& overlay_;
+    TreeFile& file_;
+    TreeView* view_;
+    TreeRowsView* rows_;
+    QHash<int, QAction*> actions_;
+    QMenu *adds_, *wraps_, *kinds_;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,126 @@
+#include "ui/tree/tree_editor.h"
+
+#include "exhibits/framework/capabilities.h"
+#include "exhibits/museum/museum.h"
+#include "render/failure.h"
+#include "ui/kit/text.h"
+#include "ui/model/workbench.h"
+
+namespace vitrine::ui {
+
+TreeEditor::TreeEditor(Workbench& window, QObject* parent) : QObject(parent), window_(window)
+{
+    connect(&window.history(), &History::changed, this, [this](std::size_t exhibit) {
+        if (exhibit == subject_) refresh();
+    });
+    connect(&window.history(), &History::replaced, this, &TreeEditor::refresh);
+}
+
+const ParameterValues& TreeEditor::values() const
+{
+    return window_.history().sceneState().values[subject_];
+}
+
+void TreeEditor::setSubject(std::size_t exhibit)
+{
+    if (subject_ == exhibit) return;
+    subject_ = exhibit;
+    source_ = capability<HasTree>(window_.museum().subject(exhibit));
+    table_.reset();
+    tree_ = {};
+    selected_.clear();
+    refresh();
+    emit treeChanged();
+    emit selectionChanged();
+}
+
+void TreeEditor::refresh()
+{
+    if (!source_) return;
+    if (table_ != values().sharedTable()) {
+        table_ = values().sharedTable();
+        Tree now = source_->tree(values());
+        const bool another = now.nodes != tree_.nodes;
+        tree_ = std::move(now);
+        if (another) emit treeChanged();
+    }
+    if (!selected_.empty() && tree_.find(selected_) == TreeNode::none) select({});
+    emit valuesChanged();
+}
+
+void TreeEditor::select(const std::string& node)
+{
+    const std::string wanted = tree_.find(node) == TreeNode::none ? std::string() : node;
+    if (wanted == selected_) return;
+    selected_ = wanted;
+    emit selectionChanged();
+}
+
+QString TreeEditor::selectedTitle() const
+{
+    const std::size_t index = tree_.find(selected_);
+    return index == TreeNode::none ? QString() : text(Tree::title(tree_.nodes[index]));
+}
+
+void TreeEditor::beginDocument()
+{
+    SceneState begun = window_.history().sceneState();
+    const TreeDocument document = source_->document(values());
+    if (!std::get<std::string>(values().row(document.document)).empty()) return;
+    begun.values[subject_].setRow(document.document, source_->documentText(values()));
+    window_.history().settle(begun);
+}
+
+void TreeEditor::change(const ParameterValues& values, Gesture gesture, const QString& text)
+{
+    SceneState after = window_.history().sceneState();
+    after.values[subject_] = values;
+    window_.history().change(text, after, gesture);
+}
+
+bool TreeEditor::apply(const TreeEdit& edit, const QString& text)
+{
+    if (!source_) return false;
+    try {
+        render::AssetStore assets = window_.museum().assets();
+        EditedTree made = source_->edited(values(), edit, assets);
+        beginDocument();
+        change(made.values, 0, text);
+        select(made.node);
+        return true;
+    } catch (const Failure& failure) {
+        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        return false;
+    }
+}
+
+void TreeEditor::setRow(std::size_t row, const Value& value, Gesture gesture, const QString& text)
+{
+    if (!source_ || selected_.empty()) return;
+    try {
+        render::AssetStore assets = window_.museum().assets();
+        const ParameterValues next = source_->withRow(values(), selected_, row, value, assets);
+        beginDocument();
+        change(next, gesture, text);
+    } catch (const Failure& failure) {
+        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        emit valuesChanged();
+    }
+}
+
+void TreeEditor::setPlace(const TreePlace& from, const TreePlace& to, Gesture gesture, const QString& text)
+{
+    if (!source_ || selected_.empty()) return;
+    try {
+        render::AssetStore assets = window_.museum().assets();
+        const ParameterValues next = source_->withPlace(values(), selected_, from, to, assets);
+        beginDocument();
+        change(next, gesture, text);
+    } catch (const Failure& failure) {
+        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+    }
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_tree_editor.cpp"

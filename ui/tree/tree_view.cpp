@@ -1,0 +1,178 @@
+#include "ui/tree/tree_view.h"
+
+#include "ui/kit/text.h"
+#include "ui/tree/tree_editor.h"
+
+#include <QDropEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+
+#include <vector>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr int mostUnfolded = 500;  ///< Nodes; of larger trees only the first level is.
+
+}  // namespace
+
+TreeView::TreeView(TreeEditor& editor, QWidget* parent) : QTreeWidget(parent), editor_(editor)
+{
+    setAccessibleName(tr("Tree"));
+    setColumnCount(2);
+    setHeaderHidden(true);
+    setUniformRowHeights(true);
+    setDragDropMode(QAbstractItemView::InternalMove);
+    setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    setExpandsOnDoubleClick(false);
+    setContextMenuPolicy(Qt::CustomContextMenu);
+    setFrameShape(QFrame::NoFrame);
+    header()->setStretchLastSection(true);
+    header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    connect(&editor_, &TreeEditor::treeChanged, this, &TreeView::rebuild);
+    connect(&editor_, &TreeEditor::selectionChanged, this, &TreeView::showSelection);
+    connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        if (!filling_) editor_.select(item ? nodeOf(*item) : std::string());
+    });
+    connect(this, &QTreeWidget::itemChanged, this, &TreeView::takeEdit);
+    rebuild();
+}
+
+std::string TreeView::nodeOf(const QTreeWidgetItem& item)
+{
+    return item.data(0, Qt::UserRole).toString().toStdString();
+}
+
+QTreeWidgetItem* TreeView::itemOf(const std::string& node) const
+{
+    const QString wanted = QString::fromStdString(node);
+    for (QTreeWidgetItemIterator it(const_cast<TreeView*>(this)); *it; ++it)
+        if ((*it)->data(0, Qt::UserRole).toString() == wanted) return *it;
+    return nullptr;
+}
+
+void TreeView::rebuild()
+{
+    filling_ = true;
+    clear();
+    std::vector<QTreeWidgetItem*> items;
+    QTreeWidgetItem* shared = nullptr;
+    for (const TreeNode& node : editor_.tree().nodes) {
+        QTreeWidgetItem* item = nullptr;
+        if (node.parent != TreeNode::none) {
+            item = new QTreeWidgetItem(items[node.parent]);
+        } else if (node.shared) {
+            if (!shared) {
+                shared = new QTreeWidgetItem(this, {tr("Definitions")});
+                shared->setFlags(Qt::ItemIsEnabled);
+            }
+            item = new QTreeWidgetItem(shared);
+        } else {
+            item = new QTreeWidgetItem(this);
+        }
+        item->setData(0, Qt::UserRole, QString::fromStdString(node.id));
+        item->setText(0, text(Tree::title(node)));
+        item->setText(1, node.name.empty() ? QString() : QString::fromStdString(node.kind));
+        item->setCheckState(0, node.hidden ? Qt::Unchecked : Qt::Checked);
+        item->setToolTip(0, tr("The check mark shows or hides it. Drag to reorder, F2 renames."));
+        Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsUserCheckable;
+        if (node.movable) flags |= Qt::ItemIsDragEnabled;
+        if (node.takesChildren) flags |= Qt::ItemIsDropEnabled;
+        item->setFlags(flags);
+        items.push_back(item);
+    }
+    if (items.size() <= mostUnfolded)
+        expandAll();
+    else
+        expandToDepth(0);
+    filling_ = false;
+    showSelection();
+}
+
+void TreeView::showSelection()
+{
+    filling_ = true;
+    QTreeWidgetItem* item = editor_.selected().empty() ? nullptr : itemOf(editor_.selected());
+    setCurrentItem(item);
+    if (item) scrollToItem(item);
+    filling_ = false;
+}
+
+void TreeView::takeEdit(QTreeWidgetItem* item, int column)
+{
+    if (filling_ || column != 0) return;
+    const std::size_t index = editor_.tree().find(nodeOf(*item));
+    if (index == TreeNode::none) return;
+    const TreeNode node = editor_.tree().nodes[index];
+    const QString title = text(Tree::title(node));
+    const bool hidden = item->checkState(0) == Qt::Unchecked;
+    const QString typed = item->text(0).trimmed();
+    if (hidden == node.hidden && typed == title) return;
+    // The tree is made anew of the change: when whoever edits the item is done with it.
+    QMetaObject::invokeMethod(
+        this,
+        [this, node, title, hidden, typed] {
+            const bool made =
+                hidden != node.hidden
+                    ? editor_.apply({hidden ? TreeEdit::What::hide : TreeEdit::What::show, node.id},
+                                    hidden ? tr("Hide %1").arg(title) : tr("Show %1").arg(title))
+                    : editor_.apply({TreeEdit::What::rename, node.id, typed.toStdString()}, tr("Rename %1").arg(title));
+            if (!made) rebuild();
+        },
+        Qt::QueuedConnection);
+}
+
+bool TreeView::event(QEvent* event)
+{
+    // Its keys are its own while it has the focus, whatever shortcuts the window has for them.
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_F2) {
+        event->accept();
+        return true;
+    }
+    return QTreeWidget::event(event);
+}
+
+void TreeView::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_F2 && currentItem()) {
+        editItem(currentItem(), 0);
+        return;
+    }
+    if (event->key() == Qt::Key_Escape) {
+        editor_.select({});
+        return;
+    }
+    QTreeWidget::keyPressEvent(event);
+}
+
+TreeEdit TreeView::moveOf(const QTreeWidgetItem& dragged, QTreeWidgetItem& target, int side)
+{
+    TreeEdit edit{TreeEdit::What::move, nodeOf(dragged)};
+    if (side == 0) {
+        edit.parent = nodeOf(target);
+    } else if (const QTreeWidgetItem* parent = target.parent()) {
+        edit.parent = nodeOf(*parent);
+        edit.before = static_cast<std::size_t>(parent->indexOfChild(&target) + (side > 0 ? 1 : 0));
+    }
+    return edit;
+}
+
+void TreeView::dropEvent(QDropEvent* event)
+{
+    // The tree is made anew of what the change gives: nothing is moved here.
+    event->setDropAction(Qt::IgnoreAction);
+    event->accept();
+    const QTreeWidgetItem* dragged = currentItem();
+    QTreeWidgetItem* target = itemAt(event->position().toPoint());
+    if (!dragged || !target || event->source() != this) return;
+    const int side = dropIndicatorPosition() == OnItem ? 0 : dropIndicatorPosition() == AboveItem ? -1 : 1;
+    const TreeEdit edit = moveOf(*dragged, *target, side);
+    if (edit.parent.empty()) return;
+    const QString title = dragged->text(0);
+    QMetaObject::invokeMethod(
+        this, [this, edit, title] { editor_.apply(edit, tr("Move %1").arg(title)); }, Qt::QueuedConnection);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_tree_view.cpp"

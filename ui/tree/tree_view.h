@@ -1,0 +1,41 @@
+#pragma once
+
+#include "exhibits/framework/tree.h"
+
+#include <QTreeWidget>
+
+#include <string>
+
+namespace vitrine::ui {
+
+class TreeEditor;
+
+/// The nodes of the exhibit's tree: a check mark shows or hides, dragging reorders, F2 renames.
+class TreeView final : public QTreeWidget {
+    Q_OBJECT
+
+public:
+    /// The editor must outlive it.
+    explicit TreeView(TreeEditor&, QWidget* parent = nullptr);
+
+    /// Null where there is no such node.
+    [[nodiscard]] QTreeWidgetItem* itemOf(const std::string& node) const;
+    [[nodiscard]] static std::string nodeOf(const QTreeWidgetItem&);
+    /// What dropping one item on another means (`side` 0), or above it (-1) or below (1); no parent: nothing.
+    [[nodiscard]] static TreeEdit moveOf(const QTreeWidgetItem& dragged, QTreeWidgetItem& target, int side);
+
+protected:
+    bool event(QEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+    void dropEvent(QDropEvent*) override;
+
+private:
+    void rebuild();
+    void showSelection();
+    void takeEdit(QTreeWidgetItem*, int column);
+
+    TreeEditor& editor_;
+    bool filling_ = false;
+};
+
+}  // namespace vitrine::ui

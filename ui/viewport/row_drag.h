@@ -1,0 +1,50 @@
+#pragma once
+
+#include "ui/model/history.h"
+
+#include <QObject>
+#include <QPointF>
+
+#include <functional>
+#include <optional>
+
+namespace vitrine {
+class HasDraggedRows;
+}
+
+namespace vitrine::ui {
+
+class Viewport;
+
+/// Lets the visitor drag rows of the visited exhibit in the picture (`HasDraggedRows`). One drag is one undo step.
+class RowDrag final : public QObject {
+    Q_OBJECT
+
+public:
+    /// All must outlive it; `chosen` says which exhibit is visited.
+    RowDrag(const Museum&, History&, Viewport&, std::function<std::size_t()> chosen, QObject* parent);
+
+protected:
+    bool eventFilter(QObject*, QEvent*) override;
+
+private:
+    struct Drag {
+        std::size_t exhibit = 0, row = 0;
+        QPointF grip;  ///< From the pointer to the line, where it was taken hold of.
+        Gesture gesture = 0;
+    };
+    [[nodiscard]] const HasDraggedRows* source() const;
+    /// The row whose line is near the pointer, and how far off it is.
+    [[nodiscard]] std::optional<Drag> gripAt(const QPointF&) const;
+    void drag(const QPointF&);
+    bool hover(const QPointF&);
+
+    const Museum& museum_;
+    History& history_;
+    Viewport& viewport_;
+    std::function<std::size_t()> chosen_;
+    std::optional<Drag> drag_;
+    bool near_ = false;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,93 @@
+// Where the visitor goes, and what his clicks mean.
+#include "ui/viewport/viewport.h"
+
+#include "exhibits/framework/tree.h"
+
+namespace vitrine::ui {
+namespace {
+
+constexpr std::size_t mostFormer = 100;
+
+}  // namespace
+
+void Viewport::visit(std::size_t exhibit)
+{
+    remember();
+    subject_ = exhibit;
+    control_.glideTo({museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
+                      exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
+    cameraChanged();
+}
+
+void Viewport::remember()
+{
+    if (former_.size() == mostFormer) former_.erase(former_.begin());
+    former_.push_back({control_.standpoint(), subject_});
+}
+
+void Viewport::goBack()
+{
+    if (former_.empty()) return;
+    const Former former = former_.back();
+    former_.pop_back();
+    subject_ = former.subject;
+    control_.glideTo(former.standpoint);
+    cameraChanged();
+    emit visited(former.subject);
+}
+
+void Viewport::jumpTo(const render::Camera& camera)
+{
+    cut_ = true;
+    control_.jumpTo(camera);
+    cameraChanged();
+}
+
+void Viewport::walkOn()
+{
+    if (control_.standpoint().mode == CameraControl::Mode::walk) return;
+    remember();
+    control_.walkOn();
+    cameraChanged();
+    emit walkedOn();
+}
+
+void Viewport::click(const QPointF& at)
+{
+    const std::optional<Pointed> found = pointedAt(at);
+    if (!found) return;
+    const bool orbited = control_.mode() == CameraControl::Mode::orbit && found->exhibit == subject_;
+    if (found->button && (found->inReach || orbited)) return pressButton(found->exhibit);
+    if (orbited && capability<HasTree>(museum_.subject(subject_))) {
+        emit shapeClicked(subject_, at);
+        return;
+    }
+    remember();
+    subject_ = found->exhibit;
+    control_.visit(found->view);
+    cameraChanged();
+    emit visited(found->exhibit);
+}
+
+std::optional<Pointed> Viewport::pointedAt(const QPointF& at)
+{
+    if (width() <= 0 || height() <= 0) return std::nullopt;
+    return museum_.pick(prepared(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
+}
+
+void Viewport::press()
+{
+    if (control_.mode() == CameraControl::Mode::orbit && capability<HasButton>(museum_.subject(subject_)))
+        pressButton(subject_);
+    else if (lookedAt_)
+        pressButton(lookedAt_->exhibit);
+}
+
+void Viewport::pressButton(std::size_t exhibit)
+{
+    pressedAt_[exhibit] = time_;
+    sceneStateChanged();
+    emit pressed(exhibit);
+}
+
+}  // namespace vitrine::ui

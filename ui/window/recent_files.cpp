@@ -1,0 +1,56 @@
+#include "ui/window/recent_files.h"
+
+#include "exhibits/framework/state_folder.h"
+#include "ui/window/file_opener.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QMenu>
+#include <QSettings>
+
+namespace vitrine::ui {
+namespace {
+
+QSettings settings()
+{
+    return QSettings(QString::fromStdString((stateFolder() / "window.ini").string()), QSettings::IniFormat);
+}
+
+const QString key = QStringLiteral("recentFiles");
+
+}  // namespace
+
+QStringList recentFiles()
+{
+    QStringList there;
+    for (const QString& path : settings().value(key).toStringList())
+        if (QFileInfo::exists(path)) there << path;
+    return there;
+}
+
+void addRecentFile(const QString& path)
+{
+    QStringList files = recentFiles();
+    const QString whole = QFileInfo(path).absoluteFilePath();
+    files.removeAll(whole);
+    files.prepend(whole);
+    settings().setValue(key, files.mid(0, mostRecentFiles));
+}
+
+QMenu* recentMenu(QWidget* parent, FileOpener& opener)
+{
+    auto* menu = new QMenu(QCoreApplication::translate("MainWindow", "Open &recent"), parent);
+    QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, &opener] {
+        menu->clear();
+        for (const QString& path : recentFiles()) {
+            QAction* action = menu->addAction(QFileInfo(path).fileName().replace(u'&', QStringLiteral("&&")));
+            action->setToolTip(path);
+            QObject::connect(action, &QAction::triggered, &opener, [&opener, path] { opener.open(path); });
+        }
+        menu->setToolTipsVisible(true);
+        if (menu->isEmpty()) menu->addAction(QCoreApplication::translate("MainWindow", "None yet"))->setEnabled(false);
+    });
+    return menu;
+}
+
+}  // namespace vitrine::ui
