@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,8 @@ const NoiseTable table;
 struct Measured {
     render::Image picture;
     double evaluations = 0;  ///< A pixel, mean.
-    double part = 0;  ///< Of the field, look-ups in place of evaluations; of the sea, evaluations of the march alone.
+    /// Of the field, look-ups in place of evaluations; of the sea, evaluations of the march alone; none of clouds.
+    std::optional<double> part;
     double milliseconds = 0;  ///< Of the exhibit's own passes, median of five.
 };
 
@@ -67,7 +69,7 @@ struct Bench {
         return times[2];
     }
 
-    double partOf(const FrameRequest& request)
+    std::optional<double> partOf(const FrameRequest& request)
     {
         const render::FramePlan plan = test::planned(museum, sceneState, request, renderer.persistentState());
         for (const render::Pass& pass : plan.passes()) {
@@ -81,7 +83,7 @@ struct Bench {
             for (const float count : counts.pixels) sum += static_cast<double>(count);
             return sum / (static_cast<double>(size.x) * size.y);
         }
-        return 0;
+        return std::nullopt;
     }
 
     Measured measure()
@@ -114,15 +116,18 @@ double errorOf(const render::Image& a, const render::Image& b)
 
 void row(const std::string& name, const Measured& m, const render::Image& truth)
 {
-    std::printf("| %s | %.1f | %.1f | %.4f | %.0f |\n", name.c_str(), m.evaluations, m.part, errorOf(m.picture, truth),
-                m.milliseconds);
+    std::printf("| %s | %.1f |", name.c_str(), m.evaluations);
+    if (m.part) std::printf(" %.1f |", *m.part);
+    std::printf(" %.4f | %.0f |\n", errorOf(m.picture, truth), m.milliseconds);
     std::fflush(stdout);
 }
 
-/// Columns of a table; `part` says what Measured::part is.
-std::string head(const char* part)
+/// Columns of a table; `part` says what Measured::part is, empty where there is none.
+std::string head(const std::string& part)
 {
-    return std::string("| way | evaluations per pixel | ") + part + " | RMSE | ms |\n|---|---|---|---|---|\n";
+    const std::string name = part.empty() ? "" : part + " | ";
+    return "| way | evaluations per pixel | " + name + "RMSE | ms |\n|---|---|---|---|" +
+           (part.empty() ? "\n" : "---|\n");
 }
 
 void field(Bench& bench, NoiseWork work, const char* title)
@@ -167,7 +172,7 @@ void clouds(Bench& bench)
 {
     std::printf("\n## Clouds\n\nLook-ups, or evaluations of two or three sums, against 512 steps; then against "
                 "evaluated noise.\n\n%s",
-                head("of these, by the march").c_str());
+                head("").c_str());
     ParameterValues& v = bench.values();
     const ParameterValues start = v = [&] {
         ParameterValues of{table};

@@ -51,7 +51,7 @@ study_noise_normals gl $study noise normals --set work=fractal\ sum --runs 3
 study_noise_fieldNoise gl $study noise fieldNoise --set work=field --runs 3
 study_noise_cloudSteps gl $study noise cloudSteps --set work=clouds --points 6 --runs 3
 study_noise_lightSteps gl $study noise lightSteps --set work=clouds --points 6 --runs 3
-study_noise_bakeSize gl $study noise bakeSize --set work=clouds --points 5 --runs 3
+study_noise_bakeSize gl $study noise bakeSize --set work=clouds --values 16,32,64,96,160 --runs 3
 study_noise_waves gl $study noise waves --set work=sea --points 6 --runs 3
 study_noise_seaSteps gl $study noise seaSteps --set work=sea --points 6 --runs 3
 study_pixel_art_method gl $study pixel_art method --runs 3
