@@ -1,7 +1,9 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string_view>
 
 namespace vitrine::render {
@@ -26,5 +28,19 @@ public:
 private:
     std::uint64_t value_ = 0xCBF29CE484222325ULL;
 };
+
+/// Of many numbers, a word at a time: their bits in turn go through the finalizer of SplitMix64 (Steele, Lea, Flood
+/// 2014, "Fast Splittable Pseudorandom Number Generators"), so that each changes every bit of the key. 0 and -0 differ.
+[[nodiscard]] inline std::uint64_t hashOfNumbers(std::span<const double> numbers)
+{
+    std::uint64_t value = numbers.size();
+    for (const double number : numbers) {
+        value = (value ^ std::bit_cast<std::uint64_t>(number)) + 0x9E3779B97F4A7C15ULL;
+        value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+        value = (value ^ (value >> 27U)) * 0x94D049BB133111EBULL;
+        value ^= value >> 31U;
+    }
+    return value;
+}
 
 }  // namespace vitrine::render

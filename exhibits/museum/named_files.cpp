@@ -23,15 +23,6 @@ void forEachFile(Subjects subjects, const SceneState& sceneState, const std::fun
         }
 }
 
-void addTo(render::Hash& hash, const render::FileState& state)
-{
-    hash.addValue(state.there)
-        .addValue(state.bytes)
-        .addValue(state.inode)
-        .addValue(state.modified)
-        .addValue(state.changed);
-}
-
 }  // namespace
 
 bool namesFiles(Subjects subjects, const SceneState& sceneState)
@@ -46,8 +37,8 @@ std::uint64_t stateOfFiles(Subjects subjects, const SceneState& sceneState)
     render::Hash hash;
     forEachFile(subjects, sceneState, [&](const std::string& path) {
         hash.add(path);
-        addTo(hash, render::fileState(path));
-        addTo(hash, render::folderState(path));
+        render::addTo(hash, render::fileState(path));
+        render::addTo(hash, render::folderState(path));
     });
     return hash.value();
 }

@@ -15,14 +15,11 @@ const FurtherMember stageMember{"sdf_scenes/stage_block.glsl", "SceneStage stage
 /// scenes, those of 9 to 12 shapes are up to five times slower by lists, those of 17 a third faster.
 constexpr std::size_t manyShapes = 16;
 
+/// The shader's text has all steps in it, and the numbers are hashed once.
 std::string keyOf(const ShownScene& shown, const SceneWords& words, const char* way)
 {
-    render::Hash hash, reversed;
-    for (const double word : words.words) hash.addValue(word);
-    for (std::size_t i = words.words.size(); i-- > 0;) reversed.addValue(words.words[i]);
-    for (const Step& step : shown.program->steps()) hash.addValue(step.node).addValue(step.type).addValue(step.child);
-    return std::string(way) + ' ' + std::to_string(shown.sources->hash()) + ' ' + std::to_string(hash.value()) + ' ' +
-           std::to_string(reversed.value());
+    return std::string(way) + ' ' + std::to_string(shown.sources->hash()) + ' ' +
+           std::to_string(render::hashOfNumbers(words.words));
 }
 
 std::size_t shapesOf(const SceneProgram& program)
@@ -31,9 +28,9 @@ std::size_t shapesOf(const SceneProgram& program)
                                                   [](const ProgramNode& node) { return node.firstChild == none; }));
 }
 
-AskedScene everyShape(const ShownScene& shown, const SceneWords& words)
+AskedScene everyShape(const ShownScene& shown, const SceneWords& words, const char* why = "")
 {
-    AskedScene asked{.sources = shown.sources};
+    AskedScene asked{.sources = shown.sources, .why = why};
     asked.numbersInBlock = !isInBuffer(*shown.program);
     if (!asked.numbersInBlock)
         asked.buffers = {{STORAGE_EXHIBIT_A, std::make_shared<const render::Bytes>(sceneBlock(words))}};
@@ -77,35 +74,27 @@ bool hasLists(const ListVocabulary& vocabulary)
 
 AskedScene askedScene(const ShownScene& shown, const SceneWords& words, SceneEvaluation way, render::AssetStore& assets)
 {
-    AskedScene asked = everyShape(shown, words);
-    if (way == SceneEvaluation::shapes) return asked;
+    if (way == SceneEvaluation::shapes) return everyShape(shown, words);
     if (way == SceneEvaluation::folded) {
         const auto folded = assets.made<render::ShaderSources>("sdf_scenes.folded", keyOf(shown, words, "folded"), [&] {
             auto sources = generatedSources(foldedSceneGlsl(*shown.program, words, stageMember));
             return render::AssetStore::Made<render::ShaderSources>{std::move(sources), 16 * words.words.size()};
         });
-        return folded.value ? AskedScene{.sources = folded.value} : asked;
+        return folded.value ? AskedScene{.sources = folded.value} : everyShape(shown, words);
     }
     const bool automatic = way == SceneEvaluation::automatic;
-    if (automatic && shapesOf(*shown.program) < manyShapes && asked.numbersInBlock) {
-        asked.why = "asking every shape of so few is as fast";
-        return asked;
-    }
-    if (!hasLists(ListVocabulary::of(*shown.program))) {
-        asked.why = "the tree is nested too deep for lists";
-        return asked;
-    }
+    if (automatic && shapesOf(*shown.program) < manyShapes && !isInBuffer(*shown.program))
+        return everyShape(shown, words, "asking every shape of so few is as fast");
+    if (!hasLists(ListVocabulary::of(*shown.program)))
+        return everyShape(shown, words, "the tree is nested too deep for lists");
     const SceneEvaluation lists = automatic ? SceneEvaluation::near : way;
     const std::shared_ptr<const AskedScene> made = byLists(shown, words, lists, assets);
-    if (!made) {
-        asked.why = "what is near is still being found";
-        return asked;
-    }
-    asked = *made;
-    if (lists == SceneEvaluation::near && asked.near->cells.cells.empty()) {
-        if (automatic && !isInBuffer(*shown.program)) asked = everyShape(shown, words);
-        asked.why = "the scene has no end, so no cells hold it";
-    }
+    if (!made) return everyShape(shown, words, "what is near is still being found");
+    const bool noCells = lists == SceneEvaluation::near && made->near->cells.cells.empty();
+    const char* const noEnd = noCells ? "the scene has no end, so no cells hold it" : "";
+    if (noCells && automatic && !isInBuffer(*shown.program)) return everyShape(shown, words, noEnd);
+    AskedScene asked = *made;
+    asked.why = noEnd;
     return asked;
 }
 

@@ -32,6 +32,7 @@ std::shared_ptr<const SceneReading> readNow(const std::filesystem::path& path, c
         auto shown = std::make_shared<ShownScene>(*shownScene(std::move(read.scene), path));
         for (const SeenFile& file : reading->files)
             if (file.path != path) shown->included.push_back(file.path);
+        for (const std::filesystem::path& picture : environmentFiles(*shown->scene, path)) see(picture);
         reading->table = std::make_shared<const SdfScenesTable>(std::move(shown));
     } catch (const Failure& failure) {
         reading->why = failure.what();
@@ -47,8 +48,7 @@ std::uint64_t changesOf(const SceneReading& reading)
     for (const SeenFile& file : reading.files) {
         const render::FileState now = render::fileState(file.path);
         same = same && now == file.state;
-        hash.add(file.path.string()).addValue(now.there).addValue(now.bytes).addValue(now.inode);
-        hash.addValue(now.modified).addValue(now.changed);
+        render::addTo(hash.add(file.path.string()), now);
     }
     return same ? 0 : std::max<std::uint64_t>(hash.value(), 1);
 }
@@ -95,8 +95,8 @@ std::vector<std::string> filesBeside(const ShownScene& shown)
 {
     std::vector<std::string> files;
     for (const std::filesystem::path& file : shown.included) files.push_back(file.string());
-    for (const std::string& picture : shown.scene->environment.files)
-        files.push_back((shown.path.parent_path() / picture).string());
+    for (const std::filesystem::path& picture : environmentFiles(*shown.scene, shown.path))
+        files.push_back(picture.string());
     return files;
 }
 

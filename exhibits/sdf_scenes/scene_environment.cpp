@@ -76,12 +76,18 @@ std::shared_ptr<const render::Texture> panoramaOf(const std::array<render::Image
 
 std::shared_ptr<const render::Texture> readEnvironment(const ShownScene& shown)
 {
-    const Record& environment = shown.scene->environment;
-    const auto path = [&](std::size_t i) { return shown.path.parent_path() / environment.files[i]; };
-    if (environment.files.size() == 1) return render::loadTexture(path(0), true, true);
+    const std::vector<std::filesystem::path> files = environmentFiles(*shown.scene, shown.path);
+    if (files.size() == 1) return render::loadTexture(files[0], true, true);
     std::array<render::Image, 6> faces;
-    for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = render::readImage(path(i));
+    for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = render::readImage(files[i]);
     return panoramaOf(faces);
+}
+
+std::vector<std::filesystem::path> environmentFiles(const Scene& scene, const std::filesystem::path& path)
+{
+    std::vector<std::filesystem::path> files;
+    for (const std::string& file : scene.environment.files) files.push_back(path.parent_path() / file);
+    return files;
 }
 
 }  // namespace vitrine::scenes

@@ -28,7 +28,8 @@ using scenes::ShownScene;
 
 struct PreparedScene final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
-    scenes::SceneWords words;  ///< At the moment that it was prepared for.
+    std::vector<double> numbers;  ///< At the moment that it was prepared for ...
+    scenes::SceneWords words;     ///< ... and the same as the field takes them.
     scenes::AskedScene asked;
 };
 
@@ -131,11 +132,16 @@ std::vector<double> SdfScenes::numbersAt(const ParameterValues& values, double t
     return numbers;
 }
 
-Portal SdfScenes::portalAt(const ParameterValues& values, double time) const
+Portal SdfScenes::portalAt(const ParameterValues& values, double time, const std::vector<double>& numbers) const
 {
     const ShownScene& scene = shown(values);
-    return scenes::scenePortal(
-        scenes::sceneCamera(*scene.scene, numbersAt(values, time), orbitAt(table_, values, time)), scene.toOpening);
+    return scenes::scenePortal(scenes::sceneCamera(*scene.scene, numbers, orbitAt(table_, values, time)),
+                               scene.toOpening);
+}
+
+Portal SdfScenes::portalAt(const ParameterValues& values, double time) const
+{
+    return portalAt(values, time, numbersAt(values, time));
 }
 
 render::Box SdfScenes::bounds(const ParameterValues&) const
@@ -198,17 +204,12 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
     if (!context.seen) return nullptr;
     const ShownScene& scene = shown(context.values);
     auto part = std::make_shared<PreparedScene>();
-    part->words = scene.program->words(numbersAt(context.values, context.time));
+    part->numbers = numbersAt(context.values, context.time);
+    part->words = scene.program->words(part->numbers);
     part->asked = scenes::askedScene(scene, part->words, context.values[table_.evaluation], context.assets);
     const scenes::Record& environment = scene.scene->environment;
     if (environment.files.empty()) return part;
     const std::string path = (scene.path.parent_path() / environment.files.front()).string();
-    std::uint64_t others = 0;
-    for (const std::string& file : environment.files) {
-        const render::FileState state = render::fileState(scene.path.parent_path() / file);
-        others = 31 * others + std::hash<std::string>()(file);
-        others = 31 * others + (state.there ? static_cast<std::uint64_t>(state.modified) + state.bytes : 0);
-    }
     const auto read = context.assets.get<render::Texture>(
         "sdf_scenes.environment", path,
         [&scene](const std::string&) {
@@ -216,7 +217,7 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
             const std::uint64_t bytes = heldBytes(*picture);
             return render::AssetStore::Made<render::Texture>{std::move(picture), bytes};
         },
-        others);
+        scene.pictures);
     part->environment = read.value;
     part->filesId = read.id;
     if (!read.failure.empty())
@@ -230,18 +231,18 @@ void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
 {
     const ParameterValues& values = context.values;
     const ShownScene& scene = shown(values);
-    const std::vector<double> numbers = numbersAt(values, context.time);
     const auto* prepared = static_cast<const PreparedScene*>(context.prepared);
     if (!prepared) {
         plan.skip("sdf_scenes/scene", "it was not prepared");
         return;
     }
+    const std::vector<double>& numbers = prepared->numbers;
     const scenes::AskedScene& asked = prepared->asked;
     // Shaders see the rows that every scene has, so that all scenes have one block of them.
     std::vector<std::string> notes;
     const ParameterValues common = values.under({std::shared_ptr<const Parameters>(), &table_}, notes);
     render::Pass pass = portalPass("sdf_scenes/scene", "in view", common, "sdf_scenes/scene.frag",
-                                   portalAt(values, context.time), context);
+                                   portalAt(values, context.time, numbers), context);
     pass.shader.sources = asked.sources;
     pass.buffers = asked.buffers;
     pass.shader.slot = pass.name;

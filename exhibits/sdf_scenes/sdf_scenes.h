@@ -70,6 +70,8 @@ private:
     [[nodiscard]] ParameterValues withText(const ParameterValues&, std::string text, render::AssetStore&) const;
     /// Where the scene lies behind the frame at that time.
     [[nodiscard]] Portal portalAt(const ParameterValues&, double time) const;
+    /// The same with `numbersAt` of that time, where these are there already.
+    [[nodiscard]] Portal portalAt(const ParameterValues&, double time, const std::vector<double>& numbers) const;
 
     Table table_;
     std::shared_ptr<const scenes::ShownScene> first_;

@@ -3,6 +3,7 @@
 #include "exhibits/sdf_scenes/scene_glsl.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "render/failure.h"
+#include "render/hash.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -87,6 +88,10 @@ std::shared_ptr<const ShownScene> shownScene(std::shared_ptr<const Scene> scene,
     shown->contents = contentsOf(*shown->scene, *shown->program);
     shown->toOpening = openingOf(*shown->scene, shown->program);
     shown->path = std::move(path);
+    render::Hash pictures;
+    for (const std::filesystem::path& file : environmentFiles(*shown->scene, shown->path))
+        render::addTo(pictures.add(file.string()), render::fileState(file));
+    shown->pictures = pictures.value();
     return shown;
 }
 

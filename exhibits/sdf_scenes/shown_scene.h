@@ -34,6 +34,7 @@ struct ShownScene {
     double toOpening = 1;        ///< From the camera to the frame's opening, so that nothing is seen before it, meters.
     std::filesystem::path path;  ///< Of its file: what it names lies beside it.
     std::vector<std::filesystem::path> included;  ///< That were read for it.
+    std::uint64_t pictures = 0;  ///< Of those around it, as they were then: another number when one changed.
 };
 
 /// Throws Failure (Blame::file) with the first finding for a scene that cannot be read.
@@ -64,5 +65,7 @@ void setBox(SceneStage&, const render::Box&);
 /// The picture of all directions that a scene's environment names, from one file or from six, about as large as asked;
 /// throws Failure.
 [[nodiscard]] std::shared_ptr<const render::Texture> readEnvironment(const ShownScene&);
+/// The files of that picture, for a scene that was read from `path`.
+[[nodiscard]] std::vector<std::filesystem::path> environmentFiles(const Scene&, const std::filesystem::path& path);
 
 }  // namespace vitrine::scenes

@@ -1,7 +1,5 @@
 #include "render/files/asset_store.h"
 
-#include "render/hash.h"
-
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -39,6 +37,12 @@ FileState folderState(const std::filesystem::path& path) noexcept
     } catch (const std::bad_alloc&) {
         return {};
     }
+}
+
+void addTo(Hash& hash, const FileState& state)
+{
+    hash.addValue(state.there).addValue(state.bytes).addValue(state.inode);
+    hash.addValue(state.modified).addValue(state.changed);
 }
 
 struct AssetStore::Entry {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/hash.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -25,6 +27,8 @@ struct FileState {
 [[nodiscard]] FileState fileState(const std::filesystem::path&) noexcept;
 /// Of the folder that the path lies in.
 [[nodiscard]] FileState folderState(const std::filesystem::path&) noexcept;
+/// All of it into a key.
+void addTo(Hash&, const FileState&);
 
 /// What was made of a file or of parameters, or why nothing could be.
 template <typename T> struct Asset {

@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <future>
 #include <memory>
 #include <new>
+#include <set>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -144,6 +147,32 @@ AssetStore::Made<std::string> text(std::string value)
 {
     const std::uint64_t bytes = value.size();
     return {std::make_shared<std::string>(std::move(value)), bytes};
+}
+
+TEST(HashOfNumbers, TellsEveryBitAndEveryOrderApart)
+{
+    std::vector<double> numbers(64);
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = 0.25 * static_cast<double>(i);
+    const std::uint64_t whole = render::hashOfNumbers(numbers);
+    std::set<std::uint64_t> keys{whole};
+    double flipped = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        for (int bit = 0; bit < 64; ++bit) {
+            std::vector<double> other = numbers;
+            other[i] = std::bit_cast<double>(std::bit_cast<std::uint64_t>(other[i]) ^ std::uint64_t{1} << bit);
+            const std::uint64_t key = render::hashOfNumbers(other);
+            keys.insert(key);
+            flipped += std::popcount(key ^ whole) / 64.0;
+        }
+    EXPECT_EQ(keys.size(), 1 + 64U * 64U);
+    EXPECT_NEAR(flipped / (64 * 64), 0.5, 0.01) << "of a bit that changed, half of the key's do";
+    for (std::size_t i = 1; i < numbers.size(); ++i) {
+        std::vector<double> other = numbers;
+        std::swap(other[i - 1], other[i]);
+        EXPECT_TRUE(keys.insert(render::hashOfNumbers(other)).second) << i;
+    }
+    EXPECT_TRUE(keys.insert(render::hashOfNumbers(std::span(numbers).first(63))).second);
+    EXPECT_EQ(render::hashOfNumbers(numbers), whole) << "control: the same numbers have the same key";
 }
 
 TEST(AssetStore, MakesOfParametersOnceForEachKeyAndOfEachSource)
