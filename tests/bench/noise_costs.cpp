@@ -8,7 +8,7 @@
 #include "exhibits/noise/noise_table.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
-#include "tests/support/planned.h"
+#include "tests/bench/bench_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,63 +32,26 @@ struct Measured {
     double milliseconds = 0;  ///< Of the exhibit's own passes, median of five.
 };
 
-struct Bench {
-    render::gl::HeadlessContext context{false};
-    Museum museum{allExhibits()};
-    render::gl::Renderer renderer;
-    SceneState sceneState = museum.initialSceneState();
-    std::size_t exhibit = *museum.find("noise");
-    glm::ivec2 size{320, 200};
-
-    ParameterValues& values() { return sceneState.values[exhibit]; }
-
-    FrameRequest frame()
-    {
-        FrameRequest request;
-        request.alone = exhibit;
-        request.camera = museum.subject(exhibit).bestView(values());
-        request.raster.size = size;
-        request.averageIn = AverageIn::radiance;
-        request.channels.evaluations = true;
-        return request;
-    }
-
-    double millisecondsOf(const FrameRequest& request)
-    {
-        renderer.timeSteps(true);
-        std::vector<double> times;
-        for (int run = 0; run < 6; ++run) {
-            double sum = 0;
-            for (const render::StepReport& step :
-                 renderer.draw(test::planned(museum, sceneState, request, renderer.persistentState())).ran)
-                if (step.name.rfind("noise/", 0) == 0) sum += step.milliseconds;
-            if (run > 0) times.push_back(sum);
-        }
-        renderer.timeSteps(false);
-        std::sort(times.begin(), times.end());
-        return times[2];
-    }
+struct Bench : bench::BenchFrame {
+    Bench() : BenchFrame("noise", {320, 200}) {}
 
     std::optional<double> partOf(const FrameRequest& request)
     {
-        const render::FramePlan plan = test::planned(museum, sceneState, request, renderer.persistentState());
-        for (const render::Pass& pass : plan.passes()) {
+        const render::FramePlan made = plan(request);
+        for (const render::Pass& pass : made.passes()) {
             const bool field = pass.name == "noise/field" || pass.name == "noise/fractal";
             if (!field && pass.name != "noise/sea") continue;
             // No frame of the program asks for this, so that no plan offers it.
             const_cast<render::Pass&>(pass).shader.defines.emplace_back(field ? "COUNT_LOOKUPS" : "COUNT_MARCH");
-            renderer.draw(plan);
-            const render::Image counts = renderer.read(evaluationsImage);
-            double sum = 0;
-            for (const float count : counts.pixels) sum += static_cast<double>(count);
-            return sum / (static_cast<double>(size.x) * size.y);
+            renderer.draw(made);
+            return meanEvaluations();
         }
         return std::nullopt;
     }
 
     Measured measure()
     {
-        const FrameRequest request = frame();
+        const FrameRequest request = alone();
         PictureMaker maker(museum, renderer, sceneState, {.frame = request});
         while (maker.step()) {
         }
@@ -97,7 +60,7 @@ struct Bench {
             for (int x = 0; x < size.x; ++x) result.evaluations += static_cast<double>(result.picture.at(x, y, 4));
         result.evaluations /= static_cast<double>(size.x) * size.y;
         result.part = partOf(request);
-        result.milliseconds = millisecondsOf(request);
+        result.milliseconds = medianMilliseconds(request, "noise/", 5, 1);
         return result;
     }
 };
@@ -245,15 +208,16 @@ void frames(Bench& bench)
     for (int work = 0; work < 4; ++work) {
         bench.values() = ParameterValues(table);
         bench.values().set(table.work, static_cast<NoiseWork>(work));
-        FrameRequest request = bench.frame();
+        FrameRequest request = bench.alone();
         request.alone.reset();
         request.channels.evaluations = false;
         request.camera = bench.museum.bestView(bench.exhibit, bench.values());
-        const double near = bench.millisecondsOf(request);
+        const double near = bench.medianMilliseconds(request, "noise/", 5, 1);
         request.camera.eye = {4.5, 1.65, 0};
-        const double far = bench.millisecondsOf(request);
+        const double far = bench.medianMilliseconds(request, "noise/", 5, 1);
         request.camera.target = {9, 1.65, 0};
-        std::printf("| %s | %.0f | %.0f | %.0f |\n", names[work], near, far, bench.millisecondsOf(request));
+        std::printf("| %s | %.0f | %.0f | %.0f |\n", names[work], near, far,
+                    bench.medianMilliseconds(request, "noise/", 5, 1));
     }
 }
 

@@ -31,6 +31,7 @@ shadow_filters gl $tests/bench_shadow_filters
 sunbeams gl $tests/bench_sunbeams
 noise_costs gl $tests/bench_noise_costs
 scene_speed gl $tests/bench_scene_speed
+compositions gl $tests/bench_compositions
 pixel_normals gl $tests/bench_pixel_normals --model assets/models/teddy.glb
 hall_costs gl $tests/bench_hall_costs
 study_sdf_morph_hitTolerance gl $study sdf_morph hitTolerance

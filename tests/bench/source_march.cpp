@@ -51,6 +51,13 @@ void useSourceMarch(render::Pass& pass, const scenes::SceneProgram& program, con
         {"lib/sphere_tracing.glsl", "#define sphereTrace libraryTrace\n" + library + plainMarch}});
     pass.buffers = {
         {STORAGE_EXHIBIT_A, near->records}, {STORAGE_EXHIBIT_B, near->lists}, {STORAGE_EXHIBIT_C, near->grid}};
+    std::vector<std::string>& defines = pass.shader.defines;
+    const auto has = [&](std::string_view word) {
+        return std::any_of(defines.begin(), defines.end(), [&](const std::string& d) { return d.starts_with(word); });
+    };
+    if (has("SOURCE_LOOK"))
+        for (const char* word : {"LIGHTS", "SHADOWS 6", "OCCLUSION 0", "MIRRORS"})
+            if (!has(std::string_view(word).substr(0, 6))) defines.emplace_back(word);
     // The stage alone, which follows the scene's numbers.
     if (!scenes::isInBuffer(program)) {
         render::Bytes& block = pass.blocks[BLOCK_EXHIBIT];

@@ -8,7 +8,7 @@
 #include "exhibits/museum/picture.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
-#include "tests/support/planned.h"
+#include "tests/bench/bench_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,16 +34,11 @@ struct Measured {
     double milliseconds = 0;  ///< Of the exhibit's own passes, median of five.
 };
 
-struct Bench {
-    render::gl::HeadlessContext context{false};
-    Museum museum{allExhibits()};
-    render::gl::Renderer renderer;
-    SceneState sceneState = museum.initialSceneState();
-    std::size_t exhibit = *museum.find("crepuscular_rays");
-    glm::ivec2 size{640, 360};
+struct Bench : bench::BenchFrame {
     render::Camera camera;
 
-    ParameterValues& rays() { return sceneState.values[exhibit]; }
+    Bench() : BenchFrame("crepuscular_rays", {640, 360}) {}
+    ParameterValues& rays() { return values(); }
 
     Measured measure(bool timed = true)
     {
@@ -62,18 +57,7 @@ struct Bench {
         if (const auto found = counters.find("marchSteps"); found != counters.end())
             result.stepsPerPixel = static_cast<double>(found->second) / pixels;
         if (!timed) return result;
-        renderer.timeSteps(true);
-        std::vector<double> times;
-        for (int run = 0; run < 5; ++run) {
-            double sum = 0;
-            for (const render::StepReport& step :
-                 renderer.draw(test::planned(museum, sceneState, frame, renderer.persistentState())).ran)
-                if (step.name.rfind("crepuscular_rays/", 0) == 0) sum += step.milliseconds;
-            times.push_back(sum);
-        }
-        renderer.timeSteps(false);
-        std::sort(times.begin(), times.end());
-        result.milliseconds = times[2];
+        result.milliseconds = medianMilliseconds(frame, "crepuscular_rays/", 5, 0);
         return result;
     }
 };
@@ -222,9 +206,7 @@ void entrance(Bench& bench)
     std::map<std::string, std::vector<double>> times;
     for (int run = 0; run < 7; ++run) {
         std::map<std::string, double> once;
-        for (const render::StepReport& step :
-             bench.renderer.draw(test::planned(bench.museum, bench.sceneState, frame, bench.renderer.persistentState()))
-                 .ran)
+        for (const render::StepReport& step : bench.renderer.draw(bench.plan(frame)).ran)
             once[step.name.rfind("crepuscular_rays/", 0) == 0 ? step.name : "everything else"] += step.milliseconds;
         if (run < 2) continue;  // Shadow maps, probe and programs are made once.
         for (const auto& [name, milliseconds] : once) times[name].push_back(milliseconds);
