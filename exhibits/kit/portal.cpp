@@ -7,6 +7,9 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vitrine {
 namespace {
 
@@ -25,6 +28,12 @@ std::shared_ptr<const render::Mesh> squareMesh()
     return square;
 }
 
+/// A point of it, the exhibit's space.
+glm::dvec4 dividerOf(const Portal& portal)
+{
+    return {portal.divider, 0, -portal.behind, 1};
+}
+
 PortalBlock portalBlock(const Portal& portal, const PlanContext& context)
 {
     const glm::dmat4& worldFromExhibit = context.worldFromExhibit;
@@ -39,6 +48,9 @@ PortalBlock portalBlock(const Portal& portal, const PlanContext& context)
     block.plane = glm::vec4(glm::dvec4(normal, -glm::dot(normal, middle)));
     block.workPerMeter = static_cast<float>(glm::length(glm::dvec3(workFromWorld[2])));
     block.radianceScale = static_cast<float>(1 / context.lighting.adaptation);
+    block.dividerAt = glm::vec3(worldFromExhibit * dividerOf(portal));
+    block.dividerUp = glm::vec3(worldFromExhibit * glm::dvec4(0, 1, 0, 0));
+    block.side = static_cast<float>(portal.side);
     return block;
 }
 
@@ -47,6 +59,31 @@ PortalBlock portalBlock(const Portal& portal, const PlanContext& context)
 render::Box portalBounds(const Portal& portal)
 {
     return {{-portal.halfSize, -portal.behind}, {portal.halfSize, -portal.behind}};
+}
+
+std::optional<glm::ivec2> portalColumns(const Portal& portal, const glm::dmat4& worldFromExhibit,
+                                        const render::View& view)
+{
+    if (portal.side == 0) return std::nullopt;
+    const glm::dvec3 toLine = glm::dvec3(worldFromExhibit * dividerOf(portal)) - view.eye;
+    const glm::dvec3 right = glm::cross(toLine, glm::dvec3(worldFromExhibit * glm::dvec4(0, 1, 0, 0)));
+    // How far right of the divider a ray is changes evenly across the picture.
+    const auto at = [&](double x, double y) { return glm::dot(right, view.direction({x, y})) * portal.side; };
+    double low = 1, high = -1;
+    for (const double y : {-1.0, 1.0}) {
+        const double first = at(-1, y), last = at(1, y);
+        if (first >= 0) low = -1;
+        if (last >= 0) high = 1;
+        if ((first >= 0) == (last >= 0)) continue;
+        const double between = -1 + 2 * first / (first - last);
+        low = std::min(low, between);
+        high = std::max(high, between);
+    }
+    // One more on either side, for jitter and rounding.
+    const double width = view.raster.size.x;
+    const auto column = [&](double ndc) { return (0.5 + 0.5 * ndc) * width - view.raster.offset.x; };
+    if (high <= low) return glm::ivec2(0);
+    return glm::ivec2(static_cast<int>(std::floor(column(low))) - 1, static_cast<int>(std::ceil(column(high))) + 1);
 }
 
 render::Camera portalView(const Portal& portal)

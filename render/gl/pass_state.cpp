@@ -2,6 +2,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+
 namespace vitrine::render::gl {
 namespace {
 
@@ -74,6 +76,15 @@ void applyState(const RasterState& state)
     glDisable(GL_SCISSOR_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     applyBlend(state);
+}
+
+void limitTo(const std::optional<glm::ivec2>& columns)
+{
+    enable(GL_SCISSOR_TEST, columns.has_value());
+    if (!columns) return;
+    constexpr int endless = 1 << 20;
+    const int first = std::max(columns->x, 0);
+    glScissor(first, 0, std::max(columns->y - first, 0), endless);
 }
 
 void dispatch(const Pass& pass, const Resources& resources)

@@ -11,6 +11,9 @@ void bindTarget(const Pass&, Resources&, bool clears);
 
 void applyState(const RasterState&);
 
+/// Draws these columns alone (`Pass::columns`); unset: all.
+void limitTo(const std::optional<glm::ivec2>& columns);
+
 /// Binds the writable images of a compute pass, dispatches it and makes its writes visible.
 void dispatch(const Pass&, const Resources&);
 

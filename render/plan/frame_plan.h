@@ -133,6 +133,9 @@ struct Pass {
     std::vector<std::string> writes;  ///< Simulation states written, besides the attachments.
     std::map<int, Bytes> blocks;      ///< std140 blocks by BLOCK_ binding; FRAME is the renderer's.
     std::optional<View> view;         ///< In place of the plan's: a light, a face of a probe.
+    /// Raster: of the targets, only the pixels of these columns are drawn, from the first to before the second; what
+    /// is cleared is cleared as a whole. Unset: all.
+    std::optional<glm::ivec2> columns;
     std::vector<Draw> draws;
     std::optional<DepthOnly> depthOnly;  ///< For whoever asks for no more; unset: only its own program finds its depth.
     glm::ivec3 groups{1};                ///< Compute.

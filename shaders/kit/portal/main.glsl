@@ -10,6 +10,11 @@ layout(location = WRITE_EVALUATIONS) out vec4 evaluationsOut;
 
 void main()
 {
+    if (portal.side != 0.0) {
+        // Both halves compute the very same number, so that each pixel is in one of them.
+        precise float right = dot(cross(portal.dividerAt - frame.eye, portal.dividerUp), frameRay(gl_FragCoord.xy));
+        if ((right >= 0.0) != (portal.side > 0.0)) discard;
+    }
     PortalRay ray = portalRay(gl_FragCoord.xy);
     PortalSeen seen = portalSeen(ray);
     radiance = vec4(clamp(seen.radiance * portal.radianceScale, vec3(0.0), vec3(6e4)), 1.0);
