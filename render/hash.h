@@ -29,18 +29,31 @@ private:
     std::uint64_t value_ = 0xCBF29CE484222325ULL;
 };
 
-/// Of many numbers, a word at a time: their bits in turn go through the finalizer of SplitMix64 (Steele, Lea, Flood
-/// 2014, "Fast Splittable Pseudorandom Number Generators"), so that each changes every bit of the key. 0 and -0 differ.
+/// Of many numbers, a word at a time: their bits in turn go through the finalizer of SplitMix64 (Steele, Lea, Flood 2014,
+/// "Fast Splittable Pseudorandom Number Generators"), so that each changes every bit of the key.
+class NumberHash {
+public:
+    /// Of so many.
+    explicit NumberHash(std::size_t count) : value_(count) {}
+    void add(std::uint64_t number)
+    {
+        value_ = (value_ ^ number) + 0x9E3779B97F4A7C15ULL;
+        value_ = (value_ ^ (value_ >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+        value_ = (value_ ^ (value_ >> 27U)) * 0x94D049BB133111EBULL;
+        value_ ^= value_ >> 31U;
+    }
+    [[nodiscard]] std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_;
+};
+
+/// The same of all of them; 0 and -0 differ.
 [[nodiscard]] inline std::uint64_t hashOfNumbers(std::span<const double> numbers)
 {
-    std::uint64_t value = numbers.size();
-    for (const double number : numbers) {
-        value = (value ^ std::bit_cast<std::uint64_t>(number)) + 0x9E3779B97F4A7C15ULL;
-        value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-        value = (value ^ (value >> 27U)) * 0x94D049BB133111EBULL;
-        value ^= value >> 31U;
-    }
-    return value;
+    NumberHash hash(numbers.size());
+    for (const double number : numbers) hash.add(std::bit_cast<std::uint64_t>(number));
+    return hash.value();
 }
 
 }  // namespace vitrine::render

@@ -35,6 +35,8 @@ struct FrameRequest {
                             ///< is still being built is stood in for.
     bool needsFiles =
         false;  ///< A file that the look names and that cannot be read is a Failure, not a complaint of the plan.
+    bool rests =
+        false;  ///< Its values have not changed for a while: programs may be built for them alone (ShaderKey::better).
     bool waitless = false;  ///< Prepared by a thread that must not wait: without what nobody has read or made yet.
     /// Seconds since each exhibit's button was pressed, in the order of Museum::subjects(); may be shorter.
     std::vector<double> sincePressed;

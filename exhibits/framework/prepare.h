@@ -35,6 +35,7 @@ struct PrepareContext {
         std::numeric_limits<double>::infinity();  ///< Seconds since its button was pressed; infinity: never.
     bool seen = false;                            ///< It may be seen in the picture ...
     bool shadowSeen = false;                      ///< ... and the same of its shadow. One of the two at least.
+    bool rests = false;                           ///< The values have not changed for a while.
     render::AssetStore& assets;                   ///< The one place in which things are made and kept.
 };
 

@@ -158,8 +158,8 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
     for (const auto& [i, exhibit] : exhibits_) {
         PreparedExhibit& part = made.exhibits[i];
         if (!part.seen && !part.shadowSeen) continue;
-        part.part = exhibit.prepare(
-            {made.sceneState.values[i], made.time, made.sincePress(i), part.seen, part.shadowSeen, assets});
+        part.part = exhibit.prepare({made.sceneState.values[i], made.time, made.sincePress(i), part.seen,
+                                     part.shadowSeen, request.rests, assets});
         complainOf(part.part.get());
     }
     made.pending = assets.pending();

@@ -1,6 +1,7 @@
 #include "exhibits/sdf_scenes/asked_scene.h"
 
 #include "exhibits/sdf_scenes/list_glsl.h"
+#include "exhibits/sdf_scenes/steady_words.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -14,6 +15,9 @@ const FurtherMember stageMember{"sdf_scenes/stage_block.glsl", "SceneStage stage
 /// From so many shapes on, asking those that are near is faster than asking all: bench_scene_speed. Of the shipped
 /// scenes, those of 9 to 12 shapes are up to five times slower by lists, those of 17 a third faster.
 constexpr std::size_t manyShapes = 16;
+
+/// Up to so many, a program of the scene's own is built in seconds, and with its numbers folded is faster than without.
+constexpr std::size_t mostFolded = 64;
 
 /// The shader's text has all steps in it, and the numbers are hashed once.
 std::string keyOf(const ShownScene& shown, const SceneWords& words, const char* way)
@@ -72,7 +76,9 @@ bool hasLists(const ListVocabulary& vocabulary)
            vocabulary.places <= ListVocabulary::mostPlaces;
 }
 
-AskedScene askedScene(const ShownScene& shown, const SceneWords& words, SceneEvaluation way, render::AssetStore& assets)
+namespace {
+
+AskedScene unfolded(const ShownScene& shown, const SceneWords& words, SceneEvaluation way, render::AssetStore& assets)
 {
     if (way == SceneEvaluation::shapes) return everyShape(shown, words);
     if (way == SceneEvaluation::folded) {
@@ -95,6 +101,40 @@ AskedScene askedScene(const ShownScene& shown, const SceneWords& words, SceneEva
     if (noCells && automatic && !isInBuffer(*shown.program)) return everyShape(shown, words, noEnd);
     AskedScene asked = *made;
     asked.why = noEnd;
+    return asked;
+}
+
+/// Why a scene that is asked so has no better program; empty where it has one.
+std::string whyNotFolded(const ShownScene& shown, const AskedScene& asked, SceneEvaluation way, SceneRest rest)
+{
+    if (way != SceneEvaluation::automatic) return "numbers are folded by themselves where the evaluation is automatic";
+    if (asked.near) return "lists have no numbers in their text";
+    if (shapesOf(*shown.program) > mostFolded) return "so many numbers take too long to be built into a program";
+    return rest == SceneRest::none ? "its numbers have not rested for a while" : "";
+}
+
+}  // namespace
+
+AskedScene askedScene(const ShownScene& shown, const SceneWords& words, SceneEvaluation way, SceneRest rest,
+                      render::AssetStore& assets)
+{
+    AskedScene asked = unfolded(shown, words, way, assets);
+    asked.whyNotFolded = whyNotFolded(shown, asked, way, rest);
+    if (!asked.whyNotFolded.empty()) return asked;
+    const std::size_t count = words.words.size();
+    const std::vector<char> steady = rest == SceneRest::all ? std::vector<char>(count, 1) : steadyWords(*shown.program);
+    SceneWords kept = words;
+    for (std::size_t i = 0; i < count; ++i)
+        if (steady[i] == 0) kept.words[i] = 0;
+    asked.folded = assets
+                       .made<render::ShaderSources>(
+                           "sdf_scenes.resting", keyOf(shown, kept, rest == SceneRest::all ? "all" : "steady"),
+                           [&] {
+                               auto sources =
+                                   generatedSources(restingSceneGlsl(*shown.program, kept, steady, stageMember));
+                               return render::AssetStore::Made<render::ShaderSources>{std::move(sources), 16 * count};
+                           })
+                       .value;
     return asked;
 }
 

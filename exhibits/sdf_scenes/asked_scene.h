@@ -17,6 +17,16 @@ struct AskedScene {
     bool numbersInBlock = false;            ///< `sceneBlock` comes before the stage.
     std::shared_ptr<const NearScene> near;  ///< Null where every place asks every shape by name.
     std::string why;                        ///< For the ledger, where what is near is not known: why not.
+    /// The same as `sources` with numbers folded, for the same inputs; null where that is of no use.
+    std::shared_ptr<const render::ShaderSources> folded;
+    std::string whyNotFolded;  ///< For the ledger, where that is null.
+};
+
+/// What of a scene's numbers has not changed for a while.
+enum class SceneRest : std::uint8_t {
+    none,
+    all,
+    steady  ///< All that do not depend on the time.
 };
 
 /// Whether lists can walk the scene: trees that are nested very deep have more levels than the shader has registers.
@@ -24,6 +34,7 @@ struct AskedScene {
 
 /// By the way that is asked for, or the one that serves best. What takes time is made in the store, once for the same
 /// numbers; while it is pending, every shape is asked.
-[[nodiscard]] AskedScene askedScene(const ShownScene&, const SceneWords&, SceneEvaluation, render::AssetStore&);
+[[nodiscard]] AskedScene askedScene(const ShownScene&, const SceneWords&, SceneEvaluation, SceneRest,
+                                    render::AssetStore&);
 
 }  // namespace vitrine::scenes

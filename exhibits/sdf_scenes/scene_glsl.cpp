@@ -13,8 +13,10 @@ namespace {
 /// Writes one function after another; words are read from the block, or folded.
 class GlslWriter {
 public:
-    GlslWriter(const SceneProgram& program, const SceneWords* folded, const FurtherMember& further)
-        : program_(program), folded_(folded), further_(further)
+    /// `steady`: which words are folded, and the block has all of them nevertheless; null: all, and it has none.
+    GlslWriter(const SceneProgram& program, const SceneWords* folded, const std::vector<char>* steady,
+               const FurtherMember& further)
+        : program_(program), folded_(folded), steady_(steady), further_(further)
     {
     }
 
@@ -35,6 +37,8 @@ private:
     void writeAgain(const Step&, bool withMaterials);
     void line(const std::string& text) { text_ += std::string(4 * depth_, ' ') + text + '\n'; }
 
+    [[nodiscard]] bool hasValues() const { return !folded_ || steady_; }
+    [[nodiscard]] bool isFolded(std::uint32_t word) const { return folded_ && (!steady_ || (*steady_)[word] != 0); }
     [[nodiscard]] std::string word(std::uint32_t at) const;
     [[nodiscard]] std::string vector(std::uint32_t at) const;
     [[nodiscard]] std::string material(std::uint32_t index) const;
@@ -51,6 +55,7 @@ private:
 
     const SceneProgram& program_;
     const SceneWords* folded_;
+    const std::vector<char>* steady_;
     const FurtherMember& further_;
     std::string text_;
     std::size_t depth_ = 1;
@@ -75,10 +80,10 @@ std::string GlslWriter::head() const
     if (noise) text += "#include \"sdf_scenes/noise.glsl\"\n";
     if (!further_.file.empty()) text += "#include \"" + further_.file + "\"\n";
     std::string members;
-    if (!folded_ && isInBuffer(program_))
+    if (hasValues() && isInBuffer(program_))
         text += "\nlayout(std430, binding = STORAGE_EXHIBIT_A) readonly buffer SceneValues {\n    vec4 "
                 "sceneValues[];\n};\n";
-    else if (!folded_ && program_.wordCount() > 0)
+    else if (hasValues() && program_.wordCount() > 0)
         members = "    vec4 sceneValues[" + std::to_string((program_.wordCount() + 3) / 4) + "];\n";
     if (!further_.declaration.empty()) members += "    " + further_.declaration + ";\n";
     if (members.empty()) return text;
@@ -87,7 +92,7 @@ std::string GlslWriter::head() const
 
 std::string GlslWriter::word(std::uint32_t at) const
 {
-    if (folded_) return floatLiteral(folded_->words[at]);
+    if (isFolded(at)) return floatLiteral(folded_->words[at]);
     return "sceneValues[" + std::to_string(at / 4) + "]." + "xyzw"[at % 4];
 }
 
@@ -103,7 +108,7 @@ std::string GlslWriter::material(std::uint32_t index) const
     for (std::uint32_t i = 0; i < wordsOfMaterial; i += 4) {
         const std::uint32_t at = first + i;
         text += i > 0 ? ", " : "";
-        if (folded_)
+        if (isFolded(at))
             text += "vec4(" + word(at) + ", " + word(at + 1) + ", " + word(at + 2) + ", " + word(at + 3) + ')';
         else
             text += "sceneValues[" + std::to_string(at / 4) + ']';
@@ -256,12 +261,18 @@ bool isInBuffer(const SceneProgram& program)
 
 std::string sceneGlsl(const SceneProgram& program, const FurtherMember& further)
 {
-    return GlslWriter(program, nullptr, further).write();
+    return GlslWriter(program, nullptr, nullptr, further).write();
 }
 
 std::string foldedSceneGlsl(const SceneProgram& program, const SceneWords& words, const FurtherMember& further)
 {
-    return GlslWriter(program, &words, further).write();
+    return GlslWriter(program, &words, nullptr, further).write();
+}
+
+std::string restingSceneGlsl(const SceneProgram& program, const SceneWords& words, const std::vector<char>& steady,
+                             const FurtherMember& further)
+{
+    return GlslWriter(program, &words, &steady, further).write();
 }
 
 std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl)

@@ -35,6 +35,11 @@ struct FurtherMember {
 /// The same with these numbers folded into the text: the block has the further member, or is not there.
 [[nodiscard]] std::string foldedSceneGlsl(const SceneProgram&, const SceneWords&, const FurtherMember& = {});
 
+/// The same with the steady words (`steadyWords`) folded and the others from the block or buffer, which is that of
+/// `sceneGlsl`: either program draws from the same inputs.
+[[nodiscard]] std::string restingSceneGlsl(const SceneProgram&, const SceneWords&, const std::vector<char>& steady,
+                                           const FurtherMember& = {});
+
 /// A text as `SdfShaders::generated` takes it.
 [[nodiscard]] std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl);
 

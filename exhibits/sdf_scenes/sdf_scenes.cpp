@@ -206,7 +206,11 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
     auto part = std::make_shared<PreparedScene>();
     part->numbers = numbersAt(context.values, context.time);
     part->words = scene.program->words(part->numbers);
-    part->asked = scenes::askedScene(scene, part->words, context.values[table_.evaluation], context.assets);
+    const bool runs = context.values[table_.animate] && scene.contents.moves;
+    const scenes::SceneRest rest = !context.rests ? scenes::SceneRest::none
+                                   : runs         ? scenes::SceneRest::steady
+                                                  : scenes::SceneRest::all;
+    part->asked = scenes::askedScene(scene, part->words, context.values[table_.evaluation], rest, context.assets);
     const scenes::Record& environment = scene.scene->environment;
     if (environment.files.empty()) return part;
     const std::string path = (scene.path.parent_path() / environment.files.front()).string();
@@ -250,6 +254,7 @@ void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
     ScenePass{table_, values, scene, source, pass, plan}.all();
 
     if (!asked.why.empty()) plan.skip("sdf_scenes/cells", asked.why);
+    if (!asked.folded) plan.skip("sdf_scenes/folding", asked.whyNotFolded);
     scenes::SceneStage stage = scenes::sceneStage(scene, prepared->words, numbers);
     if (asked.near) scenes::setBox(stage, asked.near->box);
     stage.bounces = std::min(stage.bounces, values[table_.bounces]);
@@ -263,6 +268,12 @@ void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
     const render::Bytes around = render::std140Bytes(stage);
     block.insert(block.end(), around.begin(), around.end());
     pass.blocks[BLOCK_EXHIBIT] = std::move(block);
+    if (asked.folded) {
+        auto better = std::make_shared<render::ShaderKey>(pass.shader);
+        better->sources = asked.folded;
+        better->about = "with its numbers folded, which rest";
+        pass.shader.better = std::move(better);
+    }
     plan.add(std::move(pass));
     if (scene.scene->lights.size() > SCENE_MOST_LIGHTS)
         plan.warn("sdf_scenes/lights", "The scene has " + std::to_string(scene.scene->lights.size()) +

@@ -1,5 +1,7 @@
 #include "render/files/asset_store.h"
 
+#include "render/hash.h"
+
 #include <sys/stat.h>
 
 #include <algorithm>

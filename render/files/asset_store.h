@@ -1,7 +1,5 @@
 #pragma once
 
-#include "render/hash.h"
-
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -12,6 +10,8 @@
 #include <vector>
 
 namespace vitrine::render {
+
+class Hash;
 
 /// What a path leads to at one moment: equal while nobody touched the file.
 struct FileState {

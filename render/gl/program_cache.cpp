@@ -28,8 +28,32 @@ void ProgramCache::buildWith(std::shared_ptr<SharedContext> context)
     builder_ = context ? std::make_unique<ProgramBuilder>(source_, std::move(context)) : nullptr;
 }
 
+std::optional<ProgramInUse> ProgramCache::useBetter(const ShaderKey& key)
+{
+    const std::string id = key.better ? identify(*key.better) : std::string();
+    const std::string slot = key.slot + " (better)";
+    if (!key.slot.empty()) giveUpOthers(slot, id);
+    const auto base = key.better ? programs_.find(identify(key)) : programs_.end();
+    if (base == programs_.end() || !base->second.build.program) return std::nullopt;
+    auto found = programs_.find(id);
+    if (found == programs_.end()) {
+        if (!builder_ && !buildsInParallel()) return std::nullopt;
+        found = programs_.emplace(id, Entry{*key.better, {}, {}}).first;
+        found->second.key.slot = slot;
+        beginInBackground(id, found->second);
+    }
+    Entry& entry = found->second;
+    entry.lastUse = frame_;
+    takeWhatIsFinished(id, entry);
+    if (!entry.build.program) return std::nullopt;
+    base->second.lastUse = frame_;  // A change goes back to it at once.
+    return ProgramInUse{.program = entry.build.program.name(), .better = key.better->about};
+}
+
 ProgramInUse ProgramCache::use(const ShaderKey& key, Building building)
 {
+    if (building == Building::goesOn)
+        if (std::optional<ProgramInUse> better = useBetter(key)) return *better;
     const std::string id = identify(key);
     auto found = programs_.find(id);
     if (found == programs_.end()) {

@@ -21,6 +21,7 @@ struct ProgramInUse {
     bool building = false;     ///< The one that was asked for will be there in a later frame.
     /// Of a stand-in from its slot that was made of other generated sources: their hash.
     std::optional<std::uint64_t> ofSources = {};
+    std::string better = {};  ///< What it is where it is the better one (ShaderKey::better).
 };
 
 /// Programs by key, built when first used; in a debug build rebuilt when a file of theirs changes. A driver keeps about
@@ -44,6 +45,8 @@ public:
     /// The program, or one that stands in for it: its last good build, or another of its slot. Throws Failure
     /// (Blame::shader) when there is none.
     [[nodiscard]] ProgramInUse use(const ShaderKey&, Building = Building::goesOn);
+    /// The better program of a key (ShaderKey::better) where it is built; nothing while it is not. Begins to build it.
+    [[nodiscard]] std::optional<ProgramInUse> useBetter(const ShaderKey&);
 
     /// Rebuilds programs whose files are newer on disk than their build. Returns whether any was tried.
     bool reloadChanged();

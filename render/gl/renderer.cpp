@@ -227,6 +227,7 @@ struct Renderer::State {
     {
         bindTarget(pass, resources, clears);
         applyState(pass.state);
+        limitTo(pass.columns);
         if (clips) glEnable(GL_CLIP_DISTANCE0);
         for (std::size_t i = 0; i < pass.draws.size(); ++i) {
             const Draw& draw = pass.draws[i];
@@ -242,6 +243,7 @@ struct Renderer::State {
             }
         }
         if (clips) glDisable(GL_CLIP_DISTANCE0);
+        limitTo(std::nullopt);
     }
 
     /// What was written into these images is not there any more.
@@ -316,8 +318,9 @@ struct Renderer::State {
                 if (pass.countSamples) SamplesQuery::end();
                 if (used.standIn.empty()) remember(pass, plan, lost);
                 report.unfinished = report.unfinished || used.building;
-                report.ran.push_back({pass.name, used.standIn.empty() ? pass.reason : pass.reason + ", " + used.standIn,
-                                      pass.work, -1, pass.bound, pass.effects, pass.variant});
+                const std::string& how = used.standIn.empty() ? used.better : used.standIn;
+                report.ran.push_back({pass.name, how.empty() ? pass.reason : pass.reason + ", " + how, pass.work, -1,
+                                      pass.bound, pass.effects, pass.variant});
                 if (timeSteps) clock.mark();
                 countDraws(pass, report.counters);
             }
@@ -457,6 +460,12 @@ ScreenPixels Renderer::screenPixels(const std::string& image, glm::ivec2 screen,
 void Renderer::buildInBackground(std::shared_ptr<SharedContext> context)
 {
     state_->programs.buildWith(std::move(context));
+}
+
+void Renderer::buildBetter(const FramePlan& plan)
+{
+    for (const Pass& pass : plan.passes())
+        if (pass.shader.better) (void)state_->programs.useBetter(pass.shader);
 }
 
 void Renderer::timeSteps(bool on)

@@ -62,6 +62,9 @@ public:
     /// for siblings, too.
     void buildInBackground(std::shared_ptr<SharedContext>);
 
+    /// Begins to build the better programs (ShaderKey::better) of a plan in the background, and draws nothing.
+    void buildBetter(const FramePlan&);
+
     /// Debug builds: rebuilds programs whose files changed on disk; a program that fails keeps its last
     /// good build and is listed by `problems`. Returns whether any picture may have changed.
     bool reloadChangedShaders();

@@ -37,6 +37,11 @@ struct ShaderKey {
     std::string slot = {};
     /// Drawn meanwhile in place of the last good one of the slot: a slower program that takes the same inputs.
     std::shared_ptr<const ShaderKey> meanwhile = {};
+    /// A faster program that takes the same inputs and draws the same picture, for a look that rests: built in the
+    /// background once this one is there, and drawn with from then on. A key without it gives up one of its slot that
+    /// is still being built. Pictures that wait for programs do without. Its `slot` is not looked at.
+    std::shared_ptr<const ShaderKey> better = {};
+    std::string about = {};  ///< Of a better program: what it is, for the ledger.
 
     /// Whether they build the same program.
     bool operator==(const ShaderKey&) const;

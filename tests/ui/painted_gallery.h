@@ -164,6 +164,11 @@ public:
         for (float& value : picture.pixels) value = red_;
         return picture;
     }
+    void buildBetter(const SceneState&, const FrameRequest& request) override
+    {
+        strangers += std::this_thread::get_id() == thread ? 0 : 1;
+        betterBuilds += request.rests ? 1 : 100;
+    }
     void timeSteps(bool) override {}
     bool reloadChangedShaders() override { return false; }
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return shaderProblems; }
@@ -195,8 +200,9 @@ public:
     }
 
     std::atomic<int> opened = 0, closed = 0;
-    std::thread::id thread;                                                   ///< That opened it.
-    std::atomic<int> strangers = 0;                                           ///< Pictures drawn on another one.
+    std::thread::id thread;             ///< That opened it.
+    std::atomic<int> betterBuilds = 0;  ///< Asked for while values rest; a hundred more for each that did not.
+    std::atomic<int> strangers = 0;     ///< Pictures drawn on another one.
     std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set while nothing is drawn.
     std::atomic<int> pictureReads = 0;
     std::atomic<int> unfinishedFrames = 0;  ///< The next so many call for another one.

@@ -80,6 +80,11 @@ std::vector<render::gl::Stored> MuseumRenderers::stored() const
     return renderer_ ? renderer_->stored() : std::vector<render::gl::Stored>();
 }
 
+void MuseumRenderers::buildBetter(const SceneState& sceneState, const FrameRequest& request)
+{
+    renderer_->buildBetter(museum_.plan(museum_.prepare(sceneState, request), request, renderer_->persistentState()));
+}
+
 void MuseumRenderers::timeSteps(bool on)
 {
     timeSteps_ = on;

@@ -17,6 +17,7 @@ public:
     [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int samples,
                                     const Unwanted&) override;
     [[nodiscard]] render::Image shownPicture() override;
+    void buildBetter(const SceneState&, const FrameRequest&) override;
     void timeSteps(bool on) override;
     bool reloadChangedShaders() override;
     [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override;

@@ -46,6 +46,8 @@ public:
                                             const Unwanted&) = 0;
     /// The last picture of `draw` as `PictureMaker::picture` gives it; empty where there is none.
     [[nodiscard]] virtual render::Image shownPicture() = 0;
+    /// Begins to build, in the background, what draws such pictures faster than what draws them now.
+    virtual void buildBetter(const SceneState&, const FrameRequest&) {}
     virtual void timeSteps(bool on) = 0;
     /// Returns whether any picture may have changed.
     virtual bool reloadChangedShaders() = 0;

@@ -21,6 +21,7 @@ namespace {
 
 constexpr double longestTick = 0.5;
 constexpr int lookAtFilesEvery = 1000;   // Milliseconds.
+constexpr int restsAfter = 2000;         // Milliseconds without a changed value.
 constexpr double firstTick = 1.0 / 60;   // After a rest no time has passed for those who walk.
 constexpr int hiddenWait = 250;          // Milliseconds after which a hidden viewport looks whether it is seen again.
 constexpr double largestRegion = 0.25;   // Of the picture, that is drawn by itself where something moves.
@@ -72,6 +73,9 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
         sceneStateChanged();
         emit filesChanged();
     });
+    rest_.setSingleShot(true);
+    connect(&rest_, &QTimer::timeout, this, &Viewport::buildBetter);
+    rest_.start(restsAfter);
     connect(&history, &History::changed, this, &Viewport::valuesChanged);
     connect(&history, &History::replaced, this, &Viewport::valuesChanged);
     connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.sceneState().camera); });
@@ -94,6 +98,7 @@ FrameRequest Viewport::request(double time) const
     wanted.raster.size = {pixels.width(), pixels.height()};
     wanted.time = time;
     wanted.runEverything = runEverything_;
+    wanted.rests = !rest_.isActive();
     for (const double pressedAt : pressedAt_) wanted.sincePressed.push_back(time - pressedAt);
     return wanted;
 }
@@ -341,7 +346,18 @@ void Viewport::valuesChanged()
     if (acting == acting_) return;
     acting_ = std::move(acting);
     watchFiles();
+    rest_.start(restsAfter);
     sceneStateChanged();
+}
+
+void Viewport::buildBetter()
+{
+    // Whoever looks around gets it with the next picture.
+    if (!canBeSeen() || shown_.isNull()) return;
+    thread_->post([this, sceneState = history_.sceneState(), wanted = request(time_)] {
+        renderers_.buildBetter(sceneState, wanted);
+        return std::function<void()>();
+    });
 }
 
 void Viewport::sceneStateChanged()

@@ -123,6 +123,8 @@ private:
     void cameraChanged();
     void showProblems(const std::vector<render::gl::ShaderProblem>&);
     void watchFiles();
+    /// What rests is drawn faster from now on, once that can be.
+    void buildBetter();
     void fail(const QString& why);
     void click(const QPointF&);
     void pressButton(std::size_t exhibit);
@@ -139,6 +141,7 @@ private:
     QTimer timer_;
     QTimer shaderPoll_;
     QTimer fileWatch_;
+    QTimer rest_;                   ///< Runs while values have changed lately.
     std::uint64_t filesDrawn_ = 0;  // Their state, as far as the picture knows.
     double lastTick_ = 0;
     double time_ = 0;         // The exhibits' clock, seconds.

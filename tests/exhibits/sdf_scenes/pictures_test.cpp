@@ -7,6 +7,8 @@
 #include "tests/support/planned.h"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 namespace vitrine {
 namespace {
@@ -251,6 +253,109 @@ TEST_F(ScenePicture, E14_AFaceThatChangedIsSeenWhenTheSceneIsReadAgain)
     write("front", 1);  // Not the one by whose path the store knows the picture.
     shot.read();
     EXPECT_GT(shot.take().color(48, 32).x, before + 0.1);
+}
+
+/// The pass of a look that rests.
+render::Pass restingPass(SceneShot& shot, bool rests = true)
+{
+    FrameRequest frame = shot.request.frame;
+    frame.rests = rests;
+    return *test::planned(test::gallery().museum, shot.sceneState, frame).find("sdf_scenes/scene");
+}
+
+TEST_F(ScenePicture, FoldedNumbersDrawTheSamePictureFromTheSameInputs)
+{
+    for (const char* name : {"torus", "intersections", "primitives"}) {
+        SceneShot shot(shippedScene(name));
+        FrameRequest frame = shot.request.frame;
+        frame.rests = true;
+        const auto image = [&](bool folded) {
+            render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, frame,
+                                                   test::gallery().renderer.persistentState());
+            plan.allParts = true;
+            auto& shader = const_cast<render::Pass*>(plan.find("sdf_scenes/scene"))->shader;
+            EXPECT_TRUE(shader.better) << name;
+            if (folded) {
+                EXPECT_NE(shader.sources->hash(), shader.better->sources->hash());
+                shader = render::ShaderKey(*shader.better);
+            }
+            test::gallery().renderer.draw(plan);
+            return test::gallery().renderer.read(radianceImage);
+        };
+        const render::Image whole = image(false), folded = image(true);
+        int apart = 0;
+        double sum = 0;
+        for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+            sum += double(whole.pixels[i]);
+            // At an outline, rounding decides which side a ray passes.
+            apart += std::abs(whole.pixels[i] - folded.pixels[i]) > 2e-3F * (1 + std::abs(whole.pixels[i]));
+        }
+        EXPECT_GT(sum, 100) << name;
+        EXPECT_LE(apart, static_cast<int>(whole.pixels.size() / 200)) << name;
+    }
+}
+
+TEST_F(ScenePicture, NumbersAreFoldedWhenTheyRestAndThoseThatMoveNever)
+{
+    SceneShot shot(test::writeScene(folder_, R"--({"kind": "union", "children": [{"kind": "sphere", "radius": "size"},
+        {"kind": "box", "size": [0.3, 0.4, 0.512345], "translate": ["sin(t)", 0, 0]}]})--",
+                                    R"("parameters": {"size": {"value": 0.5, "unit": "m", "range": [0.1, 1]}},)"));
+    const auto text = [&] { return restingPass(shot).shader.better->sources->textByPath().begin()->second; };
+    EXPECT_FALSE(restingPass(shot, false).shader.better);
+    EXPECT_EQ(text().find("sceneValues["), text().rfind("sceneValues[")) << "declared, and never read";
+    EXPECT_NE(text().find("0.512345"), std::string::npos);
+    EXPECT_EQ(restingPass(shot).blocks, restingPass(shot, false).blocks);
+    const std::string still = text();
+    shot.set("size", 0.7);
+    EXPECT_NE(text(), still) << "other numbers, another text";
+    EXPECT_EQ(restingPass(shot).shader, restingPass(shot, false).shader) << "beside the same program";
+
+    shot.values().set(scenesTable().animate, true);
+    shot.request.frame.time = 1;
+    const std::string moving = text();
+    EXPECT_NE(moving.find("sceneValues["), moving.rfind("sceneValues[")) << "what moves is read from the block";
+    EXPECT_NE(moving.find("0.512345"), std::string::npos) << "and what does not is folded";
+    shot.request.frame.time = 2;
+    EXPECT_EQ(text(), moving) << "the same text at every moment";
+
+    shot.values().set(scenesTable().evaluation, SceneEvaluation::shapes);
+    EXPECT_FALSE(restingPass(shot).shader.better) << "it was asked for with its numbers beside it";
+}
+
+TEST_F(ScenePicture, ADragAfterFoldingCompilesNothing)
+{
+    SceneShot shot(test::writeScene(folder_, R"({"kind": "sphere", "radius": "size"})",
+                                    R"("parameters": {"size": {"value": 0.5, "unit": "m", "range": [0.1, 1]}},)"));
+    render::gl::Renderer renderer;
+    renderer.buildInBackground(test::gallery().context.shared());
+    const auto frame = [&](bool rests) {
+        FrameRequest request = shot.request.frame;
+        request.rests = rests;
+        return renderer.draw(
+            test::planned(test::gallery().museum, shot.sceneState, request, renderer.persistentState()));
+    };
+    const auto isFolded = [](const render::FrameReport& report) {
+        for (const render::StepReport& step : report.ran)
+            if (step.name == "sdf_scenes/scene") return step.reason.find("numbers folded") != std::string::npos;
+        return false;
+    };
+    EXPECT_FALSE(isFolded(frame(true))) << "the picture does not wait for it";
+    bool folded = false;
+    for (int i = 0; i < 400 && !folded; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        folded = isFolded(frame(true));
+    }
+    ASSERT_TRUE(folded);
+    const auto programs = frame(true).counters.at("programs");
+    for (int i = 0; i < 5; ++i) {
+        shot.set("size", 0.5 + 0.05 * i);
+        const render::FrameReport report = frame(false);
+        EXPECT_FALSE(isFolded(report));
+        EXPECT_FALSE(report.unfinished) << "no program is being built";
+        EXPECT_EQ(report.counters.at("programs"), programs);
+    }
+    (void)frame(true);
+    EXPECT_GT(frame(true).counters.at("programs"), programs) << "control: at rest, one more is";
 }
 
 TEST_F(ScenePicture, ASliderOfTheSceneMovesWhatItNamesWithoutAnotherProgram)

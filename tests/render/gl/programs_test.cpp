@@ -248,6 +248,63 @@ TEST_F(GeneratedShaders, AreDrawnByWhatTheyNameMeanwhile)
     drawUntilFinished(special, 9, 2);
 }
 
+TEST_F(GeneratedShaders, OfALookThatRestsAreDrawnByABetterProgramOnceItIsThere)
+{
+    const auto gate = std::make_shared<GatedContext>(context().shared());
+    renderer().buildInBackground(gate);
+    const auto resting = [&](int value) {
+        ShaderKey made = key(returns(1), "scene");
+        ShaderKey better = key(returns(value), "scene");  // Another value tells which one drew.
+        better.about = "with its numbers folded";
+        made.better = std::make_shared<const ShaderKey>(better);
+        return made;
+    };
+    const auto isBetter = [&] { return report_.ran.front().reason.find("numbers folded") != std::string::npos; };
+    EXPECT_EQ(drawn(resting(2)), 1) << "the program itself comes first";
+    EXPECT_EQ(drawn(resting(2)), 1);
+    EXPECT_FALSE(report_.unfinished) << "no frame is drawn for the sake of it";
+    EXPECT_FALSE(isBetter());
+    EXPECT_EQ(drawn(resting(3)), 1) << "the one for other numbers is given up";
+    EXPECT_EQ(report_.counters.at("programs"), 2);
+    gate->open();
+    for (int frame = 0; frame < 2000 && drawn(resting(3)) != 3; ++frame)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(drawn(resting(3)), 3);
+    EXPECT_TRUE(isBetter()) << report_.ran.front().reason;
+    EXPECT_EQ(drawn(resting(3), true), 1) << "a finished picture does without";
+    const auto programs = report_.counters.at("programs");
+    EXPECT_EQ(drawn(key(returns(1), "scene")), 1) << "a drag: back at once";
+    EXPECT_FALSE(report_.unfinished);
+    EXPECT_FALSE(isBetter());
+    EXPECT_EQ(report_.counters.at("programs"), programs) << "and nothing is compiled";
+    // Better programs that do not build are none.
+    ShaderKey broken = resting(2);
+    broken.better = std::make_shared<const ShaderKey>(key("float value()\n{\n    return oops;\n}\n", "scene"));
+    for (int frame = 0; frame < 2000 && renderer().problems().empty(); ++frame) {
+        EXPECT_EQ(drawn(broken), 1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_EQ(drawn(broken), 1);
+    EXPECT_EQ(renderer().problems().size(), 1U);
+}
+
+TEST_F(GeneratedShaders, ABetterProgramIsBuiltAheadWithoutAFrame)
+{
+    const auto gate = std::make_shared<GatedContext>(context().shared());
+    gate->open();
+    renderer().buildInBackground(gate);
+    ShaderKey resting = key(returns(1), "scene");
+    EXPECT_EQ(drawn(resting), 1);
+    resting.better = std::make_shared<const ShaderKey>(key(returns(2), "scene"));
+    FramePlan plan = planOf({2, 2});
+    Pass pass = fill("filled", "frame", "");
+    pass.shader = resting;
+    plan.add(std::move(pass));
+    renderer().buildBetter(plan);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    EXPECT_EQ(drawn(resting), 2) << "the first frame after that";
+}
+
 TEST_F(GeneratedShaders, OfWhichTheNewestIsWanted)
 {
     const auto gate = std::make_shared<GatedContext>(context().shared());

@@ -54,6 +54,26 @@ private slots:
         QVERIFY(window_->findChild<StatusLine*>()->text().contains("nothing to draw, because nothing changes"));
     }
 
+    void valuesThatRestAreDrawnFasterWithoutAnotherPicture()
+    {
+        window_->choose(1);
+        settle();
+        dragRoughness(40);
+        settle();
+        QVERIFY(!gallery_->requests().back().rests);
+        gallery_->betterBuilds = 0;
+        const long long drawn = window_->viewport().picturesDrawn();
+        QTRY_COMPARE_WITH_TIMEOUT(gallery_->betterBuilds, 1, 10'000);
+        QCOMPARE(gallery_->strangers, 0);
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);
+        window_->viewport().sceneStateChanged();  // As who looks around does.
+        settle();
+        QVERIFY(gallery_->requests().back().rests);
+        dragRoughness(60);
+        settle();
+        QVERIFY2(!gallery_->requests().back().rests, "a drag ends the rest");
+    }
+
     void aStillPictureIsRefinedOverSixteenSamples()
     {
         gallery_->forgetRequests();
