@@ -29,8 +29,8 @@ private:
     std::uint64_t value_ = 0xCBF29CE484222325ULL;
 };
 
-/// Of many numbers, a word at a time: their bits in turn go through the finalizer of SplitMix64 (Steele, Lea, Flood 2014,
-/// "Fast Splittable Pseudorandom Number Generators"), so that each changes every bit of the key.
+/// Of many numbers, a word at a time: their bits in turn go through the finalizer of SplitMix64 (Steele, Lea, Flood
+/// 2014, "Fast Splittable Pseudorandom Number Generators"), so that each changes every bit of the key.
 class NumberHash {
 public:
     /// Of so many.

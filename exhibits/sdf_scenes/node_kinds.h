@@ -116,6 +116,9 @@ struct NodeKind {
     /// The share of b in it.
     Call<double(double a, double b, const double* v)> share{};
 
+    /// operands: the lesser of two is the result, exactly, where they differ by this or more; none: it may not be.
+    double (*lesserFrom)(const double* v) = nullptr;
+
     /// By how much the operation alone may stretch distances at p, 1 or more: what a distance is divided by.
     double (*lipschitz)(const glm::dvec3& p, const double* v) = nullptr;
     /// shape: what it covers.

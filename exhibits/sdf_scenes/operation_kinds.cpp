@@ -296,6 +296,11 @@ std::vector<NodeKind> operandKinds()
                      .exactness = Exactness::exactOutside,
                      .combine = SCENE_COMBINE(sceneUnion(a, b, V(1), int(V(0)))),
                      .share = SCENE_COMBINE(sceneUnionShare(a, b, V(1), int(V(0)))),
+                     .lesserFrom =
+                         [](const double* v) {
+                             const bool fades = static_cast<int>(v[0]) == 3 && v[1] > 0;  // The exponential one.
+                             return fades ? std::numeric_limits<double>::infinity() : v[1];
+                         },
                      .childLevel = levelOfOperand,
                      .extentOfTwo = joinedExtent});
     kinds.push_back({.name = "subtraction",

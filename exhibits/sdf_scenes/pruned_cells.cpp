@@ -1,71 +1,97 @@
 #include "exhibits/sdf_scenes/pruning.h"
+#include "render/hash.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <deque>
 #include <thread>
-#include <tuple>
+#include <unordered_map>
 
 namespace vitrine::scenes {
 namespace {
 
-using ListKey = std::vector<std::tuple<Step::Type, std::uint32_t, std::uint32_t, std::uint32_t>>;
+/// Steps as they stand in `SceneCells::steps`, from there on.
+struct KnownList {
+    std::uint32_t first = 0, count = 0;
+};
 
-/// Halves a block of cells along its longest side until it is one cell.
+constexpr std::size_t fewCells = 50'000;  ///< They take less time than a thread is worth.
+
+std::uint64_t hashOf(std::span<const Step> steps)
+{
+    render::NumberHash hash(steps.size());
+    for (const Step& step : steps) {
+        hash.add(std::uint64_t{step.node} << 32U | step.child);
+        hash.add(std::uint64_t{step.back} << 8U | static_cast<std::uint64_t>(step.type));
+    }
+    return hash.value();
+}
+
+bool isSame(const Step& a, const Step& b)
+{
+    return a.type == b.type && a.node == b.node && a.child == b.child && a.back == b.back;
+}
+
+/// Splits a block of cells, along all axes in which it is long, until a part is one cell.
 class CellPruner {
 public:
-    CellPruner(const SceneProgram& program, const SceneWords& words, double tolerance, SceneCells& into)
-        : pruner_(program, words, tolerance), into_(into), size_(into.cellSize())
+    /// Writes lists and counts into one, and cells into another one of the same grid.
+    CellPruner(const SceneProgram& program, const SceneWords& words, double tolerance, SceneCells& into,
+               std::vector<SceneCell>& cells)
+        : pruner_(program, words, tolerance), into_(into), cells_(cells), size_(into.cellSize()),
+          far_(cells.size() < fewCells ? 3 : 1)
     {
     }
 
-    void prune(std::span<const Step> steps, const glm::ivec3& low, const glm::ivec3& high)
+    void prune(std::span<const Step> steps, const glm::ivec3& low, const glm::ivec3& high, std::size_t depth = 0)
     {
+        while (left_.size() <= depth) left_.emplace_back();
+        PrunedSteps& left = left_[depth];  // Of a deque: it stays where it is.
         const glm::dvec3 half = 0.5 * size_ * glm::dvec3(high - low);
         const glm::dvec3 center = into_.box.low + size_ * glm::dvec3(low) + half;
         const double radius = glm::length(half) * wider;
-        const PrunedSteps left = pruner_.prune(steps, center, radius);
+        pruner_.prune(steps, center, radius, left);
         const glm::ivec3 sides = high - low;
-        if (std::abs(left.distance) > 3 * radius && sides != glm::ivec3(1)) {
+        const int longest = std::max({sides.x, sides.y, sides.z});
+        // A distance from the middle is a short step for most of a large block, and looking into small ones costs most.
+        const double clear = far_ * (longest > largeSide ? 2 : 1) * radius;
+        if (std::abs(left.distance) > clear + 0.5 * glm::length(size_) * wider && longest > 1) {
             fill(left.distance, center, low, high);
             return;
         }
-        if (sides == glm::ivec3(1)) {
+        if (longest == 1) {
             addCell(left, low, radius);
             return;
         }
-        const int axis = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
-        glm::ivec3 middle = high;
-        middle[axis] = low[axis] + sides[axis] / 2;
-        prune(left.steps, low, middle);
-        glm::ivec3 from = low;
-        from[axis] = middle[axis];
-        prune(left.steps, from, high);
+        glm::ivec3 parts(1);
+        for (int axis = 0; axis < 3; ++axis)
+            if (2 * sides[axis] > longest) parts[axis] = 2;
+        for (int part = 0; part < 8; ++part) {
+            const glm::ivec3 at(part & 1, part >> 1 & 1, part >> 2);
+            if (at.x >= parts.x || at.y >= parts.y || at.z >= parts.z) continue;
+            const glm::ivec3 from = low + sides * at / parts;
+            prune(left.steps, from, low + sides * (at + 1) / parts, depth + 1);
+        }
     }
 
-    [[nodiscard]] std::size_t lists() const { return listAt_.size(); }
+    [[nodiscard]] std::size_t lists() const { return lists_; }
+    [[nodiscard]] std::size_t evaluations() const { return pruner_.evaluations(); }
 
-    /// What another one found in cells of the same grid that this one was not asked about.
-    void take(const CellPruner& other)
+    /// What another one found in the cells from there on, which this one was not asked about.
+    void take(const CellPruner& other, const glm::ivec3& from)
     {
-        std::map<std::uint32_t, std::uint32_t> moved;
-        for (const auto& [key, first] : other.listAt_) {
-            const auto at = static_cast<std::uint32_t>(into_.steps.size());
-            const auto [found, isNew] = listAt_.try_emplace(key, at);
-            const auto begin = other.into_.steps.begin() + static_cast<std::ptrdiff_t>(first);
-            if (isNew) into_.steps.insert(into_.steps.end(), begin, begin + static_cast<std::ptrdiff_t>(key.size()));
-            moved[first] = found->second;
-        }
-        for (std::size_t i = 0; i < into_.cells.size(); ++i) {
-            const SceneCell& from = other.into_.cells[i];
-            if (from.count == 0 && from.distance == 0) continue;
-            into_.cells[i] = from;
-            if (from.count > 0) into_.cells[i].first = moved.at(from.first);
-        }
+        std::unordered_map<std::uint32_t, std::uint32_t> moved;
+        for (const auto& [hash, list] : other.listAt_)
+            moved[list.first] = listOf(std::span(other.into_.steps).subspan(list.first, list.count));
+        for (int z = from.z; z < into_.count.z; ++z)
+            for (int y = from.y; y < into_.count.y; ++y)
+                for (int x = from.x; x < into_.count.x; ++x)
+                    if (SceneCell& cell = cells_[indexOf({x, y, z})]; cell.count > 0) cell.first = moved.at(cell.first);
         into_.withSurface += other.into_.withSurface;
         into_.withSteps += other.into_.withSteps;
         into_.mostShapes = std::max(into_.mostShapes, other.into_.mostShapes);
         into_.meanShapes += other.into_.meanShapes;
+        into_.evaluations += other.evaluations();
     }
 
 private:
@@ -80,7 +106,7 @@ private:
                 for (int x = low.x; x < high.x; ++x) {
                     const glm::dvec3 at = into_.box.low + size_ * (glm::dvec3(x, y, z) + 0.5);
                     const double sure = std::abs(distance) - glm::distance(at, center);
-                    into_.cells[indexOf({x, y, z})].distance = static_cast<float>(std::copysign(sure, distance));
+                    cells_[indexOf({x, y, z})].distance = static_cast<float>(std::copysign(sure, distance));
                 }
     }
 
@@ -92,17 +118,30 @@ private:
                static_cast<std::size_t>(at.x);
     }
 
+    /// Where a list stands that may be there already.
+    std::uint32_t listOf(std::span<const Step> steps)
+    {
+        const std::uint64_t hash = hashOf(steps);
+        const auto [begin, end] = listAt_.equal_range(hash);
+        for (auto known = begin; known != end; ++known) {
+            const auto at = into_.steps.begin() + known->second.first;
+            if (known->second.count == steps.size() && std::equal(steps.begin(), steps.end(), at, isSame))
+                return known->second.first;
+        }
+        const auto first = static_cast<std::uint32_t>(into_.steps.size());
+        listAt_.emplace(hash, KnownList{first, static_cast<std::uint32_t>(steps.size())});
+        into_.steps.insert(into_.steps.end(), steps.begin(), steps.end());
+        ++lists_;
+        return first;
+    }
+
     void addCell(const PrunedSteps& left, const glm::ivec3& at, double radius)
     {
-        SceneCell& cell = into_.cells[indexOf(at)];
+        SceneCell& cell = cells_[indexOf(at)];
         cell.distance = static_cast<float>(left.distance);
         into_.withSurface += std::abs(left.distance) <= radius * (1 + 2e-6) + 1e-9;
         if (std::abs(left.distance) > 2 * radius) return;
-        ListKey key;
-        for (const Step& step : left.steps) key.emplace_back(step.type, step.node, step.child, step.back);
-        const auto [found, isNew] = listAt_.try_emplace(std::move(key), static_cast<std::uint32_t>(into_.steps.size()));
-        if (isNew) into_.steps.insert(into_.steps.end(), left.steps.begin(), left.steps.end());
-        cell.first = found->second;
+        cell.first = listOf(left.steps);
         cell.count = static_cast<std::uint32_t>(left.steps.size());
         cell.shapes = static_cast<std::uint32_t>(left.shapes);
         ++into_.withSteps;
@@ -110,10 +149,16 @@ private:
         into_.meanShapes += static_cast<double>(left.shapes);
     }
 
+    static constexpr int largeSide = 8;  ///< Of a block, in cells.
+
     Pruner pruner_;
     SceneCells& into_;
+    std::vector<SceneCell>& cells_;
     glm::dvec3 size_;
-    std::map<ListKey, std::uint32_t> listAt_;
+    double far_;                    ///< In small blocks, from so many times their reach on no surface is near.
+    std::deque<PrunedSteps> left_;  ///< By depth.
+    std::unordered_multimap<std::uint64_t, KnownList> listAt_;  ///< By hash.
+    std::size_t lists_ = 0;
 };
 
 /// Includes the halves of a box in which something may be, down to a size.
@@ -177,23 +222,25 @@ SceneCells pruneCells(const SceneProgram& program, const SceneWords& words, std:
     cells.count = count;
     cells.cells.resize(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
                        static_cast<std::size_t>(count.z));
-    CellPruner pruner(program, words, tolerance, cells);
-    constexpr std::size_t fewCells = 50'000;  // In less time than a thread is worth.
+    CellPruner pruner(program, words, tolerance, cells, cells.cells);
     const int axis = count.x >= count.y && count.x >= count.z ? 0 : count.y >= count.z ? 1 : 2;
     if (cells.cells.size() < fewCells) {
         pruner.prune(steps, glm::ivec3(0), count);
     } else {
-        SceneCells others = cells;
-        CellPruner other(program, words, tolerance, others);
+        SceneCells others;
+        others.box = box;
+        others.count = count;
+        CellPruner other(program, words, tolerance, others, cells.cells);
         glm::ivec3 middle = count, from(0);
         middle[axis] = from[axis] = count[axis] / 2;
         {
             const std::jthread beside([&] { other.prune(steps, from, count); });
             pruner.prune(steps, glm::ivec3(0), middle);
         }
-        pruner.take(other);
+        pruner.take(other, from);
     }
     cells.lists = pruner.lists();
+    cells.evaluations += pruner.evaluations();
     if (cells.withSteps > 0) cells.meanShapes /= static_cast<double>(cells.withSteps);
     return cells;
 }

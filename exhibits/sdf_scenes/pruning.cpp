@@ -63,6 +63,14 @@ void Pruner::drop(std::size_t from, std::size_t to)
         if (kept_[k].type == Step::Type::again) kept_[k].back -= moved;
 }
 
+/// Without all that was joined before.
+void Pruner::startWith(const Step& step)
+{
+    drop(entered_[step.node] + 1, entered_[step.child]);
+    kept_.push_back({Step::Type::first, step.node, step.child});
+    joints_[step.node].clear();
+}
+
 /// Where a combination is exactly one operand, b is beyond a convex function of a (or a of b), so the four extremes
 /// tell for all between them; and its effect and shares are largest at one of them.
 void Pruner::combine(const Step& step)
@@ -73,6 +81,14 @@ void Pruner::combine(const Step& step)
     const double a = walk_.state(step.node).distance;
     const double b = walk_.state(step.child).distance;
     const double reach = reach_[step.node];
+    if (kind.lesserFrom && std::abs(a - b) - 2 * reach > kind.lesserFrom(v) * (1 + 1e-12) + 1e-12) {
+        walk_.setDistance(step.node, std::min(a, b));
+        if (a < b)
+            kept_.resize(entered_[step.child]);
+        else
+            startWith(step);
+        return;
+    }
     Joint joint{entered_[step.child], kept_.size()};
     bool down = true, up = true, upOfFirst = true;
     for (const double x : {a - reach, a + reach})
@@ -80,7 +96,6 @@ void Pruner::combine(const Step& step)
             const double result = kind.combine.cpu(x, y, v);
             joint.effect = std::max(joint.effect, std::abs(result - x));
             joint.effectOfFormer = std::max(joint.effectOfFormer, std::abs(result - y));
-            joint.formerShare = std::max(joint.formerShare, 1 - kind.share.cpu(x, y, v));
             down = down && result <= std::min(x, y);
             up = up && result >= std::max(x, y);
             upOfFirst = upOfFirst && result >= x;
@@ -89,14 +104,35 @@ void Pruner::combine(const Step& step)
     if (known && joint.effect == 0) {
         kept_.resize(joint.child);
     } else if (known && joint.effectOfFormer == 0) {
-        drop(entered_[step.node] + 1, joint.child);
-        kept_.push_back({Step::Type::first, step.node, step.child});
-        joints_[step.node].clear();
+        startWith(step);
     } else {
         if (known) joint.moves = down ? Moves::down : up ? Moves::up : upOfFirst ? Moves::upOfFirst : Moves::neither;
+        for (const double x : {a - reach, a + reach})
+            for (const double y : {b - reach, b + reach})
+                joint.formerShare = std::max(joint.formerShare, 1 - kind.share.cpu(x, y, v));
         kept_.push_back(step);
         joints_[step.node].push_back(joint);
     }
+    walk_.setDistance(step.node, kind.combine.cpu(a, b, v));
+}
+
+/// A shape as an operand; whether there is one.
+bool Pruner::operand(std::span<const Step> steps, const glm::dvec3& center)
+{
+    if (steps.size() < 4 || steps[1].type != Step::Type::shape) return false;
+    const Step& join = steps[3];
+    const bool joins = join.type == Step::Type::first || join.type == Step::Type::combine;
+    if (!joins || join.child != steps[0].node) return false;
+    entered_[join.child] = kept_.size();
+    const double distance = walk_.operand(join.child, center);
+    kept_.insert(kept_.end(), steps.begin(), steps.begin() + 3);
+    if (join.type == Step::Type::combine) {
+        combine(join);
+    } else {
+        kept_.push_back(join);
+        walk_.setDistance(join.node, distance);
+    }
+    return true;
 }
 
 /// What is joined first and then covered by nearer ones, blend by blend. Without an operand the result so far moves to
@@ -127,13 +163,26 @@ void Pruner::leave(std::uint32_t index)
 PrunedSteps Pruner::prune(std::span<const Step> steps, const glm::dvec3& center, double radius)
 {
     PrunedSteps pruned;
-    if (steps.empty()) return pruned;
+    prune(steps, center, radius, pruned);
+    return pruned;
+}
+
+void Pruner::prune(std::span<const Step> steps, const glm::dvec3& center, double radius, PrunedSteps& pruned)
+{
+    if (steps.empty()) {
+        pruned = {};
+        return;
+    }
     kept_.clear();
     const double reach = radius * steepest + rounding * (1 + glm::length(center));
     for (std::size_t i = 0; i < steps.size();) {
         const Step& step = steps[i];
         const ProgramNode& node = program_.nodes()[step.node];
         if (step.type == Step::Type::enter) {
+            if (operand(steps.subspan(i), center)) {
+                i += 4;
+                continue;
+            }
             entered_[step.node] = kept_.size();
             joints_[step.node].clear();
             if (program_.kind(node).form == Form::repeater) {
@@ -142,19 +191,20 @@ PrunedSteps Pruner::prune(std::span<const Step> steps, const glm::dvec3& center,
             }
         }
         if (step.type == Step::Type::leave) leave(step.node);
-        if (step.type == Step::Type::combine)
+        if (step.type == Step::Type::combine) {
             combine(step);
-        else
-            kept_.push_back(step);
+            ++i;
+            continue;
+        }
+        kept_.push_back(step);
         i = walk_.advance(steps, i, center);
         if (step.type == Step::Type::enter)
             reach_[step.node] = reachInside(step.node, node.parent == none ? reach : reach_[node.parent]);
     }
-    pruned.steps = kept_;
+    pruned.steps.assign(kept_.begin(), kept_.end());
     pruned.distance = walk_.state(0).distance;
     pruned.shapes = static_cast<std::size_t>(
         std::count_if(kept_.begin(), kept_.end(), [](const Step& step) { return step.type == Step::Type::shape; }));
-    return pruned;
 }
 
 }  // namespace vitrine::scenes

@@ -35,6 +35,10 @@ public:
 
     /// Of `steps` (all, or what was left for a ball that holds this one), those for a ball of `radius` around `center`.
     [[nodiscard]] PrunedSteps prune(std::span<const Step> steps, const glm::dvec3& center, double radius);
+    /// The same into what was there, whose memory it takes; `steps` must not be of it.
+    void prune(std::span<const Step> steps, const glm::dvec3& center, double radius, PrunedSteps& into);
+    /// Of shapes, since it was made.
+    [[nodiscard]] std::size_t evaluations() const { return walk_.shapesAsked(); }
 
 private:
     /// In what direction an operation moves its first operand, for all values that it may have in the ball.
@@ -50,7 +54,9 @@ private:
 
     [[nodiscard]] double reachInside(std::uint32_t node, double outside) const;
     void copyRepeated(std::span<const Step> steps, std::size_t& i, const glm::dvec3& center);
+    [[nodiscard]] bool operand(std::span<const Step> steps, const glm::dvec3& center);
     void combine(const Step&);
+    void startWith(const Step&);
     void leave(std::uint32_t node);
     void drop(std::size_t from, std::size_t to);
 
@@ -81,11 +87,12 @@ struct SceneCells {
     /// Lists of all cells, those that are the same once. Steps count from the beginning of their list.
     std::vector<Step> steps;
 
-    std::size_t withSurface = 0;  ///< Cells that a surface may pass through.
+    std::size_t withSurface = 0;  ///< Cells that a surface may pass through, as far as was looked.
     std::size_t withSteps = 0;    ///< These and those near them.
     std::size_t lists = 0;        ///< That differ.
     std::size_t mostShapes = 0;   ///< Of a cell.
     double meanShapes = 0;        ///< Over the cells with steps.
+    std::size_t evaluations = 0;  ///< Of shapes, that finding all this took.
 
     /// The one that holds a point of the box; those outside are brought to the nearest cell.
     [[nodiscard]] std::size_t cellAt(const glm::dvec3& p) const;

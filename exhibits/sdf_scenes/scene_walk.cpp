@@ -25,6 +25,8 @@ SceneWalk::SceneWalk(const SceneProgram& program, const std::vector<double>& wor
     : program_(program), words_(words.data()), states_(program.nodes().size()),
       surfaces_(withMaterials ? states_.size() : 0)
 {
+    kinds_.reserve(states_.size());
+    for (const ProgramNode& node : program.nodes()) kinds_.push_back(&program.kind(node));
 }
 
 void SceneWalk::run(std::span<const Step> steps, const glm::dvec3& p)
@@ -56,17 +58,34 @@ std::size_t SceneWalk::advance(std::span<const Step> steps, std::size_t i, const
     return i + 1;
 }
 
-void SceneWalk::enter(std::uint32_t index, const glm::dvec3& outside)
+/// Into a node's own space.
+glm::dvec3 SceneWalk::into(const ProgramNode& node, glm::dvec3 p) const
 {
-    const ProgramNode& node = program_.nodes()[index];
-    const NodeKind& kind = program_.kind(node);
-    State& state = states_[index];
-    glm::dvec3 p = outside;
     if (node.translate != none) p -= wordsAt(words_, node.translate);
     if (node.rotate != none)
         p = glsl::sceneTurned(p, wordsAt(words_, node.rotate), wordsAt(words_, node.rotate + 3),
                               wordsAt(words_, node.rotate + 6));
     if (node.scale != none) p *= wordsAt(words_, node.scale);
+    return p;
+}
+
+double SceneWalk::operand(std::uint32_t index, const glm::dvec3& p)
+{
+    const ProgramNode& node = program_.nodes()[index];
+    const glm::dvec3 own = into(node, node.parent == none ? p : states_[node.parent].asked);
+    ++shapesAsked_;
+    double distance = kinds_[index]->distance.cpu(own, words_ + node.numbers);
+    if (node.scale != none) distance = glsl::sdfScaled(distance, words_[node.scale + 3]);
+    states_[index].distance = distance;
+    return distance;
+}
+
+void SceneWalk::enter(std::uint32_t index, const glm::dvec3& outside)
+{
+    const ProgramNode& node = program_.nodes()[index];
+    const NodeKind& kind = *kinds_[index];
+    State& state = states_[index];
+    const glm::dvec3 p = into(node, outside);
     const double* v = words_ + node.numbers;
     state.own = p;
     state.copy = 0;
@@ -80,7 +99,7 @@ void SceneWalk::shape(std::uint32_t index)
     const ProgramNode& node = program_.nodes()[index];
     State& state = states_[index];
     ++shapesAsked_;
-    state.distance = program_.kind(node).distance.cpu(state.own, words_ + node.numbers);
+    state.distance = kinds_[index]->distance.cpu(state.own, words_ + node.numbers);
     if (surfaces_.empty()) return;
     surfaces_[index].node = node.node;
     std::copy_n(words_ + program_.materialWord(node.material), wordsOfMaterial, surfaces_[index].material.begin());
@@ -94,7 +113,7 @@ void SceneWalk::inherit(std::uint32_t node, std::uint32_t child)
 void SceneWalk::combine(const Step& step)
 {
     const ProgramNode& node = program_.nodes()[step.node];
-    const NodeKind& kind = program_.kind(node);
+    const NodeKind& kind = *kinds_[step.node];
     const double* v = words_ + node.numbers;
     const double a = states_[step.node].distance;
     const double b = states_[step.child].distance;
@@ -112,7 +131,7 @@ void SceneWalk::combine(const Step& step)
 void SceneWalk::modify(const Step& step)
 {
     const ProgramNode& node = program_.nodes()[step.node];
-    const NodeKind& kind = program_.kind(node);
+    const NodeKind& kind = *kinds_[step.node];
     const double d = states_[step.child].distance;
     State& state = states_[step.node];
     state.distance = kind.after ? kind.after.cpu(d, state.own, words_ + node.numbers) : d;
@@ -123,7 +142,7 @@ void SceneWalk::modify(const Step& step)
 bool SceneWalk::again(const Step& step)
 {
     const ProgramNode& node = program_.nodes()[step.node];
-    const NodeKind& kind = program_.kind(node);
+    const NodeKind& kind = *kinds_[step.node];
     const double* v = words_ + node.numbers;
     const double* asked = v + kind.numbers();
     State& state = states_[step.node];

@@ -37,6 +37,11 @@ public:
     /// Step `i` at the point `p`; the number of the next one.
     [[nodiscard]] std::size_t advance(std::span<const Step> steps, std::size_t i, const glm::dvec3& p);
 
+    /// A shape's distance where its parent asks it, as the three steps from `enter` to `leave` find it.
+    double operand(std::uint32_t node, const glm::dvec3& p);
+    /// In place of a step that is known to give this.
+    void setDistance(std::uint32_t node, double distance) { states_[node].distance = distance; }
+
     /// By the number of a node in `SceneProgram::nodes`.
     [[nodiscard]] const State& state(std::uint32_t node) const { return states_[node]; }
     [[nodiscard]] const std::vector<State>& states() const { return states_; }
@@ -46,6 +51,7 @@ public:
     [[nodiscard]] std::size_t shapesAsked() const { return shapesAsked_; }
 
 private:
+    [[nodiscard]] glm::dvec3 into(const ProgramNode&, glm::dvec3 p) const;
     void enter(std::uint32_t node, const glm::dvec3& outside);
     void shape(std::uint32_t node);
     void inherit(std::uint32_t node, std::uint32_t child);
@@ -55,6 +61,7 @@ private:
 
     const SceneProgram& program_;
     const double* words_;
+    std::vector<const NodeKind*> kinds_;  // By node.
     std::vector<State> states_;
     std::vector<WalkSurface> surfaces_;
     std::size_t shapesAsked_ = 0;

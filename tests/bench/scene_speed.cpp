@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 namespace {
 
@@ -56,12 +57,16 @@ void ways(SceneBench& stage, int most, bool nearAlone)
         }
         const auto vocabulary = scenes::ListVocabulary::of(*stage.shown().program);
         const auto words = stage.shown().program->words(stage.shown().scene->numbersAt(0));
+        const std::clock_t begun = std::clock();
         const auto near =
             scenes::nearScene(*stage.shown().program, words, vocabulary, scenes::cellsAcross(std::size_t(count)));
-        std::printf("\nFinding what is near takes %.0f ms and %.1f MiB: %zu cells, %zu with shapes, %.2f each, %zu at "
-                    "most; %zu lists.\n",
-                    1e3 * near->seconds, double(near->bytes()) / 1048576.0, near->cells.cells.size(),
-                    near->cells.withSteps, near->cells.meanShapes, near->cells.mostShapes, near->cells.lists);
+        std::printf("\nFinding what is near takes %.0f ms (%.0f of processor time) and %.1f MiB: %zu cells, %zu with "
+                    "shapes, %.2f each, %zu at "
+                    "most; %zu lists; %.2f million evaluations of shapes.\n",
+                    1e3 * near->seconds, 1e3 * double(std::clock() - begun) / CLOCKS_PER_SEC,
+                    double(near->bytes()) / 1048576.0, near->cells.cells.size(), near->cells.withSteps,
+                    near->cells.meanShapes, near->cells.mostShapes, near->cells.lists,
+                    1e-6 * double(near->cells.evaluations));
         if (count == 16) at16 = last, shapesAt16 = lastShapes;
     }
     if (at16 > 0)

@@ -1,6 +1,8 @@
 // What is left out of a scene in a part of space cannot be missed there.
 
+#include "exhibits/sdf_scenes/near_scene.h"
 #include "exhibits/sdf_scenes/pruning.h"
+#include "tests/bench/many_shapes.h"
 #include "tests/exhibits/sdf_scenes/support.h"
 
 #include <cmath>
@@ -192,6 +194,30 @@ TEST(PruningCells, SayWhatIsNearAndHowFarAnEmptyCellIsFromASurface)
 {
     compareCells({512, 8, 8});
     compareCells({512, 16, 16});  // By two threads.
+}
+
+/// What finding the cells of a scene takes, a cell with shapes.
+struct CellCosts {
+    double evaluations = 0, each = 0, bound = 0;
+};
+
+CellCosts costsOfCells(int shapes)
+{
+    const scenes::SceneField field = test::fieldOf(bench::manyShapes(shapes));
+    const scenes::ListVocabulary kinds = scenes::ListVocabulary::of(field.program());
+    const auto near =
+        scenes::nearScene(field.program(), field.words(), kinds, scenes::cellsAcross(std::size_t(shapes)));
+    const double all = double(near->cells.evaluations), cells = double(near->cells.withSteps);
+    return {all, all / cells, double(near->cells.cells.size()) * shapes};
+}
+
+TEST(PruningCells, TakeHardlyMoreForEachCellOfManyShapes)
+{
+    const CellCosts of256 = costsOfCells(256), of1024 = costsOfCells(1024);
+    EXPECT_LT(of1024.evaluations, 6.5e6);
+    EXPECT_LT(of1024.each, 36);
+    EXPECT_LT(of1024.each, 1.5 * of256.each) << "of four times as many shapes";
+    EXPECT_GT(of1024.bound, 300 * of1024.evaluations) << "control: asking every shape for every cell";
 }
 
 #ifdef VITRINE_RAPIDCHECK
