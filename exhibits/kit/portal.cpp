@@ -83,7 +83,9 @@ std::optional<glm::ivec2> portalColumns(const Portal& portal, const glm::dmat4& 
     const double width = view.raster.size.x;
     const auto column = [&](double ndc) { return (0.5 + 0.5 * ndc) * width - view.raster.offset.x; };
     if (high <= low) return glm::ivec2(0);
-    return glm::ivec2(static_cast<int>(std::floor(column(low))) - 1, static_cast<int>(std::ceil(column(high))) + 1);
+    return glm::clamp(
+        glm::ivec2(static_cast<int>(std::floor(column(low))) - 1, static_cast<int>(std::ceil(column(high))) + 1),
+        glm::ivec2(0), glm::ivec2(view.raster.drawn().x));
 }
 
 render::Camera portalView(const Portal& portal)

@@ -29,7 +29,8 @@ struct Portal {
 /// From straight before it, so that the frame around it is in the picture; field of view 50°.
 [[nodiscard]] render::Camera portalView(const Portal&);
 
-/// Of a picture that is divided: the columns in which one side may be seen, as `Pass::columns` counts them. Unset: all.
+/// Of a picture that is divided: the columns of its tile in which one side may be seen, as `Pass::columns` counts them;
+/// from one to the same where none is. Unset: all.
 [[nodiscard]] std::optional<glm::ivec2> portalColumns(const Portal&, const glm::dmat4& worldFromExhibit,
                                                       const render::View&);
 /// A pass that draws what is seen through the opening: radiance that no light of the hall has touched, the depth of the

@@ -31,7 +31,14 @@ struct PreparedScene final : PreparedPart {
     std::vector<double> numbers;  ///< At the moment that it was prepared for ...
     scenes::SceneWords words;     ///< ... and the same as the field takes them.
     scenes::AskedScene asked;
+    scenes::AskedScene askedRight;  ///< Of the right half, where there is one.
 };
+
+/// Where a divider lies, meters to the right of the opening's middle.
+double dividerAt(double share)
+{
+    return (2 * share - 1) * Portal().halfSize.x;
+}
 
 double secondsAt(const SdfScenesTable& t, const ParameterValues& values, double time)
 {
@@ -50,6 +57,7 @@ struct ScenePass {
     const ParameterValues& values;
     const ShownScene& shown;
     bool source;
+    std::string steps;  ///< What the names of its steps begin with.
     render::Pass& pass;
     render::FramePlan& plan;
 
@@ -60,7 +68,7 @@ struct ScenePass {
         if (there)
             define(text);
         else
-            plan.skip(std::string("sdf_scenes/") + step, why);
+            plan.skip(steps + step, why);
     }
 
     void shadows() const
@@ -69,7 +77,7 @@ struct ScenePass {
         const bool lit = !shown.scene->lights.empty();
         add(lit, "LIGHTS", "lights", "the scene has no lights");
         if (!lit || method == SceneShadow::none)
-            plan.skip("sdf_scenes/shadows", lit ? "shadows are switched off" : "the scene has no lights");
+            plan.skip(steps + "shadows", lit ? "shadows are switched off" : "the scene has no lights");
         else
             define("SHADOWS " +
                    std::to_string(method == SceneShadow::look ? (source ? 6 : 4) : static_cast<int>(method) - 1));
@@ -80,7 +88,7 @@ struct ScenePass {
         SceneOcclusion method = values[t.occlusionMethod];
         if (method == SceneOcclusion::look && !source) method = SceneOcclusion::taps;
         if (method == SceneOcclusion::none)
-            plan.skip("sdf_scenes/occlusion", "ambient occlusion is switched off");
+            plan.skip(steps + "occlusion", "ambient occlusion is switched off");
         else
             define("OCCLUSION " + std::to_string(static_cast<int>(method)));
     }
@@ -211,6 +219,9 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
                                    : runs         ? scenes::SceneRest::steady
                                                   : scenes::SceneRest::all;
     part->asked = scenes::askedScene(scene, part->words, context.values[table_.evaluation], rest, context.assets);
+    if (context.values[table_.split])
+        part->askedRight =
+            scenes::askedScene(scene, part->words, context.values[table_.rightEvaluation], rest, context.assets);
     const scenes::Record& environment = scene.scene->environment;
     if (environment.files.empty()) return part;
     const std::string path = (scene.path.parent_path() / environment.files.front()).string();
@@ -234,37 +245,62 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
 void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
 {
     const ParameterValues& values = context.values;
-    const ShownScene& scene = shown(values);
     const auto* prepared = static_cast<const PreparedScene*>(context.prepared);
     if (!prepared) {
         plan.skip("sdf_scenes/scene", "it was not prepared");
         return;
     }
-    const std::vector<double>& numbers = prepared->numbers;
-    const scenes::AskedScene& asked = prepared->asked;
+    Portal portal = portalAt(values, context.time, prepared->numbers);
+    if (values[table_.split]) {
+        portal.divider = dividerAt(values[table_.divider]);
+        portal.side = 1;
+        planPart("sdf_scenes/right", rightHalf(table_, values), portal, context, plan);
+        portal.side = -1;
+    } else {
+        plan.skip("sdf_scenes/right", "the picture is not divided");
+    }
+    planPart("sdf_scenes/scene", values, portal, context, plan);
+    const std::size_t lights = shown(values).scene->lights.size();
+    if (lights > SCENE_MOST_LIGHTS)
+        plan.warn("sdf_scenes/lights", "The scene has " + std::to_string(lights) + " lights; the first " +
+                                           std::to_string(SCENE_MOST_LIGHTS) + " shine.");
+}
+
+void SdfScenes::planPart(const std::string& name, const ParameterValues& values, const Portal& portal,
+                         const PlanContext& context, render::FramePlan& plan) const
+{
+    const std::optional<glm::ivec2> columns = portalColumns(portal, context.worldFromExhibit, plan.view);
+    if (columns && columns->x >= columns->y) {
+        plan.skip(name, "its half is out of view");
+        return;
+    }
+    const ShownScene& scene = shown(values);
+    const auto& prepared = static_cast<const PreparedScene&>(*context.prepared);
+    const scenes::AskedScene& asked = portal.side > 0 ? prepared.askedRight : prepared.asked;
+    const std::string steps = portal.side > 0 ? name + '/' : "sdf_scenes/";
     // Shaders see the rows that every scene has, so that all scenes have one block of them.
     std::vector<std::string> notes;
     const ParameterValues common = values.under({std::shared_ptr<const Parameters>(), &table_}, notes);
-    render::Pass pass = portalPass("sdf_scenes/scene", "in view", common, "sdf_scenes/scene.frag",
-                                   portalAt(values, context.time, numbers), context);
+    render::Pass pass = portalPass(name, "in view", common, "sdf_scenes/scene.frag", portal, context);
+    pass.columns = columns;
     pass.shader.sources = asked.sources;
     pass.buffers = asked.buffers;
     pass.shader.slot = pass.name;
-    const bool source = numbers[scene.scene->look.numbers] > 0.5;
-    ScenePass{table_, values, scene, source, pass, plan}.all();
+    const bool source = prepared.numbers[scene.scene->look.numbers] > 0.5;
+    ScenePass{table_, values, scene, source, steps, pass, plan}.all();
 
-    if (!asked.why.empty()) plan.skip("sdf_scenes/cells", asked.why);
-    if (!asked.folded) plan.skip("sdf_scenes/folding", asked.whyNotFolded);
-    scenes::SceneStage stage = scenes::sceneStage(scene, prepared->words, numbers);
+    if (!asked.why.empty()) plan.skip(steps + "cells", asked.why);
+    if (!asked.folded) plan.skip(steps + "folding", asked.whyNotFolded);
+    scenes::SceneStage stage = scenes::sceneStage(scene, prepared.words, prepared.numbers);
     if (asked.near) scenes::setBox(stage, asked.near->box);
     stage.bounces = std::min(stage.bounces, values[table_.bounces]);
     stage.exposure *= static_cast<float>(values[table_.brightness]);
-    if (prepared->environment) {
+    if (prepared.environment) {
         pass.shader.defines.emplace_back("PANORAMA");
-        pass.inputs.push_back({UNIT_EXHIBIT_A, prepared->environment});
+        pass.inputs.push_back({UNIT_EXHIBIT_A, prepared.environment});
     }
     render::Bytes block;
-    if (asked.numbersInBlock) block = scenes::sceneBlock(prepared->words);
+    if (asked.numbersInBlock) block = scenes::sceneBlock(prepared.words);
     const render::Bytes around = render::std140Bytes(stage);
     block.insert(block.end(), around.begin(), around.end());
     pass.blocks[BLOCK_EXHIBIT] = std::move(block);
@@ -275,9 +311,21 @@ void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
         pass.shader.better = std::move(better);
     }
     plan.add(std::move(pass));
-    if (scene.scene->lights.size() > SCENE_MOST_LIGHTS)
-        plan.warn("sdf_scenes/lights", "The scene has " + std::to_string(scene.scene->lights.size()) +
-                                           " lights; the first " + std::to_string(SCENE_MOST_LIGHTS) + " shine.");
+}
+
+std::vector<DraggedLine> SdfScenes::draggedLines(const ExhibitState& state, const glm::dvec3&) const
+{
+    if (!state.values[table_.split]) return {};
+    const Portal portal;
+    const double x = dividerAt(state.values[table_.divider]);
+    return {{table_.divider.row, {x, -portal.halfSize.y, -portal.behind}, {x, portal.halfSize.y, -portal.behind}}};
+}
+
+double SdfScenes::valueUnder(const ExhibitState&, std::size_t, const render::Ray& ray) const
+{
+    const Portal portal;
+    const double x = ray.at((-portal.behind - ray.origin.z) / std::min(ray.direction.z, -1e-4)).x;
+    return std::clamp(0.5 + 0.5 * x / portal.halfSize.x, 0.0, 1.0);
 }
 
 }  // namespace vitrine

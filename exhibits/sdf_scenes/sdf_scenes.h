@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/dragged_rows.h"
 #include "exhibits/framework/exhibit.h"
 #include "exhibits/framework/tree.h"
 #include "exhibits/sdf_scenes/sdf_scenes_table.h"
@@ -15,6 +16,7 @@ class SdfScenes final : public Exhibit,
                         public HasButton,
                         public HasSurroundings,
                         public TableFromFiles,
+                        public HasDraggedRows,
                         public HasTree {
 public:
     using Table = SdfScenesTable;
@@ -46,6 +48,9 @@ public:
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 
+    [[nodiscard]] std::vector<DraggedLine> draggedLines(const ExhibitState&, const glm::dvec3& eye) const override;
+    [[nodiscard]] double valueUnder(const ExhibitState&, std::size_t row, const render::Ray&) const override;
+
     // Its tree: sdf_scenes_tree.cpp.
     [[nodiscard]] Tree tree(const ParameterValues&) const override;
     [[nodiscard]] std::optional<TreeRows> rowsOf(const ParameterValues&, std::string_view node) const override;
@@ -72,6 +77,10 @@ private:
     [[nodiscard]] Portal portalAt(const ParameterValues&, double time) const;
     /// The same with `numbersAt` of that time, where these are there already.
     [[nodiscard]] Portal portalAt(const ParameterValues&, double time, const std::vector<double>& numbers) const;
+
+    /// One pass: of all, or of the half on the portal's side with the values of that half.
+    void planPart(const std::string& name, const ParameterValues&, const Portal&, const PlanContext&,
+                  render::FramePlan&) const;
 
     Table table_;
     std::shared_ptr<const scenes::ShownScene> first_;

@@ -29,4 +29,15 @@ SdfScenesTable::SdfScenesTable(std::shared_ptr<const scenes::ShownScene> of) : s
     }
 }
 
+ParameterValues rightHalf(const SdfScenesTable& t, ParameterValues values)
+{
+    values.set(t.shadowMethod, values[t.rightShadowMethod]);
+    values.set(t.occlusionMethod, values[t.rightOcclusionMethod]);
+    values.set(t.bounces, values[t.rightBounces]);
+    values.set(t.evaluation, values[t.rightEvaluation]);
+    values.set(t.stepLimit, values[t.rightStepLimit]);
+    values.set(t.hitTolerance, values[t.rightHitTolerance]);
+    return values;
+}
+
 }  // namespace vitrine

@@ -47,25 +47,35 @@ struct SdfScenesTable final : Parameters {
                {"as the look has it", "none", "hard", "classic", "improved", "signed", "area"},
                "How shapes shade each other: one ray, three kinds of estimate from one ray, or many rays.",
                quality(SceneShadow::area));
-    Count shadowRays = count("shadowRays", 16, {1, 64, logarithmic}, "Rays over each light, for the area method.",
-                             quality(64), when(shadowMethod, SceneShadow::area));
-    Real lampSize =
-        real("lampSize", 0.1, meter, Range{0, 100}.soft(0, 1),
-             "Radius of the scene's points of light: wide ones give soft shadows and wide highlights.",
-             whenNot(look, SceneLook::source) || when(shadowMethod, {SceneShadow::classic, SceneShadow::improved,
-                                                                     SceneShadow::signedDistance, SceneShadow::area}));
+    Count shadowRays =
+        count("shadowRays", 16, {1, 64, logarithmic}, "Rays over each light, for the area method.", quality(64),
+              when(shadowMethod, SceneShadow::area) || rightIs("rightShadowMethod", SceneShadow::area));
+    Real lampSize = real("lampSize", 0.1, meter, Range{0, 100}.soft(0, 1),
+                         "Radius of the scene's points of light: wide ones give soft shadows and wide highlights.",
+                         whenNot(look, SceneLook::source) ||
+                             when(shadowMethod, {SceneShadow::classic, SceneShadow::improved,
+                                                 SceneShadow::signedDistance, SceneShadow::area}) ||
+                             rightIs("rightShadowMethod", SceneShadow::classic) ||
+                             rightIs("rightShadowMethod", SceneShadow::improved) ||
+                             rightIs("rightShadowMethod", SceneShadow::signedDistance) ||
+                             rightIs("rightShadowMethod", SceneShadow::area));
     Choice<SceneOcclusion> occlusionMethod =
         choice("occlusionMethod", SceneOcclusion::look, {"as the look has it", "none", "5 taps", "hemisphere", "cones"},
                "How much of the light around a point shapes keep away: up the normal, or by rays or cones around it.",
                quality(SceneOcclusion::hemisphere));
-    Count occlusionRays =
-        count("occlusionRays", 32, {1, 512, logarithmic}, "Rays of the hemisphere, more of them along the normal.",
-              quality(512), when(occlusionMethod, SceneOcclusion::hemisphere));
+    Count occlusionRays = count("occlusionRays", 32, {1, 512, logarithmic},
+                                "Rays of the hemisphere, more of them along the normal.", quality(512),
+                                when(occlusionMethod, SceneOcclusion::hemisphere) ||
+                                    rightIs("rightOcclusionMethod", SceneOcclusion::hemisphere));
     Real occlusionRange =
         real("occlusionRange", 1.5, meter, Range{0.001, 1000, logarithmic}.soft(0.05, 20),
              "What is farther away keeps no light away. The source knows no such limit.",
              when(occlusionMethod, {SceneOcclusion::taps, SceneOcclusion::hemisphere, SceneOcclusion::cones}) ||
-                 (when(occlusionMethod, SceneOcclusion::look) && whenNot(look, SceneLook::source)));
+                 (when(occlusionMethod, SceneOcclusion::look) && whenNot(look, SceneLook::source)) ||
+                 rightIs("rightOcclusionMethod", SceneOcclusion::taps) ||
+                 rightIs("rightOcclusionMethod", SceneOcclusion::hemisphere) ||
+                 rightIs("rightOcclusionMethod", SceneOcclusion::cones) ||
+                 (rightIs("rightOcclusionMethod", SceneOcclusion::look) && whenNot(look, SceneLook::source)));
 
     Group accuracy = foldedGroup("Accuracy");
     Real hitTolerance = real("hitTolerance", 1, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
@@ -76,6 +86,27 @@ struct SdfScenesTable final : Parameters {
         real("normalStep", 0.0005, meter, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02),
              "Step of the differences that give the normal: small drowns in rounding, large rounds creases.",
              quality(0.0005));
+
+    Group halves = foldedGroup("Two halves");
+    Toggle split = toggle("split", false, "Divide the picture in two halves, the right one with settings of its own.");
+    Real divider =
+        real("divider", 0.5, none, {0, 1}, "Where the right half begins, as a share of the opening.", when(split));
+    Choice<SceneShadow> rightShadowMethod =
+        choice("rightShadowMethod", SceneShadow::look,
+               {"as the look has it", "none", "hard", "classic", "improved", "signed", "area"},
+               "The shadow method of the right half.", when(split));
+    Choice<SceneOcclusion> rightOcclusionMethod = choice(
+        "rightOcclusionMethod", SceneOcclusion::look, {"as the look has it", "none", "5 taps", "hemisphere", "cones"},
+        "The occlusion method of the right half.", when(split));
+    Count rightBounces = count("rightBounces", 4, {0, 4}, "The bounces of the right half.", when(split));
+    Choice<SceneEvaluation> rightEvaluation =
+        choice("rightEvaluation", SceneEvaluation::automatic,
+               {"automatic", "what is near", "every shape", "numbers folded", "lists", "interpreter"},
+               "The evaluation of the right half.", when(split));
+    Count rightStepLimit =
+        count("rightStepLimit", 160, {1, 512, logarithmic}, "The step limit of the right half.", when(split));
+    Real rightHitTolerance = real("rightHitTolerance", 1, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
+                                  "The hit tolerance of the right half.", when(split));
 
     Group costs = group("Costs");
     Choice<SceneHeatMap> heatMap =
@@ -92,6 +123,16 @@ struct SdfScenesTable final : Parameters {
 
     const std::shared_ptr<const scenes::ShownScene> shown;
     std::vector<Real> ofScene;  ///< Its parameters, in their order.
+
+private:
+    /// There is a right half, and a row of it has this value.
+    template <typename Value> [[nodiscard]] static Condition rightIs(std::string_view row, Value value)
+    {
+        return whenLater("split", 1) && whenLater(row, static_cast<double>(value));
+    }
 };
+
+/// The values of the right half: its own in place of those of the whole picture.
+[[nodiscard]] ParameterValues rightHalf(const SdfScenesTable&, ParameterValues);
 
 }  // namespace vitrine
