@@ -95,6 +95,9 @@ struct TreePlace {
     glm::dvec3 translate{0};          ///< Meters of the parent.
     glm::dvec3 rotate{0};             ///< Radians.
     glm::dvec3 scale{1};
+    /// Why no handles can stand there, as a sentence for people; empty: they can, and `exhibitFromParent` is what is
+    /// around the node's middle as far as space is bent there.
+    std::string without = {};
 
     [[nodiscard]] glm::dmat3 rotation() const;
 };

@@ -2,8 +2,6 @@
 
 #include "exhibits/sdf_scenes/scene_edit.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,24 +58,6 @@ void addNodes(const JsonText& json, Waiting first, Tree& tree)
     }
 }
 
-glm::dmat4 matrixOf(const TreePlace& place)
-{
-    return glm::translate(glm::dmat4(1), place.translate) * glm::dmat4(place.rotation()) *
-           glm::scale(glm::dmat4(1), place.scale);
-}
-
-TreePlace ownPlace(const Node& node, const std::vector<double>& numbers)
-{
-    TreePlace place;
-    const auto at = [&](std::uint32_t first, const glm::dvec3& other) {
-        return first == none ? other : glm::dvec3(numbers[first], numbers[first + 1], numbers[first + 2]);
-    };
-    place.translate = at(node.translate, place.translate);
-    place.rotate = at(node.rotate, place.rotate);
-    place.scale = at(node.scale, place.scale);
-    return place;
-}
-
 }  // namespace
 
 Tree treeOf(const Scene& scene)
@@ -117,16 +97,6 @@ std::string pathOf(const Scene& scene, std::uint32_t node)
             return json.wholePath(at.origin.value);
     }
     return {};
-}
-
-TreePlace placeInScene(const Scene& scene, const std::vector<double>& numbers, std::uint32_t node)
-{
-    TreePlace place = ownPlace(scene.nodes[node], numbers);
-    glm::dmat4 outer(1);
-    for (std::uint32_t n = scene.nodes[node].parent; n != none; n = scene.nodes[n].parent)
-        outer = matrixOf(ownPlace(scene.nodes[n], numbers)) * outer;
-    place.exhibitFromParent = outer;
-    return place;
 }
 
 std::shared_ptr<const Scene> onlyNode(const Scene& scene, std::string_view path)

@@ -36,9 +36,10 @@ struct NodeRow {
 /// The path of a node, or of the instance or include that brought it.
 [[nodiscard]] std::string pathOf(const Scene&, std::uint32_t node);
 
-/// Its place in its parent; `exhibitFromParent` is the scene's space from the parent's, as far as places go: what
-/// operations do to space is left out.
-[[nodiscard]] TreePlace placeInScene(const Scene&, const std::vector<double>& numbers, std::uint32_t node);
+/// Its place in its parent; `exhibitFromParent` is the scene's space from the parent's. Where operations around it bend
+/// space, it is that space's even part at the node's middle, in the copy that is found first of what is repeated; where
+/// the middle is seen nowhere, `without` says so.
+[[nodiscard]] TreePlace placeInScene(const ShownScene&, const std::vector<double>& numbers, std::uint32_t node);
 
 /// The scene without anything but the nodes of this path, and the operations around them.
 [[nodiscard]] std::shared_ptr<const Scene> onlyNode(const Scene&, std::string_view path);

@@ -81,7 +81,14 @@ Tree SdfScenes::tree(const ParameterValues& values) const
 
 std::optional<TreeRows> SdfScenes::rowsOf(const ParameterValues& values, std::string_view node) const
 {
-    return scenes::nodeRows(*shown(values).scene, numbersAt(values, 0), node);
+    const scenes::ShownScene& scene = shown(values);
+    const std::vector<double> numbers = numbersAt(values, 0);
+    std::optional<TreeRows> rows = scenes::nodeRows(*scene.scene, numbers, node);
+    const std::uint32_t at = scenes::nodeAt(*scene.scene, node);
+    if (!rows || at == scenes::none) return rows;
+    const std::string without = scenes::placeInScene(scene, numbers, at).without;
+    if (!without.empty()) rows->note += (rows->note.empty() ? "" : " ") + without;
+    return rows;
 }
 
 ParameterValues SdfScenes::withText(const ParameterValues& values, std::string text, render::AssetStore& assets) const
@@ -131,7 +138,7 @@ std::optional<TreePlace> SdfScenes::placeOf(const ExhibitState& state, std::stri
     const scenes::Scene& scene = *shown(state.values).scene;
     const std::uint32_t at = scenes::nodeAt(scene, node);
     if (at == scenes::none) return std::nullopt;
-    TreePlace place = scenes::placeInScene(scene, numbersAt(state.values, state.time), at);
+    TreePlace place = scenes::placeInScene(shown(state.values), numbersAt(state.values, state.time), at);
     place.exhibitFromParent =
         glm::affineInverse(portalAt(state.values, state.time).workFromExhibit) * place.exhibitFromParent;
     return place;

@@ -93,7 +93,7 @@ void TreeOverlay::findHandles()
 {
     handles_.clear();
     if (!editor_.source() || editor_.selected().empty()) return;
-    if (const auto place = this->place())
+    if (const auto place = this->place(); place && place->without.empty())
         handles_ =
             handlesOf(mode_, *place, museum_.worldFromExhibit(editor_.subject()), viewport_.view(), QSizeF(size()));
 }

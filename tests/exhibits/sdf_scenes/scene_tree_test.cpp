@@ -3,6 +3,7 @@
 #include "exhibits/framework/preset_values.h"
 #include "exhibits/museum/named_files.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
+#include "exhibits/sdf_scenes/scene_tree.h"
 #include "exhibits/sdf_scenes/sdf_scenes.h"
 #include "render/failure.h"
 #include "shaders/lib/bindings.glsl"
@@ -234,6 +235,88 @@ TEST(SceneTree, ThePlaceOfANodeGoesBackIntoItsNumbers)
     const glm::dvec3 middle(now.exhibitFromParent * glm::dvec4(now.translate, 1));
     const render::Ray ray = e.towards({1, 0.75, 0});
     EXPECT_LT(glm::length(glm::cross(glm::normalize(middle - ray.origin), ray.direction)), 1e-9);
+}
+
+/// A small ball in an operation that bends space, and where its middle is shown.
+struct BentBall {
+    std::shared_ptr<const scenes::ShownScene> shown;
+    TreePlace place;
+
+    BentBall(const std::string& operation, const glm::dvec3& at)
+    {
+        const std::string ball = "{\"kind\": \"sphere\", \"radius\": 0.06, \"translate\": [" + std::to_string(at.x) +
+                                 ", " + std::to_string(at.y) + ", " + std::to_string(at.z) + "]}";
+        const std::string text = "{\"format\": \"vitrine-scene\", \"version\": 1, \"root\": {" + operation +
+                                 ", \"translate\": [0.3, -0.2, 0.1], \"rotate\": [20, 40, 0], \"child\": " + ball +
+                                 "}}";
+        scenes::ReadScene read = scenes::readScene(text, "bent", {});
+        shown = scenes::shownScene(read.scene);
+        place = scenes::placeInScene(*shown, shown->scene->numbersAt(0), scenes::nodeAt(*shown->scene, "root.child"));
+    }
+    [[nodiscard]] glm::dvec3 middle(const glm::dvec3& moved = glm::dvec3(0)) const
+    {
+        return glm::dvec3(place.exhibitFromParent * glm::dvec4(place.translate + moved, 1));
+    }
+    /// As if the operation left space as it is.
+    [[nodiscard]] glm::dvec3 withoutTheOperation() const
+    {
+        const std::vector<double> numbers = shown->scene->numbersAt(0);
+        return glm::dvec3(scenes::placeInScene(*shown, numbers, 0).rotation() * place.translate) +
+               glm::dvec3(0.3, -0.2, 0.1);
+    }
+    [[nodiscard]] double distance(const glm::dvec3& p) const { return scenes::SceneField(shown->scene).distance(p); }
+};
+
+TEST(SceneTree, HandlesStandWhereOperationsThatBendSpaceShowTheirNode)
+{
+    struct Case {
+        const char* operation;
+        glm::dvec3 at;
+        bool elsewhere = true;  ///< Not where it would be without the operation.
+        int dragged = 0;        ///< The first axis along which space goes on evenly there.
+    };
+    const Case cases[] = {
+        {R"("kind": "twist", "rate": 90)", {0.7, 0.9, 0.2}},
+        {R"("kind": "twist", "rate": -400)", {0.5, 1.3, -0.4}},
+        {R"("kind": "bend", "rate": 40)", {0.8, 0.5, 0.1}},
+        {R"("kind": "repeat", "spacing": [1, 0, 0], "count": [2, 1, 1])", {0.1, 0.3, 0.2}},
+        {R"("kind": "repeat", "spacing": [1, 1, 0], "count": [0, 0, 1])", {0.1, 0.3, 0.2}, false},
+        {R"("kind": "repeatAround", "count": 5)", {0.6, 0.2, 0.3}, false},
+        {R"("kind": "elongate", "size": [0.8, 0, 0])", {0.3, 0.2, 0}},
+        {R"("kind": "elongate", "size": [0.8, 0, 0])", {0, 0.2, 0.1}, false, 1},
+        {R"("kind": "revolve", "offset": 0.5)", {0.4, 0.3, 0}},
+        {R"("kind": "mirror", "x": true)", {0.4, 0.2, 0.1}, false},
+        {R"("kind": "round", "radius": 0.02)", {0.4, 0.2, 0.1}, false},
+    };
+    for (const Case& c : cases) {
+        const BentBall ball(c.operation, c.at);
+        ASSERT_EQ(ball.place.without, "") << c.operation;
+        EXPECT_LT(ball.distance(ball.middle()), -0.01) << c.operation;
+        if (c.elsewhere) {
+            EXPECT_GT(ball.distance(ball.withoutTheOperation()), 0) << "control: " << c.operation;
+        }
+        // Dragged a little along each axis, the ball follows the handle.
+        for (int axis = c.dragged; axis < 2; ++axis) {
+            glm::dvec3 moved(0);
+            moved[axis] = 0.01;
+            const BentBall after(c.operation, c.at + moved);
+            EXPECT_LT(glm::distance(after.middle(), ball.middle(moved)), 0.002) << c.operation << ' ' << axis;
+            EXPECT_LT(after.distance(ball.middle(moved)), -0.01) << c.operation << ' ' << axis;
+        }
+    }
+}
+
+TEST(SceneTree, HandlesOfWhatIsSeenNowhereAreSaidToBeImpossible)
+{
+    EXPECT_NE(BentBall(R"("kind": "mirror", "x": true)", {-0.4, 0.2, 0.1}).place.without.find("\"mirror\""),
+              std::string::npos);
+    EXPECT_NE(BentBall(R"("kind": "extrude", "height": 1)", {0.4, 0.2, 0.1}).place.without, "");
+    EXPECT_EQ(BentBall(R"("kind": "extrude", "height": 1)", {0.4, 0.2, 0}).place.without, "") << "control";
+    Edited e(R"({"format": "vitrine-scene", "version": 1, "root": {"kind": "mirror", "x": true, "child":
+ {"kind": "sphere", "translate": [-1, 0, 0]}}})");
+    EXPECT_NE(e.shown().placeOf(e.state(), "root.child").value().without, "");
+    EXPECT_NE(e.shown().rowsOf(e.values(), "root.child").value().note.find("No handles"), std::string::npos);
+    EXPECT_EQ(e.shown().rowsOf(e.values(), "root").value().note, "");
 }
 
 TEST(SceneTree, KnowsItsFilesAndWhoseTheyAre)
