@@ -2,6 +2,7 @@
 // takes to be seen. Prints Markdown.
 //   bench_scene_speed [--size 640x360] [--most 1024] [--only ways|near|edits|scenes]
 
+#include "exhibits/framework/tree.h"
 #include "exhibits/sdf_scenes/near_scene.h"
 #include "tests/bench/many_shapes.h"
 #include "tests/bench/scene_bench.h"
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <functional>
 
 namespace {
 
@@ -74,35 +76,66 @@ void ways(SceneBench& stage, int most, bool nearAlone)
                     last / at16, lastShapes / shapesAt16);
 }
 
+/// Seconds until the next picture is drawn, by this way to ask the field, its program built if need be.
+double untilDrawn(SceneBench& stage, SceneEvaluation way)
+{
+    stage.values().set(SceneBench::table().evaluation, way);
+    const double begun = bench::wallNow();
+    stage.drawNow();
+    return bench::wallNow() - begun;
+}
+
+struct EditTimes {
+    double toPicture = 0, toOwnProgram = 0;
+};
+
+/// From when `edit` begins; to a program of its own only where that takes no minutes.
+EditTimes timesOf(SceneBench& stage, bool own, SceneEvaluation ownWay, const std::function<void()>& edit)
+{
+    EditTimes times;
+    const double begun = bench::wallNow();
+    edit();
+    const double edited = bench::wallNow() - begun;
+    times.toPicture = edited + untilDrawn(stage, SceneEvaluation::near);
+    if (own) times.toOwnProgram = edited + untilDrawn(stage, ownWay);
+    return times;
+}
+
+void editRow(int count, const char* what, const EditTimes& times)
+{
+    std::printf(times.toOwnProgram > 0 ? "| %d | %s | %.3f | %.2f |\n" : "| %d | %s | %.3f | not built |\n", count,
+                what, times.toPicture, times.toOwnProgram);
+    std::fflush(stdout);
+}
+
 void edits(SceneBench& stage)
 {
     std::printf(
-        "\n## From a saved file to the picture\n\nA shape is added to the file: the tree is another one. Seconds "
-        "from then on.\n\n| shapes | read | what is near | the picture by what is near | the picture by a program "
-        "of its own |\n|---|---|---|---|---|\n");
+        "\n## From an edit to the picture\n\nSeconds from when the edit begins; the picture is drawn by what is near, "
+        "whose program is there. A program of its own has its numbers folded where one was edited, and beside it "
+        "where the tree is another one.\n\n| shapes | edit | to the picture | to a picture by a program of its own "
+        "|\n|---|---|---|---|\n");
+    const char* const camera = R"({"position": [2.2, 1.6, 3.2], "target": [0, 0, 0], "fieldOfView": 40})";
+    const auto& tree = *capability<HasTree>(stage.museum.subject(stage.exhibit));
+    render::AssetStore assets = stage.museum.assets();
     for (const int count : {16, 64, 256}) {
-        const char* camera = R"({"position": [2.2, 1.6, 3.2], "target": [0, 0, 0], "fieldOfView": 40})";
+        const bool own = count <= 64;
         stage.read(stage.write(bench::manyShapes(count), camera));
-        stage.values().set(SceneBench::table().evaluation, SceneEvaluation::near);
-        stage.drawNow();
+        untilDrawn(stage, SceneEvaluation::near);
+        editRow(count, "a number", timesOf(stage, own, SceneEvaluation::folded, [&] {
+                    const TreeRows rows = tree.rowsOf(stage.values(), "root.children[0]").value();
+                    const std::size_t radius = rows.values.table().find("radius").value();
+                    const double now = std::get<double>(rows.values.row(radius));
+                    stage.values() = tree.withRow(stage.values(), "root.children[0]", radius, 1.1 * now, assets);
+                }));
+        editRow(count, "a shape added", timesOf(stage, own, SceneEvaluation::shapes, [&] {
+                    const TreeEdit add{.what = TreeEdit::What::add, .node = "root", .word = "sphere"};
+                    stage.values() = tree.edited(stage.values(), add, assets).values;
+                }));
+        stage.values().set(SceneBench::table().document, std::string());
         const std::string more = bench::manyShapes(count + 1);
-        const double begun = bench::wallNow();
-        stage.read(stage.write(more, camera));
-        const double read = bench::wallNow();
-        const render::FramePlan plan = stage.planNow();
-        const double planned = bench::wallNow();
-        stage.draw(plan);
-        const double drawn = bench::wallNow();
-        double own = 0;
-        if (count <= 64) {
-            stage.values().set(SceneBench::table().evaluation, SceneEvaluation::shapes);
-            const double ownBegun = bench::wallNow();
-            stage.drawNow();
-            own = bench::wallNow() - ownBegun + read - begun;
-        }
-        std::printf(own > 0 ? "| %d | %.3f | %.3f | %.3f | %.2f |\n" : "| %d | %.3f | %.3f | %.3f | not built |\n",
-                    count, read - begun, planned - read, drawn - begun, own);
-        std::fflush(stdout);
+        editRow(count, "a file saved with one more",
+                timesOf(stage, own, SceneEvaluation::shapes, [&] { stage.read(stage.write(more, camera)); }));
     }
 }
 
