@@ -92,7 +92,7 @@ struct SdfScenesTable final : Parameters {
     Real divider =
         real("divider", 0.5, none, {0, 1}, "Where the right half begins, as a share of the opening.", when(split));
     Choice<SceneShadow> rightShadowMethod =
-        choice("rightShadowMethod", SceneShadow::look,
+        choice("rightShadowMethod", SceneShadow::none,
                {"as the look has it", "none", "hard", "classic", "improved", "signed", "area"},
                "The shadow method of the right half.", when(split));
     Choice<SceneOcclusion> rightOcclusionMethod = choice(

@@ -63,6 +63,7 @@ HalvesFound compareHalves(SceneShot shot, const HalvesCase& setting, double divi
     SceneShot other = shot;
     setting.whole(other.values());
     const render::Image right = other.take().image;
+    shot.values().set(scenesTable().rightShadowMethod, SceneShadow::look);  // As to the left.
     setting.right(shot.values());
     shot.values().set(scenesTable().split, true);
     shot.values().set(scenesTable().divider, divider);
