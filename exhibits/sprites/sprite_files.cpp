@@ -5,8 +5,6 @@
 #include "render/image/image_io.h"
 #include "render/image/srgb.h"
 
-#include <system_error>
-
 namespace vitrine {
 namespace {
 
@@ -16,14 +14,19 @@ std::filesystem::path besides(const std::filesystem::path& out, const std::strin
     return out.parent_path() / (out.stem().string() + suffix + extension);
 }
 
-/// Writes numbers as they are, past the curve that colors are written with.
-void writeCodes(const std::filesystem::path& file, render::Image image)
+std::string pngOf(const std::filesystem::path& file, const render::Image& image)
+{
+    return render::encodedPicture(file, image, render::PictureFormat::png8);
+}
+
+/// The same of numbers as they are, past the curve that colors are written with.
+std::string codesOf(const std::filesystem::path& file, render::Image image)
 {
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         const bool alpha = image.channels == 4 && i % 4 == 3;
         if (!alpha) image.pixels[i] = static_cast<float>(render::linearFromSrgb(static_cast<double>(image.pixels[i])));
     }
-    render::writePicture(file.string(), image, render::PictureFormat::png8);
+    return pngOf(file, image);
 }
 
 std::vector<Rgb8> chosenPalette(const ParameterValues& values)
@@ -39,6 +42,28 @@ std::vector<Rgb8> chosenPalette(const ParameterValues& values)
             return {colors.begin(), colors.end()};
         }
     return {};
+}
+
+/// A file of a sheet, and how it is made.
+struct SheetPart {
+    std::filesystem::path file;
+    std::string (*bytesOf)(const SpriteSheet&, const std::filesystem::path&);
+};
+
+std::vector<SheetPart> sheetParts(const ParameterValues& values, const std::filesystem::path& out)
+{
+    const SpriteTable& t = spriteTable();
+    using Path = std::filesystem::path;
+    std::vector<SheetPart> parts{{out, [](const SpriteSheet& s, const Path& f) { return pngOf(f, s.color); }}};
+    if (values[t.normals])
+        parts.push_back({besides(out, "_normal", ".png"),
+                         [](const SpriteSheet& s, const Path& f) { return codesOf(f, s.normal); }});
+    if (values[t.depth])
+        parts.push_back(
+            {besides(out, "_depth", ".png"), [](const SpriteSheet& s, const Path& f) { return codesOf(f, s.depth); }});
+    if (values[t.description])
+        parts.push_back({besides(out, "", ".json"), [](const SpriteSheet& s, const Path&) { return s.description; }});
+    return parts;
 }
 
 }  // namespace
@@ -73,35 +98,17 @@ SpriteSheet sheetOf(const std::vector<SpriteFrame>& frames, const ParameterValue
 
 std::vector<std::filesystem::path> sheetFiles(const ParameterValues& values, const std::filesystem::path& out)
 {
-    const SpriteTable& t = spriteTable();
-    std::vector<std::filesystem::path> files{out};
-    if (values[t.normals]) files.push_back(besides(out, "_normal", ".png"));
-    if (values[t.depth]) files.push_back(besides(out, "_depth", ".png"));
-    if (values[t.description]) files.push_back(besides(out, "", ".json"));
+    std::vector<std::filesystem::path> files;
+    for (const SheetPart& part : sheetParts(values, out)) files.push_back(part.file);
     return files;
 }
 
-void writeSheet(const SpriteSheet& sheet, const ParameterValues& values, const std::filesystem::path& out)
+void writeSheet(const SpriteSheet& sheet, const ParameterValues& values, const std::filesystem::path& out,
+                render::FileOps& ops)
 {
-    const SpriteTable& t = spriteTable();
-    std::vector<std::filesystem::path> written;
-    const auto write = [&](bool wanted, const std::filesystem::path& file, const auto& writing) {
-        if (!wanted) return;
-        writing(file);
-        written.push_back(file);
-    };
-    try {
-        write(true, out,
-              [&](const auto& f) { render::writePicture(f.string(), sheet.color, render::PictureFormat::png8); });
-        write(values[t.normals], besides(out, "_normal", ".png"), [&](const auto& f) { writeCodes(f, sheet.normal); });
-        write(values[t.depth], besides(out, "_depth", ".png"), [&](const auto& f) { writeCodes(f, sheet.depth); });
-        write(values[t.description], besides(out, "", ".json"),
-              [&](const auto& f) { render::atomicWrite(f.string(), sheet.description); });
-    } catch (...) {
-        std::error_code ignored;
-        for (const auto& file : written) std::filesystem::remove(file, ignored);
-        throw;
-    }
+    std::vector<render::NamedBytes> files;
+    for (const SheetPart& part : sheetParts(values, out)) files.push_back({part.file, part.bytesOf(sheet, part.file)});
+    render::atomicWriteAll(files, ops);
 }
 
 }  // namespace vitrine

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/sprites/sprite_shots.h"
+#include "render/files/file_ops.h"
 
 #include <filesystem>
 #include <string>
@@ -21,7 +22,8 @@ namespace vitrine {
 /// The files of a sheet that is written to `out` ("hero.png": also "hero_normal.png", "hero_depth.png", "hero.json").
 [[nodiscard]] std::vector<std::filesystem::path> sheetFiles(const ParameterValues&, const std::filesystem::path& out);
 
-/// Writes them. Throws Failure naming file and cause; then those that were written are taken away again.
-void writeSheet(const SpriteSheet&, const ParameterValues&, const std::filesystem::path& out);
+/// Writes them all, or leaves all as they were. Throws Failure naming file and cause.
+void writeSheet(const SpriteSheet&, const ParameterValues&, const std::filesystem::path& out,
+                render::FileOps& = render::systemFileOps());
 
 }  // namespace vitrine

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 
 namespace vitrine::render {
 namespace {
@@ -119,7 +120,7 @@ void compareAll(const PartFile& part, FileOps& ops, std::string_view bytes)
 }
 
 /// Asks the disk to keep the folder's latest renames. Returns 0, or the error number.
-int syncFolder(const fs::path& folder, FileOps& ops)
+int syncedFolder(const fs::path& folder, FileOps& ops)
 {
     OpenFile directory(ops, folder, O_RDONLY | O_DIRECTORY);
     if (directory.get() < 0) return errno;
@@ -157,24 +158,37 @@ void PartFile::fail(std::string_view doing, int error) const
                                    std::strerror(error) + "); the old content is untouched; " + advice(error) + ".");
 }
 
-void PartFile::publish()
+void PartFile::prepare() const
 {
-    {
-        OpenFile file(ops_, part_, O_RDWR);
-        if (file.get() < 0) fail("opening it again", errno);
-        struct stat old {};
-        if (::stat(target_.c_str(), &old) == 0 && ops_.fchmod(file.get(), old.st_mode & 07777U) != 0) {
-            fail("keeping its permissions", errno);
-        }
-        if (ops_.fsync(file.get()) != 0) fail("waiting for the disk", errno);
-        if (!file.close()) fail("closing", errno);
+    OpenFile file(ops_, part_, O_RDWR);
+    if (file.get() < 0) fail("opening it again", errno);
+    struct stat old {};
+    if (::stat(target_.c_str(), &old) == 0 && ops_.fchmod(file.get(), old.st_mode & 07777U) != 0) {
+        fail("keeping its permissions", errno);
     }
+    if (ops_.fsync(file.get()) != 0) fail("waiting for the disk", errno);
+    if (!file.close()) fail("closing", errno);
+}
+
+void PartFile::replace()
+{
     if (ops_.rename(part_.c_str(), target_.c_str()) != 0) fail("renaming", errno);
     published_ = true;
-    if (const int error = syncFolder(folderOf(target_), ops_); error != 0) {
+}
+
+void PartFile::syncFolder() const
+{
+    if (const int error = syncedFolder(folderOf(target_), ops_); error != 0) {
         refuse(target_, "the new content is in place, but the disk did not confirm it (" +
                             std::string(std::strerror(error)) + "); save once more.");
     }
+}
+
+void PartFile::publish()
+{
+    prepare();
+    replace();
+    syncFolder();
 }
 
 void requireSpace(const fs::path& target, unsigned long long bytes, FileOps& ops)
@@ -192,6 +206,75 @@ void atomicWrite(const fs::path& path, std::string_view bytes, FileOps& ops)
     writeAll(part, ops, bytes);
     compareAll(part, ops, bytes);
     part.publish();
+}
+
+namespace {
+
+/// The old content of files that are about to be replaced, under another name beside them.
+class OldFiles {
+public:
+    explicit OldFiles(FileOps& ops) : ops_(ops) {}
+    ~OldFiles()
+    {
+        for (const Old& old : kept_)
+            if (old.hadFile) ops_.unlink(old.path.c_str());
+    }
+    OldFiles(const OldFiles&) = delete;
+    OldFiles& operator=(const OldFiles&) = delete;
+
+    void keep(const PartFile& part)
+    {
+        Old old{part.target(), part.path().string() + "o", fs::exists(part.target())};
+        if (old.hadFile && ops_.link(part.target().c_str(), old.path.c_str()) != 0) return;
+        kept_.push_back(std::move(old));
+    }
+    void putBack(const PartFile& part)
+    {
+        for (Old& old : kept_)
+            if (old.target == part.target()) {
+                if (!old.hadFile)
+                    ops_.unlink(old.target.c_str());
+                else if (ops_.rename(old.path.c_str(), old.target.c_str()) == 0)
+                    old.hadFile = false;
+            }
+    }
+
+private:
+    struct Old {
+        fs::path target, path;
+        bool hadFile;
+    };
+    FileOps& ops_;
+    std::vector<Old> kept_;
+};
+
+}  // namespace
+
+void atomicWriteAll(const std::vector<NamedBytes>& files, FileOps& ops)
+{
+    std::vector<std::unique_ptr<PartFile>> parts;
+    unsigned long long all = 0;
+    for (const NamedBytes& file : files) {
+        parts.push_back(std::make_unique<PartFile>(file.path, ops));
+        all += file.bytes.size();
+    }
+    if (parts.empty()) return;
+    requireSpace(files.front().path, all, ops);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        writeAll(*parts[i], ops, files[i].bytes);
+        compareAll(*parts[i], ops, files[i].bytes);
+        parts[i]->prepare();
+    }
+    OldFiles old(ops);
+    for (const auto& part : parts) old.keep(*part);
+    std::size_t done = 0;
+    try {
+        for (; done < parts.size(); ++done) parts[done]->replace();
+    } catch (...) {
+        while (done > 0) old.putBack(*parts[--done]);
+        throw;
+    }
+    for (const auto& part : parts) part->syncFolder();
 }
 
 void atomicWriteMakingFolder(const fs::path& path, std::string_view bytes, FileOps& ops)

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vitrine::render {
 
@@ -19,6 +20,18 @@ void atomicWrite(const std::filesystem::path& path, std::string_view bytes, File
 
 /// The same; makes the folder of `path`, and those above it, where there is none.
 void atomicWriteMakingFolder(const std::filesystem::path& path, std::string_view bytes, FileOps& = systemFileOps());
+
+/// A file and what it is to hold.
+struct NamedBytes {
+    std::filesystem::path path;
+    std::string bytes;
+};
+
+/// Replaces several files together, each as `atomicWrite` does: afterwards all hold their old content, or all their
+/// new. Asks for the space of all first, writes and checks all beside their targets, and only then renames them one
+/// after another; where one cannot be renamed, those before it get their old content back, by a hard link that was kept
+/// (not on file systems without such links). Throws Failure naming the file and the cause.
+void atomicWriteAll(const std::vector<NamedBytes>&, FileOps& = systemFileOps());
 
 /// Throws Failure unless the folder of `target` has 1.1 times `bytes` free.
 void requireSpace(const std::filesystem::path& target, unsigned long long bytes, FileOps& = systemFileOps());
@@ -39,6 +52,10 @@ public:
 
     /// Gives the part file the old file's mode, syncs it, puts it in the target's place, syncs the folder.
     void publish();
+    /// The steps of that: mode and content reach the disk; the part file takes the target's place; so does the folder.
+    void prepare() const;
+    void replace();
+    void syncFolder() const;
 
     /// Throws Failure "Cannot write <target>: <doing>: <errno as text>. ...".
     [[noreturn]] void fail(std::string_view doing, int error) const;

@@ -42,6 +42,10 @@ int FileOps::rename(const char* from, const char* to)
 {
     return ::rename(from, to);
 }
+int FileOps::link(const char* from, const char* to)
+{
+    return ::link(from, to);
+}
 int FileOps::unlink(const char* path)
 {
     return ::unlink(path);

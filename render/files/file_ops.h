@@ -21,6 +21,7 @@ public:
     virtual int fsync(int fd);
     virtual int close(int fd);
     virtual int rename(const char* from, const char* to);
+    virtual int link(const char* from, const char* to);
     virtual int unlink(const char* path);
     /// Bytes that this user may still write in the folder; the largest number when that is unknown.
     virtual unsigned long long freeBytes(const char* folder);

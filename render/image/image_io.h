@@ -51,6 +51,11 @@ struct PictureMetadata {
 void writePicture(const std::filesystem::path&, const Image&, PictureFormat, const PictureMetadata& = {},
                   FileOps& ops = systemFileOps());
 
+/// The bytes of the PNG (`png8` or `png16`) that `writePicture` writes under that name; nothing is written. Throws as
+/// it does.
+[[nodiscard]] std::string encodedPicture(const std::filesystem::path&, const Image&, PictureFormat,
+                                         const PictureMetadata& = {});
+
 /// The preset text inside a PNG or OpenEXR file that `writePicture` wrote (or any with that chunk), or
 /// nothing. It is text from a file: parse it as untrusted. Throws Failure when the file cannot be read.
 [[nodiscard]] std::optional<std::string> embeddedPreset(const std::filesystem::path&);

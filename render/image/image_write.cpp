@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace vitrine::render {
@@ -134,20 +135,28 @@ StoredPicture prepared(const Image& image, PictureFormat format)
 
 }  // namespace
 
+std::string encodedPicture(const std::filesystem::path& path, const Image& image, PictureFormat format,
+                           const PictureMetadata& metadata)
+{
+    assert(storedAs(format) == ImageFormat::png);
+    check(path, image, format);
+    constexpr double inchesPerMeter = 1 / 0.0254;
+    return encodePng(prepared(image, format),
+                     {metadata.preset, metadata.description, metadata.pixelsPerInch * inchesPerMeter}, path.string());
+}
+
 void writePicture(const std::filesystem::path& path, const Image& image, PictureFormat format,
                   const PictureMetadata& metadata, FileOps& ops)
 {
-    check(path, image, format);
-    const StoredPicture picture = prepared(image, format);
-    if (format == PictureFormat::png8 || format == PictureFormat::png16) {
-        constexpr double inchesPerMeter = 1 / 0.0254;
-        const std::string bytes = encodePng(
-            picture, {metadata.preset, metadata.description, metadata.pixelsPerInch * inchesPerMeter}, path.string());
+    if (storedAs(format) == ImageFormat::png) {
+        const std::string bytes = encodedPicture(path, image, format, metadata);
         requireSpace(path, bytes.size(), ops);
         atomicWrite(path, bytes, ops);
         return;
     }
 
+    check(path, image, format);
+    const StoredPicture picture = prepared(image, format);
     OiioTarget target;
     target.format = storedAs(format);
     target.halfColor = format == PictureFormat::exrHalf;

@@ -1,8 +1,12 @@
 // Palettes, and sheets of sprites as another reader of their description finds them.
 
 #include "exhibits/pixel_art/palette.h"
+#include "exhibits/sprites/sprite_files.h"
 #include "exhibits/sprites/sprite_sheet.h"
+#include "render/image/image_io.h"
 #include "render/image/srgb.h"
+#include "tests/support/failures.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -187,6 +191,53 @@ TEST(SpriteSheet, TakesAnEmptyFrameAndAFrameOfOneTexel)
     trimmed.trimmed = true;
     EXPECT_EQ(spriteSheet(frames, trimmed).cells.size(), 2U);
     EXPECT_THROW(static_cast<void>(spriteSheet({}, {})), std::exception);
+}
+
+/// The rename of this number (from 0) fails.
+class NoSuchRename : public render::FileOps {
+public:
+    explicit NoSuchRename(int number) : left_(number) {}
+    int rename(const char* from, const char* to) override
+    {
+        if (left_-- != 0) return FileOps::rename(from, to);
+        errno = EIO;
+        return -1;
+    }
+
+private:
+    int left_;
+};
+
+TEST(SpriteSheet, LeavesAllOldFilesWhereALaterOneCannotBeWritten)
+{
+    const SpriteSheet sheet = spriteSheet(disks(2, 2, {24, 20}), {});
+    const ParameterValues values = spriteTable().initial();
+    {
+        const test::TemporaryFolder folder;
+        test::writeBytes(folder / "hero.png", "an older sheet");
+        std::filesystem::create_directory(folder / "hero_depth.png");
+        EXPECT_FAILURE(writeSheet(sheet, values, folder / "hero.png"), "it is a folder");
+        EXPECT_EQ(test::bytesOf(folder / "hero.png"), "an older sheet");
+        EXPECT_EQ(folder.files(), std::vector<std::string>{"hero.png"});
+    }
+    const std::vector<std::string> all{"hero.json", "hero.png", "hero_depth.png", "hero_normal.png"};
+    for (int failing = 0; failing < 5; ++failing) {
+        const test::TemporaryFolder folder;
+        test::writeBytes(folder / "hero.png", "an older sheet");
+        test::writeBytes(folder / "hero.json", "its description");
+        NoSuchRename ops(failing);
+        if (failing < 4) {
+            EXPECT_FAILURE(writeSheet(sheet, values, folder / "hero.png", ops), "renaming");
+            EXPECT_EQ(test::bytesOf(folder / "hero.png"), "an older sheet");
+            EXPECT_EQ(test::bytesOf(folder / "hero.json"), "its description");
+            EXPECT_EQ(folder.files(), (std::vector<std::string>{"hero.json", "hero.png"})) << failing;
+        } else {  // The control: none failed.
+            writeSheet(sheet, values, folder / "hero.png", ops);
+            EXPECT_EQ(folder.files(), all);
+            EXPECT_EQ(render::readImage(folder / "hero_normal.png").width, sheet.color.width);
+            EXPECT_EQ(test::bytesOf(folder / "hero.json"), sheet.description);
+        }
+    }
 }
 
 /// A frame of one color with a hole in it.

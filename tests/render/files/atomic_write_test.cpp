@@ -162,6 +162,57 @@ TEST(AtomicWrite, LeavesOldOrNewContentWhicheverStepFails)
     EXPECT_EQ(newStands % 5, 0);
 }
 
+TEST(AtomicWrite, OfSeveralFilesReplacesAllOrNoneWhicheverStepFails)
+{
+    const auto write = [](const test::TemporaryFolder& folder, render::FileOps& ops) {
+        render::atomicWriteAll({{folder / "a", "new a"}, {folder / "b", "new b"}, {folder / "c", "new c"}}, ops);
+    };
+    FailingOps counting(-1, 0);
+    {
+        const test::TemporaryFolder folder;
+        write(folder, counting);
+        EXPECT_EQ(test::bytesOf(folder / "c"), "new c");
+    }
+    ASSERT_GT(counting.calls, 30);
+    int oldStand = 0;
+    for (int step = 0; step < counting.calls + 3; ++step) {  // Three more: old files keep their permissions.
+        const test::TemporaryFolder folder;
+        test::writeBytes(folder / "a", "old a");
+        test::writeBytes(folder / "b", "old b");
+        FailingOps ops(step, EIO);
+        bool failed = false;
+        try {
+            write(folder, ops);
+        } catch (const Failure&) {
+            failed = true;
+        }
+        const bool isNew = test::bytesOf(folder / "a") == "new a";
+        EXPECT_TRUE(isNew || failed) << step;
+        EXPECT_EQ(test::bytesOf(folder / "a"), isNew ? "new a" : "old a") << step;
+        EXPECT_EQ(test::bytesOf(folder / "b"), isNew ? "new b" : "old b") << step;
+        EXPECT_EQ(folder.files(),
+                  isNew ? (std::vector<std::string>{"a", "b", "c"}) : (std::vector<std::string>{"a", "b"}))
+            << step;
+        oldStand += !isNew;
+    }
+    EXPECT_GT(oldStand, 25);
+}
+
+TEST(AtomicWrite, OfSeveralFilesAsksForTheSpaceOfAllFirst)
+{
+    class SmallDiskOps : public render::FileOps {
+        unsigned long long freeBytes(const char*) override { return 100; }
+    } ops;
+    const test::TemporaryFolder folder;
+    EXPECT_FAILURE(
+        render::atomicWriteAll({{folder / "a", std::string(60, 'x')}, {folder / "b", std::string(60, 'x')}}, ops),
+        "free some space");
+    EXPECT_TRUE(folder.files().empty());
+    render::atomicWriteAll({{folder / "a", std::string(60, 'x')}}, ops);
+    render::atomicWriteAll({}, ops);
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"a"});
+}
+
 TEST(AtomicWrite, WritesOnAfterShortWritesAndInterruptions)
 {
     const test::TemporaryFolder folder;
