@@ -7,8 +7,8 @@
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/replace_question.h"
 #include "ui/parameters/parameter_panel.h"
-#include "ui/print/export_bar.h"
 #include "ui/print/eyes_preview.h"
+#include "ui/print/print_export_bar.h"
 #include "ui/print/print_numbers.h"
 #include "ui/print/sheet_bar.h"
 #include "ui/print/shown_views.h"
@@ -104,7 +104,7 @@ QLayout* PrintDialog::buildRight()
     strips_ = new StripPreview(this);
     eyes_ = new EyesPreview(this);
     numbers_ = new PrintNumbersView(this);
-    export_ = new ExportBar(this);
+    export_ = new PrintExportBar(this);
     auto* right = new QVBoxLayout;
     right->setContentsMargins(8, 8, 16, 16);
     right->setSpacing(8);
@@ -182,8 +182,8 @@ void PrintDialog::connectExport()
     connect(export_, &ExportBar::pathChanged, this, &PrintDialog::refresh);
     connect(export_, &ExportBar::exportAsked, this, &PrintDialog::begin);
     connect(export_, &ExportBar::stopAsked, this, &PrintDialog::reject);
-    connect(export_, &ExportBar::settingsLoaded, this, &PrintDialog::loadSettings);
-    connect(export_, &ExportBar::settingsSaved, this, &PrintDialog::saveSettings);
+    connect(export_, &PrintExportBar::settingsLoaded, this, &PrintDialog::loadSettings);
+    connect(export_, &PrintExportBar::settingsSaved, this, &PrintDialog::saveSettings);
     connect(&write_, &ProgressJob::progressed, export_, &ExportBar::showProgress);
     connect(&write_, &ProgressJob::stopped, this, [this] { endExport(tr("Canceled; no file was written.")); });
     connect(&write_, &ProgressJob::failed, this, [this](const QString& why) {
@@ -389,7 +389,7 @@ void PrintDialog::dropEvent(QDropEvent* event)
 
 void PrintDialog::startExport()
 {
-    if (!exporting_) export_->ask();
+    if (!exporting_) export_->askForPrint();
 }
 
 void PrintDialog::begin(const QString&)

@@ -16,9 +16,9 @@ class QTabBar;
 
 namespace vitrine::ui {
 
-class ExportBar;
 class EyesPreview;
 class ParameterPanel;
+class PrintExportBar;
 class PrintNumbersView;
 class SheetBar;
 class SourceBar;
@@ -108,7 +108,7 @@ private:
     StripPreview* strips_;
     EyesPreview* eyes_;
     PrintNumbersView* numbers_;
-    ExportBar* export_;
+    PrintExportBar* export_;
     QAction *undo_, *redo_;
 };
 

@@ -3,10 +3,10 @@
 #include "exhibits/framework/state_folder.h"
 #include "render/failure.h"
 #include "render/image/srgb.h"
+#include "ui/kit/export_bar.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/replace_question.h"
 #include "ui/parameters/parameter_panel.h"
-#include "ui/sprites/sprite_export_bar.h"
 #include "ui/sprites/sprite_preview.h"
 
 #include <QAction>
@@ -113,7 +113,9 @@ void SpriteDialog::build()
     numbers_->setTextFormat(Qt::PlainText);
     numbers_->setWordWrap(true);
     preview_ = new SpritePreview(this);
-    export_ = new SpriteExportBar(this);
+    export_ = new ExportBar({tr("The sheet: .png. Further sheets and the description take its name."),
+                             tr("Export sprites"), tr("PNG (*.png)"), QStringLiteral("png")},
+                            this);
 
     auto* motion = new QHBoxLayout;
     motion->setContentsMargins(8, 8, 8, 0);
@@ -172,7 +174,7 @@ void SpriteDialog::connectParts()
     connect(&draft_, &SpriteDrawer::finished, this, &SpriteDialog::showDraft);
     connect(&draft_, &SpriteDrawer::failed, this, &SpriteDialog::complain);
     connect(&sheet_, &ProgressJob::failed, this, &SpriteDialog::complain);
-    connect(&full_, &SpriteDrawer::progressed, export_, &SpriteExportBar::showProgress);
+    connect(&full_, &SpriteDrawer::progressed, export_, &ExportBar::showProgress);
     connect(&full_, &SpriteDrawer::finished, this, &SpriteDialog::write);
     connect(&full_, &SpriteDrawer::failed, this, [this](const QString& why) {
         endExport(tr("Nothing was written."));
@@ -183,9 +185,9 @@ void SpriteDialog::connectParts()
         endExport(tr("Nothing was written."));
         messages_->say(MessageStrip::Mood::problem, why);
     });
-    connect(export_, &SpriteExportBar::goAsked, this, &SpriteDialog::startExport);
-    connect(export_, &SpriteExportBar::exportAsked, this, &SpriteDialog::begin);
-    connect(export_, &SpriteExportBar::stopAsked, this, &SpriteDialog::reject);
+    connect(export_, &ExportBar::goAsked, this, &SpriteDialog::startExport);
+    connect(export_, &ExportBar::exportAsked, this, &SpriteDialog::begin);
+    connect(export_, &ExportBar::stopAsked, this, &SpriteDialog::reject);
 }
 
 void SpriteDialog::recall()

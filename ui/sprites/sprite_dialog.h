@@ -13,8 +13,8 @@ class QLabel;
 
 namespace vitrine::ui {
 
+class ExportBar;
 class ParameterPanel;
-class SpriteExportBar;
 class SpritePreview;
 
 /// Makes sheets of sprites: what is set on the left, the sprite turning on the right, and the export, which is the same
@@ -79,7 +79,7 @@ private:
     QComboBox* animation_;
     QLabel* numbers_;
     SpritePreview* preview_;
-    SpriteExportBar* export_;
+    ExportBar* export_;
 };
 
 }  // namespace vitrine::ui

@@ -3,9 +3,9 @@
 #include "exhibits/exhibits.h"
 #include "tests/render/scene/gltf_builder.h"
 #include "tests/ui/ui_main.h"
+#include "ui/kit/export_bar.h"
 #include "ui/kit/theme.h"
 #include "ui/sprites/sprite_dialog.h"
-#include "ui/sprites/sprite_export_bar.h"
 #include "ui/sprites/sprite_preview.h"
 #include "ui/viewport/museum_renderers.h"
 
@@ -218,7 +218,7 @@ private slots:
         dialog_->setPath(at("many.png"));
         button("Export")->click();
         QVERIFY(dialog_->exporting());
-        QTRY_VERIFY(dialog_->findChild<SpriteExportBar*>()->status() != "Starting");  // It is on its way.
+        QTRY_VERIFY(dialog_->findChild<ExportBar*>()->status() != "Starting");  // It is on its way.
         QVERIFY(ended.isEmpty());
         button("Cancel")->click();
         QTRY_COMPARE(ended.count(), 1);

@@ -1,4 +1,4 @@
-#include "ui/sprites/sprite_export_bar.h"
+#include "ui/kit/export_bar.h"
 
 #include "ui/kit/replace_question.h"
 #include "ui/kit/time_left.h"
@@ -12,14 +12,16 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace vitrine::ui {
 
-SpriteExportBar::SpriteExportBar(QWidget* parent)
-    : QWidget(parent), path_(new QLineEdit(this)), browse_(new QToolButton(this)), progress_(new QProgressBar(this)),
-      status_(new QLabel(this)), stop_(new QPushButton(tr("Close"), this)), go_(new QPushButton(tr("Export"), this))
+ExportBar::ExportBar(Words words, QWidget* parent)
+    : QWidget(parent), words_(std::move(words)), path_(new QLineEdit(this)), browse_(new QToolButton(this)),
+      progress_(new QProgressBar(this)), status_(new QLabel(this)), buttons_(new QHBoxLayout)
 {
     path_->setAccessibleName(tr("File"));
-    path_->setToolTip(tr("The sheet: .png. Further sheets and the description take its name."));
+    path_->setToolTip(words_.help);
     browse_->setText(QStringLiteral("…"));
     browse_->setAccessibleName(tr("Choose a file"));
     browse_->setToolTip(tr("Choose a file"));
@@ -29,17 +31,38 @@ SpriteExportBar::SpriteExportBar(QWidget* parent)
     progress_->setFixedHeight(4);
     progress_->setAccessibleName(tr("Progress"));
     status_->setTextFormat(Qt::PlainText);
+    buttons_->addWidget(status_, 1);
+    stop_ = makeButton(tr("Close"));
+    go_ = makeButton(tr("Export"));
     for (QPushButton* button : {stop_, go_}) {
-        button->setAutoDefault(false);  // Enter in a number field ends the number, nothing else.
         button->setMinimumWidth(112);
+        buttons_->addWidget(button);
     }
     layOut();
-    connect(browse_, &QToolButton::clicked, this, &SpriteExportBar::browse);
-    connect(go_, &QPushButton::clicked, this, &SpriteExportBar::goAsked);
-    connect(stop_, &QPushButton::clicked, this, &SpriteExportBar::stopAsked);
+    connect(path_, &QLineEdit::textChanged, this, &ExportBar::pathChanged);
+    connect(browse_, &QToolButton::clicked, this, &ExportBar::browse);
+    connect(go_, &QPushButton::clicked, this, &ExportBar::goAsked);
+    connect(stop_, &QPushButton::clicked, this, &ExportBar::stopAsked);
 }
 
-void SpriteExportBar::layOut()
+QPushButton* ExportBar::makeButton(const QString& text)
+{
+    auto* button = new QPushButton(text, this);
+    button->setAutoDefault(false);  // Enter in a number field ends the number, nothing else.
+    button->setAccessibleName(text);
+    button->setMinimumWidth(button->sizeHint().width() + 16);
+    return button;
+}
+
+QPushButton* ExportBar::addButton(const QString& text, const QString& help)
+{
+    QPushButton* button = makeButton(text);
+    button->setToolTip(help);
+    buttons_->insertWidget(added_++, button);
+    return button;
+}
+
+void ExportBar::layOut()
 {
     auto* file = new QHBoxLayout;
     file->setSpacing(8);
@@ -48,35 +71,31 @@ void SpriteExportBar::layOut()
     file->addWidget(label);
     file->addWidget(path_, 1);
     file->addWidget(browse_);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(8);
-    buttons->addWidget(status_, 1);
-    buttons->addWidget(stop_);
-    buttons->addWidget(go_);
+    buttons_->setSpacing(8);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
     layout->addLayout(file);
     layout->addWidget(progress_);
-    layout->addLayout(buttons);
+    layout->addLayout(buttons_);
 }
 
-QString SpriteExportBar::path() const
+QString ExportBar::path() const
 {
     return path_->text();
 }
 
-void SpriteExportBar::setPath(const QString& path)
+void ExportBar::setPath(const QString& path)
 {
     path_->setText(path);
 }
 
-QString SpriteExportBar::status() const
+QString ExportBar::status() const
 {
     return status_->text();
 }
 
-void SpriteExportBar::ask(const QStringList& beside)
+void ExportBar::ask(const QStringList& beside)
 {
     const auto begin = [this](const QString& path) {
         path_->setText(path);
@@ -89,7 +108,7 @@ void SpriteExportBar::ask(const QStringList& beside)
         askBeforeReplacing(this, path_->text(), begin, beside);
 }
 
-void SpriteExportBar::showPossible(bool exporting, bool possible)
+void ExportBar::showPossible(bool exporting, bool possible)
 {
     go_->setEnabled(possible && !exporting);
     stop_->setText(exporting ? tr("Cancel") : tr("Close"));
@@ -97,23 +116,23 @@ void SpriteExportBar::showPossible(bool exporting, bool possible)
     browse_->setEnabled(!exporting);
 }
 
-void SpriteExportBar::showProgress(double part, double secondsLeft)
+void ExportBar::showProgress(double part, double secondsLeft)
 {
     showStatus(secondsLeft < 0 ? QString() : timeLeft(secondsLeft), part);
 }
 
-void SpriteExportBar::showStatus(const QString& words, double part)
+void ExportBar::showStatus(const QString& words, double part)
 {
     progress_->setValue(static_cast<int>(part * 1000));
     status_->setText(words);
 }
 
-void SpriteExportBar::browse()
+void ExportBar::browse()
 {
-    auto* dialog = new QFileDialog(this, tr("Export sprites"), path_->text(), tr("PNG (*.png)"));
+    auto* dialog = new QFileDialog(this, words_.title, path_->text(), words_.filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("png"));
+    dialog->setDefaultSuffix(words_.suffix);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
         path_->setText(chosen);
         replaced_ = chosen;  // The dialog has asked.
@@ -123,4 +142,4 @@ void SpriteExportBar::browse()
 
 }  // namespace vitrine::ui
 
-#include "moc_sprite_export_bar.cpp"
+#include "moc_export_bar.cpp"
