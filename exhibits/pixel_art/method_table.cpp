@@ -59,7 +59,7 @@ NormalErrors measureNormals(render::RenderBackend& backend, const ParameterValue
         plan.view.raster.size = shot.camera.size;
         plan.allParts = true;
         planPixelPicture(shot, plan);
-        plan.prune({pixelTruthImage, pixelNormalImage, pixelShownImage});
+        plan.prune({pixelTruthImage, pixelSurfaceImage, pixelShownImage});
         for (const render::StepReport& step : backend.draw(plan).ran)
             if (run > 0) times[step.name].push_back(step.milliseconds);
     }
@@ -67,7 +67,8 @@ NormalErrors measureNormals(render::RenderBackend& backend, const ParameterValue
         std::sort(list.begin(), list.end());
         m.milliseconds[name] = list[list.size() / 2];
     }
-    const std::vector<double> off = anglesBetween(backend.read(pixelTruthImage), backend.read(pixelNormalImage));
+    const std::vector<double> off =
+        anglesBetween(backend.read(pixelTruthImage), normalsOf(backend.read(pixelSurfaceImage)));
     if (off.empty()) return m;
     const auto share = [&](double limit) {
         return 100.0 * static_cast<double>(off.end() - std::upper_bound(off.begin(), off.end(), limit)) /

@@ -8,7 +8,11 @@
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
+#include <glm/gtc/packing.hpp>
+
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -217,12 +221,12 @@ void Picture::planNormals()
     const bool smooth = values_[table_.smoothing] > 0;
     const NormalsBy left = values_[table_.method];
     const NormalsBy right = values_[table_.split] ? values_[table_.rightMethod] : left;
-    image(pixelNormalImage, render::Format::rgba16f);
-    if (smooth) image(facetsImage, render::Format::rgba16f);
+    image(pixelSurfaceImage, render::Format::rgba32f);
+    if (smooth) image(facetsImage, render::Format::rgba32f);
     render::Pass pass = over("pixel_art/normals", "one for every texel", "pixel_art/normals.frag");
     pass.shader.defines.push_back("LEFT_METHOD " + std::to_string(static_cast<int>(left)));
     pass.shader.defines.push_back("RIGHT_METHOD " + std::to_string(static_cast<int>(right)));
-    pass.colors = {Attachment::whole(smooth ? facetsImage : pixelNormalImage)};
+    pass.colors = {Attachment::whole(smooth ? facetsImage : pixelSurfaceImage)};
     pass.inputs = {{UNIT_EXHIBIT_A, depth_}, {UNIT_NORMAL, pixelTruthImage}};
     const std::int64_t lefts = eye_.block.divider, rights = shot_.camera.size.x - eye_.block.divider;
     pass.counts["depthFetches"] = shot_.camera.size.y * (lefts * fetchesOf(left) + rights * fetchesOf(right));
@@ -232,8 +236,8 @@ void Picture::planNormals()
         return;
     }
     render::Pass mean = over("pixel_art/smooth", "facets are averaged", "pixel_art/smooth.frag");
-    mean.colors = {Attachment::whole(pixelNormalImage)};
-    mean.inputs = {{UNIT_EXHIBIT_A, depth_}, {UNIT_NORMAL, facetsImage}};
+    mean.colors = {Attachment::whole(pixelSurfaceImage)};
+    mean.inputs = {{UNIT_NORMAL, facetsImage}};
     plan_.add(std::move(mean));
 }
 
@@ -249,9 +253,8 @@ void Picture::planLook()
     if (values_[table_.outlineStrength] > 0 || values_[table_.highlightStrength] > 0) defines.emplace_back("LINES");
     if (values_[table_.edges] == EdgeLook::source) defines.emplace_back("EDGES_OF_THE_SOURCE");
     if (values_[table_.shadows]) defines.emplace_back("SHADOWS");
-    pass.inputs = {{UNIT_EXHIBIT_A, depth_},
-                   {UNIT_BASE_COLOR, colorImage},
-                   {UNIT_NORMAL, pixelNormalImage},
+    pass.inputs = {{UNIT_BASE_COLOR, colorImage},
+                   {UNIT_NORMAL, pixelSurfaceImage},
                    {UNIT_ORM, pixelTruthImage},
                    {UNIT_SHADOW_EXHIBITS, shadowImage}};
     const int all = 1 + static_cast<int>(std::floor(std::log2(std::max(shot_.camera.size.x, shot_.camera.size.y))));
@@ -324,7 +327,19 @@ int fetchesOf(NormalsBy method)
     case NormalsBy::parabola: return 9;
     case NormalsBy::vote: break;
     }
-    return 65;
+    return 17;
+}
+
+render::Image normalsOf(const render::Image& surfaces)
+{
+    render::Image normals = surfaces;
+    for (std::size_t i = 0; i < normals.pixels.size(); i += 4) {
+        const float* packed = surfaces.pixels.data() + i;
+        const glm::vec2 across = glm::unpackHalf2x16(std::bit_cast<std::uint32_t>(packed[0]) ^ 0x40000000U);
+        const std::array<float, 4> normal{across.x, across.y, packed[1], packed[3]};
+        std::copy(normal.begin(), normal.end(), normals.pixels.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return normals;
 }
 
 PixelBlock planPixelPicture(const PixelShot& shot, render::FramePlan& plan)

@@ -13,8 +13,8 @@ namespace vitrine {
 #include "shaders/pixel_art/object_block.glsl"
 
 /// Images of a small picture, of its size, row 0 at the bottom.
-inline constexpr const char* pixelNormalImage = "pixel_art.normal";  ///< View space; a: the object's number, 0: none.
-inline constexpr const char* pixelTruthImage = "pixel_art.truth";    ///< As drawn; a: the object's number, 0: none.
+inline constexpr const char* pixelSurfaceImage = "pixel_art.surface";  ///< As shaders/pixel_art/surface.glsl packs it.
+inline constexpr const char* pixelTruthImage = "pixel_art.truth";      ///< As drawn; a: the object's number, 0: none.
 inline constexpr const char* pixelDrawnDepthImage = "pixel_art.drawn_depth";  ///< Reversed, 32-bit.
 inline constexpr const char* pixelLitImage = "pixel_art.lit";      ///< Linear display light before the palette.
 inline constexpr const char* pixelShownImage = "pixel_art.shown";  ///< The same with the palette; a: coverage.
@@ -34,6 +34,9 @@ struct PixelShot {
 
 /// Adds the passes that draw it, kept until anything about it changes. Returns the block that they share.
 PixelBlock planPixelPicture(const PixelShot&, render::FramePlan&);
+
+/// Of a surface image as it was read back: normals in view space; a: the object's number, 0: none.
+[[nodiscard]] render::Image normalsOf(const render::Image& surfaces);
 
 /// Texels of depth that a method reads for one normal, the drawn normal counted as one.
 [[nodiscard]] int fetchesOf(NormalsBy);

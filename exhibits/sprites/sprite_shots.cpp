@@ -80,7 +80,7 @@ SpriteFrame frameOf(render::RenderBackend& backend, const PixelBlock& block, con
     SpriteFrame frame;
     frame.direction = direction;
     frame.color = backend.read(pixelLitImage);
-    frame.normal = backend.read(pixelNormalImage);
+    frame.normal = normalsOf(backend.read(pixelSurfaceImage));
     const render::Image depth = backend.read(pixelDrawnDepthImage);
     frame.depth = render::Image(depth.width, depth.height, 1);
     float nearest = 0, farthest = 1;
@@ -217,7 +217,7 @@ void SpriteShots::step(render::RenderBackend& backend)
     plan.view.raster.size = request_.size;
     plan.allParts = true;
     const PixelBlock block = planPixelPicture(shot, plan);
-    plan.prune({pixelLitImage, pixelNormalImage, pixelDrawnDepthImage});
+    plan.prune({pixelLitImage, pixelSurfaceImage, pixelDrawnDepthImage});
     backend.draw(plan);
     frames_.push_back(frameOf(backend, block, shot.camera, d));
 }

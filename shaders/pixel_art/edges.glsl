@@ -1,5 +1,5 @@
-// Outlines, highlights and creases of one texel. After pixel_art/picture.glsl; `surfaceAt(ivec2)`, normal and number, is
-// defined before.
+// Outlines, highlights and creases of one texel. After pixel_art/picture.glsl; `Surface surfaceAt(ivec2)` is defined
+// before.
 
 struct Edges {
     float outline;    // 1 on the near side of a step in depth, or between objects
@@ -20,28 +20,27 @@ float gapTo(vec3 away, vec3 n, float width)
 
 // A texel beyond the border of the picture is the one at it, from which nothing sets it off. All four neighbors are read
 // before anything is decided.
-Edges ourEdges(DepthLens lens, ivec2 p, float depth, vec4 surface)
+Edges ourEdges(DepthLens lens, ivec2 p, Surface surface)
 {
     Edges e = Edges(0.0, 0.0, 0.0);
-    vec3 n = surface.xyz;
-    vec3 place = positionAt(lens, p, depth);
-    float width = texelWidth(lens, depth);
+    vec3 n = surface.normal;
+    vec3 place = positionAt(lens, p, surface.depth);
+    float width = texelWidth(lens, surface.depth);
     float leastTurn = parameters.edgeAngle * parameters.edgeAngle * 0.5;
     for (int i = 0; i < 4; ++i) {
         ivec2 q = p + ivec2(i == 0 ? 1 : i == 1 ? -1 : 0, i == 2 ? 1 : i == 3 ? -1 : 0);
         q = clamp(q, ivec2(0), lens.size - 1);
-        float d = depthAt(q);
-        vec4 other = surfaceAt(q);
-        vec3 m = other.xyz;
-        vec3 there = positionAt(lens, q, d);
+        Surface other = surfaceAt(q);
+        vec3 m = other.normal;
+        vec3 there = positionAt(lens, q, other.depth);
         vec3 away = there - place;
         float gap = gapTo(away, n, width);
         float back = gapTo(vec3(0.0) - away, m, width);
         // Both planes have to miss: the fold of a roof is no step.
-        bool nothing = isSky(lens, d);
+        bool nothing = isSky(lens, other.depth);
         bool apart = min(abs(gap), abs(back)) > parameters.outlineGap;
-        bool named = parameters.objectOutlines && other.a != surface.a;
-        float line = named && surface.a > other.a ? 0.6 : 0.0;
+        bool named = parameters.objectOutlines && other.id != surface.id;
+        float line = named && surface.id > other.id ? 0.6 : 0.0;
         line = apart ? (there.z < place.z ? 1.0 : 0.0) : line;
         e.outline = max(e.outline, nothing ? 1.0 : line);
         vec3 turn = n - m;
@@ -55,19 +54,21 @@ Edges ourEdges(DepthLens lens, ivec2 p, float depth, vec4 surface)
 }
 
 // The formulas that the source had from others: sums of absolute differences in meters, smoothed steps.
-Edges sourceEdges(DepthLens lens, ivec2 p, float depth, vec3 n)
+Edges sourceEdges(DepthLens lens, ivec2 p, Surface surface)
 {
-    float z = viewDistance(lens, depth);
+    vec3 n = surface.normal;
+    float z = viewDistance(lens, surface.depth);
     float nearer = 0.0;
     float farther = 0.5;
     float turned = 0.0;
     for (int i = 0; i < 4; ++i) {
         ivec2 q = p + ivec2(i == 0 ? 1 : i == 1 ? -1 : 0, i == 2 ? 1 : i == 3 ? -1 : 0);
         q = clamp(q, ivec2(0), lens.size - 1);
-        float zq = viewDistance(lens, depthAt(q));
+        Surface other = surfaceAt(q);
+        float zq = viewDistance(lens, other.depth);
         nearer += clamp(zq - z, 0.0, 1.0);
         farther += z - zq;
-        vec3 m = surfaceAt(q).xyz;
+        vec3 m = other.normal;
         turned += (1.0 - dot(n, m)) * smoothstep(-0.01, 0.01, dot(n - m, HIGHLIGHT_BIAS));
     }
     float behind = step(0.5, clamp(farther, 0.0, 1.0)) * clamp((farther - 0.5) * 10.0, 0.0, 1.0);

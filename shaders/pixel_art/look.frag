@@ -3,10 +3,11 @@
 // of the row `view`; LINES, EDGES_OF_THE_SOURCE, SHADOWS; SHOWN and LIT, locations of the picture with the palette and of the one
 // before; PALETTE, and those of pixel_art/dither.glsl. No branch stands where a program may know: some processors run both sides.
 #include "pixel_art/picture.glsl"
+#include "pixel_art/surface.glsl"
 #include "lib/heat_color.glsl"
 
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D colors;
-layout(binding = UNIT_NORMAL) uniform sampler2D normals;
+layout(binding = UNIT_NORMAL) uniform sampler2D surfaces;
 layout(binding = UNIT_ORM) uniform sampler2D trueNormals;
 layout(binding = UNIT_SHADOW_EXHIBITS) uniform sampler2DShadow shadowMap;
 
@@ -20,21 +21,20 @@ layout(location = LIT) out vec4 lit;
 #include "pixel_art/dither.glsl"
 #endif
 
-// The normal, and the number of what it belongs to.
-vec4 surfaceAt(ivec2 p)
+Surface surfaceAt(ivec2 p)
 {
-    return texelFetch(normals, p, 0);
+    return surfaceOf(texelFetch(surfaces, p, 0));
 }
 
 #include "pixel_art/edges.glsl"
 
-Edges edgesAt(DepthLens lens, ivec2 p, float depth, vec4 surface)
+Edges edgesAt(DepthLens lens, ivec2 p, Surface surface)
 {
 #ifdef EDGES_OF_THE_SOURCE
-    return sourceEdges(lens, p, depth, surface.xyz);
+    return sourceEdges(lens, p, surface);
 #else
-    Edges e = ourEdges(lens, p, depth, surface);
-    if (isSky(lens, depth)) e = Edges(0.0, 0.0, 0.0);
+    Edges e = ourEdges(lens, p, surface);
+    if (isSky(lens, surface.depth)) e = Edges(0.0, 0.0, 0.0);
     return e;
 #endif
 }
@@ -68,14 +68,14 @@ vec3 skyColor(ivec2 p)
     return mix(parameters.horizon, parameters.zenith, clamp(up * 0.8 + 0.2 * towardsView, 0.0, 1.0));
 }
 
-vec3 finished(ivec2 p, DepthLens lens, float depth, vec4 surface)
+vec3 finished(ivec2 p, DepthLens lens, Surface surface)
 {
-    bool sky = isSky(lens, depth);
+    bool sky = isSky(lens, surface.depth);
     vec4 base = texelFetch(colors, p, 0);
-    vec3 n = surface.xyz;
-    vec3 place = positionAt(lens, p, depth);
+    vec3 n = surface.normal;
+    vec3 place = positionAt(lens, p, surface.depth);
     float faces = clamp(dot(n, pixel.sun), 0.0, 1.0);
-    float light = banded(faces * sunlit(place, n, texelWidth(lens, depth)));
+    float light = banded(faces * sunlit(place, n, texelWidth(lens, surface.depth)));
     float up = 0.5 + 0.5 * dot(n, pixel.up);
     vec3 shade = mix(parameters.bounceLight, parameters.shadeLight, floor(up * 3.0 + 0.52) / 3.0);
     vec3 color = base.rgb * (shade + parameters.sunLight * light);
@@ -84,7 +84,7 @@ vec3 finished(ivec2 p, DepthLens lens, float depth, vec4 surface)
 #ifndef LINES
     return color;
 #else
-    Edges e = edgesAt(lens, p, depth, surface);
+    Edges e = edgesAt(lens, p, surface);
 #ifdef EDGES_OF_THE_SOURCE
     color = mix(color, mix(color, parameters.highlightColor, parameters.highlightStrength), e.highlight);
     return mix(color, mix(color, parameters.outlineColor, parameters.outlineStrength), e.outline);
@@ -101,22 +101,22 @@ vec3 finished(ivec2 p, DepthLens lens, float depth, vec4 surface)
 }
 
 // `view` is known to the program: the other views are not in it.
-vec4 viewOf(int view, ivec2 p, DepthLens lens, float depth, vec4 surface)
+vec4 viewOf(int view, ivec2 p, DepthLens lens, Surface surface)
 {
-    bool sky = isSky(lens, depth);
-    if (view == view_finished) return vec4(clamp(finished(p, lens, depth, surface), 0.0, 1.0), sky ? 0.0 : 1.0);
+    bool sky = isSky(lens, surface.depth);
+    if (view == view_finished) return vec4(clamp(finished(p, lens, surface), 0.0, 1.0), sky ? 0.0 : 1.0);
     vec3 color = vec3(0.0);
-    if (view == view_normals) color = pow(surface.xyz * 0.5 + 0.5, vec3(2.2));
+    if (view == view_normals) color = pow(surface.normal * 0.5 + 0.5, vec3(2.2));
     if (view == view_error && !sky) {
-        float cosine = dot(surface.xyz, texelFetch(trueNormals, p, 0).xyz);
+        float cosine = dot(surface.normal, texelFetch(trueNormals, p, 0).xyz);
         color = heatColor(degrees(acos(clamp(cosine, -1.0, 1.0))) / parameters.errorScale);
     }
     if (view == view_depth && !sky) {
-        float near = viewDistance(lens, depth);
+        float near = viewDistance(lens, surface.depth);
         color = vec3(0.9 * clamp(1.0 - (near - parameters.distance * 0.55) / (parameters.distance * 0.9), 0.0, 1.0));
     }
     if (view == view_edges) {
-        Edges e = edgesAt(lens, p, depth, surface);
+        Edges e = edgesAt(lens, p, surface);
         color = vec3(0.05) + vec3(0.9, 0.25, 0.1) * e.outline + vec3(0.1, 0.75, 0.3) * e.highlight +
                 vec3(0.1, 0.3, 0.9) * e.crease;
     }
@@ -127,16 +127,15 @@ void main()
 {
     DepthLens lens = pictureLens();
     ivec2 p = ivec2(gl_FragCoord.xy);
-    float depth = depthAt(p);
-    vec4 surface = surfaceAt(p);
+    Surface surface = surfaceAt(p);
 #if LEFT_VIEW == RIGHT_VIEW
-    vec4 color = viewOf(LEFT_VIEW, p, lens, depth, surface);
+    vec4 color = viewOf(LEFT_VIEW, p, lens, surface);
 #else
     vec4 color;
     if (p.x < pixel.divider)
-        color = viewOf(LEFT_VIEW, p, lens, depth, surface);
+        color = viewOf(LEFT_VIEW, p, lens, surface);
     else
-        color = viewOf(RIGHT_VIEW, p, lens, depth, surface);
+        color = viewOf(RIGHT_VIEW, p, lens, surface);
 #endif
 #ifdef LIT
     lit = color;

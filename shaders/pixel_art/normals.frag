@@ -1,9 +1,10 @@
-// Normals in view space by the methods of both halves; a: the number of what is seen, 0: none. Permutations: LEFT_METHOD and
-// RIGHT_METHOD, numbers of the row `method`.
+// Surfaces with normals by the methods of both halves. Permutations: LEFT_METHOD and RIGHT_METHOD, numbers of the row
+// `method`.
 #include "pixel_art/picture.glsl"
+#include "pixel_art/surface.glsl"
 
 layout(binding = UNIT_NORMAL) uniform sampler2D trueNormals;
-layout(location = 0) out vec4 normalOut;
+layout(location = 0) out vec4 surfaceOut;
 
 vec3 normalBy(int method, DepthLens lens, ivec2 p, vec3 drawn)
 {
@@ -21,15 +22,13 @@ void main()
 {
     DepthLens lens = pictureLens();
     ivec2 p = ivec2(gl_FragCoord.xy);
-    if (isSky(lens, depthAt(p))) {
-        normalOut = vec4(0.0, 0.0, parameters.fixVoid ? 1.0 : 0.0, 0.0);
-        return;
-    }
+    float depth = depthAt(p);
     vec4 drawn = texelFetch(trueNormals, p, 0);
 #if LEFT_METHOD == RIGHT_METHOD
     vec3 n = normalBy(LEFT_METHOD, lens, p, drawn.xyz);
 #else
     vec3 n = p.x < pixel.divider ? normalBy(LEFT_METHOD, lens, p, drawn.xyz) : normalBy(RIGHT_METHOD, lens, p, drawn.xyz);
 #endif
-    normalOut = vec4(n, drawn.a);
+    bool sky = isSky(lens, depth);
+    surfaceOut = packedSurface(sky ? vec3(0.0, 0.0, parameters.fixVoid ? 1.0 : 0.0) : n, sky ? 0.0 : drawn.a, depth);
 }

@@ -161,20 +161,29 @@ struct Side {
     float first; // stored depth of the texel there, ...
     float second; // ... and of the one beyond it; the line through middle and first where that is outside
     float error; // as `lineError`
+    float other; // stored depth of the texel on the other side; the parabola through these three where that is outside
 };
 
 Side sideAt(DepthLens lens, ivec2 p, ivec2 axis, int way, float c)
 {
     Side side;
-    ivec2 first = p + axis * way;
-    ivec2 second = first + axis * way;
-    bool one = isInside(lens, first);
-    bool two = isInside(lens, second);
+    // Of the axis alone: across it the texel is inside anyway. What lies beyond the border is read at the texel itself.
+    int room = way < 0 ? p.x * axis.x + p.y * axis.y : (lens.size.x - 1 - p.x) * axis.x + (lens.size.y - 1 - p.y) * axis.y;
+    bool one = room >= 1;
+    bool two = room >= 2;
     side.way = way;
-    side.first = depthAt(one ? first : p);
-    float beyond = depthAt(two ? second : p);
+    side.first = depthAt(p + axis * (one ? way : 0));
+    float beyond = depthAt(p + axis * (two ? 2 * way : 0));
     side.second = two ? beyond : 2.0 * side.first - c;
     side.error = two ? abs(2.0 * side.first - beyond - c) : one ? DEPTH_UNKNOWN : 2.0 * DEPTH_UNKNOWN;
+    side.other = 3.0 * (c - side.first) + side.second;
+    return side;
+}
+
+// It knows the texel on the other side, where there is one.
+Side withOther(Side side, Side other)
+{
+    if (other.error < 1.5 * DEPTH_UNKNOWN) side.other = other.first;
     return side;
 }
 
@@ -186,7 +195,9 @@ Side betterSide(Side low, Side high, float certain)
 
 Side chosenSide(DepthLens lens, ivec2 p, ivec2 axis, float c)
 {
-    return betterSide(sideAt(lens, p, axis, -1, c), sideAt(lens, p, axis, 1, c), certainty(lens, c));
+    Side low = sideAt(lens, p, axis, -1, c);
+    Side high = sideAt(lens, p, axis, 1, c);
+    return betterSide(withOther(low, high), withOther(high, low), certainty(lens, c));
 }
 
 vec3 normal9TapPlus(DepthLens lens, ivec2 p)
@@ -200,13 +211,17 @@ vec3 normal9TapPlus(DepthLens lens, ivec2 p)
 }
 
 // Change of stored depth over one texel to that side, at the middle and not half a texel beyond it: of the parabola
-// through three texels. The more the correction is of the difference, the likelier an edge lies two texels away: beyond
+// through three texels. It bends no more than that around the middle, and not at all where that bends the other way: the
+// edge of a box may lie between the two texels (the minmod of both: Roe 1986, "Characteristic-based schemes for the Euler
+// equations"). The more the correction is of the difference, the likelier an edge lies two texels away: beyond
 // three tenths it falls, and from six on there is none. On planes it is 0, for what rounding can bend does not count.
 float slopeAt(DepthLens lens, Side side, float c)
 {
     float first = side.first - c;
     float bend = 0.5 * (c - 2.0 * side.first + side.second);
-    float certain = max(abs(bend) - 1.01 * lens.quantum - 0.5 * certainty(lens, c), 0.0);
+    float around = 0.5 * (side.first - 2.0 * c + side.other);
+    float least = bend * around > 0.0 ? min(abs(bend), abs(around)) : 0.0;
+    float certain = max(least - 1.01 * lens.quantum - 0.5 * certainty(lens, c), 0.0);
     float most = min(certain, max(0.6 * abs(first) - certain, 0.0));
     return first - (bend < 0.0 ? -most : most);
 }
@@ -225,17 +240,18 @@ vec3 normalCurved(DepthLens lens, ivec2 p)
     return normalOfSides(lens, p, c, chosenSide(lens, p, ivec2(1, 0), c), chosenSide(lens, p, ivec2(0, 1), c));
 }
 
-// How many of the eight texels around lie on the plane that these two sides span, within 0.3 % of their distance.
-int planeVotes(DepthLens lens, ivec2 p, float c, Side h, Side v)
+// How many of the eight texels around lie on the plane that these two sides span, within 0.3 % of their distance:
+// `around` has their distances, row by row, negative where there is none.
+int planeVotes(DepthLens lens, float around[9], float c, Side h, Side v)
 {
     int votes = 0;
     for (int i = 0; i < 9; ++i) {
-        ivec2 away = ivec2(i % 3 - 1, i / 3 - 1);
-        ivec2 q = p + away;
-        if (i == 4 || !isInside(lens, q)) continue;
-        float guess = c + float(away.x * h.way) * (h.first - c) + float(away.y * v.way) * (v.first - c);
-        float there = viewDistance(lens, depthAt(q));
-        if (abs(viewDistance(lens, guess) - there) < 0.003 * abs(there)) votes += 1;
+        float there = around[i];
+        float x = float((i % 3 - 1) * h.way);
+        float y = float((i / 3 - 1) * v.way);
+        float guess = c + x * (h.first - c) + y * (v.first - c);
+        bool fits = there > 0.0 && abs(viewDistance(lens, guess) - there) < 0.003 * there;
+        votes += fits ? 1 : 0;
     }
     return votes;
 }
@@ -253,15 +269,27 @@ bool isOnLine(DepthLens lens, Side side, float c)
 vec3 normalVoted(DepthLens lens, ivec2 p)
 {
     float c = depthAt(p);
-    Side bestH = chosenSide(lens, p, ivec2(1, 0), c);
-    Side bestV = chosenSide(lens, p, ivec2(0, 1), c);
+    Side left = sideAt(lens, p, ivec2(1, 0), -1, c);
+    Side right = sideAt(lens, p, ivec2(1, 0), 1, c);
+    Side down = sideAt(lens, p, ivec2(0, 1), -1, c);
+    Side up = sideAt(lens, p, ivec2(0, 1), 1, c);
+    float certain = certainty(lens, c);
+    Side bestH = betterSide(withOther(left, right), withOther(right, left), certain);
+    Side bestV = betterSide(withOther(down, up), withOther(up, down), certain);
     if (isOnLine(lens, bestH, c) && isOnLine(lens, bestV, c)) return normalOfSides(lens, p, c, bestH, bestV);
-    int most = planeVotes(lens, p, c, bestH, bestV);
+    float around[9];
+    for (int i = 0; i < 9; ++i) {
+        ivec2 q = p + ivec2(i % 3 - 1, i / 3 - 1);
+        around[i] = i != 4 && isInside(lens, q) ? viewDistance(lens, depthAt(q)) : -1.0;
+    }
+    int most = planeVotes(lens, around, c, bestH, bestV);
     for (int i = 0; i < 4; ++i) {
-        Side h = sideAt(lens, p, ivec2(1, 0), i % 2 == 0 ? -1 : 1, c);
-        Side v = sideAt(lens, p, ivec2(0, 1), i / 2 == 0 ? -1 : 1, c);
+        Side h = right;
+        Side v = up;
+        if (i % 2 == 0) h = left;
+        if (i / 2 == 0) v = down;
         if (h.error > DEPTH_UNKNOWN || v.error > DEPTH_UNKNOWN) continue;
-        int votes = planeVotes(lens, p, c, h, v);
+        int votes = planeVotes(lens, around, c, h, v);
         if (votes > most) {
             most = votes;
             bestH = h;

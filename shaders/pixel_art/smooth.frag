@@ -1,19 +1,19 @@
 // Faceted normals made smooth: the mean of those around that lie on nearly the same plane and look nearly the same way.
 #include "pixel_art/picture.glsl"
+#include "pixel_art/surface.glsl"
 
-layout(binding = UNIT_NORMAL) uniform sampler2D normals;
-layout(location = 0) out vec4 normalOut;
+layout(binding = UNIT_NORMAL) uniform sampler2D facets;
+layout(location = 0) out vec4 surfaceOut;
 
 // How much a texel counts: by its distance, where its plane and that of the middle are of one curve.
-float weightOf(DepthLens lens, ivec2 q, vec4 middle, vec3 place, float width)
+float weightOf(DepthLens lens, ivec2 q, Surface there, vec3 middle, vec3 place, float width)
 {
-    vec4 n = texelFetch(normals, q, 0);
-    if (n.a < 0.5) return 0.0;
-    vec3 away = positionAt(lens, q, depthAt(q)) - place;
-    float off = abs(dot(away, unitOrFacing(middle.xyz + n.xyz)));
+    if (there.id < 0.5) return 0.0;
+    vec3 away = positionAt(lens, q, there.depth) - place;
+    float off = abs(dot(away, unitOrFacing(middle + there.normal)));
     float texels = length(away) / width;
     float flatness = 1.0 - smoothstep(0.15, 0.4, off / (width * max(texels, 1.0)));
-    float alike = smoothstep(0.6, 0.85, dot(middle.xyz, n.xyz));
+    float alike = smoothstep(0.6, 0.85, dot(middle, there.normal));
     float radius = float(parameters.smoothing);
     return flatness * alike * exp(-texels * texels / (radius * radius));
 }
@@ -22,14 +22,13 @@ void main()
 {
     DepthLens lens = pictureLens();
     ivec2 p = ivec2(gl_FragCoord.xy);
-    vec4 middle = texelFetch(normals, p, 0);
-    normalOut = middle;
-    if (middle.a < 0.5) return;
-    float depth = depthAt(p);
-    vec3 place = positionAt(lens, p, depth);
-    float width = texelWidth(lens, depth);
+    surfaceOut = texelFetch(facets, p, 0);
+    Surface middle = surfaceOf(surfaceOut);
+    if (middle.id < 0.5) return;
+    vec3 place = positionAt(lens, p, middle.depth);
+    float width = texelWidth(lens, middle.depth);
     int radius = parameters.smoothing;
-    vec3 sum = middle.xyz;
+    vec3 sum = middle.normal;
     // Opposite texels count together or not at all: at a border, those of one side alone would turn the mean.
     for (int y = 0; y <= radius; ++y) {
         for (int x = -radius; x <= radius; ++x) {
@@ -38,9 +37,12 @@ void main()
             ivec2 one = p + away;
             ivec2 other = p - away;
             if (!isInside(lens, one) || !isInside(lens, other)) continue;
-            float weight = min(weightOf(lens, one, middle, place, width), weightOf(lens, other, middle, place, width));
-            sum += weight * (texelFetch(normals, one, 0).xyz + texelFetch(normals, other, 0).xyz);
+            Surface there = surfaceOf(texelFetch(facets, one, 0));
+            Surface opposite = surfaceOf(texelFetch(facets, other, 0));
+            float weight = min(weightOf(lens, one, there, middle.normal, place, width),
+                               weightOf(lens, other, opposite, middle.normal, place, width));
+            sum += weight * (there.normal + opposite.normal);
         }
     }
-    normalOut = vec4(unitOrFacing(sum), middle.a);
+    surfaceOut = packedSurface(unitOrFacing(sum), middle.id, middle.depth);
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <random>
 
@@ -180,6 +181,34 @@ TEST(NormalsFromDepth, N13_AVoteMendsBarsOfOneAndTwoTexels)
     const Errors nine = errorsOf(buffer, NormalsBy::tap9), vote = errorsOf(buffer, NormalsBy::vote);
     EXPECT_LT(vote.mean, 0.85 * nine.mean);
     EXPECT_LT(vote.beyond20, nine.beyond20);
+}
+
+TEST(NormalsFromDepth, N13_AtTwiceTheSizeEdgesOfBarsBendNoParabola)
+{
+    // Their faces are planes of two to four texels: what lies beyond an edge must not bend the slope on this side.
+    const TracedPicture traced(cameraOf(true, {480, 270}), bars);
+    Buffer buffer(traced);
+    const Errors nine = errorsOf(buffer, NormalsBy::tap9);
+    EXPECT_LT(errorsOf(buffer, NormalsBy::vote).mean, nine.mean);
+    EXPECT_LT(errorsOf(buffer, NormalsBy::parabola).mean, 1.01 * nine.mean);
+}
+
+TEST(NormalsFromDepth, AParabolaBendsNoMoreThanTheDepthAroundTheMiddle)
+{
+    // Depths along x from -2 on; along y all are 0.5. The middle lies on both lines; that to the right is chosen.
+    const auto slopeOf = [](std::array<double, 5> depths) {
+        Methods methods{[&](ivec2 p) { return p.y == 2 ? depths[static_cast<std::size_t>(p.x)] : 0.5; }};
+        Methods::DepthLens lens{};
+        lens.halfExtent = glm::dvec2(2.5);
+        lens.farPlane = 1;
+        lens.orthographic = true;
+        lens.size = ivec2(5);
+        const dvec3 n = methods.normalCurved(lens, {2, 2});
+        return -n.x / n.z;  // Of height over a texel of one meter; depth is as high.
+    };
+    // A smooth curve: the parabola's slope at the middle. A plane that ends at an edge: that of the plane.
+    EXPECT_NEAR(slopeOf({0.56, 0.54, 0.5, 0.44, 0.36}), -0.05, 1e-9);
+    EXPECT_NEAR(slopeOf({0.3, 0.45, 0.5, 0.55, 0.59}), 0.05, 1e-9);
 }
 
 /// The 5 tap method with neighbors beyond the border clamped to it, which is how it is often written.

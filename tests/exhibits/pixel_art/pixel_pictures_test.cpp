@@ -64,11 +64,11 @@ struct SmallShot {
         Small made;
         made.block = planPixelPicture(shot, plan);
         EXPECT_TRUE(plan.errors().empty()) << plan.errors().front();
-        plan.prune({pixelTruthImage, pixelNormalImage, pixelDrawnDepthImage, pixelLitImage, pixelShownImage});
+        plan.prune({pixelTruthImage, pixelSurfaceImage, pixelDrawnDepthImage, pixelLitImage, pixelShownImage});
         render::gl::Renderer& renderer = gallery().renderer;
         renderer.draw(plan);
         made.truth = renderer.read(pixelTruthImage);
-        made.normal = renderer.read(pixelNormalImage);
+        made.normal = normalsOf(renderer.read(pixelSurfaceImage));
         made.depth = renderer.read(pixelDrawnDepthImage);
         made.lit = renderer.read(pixelLitImage);
         made.shown = renderer.read(pixelShownImage);

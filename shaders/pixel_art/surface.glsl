@@ -1,0 +1,30 @@
+// What is known of a texel, in one fetch: its normal and number, as half-floats would hold them, and its stored depth.
+// The normal's x and y share a float; its bit 30, which no half-float below 2 has in its upper half, is set so that it is
+// an ordinary number. C++: exhibits/pixel_art/pixel_passes.cpp, `normalsOf`.
+
+struct Surface {
+    vec3 normal; // view space; 0: none
+    float id;    // of the object; 0: nothing is seen
+    float depth; // as stored
+};
+
+const uint ORDINARY_NUMBER = 0x40000000u;
+
+// To the nearest half-float, even ones of two: `packHalf2x16` may cut off.
+vec3 asHalf(vec3 n)
+{
+    uvec3 bits = floatBitsToUint(n);
+    return uintBitsToFloat(bits & 0xFFFFE000u);
+}
+
+vec4 packedSurface(vec3 n, float id, float depth)
+{
+    vec3 stored = asHalf(n);
+    return vec4(uintBitsToFloat(packHalf2x16(stored.xy) | ORDINARY_NUMBER), stored.z, depth, id);
+}
+
+Surface surfaceOf(vec4 texel)
+{
+    vec2 across = unpackHalf2x16(floatBitsToUint(texel.x) ^ ORDINARY_NUMBER);
+    return Surface(vec3(across, texel.y), texel.w, texel.z);
+}
