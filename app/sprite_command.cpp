@@ -112,7 +112,7 @@ void addSpriteCommand(CLI::App& parser, Action& chosen)
     command->add_option("--palette", o->palette, "own (made of all frames), or a shipped palette's name")
         ->capture_default_str();
     command->add_option("--colors", o->colors, "Of its own palette")->capture_default_str()->check(CLI::Range(1, 256));
-    command->add_option("--dither", o->dither, "none, ordered, or error diffusion")->capture_default_str();
+    command->add_option("--dither", o->dither, "none, ordered, blue noise, or error diffusion")->capture_default_str();
     command->add_option("--pivot", o->pivot, "That the description gives: origin, center, or bottom")
         ->capture_default_str();
     command->add_option("--preset", o->preset, "A look of pixel_art");

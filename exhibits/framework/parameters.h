@@ -245,6 +245,10 @@ protected:
     {
         return {Condition::Test::above, nameOf(row), {value}};
     }
+    [[nodiscard]] Condition whenAbove(Count row, double value) const
+    {
+        return {Condition::Test::above, nameOf(row), {value}};
+    }
     [[nodiscard]] Condition whenGiven(File row) const { return {Condition::Test::given, nameOf(row)}; }
     // Of a row further down, by its name and its value as a number:
     [[nodiscard]] static Condition whenLater(std::string_view row, double value)

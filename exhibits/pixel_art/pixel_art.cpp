@@ -3,12 +3,11 @@
 #include "exhibits/kit/portal.h"
 #include "exhibits/pixel_art/method_table.h"
 #include "exhibits/pixel_art/pixel_passes.h"
+#include "exhibits/pixel_art/visitor_model.h"
 #include "render/files/asset_store.h"
 #include "render/files/assets.h"
 #include "render/hash.h"
 #include "render/image/image_io.h"
-#include "render/scene/gltf.h"
-#include "render/scene/held_bytes.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <glm/gtc/matrix_inverse.hpp>
@@ -21,7 +20,7 @@
 namespace vitrine {
 
 struct PixelArt::Prepared final : PreparedPart {
-    std::shared_ptr<const render::Model> model;
+    PosedModel posed;
     std::shared_ptr<const PaletteTextures> palette;
 };
 
@@ -29,19 +28,24 @@ namespace {
 
 constexpr double screenBehind = 0.545;  ///< The mouth of the frame, meters.
 
-/// In whole steps, within the round.
+/// In whole steps, from the beginning on.
 double stepTime(const PixelArtTable& t, const ParameterValues& values, double time)
 {
     const double rate = values[t.frameRate];
     const double now = values[t.moment] + (values[t.animate] ? time : 0);
     const double step = std::floor(now * rate + 1e-6) / rate;
-    const double rest = std::fmod(step, worldRound);
-    return std::isfinite(rest) ? (rest < 0 ? rest + worldRound : rest) : 0;
+    return std::isfinite(step) ? step : 0;
 }
 
-std::vector<WorldPart> partsOf(PixelWorld world, const render::Model* model, double time)
+/// The same within the round.
+double withinRound(double step)
 {
-    if (model) return modelParts(*model, time);
+    const double rest = std::fmod(step, worldRound);
+    return rest < 0 ? rest + worldRound : rest;
+}
+
+std::vector<WorldPart> partsOf(PixelWorld world, double time)
+{
     switch (world) {
     case PixelWorld::isle: return isleParts(time);
     case PixelWorld::thinBars: return barParts();
@@ -102,7 +106,9 @@ render::Camera PixelArt::bestView(const ParameterValues&) const
 
 double PixelArt::nextChange(const ParameterValues& values, double time) const
 {
-    if (!values[table_.animate]) return std::numeric_limits<double>::infinity();
+    const bool ofModel = !values[table_.model].empty() && !values[table_.turn] &&
+                         !(values[table_.animation] > 0 && values[table_.animationSpeed] > 0);
+    if (!values[table_.animate] || ofModel) return std::numeric_limits<double>::infinity();
     const double step = 1 / values[table_.frameRate];
     const double since = std::fmod(time + values[table_.moment] + 1e-6, step);
     return std::isfinite(since) ? std::max(step - since, 0.0) : 0;
@@ -169,16 +175,11 @@ std::shared_ptr<const PreparedPart> PixelArt::prepare(const PrepareContext& cont
         made->unreadable.push_back({step, unreadableFile(table_.rows()[row], title(), why), std::move(instead)});
     };
     render::Hash id;
-    if (const std::string& path = values[table_.model]; !path.empty()) {
-        const auto found = context.assets.get<render::Model>("pixel_art.model", path, [](const std::string& file) {
-            auto model = std::make_shared<render::Model>(render::loadGltf(file));
-            const std::uint64_t bytes = render::heldBytes(*model);
-            return render::AssetStore::Made<render::Model>{std::move(model), bytes};
-        });
-        made->model = found.value;
-        if (!found.failure.empty())
-            unread("pixel_art/model", table_.model.row, found.failure, "The small world is shown in its place.");
-        id.addValue(found.id);
+    if (!values[table_.model].empty()) {
+        made->posed = posedModel(table_, values, stepTime(table_, values, context.time), context.assets);
+        if (const std::string& why = made->posed.failure; !why.empty())
+            unread("pixel_art/model", table_.model.row, why, "The small world is shown in its place.");
+        id.addValue(made->posed.id);
     }
     if (values[table_.palette] != PaletteName::none || !values[table_.palettePicture].empty()) {
         const auto found = paletteOf(table_, values, context.assets);
@@ -195,9 +196,17 @@ void PixelArt::plan(const PlanContext& context, render::FramePlan& plan) const
 {
     const auto* prepared = static_cast<const Prepared*>(context.prepared);
     const ParameterValues& values = context.values;
-    const double time = stepTime(table_, values, context.time);
+    const double time = withinRound(stepTime(table_, values, context.time));
     PixelShot shot{table_, values, pixelCamera(table_, values, asideOf(context.worldFromExhibit, plan.view.eye)), time};
-    shot.parts = partsOf(values[table_.world], prepared ? prepared->model.get() : nullptr, time);
+    if (prepared && prepared->posed.model) {
+        const PosedModel& posed = prepared->posed;
+        shot.time = 0;  // Of patterns, which a model has none of: what stands still is not drawn again.
+        shot.parts = modelParts(*posed.model, posed.framed, values[table_.turn] ? time : 0);
+        for (const std::string& warning : posed.warnings) plan.warn("pixel_art/model", warning);
+        if (!posed.pose.still.empty()) plan.skip("pixel_art/pose", posed.pose.still, render::Work::simulation);
+    } else {
+        shot.parts = partsOf(values[table_.world], time);
+    }
     shot.partsId = prepared ? prepared->filesId : 0;
     shot.palette = prepared ? prepared->palette.get() : nullptr;
     shot.keepsLit = false;

@@ -22,8 +22,16 @@ struct PixelArtTable final : Parameters {
     Choice<PixelWorld> world = choice("world", PixelWorld::isle, {"isle", "test scene", "thin bars"},
                                       "A small isle, the bare scene that the source tests with, or bars of one and "
                                       "two pixels.");
-    File model =
-        file("model", "A glTF 2.0 file, .glb or .gltf, in place of the small world; it turns.", endings("glb gltf"));
+    File model = file("model", "A glTF 2.0 file, .glb or .gltf, in place of the small world.", endings("glb gltf"));
+    Toggle turn = toggle("turn", true, "Let the model turn about the vertical, once a round.", whenGiven(model));
+    Count animation =
+        count("animation", 1, Range{0, 1000}.soft(0, 8),
+              "Which of the model's animations is played, by its number in the file, beyond which there is "
+              "the last; 0: none.",
+              whenGiven(model));
+    Real animationSpeed =
+        real("animationSpeed", 1, none, Range{0, 100}.soft(0, 4), "How fast it is played: 1 as the file has it.",
+             whenGiven(model) && whenAbove(animation, 0));
     Toggle animate =
         toggle("animate", false, "Let time run: the torus tumbles, cubes bob, water breathes; a round takes 4 s.");
     Real moment = real("moment", 0.55, second, Range{0, 4}, "The moment of the round that is shown, or begun with.");

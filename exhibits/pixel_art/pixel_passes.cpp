@@ -157,7 +157,11 @@ void Picture::planShadow()
     pass.name = values_[table_.shadows] ? "pixel_art/sun" : "pixel_art/no_sun";
     pass.reason = values_[table_.shadows] ? "what the small world's sun reaches" : "the look's shader reads a map";
     pass.phase = render::PassPhase::prepare;
-    pass.shader = {.vertex = "pixel_art/shadow.vert", .fragment = "kit/depth.frag"};
+    const bool masked = std::any_of(shot_.parts.begin(), shot_.parts.end(), [](const WorldPart& part) {
+        return part.material && part.material->alphaMode != render::AlphaMode::opaque;
+    });
+    pass.shader = {.vertex = "pixel_art/shadow.vert", .fragment = masked ? "pixel_art/shadow.frag" : "kit/depth.frag"};
+    if (masked) pass.shader.defines.emplace_back("MASKED");
     pass.view = sunView_;
     pass.key = shadowKey_;
     pass.depth = Attachment::cleared(shadowImage);

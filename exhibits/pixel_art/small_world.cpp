@@ -106,15 +106,14 @@ std::vector<WorldPart> barParts()
     return {{barMesh(), glm::dmat4(1), 0}};
 }
 
-std::vector<WorldPart> modelParts(const render::Model& model, double time)
+std::vector<WorldPart> modelParts(const render::Model& model, const render::Box& framed, double time)
 {
     constexpr double across = 5;  // Meters that its largest side takes.
-    const glm::dvec3 half = model.bounds.halfSize();
+    const glm::dvec3 half = framed.halfSize();
     const double largest = 2 * std::max({half.x, half.y, half.z});
     const double scale = largest > 0 ? across / largest : 1;
     glm::dmat4 place = glm::rotate(glm::dmat4(1), 2 * std::numbers::pi * time / worldRound, glm::dvec3(0, 1, 0));
-    place = glm::translate(glm::scale(place, glm::dvec3(scale)),
-                           -glm::dvec3(model.bounds.center().x, model.bounds.center().y, model.bounds.center().z));
+    place = glm::translate(glm::scale(place, glm::dvec3(scale)), -framed.center());
     std::vector<WorldPart> parts;
     int id = 0;
     for (const render::MeshInstance& part : model.parts)

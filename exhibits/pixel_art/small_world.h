@@ -28,8 +28,13 @@ inline constexpr double worldRound = 4;
 [[nodiscard]] std::vector<WorldPart> testParts(double time);
 /// Bars of one and two texels at 240 x 135, upright, lying and slanted, before a wall.
 [[nodiscard]] std::vector<WorldPart> barParts();
-/// A model of a visitor's, turned about the vertical by the time: as tall as the picture comfortably holds, on y = 0.
-[[nodiscard]] std::vector<WorldPart> modelParts(const render::Model&, double time);
+/// A model of a visitor's, turned about the vertical by the time: what is framed (of the model's own space) as large as
+/// the picture comfortably holds, its middle in that of the world.
+[[nodiscard]] std::vector<WorldPart> modelParts(const render::Model&, const render::Box& framed, double time);
+[[nodiscard]] inline std::vector<WorldPart> modelParts(const render::Model& model, double time)
+{
+    return modelParts(model, model.bounds, time);
+}
 
 /// Of all parts.
 [[nodiscard]] render::Box boundsOf(const std::vector<WorldPart>&);

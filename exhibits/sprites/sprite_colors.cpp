@@ -1,5 +1,6 @@
 #include "exhibits/sprites/sprite_colors.h"
 
+#include "exhibits/kit/blue_noise.h"
 #include "exhibits/pixel_art/palette.h"
 
 #include <algorithm>
@@ -19,6 +20,14 @@ glm::vec3 colorAt(const Image& image, int x, int y)
 void setColor(Image& image, int x, int y, const glm::vec3& color)
 {
     for (int k = 0; k < 3; ++k) image.at(x, y, k) = color[k];
+}
+
+/// Which of sixteen colors a pixel of a frame takes.
+std::size_t rankAt(SpriteDither dither, int x, int y)
+{
+    if (dither == SpriteDither::ordered) return bayer[static_cast<std::size_t>(4 * (y % 4) + x % 4)];
+    const render::Texture& noise = *blueNoise();
+    return noise.bytes[static_cast<std::size_t>(noise.width * (y % noise.height) + x % noise.width)] / 16U;
 }
 
 float luminanceOf(const glm::vec3& linear)
@@ -102,8 +111,8 @@ Image SpriteColors::of(const Image& frame)
         for (int x = 0; x < frame.width; ++x) {
             if (frame.at(x, y, 3) <= 0.5F) continue;
             const glm::vec3 color = colorAt(frame, x, y);
-            const std::size_t place = bayer[static_cast<std::size_t>(4 * (y % 4) + x % 4)];
-            setColor(made, x, y, linear_[dither_ == SpriteDither::ordered ? patternOf(color)[place] : nearest(color)]);
+            const bool plain = dither_ == SpriteDither::none;
+            setColor(made, x, y, linear_[plain ? nearest(color) : patternOf(color)[rankAt(dither_, x, y)]]);
         }
     return made;
 }

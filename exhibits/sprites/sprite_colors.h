@@ -16,8 +16,8 @@ public:
 
     /// A frame (linear, alpha 0 or 1) in colors of the palette. Ordered dithering takes one of sixteen colors, whose
     /// mean is the one asked for, by the pixel's place in the frame (after Knoll 1999, US 6606166, "Pattern
-    /// dithering", and Bayer 1973); error diffusion is that of Floyd and Steinberg 1976 in linear light, among seen
-    /// pixels.
+    /// dithering", and Bayer 1973); blue noise takes it by a pattern without a grid; error diffusion is that of Floyd
+    /// and Steinberg 1976 in linear light, among seen pixels.
     [[nodiscard]] render::Image of(const render::Image& frame);
 
 private:

@@ -2,6 +2,7 @@
 
 #include "exhibits/pixel_art/pixel_passes.h"
 #include "exhibits/pixel_art/small_world.h"
+#include "exhibits/pixel_art/visitor_model.h"
 #include "exhibits/pixel_art/world_builder.h"
 #include "render/failure.h"
 #include "render/hash.h"
@@ -136,7 +137,11 @@ std::vector<std::string> SpriteSubject::animations() const
 
 std::vector<std::string> SpriteSubject::warnings() const
 {
-    return model_ ? model_->posed(-1, 0).warnings : std::vector<std::string>{};
+    if (!model_) return {};
+    const render::Model rest = model_->posed(-1, 0);
+    std::vector<std::string> all = rest.warnings;
+    for (std::string& sentence : blendWarnings(rest)) all.push_back(std::move(sentence));
+    return all;
 }
 
 std::vector<WorldPart> SpriteSubject::parts(const SpriteRequest& request, int i) const

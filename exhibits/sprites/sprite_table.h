@@ -8,7 +8,7 @@ namespace vitrine {
 
 /// The others are those of the look's own row, by name.
 enum class SpritePalette : int { own };
-enum class SpriteDither : int { none, ordered, errorDiffusion };
+enum class SpriteDither : int { none, ordered, errorDiffusion, blueNoise };
 enum class SpritePivot : int { origin, center, bottom };
 
 /// Everything that can be set about a sheet of sprites, but the animation's name, which a file gives.
@@ -32,9 +32,10 @@ struct SpriteTable final : Parameters {
                "One for all frames: made of them, or a shipped one.");
     Count colors = count("colors", 32, Range{1, 256}.soft(2, 64), "How many the palette made of the frames has.",
                          when(palette, SpritePalette::own));
-    Choice<SpriteDither> dither = choice("dither", SpriteDither::none, {"none", "ordered", "error diffusion"},
-                                         "How colors between those of the palette are hinted at. Ordered stays where "
-                                         "it is from frame to frame.");
+    Choice<SpriteDither> dither =
+        choice("dither", SpriteDither::none, {"none", "ordered", "error diffusion", "blue noise"},
+               "How colors between those of the palette are hinted at. Ordered and blue "
+               "noise stay where they are from frame to frame.");
 
     Group sheetGroup = group("Sheet");
     Toggle trimmed = toggle("trimmed", false, "Cut off the empty rows and columns around each frame.");

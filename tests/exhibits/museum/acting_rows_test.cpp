@@ -2,6 +2,7 @@
 // says that it acts. A slider that moves nothing would be a lie.
 
 #include "render/files/read_file.h"
+#include "tests/exhibits/pixel_art/moved_model.h"
 #include "tests/support/gallery.h"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/temporary_folder.h"
@@ -142,6 +143,7 @@ protected:
     {
         if (!row.documentOf.empty()) return fileFor(table, table.rows()[table.find(row.documentOf).value()]);
         const std::filesystem::path assets = std::filesystem::path(VITRINE_SOURCE_DIR) / "assets";
+        if (table.find("animation")) return writeMovedModel(folder_);
         if (row.endings.find("glb") != std::string_view::npos) return (assets / "models" / "teddy.glb").string();
         if (row.shipped == "scenes") return (assets / "scenes" / "torus.json").string();
         const std::filesystem::path panorama = folder_.path() / "panorama.hdr";

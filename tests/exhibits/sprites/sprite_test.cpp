@@ -260,7 +260,8 @@ TEST(SpriteDithering, KeepsTheMeanWithinThePalette)
     SpriteSheetOptions options;
     options.palette = {{0, 0, 0}, {255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}};
     const glm::vec3 wanted(0.31F, 0.52F, 0.44F);
-    for (const SpriteDither dither : {SpriteDither::none, SpriteDither::ordered, SpriteDither::errorDiffusion}) {
+    for (const SpriteDither dither :
+         {SpriteDither::none, SpriteDither::ordered, SpriteDither::errorDiffusion, SpriteDither::blueNoise}) {
         options.dither = dither;
         const SpriteSheet sheet = spriteSheet({plainFrame({64, 64}, wanted)}, options);
         glm::dvec3 sum(0);
@@ -276,13 +277,30 @@ TEST(SpriteDithering, KeepsTheMeanWithinThePalette)
             }
         EXPECT_EQ(seen, 64 * 64 - 1);
         // Sixteen colors give the mean of each channel to one part in sixteen.
-        const double tolerance = dither == SpriteDither::ordered ? 1.0 / 16 : 0.01;
+        const double tolerance = dither == SpriteDither::errorDiffusion ? 0.01 : 1.0 / 16;
         const glm::dvec3 off = glm::abs(sum / static_cast<double>(seen) - glm::dvec3(wanted));
         if (dither == SpriteDither::none)
             EXPECT_GT(std::max({off.r, off.g, off.b}), 0.1);  // The control.
         else
             EXPECT_LT(std::max({off.r, off.g, off.b}), tolerance) << static_cast<int>(dither);
     }
+}
+
+TEST(SpriteDithering, BlueNoiseHasNoGrid)
+{
+    SpriteSheetOptions options;
+    options.palette = {{0, 0, 0}, {255, 255, 255}};
+    // How often a pixel is like the one four to its right, beyond what chance has it.
+    const auto repeats = [&](SpriteDither dither) {
+        options.dither = dither;
+        const SpriteSheet sheet = spriteSheet({plainFrame({64, 64}, glm::vec3(0.3F))}, options);
+        int same = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 60; ++x) same += sheet.color.at(x, y, 0) == sheet.color.at(x + 4, y, 0);
+        return same / (60.0 * 64);
+    };
+    EXPECT_GT(repeats(SpriteDither::ordered), 0.99);
+    EXPECT_LT(repeats(SpriteDither::blueNoise), 0.7);
 }
 
 TEST(SpriteDithering, OrderedStaysWhereItIsWhenTheSheetIsTrimmed)
