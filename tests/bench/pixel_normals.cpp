@@ -1,6 +1,7 @@
 // What normals from depth err by and cost, for every method, scene, resolution and depth buffer, in perspective, and at
 // two resolutions in parallel projection; and what the whole look costs over the scene alone: over what it is drawn
 // from (its sun's shadow map, its colors, normals and depth), and over the same scene lit, without lines and palette.
+// Then, for thresholds of lines, how many texels have another line than by the drawn normals.
 // Angles against the drawn normals. Prints Markdown.
 //   bench_pixel_normals [--model FILE.glb] [--csv] [--look] [--small]
 // --look: the whole look alone; --small: 240 x 135 alone.
@@ -11,8 +12,10 @@
 #include "render/gl/renderer.h"
 #include "render/scene/gltf.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -73,6 +76,65 @@ void printMethods(Bench& bench, const World& world, PixelResolution resolution, 
     }
 }
 
+/// Outlines, highlights and creases of every texel, as `view` shows them.
+render::Image linesOf(Bench& bench, ParameterValues values, const std::vector<WorldPart>& parts)
+{
+    values.set(table.view, PixelView::edges);
+    PixelShot shot{table, values, pixelCamera(table, values, {0, 0}), 0.5, parts};
+    shot.seenSmaller = false;
+    render::FramePlan plan;
+    plan.view.raster.size = shot.camera.size;
+    plan.allParts = true;
+    planPixelPicture(shot, plan);
+    plan.prune({pixelLitImage});
+    bench.renderer.draw(plan);
+    return bench.renderer.read(pixelLitImage);
+}
+
+/// How many texels have a line by these thresholds, and how many have another one than by the drawn normals, percent.
+void printThreshold(Bench& bench, const World& world, Real row, const std::vector<double>& tried)
+{
+    const ParameterInfo& info = table.rows()[row.row];
+    const double shownAs = info.unit == Unit::degree ? 180 / std::numbers::pi : 1;
+    for (const double threshold : tried) {
+        std::printf("| %s | %s %g |", world.name, std::string(info.name).c_str(), threshold);
+        ParameterValues values = table.initial();
+        values.set(row, threshold / shownAs);
+        values.set(table.method, NormalsBy::trueNormals);
+        const render::Image truth = linesOf(bench, values, world.parts);
+        const std::size_t texels = truth.pixels.size() / 4;
+        const auto differ = [&](std::size_t i, const render::Image& other) {
+            return !std::equal(truth.pixels.begin() + static_cast<std::ptrdiff_t>(4 * i),
+                               truth.pixels.begin() + static_cast<std::ptrdiff_t>(4 * i + 3),
+                               other.pixels.begin() + static_cast<std::ptrdiff_t>(4 * i));
+        };
+        const auto percent = [&](const render::Image& other) {
+            std::size_t count = 0;
+            for (std::size_t i = 0; i < texels; ++i) count += differ(i, other);
+            return 100.0 * static_cast<double>(count) / static_cast<double>(texels);
+        };
+        render::Image none = truth;  // The color of a texel without a line.
+        for (float& x : none.pixels) x = *std::min_element(truth.pixels.begin(), truth.pixels.end());
+        std::printf(" %.2f |", percent(none));
+        for (const NormalsBy method : {NormalsBy::tap5, NormalsBy::tap9Plus, NormalsBy::parabola, NormalsBy::vote}) {
+            values.set(table.method, method);
+            std::printf(" %.2f |", percent(linesOf(bench, values, world.parts)));
+        }
+        std::printf("\n");
+    }
+}
+
+void printThresholds(Bench& bench, const std::vector<World>& worlds)
+{
+    std::printf(
+        "\n## Thresholds of lines, 240 x 135, orthographic\n\n| scene | threshold | with a line, %% | otherwise by 5 "
+        "tap, %% | 9 plus tap | parabola | vote |\n|---|---|---|---|---|---|---|\n");
+    for (const World& world : worlds) {
+        printThreshold(bench, world, table.outlineGap, {1.5, 3, 4.5, 6, 9, 18});
+        printThreshold(bench, world, table.edgeAngle, {10, 20, 32, 45, 60, 90});
+    }
+}
+
 double sumOf(const NormalErrors& m)
 {
     double all = 0;
@@ -122,6 +184,7 @@ int main(int argc, char** argv)
         for (const PixelResolution size : {PixelResolution::r240, PixelResolution::r480})
             printMethods(bench, world, size, DepthBits::float32, PixelProjection::orthographic);
     }
+    if (!bench.csv && !worlds.empty()) printThresholds(bench, worlds);
     if (!bench.csv) printLook(bench);
     return 0;
 }

@@ -116,7 +116,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfExhibits{
     {"museum", {"framework", "kit", "hall"}},
     {"printing", {"framework", "museum"}},
     {"study", {"framework", "museum"}},
-    {"sprites", {"framework", "pixel_art"}},  // It draws in that exhibit's look, which knows nothing of it.
+    {"sprites", {"framework", "kit", "pixel_art"}},  // It draws in that exhibit's look, which knows nothing of it.
     {"stability", {"framework", "kit", "museum"}},
 };
 const std::vector<std::string> roomsForExhibits{"framework", "kit", "printing"};
