@@ -58,7 +58,7 @@ void printMethods(Bench& bench, const World& world, PixelResolution resolution, 
                     "|\n|---|---|---|---|---|---|---|\n");
     }
     // Large pictures take long, and their times hardly vary.
-    const int runs = resolution == PixelResolution::r1920 ? 1 : resolution == PixelResolution::r960 ? 2 : 5;
+    const int runs = resolution == PixelResolution::r1920 ? 1 : resolution == PixelResolution::r960 ? 2 : 3;
     for (std::size_t i = 1; i < methods.choices.size(); ++i) {
         ParameterValues values = table.initial();
         values.set(table.resolution, resolution);
