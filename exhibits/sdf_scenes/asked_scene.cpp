@@ -110,7 +110,7 @@ std::string whyNotFolded(const ShownScene& shown, const AskedScene& asked, Scene
     if (way != SceneEvaluation::automatic) return "numbers are folded by themselves where the evaluation is automatic";
     if (asked.near) return "lists have no numbers in their text";
     if (shapesOf(*shown.program) > mostFolded) return "so many numbers take too long to be built into a program";
-    return rest == SceneRest::none ? "its numbers have not rested for a while" : "";
+    return rest == SceneRest::nothing ? "its numbers have not rested for a while" : "";
 }
 
 }  // namespace

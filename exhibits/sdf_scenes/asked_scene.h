@@ -24,7 +24,7 @@ struct AskedScene {
 
 /// What of a scene's numbers has not changed for a while.
 enum class SceneRest : std::uint8_t {
-    none,
+    nothing,
     all,
     steady  ///< All that do not depend on the time.
 };
