@@ -1,6 +1,7 @@
 #include "render/files/asset_store.h"
 
 #include "render/failure.h"
+#include "render/hash.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
