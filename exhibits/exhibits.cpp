@@ -5,6 +5,7 @@
 #include "exhibits/ice_cream/ice_cream.h"
 #include "exhibits/lenticular/lenticular.h"
 #include "exhibits/noise/noise.h"
+#include "exhibits/paper_lanterns/paper_lanterns.h"
 #include "exhibits/pixel_art/pixel_art.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
 #include "exhibits/sdf_scenes/sdf_scenes.h"
@@ -22,6 +23,7 @@ std::vector<std::unique_ptr<Exhibit>> allExhibits()
     exhibits.push_back(std::make_unique<Noise>());
     exhibits.push_back(std::make_unique<PixelArt>());
     exhibits.push_back(std::make_unique<IceCream>());
+    exhibits.push_back(std::make_unique<PaperLanterns>());
     return exhibits;
 }
 

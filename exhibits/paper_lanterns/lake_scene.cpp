@@ -1,0 +1,224 @@
+#include "exhibits/paper_lanterns/lake_scene.h"
+
+#include "exhibits/paper_lanterns/lake_waves.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+constexpr double candleIntensity = 7.5;  ///< Paper about it is as bright as white paper in the film's light.
+constexpr int mostRipplesOfLake = LAKE_WAVES - LAKE_TALL_WAVES;
+
+/// In [0, period), also of what is negative.
+double inPeriod(double x, double period)
+{
+    const double rest = std::fmod(x, period);
+    return rest < 0 ? std::min(rest + period, std::nextafter(period, 0.0)) : rest;
+}
+
+double phaseAt(const LakeWave& wave, double seconds)
+{
+    return inPeriod(wave.frequency * seconds + wave.phase, 2 * std::numbers::pi);
+}
+
+glm::vec4 packed(const LakeWave& wave, double seconds)
+{
+    return glm::vec4(glm::dvec4(wave.vector, wave.amplitude, phaseAt(wave, seconds)));
+}
+
+void setShape(const PaperLanternsTable& t, const ParameterValues& values, LakeBlock& block)
+{
+    const auto f = [&](Real row) { return static_cast<float>(values[row]); };
+    block.paperRadius = f(t.paperRadius);
+    block.paperHeight = f(t.paperHeight);
+    block.paperHalf = 0.5F * f(t.paperWall);
+    block.baseHalfWidth = 0.5F * f(t.baseWidth);
+    block.baseHalfHeight = 0.5F * f(t.baseThickness);
+    block.ringRadius = f(t.ringWire);
+    block.lowRing = f(t.lowRing);
+    block.postRadius = f(t.postWire);
+    block.blend = f(t.frameBlend);
+    block.flameHeight = std::min(f(t.flameHeight), block.paperHeight);
+}
+
+void setWaves(const PaperLanternsTable& t, const ParameterValues& values, double seconds, LakeBlock& block)
+{
+    const double height = values[t.waveHeight];
+    std::vector<LakeWave> tall = sourceWaves(values[t.waveSpeed] == LakeSpeed::dispersion);
+    const bool onWater = values[t.ride] == LakeRide::water;
+    // The disk with as much area as the base.
+    const double radius = 2 * static_cast<double>(block.baseHalfWidth) / std::sqrt(std::numbers::pi);
+    for (std::size_t i = 0; i < tall.size(); ++i) {
+        LakeWave wave = tall[i];
+        wave.amplitude *= height;
+        const double k = glm::length(wave.vector);
+        block.wave[i] = packed(wave, seconds);
+        block.waveTop += static_cast<float>(wave.amplitude);
+        block.waveSlope += static_cast<float>(wave.amplitude * k);
+        const RideShare share = rideShare(k, radius);
+        block.rideTilt[i].x = static_cast<float>(wave.amplitude * share.slope);
+        wave.amplitude *= share.height;
+        block.ride[i] = packed(wave, seconds);
+    }
+    block.tallWaves = height > 0 ? static_cast<int>(tall.size()) : 0;
+    block.rideWaves = block.tallWaves;
+    if (!onWater && height > 0) {
+        LakeWave rough = sourceRideWave();
+        rough.amplitude *= height;
+        block.ride[0] = packed(rough, seconds);
+        block.rideTilt[0].x = block.ride[0].z;
+        block.rideWaves = 1;
+    }
+    const bool ours = values[t.look] == LakeLook::ours;
+    const int ripples = ours && values[t.ripples] > 0 ? std::min(values[t.rippleCount], mostRipplesOfLake) : 0;
+    const std::vector<LakeWave> fine = windRipples(values[t.ripples], values[t.windDirection], mostRipplesOfLake,
+                                                   static_cast<std::uint32_t>(values[t.seed]));
+    for (int i = 0; i < ripples; ++i)
+        block.wave[static_cast<std::size_t>(block.tallWaves + i)] = packed(fine[static_cast<std::size_t>(i)], seconds);
+    block.waves = block.tallWaves + ripples;
+    const double slopes = ours ? values[t.ripples] * values[t.ripples] : 0;
+    block.hiddenSlopes = static_cast<float>(0.5 * slopes * (mostRipplesOfLake - ripples) / mostRipplesOfLake + 2e-5);
+}
+
+/// How far a lantern reaches, and how wide a cell has to be.
+void setBounds(const PaperLanternsTable& t, const ParameterValues& values, LakeBlock& block)
+{
+    float slope = 0, height = 0;
+    for (int i = 0; i < block.rideWaves; ++i) {
+        const auto wave = static_cast<std::size_t>(i);
+        slope += std::abs(block.rideTilt[wave].x) * glm::length(glm::vec2(block.ride[wave]));
+        height += std::abs(block.ride[wave].z);
+    }
+    const float wires = std::max({block.ringRadius, block.postRadius, block.paperHalf}) + 0.25F * block.blend;
+    const float tall = block.paperHeight + wires + 0.03F;
+    const float base = std::sqrt(2.0F) * block.baseHalfWidth;
+    const float lean = slope / std::sqrt(1 + slope * slope);
+    block.reach = std::max(base + block.baseHalfHeight * lean, block.paperRadius + wires + tall * lean) + 0.02F;
+    block.low = -height - base * lean - block.baseHalfHeight - 0.02F;
+    block.high = height + tall + (block.paperRadius + wires) * lean + 0.02F;
+    block.cell = std::max(static_cast<float>(values[t.spacing]), 2 * block.reach + 0.1F);
+    block.jitter = static_cast<float>(values[t.irregularity]) * (0.5F * block.cell - block.reach - 0.04F);
+}
+
+void setLattice(const PaperLanternsTable& t, const ParameterValues& values, double seconds, LakeBlock& block)
+{
+    const double g = static_cast<double>(block.cell);
+    const double side = std::ceil(std::sqrt(static_cast<double>(values[t.lanterns])) - 1e-9);
+    const auto cells = static_cast<int>(std::min<double>(side, LAKE_LATTICE));
+    block.cells = glm::ivec2(cells);
+    block.fill = anyAfloat(t, values) ? static_cast<float>(values[t.crowding]) : 0;
+    block.farRow = side > cells ? static_cast<float>(side * g) : 0;
+    const double angle = values[t.windDirection];
+    const glm::dvec2 drifted = values[t.drift] * seconds * glm::dvec2(std::sin(angle), std::cos(angle));
+    // A few begin where the eye rests; many also under the frame, whose sill hides where they come from.
+    const double begin = std::min(2 * g, 0.5 * side * g - 9);
+    const glm::dvec2 shift(inPeriod(drifted.x, g), inPeriod(drifted.y, g));
+    block.corner = glm::vec2(-0.5 * cells * g + shift.x, begin - shift.y);
+    const glm::dvec2 gone = glm::floor(drifted / g);
+    // Modulo 2^24: numbers, not places.
+    block.firstCell = -glm::ivec2(static_cast<int>(std::fmod(gone.x, 16777216.0)),
+                                  static_cast<int>(std::fmod(gone.y, 16777216.0)));
+}
+
+void setLight(const PaperLanternsTable& t, const ParameterValues& values, double seconds, LakeBlock& block)
+{
+    block.flickerTime = static_cast<float>(inPeriod(seconds, 4));
+    block.flickerDepth = static_cast<float>(values[t.flicker]);
+    const bool own = values[t.flickerPhase] == LakeFlicker::own;
+    block.flickerApart = own ? 1 : 0;
+    const double strength = values[t.candles] ? candleIntensity * values[t.candleStrength] : 0;
+    block.candle = glm::vec3(strength * values[t.candleColor].value);
+    const double scatter = values[t.paperThickness];
+    block.paperScatter = static_cast<float>(scatter);
+    for (int i = 0; i < 3; ++i) {
+        // So much that paper of any thickness reflects this color (Kubelka and Munk).
+        const double thick = std::clamp(values[t.paperColor].value[i], 0.01, 0.999);
+        block.paperAbsorb[i] = static_cast<float>(scatter * (1 - thick) * (1 - thick) / (2 * thick));
+    }
+    const double up = values[t.moonElevation], right = values[t.moonAzimuth];
+    block.towardsMoon =
+        glm::vec3(std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up));
+    block.moonTanRadius = static_cast<float>(std::tan(0.5 * values[t.moonSize]));
+    // Below the horizon it sends no light; near it, less and warmer.
+    const double risen = std::clamp((up + 0.03) / 0.06, 0.0, 1.0);
+    const glm::dvec3 through = glm::exp(-glm::dvec3(0.05, 0.11, 0.2) / (std::max(std::sin(up), 0.0) + 0.12));
+    block.moonLight = glm::vec3(0.25 * values[t.moon] * risen * glm::dvec3(0.86, 0.93, 1.0) * through);
+}
+
+/// The lantern that the button has set free: from the water before the frame, upwards or away.
+void setReleased(const PaperLanternsTable& t, const ParameterValues& values, double since,
+                 LakeBlock& block)
+{
+    block.released = glm::vec4(0, 0, 0, -1);
+    if (!(since >= 0) || since >= releasedFor) return;
+    const double angle = values[t.windDirection];
+    const glm::dvec2 wind(std::sin(angle), -std::cos(angle));
+    const bool rises = values[t.release] == LakeRelease::rises;
+    const glm::dvec2 from(-1.1, -9.5);
+    const glm::dvec2 place = from + (rises ? 0.018 * since * since * wind : glm::dvec2(0.02, -0.55) * since);
+    double height = 0;
+    glm::dvec2 tilt(0);
+    for (int i = 0; i < block.rideWaves; ++i) {
+        const auto w = glm::dvec4(block.ride[static_cast<std::size_t>(i)]);
+        const double phase = w.x * place.x + w.y * place.y + w.w;
+        height += w.z * std::sin(phase);
+        tilt += glm::dvec2(w) * (static_cast<double>(block.rideTilt[static_cast<std::size_t>(i)].x) * std::cos(phase));
+    }
+    if (rises) {
+        const double wet = std::exp(-since);
+        height = height * wet + 0.5 * since * since / (since + 3);
+        tilt = tilt * wet + (1 - wet) * 0.06 * glm::dvec2(std::sin(1.1 * since), std::cos(0.9 * since));
+    }
+    // Kindled at first, burnt down at last.
+    const double light = std::min({1.0, 0.25 + since, (releasedFor - since) / 8});
+    block.released = glm::vec4(place.x, height, place.y, 0.75 * light);
+    block.releasedTilt = glm::vec2(tilt);
+}
+
+}  // namespace
+
+bool anyAfloat(const PaperLanternsTable& t, const ParameterValues& values)
+{
+    return values[t.lanterns] > 0 && values[t.crowding] > 0;
+}
+
+double lakeTime(const PaperLanternsTable& t, const ParameterValues& values, double time)
+{
+    return values[t.moment] + (values[t.animate] && std::isfinite(time) ? time : 0);
+}
+
+Portal lakePortal(const PaperLanternsTable& t, const ParameterValues& values)
+{
+    Portal portal;
+    portal.workFromExhibit = glm::scale(glm::translate(glm::dmat4(1), {0, values[t.eyeHeight], 0}),
+                                        glm::dvec3(values[t.scale]));
+    return portal;
+}
+
+LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, double seconds, double sinceRelease)
+{
+    LakeBlock block;
+    block.seed = static_cast<std::uint32_t>(values[t.seed]);
+    block.turn = static_cast<float>(values[t.turned]);
+    block.variety = static_cast<float>(values[t.colors]);
+    block.waterTime = static_cast<float>(inPeriod(seconds, 3600));
+    setShape(t, values, block);
+    setWaves(t, values, seconds, block);
+    setBounds(t, values, block);
+    setLattice(t, values, seconds, block);
+    setLight(t, values, seconds, block);
+    setReleased(t, values, sinceRelease, block);
+    block.rowLimit = values[t.rows];
+    block.stepLimit = values[t.stepLimit];
+    block.tolerance = static_cast<float>(values[t.hitTolerance]);
+    block.pointWidth = 2 * block.paperRadius / static_cast<float>(values[t.pointSize]);
+    return block;
+}
+
+}  // namespace vitrine

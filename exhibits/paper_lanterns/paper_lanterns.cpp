@@ -1,0 +1,181 @@
+#include "exhibits/paper_lanterns/paper_lanterns.h"
+
+#include "exhibits/kit/blue_noise.h"
+#include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/portal.h"
+#include "exhibits/paper_lanterns/lake_scene.h"
+#include "render/hash.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace vitrine {
+namespace {
+
+constexpr const char* lakePass = "paper_lanterns/lake";
+constexpr const char* floatPass = "paper_lanterns/float";
+
+/// What of the lake any setting calls for.
+struct Called {
+    bool lanterns, released, waves, mist, moon, stars, panorama, source;
+    int bounces, show;
+};
+
+Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const LakeBlock& block)
+{
+    const ParameterValues& values = context.values;
+    Called called{};
+    called.show = static_cast<int>(values[t.show]);
+    const bool picture = values[t.show] == LakeShow::picture;
+    called.source = picture && values[t.look] == LakeLook::source;
+    const bool ours = picture && !called.source;
+    called.released = block.released.w >= 0;
+    called.lanterns = anyAfloat(t, values) || called.released;
+    called.waves = block.tallWaves > 0;
+    called.mist = ours && values[t.fog] > 0;
+    called.moon = picture && std::max(block.moonLight.x, block.moonLight.z) > 0;
+    const bool given = context.lighting.light.background == BACKGROUND_PANORAMA;
+    called.panorama = picture && given && values[t.skyBy] == LakeSky::panorama;
+    called.stars = ours && !called.panorama && values[t.stars] > 0;
+    called.bounces = !picture ? 0 : called.source ? 1 : values[t.bounces];
+    return called;
+}
+
+/// Every lantern of the lattice, written down once for all rays; kept while nothing moves.
+render::ResourceId planFloat(const ParameterValues& values, const LakeBlock& block, const render::Bytes& bytes,
+                             render::FramePlan& plan)
+{
+    const glm::ivec2 cells = glm::max(block.cells, glm::ivec2(1));
+    const render::ResourceId afloat = plan.image({.name = "paper_lanterns.afloat",
+                                                  .format = render::Format::rgba32f,
+                                                  .type = render::TextureType::volume,
+                                                  .size = cells,
+                                                  .layers = 3,
+                                                  .persistent = true});
+    render::Pass pass = exhibitPass(floatPass, "each lantern floats on the water of this moment", values, "", "");
+    pass.shader.compute = "paper_lanterns/float.comp";
+    pass.work = render::Work::compute;
+    pass.phase = render::PassPhase::prepare;
+    pass.blocks[BLOCK_EXHIBIT] = bytes;
+    pass.inputs.push_back({UNIT_EXHIBIT_B, blueNoise()});
+    pass.storage = {render::Attachment::whole(afloat)};
+    pass.groups = glm::ivec3((cells + 7) / 8, 1);
+    pass.key = render::Hash().add({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).value();
+    plan.add(std::move(pass));
+    return afloat;
+}
+
+/// What is left out, and why.
+void tellWhatIsLeftOut(const Called& called, render::FramePlan& plan)
+{
+    if (!called.lanterns) plan.skip(floatPass, "no lantern is afloat", render::Work::compute);
+    if (!called.waves) plan.skip("paper_lanterns/waves", "the water is a mirror: its plane is met in one step");
+    if (!called.moon) plan.skip("paper_lanterns/moon", "it sends no light");
+    if (called.bounces == 0) plan.skip("paper_lanterns/reflection", "no ray is followed that the water mirrors");
+    if (!called.mist) plan.skip("paper_lanterns/mist", "the air is clear");
+    if (!called.stars) plan.skip("paper_lanterns/stars", "none are seen");
+}
+
+void addDefines(const Called& called, LakeRepetition repetition, render::Pass& pass)
+{
+    const auto define = [&](std::string text) { pass.shader.defines.push_back(std::move(text)); };
+    define("SHOW " + std::to_string(called.show));
+    // The eye's ray, those that water mirrors, and one to the moon.
+    define("LEGS " + std::to_string(1 + called.bounces + (called.moon && called.lanterns ? 1 : 0)));
+    if (called.lanterns) define("LANTERNS");
+    if (called.waves) define("WAVES");
+    if (called.mist) define("MIST");
+    if (called.moon) define("MOON");
+    if (called.stars) define("STARS");
+    if (called.panorama) define("PANORAMA");
+    if (called.source) define("SOURCE");
+    if (called.lanterns && repetition != LakeRepetition::cellWall)
+        define("REPETITION " + std::to_string(static_cast<int>(repetition)));
+}
+
+}  // namespace
+
+render::Box PaperLanterns::bounds(const ParameterValues& values) const
+{
+    return portalBounds(lakePortal(table_, values));
+}
+
+render::Camera PaperLanterns::bestView(const ParameterValues& values) const
+{
+    return portalView(lakePortal(table_, values));
+}
+
+double PaperLanterns::nextChange(const ParameterValues& values, double) const
+{
+    return values[table_.animate] ? 0 : std::numeric_limits<double>::infinity();
+}
+
+double PaperLanterns::nextChangeOf(const ExhibitState& state) const
+{
+    return state.sinceOwnPress < releasedFor ? 0 : nextChange(state.values, state.time);
+}
+
+bool PaperLanterns::press(ParameterValues& values) const
+{
+    const bool changes = !values[table_.animate];
+    values.set(table_.animate, true);
+    return changes;
+}
+
+std::vector<StudyView> PaperLanterns::studyViews(const ParameterValues& values) const
+{
+    ParameterValues still = values;
+    still.set(table_.animate, false);
+    ParameterValues later = still;
+    later.set(table_.moment, values[table_.moment] + 17);
+    const double height = values[table_.eyeHeight] / values[table_.scale];
+    render::Camera aside = bestView(values), near = aside, high = aside;
+    aside.eye += glm::dvec3(0.9, -0.2, 0.1);
+    near.eye += 0.85 * (near.target - near.eye);
+    // In exhibit space the water is at -height: just over it, between the lanterns.
+    const render::Camera low{{0.4, 0.35 - height, -1.0}, {0.0, 0.3 - height, -4.0}, 0.9};
+    high.target.y -= 0.9;
+    return {{"best view", bestView(values), 0, still},
+            {"from the side", aside, 0, still},
+            {"from near, later", near, 0, later},
+            {"over the water", low, 0, still},
+            {"down upon them", high, 0, later}};
+}
+
+std::vector<render::LocalLight> PaperLanterns::localLights(const ExhibitState& state) const
+{
+    const ParameterValues& values = state.values;
+    const Table& t = table_;
+    if (!values[t.candles] || values[t.hallGlow] <= 0 || !anyAfloat(t, values)) return {};
+    // As much as the opening sends of the glow that it shows, from its middle.
+    const double strength = 0.5 * values[t.hallGlow] * values[t.candleStrength] * values[t.crowding];
+    render::LocalLight light;
+    light.position = {0, -0.25, -0.2};
+    light.radius = 0.15;
+    light.intensity = strength * values[t.candleColor].value;
+    light.range = 4;
+    return {light};
+}
+
+void PaperLanterns::plan(const PlanContext& context, render::FramePlan& plan) const
+{
+    const Table& t = table_;
+    const ParameterValues& values = context.values;
+    const LakeBlock block = lakeBlock(t, values, lakeTime(t, values, context.time), context.sinceOwnPress);
+    const render::Bytes bytes = render::std140Bytes(block);
+    const Called called = calledFor(t, context, block);
+    render::Pass pass = portalPass(lakePass, "in view", values, "paper_lanterns/lake.frag", lakePortal(t, values), context);
+    pass.blocks[BLOCK_EXHIBIT] = bytes;
+    addDefines(called, values[t.repetition], pass);
+    tellWhatIsLeftOut(called, plan);
+    if (called.lanterns) pass.inputs.push_back({UNIT_EXHIBIT_A, planFloat(values, block, bytes, plan)});
+    if (called.panorama)
+        for (const render::SampledTexture& input : context.lighting.inputs)
+            if (input.unit == UNIT_ENVIRONMENT) pass.inputs.push_back(input);
+    plan.add(std::move(pass));
+}
+
+}  // namespace vitrine

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "exhibits/framework/exhibit.h"
+#include "exhibits/paper_lanterns/paper_lanterns_table.h"
+
+namespace vitrine {
+
+/// A lake at night behind a deep frame, with paper lanterns up to the horizon. Read the table, then lake_scene.h (where
+/// and when everything is) and shaders/paper_lanterns: water.glsl and lantern.glsl say what there is, walk.glsl how a ray
+/// finds it, surfaces.glsl and paper.glsl how it is lit.
+class PaperLanterns final : public Exhibit, public HasButton, public HasSurroundings, public HasLocalLights {
+public:
+    using Table = PaperLanternsTable;
+
+    [[nodiscard]] std::string_view name() const override { return "paper_lanterns"; }
+    [[nodiscard]] std::string_view title() const override { return "Paper Lanterns"; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "A lake at night, and lanterns on it to the horizon: each looked for only where it can be.";
+    }
+    [[nodiscard]] std::string_view tryThis() const override { return "set one free, then let the moon rise higher."; }
+    [[nodiscard]] std::string_view buttonText() const override { return "set a lantern free"; }
+    [[nodiscard]] int place() const override { return 9; }
+    [[nodiscard]] const Table& parameters() const override { return table_; }
+    /// The opening.
+    [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
+    [[nodiscard]] bool surrounds(const ParameterValues&) const override { return true; }
+    [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
+    [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
+    [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
+    bool press(ParameterValues&) const override;
+    [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState&) const override;
+    [[nodiscard]] bool castsShadow() const override { return false; }
+    void plan(const PlanContext&, render::FramePlan&) const override;
+
+private:
+    Table table_;
+};
+
+}  // namespace vitrine

@@ -1,0 +1,93 @@
+// Mist over the lake, thinner the higher, and what lanterns light of it.
+
+// Optical depth of the mist along a ray, in closed form; `t` may be far beyond it.
+float mistDepth(vec3 o, vec3 d, float t)
+{
+    float h = parameters.fogHeight;
+    float begin = exp2(-1.4427 * clamp(o.y / h, -1.0, 80.0));
+    float rise = d.y * t / h;
+    float mean = abs(rise) < 1e-3 ? 1.0 - 0.5 * rise : (1.0 - exp(-clamp(rise, -20.0, 80.0))) / rise;
+    return parameters.fog * min(begin * mean * t, 1e4);
+}
+
+float mistLeft(vec3 o, vec3 d, float t)
+{
+#ifdef MIST
+    return exp(-mistDepth(o, d, t));
+#else
+    return 1.0;
+#endif
+}
+
+// What the mist sends instead: its own color, and a share of the light of the lanterns within it.
+vec3 mistLight()
+{
+    return parameters.horizonColor + lake.candle * (lake.fill * 4e-4);
+}
+
+// Light of one lantern that the mist sends along the ray, up to where the ray ends: single scattering of a point, in
+// closed form, and none from a cell's width on, so that no lantern that is not looked at is missed.
+LanternWalk withAir(LanternWalk before, LanternRay ray, Lantern l, float near)
+{
+    LanternWalk walk = before;
+#ifdef MIST
+    vec3 c = l.place + vec3(0.0, 0.5 * lake.paperHeight, 0.0);
+    float along = dot(c - ray.origin, ray.direction);
+    float off = length(ray.origin + ray.direction * along - c);
+    float inside = 1.0 - off * off / (lake.cell * lake.cell);
+    if (inside <= 0.0) return walk;
+    float h = max(off, lake.paperRadius);
+    float seen = atan(max(walk.distance, ray.from) - along, h) - atan(ray.from - along, h);
+    float strength = parameters.fog * exp(-max(c.y, 0.0) / parameters.fogHeight) * 0.25 / h;
+    float area = 2.0 * lake.paperRadius * lake.paperHeight;
+    walk.glow += walk.left * mistLeft(ray.origin, ray.direction, max(along, 0.0)) * l.glow * (area * strength * max(seen, 0.0) * inside * inside);
+#endif
+    return walk;
+}
+
+// Overlap of a box of middle width `a` with one of width `w` about a place `x` off its middle, over w.
+float overlap(float x, float a, float w)
+{
+    float width = max(w, 1e-4);
+    return clamp((a + 0.5 * width - abs(x)) / width, 0.0, min(1.0, 2.0 * a / width));
+}
+
+// A lantern that is too small to be marched, or mirrored by water that is too rough: its paper, spread over the ray's
+// cone, so that it sends as much light as ever.
+LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
+{
+    LanternWalk walk = before;
+    if (near < ray.from || near > walk.distance) return walk;
+    vec2 widths = coneWidth(ray, near);
+    vec2 d = vec2(ray.direction.x, ray.direction.z);
+    vec2 off = vec2(l.place.x - ray.origin.x, l.place.z - ray.origin.z);
+    float aside = (off.x * d.y - off.y * d.x) / max(length(d), 1e-6);
+    float y = ray.origin.y + ray.direction.y * near - l.place.y;
+    float middle = 0.5 * lake.paperHeight;
+    float covered = overlap(aside, lake.paperRadius, widths.x) * overlap(y - middle, middle, widths.y);
+    // Brighter at the flame's height, as far as the cone can tell.
+    float profile = mix(wallDirect(clamp(y, 0.0, lake.paperHeight)) / wallDirectMean(), 1.0, clamp(0.35 + widths.y / lake.paperHeight, 0.0, 1.0));
+    float left = mistLeft(ray.origin, ray.direction, near);
+    walk.glow += walk.left * covered * mix(mistLight(), l.glow * profile, left);
+    walk.left *= 1.0 - covered;
+    return walk;
+}
+
+// What lies beyond the rows that were walked: lanterns as their mean. Light and what it leaves.
+vec4 farLanterns(LanternRay ray, float end)
+{
+    float sideways = length(vec2(ray.direction.x, ray.direction.z));
+    vec2 within = slabSpan(ray.origin.y, ray.direction.y, 0.0, lake.paperHeight);
+    float farthest = lake.farRow > 0.0 ? lake.farRow : float(lake.cells.y) * lake.cell;
+    vec2 z = slabSpan(ray.origin.z, ray.direction.z, lake.corner.y - farthest, lake.corner.y);
+    vec2 x = slabSpan(ray.origin.x, ray.direction.x, -0.5 * farthest, 0.5 * farthest);
+    float from = max(max(end, ray.from), max(within.x, max(x.x, z.x)));
+    float to = min(min(within.y, ray.to), min(x.y, z.y));
+    float way = max(to - from, 0.0) * sideways;
+    float covered = 1.0 - exp(-lake.fill * 2.0 * lake.paperRadius * way / (lake.cell * lake.cell));
+    // Half of what is seen of them lies before this.
+    float middle = from + min(0.5 * (to - from), lake.cell * lake.cell / max(lake.fill * 2.0 * lake.paperRadius * sideways, 1e-3));
+    vec3 glow = paperGlow(mix(0.55, flickerOf(0.0), 1.0 - lake.flickerApart), 0.0);
+    float left = mistLeft(ray.origin, ray.direction, max(middle, 0.0));
+    return vec4(mix(mistLight(), glow, left) * covered, 1.0 - covered);
+}

@@ -1,0 +1,281 @@
+// A lake at night: one ray per pixel, which water mirrors on, and one towards the moon from what it ends on.
+// Permutations: SHOW (0 the picture, 1 heights, 2 normals, 3 parts); LEGS, rays in a row; SOURCE, the source's light;
+// REPETITION, where lanterns are looked for around points; LANTERNS, WAVES, MIST, MOON, STARS, PANORAMA.
+#include "kit/portal/portal.glsl"
+#include "lib/noise_sums.glsl"
+#include "paper_lanterns/scene.glsl"
+
+layout(binding = UNIT_EXHIBIT_A) uniform sampler3D afloat;
+
+const float LAKE_FARTHEST = 30000.0;
+
+Lantern lanternAt(ivec2 cell)
+{
+    vec4 a = texelFetch(afloat, ivec3(cell, 0), 0);
+    vec4 b = texelFetch(afloat, ivec3(cell, 1), 0);
+    return Lantern(a.xyz, b.xy, b.z, a.w, b.w, texelFetch(afloat, ivec3(cell, 2), 0).rgb);
+}
+
+#include "paper_lanterns/walk.glsl"
+#include "paper_lanterns/fibers.glsl"
+#include "paper_lanterns/air.glsl"
+#include "paper_lanterns/night_sky.glsl"
+#include "paper_lanterns/surfaces.glsl"
+#ifdef SOURCE
+#include "paper_lanterns/source_look.glsl"
+#endif
+
+vec3 lanternNormal(vec3 p, float width)
+{
+    float h = max(3e-4, 0.25 * width);
+    vec3 n = vec3(0.0);
+    for (int i = 0; i < 6; ++i) {
+        vec3 e = vec3(0.0);
+        e[i >> 1] = (i & 1) == 0 ? h : -h;
+        n += e * lanternField(p + e).distance;
+    }
+    return safeNormalize(n, vec3(0.0, 1.0, 0.0));
+}
+
+// A ray that is followed, and what its light still counts for.
+struct Leg {
+    LanternRay ray;
+    vec3 weight;
+    vec2 blur;      // standard deviations of its direction, up and across
+    bool toMoon;    // it asks whether the moon is seen
+    int mirrored;   // how often the water has
+};
+
+struct Gathered {
+    vec3 radiance;
+    vec3 pending;  // if the moon is seen
+    bool done;
+};
+
+vec3 skyAround(vec3 d, Leg leg, float pixel)
+{
+#ifdef SOURCE
+    return sourceSky(d);
+#else
+    return skyLight(d, leg.blur, pixel);
+#endif
+}
+
+vec3 partColor(int part)
+{
+    return part == PART_PAPER ? vec3(0.9, 0.6, 0.2) : (part == PART_WOOD ? vec3(0.3, 0.5, 0.2) : vec3(0.3, 0.4, 0.9));
+}
+
+// What a lantern that the ray has met sends; the next ray goes from there to the moon.
+Gathered meetLantern(Gathered before, Leg leg, LanternWalk walk, float pixel)
+{
+    Gathered now = before;
+    vec3 d = leg.ray.direction;
+    float width = coneWidth(leg.ray, walk.distance).x;
+    mat3 axes = lakeFromLantern(walk.lantern);
+    vec3 n = lanternNormal(walk.local, width);
+    if (dot(n, d * axes) > 0.0 && walk.part == PART_PAPER) n = -n;
+    vec3 world = axes * n;
+    vec3 p = leg.ray.origin + d * walk.distance;
+    float left = mistLeft(leg.ray.origin, d, walk.distance);
+#if SHOW == 2
+    now.radiance += leg.weight * (0.5 + 0.5 * world) * 0.6;
+#elif SHOW != 0
+    now.radiance += leg.weight * partColor(walk.part) * (0.35 + 0.3 * max(world.y, -world.z));
+#else
+#ifdef SOURCE
+    Lit lit = sourceLantern(walk, n, world, d * axes);
+#else
+    vec2 g = vec2(walk.lantern.place.x - lake.corner.x, lake.corner.y - walk.lantern.place.z) / lake.cell;
+    vec3 outer = lanternLight(p, world, ivec2(floor(clamp(g, vec2(-1e6), vec2(1e6)))));
+    outer += PI * 0.5 * nightAir(vec3(0.0, 1.0, 0.0)) * (1.0 + world.y);
+    vec3 moon = lake.towardsMoon * axes;
+    Lit lit;
+    if (walk.part == PART_PAPER) lit = litPaper(walk, n, d * axes, outer, moon, width);
+    else lit = litFrame(walk, n, d * axes, outer, moon, width);
+#endif
+    now.radiance += leg.weight * mix(mistLight(), lit.radiance, left);
+#ifdef MOON
+    now.pending = leg.weight * left * lit.byMoon;
+#endif
+#endif
+    return now;
+}
+
+Leg towardsMoon(Leg from, LanternWalk walk)
+{
+    Leg leg = from;
+    vec3 p = leg.ray.origin + leg.ray.direction * walk.distance;
+    float away = 0.012 + 2.0 * coneWidth(leg.ray, walk.distance).x;
+    leg.ray.origin = p + lake.towardsMoon * away - leg.ray.direction * 0.5 * away;
+    leg.ray.direction = lake.towardsMoon;
+    leg.ray.from = 0.0;
+    leg.ray.width = vec2(0.0);
+    leg.ray.spread = vec2(1e-5);
+    leg.toMoon = true;
+    return leg;
+}
+
+// What the water sends, and the ray that it mirrors.
+struct Mirror {
+    vec3 body;
+    vec3 share;
+    Leg leg;
+};
+
+Mirror meetWater(Leg from, float t, float pixel)
+{
+    Mirror m;
+    m.leg = from;
+    vec3 d = from.ray.direction;
+    vec3 p = from.ray.origin + d * t;
+    vec2 cone = coneWidth(from.ray, t);
+    vec2 ahead = d.xz / max(length(d.xz), 1e-5);
+    bool below = d.y > 0.0 && from.ray.origin.y < p.y;
+    float grazing = max(abs(d.y), 0.01);
+    WaterSurface water = waterSurface(p.xz, ahead, vec2(cone.y / grazing, cone.x));
+    vec3 n = below ? -water.normal : water.normal;
+    float cosine = dot(n, -d);
+    if (cosine < 0.02) n = safeNormalize(n - d * (0.02 - cosine), vec3(0.0, 1.0, 0.0));
+    cosine = clamp(dot(n, -d), 0.02, 1.0);
+    vec2 rough = sqrt(water.hidden);
+#ifdef SOURCE
+    float fresnel = 0.6;
+    vec3 body = parameters.waterColor;
+#else
+    // Of slopes that are not resolved, those that face the eye are seen more, and mirror less.
+    float fresnel = fresnelDielectric(clamp(cosine + 0.5 * rough.x, 0.0, 1.0), below ? 1.0 / 1.333 : 1.333);
+    vec3 day = nightAir(vec3(0.0, 0.7, -0.714)) * 2.0 + lake.moonLight * (0.3 * max(lake.towardsMoon.y, 0.0));
+    vec3 body = parameters.waterColor * (day + lanternLight(p, n, ivec2(-9)) * 0.6);
+#endif
+    m.body = body * (1.0 - fresnel);
+    m.share = vec3(fresnel);
+    vec3 mirrored = reflect(d, n);
+#ifndef SOURCE
+    if (below) {
+        // Out through the surface, where it lets light through; there is nothing to be seen in the deep.
+        vec3 through = refract(d, n, 1.333);
+        m.share = vec3(1.0 - fresnel) * exp(-vec3(0.35, 0.12, 0.1) * t);
+        m.body = parameters.waterColor * 0.4;
+        mirrored = dot(through, through) > 0.5 ? through : vec3(0.0, 1.0, 0.0);
+    }
+#endif
+    mirrored.y = max(abs(mirrored.y) + 0.5 * rough.x, 0.002);
+    m.leg.ray.direction = normalize(mirrored);
+    m.leg.ray.origin = p + vec3(0.0, 0.004 + 0.02 * cone.x, 0.0);
+    m.leg.ray.from = 0.0;
+    m.leg.blur = sqrt(from.blur * from.blur + vec2(2.0 * rough.x, 2.0 * rough.y * grazing) * vec2(2.0 * rough.x, 2.0 * rough.y * grazing));
+    m.leg.ray.width = cone;
+    // As wide as a box of the same variance.
+    m.leg.ray.spread = vec2(pixel) + 3.46 * vec2(m.leg.blur.y, m.leg.blur.x);
+    m.leg.mirrored = from.mirrored + 1;
+    return m;
+}
+
+#if SHOW == 1 || SHOW == 2
+// Heights or normals of the water, as colors.
+vec3 waterShown(Leg leg, float t)
+{
+    vec3 p = leg.ray.origin + leg.ray.direction * t;
+    vec2 cone = coneWidth(leg.ray, t);
+    vec2 ahead = leg.ray.direction.xz / max(length(leg.ray.direction.xz), 1e-5);
+#if SHOW == 1
+    float h = clamp(lakeAt(p.xz).height * parameters.exaggeration / 0.2075, -1.0, 1.0);
+    return mix(vec3(0.02, 0.05, 0.3), vec3(0.9, 0.75, 0.35), 0.5 + 0.5 * h);
+#else
+    vec3 n = waterSurface(p.xz, ahead, vec2(cone.y / max(abs(leg.ray.direction.y), 0.01), cone.x)).normal;
+    vec2 slope = n.xz / max(n.y, 0.05) * parameters.exaggeration;
+    n = normalize(vec3(slope.x, 1.0, slope.y));
+    return (0.5 + 0.5 * n) * 0.6;
+#endif
+}
+#endif
+
+LanternWalk lanternsAlong(LanternRay ray)
+{
+#ifdef LANTERNS
+#ifdef REPETITION
+    return walkNeighbors(ray, REPETITION, 4 * parameters.stepLimit);
+#else
+    return walkLanterns(ray);
+#endif
+#else
+    return nothingMet(ray);
+#endif
+}
+
+float waterAlong(LanternRay ray)
+{
+#ifdef WAVES
+    return waterDistance(ray.origin, ray.direction, ray.from, LAKE_FARTHEST, ray.spread.x, lake.tolerance, parameters.waterSteps);
+#else
+    float t = abs(ray.direction.y) < 1e-9 ? -1.0 : -ray.origin.y / ray.direction.y;
+    return t > ray.from && t < LAKE_FARTHEST ? t : -1.0;
+#endif
+}
+
+PortalSeen portalSeen(PortalRay eye)
+{
+    PortalSeen seen;
+    seen.normal = vec3(0.0);
+    seen.distance = 1e20;
+    LanternRay ray = LanternRay(eye.origin, eye.direction, eye.start, LAKE_FARTHEST, vec2(0.0), vec2(eye.footprint));
+    Leg leg = Leg(ray, vec3(1.0), vec2(0.3 * eye.footprint), false, 0);
+    Gathered sum = Gathered(vec3(0.0), vec3(0.0), false);
+    for (int i = 0; i < LEGS; ++i) {
+        float t = leg.toMoon ? -1.0 : waterAlong(leg.ray);
+        leg.ray.to = t > 0.0 ? t : LAKE_FARTHEST;
+        LanternWalk walk = lanternsAlong(leg.ray);
+        if (leg.toMoon) {
+            if (walk.part == PART_NONE) sum.radiance += sum.pending;
+            break;
+        }
+        sum.radiance += leg.weight * walk.glow;
+        leg.weight *= walk.left;
+        if (i == 0 && (walk.part != PART_NONE || t > 0.0)) {
+            seen.distance = walk.distance;
+            seen.normal = vec3(0.0, 1.0, 0.0);
+        }
+        if (walk.part != PART_NONE) {
+            sum = meetLantern(sum, leg, walk, eye.footprint);
+            if (dot(sum.pending, vec3(1.0)) <= 1e-6) break;
+            leg = towardsMoon(leg, walk);
+            continue;
+        }
+#ifdef LANTERNS
+        vec4 beyond = farLanterns(leg.ray, walk.end);
+        sum.radiance += leg.weight * beyond.rgb;
+        leg.weight *= beyond.a;
+#endif
+        if (t <= 0.0) {
+            sum.radiance += leg.weight * skyAround(leg.ray.direction, leg, eye.footprint);
+            break;
+        }
+#if SHOW == 1 || SHOW == 2
+        sum.radiance += leg.weight * waterShown(leg, t);
+        break;
+#elif SHOW == 3
+        sum.radiance += leg.weight * vec3(0.02, 0.06, 0.1);
+        break;
+#else
+        float left = mistLeft(leg.ray.origin, leg.ray.direction, t);
+        sum.radiance += leg.weight * (1.0 - left) * mistLight();
+        leg.weight *= left;
+        Mirror m = meetWater(leg, t, eye.footprint);
+        sum.radiance += leg.weight * m.body;
+        vec3 weight = leg.weight * m.share;
+        int mirrored = leg.mirrored;
+        leg = m.leg;
+        leg.weight = weight;
+        if (mirrored >= parameters.bounces) {
+            sum.radiance += weight * skyAround(leg.ray.direction, leg, eye.footprint);
+            break;
+        }
+#endif
+    }
+    seen.radiance = sum.radiance;
+    seen.evaluations = float(evaluations);
+    return seen;
+}
+
+#include "kit/portal/main.glsl"

@@ -1,0 +1,97 @@
+// The sky over the lake: what is left of the day, moon and stars; or the visitor's panorama.
+#ifdef PANORAMA
+#include "lib/panorama.glsl"
+#endif
+
+// Moonlight that comes from around `d`, for a ray that is blurred by these standard deviations, up and across.
+vec3 moonGlow(vec3 d, vec2 blur)
+{
+#ifdef MOON
+    vec3 m = lake.towardsMoon;
+    vec3 side = safeNormalize(cross(vec3(0.0, 1.0, 0.0), m), vec3(1.0, 0.0, 0.0));
+    vec3 up = cross(m, side);
+    if (dot(d, m) <= 0.0) return vec3(0.0);
+    vec2 at = vec2(dot(d, up), dot(d, side));
+    float r = lake.moonTanRadius;
+    vec3 color = lake.moonLight / max(max(lake.moonLight.x, lake.moonLight.z), 1e-6);
+    float angle = length(at);
+    // Thin air about it.
+    vec3 around = lake.moonLight * (0.14 * exp(-angle * 9.0) + 0.5 * exp(-angle * 45.0));
+    vec2 wide = sqrt(blur * blur + 0.25 * r * r);
+    float lobe = exp(-0.5 * dot(at / wide, at / wide)) / (2.0 * PI * wide.x * wide.y);
+    vec3 mirrored = min(lake.moonLight * lobe, color * 2.4);
+    if (max(blur.x, blur.y) > 0.3 * r) return mirrored + around;
+    // Seas of basalt on its face.
+    Noise3 n = gradientNoise(ivec3(8), vec3(0.5), ivec3(64), 5u);
+    vec2 q = at / r * 1.9 + 7.3;
+    n = gradientNoise(ivec3(ivec2(floor(q)), 0), vec3(q - floor(q), 0.3), ivec3(64), 5u);
+    vec2 fine = q * 2.7;
+    Noise3 m2 = gradientNoise(ivec3(ivec2(floor(fine)), 3), vec3(fine - floor(fine), 0.3), ivec3(64), 5u);
+    float basalt = smoothstep(-0.05, 0.45, n.value + 0.4 * m2.value);
+    float rim = 1.0 - smoothstep(r - max(blur.x, 0.04 * r), r + max(blur.x, 0.04 * r), angle);
+    vec3 face = color * min(1.9, 4.0 * max(lake.moonLight.x, lake.moonLight.z) + 0.5) * mix(1.0, 0.62, basalt);
+    return mix(around, face, rim);
+#else
+    return vec3(0.0);
+#endif
+}
+
+// One star at most in each cell of a cube's faces, drawn as wide as a pixel, and as bright whatever its width.
+vec3 starLight(vec3 d, float pixel)
+{
+    const float cells = 70.0;
+    vec3 a = abs(d);
+    int face = a.x >= a.y && a.x >= a.z ? 0 : (a.y >= a.z ? 1 : 2);
+    vec2 uv = face == 0 ? d.yz / a.x : (face == 1 ? d.xz / a.y : d.xy / a.z);
+    vec2 q = (uv * 0.5 + 0.5) * cells;
+    ivec2 cell = ivec2(floor(q));
+    int side = 2 * face + (d[face] > 0.0 ? 1 : 0);
+    uvec3 bits = hashCell(ivec3(cell, side), lake.seed + 77u);
+    uvec3 more = pcg3d(bits);
+    vec2 at = vec2(cell) + 0.25 + 0.5 * vec2(unitFromBits(bits.x), unitFromBits(bits.y));
+    float largest = a[face];
+    float perCell = 2.0 / cells * largest * largest;  // radians, about
+    float off = length(q - at) * perCell;
+    float wide = clamp(0.7 * pixel, 1e-5, 0.1 * perCell);
+    float lobe = exp(-0.5 * off * off / (wide * wide));
+    float u = unitFromBits(bits.z);
+    // Ten times as many for each magnitude and a half.
+    float power = min(2.2e-7 / (u * u + 2e-4) / (wide * wide), 1.6);
+    float coarse = min(wide / (0.7 * pixel), 1.0);
+    vec3 tint = mix(vec3(1.0, 0.82, 0.66), vec3(0.72, 0.83, 1.0), unitFromBits(more.x));
+    return tint * (power * lobe * coarse * coarse * smoothstep(0.0, 0.25, d.y));
+}
+
+// The sky without moon and stars.
+vec3 nightAir(vec3 d)
+{
+    float up = max(d.y, 0.0);
+    float low = exp(-up * 4.5);
+    vec3 night = mix(vec3(0.0016, 0.003, 0.0075), vec3(0.006, 0.008, 0.014), low);
+    float towards = 0.5 + 0.5 * dot(normalize(vec2(d.x, d.z) + vec2(0.0, 1e-6)), vec2(0.3, -0.954));
+    vec3 warm = mix(vec3(0.24, 0.28, 0.36), vec3(0.95, 0.40, 0.16), parameters.afterglow * (0.25 + 0.75 * towards * towards));
+    vec3 rose = mix(vec3(0.16, 0.2, 0.31), vec3(0.42, 0.22, 0.3), parameters.afterglow * (0.3 + 0.7 * towards));
+    vec3 day = mix(mix(vec3(0.035, 0.07, 0.18), rose, exp(-up * 4.0)), warm, exp(-up * 13.0));
+    return night + parameters.dusk * day;
+}
+
+// Radiance from a direction; `blur` as above, and the width of a pixel.
+vec3 skyLight(vec3 d, vec2 blur, float pixel)
+{
+#ifdef PANORAMA
+    vec3 sky = min(panoramaRadiance(d, max(pixel, 2.0 * max(blur.x, blur.y))), vec3(60.0));
+#else
+    vec3 sky = nightAir(d) + moonGlow(d, blur);
+#ifdef STARS
+    if (blur.x < 3.0 * pixel) sky += parameters.stars * starLight(d, pixel);
+#endif
+#endif
+#ifdef MIST
+    // The mist ends nowhere: all of it above the place.
+    float depth = parameters.fog * parameters.fogHeight / max(d.y, 1e-4);
+    float left = exp(-min(depth, 80.0));
+    return mix(mistLight(), sky, left);
+#else
+    return sky;
+#endif
+}

@@ -1,0 +1,246 @@
+// A ray's way through the lattice of lanterns. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h); who
+// includes this has lantern.glsl, `Lantern lanternAt(ivec2 cell)`, which reads what `lanternOfCell` told, and
+//
+//     LanternWalk withPoint(LanternWalk, LanternRay, Lantern, float near)
+//     LanternWalk withAir(LanternWalk, LanternRay, Lantern, float near)
+//
+// which add a lantern that is only a glowing point, and what a lantern lights of the air; `near` is where the ray is
+// nearest to its axis.
+//
+// The ray goes by rows of cells across its main direction. It runs by a cell sideways at most while it crosses a row, so
+// the two cells whose middles are nearest to it there are all that it can touch; each lantern stays within its cell, and
+// is looked for only where its own bounds are crossed. So no step is too long, whatever the neighbors are.
+
+struct LanternRay {
+    vec3 origin;
+    vec3 direction;  // unit
+    float from;
+    float to;
+    vec2 width;      // of the cone about it at its origin, across and up, ...
+    vec2 spread;     // ... and by how much that grows per meter
+};
+
+struct LanternWalk {
+    float distance;   // along the ray to the nearest solid lantern; beyond the ray's end: none
+    int part;
+    Lantern lantern;  // that one
+    vec3 local;       // the place in its own space
+    vec3 glow;        // radiance of the points in front of it
+    float left;       // share of what is behind the points that is seen
+    float cells;      // that were looked at
+    float end;        // how far along the ray lanterns were looked for
+};
+
+#ifndef __cplusplus
+LanternWalk withPoint(LanternWalk walk, LanternRay ray, Lantern l, float near);
+LanternWalk withAir(LanternWalk walk, LanternRay ray, Lantern l, float near);
+#endif
+
+vec2 coneWidth(LanternRay ray, float t)
+{
+    return ray.width + ray.spread * max(t, 0.0);
+}
+
+// Nearest place on the ray to the axis of a lantern, as a distance.
+float nearestApproach(LanternRay ray, Lantern l)
+{
+    vec2 d = vec2(ray.direction.x, ray.direction.z);
+    return dot(vec2(l.place.x - ray.origin.x, l.place.z - ray.origin.z), d) / max(dot(d, d), 1.0e-9);
+}
+
+// Marches within the bounds of one lantern.
+LanternWalk withSolid(LanternWalk before, LanternRay ray, Lantern l)
+{
+    LanternWalk walk = before;
+    mat3 axes = lakeFromLantern(l);
+    vec3 o = (ray.origin - l.place) * axes;
+    vec3 d = ray.direction * axes;
+    float near = max(nearestApproach(ray, l), ray.from);
+    vec2 widths = coneWidth(ray, near);
+    float margin = lake.tolerance * min(widths.x, widths.y) + 1.0e-4;
+    vec2 span = lanternSpan(o, d, margin);
+    float t = max(span.x, ray.from);
+    float end = min(span.y, walk.distance);
+    for (int i = 0; i < lake.stepLimit && t < end; ++i) {
+        LanternPoint f = lanternField(o + d * t);
+        if (f.distance < margin) {
+            walk.distance = t;
+            walk.part = f.part;
+            walk.lantern = l;
+            walk.local = o + d * t;
+            break;
+        }
+        t += f.distance;
+    }
+    return walk;
+}
+
+LanternWalk withLantern(LanternWalk before, LanternRay ray, Lantern l)
+{
+    LanternWalk walk = before;
+    walk.cells += 1.0;
+    if (l.light < 0.0) return walk;
+    float approach = nearestApproach(ray, l);
+    vec2 widths = coneWidth(ray, clamp(approach, ray.from, walk.distance));
+    walk = withAir(walk, ray, l, approach);
+    if (max(widths.x, widths.y) > lake.pointWidth) return withPoint(walk, ray, l, approach);
+    return withSolid(walk, ray, l);
+}
+
+// The lantern that was set free.
+Lantern releasedLantern()
+{
+    Lantern l;
+    l.place = vec3(lake.released.x, lake.released.y, lake.released.z);
+    l.tilt = lake.releasedTilt;
+    l.turn = 0.6;
+    l.light = lake.released.w;
+    l.hue = 0.0;
+    l.glow = paperGlow(l.light, l.hue);
+    return l;
+}
+
+// Where o + d t is no more than `limit`: first and last t.
+vec2 belowSpan(float o, float d, float limit)
+{
+    if (abs(d) < 1.0e-12) return o <= limit ? vec2(-1.0e9, 1.0e9) : vec2(1.0, -1.0);
+    float t = (limit - o) / d;
+    return d > 0.0 ? vec2(-1.0e9, t) : vec2(t, 1.0e9);
+}
+
+// The part of a ray on which its cone may meet lanterns of the lattice; none where first > last.
+vec2 latticeSpan(LanternRay ray)
+{
+    vec2 size = vec2(float(lake.cells.x), float(lake.cells.y)) * lake.cell;
+    vec2 x = slabSpan(ray.origin.x, ray.direction.x, lake.corner.x, lake.corner.x + size.x);
+    vec2 z = slabSpan(ray.origin.z, ray.direction.z, lake.corner.y - size.y, lake.corner.y);
+    float grown = 0.5 * ray.width.y;
+    float grows = 0.5 * ray.spread.y;
+    vec2 under = belowSpan(ray.origin.y - grown, ray.direction.y - grows, lake.high);
+    vec2 over = belowSpan(-ray.origin.y - grown, -ray.direction.y - grows, -lake.low);
+    return vec2(max(max(max(x.x, z.x), max(under.x, over.x)), ray.from),
+                min(min(min(x.y, z.y), min(under.y, over.y)), ray.to));
+}
+
+// The cell of the i-th look: two in each row.
+struct LatticeLine {
+    bool alongX;   // rows are crossed along x; else along z
+    float origin;  // in cells, along the rows' way and across it; both grow with the cell's number
+    float across;
+    float ahead;   // cells per meter of the ray
+    float aside;
+    int first;     // row
+    int stride;    // 1 or -1
+};
+
+LatticeLine latticeLine(LanternRay ray, float from)
+{
+    LatticeLine line;
+    vec3 o = ray.origin;
+    vec3 d = ray.direction;
+    vec2 start = vec2(o.x - lake.corner.x, lake.corner.y - o.z) / lake.cell;
+    vec2 way = vec2(d.x, -d.z) / lake.cell;
+    line.alongX = abs(way.x) > abs(way.y);
+    line.origin = line.alongX ? start.x : start.y;
+    line.across = line.alongX ? start.y : start.x;
+    line.ahead = line.alongX ? way.x : way.y;
+    line.aside = line.alongX ? way.y : way.x;
+    if (abs(line.ahead) < 1.0e-7) line.ahead = 1.0e-7;
+    line.stride = line.ahead > 0.0 ? 1 : -1;
+    int rows = line.alongX ? lake.cells.x : lake.cells.y;
+    line.first = clamp(int(floor(line.origin + line.ahead * from)), 0, rows - 1);
+    return line;
+}
+
+ivec2 lineCell(LatticeLine line, int row, int which)
+{
+    float t = (float(row) + 0.5 - line.origin) / line.ahead;
+    int low = int(floor(clamp(line.across + line.aside * t, -1.0e6, 1.0e6) - 0.5));
+    // The one on the side that the ray comes from is first.
+    int column = low + ((line.aside * float(line.stride) * line.ahead >= 0.0) == (which == 0) ? 0 : 1);
+    return line.alongX ? ivec2(row, column) : ivec2(column, row);
+}
+
+bool inLattice(ivec2 cell)
+{
+    return cell.x >= 0 && cell.y >= 0 && cell.x < lake.cells.x && cell.y < lake.cells.y;
+}
+
+LanternWalk nothingMet(LanternRay ray)
+{
+    LanternWalk walk;
+    walk.distance = ray.to;
+    walk.part = PART_NONE;
+    walk.lantern = releasedLantern();
+    walk.local = vec3(0.0);
+    walk.glow = vec3(0.0);
+    walk.left = 1.0;
+    walk.cells = 0.0;
+    walk.end = ray.to;
+    return walk;
+}
+
+// All lanterns along a ray, the nearest first.
+LanternWalk walkLanterns(LanternRay ray)
+{
+    LanternWalk walk = nothingMet(ray);
+    vec2 span = latticeSpan(ray);
+    LatticeLine line = latticeLine(ray, span.x);
+    int rows = line.alongX ? lake.cells.x : lake.cells.y;
+    // The one that is free is looked at before all: two looks ahead of the first row.
+    int looks = span.x < span.y ? 2 * min(lake.rowLimit, rows) : 0;
+    for (int i = lake.released.w < 0.0 ? 0 : -1; i < looks; ++i) {
+        Lantern l = releasedLantern();
+        if (i >= 0) {
+            int row = line.first + (i >> 1) * line.stride;
+            float entry = (float(row) + (line.stride > 0 ? 0.0 : 1.0) - line.origin) / line.ahead;
+            if (row < 0 || row >= rows || entry > min(span.y, walk.distance) || walk.left < 0.004) break;
+            ivec2 cell = lineCell(line, row, i & 1);
+            l.light = -1.0;
+            if (inLattice(cell)) l = lanternAt(cell);
+        }
+        walk = withLantern(walk, ray, l);
+    }
+    float last = float(line.first + min(lake.rowLimit, rows) * line.stride) + (line.stride > 0 ? 0.0 : 1.0);
+    walk.end = span.x < span.y ? min((last - line.origin) / line.ahead, span.y) : ray.from;
+    return walk;
+}
+
+// As the source goes: by the least distance to the lanterns of some cells around each point, whatever lies beyond them.
+// `kind` is REPEAT_OWN_CELL, REPEAT_2X2 or REPEAT_3X3. The control, and what the source shows.
+LanternWalk walkNeighbors(LanternRay ray, int kind, int steps)
+{
+    LanternWalk walk = nothingMet(ray);
+    vec2 y = slabSpan(ray.origin.y, ray.direction.y, lake.low, lake.high);
+    float t = max(y.x, ray.from);
+    int looks = kind == REPEAT_OWN_CELL ? 1 : (kind == REPEAT_2X2 ? 4 : 9);
+    for (int i = 0; i < steps && t < min(y.y, ray.to); ++i) {
+        vec3 p = ray.origin + ray.direction * t;
+        vec2 g = vec2(p.x - lake.corner.x, lake.corner.y - p.z) / lake.cell;
+        ivec2 own = ivec2(int(floor(clamp(g.x, -1.0e6, 1.0e6))), int(floor(clamp(g.y, -1.0e6, 1.0e6))));
+        ivec2 towards = ivec2(g.x - float(own.x) < 0.5 ? -1 : 1, g.y - float(own.y) < 0.5 ? -1 : 1);
+        // Where there is no lantern near, as far as to the next cells.
+        float nearest = lake.cell;
+        float margin = lake.tolerance * ray.spread.x * t + 1.0e-4;
+        for (int j = 0; j < looks; ++j) {
+            ivec2 cell = own + (kind == REPEAT_3X3 ? ivec2(j % 3 - 1, j / 3 - 1) : ivec2(j & 1, j >> 1) * towards);
+            Lantern l = lanternAt(inLattice(cell) ? cell : ivec2(0));
+            if (!inLattice(cell) || l.light < 0.0) continue;
+            vec3 local = (p - l.place) * lakeFromLantern(l);
+            LanternPoint f = lanternField(local);
+            if (f.distance >= nearest) continue;
+            nearest = f.distance;
+            walk.part = f.part;
+            walk.lantern = l;
+            walk.local = local;
+        }
+        walk.cells += float(looks);
+        if (nearest < margin) {
+            walk.distance = t;
+            return walk;
+        }
+        t += nearest;
+    }
+    walk.part = PART_NONE;
+    return walk;
+}
