@@ -12,8 +12,11 @@
 namespace vitrine {
 namespace {
 
-constexpr double candleIntensity = 7.5;  ///< Paper about it is as bright as white paper in the film's light.
+constexpr double candleIntensity = 5.5;  ///< Paper about it is as bright as white paper in the film's light.
 constexpr int mostRipplesOfLake = LAKE_WAVES - LAKE_TALL_WAVES;
+
+/// By how much straight ahead is turned from -z to +x.
+constexpr double latticeTurn = std::numbers::pi / 4;
 
 /// In [0, period), also of what is negative.
 double inPeriod(double x, double period)
@@ -77,7 +80,7 @@ void setWaves(const PaperLanternsTable& t, const ParameterValues& values, double
     }
     const bool ours = values[t.look] == LakeLook::ours;
     const int ripples = ours && values[t.ripples] > 0 ? std::min(values[t.rippleCount], mostRipplesOfLake) : 0;
-    const std::vector<LakeWave> fine = windRipples(values[t.ripples], values[t.windDirection], mostRipplesOfLake,
+    const std::vector<LakeWave> fine = windRipples(values[t.ripples], values[t.windDirection] + latticeTurn, mostRipplesOfLake,
                                                    static_cast<std::uint32_t>(values[t.seed]));
     for (int i = 0; i < ripples; ++i)
         block.wave[static_cast<std::size_t>(block.tallWaves + i)] = packed(fine[static_cast<std::size_t>(i)], seconds);
@@ -114,12 +117,12 @@ void setLattice(const PaperLanternsTable& t, const ParameterValues& values, doub
     block.cells = glm::ivec2(cells);
     block.fill = anyAfloat(t, values) ? static_cast<float>(values[t.crowding]) : 0;
     block.farRow = side > cells ? static_cast<float>(side * g) : 0;
-    const double angle = values[t.windDirection];
+    const double angle = values[t.windDirection] + latticeTurn;
     const glm::dvec2 drifted = values[t.drift] * seconds * glm::dvec2(std::sin(angle), std::cos(angle));
-    // A few begin where the eye rests; many also under the frame, whose sill hides where they come from.
-    const double begin = std::min(2 * g, 0.5 * side * g - 9);
+    // A few begin where the eye rests; many behind it already, so that nobody sees where they come from.
+    const double begin = std::min(24.0, side * g / std::sqrt(2.0) - 9.5);
     const glm::dvec2 shift(inPeriod(drifted.x, g), inPeriod(drifted.y, g));
-    block.corner = glm::vec2(-0.5 * cells * g + shift.x, begin - shift.y);
+    block.corner = glm::vec2(begin / std::sqrt(2.0) * glm::dvec2(-1, 1) + glm::dvec2(shift.x, -shift.y));
     const glm::dvec2 gone = glm::floor(drifted / g);
     // Modulo 2^24: numbers, not places.
     block.firstCell = -glm::ivec2(static_cast<int>(std::fmod(gone.x, 16777216.0)),
@@ -141,7 +144,7 @@ void setLight(const PaperLanternsTable& t, const ParameterValues& values, double
         const double thick = std::clamp(values[t.paperColor].value[i], 0.01, 0.999);
         block.paperAbsorb[i] = static_cast<float>(scatter * (1 - thick) * (1 - thick) / (2 * thick));
     }
-    const double up = values[t.moonElevation], right = values[t.moonAzimuth];
+    const double up = values[t.moonElevation], right = values[t.moonAzimuth] + latticeTurn;
     block.towardsMoon =
         glm::vec3(std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up));
     block.moonTanRadius = static_cast<float>(std::tan(0.5 * values[t.moonSize]));
@@ -157,11 +160,12 @@ void setReleased(const PaperLanternsTable& t, const ParameterValues& values, dou
 {
     block.released = glm::vec4(0, 0, 0, -1);
     if (!(since >= 0) || since >= releasedFor) return;
-    const double angle = values[t.windDirection];
+    const double angle = values[t.windDirection] + latticeTurn;
     const glm::dvec2 wind(std::sin(angle), -std::cos(angle));
     const bool rises = values[t.release] == LakeRelease::rises;
-    const glm::dvec2 from(-1.1, -9.5);
-    const glm::dvec2 place = from + (rises ? 0.018 * since * since * wind : glm::dvec2(0.02, -0.55) * since);
+    const glm::dvec2 ahead(std::sin(latticeTurn), -std::cos(latticeTurn)), right(-ahead.y, ahead.x);
+    const glm::dvec2 from = 9.5 * ahead - 1.1 * right;
+    const glm::dvec2 place = from + (rises ? 0.018 * since * since * wind : 0.55 * since * ahead);
     double height = 0;
     glm::dvec2 tilt(0);
     for (int i = 0; i < block.rideWaves; ++i) {
@@ -188,6 +192,13 @@ bool anyAfloat(const PaperLanternsTable& t, const ParameterValues& values)
     return values[t.lanterns] > 0 && values[t.crowding] > 0;
 }
 
+bool lightsTheAir(const PaperLanternsTable& t, const ParameterValues& values)
+{
+    // Thinner mist sends less than a hundredth of a lantern's light.
+    return values[t.fog] > 0.006 && values[t.candles] && values[t.show] == LakeShow::picture &&
+           values[t.look] == LakeLook::ours;
+}
+
 double lakeTime(const PaperLanternsTable& t, const ParameterValues& values, double time)
 {
     return values[t.moment] + (values[t.animate] && std::isfinite(time) ? time : 0);
@@ -196,8 +207,9 @@ double lakeTime(const PaperLanternsTable& t, const ParameterValues& values, doub
 Portal lakePortal(const PaperLanternsTable& t, const ParameterValues& values)
 {
     Portal portal;
-    portal.workFromExhibit = glm::scale(glm::translate(glm::dmat4(1), {0, values[t.eyeHeight], 0}),
-                                        glm::dvec3(values[t.scale]));
+    const glm::dmat4 turned =
+        glm::rotate(glm::translate(glm::dmat4(1), {0, values[t.eyeHeight], 0}), -latticeTurn, glm::dvec3(0, 1, 0));
+    portal.workFromExhibit = glm::scale(turned, glm::dvec3(values[t.scale]));
     return portal;
 }
 
@@ -215,6 +227,7 @@ LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, 
     setLight(t, values, seconds, block);
     setReleased(t, values, sinceRelease, block);
     block.rowLimit = values[t.rows];
+    block.looks = lightsTheAir(t, values) ? 3 : 2;
     block.stepLimit = values[t.stepLimit];
     block.tolerance = static_cast<float>(values[t.hitTolerance]);
     block.pointWidth = 2 * block.paperRadius / static_cast<float>(values[t.pointSize]);

@@ -15,7 +15,9 @@ namespace vitrine {
 /// How long a lantern that was set free is to be seen, seconds.
 inline constexpr double releasedFor = 60;
 
-/// Where the lake lies behind the frame: y up, the frame's middle over the origin, -z away from the visitor.
+/// Where the lake lies behind the frame: y up, the frame's middle over the origin, +x and -z half to the right and half to
+/// the left of straight ahead. So the lanes between the cells of the lattice, which begins behind the visitor with a
+/// corner, run out of the picture.
 [[nodiscard]] Portal lakePortal(const PaperLanternsTable&, const ParameterValues&);
 
 /// Seconds that the lake has moved at `time` of the exhibit's clock.
@@ -28,6 +30,9 @@ inline constexpr double releasedFor = 60;
 
 /// Whether any lantern is afloat with these values.
 [[nodiscard]] bool anyAfloat(const PaperLanternsTable&, const ParameterValues&);
+
+/// Whether the mist is so thick that the lanterns' light in it is seen.
+[[nodiscard]] bool lightsTheAir(const PaperLanternsTable&, const ParameterValues&);
 
 /// The same block in another precision: of C++ at float64 and float32 (paper_lanterns_cpu.h).
 template <typename To> void copyLake(To& to, const LakeBlock& from)

@@ -20,7 +20,7 @@ constexpr const char* floatPass = "paper_lanterns/float";
 
 /// What of the lake any setting calls for.
 struct Called {
-    bool lanterns, released, waves, mist, moon, stars, panorama, source;
+    bool lanterns, released, waves, mist, halo, moon, stars, panorama, source;
     int bounces, show;
 };
 
@@ -36,6 +36,7 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
     called.lanterns = anyAfloat(t, values) || called.released;
     called.waves = block.tallWaves > 0;
     called.mist = ours && values[t.fog] > 0;
+    called.halo = called.mist && called.lanterns && lightsTheAir(t, values);
     called.moon = picture && std::max(block.moonLight.x, block.moonLight.z) > 0;
     const bool given = context.lighting.light.background == BACKGROUND_PANORAMA;
     called.panorama = picture && given && values[t.skyBy] == LakeSky::panorama;
@@ -76,6 +77,7 @@ void tellWhatIsLeftOut(const Called& called, render::FramePlan& plan)
     if (!called.moon) plan.skip("paper_lanterns/moon", "it sends no light");
     if (called.bounces == 0) plan.skip("paper_lanterns/reflection", "no ray is followed that the water mirrors");
     if (!called.mist) plan.skip("paper_lanterns/mist", "the air is clear");
+    if (!called.halo) plan.skip("paper_lanterns/halo", "no mist is so thick that lanterns are seen to light it");
     if (!called.stars) plan.skip("paper_lanterns/stars", "none are seen");
 }
 
@@ -88,6 +90,7 @@ void addDefines(const Called& called, LakeRepetition repetition, render::Pass& p
     if (called.lanterns) define("LANTERNS");
     if (called.waves) define("WAVES");
     if (called.mist) define("MIST");
+    if (called.halo) define("HALO");
     if (called.moon) define("MOON");
     if (called.stars) define("STARS");
     if (called.panorama) define("PANORAMA");
@@ -151,7 +154,7 @@ std::vector<render::LocalLight> PaperLanterns::localLights(const ExhibitState& s
     const Table& t = table_;
     if (!values[t.candles] || values[t.hallGlow] <= 0 || !anyAfloat(t, values)) return {};
     // As much as the opening sends of the glow that it shows, from its middle.
-    const double strength = 0.5 * values[t.hallGlow] * values[t.candleStrength] * values[t.crowding];
+    const double strength = 0.3 * values[t.hallGlow] * values[t.candleStrength] * values[t.crowding];
     render::LocalLight light;
     light.position = {0, -0.25, -0.2};
     light.radius = 0.15;

@@ -38,7 +38,7 @@ struct PaperLanternsTable final : Parameters {
 
     Group many = group("Lanterns");
     Count lanterns = count("lanterns", 30000, Range{0, 1000000, logarithmic}.soft(1, 1000000),
-                           "Cells with room for a lantern, in a square that begins at the frame: none, one, or up to the "
+                           "Cells with room for a lantern, in a square whose corner is at the frame: none, one, or up to the "
                            "horizon.");
     const Condition some = whenAbove(lanterns, 0);
     Real crowding = real("crowding", 0.8, none, {0, 1}, "Share of these cells that have one.", some);
@@ -61,8 +61,8 @@ struct PaperLanternsTable final : Parameters {
     Toggle candles = toggle("candles", true, "Light them.", inPicture);
     const Condition lit = when(candles) && inPicture;
     Real candleStrength = real("candleStrength", 1, none, Range{0, 20}.soft(0, 4), "How bright the flames are.", lit);
-    Color candleColor = color("candleColor", {1, 0.5, 0.16}, "Of the flames.", lit);
-    Real flameHeight = real("flameHeight", 0.62, meter, Range{0.1, 5}.soft(0.2, 1.6),
+    Color candleColor = color("candleColor", {1, 0.4, 0.09}, "Of the flames.", lit);
+    Real flameHeight = real("flameHeight", 0.55, meter, Range{0.1, 5}.soft(0.2, 1.6),
                             "Of the flame over the base.", lit);
     Real flicker = real("flicker", 1, none, {0, 1}, "How much flames flicker: 0 burns evenly.", lit);
     Choice<LakeFlicker> flickerPhase = choice("flickerPhase", LakeFlicker::own, {"together", "each its own"},
@@ -71,7 +71,7 @@ struct PaperLanternsTable final : Parameters {
                          "Light that the frame throws on wall and floor beside it.", lit&& afloat);
 
     Group paper = group("Paper");
-    Color paperColor = color("paperColor", {0.97, 0.86, 0.68}, "What the paper does not absorb.", ours&& afloat);
+    Color paperColor = color("paperColor", {0.97, 0.82, 0.55}, "What the paper does not absorb.", ours&& afloat);
     Real paperThickness = real("paperThickness", 1.6, none, Range{0.05, 20, logarithmic}.soft(0.3, 6),
                                "How often light is scattered in it: low is clear and bright, high dim and white.",
                                ours&& afloat);
@@ -99,7 +99,7 @@ struct PaperLanternsTable final : Parameters {
     Choice<LakeSpeed> waveSpeed = choice("waveSpeed", LakeSpeed::dispersion, {"as in the source", "as gravity makes them"},
                                          "One rhythm for all waves, or slow long ones and quick short ones.",
                                          whenAbove(waveHeight, 0) && moving);
-    Real ripples = real("ripples", 0.045, none, Range{0, 0.5}.soft(0, 0.15),
+    Real ripples = real("ripples", 0.055, none, Range{0, 0.5}.soft(0, 0.15),
                         "Slope of the small waves that the wind makes: it draws reflections out.", ours);
     Real windDirection = real("windDirection", degrees(65), degree, Range{degrees(-180), degrees(180)},
                               "Where the wind blows to, from straight ahead: negative is to the left.",

@@ -1,5 +1,8 @@
 // Mist over the lake, thinner the higher, and what lanterns light of it.
 
+// The color of paper where parts are shown and not the picture.
+const vec3 PAPER_SHOWN = vec3(0.45, 0.3, 0.1);
+
 // Optical depth of the mist along a ray, in closed form; `t` may be far beyond it.
 float mistDepth(vec3 o, vec3 d, float t)
 {
@@ -26,15 +29,15 @@ vec3 mistLight()
 }
 
 // Light of one lantern that the mist sends along the ray, up to where the ray ends: single scattering of a point, in
-// closed form, and none from a cell's width on, so that no lantern that is not looked at is missed.
+// closed form, and none beyond 0.6 of a cell's width: lanterns that are farther away are not looked at.
 LanternWalk withAir(LanternWalk before, LanternRay ray, Lantern l, float near)
 {
     LanternWalk walk = before;
-#ifdef MIST
+#ifdef HALO
     vec3 c = l.place + vec3(0.0, 0.5 * lake.paperHeight, 0.0);
     float along = dot(c - ray.origin, ray.direction);
     float off = length(ray.origin + ray.direction * along - c);
-    float inside = 1.0 - off * off / (lake.cell * lake.cell);
+    float inside = 1.0 - off * off / (0.36 * lake.cell * lake.cell);
     if (inside <= 0.0) return walk;
     float h = max(off, lake.paperRadius);
     float seen = atan(max(walk.distance, ray.from) - along, h) - atan(ray.from - along, h);
@@ -68,7 +71,12 @@ LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
     // Brighter at the flame's height, as far as the cone can tell.
     float profile = mix(wallDirect(clamp(y, 0.0, lake.paperHeight)) / wallDirectMean(), 1.0, clamp(0.35 + widths.y / lake.paperHeight, 0.0, 1.0));
     float left = mistLeft(ray.origin, ray.direction, near);
-    walk.glow += walk.left * covered * mix(mistLight(), l.glow * profile, left);
+#if SHOW == 0
+    vec3 glow = mix(mistLight(), l.glow * profile, left);
+#else
+    vec3 glow = PAPER_SHOWN;
+#endif
+    walk.glow += walk.left * covered * glow;
     walk.left *= 1.0 - covered;
     return walk;
 }
@@ -80,14 +88,18 @@ vec4 farLanterns(LanternRay ray, float end)
     vec2 within = slabSpan(ray.origin.y, ray.direction.y, 0.0, lake.paperHeight);
     float farthest = lake.farRow > 0.0 ? lake.farRow : float(lake.cells.y) * lake.cell;
     vec2 z = slabSpan(ray.origin.z, ray.direction.z, lake.corner.y - farthest, lake.corner.y);
-    vec2 x = slabSpan(ray.origin.x, ray.direction.x, -0.5 * farthest, 0.5 * farthest);
+    vec2 x = slabSpan(ray.origin.x, ray.direction.x, lake.corner.x, lake.corner.x + farthest);
     float from = max(max(end, ray.from), max(within.x, max(x.x, z.x)));
     float to = min(min(within.y, ray.to), min(x.y, z.y));
     float way = max(to - from, 0.0) * sideways;
     float covered = 1.0 - exp(-lake.fill * 2.0 * lake.paperRadius * way / (lake.cell * lake.cell));
     // Half of what is seen of them lies before this.
     float middle = from + min(0.5 * (to - from), lake.cell * lake.cell / max(lake.fill * 2.0 * lake.paperRadius * sideways, 1e-3));
+#if SHOW == 0
     vec3 glow = paperGlow(mix(0.55, flickerOf(0.0), 1.0 - lake.flickerApart), 0.0);
-    float left = mistLeft(ray.origin, ray.direction, max(middle, 0.0));
-    return vec4(mix(mistLight(), glow, left) * covered, 1.0 - covered);
+    glow = mix(mistLight(), glow, mistLeft(ray.origin, ray.direction, max(middle, 0.0)));
+#else
+    vec3 glow = PAPER_SHOWN;
+#endif
+    return vec4(glow * covered, 1.0 - covered);
 }

@@ -8,6 +8,7 @@
 layout(binding = UNIT_EXHIBIT_A) uniform sampler3D afloat;
 
 const float LAKE_FARTHEST = 30000.0;
+const vec3 WATER_ABSORBS = vec3(0.35, 0.12, 0.1);  // per meter
 
 Lantern lanternAt(ivec2 cell)
 {
@@ -49,7 +50,6 @@ struct Leg {
 struct Gathered {
     vec3 radiance;
     vec3 pending;  // if the moon is seen
-    bool done;
 };
 
 vec3 skyAround(vec3 d, Leg leg, float pixel)
@@ -63,7 +63,7 @@ vec3 skyAround(vec3 d, Leg leg, float pixel)
 
 vec3 partColor(int part)
 {
-    return part == PART_PAPER ? vec3(0.9, 0.6, 0.2) : (part == PART_WOOD ? vec3(0.3, 0.5, 0.2) : vec3(0.3, 0.4, 0.9));
+    return part == PART_PAPER ? 2.0 * PAPER_SHOWN : (part == PART_WOOD ? vec3(0.3, 0.5, 0.2) : vec3(0.3, 0.4, 0.9));
 }
 
 // What a lantern that the ray has met sends; the next ray goes from there to the moon.
@@ -155,7 +155,7 @@ Mirror meetWater(Leg from, float t, float pixel)
     if (below) {
         // Out through the surface, where it lets light through; there is nothing to be seen in the deep.
         vec3 through = refract(d, n, 1.333);
-        m.share = vec3(1.0 - fresnel) * exp(-vec3(0.35, 0.12, 0.1) * t);
+        m.share = vec3(1.0 - fresnel) * exp(-WATER_ABSORBS * t);
         m.body = parameters.waterColor * 0.4;
         mirrored = dot(through, through) > 0.5 ? through : vec3(0.0, 1.0, 0.0);
     }
@@ -214,6 +214,15 @@ float waterAlong(LanternRay ray)
 #endif
 }
 
+bool underWater(vec3 p)
+{
+#ifdef WAVES
+    return p.y < lakeAt(p.xz).height;
+#else
+    return p.y < 0.0;
+#endif
+}
+
 PortalSeen portalSeen(PortalRay eye)
 {
     PortalSeen seen;
@@ -221,7 +230,8 @@ PortalSeen portalSeen(PortalRay eye)
     seen.distance = 1e20;
     LanternRay ray = LanternRay(eye.origin, eye.direction, eye.start, LAKE_FARTHEST, vec2(0.0), vec2(eye.footprint));
     Leg leg = Leg(ray, vec3(1.0), vec2(0.3 * eye.footprint), false, 0);
-    Gathered sum = Gathered(vec3(0.0), vec3(0.0), false);
+    Gathered sum = Gathered(vec3(0.0), vec3(0.0));
+    bool under = underWater(eye.origin + eye.direction * eye.start);
     for (int i = 0; i < LEGS; ++i) {
         float t = leg.toMoon ? -1.0 : waterAlong(leg.ray);
         leg.ray.to = t > 0.0 ? t : LAKE_FARTHEST;
@@ -235,6 +245,12 @@ PortalSeen portalSeen(PortalRay eye)
         if (i == 0 && (walk.part != PART_NONE || t > 0.0)) {
             seen.distance = walk.distance;
             seen.normal = vec3(0.0, 1.0, 0.0);
+        }
+        // What is seen in the deep is seen through water; where nothing is, it is dark.
+        if (under && i == 0 && walk.part != PART_NONE) leg.weight *= exp(-WATER_ABSORBS * walk.distance);
+        if (under && i == 0 && walk.part == PART_NONE && t <= 0.0) {
+            sum.radiance += leg.weight * parameters.waterColor * 0.4;
+            break;
         }
         if (walk.part != PART_NONE) {
             sum = meetLantern(sum, leg, walk, eye.footprint);

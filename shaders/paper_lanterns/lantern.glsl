@@ -24,14 +24,14 @@ float flickerOf(float phase)
     return mix(mean, 0.3 + 0.5 * flickerSum(lake.flickerTime + 4.0 * phase * lake.flickerApart), lake.flickerDepth);
 }
 
-// Absorption times thickness of the paper of a lantern: most alike, some dyed red, rose, gold or green.
+// Absorption times thickness of the paper of a lantern: most alike, some dyed red, rose, gold or amber.
 vec3 paperAbsorbOf(float hue)
 {
     vec3 dye = vec3(0.0);
     if (hue > 0.5) dye = vec3(0.02, 1.3, 1.5);
     if (hue > 0.7) dye = vec3(0.02, 0.75, 0.3);
     if (hue > 0.83) dye = vec3(0.0, 0.12, 1.6);
-    if (hue > 0.93) dye = vec3(1.1, 0.1, 0.35);
+    if (hue > 0.93) dye = vec3(0.15, 0.55, 1.9);
     return lake.paperAbsorb + dye * (lake.variety * lake.paperScatter);
 }
 

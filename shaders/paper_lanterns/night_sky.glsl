@@ -19,7 +19,7 @@ vec3 moonGlow(vec3 d, vec2 blur)
     vec3 around = lake.moonLight * (0.14 * exp(-angle * 9.0) + 0.5 * exp(-angle * 45.0));
     vec2 wide = sqrt(blur * blur + 0.25 * r * r);
     float lobe = exp(-0.5 * dot(at / wide, at / wide)) / (2.0 * PI * wide.x * wide.y);
-    vec3 mirrored = min(lake.moonLight * lobe, color * 2.4);
+    vec3 mirrored = min(lake.moonLight * lobe, color * 1.7);
     if (max(blur.x, blur.y) > 0.3 * r) return mirrored + around;
     // Seas of basalt on its face.
     Noise3 n = gradientNoise(ivec3(8), vec3(0.5), ivec3(64), 5u);
@@ -39,7 +39,7 @@ vec3 moonGlow(vec3 d, vec2 blur)
 // One star at most in each cell of a cube's faces, drawn as wide as a pixel, and as bright whatever its width.
 vec3 starLight(vec3 d, float pixel)
 {
-    const float cells = 70.0;
+    const float cells = 84.0;
     vec3 a = abs(d);
     int face = a.x >= a.y && a.x >= a.z ? 0 : (a.y >= a.z ? 1 : 2);
     vec2 uv = face == 0 ? d.yz / a.x : (face == 1 ? d.xz / a.y : d.xy / a.z);
@@ -51,12 +51,14 @@ vec3 starLight(vec3 d, float pixel)
     vec2 at = vec2(cell) + 0.25 + 0.5 * vec2(unitFromBits(bits.x), unitFromBits(bits.y));
     float largest = a[face];
     float perCell = 2.0 / cells * largest * largest;  // radians, about
-    float off = length(q - at) * perCell;
+    vec2 starAt = (at / cells * 2.0 - 1.0) * a[face];
+    vec3 star = face == 0 ? vec3(d.x, starAt) : (face == 1 ? vec3(starAt.x, d.y, starAt.y) : vec3(starAt, d.z));
+    float off = length(normalize(star) - d);
     float wide = clamp(0.7 * pixel, 1e-5, 0.1 * perCell);
     float lobe = exp(-0.5 * off * off / (wide * wide));
     float u = unitFromBits(bits.z);
     // Ten times as many for each magnitude and a half.
-    float power = min(2.2e-7 / (u * u + 2e-4) / (wide * wide), 1.6);
+    float power = min(6.0e-9 / (u * u + 2e-4) / (wide * wide), 1.3);
     float coarse = min(wide / (0.7 * pixel), 1.0);
     vec3 tint = mix(vec3(1.0, 0.82, 0.66), vec3(0.72, 0.83, 1.0), unitFromBits(more.x));
     return tint * (power * lobe * coarse * coarse * smoothstep(0.0, 0.25, d.y));
@@ -68,7 +70,7 @@ vec3 nightAir(vec3 d)
     float up = max(d.y, 0.0);
     float low = exp(-up * 4.5);
     vec3 night = mix(vec3(0.0016, 0.003, 0.0075), vec3(0.006, 0.008, 0.014), low);
-    float towards = 0.5 + 0.5 * dot(normalize(vec2(d.x, d.z) + vec2(0.0, 1e-6)), vec2(0.3, -0.954));
+    float towards = 0.5 + 0.5 * dot(normalize(vec2(d.x, d.z) + vec2(0.0, 1e-6)), normalize(vec2(1.0, -0.6)));
     vec3 warm = mix(vec3(0.24, 0.28, 0.36), vec3(0.95, 0.40, 0.16), parameters.afterglow * (0.25 + 0.75 * towards * towards));
     vec3 rose = mix(vec3(0.16, 0.2, 0.31), vec3(0.42, 0.22, 0.3), parameters.afterglow * (0.3 + 0.7 * towards));
     vec3 day = mix(mix(vec3(0.035, 0.07, 0.18), rose, exp(-up * 4.0)), warm, exp(-up * 13.0));

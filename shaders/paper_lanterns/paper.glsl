@@ -9,11 +9,11 @@ struct Sheet {
 // 1931, "Ein Beitrag zur Optik der Farbanstriche", in the closed form of Kubelka 1948.
 Sheet sheetOf(float scatter, float absorb)
 {
-    // So thin or so clear that the quotient means nothing: absorption alone.
+    // Nothing scatters: absorption alone.
     Sheet sheet;
     sheet.reflected = 0.0;
     sheet.transmitted = exp(-max(absorb, 0.0));
-    if (scatter < 1.0e-6) return sheet;
+    if (scatter < 1.0e-12) return sheet;
     float a = 1.0 + max(absorb, 0.0) / scatter;
     float b = sqrt(max(a * a - 1.0, 0.0));
     float x = b * scatter;

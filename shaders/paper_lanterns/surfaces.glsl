@@ -87,7 +87,7 @@ Lit litFrame(LanternWalk walk, vec3 n, vec3 d, vec3 outer, vec3 moon, float widt
     vec3 candle = lake.candle * max(walk.lantern.light, 0.0);
     vec3 light;
     vec3 mirrored = vec3(0.0);
-    if (r < lake.paperRadius) {
+    if (r < lake.paperRadius && p.y > 0.0) {
         vec3 to = vec3(0.0, lake.flameHeight, 0.0) - p;
         float squared = max(dot(to, to), 0.01);
         vec3 l = to * inversesqrt(squared);
@@ -96,7 +96,7 @@ Lit litFrame(LanternWalk walk, vec3 n, vec3 d, vec3 outer, vec3 moon, float widt
         mirrored = candle * (wood ? 0.02 : 0.5) * pow(max(dot(n, h), 0.0), 60.0) / squared;
     } else {
         // The glowing paper beside it.
-        float sideways = wood ? max(n.y, 0.0) + 0.3 * max(1.0 - abs(n.y), 0.0) : 1.0;
+        float sideways = wood ? max(n.y, 0.0) + 0.3 * max(1.0 - abs(n.y), 0.0) * step(0.0, p.y) : 1.0;
         light = PI * walk.lantern.glow * tubeFactor(r, max(p.y, 0.0)) * sideways;
         vec2 out2 = p.xz / max(r, 1e-4);
         float glance = max(dot(reflect(d, n), vec3(-out2.x, 0.0, -out2.y)), 0.0);

@@ -122,7 +122,7 @@ vec2 latticeSpan(LanternRay ray)
                 min(min(min(x.y, z.y), min(under.y, over.y)), ray.to));
 }
 
-// The cell of the i-th look: two in each row.
+// The cells of a row that a ray looks at: those whose middles are nearest to it there.
 struct LatticeLine {
     bool alongX;   // rows are crossed along x; else along z
     float origin;  // in cells, along the rows' way and across it; both grow with the cell's number
@@ -155,9 +155,9 @@ LatticeLine latticeLine(LanternRay ray, float from)
 ivec2 lineCell(LatticeLine line, int row, int which)
 {
     float t = (float(row) + 0.5 - line.origin) / line.ahead;
-    int low = int(floor(clamp(line.across + line.aside * t, -1.0e6, 1.0e6) - 0.5));
+    int low = int(floor(clamp(line.across + line.aside * t, -1.0e6, 1.0e6) - 0.5 * float(lake.looks - 1)));
     // The one on the side that the ray comes from is first.
-    int column = low + ((line.aside * float(line.stride) * line.ahead >= 0.0) == (which == 0) ? 0 : 1);
+    int column = low + (line.aside >= 0.0 ? which : lake.looks - 1 - which);
     return line.alongX ? ivec2(row, column) : ivec2(column, row);
 }
 
@@ -187,21 +187,25 @@ LanternWalk walkLanterns(LanternRay ray)
     vec2 span = latticeSpan(ray);
     LatticeLine line = latticeLine(ray, span.x);
     int rows = line.alongX ? lake.cells.x : lake.cells.y;
-    // The one that is free is looked at before all: two looks ahead of the first row.
-    int looks = span.x < span.y ? 2 * min(lake.rowLimit, rows) : 0;
+    // What lights the air is looked for in the rows before and behind, too.
+    int further = lake.looks > 2 ? 1 : 0;
+    line.first -= further * line.stride;
+    int looks = span.x < span.y ? lake.looks * (min(lake.rowLimit, rows) + 2 * further) : 0;
+    // The one that is free is looked at before all.
     for (int i = lake.released.w < 0.0 ? 0 : -1; i < looks; ++i) {
         Lantern l = releasedLantern();
         if (i >= 0) {
-            int row = line.first + (i >> 1) * line.stride;
-            float entry = (float(row) + (line.stride > 0 ? 0.0 : 1.0) - line.origin) / line.ahead;
-            if (row < 0 || row >= rows || entry > min(span.y, walk.distance) || walk.left < 0.004) break;
-            ivec2 cell = lineCell(line, row, i & 1);
+            int row = line.first + i / lake.looks * line.stride;
+            int reached = row - further * line.stride;
+            float entry = (float(reached) + (line.stride > 0 ? 0.0 : 1.0) - line.origin) / line.ahead;
+            if (entry > min(span.y, walk.distance) || walk.left < 0.004) break;
+            ivec2 cell = lineCell(line, row, i % lake.looks);
             l.light = -1.0;
             if (inLattice(cell)) l = lanternAt(cell);
         }
         walk = withLantern(walk, ray, l);
     }
-    float last = float(line.first + min(lake.rowLimit, rows) * line.stride) + (line.stride > 0 ? 0.0 : 1.0);
+    float last = float(line.first + (min(lake.rowLimit, rows) + further) * line.stride) + (line.stride > 0 ? 0.0 : 1.0);
     walk.end = span.x < span.y ? min((last - line.origin) / line.ahead, span.y) : ray.from;
     return walk;
 }

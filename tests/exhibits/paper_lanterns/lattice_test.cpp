@@ -1,0 +1,142 @@
+// Rays among the lanterns: none is cut, whatever the camera does.
+
+#include "tests/exhibits/paper_lanterns/lake_at_float64.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace vitrine {
+namespace {
+
+using glm::dvec3;
+using test::lakeAtFloat64;
+using test::lanternsTable;
+using test::sourceLake;
+
+/// All lanterns of a lattice, one by one.
+std::vector<glsl::Lake::Lantern> everyLantern(glsl::Lake& lake)
+{
+    std::vector<glsl::Lake::Lantern> all;
+    for (int y = 0; y < lake.lake.cells.y; ++y)
+        for (int x = 0; x < lake.lake.cells.x; ++x) all.push_back(lake.lanternOfCell({x, y}));
+    return all;
+}
+
+/// The nearest of them along a ray, each marched by itself from end to end: no cell, no bound.
+double nearestOfAll(glsl::Lake& lake, const std::vector<glsl::Lake::Lantern>& all, const glsl::Lake::LanternRay& ray)
+{
+    double nearest = ray.to;
+    for (const auto& l : all) {
+        if (l.light < 0) continue;
+        const dvec3 off = l.place + dvec3(0, 1, 0) - ray.origin;
+        // Nothing of a lantern is 2.2 m from its middle.
+        const double along = glm::dot(off, ray.direction);
+        if (glm::dot(off, off) - along * along > 2.2 * 2.2 || along < -2.2 || along > nearest + 2.2) continue;
+        const glm::dmat3 axes = lake.lakeFromLantern(l);
+        for (double t = std::max(along - 2.2, ray.from); t < std::min(nearest, along + 2.2);) {
+            const double d = lake.lanternField((ray.origin + ray.direction * t - l.place) * axes).distance;
+            if (d < 1e-4) {
+                nearest = t;
+                break;
+            }
+            t += d;
+        }
+    }
+    return nearest;
+}
+
+struct Missed {
+    int rays = 0, hits = 0, missed = 0, wrong = 0;
+};
+
+/// Rays from cameras on 100 random paths among lanterns that fill their cells.
+Missed missedBy(int repetition)
+{
+    ParameterValues values = sourceLake();
+    values.set(lanternsTable().lanterns, 900);
+    Missed result;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> even(0, 1);
+    for (int path = 0; path < 100; ++path) {
+        glsl::Lake lake = lakeAtFloat64(values, 1.3 * path);
+        lake.lake.tolerance = 0;
+        const auto all = everyLantern(lake);
+        const double size = lake.lake.cell * lake.lake.cells.x;
+        const auto place = [&] {
+            return dvec3(lake.lake.corner.x + size * even(random), 0.3 + 5 * even(random),
+                         lake.lake.corner.y - size * even(random));
+        };
+        const dvec3 from = place(), to = place();
+        for (int i = 0; i < 40; ++i) {
+            glsl::Lake::LanternRay ray{};
+            ray.origin = glm::mix(from, to, i / 40.0);
+            ray.direction = glm::normalize(dvec3(even(random) - 0.5, 0.25 * (even(random) - 0.7), even(random) - 0.5));
+            ray.to = 150;
+            const double truth = nearestOfAll(lake, all, ray);
+            const auto walk = repetition == REPEAT_CELL_WALL ? lake.walkLanterns(ray)
+                                                             : lake.walkNeighbors(ray, repetition, 4000);
+            const double found = walk.part == PART_NONE ? ray.to : walk.distance;
+            ++result.rays;
+            result.hits += truth < ray.to;
+            result.missed += found > truth + 0.01;
+            result.wrong += found < truth - 0.01;
+        }
+    }
+    return result;
+}
+
+TEST(Lattice, P7_CutsNoLanternAlong100RandomPaths)
+{
+    const Missed ours = missedBy(REPEAT_CELL_WALL);
+    EXPECT_GT(ours.hits, 1500);
+    EXPECT_EQ(ours.missed, 0);
+    EXPECT_EQ(ours.wrong, 0);
+    const Missed nine = missedBy(REPEAT_3X3);
+    EXPECT_EQ(nine.missed, 0);
+    // Its own cell alone, as naive repetition goes: rays step over the neighbors.
+    EXPECT_GT(missedBy(REPEAT_OWN_CELL).missed, 10);
+}
+
+TEST(Lattice, KeepsEveryLanternWithinItsCell)
+{
+    for (const double waves : {0.0, 1.0, 8.0}) {
+        ParameterValues values = sourceLake();
+        values.set(lanternsTable().waveHeight, waves);
+        glsl::Lake lake = lakeAtFloat64(values, 4.2);
+        std::mt19937 random(4);
+        std::uniform_real_distribution<double> even(-1, 1);
+        for (int i = 0; i < 400; ++i) {
+            const glm::ivec2 cell(i % 20, i / 20);
+            const auto l = lake.lanternOfCell(cell);
+            const glm::dmat3 axes = lake.lakeFromLantern(l);
+            for (int j = 0; j < 60; ++j) {
+                const dvec3 p(1.2 * even(random), 1 + 1.2 * even(random), 1.2 * even(random));
+                if (lake.lanternField(p).distance > 0) continue;
+                const dvec3 at = axes * p + l.place;
+                EXPECT_EQ(std::floor((at.x - lake.lake.corner.x) / lake.lake.cell), cell.x);
+                EXPECT_EQ(std::floor((lake.lake.corner.y - at.z) / lake.lake.cell), cell.y);
+                EXPECT_GE(at.y, lake.lake.low);
+                EXPECT_LE(at.y, lake.lake.high);
+            }
+        }
+    }
+}
+
+TEST(Lattice, HasNoneAndOneAndMany)
+{
+    ParameterValues values = sourceLake();
+    values.set(lanternsTable().lanterns, 0);
+    EXPECT_FALSE(anyAfloat(lanternsTable(), values));
+    values.set(lanternsTable().lanterns, 1);
+    EXPECT_EQ(lakeAtFloat64(values, 0).lake.cells, glm::ivec2(1));
+    values.set(lanternsTable().lanterns, 1000000);
+    const auto many = lakeAtFloat64(values, 0);
+    EXPECT_EQ(many.lake.cells, glm::ivec2(LAKE_LATTICE));
+    EXPECT_NEAR(many.lake.farRow, 1000 * many.lake.cell, 1e-2);
+}
+
+}  // namespace
+}  // namespace vitrine
