@@ -20,7 +20,7 @@ struct Lake {
 
     float blueNoiseAt(ivec2 texel) const
     {
-        return (float(blueNoise[(texel.y & 63) * 64 + (texel.x & 63)]) + 0.5) / 256.0;
+        return float((2 * blueNoise[(texel.y & 63) * 64 + (texel.x & 63)] + 1) / float(512));
     }
 
 #include "shaders/paper_lanterns/water.glsl"

@@ -78,6 +78,11 @@ LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
 #endif
     walk.glow += walk.left * covered * glow;
     walk.left *= 1.0 - covered;
+    // Its base hides what is behind, and is dark beside the paper.
+    float base = overlap(aside, 1.2 * lake.baseHalfWidth, widths.x);
+    base *= overlap(y, lake.baseHalfHeight + lake.baseHalfWidth * abs(ray.direction.y), widths.y);
+    walk.glow += walk.left * base * 0.06 * glow;
+    walk.left *= 1.0 - base;
     return walk;
 }
 

@@ -7,7 +7,7 @@ struct Lantern {
     float turn;   // about its axis, radians
     float light;  // of its flame over the candle's; below 0: there is no lantern
     float hue;    // 0 to 1: which color its paper has
-    vec3 glow;    // mean radiance of its paper, seen from outside
+    vec3 glow;    // mean radiance of paper and frame, seen from outside
 };
 
 // A third of a flame's flicker each, and what they are off zero: 0.198 to 0.85 in all, after 4 s the same again.
@@ -63,7 +63,15 @@ float wallIndirect(float reflected)
     return 4.0 * kept / (2.0 * r * h + r * r) * (tubeGain(reflected, r, h) - 1.0);
 }
 
-// Mean radiance of the paper outside for a flame of this strength.
+// Share of the paper that its frame does not hide: two posts are before it, the lower ring and half of the upper one.
+float paperSeen()
+{
+    float posts = 2.0 * lake.postRadius / lake.paperRadius;
+    float rings = 3.0 * lake.ringRadius / lake.paperHeight;
+    return clamp((1.0 - posts) * (1.0 - rings), 0.1, 1.0);
+}
+
+// Mean radiance of a lantern, its frame included, for a flame of this strength.
 vec3 paperGlow(float strength, float hue)
 {
     vec3 absorb = paperAbsorbOf(hue);
@@ -72,7 +80,7 @@ vec3 paperGlow(float strength, float hue)
         Sheet sheet = sheetOf(lake.paperScatter, absorb[i]);
         glow[i] = sheet.transmitted * (wallDirectMean() + wallIndirect(sheet.reflected));
     }
-    return lake.candle * glow * (max(strength, 0.0) / PI);
+    return lake.candle * glow * (paperSeen() * max(strength, 0.0) / PI);
 }
 
 // The lantern of a cell of the lattice, as `float.comp` writes it down for all of them.

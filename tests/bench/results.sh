@@ -30,6 +30,7 @@ lenticular_card gl $tests/bench_lenticular_card
 shadow_filters gl $tests/bench_shadow_filters
 sunbeams gl $tests/bench_sunbeams
 noise_costs gl $tests/bench_noise_costs
+lantern_costs gl $tests/bench_lantern_costs
 scene_speed gl $tests/bench_scene_speed
 compositions gl $tests/bench_compositions
 pixel_normals gl $tests/bench_pixel_normals --model assets/models/teddy.glb
@@ -55,6 +56,13 @@ study_noise_lightSteps gl $study noise lightSteps --set work=clouds --points 6 -
 study_noise_bakeSize gl $study noise bakeSize --set work=clouds --values 16,32,64,96,160 --runs 3
 study_noise_waves gl $study noise waves --set work=sea --points 6 --runs 3
 study_noise_seaSteps gl $study noise seaSteps --set work=sea --points 6 --runs 3
+study_paper_lanterns_repetition gl $study paper_lanterns repetition --runs 3
+study_paper_lanterns_bounces gl $study paper_lanterns bounces --set waveHeight=2 --runs 3
+study_paper_lanterns_waterSteps gl $study paper_lanterns waterSteps --points 6 --runs 3
+study_paper_lanterns_rippleCount gl $study paper_lanterns rippleCount --points 6 --runs 3
+study_paper_lanterns_lightCells gl $study paper_lanterns lightCells --points 5 --runs 3
+study_paper_lanterns_rows_pointSize gl $study paper_lanterns rows pointSize --points 5 --runs 3
+study_paper_lanterns_supersamples gl $study paper_lanterns hall.supersamples --alone --values 1,2,4,8,16 --size 160x90 --views 1 --runs 3
 study_pixel_art_method gl $study pixel_art method --runs 3
 study_pixel_art_depthBits gl $study pixel_art depthBits --runs 3
 study_hall_supersamples gl $study hall supersamples --values 1,2,4,8,16,32 --size 160x90 --views 1

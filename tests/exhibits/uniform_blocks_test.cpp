@@ -32,6 +32,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/lib/local_lights_block.glsl"
 #include "shaders/lib/temporal_block.glsl"
 #include "shaders/noise/noise_block.glsl"
+#include "shaders/paper_lanterns/lake_block.glsl"
 #include "shaders/pixel_art/object_block.glsl"
 #include "shaders/pixel_art/pixel_block.glsl"
 #include "shaders/sdf_morph/torus_mug_shape_block.glsl"
@@ -139,6 +140,7 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"FurBodies", described<FurBodies>()},
         {"FurBody", described<FurBody>()},
         {"IceCreamShape", described<IceCreamShape>()},
+        {"LakeBlock", described<LakeBlock>()},
         {"LightBlock", described<LightBlock>()},
         {"LocalLightEntry", described<LocalLightEntry>()},
         {"LocalLightsBlock", described<LocalLightsBlock>()},

@@ -224,6 +224,11 @@ TEST_F(ActingRows, EveryRowOfTheSunbeamsActs)
     expectEveryRowActs("crepuscular_rays", {"mask"});
 }
 
+TEST_F(ActingRows, EveryRowOfThePaperLanternsActs)
+{
+    expectEveryRowActs("paper_lanterns");
+}
+
 TEST_F(ActingRows, EveryRowOfTheIceCreamActs)
 {
     expectEveryRowActs("ice_cream");

@@ -134,6 +134,11 @@ TEST_F(IdleRows, ChangeNoPixelOfTheSunbeams)
     expectIdleRowsChangeNothing(gallery().museum.find("crepuscular_rays").value());
 }
 
+TEST_F(IdleRows, ChangeNoPixelOfThePaperLanterns)
+{
+    expectIdleRowsChangeNothing(gallery().museum.find("paper_lanterns").value());
+}
+
 TEST_F(IdleRows, ChangeNoPixelOfTheIceCream)
 {
     expectIdleRowsChangeNothing(gallery().museum.find("ice_cream").value());

@@ -4,7 +4,9 @@
 #include "exhibits/paper_lanterns/lake_scene.h"
 #include "exhibits/paper_lanterns/paper_lanterns_cpu.h"
 
+#include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace vitrine::test {
 
@@ -37,6 +39,39 @@ inline glsl::Lake lakeAtFloat64(const ParameterValues& values, double seconds)
     made.lake.stepLimit = 512;
     made.blueNoise = noise->bytes.data();
     return made;
+}
+
+/// All lanterns of a lattice, one by one.
+inline std::vector<glsl::Lake::Lantern> everyLantern(glsl::Lake& lake)
+{
+    std::vector<glsl::Lake::Lantern> all;
+    for (int y = 0; y < lake.lake.cells.y; ++y)
+        for (int x = 0; x < lake.lake.cells.x; ++x) all.push_back(lake.lanternOfCell({x, y}));
+    return all;
+}
+
+/// The nearest of them along a ray, each marched by itself from end to end: no cell, no bound.
+inline double nearestOfAll(glsl::Lake& lake, const std::vector<glsl::Lake::Lantern>& all,
+                           const glsl::Lake::LanternRay& ray)
+{
+    double nearest = ray.to;
+    for (const auto& l : all) {
+        if (l.light < 0) continue;
+        const glm::dvec3 off = l.place + glm::dvec3(0, 1, 0) - ray.origin;
+        // Nothing of a lantern is 2.2 m from its middle.
+        const double along = glm::dot(off, ray.direction);
+        if (glm::dot(off, off) - along * along > 2.2 * 2.2 || along < -2.2 || along > nearest + 2.2) continue;
+        const glm::dmat3 axes = lake.lakeFromLantern(l);
+        for (double t = std::max(along - 2.2, ray.from); t < std::min(nearest, along + 2.2);) {
+            const double d = lake.lanternField((ray.origin + ray.direction * t - l.place) * axes).distance;
+            if (d < 1e-4) {
+                nearest = t;
+                break;
+            }
+            t += d;
+        }
+    }
+    return nearest;
 }
 
 }  // namespace vitrine::test

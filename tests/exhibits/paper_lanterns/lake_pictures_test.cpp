@@ -1,1 +1,311 @@
-// Pictures.
+// Pictures of the lake, against closed forms and against themselves.
+
+#include "exhibits/paper_lanterns/lake_scene.h"
+#include "tests/support/gallery.h"
+#include "tests/support/plan_steps.h"
+#include "tests/support/planned.h"
+
+#include <cmath>
+#include <string>
+
+namespace vitrine {
+namespace {
+
+using namespace test;
+using glm::dvec3;
+
+const PaperLanternsTable& rows()
+{
+    static const PaperLanternsTable t;
+    return t;
+}
+
+/// A small picture of the lake, alone.
+struct LakeShot : Shot {
+    std::size_t lake = *gallery().museum.find("paper_lanterns");
+
+    LakeShot()
+    {
+        request.frame.alone = lake;
+        request.frame.subject = std::nullopt;
+        request.frame.raster.size = {96, 60};
+        request.frame.camera = gallery().museum.subject(lake).bestView(values());
+    }
+    [[nodiscard]] ParameterValues& values() { return sceneState.values[lake]; }
+    template <typename Row, typename Value> LakeShot& set(Row row, const Value& value)
+    {
+        values().set(row, value);
+        return *this;
+    }
+    /// Nothing but lanterns and calm water under a black sky.
+    LakeShot& inTheDark()
+    {
+        set(rows().moon, 0.0).set(rows().stars, 0.0).set(rows().dusk, 0.0).set(rows().fog, 0.0);
+        return set(rows().ripples, 0.0).set(rows().waveHeight, 0.0).set(rows().colors, 0.0);
+    }
+};
+
+class LakePictures : public GlTest {};
+
+/// Mean luminance of the rows from `first` to `last`.
+double meanOf(const Picture& p, int first, int last)
+{
+    double sum = 0;
+    for (int y = first; y < last; ++y)
+        for (int x = 0; x < p.width(); ++x) sum += p.luminance(x, y);
+    return sum / ((last - first) * p.width());
+}
+
+TEST_F(LakePictures, P4_EachLightIsOnlyItsOwn)
+{
+    LakeShot shot;
+    shot.inTheDark().set(rows().ripples, 0.02);
+    const double lit = meanOf(shot.take(), 31, 60);
+    shot.set(rows().candles, false);
+    const Picture dark = shot.take();
+    // Airglow, and nothing else: the sky is darker than a thousandth of what the lanterns are.
+    EXPECT_LT(meanOf(dark, 31, 60), 0.02 * lit);
+    EXPECT_LT(meanOf(dark, 31, 60), 0.004);
+    EXPECT_GT(meanOf(dark, 0, 29), 0);
+    shot.set(rows().moon, 2.0);
+    EXPECT_GT(meanOf(shot.take(), 31, 60), 3 * meanOf(dark, 31, 60));
+}
+
+TEST_F(LakePictures, P2_ShowsThreePartsAndTheWater)
+{
+    LakeShot shot;
+    shot.set(rows().show, LakeShow::parts).set(rows().fog, 0.0).set(rows().pointSize, 0.5);
+    const Picture p = shot.take();
+    int paper = 0, wood = 0, metal = 0;
+    p.each([&](int x, int y) {
+        const dvec3 c = p.color(x, y);
+        if (y < 34 || c.x + c.y < 0.15) return;
+        paper += c.x > 1.3 * c.y && c.x > 3 * c.z;
+        wood += c.y > 1.2 * c.x && c.y > 1.2 * c.z;
+        metal += c.z > 1.5 * c.x;
+    });
+    EXPECT_GT(paper, 100);
+    EXPECT_GT(wood, 20);
+    EXPECT_GT(metal, 20);
+}
+
+TEST_F(LakePictures, P5_PaperIsLitOnBothSides)
+{
+    // Into a lantern from above: its inside, and the outside of the others.
+    LakeShot shot;
+    shot.inTheDark().set(rows().lanterns, 1).set(rows().crowding, 1.0).set(rows().irregularity, 0.0);
+    shot.request.frame.camera = {{0, 0.3, -1.2}, {0, -1.3, -3.1}, 0.5};
+    const Picture p = shot.take();
+    double brightest = 0;
+    int lit = 0;
+    p.each([&](int x, int y) {
+        brightest = std::max(brightest, p.luminance(x, y));
+        lit += p.luminance(x, y) > 0.1;
+    });
+    EXPECT_GT(lit, 300);
+    shot.set(rows().paperThickness, 20.0);
+    const Picture thick = shot.take();
+    double outside = 0, before = 0;
+    // Low on the picture is the paper's outside: thick paper lets less through.
+    for (int x = 30; x < 66; ++x) {
+        outside += thick.luminance(x, 42);
+        before += p.luminance(x, 42);
+    }
+    EXPECT_LT(outside, 0.5 * before);
+}
+
+TEST_F(LakePictures, P9_HorizonHasTheColorOfTheMistAndThePanoramaIsThatOfTheHall)
+{
+    LakeShot shot;
+    shot.set(rows().fog, 0.05).set(rows().candles, false).set(rows().horizonColor, ColorValue{{0.1, 0.4, 0.2}});
+    const Picture p = shot.take();
+    const dvec3 c = p.color(48, 29);
+    EXPECT_NEAR(c.y / c.x, 4, 0.3);
+    EXPECT_NEAR(c.y / c.z, 2, 0.15);
+}
+
+TEST_F(LakePictures, P11_CalmWaterMirrorsALanternWhereItStands)
+{
+    LakeShot shot;
+    shot.inTheDark().set(rows().lanterns, 1).set(rows().crowding, 1.0).set(rows().irregularity, 0.0);
+    shot.set(rows().turned, 0.0);
+    shot.request.frame.raster.size = {96, 96};
+    shot.request.frame.camera = {{0, -0.7, -0.5}, {0, -1.5, -3.0}, 0.8};
+    const Picture p = shot.take();
+    shot.set(rows().bounces, 0);
+    const Picture without = shot.take();
+    // What the mirror adds is under the lantern, and as wide.
+    double sum = 0, column = 0, own = 0, ownColumn = 0;
+    p.each([&](int x, int y) {
+        const double added = p.luminance(x, y) - without.luminance(x, y);
+        sum += added;
+        column += added * x;
+        own += without.luminance(x, y);
+        ownColumn += without.luminance(x, y) * x;
+    });
+    EXPECT_GT(sum, 0.005 * own);
+    EXPECT_NEAR(column / sum, ownColumn / own, 1.5);
+}
+
+TEST_F(LakePictures, P12_HeightsAndNormalsAreExaggerated)
+{
+    for (const LakeShow show : {LakeShow::heights, LakeShow::normals}) {
+        LakeShot shot;
+        shot.set(rows().show, show).set(rows().crowding, 0.0);
+        const Picture plain = shot.take();
+        shot.set(rows().exaggeration, 8.0);
+        EXPECT_GT(colorDifference(plain, shot.take()), 0.02);
+    }
+}
+
+TEST_F(LakePictures, P15_LanternsLightTheWaterAndEachOther)
+{
+    LakeShot shot;
+    shot.inTheDark().set(rows().bounces, 0).set(rows().waterColor, ColorValue{{0.3, 0.3, 0.3}});
+    shot.set(rows().lightCells, 9);
+    const double glowing = meanOf(shot.take(), 40, 60);
+    shot.set(rows().lightCells, 0);
+    EXPECT_GT(glowing, 1.03 * meanOf(shot.take(), 40, 60));
+}
+
+TEST_F(LakePictures, P15_OneKeepsTheMoonFromAnother)
+{
+    // Lit by the moon alone, a lantern's base has its own shadow: with a high moon from the side it is partly dark.
+    LakeShot shot;
+    shot.inTheDark().set(rows().candles, false).set(rows().moon, 10.0).set(rows().moonElevation, 0.5);
+    shot.set(rows().moonAzimuth, 1.5).set(rows().lanterns, 1).set(rows().crowding, 1.0).set(rows().irregularity, 0.0);
+    shot.set(rows().turned, 0.0).set(rows().bounces, 0);
+    shot.request.frame.camera = {{0, 0.5, -2.0}, {0, -1.6, -3.15}, 0.35};
+    const Picture p = shot.take();
+    // The base is square: in rows through it, moonlit wood to the right, shadow to the left.
+    double right = 0, left = 0;
+    p.each([&](int x, int y) {
+        if (y < 20 || y > 50) return;
+        (x > 48 ? right : left) += p.luminance(x, y);
+    });
+    EXPECT_GT(right, 1.2 * left);
+}
+
+TEST_F(LakePictures, P16_EachBounceAddsLessAndNoneIsBlack)
+{
+    LakeShot shot;
+    shot.set(rows().waveHeight, 3.0);
+    std::vector<Picture> pictures;
+    for (int i = 0; i <= 3; ++i) {
+        shot.set(rows().bounces, i);
+        pictures.push_back(shot.take());
+    }
+    const double first = colorDifference(pictures[0], pictures[1]);
+    const double second = colorDifference(pictures[1], pictures[2]);
+    EXPECT_GT(first, 0.002);
+    EXPECT_LT(second, 0.5 * first);
+    EXPECT_LE(colorDifference(pictures[2], pictures[3]), second);
+}
+
+TEST_F(LakePictures, P18_ALanternThatIsSetFreeRises)
+{
+    LakeShot shot;
+    shot.inTheDark().set(rows().crowding, 0.0);
+    const auto heightAt = [&](double since) {
+        shot.request.frame.sincePressed.assign(gallery().museum.subjects().size(), since);
+        const Picture p = shot.take();
+        double sum = 0, rowsSum = 0;
+        p.each([&](int x, int y) {
+            if (p.luminance(x, y) < 0.1) return;
+            sum += 1;
+            rowsSum += y;
+        });
+        return sum > 0 ? rowsSum / sum : -1;
+    };
+    const double early = heightAt(1), later = heightAt(6), high = heightAt(9);
+    EXPECT_GT(early, later);
+    EXPECT_GT(later, high);
+    EXPECT_GT(high, 0);
+    EXPECT_EQ(heightAt(releasedFor + 1), -1);
+}
+
+TEST_F(LakePictures, FarLanternsAreAsBrightAsPointsAsWhenTheyAreMarched)
+{
+    LakeShot shot;
+    shot.inTheDark().set(rows().bounces, 0).set(rows().flicker, 0.0).set(rows().fibers, 0.0);
+    shot.request.frame.camera.fovY = 0.25;
+    shot.request.samples = 16;
+    shot.set(rows().pointSize, 0.5);
+    const double marched = shot.take().mean();
+    shot.set(rows().pointSize, 60.0);
+    EXPECT_NEAR(shot.take().mean() / marched, 1, 0.1);
+    // Beyond the rows that are walked they are reckoned as their mean.
+    shot.set(rows().pointSize, 5.0).set(rows().rows, 12);
+    EXPECT_NEAR(shot.take().mean() / marched, 1, 0.2);
+}
+
+TEST_F(LakePictures, AreFiniteWhereverTheCameraIsAndWhenever)
+{
+    const render::Camera cameras[] = {
+        {{0, -1.8, -1}, {0.3, -1.2, -4}, 0.9},      // under water
+        {{0, -1.45, -3.2}, {0.3, -1.4, -4}, 1.2},   // about a lantern's inside, where one is
+        {{0, 3e5, 1e6}, {0, 0, 0}, 0.5},            // far away
+        {{0, -1.6, -3}, {0, 5, -3.001}, 0.9},       // straight up
+        {{0, 2, -3}, {0, -5, -3.001}, 0.9},         // straight down
+    };
+    for (const LakeLook look : {LakeLook::ours, LakeLook::source})
+        for (const double moment : {0.0, 1e6})
+            for (const render::Camera& camera : cameras) {
+                LakeShot shot;
+                shot.request.frame.raster.size = {48, 30};
+                shot.set(rows().look, look).set(rows().moment, moment).set(rows().irregularity, 0.0);
+                if (moment > 0) shot.set(rows().lanterns, 1).set(rows().crowding, 1.0);
+                shot.request.frame.camera = camera;
+                EXPECT_EQ(notFinite(shot.take().image, 4), "");
+            }
+}
+
+/// Mean change per pixel when the view moves by a pixel.
+double lakeShimmer(int samples)
+{
+    LakeShot shot;
+    shot.request.frame.raster.size = {160, 100};
+    shot.request.frame.averageIn = AverageIn::display;
+    shot.set(rows().stars, 0.0);
+    shot.request.samples = samples;
+    const Picture before = shot.take();
+    shot.request.frame.camera.lensShift.y = 2 * before.view.tanHalfFov.y / before.height();
+    const Picture after = shot.take();
+    double sum = 0;
+    before.each([&](int x, int y) { sum += glm::length(after.color(x, y) - before.color(x, y)); });
+    return sum / (before.width() * before.height());
+}
+
+TEST_F(LakePictures, ShimmerLittleMoreWithOneSampleThanWith16)
+{
+    EXPECT_LT(lakeShimmer(1), 1.5 * lakeShimmer(16));
+}
+
+TEST_F(LakePictures, PlanLeavesOutWhatNoSettingCallsFor)
+{
+    LakeShot shot;
+    const auto plan = [&] { return planned(gallery().museum, shot.sceneState, shot.request.frame); };
+    const render::FramePlan whole = plan();
+    EXPECT_TRUE(runs(whole, "paper_lanterns/lake"));
+    EXPECT_TRUE(runs(whole, "paper_lanterns/float"));
+    for (const char* part : {"waves", "moon", "reflection", "mist", "stars"})
+        EXPECT_EQ(reasonFor(whole, std::string("paper_lanterns/") + part), "not in the plan") << part;
+    shot.inTheDark().set(rows().bounces, 0).set(rows().lanterns, 0);
+    const render::FramePlan least = plan();
+    EXPECT_TRUE(runs(least, "paper_lanterns/lake"));
+    for (const char* part : {"float", "waves", "moon", "reflection", "mist", "stars", "halo"})
+        EXPECT_NE(least.findSkipped(std::string("paper_lanterns/") + part), nullptr) << part;
+}
+
+TEST_F(LakePictures, CostNothingInTheHallWhereTheyAreNotSeen)
+{
+    LakeShot shot;
+    shot.request.frame.alone = std::nullopt;
+    shot.request.frame.camera = gallery().museum.bestView(shot.lake, shot.values());
+    EXPECT_TRUE(runs(planned(gallery().museum, shot.sceneState, shot.request.frame), "paper_lanterns/"));
+    shot.request.frame.camera.target = 2.0 * shot.request.frame.camera.eye - shot.request.frame.camera.target;
+    EXPECT_FALSE(runs(planned(gallery().museum, shot.sceneState, shot.request.frame), "paper_lanterns/"));
+}
+
+}  // namespace
+}  // namespace vitrine

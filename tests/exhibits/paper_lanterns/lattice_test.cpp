@@ -12,41 +12,11 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
+using test::everyLantern;
 using test::lakeAtFloat64;
 using test::lanternsTable;
+using test::nearestOfAll;
 using test::sourceLake;
-
-/// All lanterns of a lattice, one by one.
-std::vector<glsl::Lake::Lantern> everyLantern(glsl::Lake& lake)
-{
-    std::vector<glsl::Lake::Lantern> all;
-    for (int y = 0; y < lake.lake.cells.y; ++y)
-        for (int x = 0; x < lake.lake.cells.x; ++x) all.push_back(lake.lanternOfCell({x, y}));
-    return all;
-}
-
-/// The nearest of them along a ray, each marched by itself from end to end: no cell, no bound.
-double nearestOfAll(glsl::Lake& lake, const std::vector<glsl::Lake::Lantern>& all, const glsl::Lake::LanternRay& ray)
-{
-    double nearest = ray.to;
-    for (const auto& l : all) {
-        if (l.light < 0) continue;
-        const dvec3 off = l.place + dvec3(0, 1, 0) - ray.origin;
-        // Nothing of a lantern is 2.2 m from its middle.
-        const double along = glm::dot(off, ray.direction);
-        if (glm::dot(off, off) - along * along > 2.2 * 2.2 || along < -2.2 || along > nearest + 2.2) continue;
-        const glm::dmat3 axes = lake.lakeFromLantern(l);
-        for (double t = std::max(along - 2.2, ray.from); t < std::min(nearest, along + 2.2);) {
-            const double d = lake.lanternField((ray.origin + ray.direction * t - l.place) * axes).distance;
-            if (d < 1e-4) {
-                nearest = t;
-                break;
-            }
-            t += d;
-        }
-    }
-    return nearest;
-}
 
 struct Missed {
     int rays = 0, hits = 0, missed = 0, wrong = 0;
