@@ -231,6 +231,7 @@ LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, 
     block.stepLimit = values[t.stepLimit];
     block.tolerance = static_cast<float>(values[t.hitTolerance]);
     block.pointWidth = 2 * block.paperRadius / static_cast<float>(values[t.pointSize]);
+    block.meanWidth = 2 * block.paperRadius / static_cast<float>(values[t.meanSize]);
     return block;
 }
 

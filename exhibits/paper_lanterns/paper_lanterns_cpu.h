@@ -20,7 +20,7 @@ struct Lake {
 
     float blueNoiseAt(ivec2 texel) const
     {
-        return float((2 * blueNoise[(texel.y & 63) * 64 + (texel.x & 63)] + 1) / float(512));
+        return (float(blueNoise[(texel.y & 63) * 64 + (texel.x & 63)]) + float(0.5)) / float(256.0);
     }
 
 #include "shaders/paper_lanterns/water.glsl"

@@ -86,25 +86,41 @@ LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
     return walk;
 }
 
-// What lies beyond the rows that were walked: lanterns as their mean. Light and what it leaves.
+// What lies beyond the rows that were walked: lanterns as their mean, as far as the ray's cone sees their layer. Light and
+// what it leaves. A few places along the ray, each farther than the last by one ratio.
 vec4 farLanterns(LanternRay ray, float end)
 {
-    float sideways = length(vec2(ray.direction.x, ray.direction.z));
-    vec2 within = slabSpan(ray.origin.y, ray.direction.y, 0.0, lake.paperHeight);
     float farthest = lake.farRow > 0.0 ? lake.farRow : float(lake.cells.y) * lake.cell;
-    vec2 z = slabSpan(ray.origin.z, ray.direction.z, lake.corner.y - farthest, lake.corner.y);
     vec2 x = slabSpan(ray.origin.x, ray.direction.x, lake.corner.x, lake.corner.x + farthest);
-    float from = max(max(end, ray.from), max(within.x, max(x.x, z.x)));
-    float to = min(min(within.y, ray.to), min(x.y, z.y));
-    float way = max(to - from, 0.0) * sideways;
-    float covered = 1.0 - exp(-lake.fill * 2.0 * lake.paperRadius * way / (lake.cell * lake.cell));
-    // Half of what is seen of them lies before this.
-    float middle = from + min(0.5 * (to - from), lake.cell * lake.cell / max(lake.fill * 2.0 * lake.paperRadius * sideways, 1e-3));
+    vec2 z = slabSpan(ray.origin.z, ray.direction.z, lake.corner.y - farthest, lake.corner.y);
+    float from = max(max(end, 1.0), max(x.x, z.x));
+    float to = min(ray.to, min(x.y, z.y));
+    vec4 seen = vec4(vec3(0.0), 1.0);
+    if (!(from < to)) return seen;
+    const int places = 6;
+    float ratio = exp2(log2(to / from) / float(places));
+    float middle = 0.5 * lake.paperHeight;
+    float density = lake.fill * 2.0 * lake.paperRadius / (lake.cell * lake.cell) * length(vec2(ray.direction.x, ray.direction.z));
 #if SHOW == 0
     vec3 glow = paperGlow(mix(0.55, flickerOf(0.0), 1.0 - lake.flickerApart), 0.0);
-    glow = mix(mistLight(), glow, mistLeft(ray.origin, ray.direction, max(middle, 0.0)));
 #else
     vec3 glow = PAPER_SHOWN;
 #endif
-    return vec4(glow * covered, 1.0 - covered);
+    float t = from;
+    for (int i = 0; i < places; ++i) {
+        float next = t * ratio;
+        // The mean over the way: the cone as wide as it is there, and as the ray goes up or down meanwhile.
+        float at = 0.5 * (t + next);
+        float tall = coneWidth(ray, at).y + abs(ray.direction.y) * (next - t);
+        float y = ray.origin.y + ray.direction.y * at;
+        float covered = 1.0 - exp(-density * (next - t) * overlap(y - middle, middle, tall));
+        vec3 light = glow;
+#if SHOW == 0
+        light = mix(mistLight(), glow, mistLeft(ray.origin, ray.direction, at));
+#endif
+        seen.rgb += seen.a * covered * light;
+        seen.a *= 1.0 - covered;
+        t = next;
+    }
+    return seen;
 }

@@ -56,6 +56,7 @@
     FIELD(int, stepLimit)        /* steps in one lantern */ \
     FIELD(float, tolerance)      /* how near a ray must come, pixels */ \
     FIELD(float, pointWidth)     /* a lantern over which a pixel is wider than this is a glowing point, meters */ \
+    FIELD(float, meanWidth)      /* lanterns along a cone that is wider than this count as their mean, meters */ \
     FIELD(vec3, towardsMoon)     /* unit */ \
     FIELD(float, moonTanRadius) \
     FIELD(vec3, moonLight)       /* irradiance on what faces it */ \

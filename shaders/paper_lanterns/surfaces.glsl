@@ -50,7 +50,8 @@ Lit litPaper(LanternWalk walk, vec3 n, vec3 d, vec3 outer, vec3 moon, float widt
     float more = clamp(1.0 + 1.3 * fiber.x, 0.25, 2.5);
     vec3 absorb = paperAbsorbOf(walk.lantern.hue) * more;
     vec3 reflected, transmitted, within;
-    vec3 toFlame = vec3(0.0, lake.flameHeight, 0.0) - p;
+    // From the middle of the sheet, which has no thickness for light.
+    vec3 toFlame = vec3(-radial.x * lake.paperRadius, lake.flameHeight - p.y, -radial.y * lake.paperRadius);
     float squared = max(dot(toFlame, toFlame), 0.01);
     vec3 bumped = paperNormal(p, 0.02 * fiber);
     float direct = max(-dot(bumped, toFlame), 0.0) * inversesqrt(squared) / squared;

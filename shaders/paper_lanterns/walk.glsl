@@ -199,6 +199,11 @@ LanternWalk walkLanterns(LanternRay ray)
             int reached = row - further * line.stride;
             float entry = (float(reached) + (line.stride > 0 ? 0.0 : 1.0) - line.origin) / line.ahead;
             if (entry > min(span.y, walk.distance) || walk.left < 0.004) break;
+            vec2 widths = coneWidth(ray, entry);
+            if (widths.x * widths.y > lake.meanWidth * lake.meanWidth) {
+                walk.end = max(entry, ray.from);
+                return walk;
+            }
             ivec2 cell = lineCell(line, row, i % lake.looks);
             l.light = -1.0;
             if (inLattice(cell)) l = lanternAt(cell);

@@ -68,6 +68,7 @@ void counts(glm::ivec2 size)
     glsl32::Lake lake;
     copyLake(lake.lake, block);
     lake.lake.pointWidth = 1e9F;
+    lake.lake.meanWidth = 1e9F;
     lake.blueNoise = exact.blueNoise;
     const auto rays = raysOf(values, size);
     std::vector<double> truth;

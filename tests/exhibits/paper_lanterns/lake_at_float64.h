@@ -36,6 +36,7 @@ inline glsl::Lake lakeAtFloat64(const ParameterValues& values, double seconds)
     glsl::Lake made;
     copyLake(made.lake, lakeBlock(lanternsTable(), values, seconds, std::numeric_limits<double>::infinity()));
     made.lake.pointWidth = 1e9;
+    made.lake.meanWidth = 1e9;
     made.lake.stepLimit = 512;
     made.blueNoise = noise->bytes.data();
     return made;

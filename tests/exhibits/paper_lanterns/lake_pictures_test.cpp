@@ -230,12 +230,12 @@ TEST_F(LakePictures, FarLanternsAreAsBrightAsPointsAsWhenTheyAreMarched)
     shot.inTheDark().set(rows().bounces, 0).set(rows().flicker, 0.0).set(rows().fibers, 0.0);
     shot.request.frame.camera.fovY = 0.25;
     shot.request.samples = 16;
-    shot.set(rows().pointSize, 0.5);
+    shot.set(rows().pointSize, 0.5).set(rows().hitTolerance, 0.01).set(rows().meanSize, 0.02);
     const double marched = shot.take().mean();
     shot.set(rows().pointSize, 60.0);
     EXPECT_NEAR(shot.take().mean() / marched, 1, 0.1);
     // Beyond the rows that are walked they are reckoned as their mean.
-    shot.set(rows().pointSize, 5.0).set(rows().rows, 12);
+    shot.set(rows().pointSize, 5.0).set(rows().rows, 9);
     EXPECT_NEAR(shot.take().mean() / marched, 1, 0.2);
 }
 
