@@ -5,7 +5,7 @@ set -e
 cd "$(dirname "$0")/.."
 program=build/release/vitrine
 mkdir -p assets/thumbnails assets/pictures
-for exhibit in hall sdf_morph lenticular fur crepuscular_rays sdf_scenes noise pixel_art ice_cream; do
+for exhibit in hall sdf_morph lenticular fur crepuscular_rays sdf_scenes noise pixel_art ice_cream paper_lanterns; do
     $program render $exhibit --size 192x120 --samples 16 --out assets/thumbnails/$exhibit.png
     for preset in assets/presets/$exhibit/*.json; do
         $program render $exhibit --preset "$preset" --size 192x120 --samples 16 --out "${preset%.json}.png"
@@ -31,6 +31,10 @@ for look in evening-clouds noon-clouds above-the-clouds storm wax asteroids; do
     $program render noise --alone --preset assets/presets/noise/$look.json --size 480x300 --samples 16 --out assets/pictures/noise-$look.png
 done
 $program render noise --size 960x540 --samples 16 --out assets/pictures/noise.png
+$program render paper_lanterns --size 960x540 --samples 16 --out assets/pictures/paper-lanterns.png
+for look in as-in-the-source dusk full-moon festival storm fog dawn; do
+    $program render paper_lanterns --alone --preset assets/presets/paper_lanterns/$look.json --size 480x300 --samples 16 --out assets/pictures/paper-lanterns-$look.png
+done
 for look in dahlia rotunda still-life as-in-the-source-primitives primitives; do
     $program render sdf_scenes --alone --preset assets/presets/sdf_scenes/$look.json --size 480x300 --samples 16 --out assets/pictures/scenes-$look.png
 done

@@ -1,8 +1,8 @@
 #include "exhibits/hall/hall.h"
 
 #include "exhibits/hall/plaque_text.h"
+#include "exhibits/kit/panorama.h"
 #include "render/hash.h"
-#include "render/image/image_io.h"
 #include "render/scene/gltf.h"
 #include "render/scene/held_bytes.h"
 
@@ -14,29 +14,6 @@
 namespace vitrine {
 
 namespace {
-
-/// The largest value of a picture; 1 for what is stored as bytes. NaN and infinity count as 0.
-double brightestOf(const render::Texture& picture)
-{
-    if (picture.floats.empty()) return 1;
-    double brightest = 0;
-    for (const float value : picture.floats)
-        if (std::isfinite(value)) brightest = std::max(brightest, static_cast<double>(value));
-    return brightest;
-}
-
-struct Panorama {
-    std::shared_ptr<const render::Texture> picture;
-    double brightest = 0;
-};
-
-render::AssetStore::Made<Panorama> readPanorama(const std::string& path)
-{
-    auto picture = render::loadTexture(path, true, true);
-    const double brightest = brightestOf(*picture);
-    const std::uint64_t bytes = heldBytes(*picture);
-    return {std::make_shared<Panorama>(std::move(picture), brightest), bytes};
-}
 
 render::AssetStore::Made<render::Model> readModel(const std::string& path)
 {

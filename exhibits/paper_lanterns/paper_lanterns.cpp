@@ -2,6 +2,7 @@
 
 #include "exhibits/kit/blue_noise.h"
 #include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/panorama.h"
 #include "exhibits/kit/portal.h"
 #include "exhibits/paper_lanterns/lake_scene.h"
 #include "render/hash.h"
@@ -17,6 +18,15 @@ namespace {
 
 constexpr const char* lakePass = "paper_lanterns/lake";
 constexpr const char* floatPass = "paper_lanterns/float";
+
+struct PreparedSky final : PreparedPart {
+    std::shared_ptr<const render::Texture> picture;
+};
+
+std::shared_ptr<const render::Texture> panoramaOf(const PreparedPart* prepared)
+{
+    return prepared ? static_cast<const PreparedSky*>(prepared)->picture : nullptr;
+}
 
 /// What of the lake any setting calls for.
 struct Called {
@@ -38,8 +48,7 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
     called.mist = ours && values[t.fog] > 0;
     called.halo = called.mist && called.lanterns && lightsTheAir(t, values);
     called.moon = picture && std::max(block.moonLight.x, block.moonLight.z) > 0;
-    const bool given = context.lighting.light.background == BACKGROUND_PANORAMA;
-    called.panorama = picture && given && values[t.skyBy] == LakeSky::panorama;
+    called.panorama = picture && panoramaOf(context.prepared) != nullptr;
     called.stars = ours && !called.panorama && values[t.stars] > 0;
     called.bounces = !picture ? 0 : called.source ? 1 : values[t.bounces];
     return called;
@@ -111,6 +120,21 @@ render::Camera PaperLanterns::bestView(const ParameterValues& values) const
     return portalView(lakePortal(table_, values));
 }
 
+std::shared_ptr<const PreparedPart> PaperLanterns::prepare(const PrepareContext& context) const
+{
+    const std::string path = context.values[table_.panorama];
+    if (path.empty()) return nullptr;
+    auto made = std::make_shared<PreparedSky>();
+    const render::Asset<Panorama> found = context.assets.get<Panorama>("paper_lanterns.panorama", path, readPanorama);
+    if (!found.failure.empty())
+        made->unreadable.push_back({"paper_lanterns/panorama",
+                                    unreadableFile(context.values.rows()[table_.panorama.row], title(), found.failure),
+                                    "The night sky stays until it can be read."});
+    if (found.value) made->picture = found.value->picture;
+    made->filesId = found.id;
+    return made;
+}
+
 double PaperLanterns::nextChange(const ParameterValues& values, double) const
 {
     return values[table_.animate] ? 0 : std::numeric_limits<double>::infinity();
@@ -175,9 +199,7 @@ void PaperLanterns::plan(const PlanContext& context, render::FramePlan& plan) co
     addDefines(called, values[t.repetition], pass);
     tellWhatIsLeftOut(called, plan);
     if (called.lanterns) pass.inputs.push_back({UNIT_EXHIBIT_A, planFloat(values, block, bytes, plan)});
-    if (called.panorama)
-        for (const render::SampledTexture& input : context.lighting.inputs)
-            if (input.unit == UNIT_ENVIRONMENT) pass.inputs.push_back(input);
+    if (called.panorama) pass.inputs.push_back({UNIT_ENVIRONMENT, panoramaOf(context.prepared)});
     plan.add(std::move(pass));
 }
 

@@ -26,6 +26,7 @@ public:
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] bool surrounds(const ParameterValues&) const override { return true; }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
+    [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     bool press(ParameterValues&) const override;

@@ -10,7 +10,6 @@ enum class LakeRelease : int { rises, driftsAway };
 enum class LakeRide : int { source, water };
 enum class LakeSpeed : int { source, dispersion };
 enum class LakeFlicker : int { together, own };
-enum class LakeSky : int { night, panorama };
 enum class LakeRepetition : int { ownCell, twoByTwo, threeByThree, cellWall };
 
 /// Everything that can be set about the lake of lanterns. Lengths in meters of the lake's own world, in which a lantern is
@@ -71,7 +70,7 @@ struct PaperLanternsTable final : Parameters {
                          "Light that the frame throws on wall and floor beside it.", lit&& afloat);
 
     Group paper = group("Paper");
-    Color paperColor = color("paperColor", {0.97, 0.82, 0.55}, "What the paper does not absorb.", ours&& afloat);
+    Color paperColor = color("paperColor", {0.97, 0.8, 0.5}, "What the paper does not absorb.", ours&& afloat);
     Real paperThickness = real("paperThickness", 1.6, none, Range{0.05, 20, logarithmic}.soft(0.3, 6),
                                "How often light is scattered in it: low is clear and bright, high dim and white.",
                                ours&& afloat);
@@ -118,8 +117,8 @@ struct PaperLanternsTable final : Parameters {
                             "Where it stands, seen through the frame: negative is to the left.", moonlit);
     Real moonSize = real("moonSize", degrees(2.4), degree, Range{degrees(0.1), degrees(20)}.soft(degrees(0.5), degrees(6)),
                          "Of its disk: the real one has half a degree.", ours&& moonlit);
-    Choice<LakeSky> skyBy = choice("skyBy", LakeSky::night, {"night", "the visitor's panorama"},
-                                   "A sky of its own, or the panorama that the hall is given.", inPicture);
+    File panorama = file("panorama", "A picture of all directions, twice as wide as high, in place of the night sky.",
+                         endings("hdr exr jpg jpeg png tif tiff"), inPicture);
     Real stars = real("stars", 0.7, none, Range{0, 10}.soft(0, 2), "How bright they are.", ours);
     Real dusk = real("dusk", 0.12, none, Range{0, 10}.soft(0, 2), "Light of the day that is left in the sky.", ours);
     Real afterglow = real("afterglow", 0.5, none, {0, 1}, "How warm its horizon is: of the sun that has set, or rises.",

@@ -1,6 +1,12 @@
 // The sky over the lake: what is left of the day, moon and stars; or the visitor's panorama.
 #ifdef PANORAMA
 #include "lib/panorama.glsl"
+
+// Its middle straight ahead through the frame, which is between +x and -z.
+vec3 panoramaSky(vec3 d, float angle)
+{
+    return min(panoramaRadiance(vec3(0.70710678 * (d.x + d.z), d.y, 0.70710678 * (d.z - d.x)), angle), vec3(60.0));
+}
 #endif
 
 // Moonlight that comes from around `d`, for a ray that is blurred by these standard deviations, up and across.
@@ -60,6 +66,8 @@ vec3 starLight(vec3 d, float pixel)
     // Ten times as many for each magnitude and a half.
     float power = min(6.0e-9 / (u * u + 2e-4) / (wide * wide), 1.3);
     float coarse = min(wide / (0.7 * pixel), 1.0);
+    // As many for each piece of the sky: cells are smaller towards a face's edges.
+    if (unitFromBits(more.y) > largest * largest * largest) return vec3(0.0);
     vec3 tint = mix(vec3(1.0, 0.82, 0.66), vec3(0.72, 0.83, 1.0), unitFromBits(more.x));
     return tint * (power * lobe * coarse * coarse * smoothstep(0.0, 0.25, d.y));
 }
@@ -81,7 +89,7 @@ vec3 nightAir(vec3 d)
 vec3 skyLight(vec3 d, vec2 blur, float pixel)
 {
 #ifdef PANORAMA
-    vec3 sky = min(panoramaRadiance(d, max(pixel, 2.0 * max(blur.x, blur.y))), vec3(60.0));
+    vec3 sky = panoramaSky(d, max(pixel, 2.0 * max(blur.x, blur.y)));
 #else
     vec3 sky = nightAir(d) + moonGlow(d, blur);
 #ifdef STARS

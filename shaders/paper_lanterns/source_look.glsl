@@ -41,7 +41,7 @@ vec3 sourceSky(vec3 d)
     fog = fog * fog * (3.0 - 2.0 * fog);
     fog = pow(fog, 15.0);
 #ifdef PANORAMA
-    vec3 sky = min(panoramaRadiance(d, 0.002), vec3(60.0));
+    vec3 sky = panoramaSky(d, 0.002);
 #else
     vec3 sky = mix(vec3(0.05, 0.05, 0.075), vec3(0.012, 0.02, 0.05), clamp(d.y * 1.4, 0.0, 1.0));
 #endif

@@ -7,6 +7,7 @@
 #include "exhibits/ice_cream/ice_cream_table.h"
 #include "exhibits/lenticular/lenticular_table.h"
 #include "exhibits/noise/noise_table.h"
+#include "exhibits/paper_lanterns/paper_lanterns_table.h"
 #include "exhibits/pixel_art/pixel_art_table.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
 #include "render/files/read_file.h"
@@ -174,6 +175,30 @@ TEST(PresetOfTheSource, OfTheNoiseHasItsConstants)
     EXPECT_EQ(clouds[t.cloudSteps], 65);
     EXPECT_EQ(clouds[t.lightSteps], 5);
     for (const ParameterValues& v : {field, sum, sea, clouds}) EXPECT_EQ(v[t.look], NoiseLook::source);
+}
+
+TEST(PresetOfTheSource, P18_OfThePaperLanternsHasItsNumbers)
+{
+    const PaperLanternsTable t;
+    const ParameterValues v = preset("paper_lanterns", "as-in-the-source", t);
+    EXPECT_EQ(v[t.look], LakeLook::source);
+    EXPECT_EQ(v[t.paperRadius], 0.75);
+    EXPECT_EQ(v[t.paperHeight], 2);
+    EXPECT_EQ(v[t.paperWall], 0.06);  // a shell of 0.03 to each side
+    EXPECT_EQ(v[t.baseWidth], 2.2);   // half extents 1.1, 0.04, 1.1
+    EXPECT_EQ(v[t.baseThickness], 0.08);
+    EXPECT_EQ(v[t.ringWire], 0.05);
+    EXPECT_EQ(v[t.lowRing], 0.08);
+    EXPECT_EQ(v[t.postWire], 0.05);
+    EXPECT_EQ(v[t.frameBlend], 0.1);
+    EXPECT_EQ(v[t.waveHeight], 1);
+    EXPECT_EQ(v[t.waveSpeed], LakeSpeed::source);          // 2.5 radians a second for all
+    EXPECT_EQ(v[t.ride], LakeRide::source);                // waterHeightRoughAt
+    EXPECT_EQ(v[t.flickerPhase], LakeFlicker::together);   // TIME alone
+    EXPECT_EQ(v[t.repetition], LakeRepetition::twoByTwo);
+    EXPECT_EQ(v[t.turned], 0);
+    EXPECT_EQ(v[t.flameHeight], 1);  // local y 0
+    EXPECT_TRUE(v[t.animate]);
 }
 
 TEST(PresetOfTheSource, OfTheTorusMugHasItsConstants)

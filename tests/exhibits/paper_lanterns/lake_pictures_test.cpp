@@ -4,6 +4,7 @@
 #include "tests/support/gallery.h"
 #include "tests/support/plan_steps.h"
 #include "tests/support/planned.h"
+#include "tests/support/temporary_folder.h"
 
 #include <cmath>
 #include <string>
@@ -114,7 +115,21 @@ TEST_F(LakePictures, P5_PaperIsLitOnBothSides)
     EXPECT_LT(outside, 0.5 * before);
 }
 
-TEST_F(LakePictures, P9_HorizonHasTheColorOfTheMistAndThePanoramaIsThatOfTheHall)
+TEST_F(LakePictures, P9_AVisitorsPanoramaIsTheSkyAndIsMirrored)
+{
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "sky.hdr";
+    // Red straight ahead, green behind.
+    writePanorama(file, [](const dvec3& d) { return d.z < 0 ? dvec3(1, 0, 0) : dvec3(0, 1, 0); });
+    LakeShot shot;
+    shot.set(rows().panorama, file.string()).set(rows().fog, 0.0).set(rows().crowding, 0.0).set(rows().moon, 0.0);
+    const Picture p = shot.take();
+    EXPECT_GT(p.color(48, 5).x, 0.2);
+    EXPECT_LT(p.color(48, 5).y, 0.01);
+    EXPECT_GT(p.color(48, 36).x, 4 * p.color(48, 36).y);
+}
+
+TEST_F(LakePictures, P9_HorizonHasTheColorOfTheMist)
 {
     LakeShot shot;
     shot.set(rows().fog, 0.05).set(rows().candles, false).set(rows().horizonColor, ColorValue{{0.1, 0.4, 0.2}});
