@@ -80,8 +80,8 @@ void setWaves(const PaperLanternsTable& t, const ParameterValues& values, double
     }
     const bool ours = values[t.look] == LakeLook::ours;
     const int ripples = ours && values[t.ripples] > 0 ? std::min(values[t.rippleCount], mostRipplesOfLake) : 0;
-    const std::vector<LakeWave> fine = windRipples(values[t.ripples], values[t.windDirection] + latticeTurn, mostRipplesOfLake,
-                                                   static_cast<std::uint32_t>(values[t.seed]));
+    const std::vector<LakeWave> fine = windRipples(values[t.ripples], values[t.windDirection] + latticeTurn,
+                                                   mostRipplesOfLake, static_cast<std::uint32_t>(values[t.seed]));
     for (int i = 0; i < ripples; ++i)
         block.wave[static_cast<std::size_t>(block.tallWaves + i)] = packed(fine[static_cast<std::size_t>(i)], seconds);
     block.waves = block.tallWaves + ripples;
@@ -125,8 +125,8 @@ void setLattice(const PaperLanternsTable& t, const ParameterValues& values, doub
     block.corner = glm::vec2(begin / std::sqrt(2.0) * glm::dvec2(-1, 1) + glm::dvec2(shift.x, -shift.y));
     const glm::dvec2 gone = glm::floor(drifted / g);
     // Modulo 2^24: numbers, not places.
-    block.firstCell = -glm::ivec2(static_cast<int>(std::fmod(gone.x, 16777216.0)),
-                                  static_cast<int>(std::fmod(gone.y, 16777216.0)));
+    block.firstCell =
+        -glm::ivec2(static_cast<int>(std::fmod(gone.x, 16777216.0)), static_cast<int>(std::fmod(gone.y, 16777216.0)));
 }
 
 void setLight(const PaperLanternsTable& t, const ParameterValues& values, double seconds, LakeBlock& block)
@@ -145,8 +145,7 @@ void setLight(const PaperLanternsTable& t, const ParameterValues& values, double
         block.paperAbsorb[i] = static_cast<float>(scatter * (1 - thick) * (1 - thick) / (2 * thick));
     }
     const double up = values[t.moonElevation], right = values[t.moonAzimuth] + latticeTurn;
-    block.towardsMoon =
-        glm::vec3(std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up));
+    block.towardsMoon = glm::vec3(std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up));
     block.moonTanRadius = static_cast<float>(std::tan(0.5 * values[t.moonSize]));
     // Below the horizon it sends no light; near it, less and warmer.
     const double risen = std::clamp((up + 0.03) / 0.06, 0.0, 1.0);
@@ -155,8 +154,7 @@ void setLight(const PaperLanternsTable& t, const ParameterValues& values, double
 }
 
 /// The lantern that the button has set free: from the water before the frame, upwards or away.
-void setReleased(const PaperLanternsTable& t, const ParameterValues& values, double since,
-                 LakeBlock& block)
+void setReleased(const PaperLanternsTable& t, const ParameterValues& values, double since, LakeBlock& block)
 {
     block.released = glm::vec4(0, 0, 0, -1);
     if (!(since >= 0) || since >= releasedFor) return;

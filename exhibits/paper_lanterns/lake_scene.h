@@ -15,16 +15,16 @@ namespace vitrine {
 /// How long a lantern that was set free is to be seen, seconds.
 inline constexpr double releasedFor = 60;
 
-/// Where the lake lies behind the frame: y up, the frame's middle over the origin, +x and -z half to the right and half to
-/// the left of straight ahead. So the lanes between the cells of the lattice, which begins behind the visitor with a
+/// Where the lake lies behind the frame: y up, the frame's middle over the origin, +x and -z half to the right and half
+/// to the left of straight ahead. So the lanes between the cells of the lattice, which begins behind the visitor with a
 /// corner, run out of the picture.
 [[nodiscard]] Portal lakePortal(const PaperLanternsTable&, const ParameterValues&);
 
 /// Seconds that the lake has moved at `time` of the exhibit's clock.
 [[nodiscard]] double lakeTime(const PaperLanternsTable&, const ParameterValues&, double time);
 
-/// The lake at that moment; `sinceRelease` in seconds, infinity: no lantern was set free. All that moves is wrapped here,
-/// at float64, within its own period.
+/// The lake at that moment; `sinceRelease` in seconds, infinity: no lantern was set free. All that moves is wrapped
+/// here, at float64, within its own period.
 [[nodiscard]] LakeBlock lakeBlock(const PaperLanternsTable&, const ParameterValues&, double seconds,
                                   double sinceRelease);
 

@@ -22,12 +22,13 @@ struct LakeWave {
 /// The wave that the source's lanterns ride, which is none of these: 15.7 m long, 15 cm high, 0.2 s late.
 [[nodiscard]] LakeWave sourceRideWave();
 
-/// Small waves of a wind, `count` of them in even ratios from 2.2 m to 10 cm, each with the same share of the mean square
-/// slope `slope`^2 (both axes together), around `windDirection` (radians from -z towards +x).
+/// Small waves of a wind, `count` of them in even ratios from 2.2 m to 10 cm, each with the same share of the mean
+/// square slope `slope`^2 (both axes together), around `windDirection` (radians from -z towards +x).
 [[nodiscard]] std::vector<LakeWave> windRipples(double slope, double windDirection, int count, std::uint32_t seed);
 
-/// By how much less a disk of this radius follows a wave of `k` radians per meter: mean height over it, and slope of the
-/// plane that is nearest to the wave over it. 1 for a small disk; in closed form, 2 J1(x)/x and 8 J2(x)/x^2, x = k radius.
+/// By how much less a disk of this radius follows a wave of `k` radians per meter: mean height over it, and slope of
+/// the plane that is nearest to the wave over it. 1 for a small disk; in closed form, 2 J1(x)/x and 8 J2(x)/x^2, x = k
+/// radius.
 struct RideShare {
     double height = 1, slope = 1;
 };

@@ -194,7 +194,8 @@ void PaperLanterns::plan(const PlanContext& context, render::FramePlan& plan) co
     const LakeBlock block = lakeBlock(t, values, lakeTime(t, values, context.time), context.sinceOwnPress);
     const render::Bytes bytes = render::std140Bytes(block);
     const Called called = calledFor(t, context, block);
-    render::Pass pass = portalPass(lakePass, "in view", values, "paper_lanterns/lake.frag", lakePortal(t, values), context);
+    render::Pass pass =
+        portalPass(lakePass, "in view", values, "paper_lanterns/lake.frag", lakePortal(t, values), context);
     pass.blocks[BLOCK_EXHIBIT] = bytes;
     addDefines(called, values[t.repetition], pass);
     tellWhatIsLeftOut(called, plan);

@@ -6,8 +6,8 @@
 namespace vitrine {
 
 /// A lake at night behind a deep frame, with paper lanterns up to the horizon. Read the table, then lake_scene.h (where
-/// and when everything is) and shaders/paper_lanterns: water.glsl and lantern.glsl say what there is, walk.glsl how a ray
-/// finds it, surfaces.glsl and paper.glsl how it is lit.
+/// and when everything is) and shaders/paper_lanterns: water.glsl and lantern.glsl say what there is, walk.glsl how a
+/// ray finds it, surfaces.glsl and paper.glsl how it is lit.
 class PaperLanterns final : public Exhibit, public HasButton, public HasSurroundings, public HasLocalLights {
 public:
     using Table = PaperLanternsTable;

@@ -27,13 +27,22 @@ struct Lake {
 
 #include "shaders/paper_lanterns/lantern.glsl"
 
-    Lantern lanternAt(ivec2 cell) { return lanternOfCell(cell); }
+    Lantern lanternAt(ivec2 cell)
+    {
+        return lanternOfCell(cell);
+    }
 
 #include "shaders/paper_lanterns/walk.glsl"
 
     /// Points leave solids as they are: tests and counts are of these.
-    LanternWalk withPoint(LanternWalk walk, LanternRay, Lantern, float) { return walk; }
-    LanternWalk withAir(LanternWalk walk, LanternRay, Lantern, float) { return walk; }
+    LanternWalk withPoint(LanternWalk walk, LanternRay, Lantern, float)
+    {
+        return walk;
+    }
+    LanternWalk withAir(LanternWalk walk, LanternRay, Lantern, float)
+    {
+        return walk;
+    }
 };
 
 #include "render/glsl/end_cpu.h"

@@ -12,13 +12,14 @@ enum class LakeSpeed : int { source, dispersion };
 enum class LakeFlicker : int { together, own };
 enum class LakeRepetition : int { ownCell, twoByTwo, threeByThree, cellWall };
 
-/// Everything that can be set about the lake of lanterns. Lengths in meters of the lake's own world, in which a lantern is
-/// two meters high, as in the source.
+/// Everything that can be set about the lake of lanterns. Lengths in meters of the lake's own world, in which a lantern
+/// is two meters high, as in the source.
 struct PaperLanternsTable final : Parameters {
     Group view = group("On show");
-    Choice<LakeShow> show = choice("show", LakeShow::picture, {"picture", "heights", "normals", "parts"},
-                                   "The picture, or what it is made of: the water's height, its normals, or the parts of "
-                                   "the lanterns by color.");
+    Choice<LakeShow> show =
+        choice("show", LakeShow::picture, {"picture", "heights", "normals", "parts"},
+               "The picture, or what it is made of: the water's height, its normals, or the parts of "
+               "the lanterns by color.");
     Choice<LakeLook> look = choice("look", LakeLook::ours, {"ours", "as in the source"},
                                    "How light is reckoned: through translucent paper, with Fresnel's mirror, or as the "
                                    "source does.");
@@ -36,9 +37,10 @@ struct PaperLanternsTable final : Parameters {
     const Condition moving = when(animate) || whenNot(moment, 0);
 
     Group many = group("Lanterns");
-    Count lanterns = count("lanterns", 30000, Range{0, 1000000, logarithmic}.soft(1, 1000000),
-                           "Cells with room for a lantern, in a square whose corner is at the frame: none, one, or up to the "
-                           "horizon.");
+    Count lanterns =
+        count("lanterns", 30000, Range{0, 1000000, logarithmic}.soft(1, 1000000),
+              "Cells with room for a lantern, in a square whose corner is at the frame: none, one, or up to the "
+              "horizon.");
     const Condition some = whenAbove(lanterns, 0);
     Real crowding = real("crowding", 0.8, none, {0, 1}, "Share of these cells that have one.", some);
     const Condition afloat = some && whenAbove(crowding, 0);
@@ -61,8 +63,8 @@ struct PaperLanternsTable final : Parameters {
     const Condition lit = when(candles) && inPicture;
     Real candleStrength = real("candleStrength", 1, none, Range{0, 20}.soft(0, 4), "How bright the flames are.", lit);
     Color candleColor = color("candleColor", {1, 0.4, 0.09}, "Of the flames.", lit);
-    Real flameHeight = real("flameHeight", 0.55, meter, Range{0.1, 5}.soft(0.2, 1.6),
-                            "Of the flame over the base.", lit);
+    Real flameHeight =
+        real("flameHeight", 0.55, meter, Range{0.1, 5}.soft(0.2, 1.6), "Of the flame over the base.", lit);
     Real flicker = real("flicker", 1, none, {0, 1}, "How much flames flicker: 0 burns evenly.", lit);
     Choice<LakeFlicker> flickerPhase = choice("flickerPhase", LakeFlicker::own, {"together", "each its own"},
                                               "Whether they flicker in step.", lit&& whenAbove(flicker, 0) && afloat);
@@ -71,9 +73,9 @@ struct PaperLanternsTable final : Parameters {
 
     Group paper = group("Paper");
     Color paperColor = color("paperColor", {0.97, 0.8, 0.5}, "What the paper does not absorb.", ours&& afloat);
-    Real paperThickness = real("paperThickness", 1.6, none, Range{0.05, 20, logarithmic}.soft(0.3, 6),
-                               "How often light is scattered in it: low is clear and bright, high dim and white.",
-                               ours&& afloat);
+    Real paperThickness =
+        real("paperThickness", 1.6, none, Range{0.05, 20, logarithmic}.soft(0.3, 6),
+             "How often light is scattered in it: low is clear and bright, high dim and white.", ours&& afloat);
     Real fibers = real("fibers", 0.5, none, {0, 1}, "How uneven it is.", inPicture&& afloat);
     Real colors = real("colors", 0.3, none, {0, 1}, "How far papers differ in color: 0 not at all, 1 is a festival.",
                        ours&& afloat);
@@ -81,42 +83,44 @@ struct PaperLanternsTable final : Parameters {
     Group shape = foldedGroup("Shape");
     Real paperRadius = real("paperRadius", 0.75, meter, Range{0.1, 3}.soft(0.3, 1.2), "Of the paper tube.", afloat);
     Real paperHeight = real("paperHeight", 2, meter, Range{0.2, 8}.soft(0.6, 4), "Of its upper edge.", afloat);
-    Real paperWall = real("paperWall", 0.06, meter, Range{0.005, 0.3}.soft(0.01, 0.15), "Thickness of its wall.",
-                          afloat);
+    Real paperWall =
+        real("paperWall", 0.06, meter, Range{0.005, 0.3}.soft(0.01, 0.15), "Thickness of its wall.", afloat);
     Real baseWidth = real("baseWidth", 2.2, meter, Range{0.2, 6}.soft(1, 3), "Side of the wooden base.", afloat);
     Real baseThickness = real("baseThickness", 0.08, meter, Range{0.01, 1}.soft(0.02, 0.4), "Of the base.", afloat);
-    Real ringWire = real("ringWire", 0.05, meter, Range{0.005, 0.3}.soft(0.01, 0.12), "Radius of the rings' wire.",
-                         afloat);
+    Real ringWire =
+        real("ringWire", 0.05, meter, Range{0.005, 0.3}.soft(0.01, 0.12), "Radius of the rings' wire.", afloat);
     Real lowRing = real("lowRing", 0.08, meter, Range{0, 4}.soft(0, 0.8), "Height of the lower ring.", afloat);
     Real postWire = real("postWire", 0.05, meter, Range{0.005, 0.3}.soft(0.01, 0.12), "Radius of the posts.", afloat);
-    Real frameBlend = real("frameBlend", 0.1, meter, Range{0, 0.5}.soft(0, 0.3), "How softly posts and rings join.",
-                           afloat);
+    Real frameBlend =
+        real("frameBlend", 0.1, meter, Range{0, 0.5}.soft(0, 0.3), "How softly posts and rings join.", afloat);
 
     Group water = group("Water");
     Real waveHeight = real("waveHeight", 0.45, none, Range{0, 8}.soft(0, 3),
                            "Of the five waves over those of the source: 0 is a mirror.");
-    Choice<LakeSpeed> waveSpeed = choice("waveSpeed", LakeSpeed::dispersion, {"as in the source", "as gravity makes them"},
-                                         "One rhythm for all waves, or slow long ones and quick short ones.",
-                                         whenAbove(waveHeight, 0) && moving);
+    Choice<LakeSpeed> waveSpeed =
+        choice("waveSpeed", LakeSpeed::dispersion, {"as in the source", "as gravity makes them"},
+               "One rhythm for all waves, or slow long ones and quick short ones.", whenAbove(waveHeight, 0) && moving);
     Real ripples = real("ripples", 0.055, none, Range{0, 0.5}.soft(0, 0.15),
                         "Slope of the small waves that the wind makes: it draws reflections out.", ours);
     Real windDirection = real("windDirection", degrees(65), degree, Range{degrees(-180), degrees(180)},
                               "Where the wind blows to, from straight ahead: negative is to the left.",
                               (ours && whenAbove(ripples, 0)) || (afloat && moving));
     Color waterColor = color("waterColor", {0.012, 0.03, 0.036}, "What deep water sends back.", inPicture);
-    Real exaggeration = real("exaggeration", 1, none, Range{0, 20}.soft(0, 8),
-                             "Of heights and slopes in the views of them.",
-                             when(show, {LakeShow::heights, LakeShow::normals}));
+    Real exaggeration =
+        real("exaggeration", 1, none, Range{0, 20}.soft(0, 8), "Of heights and slopes in the views of them.",
+             when(show, {LakeShow::heights, LakeShow::normals}));
 
     Group sky = group("Moon and sky");
     Real moon = real("moon", 0.5, none, Range{0, 20}.soft(0, 3), "Its light; 0: it has not risen.", inPicture);
     const Condition moonlit = inPicture && whenAbove(moon, 0);
-    Real moonElevation = real("moonElevation", degrees(13), degree, Range{degrees(-10), degrees(90)}.soft(0, degrees(60)),
-                              "Its height above the horizon.", moonlit);
+    Real moonElevation =
+        real("moonElevation", degrees(13), degree, Range{degrees(-10), degrees(90)}.soft(0, degrees(60)),
+             "Its height above the horizon.", moonlit);
     Real moonAzimuth = real("moonAzimuth", degrees(-17), degree, Range{degrees(-180), degrees(180)},
                             "Where it stands, seen through the frame: negative is to the left.", moonlit);
-    Real moonSize = real("moonSize", degrees(2.4), degree, Range{degrees(0.1), degrees(20)}.soft(degrees(0.5), degrees(6)),
-                         "Of its disk: the real one has half a degree.", ours&& moonlit);
+    Real moonSize =
+        real("moonSize", degrees(2.4), degree, Range{degrees(0.1), degrees(20)}.soft(degrees(0.5), degrees(6)),
+             "Of its disk: the real one has half a degree.", ours&& moonlit);
     File panorama = file("panorama", "A picture of all directions, twice as wide as high, in place of the night sky.",
                          endings("hdr exr jpg jpeg png tif tiff"), inPicture);
     Real stars = real("stars", 0.7, none, Range{0, 10}.soft(0, 2), "How bright they are.", ours);
@@ -125,37 +129,41 @@ struct PaperLanternsTable final : Parameters {
                           ours&& whenAbove(dusk, 0));
     Real fog = real("fog", 0.0022, perMeter, Range{0, 1}.soft(0, 0.03), "What a meter of the air at the water hides.",
                     inPicture);
-    Color horizonColor = color("horizonColor", {0.05, 0.06, 0.085}, "Of the mist at the horizon.",
-                               inPicture&& whenAbove(fog, 0));
+    Color horizonColor =
+        color("horizonColor", {0.05, 0.06, 0.085}, "Of the mist at the horizon.", inPicture&& whenAbove(fog, 0));
     Real fogHeight = real("fogHeight", 6, meter, Range{0.1, 1000, logarithmic}.soft(1, 60),
                           "Over which the mist thins out.", ours&& whenAbove(fog, 0));
 
     Group accuracy = foldedGroup("Accuracy");
-    Choice<LakeRepetition> repetition = choice(
-        "repetition", LakeRepetition::cellWall, {"own cell", "2 x 2 cells", "3 x 3 cells", "to the cell's wall"},
-        "Which lanterns a step of a ray looks at: those of some cells around it, which cuts what lies beyond, or all that "
-        "the ray can touch, cell by cell.",
-        exactAt(LakeRepetition::cellWall), afloat);
+    Choice<LakeRepetition> repetition =
+        choice("repetition", LakeRepetition::cellWall, {"own cell", "2 x 2 cells", "3 x 3 cells", "to the cell's wall"},
+               "Which lanterns a step of a ray looks at: those of some cells around it, which cuts what lies beyond, "
+               "or all that "
+               "the ray can touch, cell by cell.",
+               exactAt(LakeRepetition::cellWall), afloat);
     Count bounces = count("bounces", 1, {0, 3}, "How often a ray may be mirrored by the water.", quality(3), ours);
     Count waterSteps = count("waterSteps", 20, {1, 256, logarithmic}, "Steps by which a ray finds the water.",
                              quality(256), whenAbove(waveHeight, 0));
     Count rippleCount = count("rippleCount", 16, {0, 23}, "Ripples that are summed, from the longest on.", quality(23),
                               ours&& whenAbove(ripples, 0));
-    Count lightCells = count("lightCells", 4, {0, 9}, "Cells around a place whose flames light it.", quality(9),
-                             ours&& lit&& afloat);
+    Count lightCells =
+        count("lightCells", 4, {0, 9}, "Cells around a place whose flames light it.", quality(9), ours&& lit&& afloat);
     Count rows = count("rows", 80, {1, 256, logarithmic},
                        "Rows of cells in which a ray looks for lanterns; those beyond are reckoned as their mean.",
                        quality(256), afloat);
-    Real pointSize = real("pointSize", 5, pixel, Range{0.5, 100, logarithmic}.soft(1, 40),
-                          "A lantern whose paper looks narrower than this is a glowing point.", quality(0.5),
-                          ours&& afloat);
-    Real meanSize = real("meanSize", 0.7, pixel, Range{0.02, 10, logarithmic}.soft(0.1, 4),
-                         "Lanterns that look narrower than this are reckoned as their mean.", quality(0.02),
-                         ours&& afloat);
-    Count stepLimit = count("stepLimit", 48, {1, 512, logarithmic}, "Steps a ray may take in one lantern, or, by cells "
-                            "around it, in all.", quality(512), afloat);
-    Real hitTolerance = real("hitTolerance", 0.1, none, Range{0.01, 16, logarithmic}.soft(0.02, 2),
-                             "How near a ray must come, in pixels at that distance: more makes thin wires thick.", quality(0.01));
+    Real pointSize =
+        real("pointSize", 5, pixel, Range{0.5, 100, logarithmic}.soft(1, 40),
+             "A lantern whose paper looks narrower than this is a glowing point.", quality(0.5), ours&& afloat);
+    Real meanSize =
+        real("meanSize", 0.7, pixel, Range{0.02, 10, logarithmic}.soft(0.1, 4),
+             "Lanterns that look narrower than this are reckoned as their mean.", quality(0.02), ours&& afloat);
+    Count stepLimit = count("stepLimit", 48, {1, 512, logarithmic},
+                            "Steps a ray may take in one lantern, or, by cells "
+                            "around it, in all.",
+                            quality(512), afloat);
+    Real hitTolerance =
+        real("hitTolerance", 0.1, none, Range{0.01, 16, logarithmic}.soft(0.02, 2),
+             "How near a ray must come, in pixels at that distance: more makes thin wires thick.", quality(0.01));
 };
 
 }  // namespace vitrine

@@ -1,6 +1,6 @@
-// What rays among the lanterns of the lake cost, by the source's ways to repeat them and by ours: evaluations of the field
-// per pixel and the pixels that each way misses, counted at float32 against every lantern by itself at float64; then
-// pictures: mirror images, lanterns in number, steps of the water, what is left out. Prints Markdown.
+// What rays among the lanterns of the lake cost, by the source's ways to repeat them and by ours: evaluations of the
+// field per pixel and the pixels that each way misses, counted at float32 against every lantern by itself at float64;
+// then pictures: mirror images, lanterns in number, steps of the water, what is left out. Prints Markdown.
 //   bench_lantern_costs [--size 320x180] [--only counts|pictures]
 
 #include "exhibits/exhibits.h"
@@ -35,7 +35,8 @@ std::vector<glsl::Lake::LanternRay> raysOf(const ParameterValues& values, glm::i
     std::vector<glsl::Lake::LanternRay> rays;
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
-            const glm::dvec3 d = ahead + glm::dvec3(wide * (2 * (x + 0.5) / size.x - 1), tall * (1 - 2 * (y + 0.5) / size.y), 0);
+            const glm::dvec3 d =
+                ahead + glm::dvec3(wide * (2 * (x + 0.5) / size.x - 1), tall * (1 - 2 * (y + 0.5) / size.y), 0);
             glsl::Lake::LanternRay ray{};
             ray.origin = glm::dvec3(portal.workFromExhibit * glm::dvec4(camera.eye, 1));
             ray.direction = glm::normalize(glm::dmat3(portal.workFromExhibit) * d);
@@ -73,23 +74,26 @@ void counts(glm::ivec2 size)
     const auto rays = raysOf(values, size);
     std::vector<double> truth;
     for (const auto& ray : rays) truth.push_back(test::nearestOfAll(exact, all, ray));
-    std::printf("\n## Where a ray looks for lanterns\n\n%d x %d pixels from the best view, 2500 lanterns 6 m apart that fill "
-                "their cells, up to 300 m; none is drawn as a point. Missed: the ray goes on behind the lantern by more "
-                "than a pixel and a centimeter.\n\n| way | evaluations per pixel | missed pixels | too early |\n|---|---|---|---|\n",
-                size.x, size.y);
+    std::printf(
+        "\n## Where a ray looks for lanterns\n\n%d x %d pixels from the best view, 2500 lanterns 6 m apart that fill "
+        "their cells, up to 300 m; none is drawn as a point. Missed: the ray goes on behind the lantern by more "
+        "than a pixel and a centimeter.\n\n| way | evaluations per pixel | missed pixels | too early "
+        "|\n|---|---|---|---|\n",
+        size.x, size.y);
     const auto count = [&](const char* name, int repetition) {
         lake.evaluations = 0;
         int missed = 0, early = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const auto ray = at32(rays[i]);
-            const auto walk = repetition == REPEAT_CELL_WALL ? lake.walkLanterns(ray)
-                                                             : lake.walkNeighbors(ray, repetition, 1024);
+            const auto walk =
+                repetition == REPEAT_CELL_WALL ? lake.walkLanterns(ray) : lake.walkNeighbors(ray, repetition, 1024);
             const double found = walk.part == PART_NONE ? rays[i].to : static_cast<double>(walk.distance);
             const double margin = 0.01 + 2 * rays[i].spread.x * truth[i];
             missed += found > truth[i] + margin;
             early += found < truth[i] - std::max(margin, 0.05 * truth[i]);
         }
-        std::printf("| %s | %.2f | %d | %d |\n", name, lake.evaluations / static_cast<double>(rays.size()), missed, early);
+        std::printf("| %s | %.2f | %d | %d |\n", name, lake.evaluations / static_cast<double>(rays.size()), missed,
+                    early);
         std::fflush(stdout);
     };
     count("own cell", REPEAT_OWN_CELL);
@@ -149,14 +153,15 @@ struct Pictures {
             for (int x = 0; x < size.x; ++x) {
                 evaluations += static_cast<double>(picture.at(x, y, 4));
                 for (int c = 0; c < 3 && !reference.pixels.empty(); ++c) {
-                    const double d = static_cast<double>(picture.at(x, y, c)) - static_cast<double>(reference.at(x, y, c));
+                    const double d =
+                        static_cast<double>(picture.at(x, y, c)) - static_cast<double>(reference.at(x, y, c));
                     squares += d * d / 3;
                 }
             }
         const double pixels = static_cast<double>(size.x) * size.y;
         const double ms = milliseconds(request);
-        std::printf("| %s | %.2f | %.0f | %.2f | %.4f |\n", name, evaluations / pixels, ms, against > 0 ? ms / against : 1.0,
-                    std::sqrt(squares / pixels));
+        std::printf("| %s | %.2f | %.0f | %.2f | %.4f |\n", name, evaluations / pixels, ms,
+                    against > 0 ? ms / against : 1.0, std::sqrt(squares / pixels));
         std::fflush(stdout);
         if (reference.pixels.empty()) reference = picture;
         return ms;
@@ -164,7 +169,8 @@ struct Pictures {
 
     void head(const char* title)
     {
-        std::printf("\n## %s\n\n| setting | evaluations per pixel | ms | over the first | RMSE to the first |\n|---|---|---|---|---|\n",
+        std::printf("\n## %s\n\n| setting | evaluations per pixel | ms | over the first | RMSE to the first "
+                    "|\n|---|---|---|---|---|\n",
                     title);
         reference = {};
         values() = ParameterValues(table);

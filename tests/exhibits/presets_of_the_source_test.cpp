@@ -192,9 +192,9 @@ TEST(PresetOfTheSource, P18_OfThePaperLanternsHasItsNumbers)
     EXPECT_EQ(v[t.postWire], 0.05);
     EXPECT_EQ(v[t.frameBlend], 0.1);
     EXPECT_EQ(v[t.waveHeight], 1);
-    EXPECT_EQ(v[t.waveSpeed], LakeSpeed::source);          // 2.5 radians a second for all
-    EXPECT_EQ(v[t.ride], LakeRide::source);                // waterHeightRoughAt
-    EXPECT_EQ(v[t.flickerPhase], LakeFlicker::together);   // TIME alone
+    EXPECT_EQ(v[t.waveSpeed], LakeSpeed::source);         // 2.5 radians a second for all
+    EXPECT_EQ(v[t.ride], LakeRide::source);               // waterHeightRoughAt
+    EXPECT_EQ(v[t.flickerPhase], LakeFlicker::together);  // TIME alone
     EXPECT_EQ(v[t.repetition], LakeRepetition::twoByTwo);
     EXPECT_EQ(v[t.turned], 0);
     EXPECT_EQ(v[t.flameHeight], 1);  // local y 0

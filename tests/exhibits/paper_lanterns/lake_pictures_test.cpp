@@ -257,11 +257,11 @@ TEST_F(LakePictures, FarLanternsAreAsBrightAsPointsAsWhenTheyAreMarched)
 TEST_F(LakePictures, AreFiniteWhereverTheCameraIsAndWhenever)
 {
     const render::Camera cameras[] = {
-        {{0, -1.8, -1}, {0.3, -1.2, -4}, 0.9},      // under water
-        {{0, -1.45, -3.2}, {0.3, -1.4, -4}, 1.2},   // about a lantern's inside, where one is
-        {{0, 3e5, 1e6}, {0, 0, 0}, 0.5},            // far away
-        {{0, -1.6, -3}, {0, 5, -3.001}, 0.9},       // straight up
-        {{0, 2, -3}, {0, -5, -3.001}, 0.9},         // straight down
+        {{0, -1.8, -1}, {0.3, -1.2, -4}, 0.9},     // under water
+        {{0, -1.45, -3.2}, {0.3, -1.4, -4}, 1.2},  // about a lantern's inside, where one is
+        {{0, 3e5, 1e6}, {0, 0, 0}, 0.5},           // far away
+        {{0, -1.6, -3}, {0, 5, -3.001}, 0.9},      // straight up
+        {{0, 2, -3}, {0, -5, -3.001}, 0.9},        // straight down
     };
     for (const LakeLook look : {LakeLook::ours, LakeLook::source})
         for (const double moment : {0.0, 1e6})

@@ -96,8 +96,8 @@ TEST(LanternShape, P1_HasTheDecodedDimensions)
     EXPECT_NEAR(surfaceAlong(lake, {3, 0, 0}, -across), 3 - 1.1, 1e-6);
     EXPECT_NEAR(surfaceAlong(lake, {0.75, 3, 0}, {0, -1, 0}), 3 - 2.05, 1e-3);
     const dvec3 diagonal = glm::normalize(dvec3(1, 0, 1));
-    EXPECT_NEAR(surfaceAlong(lake, 3.0 * diagonal + dvec3(0, 1, 0), -diagonal), 3 - (0.75 * 0.707 * std::sqrt(2) + 0.05),
-                1e-3);
+    EXPECT_NEAR(surfaceAlong(lake, 3.0 * diagonal + dvec3(0, 1, 0), -diagonal),
+                3 - (0.75 * 0.707 * std::sqrt(2) + 0.05), 1e-3);
 }
 
 TEST(LanternShape, P2_P17_TellsTheNearestPartWithTheDistance)
@@ -113,8 +113,8 @@ TEST(LanternShape, P2_P17_TellsTheNearestPartWithTheDistance)
         ++seen[found.part];
         // By the source: the least of the three, where it is not a matter of how the paper's edge is rounded.
         const double least = std::min({parts.paper, parts.wood, parts.metal});
-        const double second = parts.paper + parts.wood + parts.metal - least -
-                              std::max({parts.paper, parts.wood, parts.metal});
+        const double second =
+            parts.paper + parts.wood + parts.metal - least - std::max({parts.paper, parts.wood, parts.metal});
         if (second - least < 0.05) continue;
         const int part = least == parts.paper ? PART_PAPER : least == parts.wood ? PART_WOOD : PART_METAL;
         EXPECT_EQ(found.part, part) << p.x << ' ' << p.y << ' ' << p.z;

@@ -46,8 +46,8 @@ Missed missedBy(int repetition)
             ray.direction = glm::normalize(dvec3(even(random) - 0.5, 0.25 * (even(random) - 0.7), even(random) - 0.5));
             ray.to = 150;
             const double truth = nearestOfAll(lake, all, ray);
-            const auto walk = repetition == REPEAT_CELL_WALL ? lake.walkLanterns(ray)
-                                                             : lake.walkNeighbors(ray, repetition, 4000);
+            const auto walk =
+                repetition == REPEAT_CELL_WALL ? lake.walkLanterns(ray) : lake.walkNeighbors(ray, repetition, 4000);
             const double found = walk.part == PART_NONE ? ray.to : walk.distance;
             ++result.rays;
             result.hits += truth < ray.to;
