@@ -115,7 +115,7 @@ void setLattice(const PaperLanternsTable& t, const ParameterValues& values, doub
     const double side = std::ceil(std::sqrt(static_cast<double>(values[t.lanterns])) - 1e-9);
     const auto cells = static_cast<int>(std::min<double>(side, LAKE_LATTICE));
     block.cells = glm::ivec2(cells);
-    block.fill = anyAfloat(t, values) ? static_cast<float>(values[t.crowding]) : 0;
+    block.fill = static_cast<float>(values[t.crowding]);
     block.farRow = side > cells ? static_cast<float>(side * g) : 0;
     const double angle = values[t.windDirection] + latticeTurn;
     const glm::dvec2 drifted = values[t.drift] * seconds * glm::dvec2(std::sin(angle), std::cos(angle));
@@ -187,7 +187,7 @@ void setReleased(const PaperLanternsTable& t, const ParameterValues& values, dou
 
 bool anyAfloat(const PaperLanternsTable& t, const ParameterValues& values)
 {
-    return values[t.lanterns] > 0 && values[t.crowding] > 0;
+    return values[t.crowding] > 0;
 }
 
 bool lightsTheAir(const PaperLanternsTable& t, const ParameterValues& values)

@@ -37,13 +37,11 @@ struct PaperLanternsTable final : Parameters {
     const Condition moving = when(animate) || whenNot(moment, 0);
 
     Group many = group("Lanterns");
-    Count lanterns =
-        count("lanterns", 30000, Range{0, 1000000, logarithmic}.soft(1, 1000000),
-              "Cells with room for a lantern, in a square whose corner is at the frame: none, one, or up to the "
-              "horizon.");
-    const Condition some = whenAbove(lanterns, 0);
-    Real crowding = real("crowding", 0.8, none, {0, 1}, "Share of these cells that have one.", some);
-    const Condition afloat = some && whenAbove(crowding, 0);
+    Count lanterns = count("lanterns", 30000, {1, 1000000, logarithmic},
+                           "Cells with room for a lantern, in a square whose corner is at the frame: one, or up to the "
+                           "horizon.");
+    Real crowding = real("crowding", 0.8, none, {0, 1}, "Share of these cells that have one: at 0 the lake is empty.");
+    const Condition afloat = whenAbove(crowding, 0);
     Real spacing = real("spacing", 7.5, meter, Range{1, 100, logarithmic}.soft(4, 20),
                         "Width of a cell; never less than a lantern needs.", afloat);
     Real irregularity = real("irregularity", 1, none, {0, 1},

@@ -305,7 +305,7 @@ TEST_F(LakePictures, PlanLeavesOutWhatNoSettingCallsFor)
     EXPECT_TRUE(runs(whole, "paper_lanterns/float"));
     for (const char* part : {"waves", "moon", "reflection", "mist", "stars"})
         EXPECT_EQ(reasonFor(whole, std::string("paper_lanterns/") + part), "not in the plan") << part;
-    shot.inTheDark().set(rows().bounces, 0).set(rows().lanterns, 0);
+    shot.inTheDark().set(rows().bounces, 0).set(rows().crowding, 0.0);
     const render::FramePlan least = plan();
     EXPECT_TRUE(runs(least, "paper_lanterns/lake"));
     for (const char* part : {"float", "waves", "moon", "reflection", "mist", "stars", "halo"})

@@ -98,8 +98,10 @@ TEST(Lattice, KeepsEveryLanternWithinItsCell)
 TEST(Lattice, HasNoneAndOneAndMany)
 {
     ParameterValues values = sourceLake();
-    values.set(lanternsTable().lanterns, 0);
+    values.set(lanternsTable().crowding, 0.0);
     EXPECT_FALSE(anyAfloat(lanternsTable(), values));
+    EXPECT_LT(lakeAtFloat64(values, 0).lanternOfCell({1, 1}).light, 0);
+    values.set(lanternsTable().crowding, 1.0);
     values.set(lanternsTable().lanterns, 1);
     EXPECT_EQ(lakeAtFloat64(values, 0).lake.cells, glm::ivec2(1));
     values.set(lanternsTable().lanterns, 1000000);
