@@ -129,7 +129,8 @@ void setLattice(const PaperLanternsTable& t, const ParameterValues& values, doub
         -glm::ivec2(static_cast<int>(std::fmod(gone.x, 16777216.0)), static_cast<int>(std::fmod(gone.y, 16777216.0)));
 }
 
-void setLight(const PaperLanternsTable& t, const ParameterValues& values, double seconds, LakeBlock& block)
+void setLight(const PaperLanternsTable& t, const ParameterValues& values, const ParameterValues& fixed, double seconds,
+              LakeBlock& block)
 {
     block.flickerTime = static_cast<float>(inPeriod(seconds, 4));
     block.flickerDepth = static_cast<float>(values[t.flicker]);
@@ -137,11 +138,12 @@ void setLight(const PaperLanternsTable& t, const ParameterValues& values, double
     block.flickerApart = own ? 1 : 0;
     const double strength = values[t.candles] ? candleIntensity * values[t.candleStrength] : 0;
     block.candle = glm::vec3(strength * values[t.candleColor].value);
-    const double scatter = values[t.paperThickness];
+    const ParameterValues& paper = values[t.look] == LakeLook::ours ? values : fixed;
+    const double scatter = paper[t.paperThickness];
     block.paperScatter = static_cast<float>(scatter);
     for (int i = 0; i < 3; ++i) {
         // So much that paper of any thickness reflects this color (Kubelka and Munk).
-        const double thick = std::clamp(values[t.paperColor].value[i], 0.01, 0.999);
+        const double thick = std::clamp(paper[t.paperColor].value[i], 0.01, 0.999);
         block.paperAbsorb[i] = static_cast<float>(scatter * (1 - thick) * (1 - thick) / (2 * thick));
     }
     const double up = values[t.moonElevation], right = values[t.moonAzimuth] + latticeTurn;
@@ -214,22 +216,26 @@ Portal lakePortal(const PaperLanternsTable& t, const ParameterValues& values)
 LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, double seconds, double sinceRelease)
 {
     LakeBlock block;
+    // What the source's light and the views of parts do not let one choose.
+    const ParameterValues fixed = t.initial();
     block.seed = static_cast<std::uint32_t>(values[t.seed]);
     block.turn = static_cast<float>(values[t.turned]);
-    block.variety = static_cast<float>(values[t.colors]);
+    block.variety = values[t.look] == LakeLook::ours ? static_cast<float>(values[t.colors]) : 0;
     block.waterTime = static_cast<float>(inPeriod(seconds, 3600));
     setShape(t, values, block);
     setWaves(t, values, seconds, block);
     setBounds(t, values, block);
     setLattice(t, values, seconds, block);
-    setLight(t, values, seconds, block);
+    setLight(t, values, fixed, seconds, block);
     setReleased(t, values, sinceRelease, block);
     block.rowLimit = values[t.rows];
     block.looks = lightsTheAir(t, values) ? 3 : 2;
     block.stepLimit = values[t.stepLimit];
     block.tolerance = static_cast<float>(values[t.hitTolerance]);
-    block.pointWidth = 2 * block.paperRadius / static_cast<float>(values[t.pointSize]);
-    block.meanWidth = 2 * block.paperRadius / static_cast<float>(values[t.meanSize]);
+    const ParameterValues& sizes =
+        values[t.look] == LakeLook::ours && values[t.show] == LakeShow::picture ? values : fixed;
+    block.pointWidth = 2 * block.paperRadius / static_cast<float>(sizes[t.pointSize]);
+    block.meanWidth = 2 * block.paperRadius / static_cast<float>(sizes[t.meanSize]);
     return block;
 }
 

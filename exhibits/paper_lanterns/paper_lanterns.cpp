@@ -30,7 +30,7 @@ std::shared_ptr<const render::Texture> panoramaOf(const PreparedPart* prepared)
 
 /// What of the lake any setting calls for.
 struct Called {
-    bool lanterns, released, waves, mist, halo, moon, stars, panorama, source;
+    bool lanterns, afloat, released, waves, mist, halo, moon, stars, panorama, source;
     int bounces, show;
 };
 
@@ -43,7 +43,8 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
     called.source = picture && values[t.look] == LakeLook::source;
     const bool ours = picture && !called.source;
     called.released = block.released.w >= 0;
-    called.lanterns = anyAfloat(t, values) || called.released;
+    called.afloat = anyAfloat(t, values);
+    called.lanterns = called.afloat || called.released;
     called.waves = block.tallWaves > 0;
     called.mist = ours && values[t.fog] > 0;
     called.halo = called.mist && called.lanterns && lightsTheAir(t, values);
@@ -96,6 +97,7 @@ void addDefines(const Called& called, LakeRepetition repetition, render::Pass& p
     define("SHOW " + std::to_string(called.show));
     // The eye's ray, those that water mirrors, and one to the moon.
     define("LEGS " + std::to_string(1 + called.bounces + (called.moon && called.lanterns ? 1 : 0)));
+    define("BOUNCES " + std::to_string(called.bounces));
     if (called.lanterns) define("LANTERNS");
     if (called.waves) define("WAVES");
     if (called.mist) define("MIST");
@@ -104,7 +106,7 @@ void addDefines(const Called& called, LakeRepetition repetition, render::Pass& p
     if (called.stars) define("STARS");
     if (called.panorama) define("PANORAMA");
     if (called.source) define("SOURCE");
-    if (called.lanterns && repetition != LakeRepetition::cellWall)
+    if (called.afloat && repetition != LakeRepetition::cellWall)
         define("REPETITION " + std::to_string(static_cast<int>(repetition)));
 }
 
@@ -176,7 +178,8 @@ std::vector<render::LocalLight> PaperLanterns::localLights(const ExhibitState& s
 {
     const ParameterValues& values = state.values;
     const Table& t = table_;
-    if (!values[t.candles] || values[t.hallGlow] <= 0 || !anyAfloat(t, values)) return {};
+    if (values[t.show] != LakeShow::picture || !values[t.candles] || values[t.hallGlow] <= 0 || !anyAfloat(t, values))
+        return {};
     // As much as the opening sends of the glow that it shows, from its middle.
     const double strength = 0.3 * values[t.hallGlow] * values[t.candleStrength] * values[t.crowding];
     render::LocalLight light;

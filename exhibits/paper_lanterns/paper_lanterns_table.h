@@ -34,6 +34,7 @@ struct PaperLanternsTable final : Parameters {
     const Condition inPicture = when(show, LakeShow::picture);
     const Condition ours = when(look, LakeLook::ours) && inPicture;
     const Condition bySource = when(look, LakeLook::source) && inPicture;
+    const Condition rippled = when(look, LakeLook::ours) && when(show, {LakeShow::picture, LakeShow::normals});
     const Condition moving = when(animate) || whenNot(moment, 0);
 
     Group many = group("Lanterns");
@@ -50,7 +51,7 @@ struct PaperLanternsTable final : Parameters {
     Choice<LakeRide> ride = choice("ride", LakeRide::water, {"as in the source", "the water"},
                                    "What they float on: a wave that the water does not have, or the water under their "
                                    "base.",
-                                   afloat);
+                                   whenLaterAbove("waveHeight", 0));
     Real drift = real("drift", 0.12, none, Range{0, 20}.soft(0, 1), "Meters a second by which the wind moves them.",
                       afloat&& moving);
     Choice<LakeRelease> release = choice("release", LakeRelease::rises, {"rises", "drifts away"},
@@ -63,34 +64,31 @@ struct PaperLanternsTable final : Parameters {
     Color candleColor = color("candleColor", {1, 0.4, 0.09}, "Of the flames.", lit);
     Real flameHeight =
         real("flameHeight", 0.55, meter, Range{0.1, 5}.soft(0.2, 1.6), "Of the flame over the base.", lit);
-    Real flicker = real("flicker", 1, none, {0, 1}, "How much flames flicker: 0 burns evenly.", lit);
+    Real flicker = real("flicker", 1, none, {0, 1}, "How much flames flicker: 0 burns evenly.", lit&& afloat);
     Choice<LakeFlicker> flickerPhase = choice("flickerPhase", LakeFlicker::own, {"together", "each its own"},
                                               "Whether they flicker in step.", lit&& whenAbove(flicker, 0) && afloat);
     Real hallGlow = real("hallGlow", 1, none, Range{0, 10}.soft(0, 3),
                          "Light that the frame throws on wall and floor beside it.", lit&& afloat);
 
     Group paper = group("Paper");
-    Color paperColor = color("paperColor", {0.97, 0.8, 0.5}, "What the paper does not absorb.", ours&& afloat);
+    Color paperColor = color("paperColor", {0.97, 0.8, 0.5}, "What the paper does not absorb.", ours);
     Real paperThickness =
         real("paperThickness", 1.6, none, Range{0.05, 20, logarithmic}.soft(0.3, 6),
-             "How often light is scattered in it: low is clear and bright, high dim and white.", ours&& afloat);
-    Real fibers = real("fibers", 0.5, none, {0, 1}, "How uneven it is.", inPicture&& afloat);
+             "How often light is scattered in it: low is clear and bright, high dim and white.", ours);
+    Real fibers = real("fibers", 0.5, none, {0, 1}, "How uneven it is.", inPicture);
     Real colors = real("colors", 0.3, none, {0, 1}, "How far papers differ in color: 0 not at all, 1 is a festival.",
                        ours&& afloat);
 
     Group shape = foldedGroup("Shape");
-    Real paperRadius = real("paperRadius", 0.75, meter, Range{0.1, 3}.soft(0.3, 1.2), "Of the paper tube.", afloat);
-    Real paperHeight = real("paperHeight", 2, meter, Range{0.2, 8}.soft(0.6, 4), "Of its upper edge.", afloat);
-    Real paperWall =
-        real("paperWall", 0.06, meter, Range{0.005, 0.3}.soft(0.01, 0.15), "Thickness of its wall.", afloat);
-    Real baseWidth = real("baseWidth", 2.2, meter, Range{0.2, 6}.soft(1, 3), "Side of the wooden base.", afloat);
-    Real baseThickness = real("baseThickness", 0.08, meter, Range{0.01, 1}.soft(0.02, 0.4), "Of the base.", afloat);
-    Real ringWire =
-        real("ringWire", 0.05, meter, Range{0.005, 0.3}.soft(0.01, 0.12), "Radius of the rings' wire.", afloat);
-    Real lowRing = real("lowRing", 0.08, meter, Range{0, 4}.soft(0, 0.8), "Height of the lower ring.", afloat);
-    Real postWire = real("postWire", 0.05, meter, Range{0.005, 0.3}.soft(0.01, 0.12), "Radius of the posts.", afloat);
-    Real frameBlend =
-        real("frameBlend", 0.1, meter, Range{0, 0.5}.soft(0, 0.3), "How softly posts and rings join.", afloat);
+    Real paperRadius = real("paperRadius", 0.75, meter, Range{0.1, 3}.soft(0.3, 1.2), "Of the paper tube.");
+    Real paperHeight = real("paperHeight", 2, meter, Range{0.2, 8}.soft(0.6, 4), "Of its upper edge.");
+    Real paperWall = real("paperWall", 0.06, meter, Range{0.005, 0.3}.soft(0.01, 0.15), "Thickness of its wall.");
+    Real baseWidth = real("baseWidth", 2.2, meter, Range{0.2, 6}.soft(1, 3), "Side of the wooden base.");
+    Real baseThickness = real("baseThickness", 0.08, meter, Range{0.01, 1}.soft(0.02, 0.4), "Of the base.");
+    Real ringWire = real("ringWire", 0.05, meter, Range{0.005, 0.3}.soft(0.01, 0.12), "Radius of the rings' wire.");
+    Real lowRing = real("lowRing", 0.08, meter, Range{0, 4}.soft(0, 0.8), "Height of the lower ring.");
+    Real postWire = real("postWire", 0.05, meter, Range{0.005, 0.3}.soft(0.01, 0.12), "Radius of the posts.");
+    Real frameBlend = real("frameBlend", 0.1, meter, Range{0, 0.5}.soft(0, 0.3), "How softly posts and rings join.");
 
     Group water = group("Water");
     Real waveHeight = real("waveHeight", 0.45, none, Range{0, 8}.soft(0, 3),
@@ -99,10 +97,9 @@ struct PaperLanternsTable final : Parameters {
         choice("waveSpeed", LakeSpeed::dispersion, {"as in the source", "as gravity makes them"},
                "One rhythm for all waves, or slow long ones and quick short ones.", whenAbove(waveHeight, 0) && moving);
     Real ripples = real("ripples", 0.055, none, Range{0, 0.5}.soft(0, 0.15),
-                        "Slope of the small waves that the wind makes: it draws reflections out.", ours);
+                        "Slope of the small waves that the wind makes: it draws reflections out.", rippled);
     Real windDirection = real("windDirection", degrees(65), degree, Range{degrees(-180), degrees(180)},
-                              "Where the wind blows to, from straight ahead: negative is to the left.",
-                              (ours && whenAbove(ripples, 0)) || (afloat && moving));
+                              "Where the wind blows to, from straight ahead: negative is to the left.");
     Color waterColor = color("waterColor", {0.012, 0.03, 0.036}, "What deep water sends back.", inPicture);
     Real exaggeration =
         real("exaggeration", 1, none, Range{0, 20}.soft(0, 8), "Of heights and slopes in the views of them.",
@@ -120,15 +117,15 @@ struct PaperLanternsTable final : Parameters {
         real("moonSize", degrees(2.4), degree, Range{degrees(0.1), degrees(20)}.soft(degrees(0.5), degrees(6)),
              "Of its disk: the real one has half a degree.", ours&& moonlit);
     File panorama = file("panorama", "A picture of all directions, twice as wide as high, in place of the night sky.",
-                         endings("hdr exr jpg jpeg png tif tiff"), inPicture);
+                         endings("hdr exr jpg jpeg png tif tiff"));
     Real stars = real("stars", 0.7, none, Range{0, 10}.soft(0, 2), "How bright they are.", ours);
     Real dusk = real("dusk", 0.12, none, Range{0, 10}.soft(0, 2), "Light of the day that is left in the sky.", ours);
     Real afterglow = real("afterglow", 0.5, none, {0, 1}, "How warm its horizon is: of the sun that has set, or rises.",
                           ours&& whenAbove(dusk, 0));
-    Real fog = real("fog", 0.0022, perMeter, Range{0, 1}.soft(0, 0.03), "What a meter of the air at the water hides.",
-                    inPicture);
-    Color horizonColor =
-        color("horizonColor", {0.05, 0.06, 0.085}, "Of the mist at the horizon.", inPicture&& whenAbove(fog, 0));
+    Real fog =
+        real("fog", 0.0022, perMeter, Range{0, 1}.soft(0, 0.03), "What a meter of the air at the water hides.", ours);
+    Color horizonColor = color("horizonColor", {0.05, 0.06, 0.085}, "Of the mist at the horizon.",
+                               (ours && whenAbove(fog, 0)) || bySource);
     Real fogHeight = real("fogHeight", 6, meter, Range{0.1, 1000, logarithmic}.soft(1, 60),
                           "Over which the mist thins out.", ours&& whenAbove(fog, 0));
 
@@ -143,22 +140,21 @@ struct PaperLanternsTable final : Parameters {
     Count waterSteps = count("waterSteps", 20, {1, 256, logarithmic}, "Steps by which a ray finds the water.",
                              quality(256), whenAbove(waveHeight, 0));
     Count rippleCount = count("rippleCount", 16, {0, 23}, "Ripples that are summed, from the longest on.", quality(23),
-                              ours&& whenAbove(ripples, 0));
+                              rippled&& whenAbove(ripples, 0));
     Count lightCells =
         count("lightCells", 4, {0, 9}, "Cells around a place whose flames light it.", quality(9), ours&& lit&& afloat);
     Count rows = count("rows", 80, {1, 256, logarithmic},
                        "Rows of cells in which a ray looks for lanterns; those beyond are reckoned as their mean.",
                        quality(256), afloat);
-    Real pointSize =
-        real("pointSize", 5, pixel, Range{0.5, 100, logarithmic}.soft(1, 40),
-             "A lantern whose paper looks narrower than this is a glowing point.", quality(0.5), ours&& afloat);
+    Real pointSize = real("pointSize", 5, pixel, Range{0.5, 100, logarithmic}.soft(1, 40),
+                          "A lantern whose paper looks narrower than this is a glowing point.", quality(0.5), ours);
     Real meanSize =
         real("meanSize", 0.7, pixel, Range{0.02, 10, logarithmic}.soft(0.1, 4),
              "Lanterns that look narrower than this are reckoned as their mean.", quality(0.02), ours&& afloat);
     Count stepLimit = count("stepLimit", 48, {1, 512, logarithmic},
                             "Steps a ray may take in one lantern, or, by cells "
                             "around it, in all.",
-                            quality(512), afloat);
+                            quality(512));
     Real hitTolerance =
         real("hitTolerance", 0.1, none, Range{0.01, 16, logarithmic}.soft(0.02, 2),
              "How near a ray must come, in pixels at that distance: more makes thin wires thick.", quality(0.01));

@@ -1,5 +1,5 @@
 // A lake at night: one ray per pixel, which water mirrors on, and one towards the moon from what it ends on.
-// Permutations: SHOW (0 the picture, 1 heights, 2 normals, 3 parts); LEGS, rays in a row; SOURCE, the source's light;
+// Permutations: SHOW (0 the picture, 1 heights, 2 normals, 3 parts); LEGS, rays in a row; BOUNCES, of them on water; SOURCE, the source's light;
 // REPETITION, where lanterns are looked for around points; LANTERNS, WAVES, MIST, MOON, STARS, PANORAMA.
 #include "kit/portal/portal.glsl"
 #include "lib/noise_sums.glsl"
@@ -54,7 +54,9 @@ struct Gathered {
 
 vec3 skyAround(vec3 d, Leg leg, float pixel)
 {
-#ifdef SOURCE
+#if SHOW != 0
+    return vec3(0.02, 0.022, 0.03);
+#elif defined(SOURCE)
     return sourceSky(d);
 #else
     return skyLight(d, leg.blur, pixel);
@@ -195,7 +197,7 @@ LanternWalk lanternsAlong(LanternRay ray)
 {
 #ifdef LANTERNS
 #ifdef REPETITION
-    return walkNeighbors(ray, REPETITION, 4 * parameters.stepLimit);
+    return walkNeighbors(ray, REPETITION, 4 * lake.stepLimit);
 #else
     return walkLanterns(ray);
 #endif
@@ -283,7 +285,7 @@ PortalSeen portalSeen(PortalRay eye)
         int mirrored = leg.mirrored;
         leg = m.leg;
         leg.weight = weight;
-        if (mirrored >= parameters.bounces) {
+        if (mirrored >= BOUNCES) {
             sum.radiance += weight * skyAround(leg.ray.direction, leg, eye.footprint);
             break;
         }

@@ -220,10 +220,12 @@ LanternWalk walkLanterns(LanternRay ray)
 LanternWalk walkNeighbors(LanternRay ray, int kind, int steps)
 {
     LanternWalk walk = nothingMet(ray);
+    if (lake.released.w >= 0.0) walk = withSolid(walk, ray, walk.lantern);
+    LanternWalk first = walk;
     vec2 y = slabSpan(ray.origin.y, ray.direction.y, lake.low, lake.high);
     float t = max(y.x, ray.from);
     int looks = kind == REPEAT_OWN_CELL ? 1 : (kind == REPEAT_2X2 ? 4 : 9);
-    for (int i = 0; i < steps && t < min(y.y, ray.to); ++i) {
+    for (int i = 0; i < steps && t < min(y.y, first.distance); ++i) {
         vec3 p = ray.origin + ray.direction * t;
         vec2 g = vec2(p.x - lake.corner.x, lake.corner.y - p.z) / lake.cell;
         ivec2 own = ivec2(int(floor(clamp(g.x, -1.0e6, 1.0e6))), int(floor(clamp(g.y, -1.0e6, 1.0e6))));
@@ -250,6 +252,5 @@ LanternWalk walkNeighbors(LanternRay ray, int kind, int steps)
         }
         t += nearest;
     }
-    walk.part = PART_NONE;
-    return walk;
+    return first;
 }
