@@ -1,5 +1,6 @@
 // What of a picture changes by itself, where, and when.
 #include "exhibits/hall/hall_scene.h"
+#include "exhibits/museum/lamps.h"
 #include "exhibits/museum/present.h"
 
 #include <algorithm>
@@ -35,6 +36,16 @@ bool movesHangings(const Exhibit& exhibit, const ParameterValues& values)
     return turns && turns->turnOfHangings(values, 0) != turns->turnOfHangings(values, 1);
 }
 
+/// Whether the lamps that it carries become others while it moves.
+bool changesLamps(const Exhibit& exhibit, const ExhibitState& state)
+{
+    const auto* carrier = capability<HasLocalLights>(exhibit);
+    if (!carrier) return false;
+    ExhibitState later = state;
+    later.time += 0.37;
+    return carrier->localLights(state) != carrier->localLights(later);
+}
+
 }  // namespace
 
 render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun)
@@ -60,11 +71,12 @@ double Museum::nextChange(const Prepared& prepared, const FrameRequest& request)
         if (since < buttonTime) next = 0;
     const bool alone = request.alone.has_value();
     const HallScene scene = sceneOf(prepared, alone);
-    // What is hidden may move unseen, and so may its shadow; but not what lamps shine on or hang in.
+    // What is hidden may move unseen, and so may its shadow; but not what lamps throw shadows of, or hang in.
     const std::vector<Present> present = presentIn(prepared, request, scene, wholeView(request));
-    const bool lamps = !lampsOf(prepared, present, alone).empty();
+    const bool shadows = throwShadows(lampsOf(prepared, present, alone));
     for (const Present& p : present)
-        if (lamps || p.hidden.empty() || (!alone && p.noShadow.empty()))
+        if (shadows || p.hidden.empty() || (!alone && p.noShadow.empty()) ||
+            changesLamps(p.exhibit, prepared.state(p.index)))
             next = std::min(next, p.exhibit.nextChangeOf(prepared.state(p.index)));
     return next;
 }
@@ -83,14 +95,15 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
     bool shadowMoves = false;
     bool lightInTheAir = false;
     const std::vector<Present> present = presentIn(prepared, request, scene, view);
-    const bool lamps = !lampsOf(prepared, present, alone).empty();
+    const bool shadows = throwShadows(lampsOf(prepared, present, alone));
     for (const Present& p : present) {
         const bool ofLight = capability<OverFrame>(p.exhibit) != nullptr;
         const bool seen = p.hidden.empty();
         const bool shadowSeen = !alone && p.noShadow.empty();
         lightInTheAir = lightInTheAir || (ofLight && seen);
         if (!(p.exhibit.nextChangeOf(prepared.state(p.index)) < neverChanges)) continue;
-        if (lamps) return std::nullopt;  // Their light and their shadows may fall anywhere.
+        // Light of lamps and their shadows may fall anywhere.
+        if (shadows || changesLamps(p.exhibit, prepared.state(p.index))) return std::nullopt;
         if (!seen && !shadowSeen) continue;
         if (ofLight || movesHangings(p.exhibit, prepared.sceneState.values[p.index])) return std::nullopt;
         render::Box reach = p.box;

@@ -18,6 +18,8 @@ struct LocalLight {
     glm::dvec3 intensity{1};   ///< Radiant intensity, W/sr.
     double range = 0;          ///< Meters: beyond, it is not seen; 0: no end.
     bool castsShadow = false;  ///< If it is among the strongest.
+
+    bool operator==(const LocalLight&) const = default;
 };
 
 #include "shaders/lib/local_lights_block.glsl"
