@@ -92,6 +92,10 @@ TEST_F(LampsTest, CostNothingWhereThereIsNone)
 {
     test::Shot shot;
     shot.inHall();
+    // The only lamp is the glow of the lanterns' frame.
+    ParameterValues& lanterns = shot.sceneState.values[test::gallery().museum.find("paper_lanterns").value()];
+    EXPECT_FALSE(test::planned(test::gallery().museum, shot.sceneState, shot.request.frame).findSkipped("lamps"));
+    lanterns.setRow(lanterns.table().find("hallGlow").value(), 0.0);
     const render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, shot.request.frame);
     EXPECT_TRUE(lampPasses(plan).empty());
     ASSERT_TRUE(plan.findSkipped("lamps"));
