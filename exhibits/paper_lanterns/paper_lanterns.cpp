@@ -180,10 +180,10 @@ std::vector<render::LocalLight> PaperLanterns::localLights(const ExhibitState& s
     const Table& t = table_;
     if (values[t.show] != LakeShow::picture || !values[t.candles] || values[t.hallGlow] <= 0 || !anyAfloat(t, values))
         return {};
-    // As much as the opening sends of the glow that it shows, from its middle.
-    const double strength = 0.3 * values[t.hallGlow] * values[t.candleStrength] * values[t.crowding];
+    // For the light of the opening: a ball before the mouth of the frame, so that the wall beside it is lit, too.
+    const double strength = 0.35 * values[t.hallGlow] * values[t.candleStrength] * values[t.crowding];
     render::LocalLight light;
-    light.position = {0, -0.25, -0.2};
+    light.position = {0, -0.25, 0.12};
     light.radius = 0.15;
     light.intensity = strength * values[t.candleColor].value;
     light.range = 4;
