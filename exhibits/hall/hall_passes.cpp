@@ -112,6 +112,9 @@ void planButtons(const HallScene& scene, const SceneLighting& light, const Chann
     plan.add(std::move(pass));
 }
 
+/// Of letters, light on dark bronze: linear, and how much of it covers the plate.
+constexpr glm::vec4 enamel{0.80F, 0.76F, 0.66F, 0.97F};
+
 void planPlaques(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
 {
     if (!scene.text) {
@@ -132,7 +135,7 @@ void planPlaques(const HallScene& scene, const SceneLighting& light, render::Fra
     for (const PlaqueText::Plaque& plaque : scene.text->plaques()) {
         if (!plan.view.mayContain(plaque.mesh->bounds.transformed(plaque.worldFromPlaque))) continue;
         SurfaceObject object = surfaceObject(plaque.worldFromPlaque, {});
-        object.baseColor = {0.012F, 0.009F, 0.006F, 0.97F};
+        object.baseColor = enamel;
         object.fontSpread = static_cast<float>(2 * scene.text->spread());
         Draw draw;
         draw.mesh = plaque.mesh;

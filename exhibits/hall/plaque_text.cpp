@@ -10,13 +10,14 @@
 namespace vitrine {
 namespace {
 
-// Layout of a plate of 0.42 x 0.26 m, meters.
+// Layout of a plate of 0.42 x 0.26 m, meters: sizes are those of the smallest letters, for the longest text.
 constexpr double plateWidth = 0.42;
 constexpr double plateHeight = 0.26;
 constexpr double margin = 0.022;
 constexpr double numberSize = 0.040;
 constexpr double titleSize = 0.038;
 constexpr double bodySize = 0.0205;
+constexpr double mostScale = 1.5;
 constexpr double lift = 0.0006;  ///< Above the plate, so that letters win the depth test.
 
 std::u32string decodeUtf8(std::string_view text)
@@ -126,34 +127,43 @@ void PlaqueText::append(render::Mesh& mesh, const std::u32string& text, glm::dve
     }
 }
 
+double PlaqueText::lay(const std::vector<Paragraph>& paragraphs, double scale, render::Mesh* mesh) const
+{
+    const double left = -plateWidth / 2 + margin;
+    const double width = plateWidth - 2 * margin;
+    double y = plateHeight / 2 - margin - titleSize * scale * 0.78;
+    double last = y;
+    for (const Paragraph& paragraph : paragraphs) {
+        const double size = paragraph.size * scale;
+        const double indent = paragraph.label.empty() ? 0 : widthOf(paragraph.label) * numberSize * scale + 0.016;
+        if (mesh) append(*mesh, paragraph.label, {left, y}, numberSize * scale);
+        for (const std::u32string& line : broken(paragraph.text, (width - indent) / size)) {
+            if (mesh) append(*mesh, line, {left + indent, y}, size);
+            last = y;
+            y -= size * lineHeight_ * 0.92;
+        }
+        y -= 0.008 * scale;
+    }
+    return last;
+}
+
 std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const ExhibitSlot* slot) const
 {
     auto mesh = std::make_shared<render::Mesh>();
     const std::string label = number == 10 ? "" : std::to_string(number);
     mesh->bounds = {{-plateWidth / 2, -plateHeight / 2, -0.01}, {plateWidth / 2, plateHeight / 2, 0.01}};
     mesh->name = "plaque " + (label.empty() ? "free" : label);
-    const double left = -plateWidth / 2 + margin;
-    const double width = plateWidth - 2 * margin;
-    double y = plateHeight / 2 - margin - titleSize * 0.78;
-    const auto line = [&](const std::u32string& text, double size, double x = 0) {
-        append(*mesh, text, {left + x, y}, size);
-        y -= size * lineHeight_ * 0.92;
-    };
-    const std::u32string digits = decodeUtf8(label);
-    append(*mesh, digits, {left, y}, numberSize);
-    const double indent = label.empty() ? 0 : widthOf(digits) * numberSize + 0.016;
     const std::string title = slot ? slot->title : number == 10 ? "Your own object" : "In preparation";
-    line(decodeUtf8(title), titleSize, indent);
-    y -= 0.008;
     const std::string summary = slot           ? slot->summary
                                 : number == 10 ? "Drop a glTF file on the window and it stands here."
                                                : "This place waits for an exhibit.";
-    for (const std::u32string& text : broken(decodeUtf8(summary), width / bodySize)) line(text, bodySize);
-    if (slot && !slot->tryThis.empty()) {
-        y -= 0.007;
-        for (const std::u32string& text : broken(decodeUtf8("Try: " + slot->tryThis), width / bodySize))
-            line(text, bodySize);
-    }
+    std::vector<Paragraph> paragraphs{{decodeUtf8(title), titleSize, decodeUtf8(label)},
+                                      {decodeUtf8(summary), bodySize, {}}};
+    if (slot && !slot->tryThis.empty()) paragraphs.push_back({decodeUtf8("Try: " + slot->tryThis), bodySize, {}});
+    // As large as the plate has room for.
+    double scale = mostScale;
+    while (scale > 1 && lay(paragraphs, scale, nullptr) < -plateHeight / 2 + margin) scale -= 0.02;
+    lay(paragraphs, scale, mesh.get());
     return mesh;
 }
 

@@ -34,11 +34,19 @@ private:
         double advance = 0, left = 0, bottom = 0, width = 0, height = 0;  ///< em
         glm::vec2 uv0{0}, uv1{0};
     };
+    struct Paragraph {
+        std::u32string text;
+        double size;           ///< Meters.
+        std::u32string label;  ///< Before it, or empty.
+    };
     void readFont();
     [[nodiscard]] const Glyph& glyph(char32_t) const;
     [[nodiscard]] double widthOf(const std::u32string&) const;
     [[nodiscard]] std::vector<std::u32string> broken(const std::u32string& text, double widest) const;
     void append(render::Mesh&, const std::u32string&, glm::dvec2 pen, double size) const;
+    /// Sets them at so many times their sizes, or only measures where `mesh` is null. Returns the last base line's
+    /// height.
+    double lay(const std::vector<Paragraph>&, double scale, render::Mesh* mesh) const;
     [[nodiscard]] std::shared_ptr<const render::Mesh> set(int number, const ExhibitSlot*) const;
 
     std::shared_ptr<const render::Texture> atlas_;

@@ -1,4 +1,4 @@
-// Engraved letters, from a signed distance field (Green 2007, "Improved Alpha-Tested Magnification").
+// Enameled letters, from a signed distance field (Green 2007, "Improved Alpha-Tested Magnification").
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
 #include "kit/surface_object.glsl"
@@ -23,10 +23,10 @@ void main()
     s.normal = normalize(worldNormal);
     s.baseColor = object.baseColor.rgb;
     s.metalness = 0.0;
-    s.roughness = 0.9;
-    s.specular = 0.05;
+    s.roughness = 0.45;
+    s.specular = 0.5;
     s.ambient = probeAmbient(s.normal);
-    s.occlusion = 0.25;
+    s.occlusion = 1.0;
     vec3 toEye = normalize(frame.eye - worldPosition);
     // Premultiplied.
     radiance = vec4(shadeSurface(s, toEye), 1.0) * coverage * object.baseColor.a;

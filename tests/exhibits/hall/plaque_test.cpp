@@ -1,0 +1,83 @@
+// Plaques can be read: letters stand out from their plates in every light of the day, and lie within them.
+#include "exhibits/hall/hall_scene.h"
+#include "exhibits/hall/plaque_text.h"
+#include "tests/support/gallery.h"
+#include "tests/support/museum_on_paper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+using test::hallTable;
+using test::Picture;
+using test::Shot;
+
+class Plaques : public test::GlTest {};
+
+/// A plate from a meter before it; nothing else is in the picture.
+Shot plaqueShot(const glm::dmat4& worldFromPlaque)
+{
+    Shot shot;
+    shot.inHall();
+    shot.request.frame.averageIn = AverageIn::display;
+    shot.request.frame.channels.normal = false;
+    shot.see(glm::dvec3(worldFromPlaque * glm::dvec4(0, 0.02, 1, 1)), glm::dvec3(worldFromPlaque[3]));
+    shot.request.frame.camera.fovY = 0.23;
+    return shot.size(120, 72);
+}
+
+/// Luminance on the display of the letters' brightest parts over that of the plate.
+double contrastOf(const Picture& p)
+{
+    std::vector<double> values;
+    p.each([&](int x, int y) { values.push_back(p.luminance(x, y)); });
+    std::sort(values.begin(), values.end());
+    return values[values.size() * 98 / 100] / std::max(values[values.size() / 4], 1e-6);
+}
+
+TEST_F(Plaques, CanBeReadInEveryLightOfTheDay)
+{
+    int plates = 0;
+    for (const auto& [number, place] : test::building().places()) {
+        if (!place.worldFromPlaque) continue;
+        ++plates;
+        Shot shot = plaqueShot(*place.worldFromPlaque);
+        EXPECT_GT(contrastOf(shot.take()), 3) << number;
+        shot.hall().set(hallTable().sunStrength, 0.0);
+        EXPECT_GT(contrastOf(shot.take()), 3) << number << " in the shade";
+        shot.hall().resetRow(hallTable().sunStrength.row);
+        shot.hall().set(hallTable().sunBy, SunBy::hour);
+        for (const double hour : {8.0, 12.0, 16.0, 18.0}) {
+            shot.hall().set(hallTable().timeOfDay, hour);
+            EXPECT_GT(contrastOf(shot.take()), 3) << number << " at " << hour;
+        }
+    }
+    EXPECT_EQ(plates, 10);
+}
+
+TEST(PlaqueText, FillsItsPlateAndStaysWithinIt)
+{
+    std::vector<ExhibitSlot> slots;
+    for (int place = 1; place <= 9; ++place)
+        slots.push_back({.place = place, .title = "Title", .summary = "Few words.", .tryThis = ""});
+    slots[1].summary =
+        "Many words that go on for as long as a summary may, so that they need several lines of the plate.";
+    slots[1].tryThis = "walk past it, then go so near that you see its parts, and turn back to the middle of the hall.";
+    const PlaqueText text(test::building(), slots);
+    double widest = 0, lowest = 1;
+    for (const PlaqueText::Plaque& plaque : text.plaques())
+        for (const render::Vertex& v : plaque.mesh->vertices) {
+            EXPECT_LT(std::abs(v.position.x), 0.21F) << plaque.mesh->name;
+            EXPECT_LT(std::abs(v.position.y), 0.13F) << plaque.mesh->name;
+            widest = std::max(widest, static_cast<double>(v.position.x));
+            if (plaque.mesh->name == "plaque 2") lowest = std::min(lowest, static_cast<double>(v.position.y));
+        }
+    EXPECT_GT(widest, 0.15);
+    EXPECT_LT(lowest, -0.05) << "the lower half is not left empty";
+}
+
+}  // namespace
+}  // namespace vitrine
