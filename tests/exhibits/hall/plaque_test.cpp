@@ -26,7 +26,7 @@ Shot plaqueShot(const glm::dmat4& worldFromPlaque)
     shot.request.frame.channels.normal = false;
     shot.see(glm::dvec3(worldFromPlaque * glm::dvec4(0, 0.02, 1, 1)), glm::dvec3(worldFromPlaque[3]));
     shot.request.frame.camera.fovY = 0.23;
-    return shot.size(120, 72);
+    return shot.size(240, 144);
 }
 
 /// Luminance on the display of the letters' brightest parts over that of the plate.
