@@ -72,7 +72,7 @@ END
     for scene in primitives ambient_occlusion mercury; do
         for varied in shadowMethod\ shadowRays occlusionMethod\ occlusionRays bounces hitTolerance normalStep; do
             name=$(echo "$varied" | tr ' ' '_')
-            echo "study_sdf_scenes_${name}_$scene gl $study sdf_scenes $varied --points 5 --runs 3 --alone --set scene=$scene.json"
+            echo "study_sdf_scenes_${name}_$scene gl $study sdf_scenes $varied --points 5 --runs 3 --alone --size 160x90 --views 2 --set scene=$scene.json"
         done
     done
 }
