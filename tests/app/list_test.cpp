@@ -106,7 +106,7 @@ TEST(Doctor, SaysWhatThisMachineCanDo)
     EXPECT_NE(test::vitrine({"doctor"}).out.find(report["opengl"]["renderer"].get<std::string>()), std::string::npos);
 }
 
-TEST(Doctor, TriesTheHardCasesOnTheDriver)
+TEST(DoctorStability, TriesTheHardCasesOnTheDriver)
 {
     const Ended ended = test::vitrine({"doctor", "--stability", "--presets", "2", "--json"});
     EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
