@@ -13,8 +13,9 @@ vec2 equirectangular(vec3 d)
     return vec2(u, acos(clamp(d.y, -1.0, 1.0)) / PI);
 }
 
-// Mean of the panorama over a pixel that is `angle` radians wide. Towards a pole it holds ever more columns of texels, at
-// the pole itself all of them: they are looked up side by side, as coarse as the pixel is high; beyond 16 looks, coarser.
+// Mean of the panorama over a pixel that is `angle` radians wide. Towards a pole it holds ever more columns of
+// texels, at the pole itself all of them: they are looked up side by side, as coarse as the pixel is high; beyond 16
+// looks, coarser.
 vec3 panoramaRadiance(vec3 d, float angle)
 {
     vec2 size = vec2(textureSize(environmentPicture, 0));

@@ -1,7 +1,9 @@
-// Fibers of a lantern's paper. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h), after lib/noise_sums.glsl.
+// Fibers of a lantern's paper. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h), after
+// lib/noise_sums.glsl.
 
-// How much more or less paper there is at a place of the tube, and by how much that changes per meter around and per meter
-// up. Noise on the paper rolled out, which comes around after whole cells: no seam. Octaves finer than `width` fade.
+// How much more or less paper there is at a place of the tube, and by how much that changes per meter around and per
+// meter up. Noise on the paper rolled out, which comes around after whole cells: no seam. Octaves finer than `width`
+// fade.
 vec3 paperFibers(vec3 p, float radius, float width)
 {
     vec3 sum = vec3(0.0);
@@ -23,8 +25,8 @@ vec3 paperFibers(vec3 p, float radius, float width)
     return sum;
 }
 
-// The paper's normal outwards in the lantern's space, tilted by the fibers: `fiber` as above, times how high they stand in
-// meters. The frame of the tube is around, up and outwards, all three of length 1.
+// The paper's normal outwards in the lantern's space, tilted by the fibers: `fiber` as above, times how high they
+// stand in meters. The frame of the tube is around, up and outwards, all three of length 1.
 vec3 paperNormal(vec3 p, vec3 fiber)
 {
     float r = max(length(vec2(p.x, p.z)), 1.0e-6);

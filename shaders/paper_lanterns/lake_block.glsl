@@ -52,7 +52,7 @@
     FIELD(float, paperScatter)   /* of the paper: scattering times thickness */ \
     FIELD(vec3, paperAbsorb)     /* absorption times thickness */ \
     FIELD(int, rowLimit)         /* rows of cells that a ray looks for lanterns in */ \
-    FIELD(int, looks)            /* cells in each of them: two hold all that a ray can touch, three what lights the air about it */ \
+    FIELD(int, looks)            /* cells in each: two hold all that a ray can touch, three what lights its air */ \
     FIELD(int, stepLimit)        /* steps in one lantern */ \
     FIELD(float, tolerance)      /* how near a ray must come, pixels */ \
     FIELD(float, pointWidth)     /* a lantern over which a pixel is wider than this is a glowing point, meters */ \

@@ -1,5 +1,6 @@
-// One lantern: where it floats, its parts, how bright it is. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h);
-// who includes this has paper.glsl, `lake` (a LakeBlock), `evaluations` (a count) and `float blueNoiseAt(ivec2 texel)`.
+// One lantern: where it floats, its parts, how bright it is. GLSL 4.50 and C++
+// (exhibits/paper_lanterns/paper_lanterns_cpu.h); who includes this has paper.glsl, `lake` (a LakeBlock),
+// `evaluations` (a count) and `float blueNoiseAt(ivec2 texel)`.
 
 struct Lantern {
     vec3 place;   // middle of its base
@@ -136,8 +137,8 @@ LanternPoint lanternField(vec3 p)
     return found;
 }
 
-// Where a ray is inside a box that is even about the y axis, or inside an upright cylinder: first and last distance; none
-// where first > last. `d` may have components of 0.
+// Where a ray is inside a box that is even about the y axis, or inside an upright cylinder: first and last distance;
+// none where first > last. `d` may have components of 0.
 vec2 slabSpan(float o, float d, float low, float high)
 {
     if (abs(d) < 1.0e-12) return o >= low && o <= high ? vec2(-1.0e9, 1.0e9) : vec2(1.0, -1.0);

@@ -5,8 +5,8 @@ struct Sheet {
     float transmitted;  // share that leaves on the other side; the rest is absorbed
 };
 
-// Of diffuse light on a sheet with scattering and absorption, each times its thickness and not negative. Kubelka and Munk
-// 1931, "Ein Beitrag zur Optik der Farbanstriche", in the closed form of Kubelka 1948.
+// Of diffuse light on a sheet with scattering and absorption, each times its thickness and not negative. Kubelka and
+// Munk 1931, "Ein Beitrag zur Optik der Farbanstriche", in the closed form of Kubelka 1948.
 Sheet sheetOf(float scatter, float absorb)
 {
     // Nothing scatters: absorption alone.

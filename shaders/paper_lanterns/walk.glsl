@@ -7,9 +7,9 @@
 // which add a lantern that is only a glowing point, and what a lantern lights of the air; `near` is where the ray is
 // nearest to its axis.
 //
-// The ray goes by rows of cells across its main direction. It runs by a cell sideways at most while it crosses a row, so
-// the two cells whose middles are nearest to it there are all that it can touch; each lantern stays within its cell, and
-// is looked for only where its own bounds are crossed. So no step is too long, whatever the neighbors are.
+// The ray goes by rows of cells across its main direction. It runs by a cell sideways at most while it crosses a row,
+// so the two cells whose middles are nearest to it there are all that it can touch; each lantern stays within its
+// cell, and is looked for only where its own bounds are crossed. So no step is too long, whatever the neighbors are.
 
 struct LanternRay {
     vec3 origin;
@@ -215,8 +215,8 @@ LanternWalk walkLanterns(LanternRay ray)
     return walk;
 }
 
-// As the source goes: by the least distance to the lanterns of some cells around each point, whatever lies beyond them.
-// `kind` is REPEAT_OWN_CELL, REPEAT_2X2 or REPEAT_3X3. The control, and what the source shows.
+// As the source goes: by the least distance to the lanterns of some cells around each point, whatever lies beyond
+// them. `kind` is REPEAT_OWN_CELL, REPEAT_2X2 or REPEAT_3X3. The control, and what the source shows.
 LanternWalk walkNeighbors(LanternRay ray, int kind, int steps)
 {
     LanternWalk walk = nothingMet(ray);

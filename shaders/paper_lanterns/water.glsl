@@ -1,5 +1,5 @@
-// Heights and slopes of the lake: a sum of sines. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h); who
-// includes this has `lake`, a LakeBlock.
+// Heights and slopes of the lake: a sum of sines. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h);
+// who includes this has `lake`, a LakeBlock.
 
 struct LakePoint {
     float height;
@@ -38,8 +38,8 @@ LakePoint rideAt(vec2 p)
     return found;
 }
 
-// Distance along a ray (unit direction) to the water, from `from` on and no farther than `to`; -1 where it meets none.
-// By bounds of height and slope: the water cannot rise to the ray sooner. `width` of a pixel at distance 1.
+// Distance along a ray (unit direction) to the water, from `from` on and no farther than `to`; -1 where it meets
+// none. By bounds of height and slope: the water cannot rise to the ray sooner. `width` of a pixel at distance 1.
 float waterDistance(vec3 origin, vec3 direction, float from, float to, float width, float tolerance, int steps)
 {
     vec3 d = direction;

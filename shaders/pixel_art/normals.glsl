@@ -1,10 +1,10 @@
 // Normals from a depth buffer. GLSL and C++ (exhibits/pixel_art/normals_cpu.h): whoever includes this file defines
 // `float depthAt(ivec2)`, the stored value of a texel within the picture, before.
 //
-// Methods by the number of texels they look at: 3 and 4 are differences to fixed neighbors; 5 takes the nearer neighbor
-// of each axis (Turanszki 2019, "Improved normal reconstruction from depth"); 9 the one on whose line the texel lies
-// (Wu 2021, "Accurate Normal Reconstruction from Depth Buffer"), in stored depth, which is affine on every plane; 9+
-// chooses before it unprojects. Where a neighbor is outside the picture, the other side counts.
+// Methods by the number of texels they look at: 3 and 4 are differences to fixed neighbors; 5 takes the nearer
+// neighbor of each axis (Turanszki 2019, "Improved normal reconstruction from depth"); 9 the one on whose line the
+// texel lies (Wu 2021, "Accurate Normal Reconstruction from Depth Buffer"), in stored depth, which is affine on every
+// plane; 9+ chooses before it unprojects. Where a neighbor is outside the picture, the other side counts.
 
 struct DepthLens {
     vec2 halfExtent;    // of the picture: meters, or tangents in perspective
@@ -167,8 +167,10 @@ struct Side {
 Side sideAt(DepthLens lens, ivec2 p, ivec2 axis, int way, float c)
 {
     Side side;
-    // Of the axis alone: across it the texel is inside anyway. What lies beyond the border is read at the texel itself.
-    int room = way < 0 ? p.x * axis.x + p.y * axis.y : (lens.size.x - 1 - p.x) * axis.x + (lens.size.y - 1 - p.y) * axis.y;
+    // Of the axis alone: across it the texel is inside anyway. What lies beyond the border is read at the texel
+    // itself.
+    int before = p.x * axis.x + p.y * axis.y;
+    int room = way < 0 ? before : (lens.size.x - 1) * axis.x + (lens.size.y - 1) * axis.y - before;
     bool one = room >= 1;
     bool two = room >= 2;
     side.way = way;
@@ -211,10 +213,11 @@ vec3 normal9TapPlus(DepthLens lens, ivec2 p)
 }
 
 // Change of stored depth over one texel to that side, at the middle and not half a texel beyond it: of the parabola
-// through three texels. It bends no more than that around the middle, and not at all where that bends the other way: the
-// edge of a box may lie between the two texels (the minmod of both: Roe 1986, "Characteristic-based schemes for the Euler
-// equations"). The more the correction is of the difference, the likelier an edge lies two texels away: beyond
-// three tenths it falls, and from six on there is none. On planes it is 0, for what rounding can bend does not count.
+// through three texels. It bends no more than that around the middle, and not at all where that bends the other way:
+// the edge of a box may lie between the two texels (the minmod of both: Roe 1986, "Characteristic-based schemes for
+// the Euler equations"). The more the correction is of the difference, the likelier an edge lies two texels away:
+// beyond three tenths it falls, and from six on there is none. On planes it is 0, for what rounding can bend does not
+// count.
 float slopeAt(DepthLens lens, Side side, float c)
 {
     float first = side.first - c;

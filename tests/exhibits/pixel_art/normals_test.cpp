@@ -174,7 +174,7 @@ TEST(NormalsFromDepth, N10_ReversedAndStandardDepthGiveTheSameNormals)
     }
 }
 
-TEST(NormalsFromDepth, N13_AVoteMendsBarsOfOneAndTwoTexels)
+TEST(NormalsFromDepth, N13_H11_AVoteMendsBarsOfOneAndTwoTexels)
 {
     const TracedPicture traced(cameraOf(true, {240, 135}), bars);
     Buffer buffer(traced);

@@ -231,7 +231,7 @@ TEST_F(PixelPictures, ThePaletteIsTheNearestToThePictureBeforeIt)
     EXPECT_LE(differ, 240 * 135 / 400);
 }
 
-TEST_F(PixelPictures, N13_AVoteMendsDrawnBarsOfOneToThreeTexels)
+TEST_F(PixelPictures, N13_H11_AVoteMendsDrawnBarsOfOneToThreeTexels)
 {
     for (const PixelProjection projection : {PixelProjection::orthographic, PixelProjection::perspective}) {
         SmallShot shot;
