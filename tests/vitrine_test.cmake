@@ -9,6 +9,10 @@ find_package(rapidcheck QUIET)
 set(vitrine_unoptimized "$<$<CONFIG:Release>:-O0>")
 set(vitrine_little_optimized "$<$<CONFIG:Release>:-O1>")
 
+# Where tests that draw keep the programs that the driver compiled: for all of them, whoever draws them first.
+set(vitrine_program_caches ${PROJECT_BINARY_DIR}/tests/exhibits/caches/llvmpipe)
+file(MAKE_DIRECTORY ${vitrine_program_caches})
+
 # What most tests include of other people's, compiled once for all programs, and once more for those with OPTIMIZED.
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp "")
 foreach(headers vitrine_test_headers vitrine_optimized_test_headers)
