@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the hall is made of: mean linear albedo (or metal reflectance), roughness, metalness, tile in meters.
 
-A tile size means that textures.py paints color, normal and occlusion-roughness-metalness maps."""
+A tile size means that textures.py paints color, normal and occlusion-roughness-metalness maps; what is polished is
+flat and has no normals."""
 
 MATERIALS = {
-    "terrazzo":   {"color": (0.50, 0.465, 0.42),  "roughness": 0.27, "metalness": 0.0, "tile": 2.0},
+    "terrazzo":   {"color": (0.50, 0.465, 0.42),  "roughness": 0.145, "metalness": 0.0, "tile": 2.0,
+                   "polished": True},
     "plaster":    {"color": (0.72, 0.68, 0.61),   "roughness": 0.88, "metalness": 0.0, "tile": 3.0},
     "dado":       {"color": (0.175, 0.17, 0.14), "roughness": 0.55, "metalness": 0.0, "tile": 1.5},
     "coffer":     {"color": (0.70, 0.67, 0.61),   "roughness": 0.85, "metalness": 0.0},

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Paints the hall's tileable textures and writes materials.json: python3 textures.py [NAME ...]
 
-<name>_color.png is sRGB, <name>_normal.png OpenGL style (+Y up), <name>_orm.png holds occlusion, roughness
-and metalness. Every color map averages to the albedo that hall_materials.py states."""
+<name>_color.png is sRGB, <name>_normal.png OpenGL style (+Y up; none for what is ground flat), <name>_orm.png holds
+occlusion, roughness and metalness. Every color map averages to the albedo that hall_materials.py states."""
 import json
 import os
 import sys
@@ -64,6 +64,8 @@ def save(name, color, height, occlusion, roughness, size=None, tile=None):
     orm = np.stack([np.broadcast_to(occlusion, height.shape), np.broadcast_to(roughness, height.shape),
                     np.full(height.shape, spec["metalness"])], -1)
     for kind, data in (("color", to_srgb(color)), ("normal", nrm), ("orm", orm)):
+        if kind == "normal" and spec.get("polished"):
+            continue
         image = Image.fromarray((np.clip(data, 0, 1) * 255 + 0.5).astype(np.uint8), "RGB")
         if size and size.get(kind, image.size[0]) != image.size[0]:
             image = image.resize((size[kind],) * 2, Image.BOX)
@@ -106,12 +108,9 @@ def terrazzo(n=1024):
         strength = mask * 0.85
         color = color * (1 - strength[..., None]) + tint[k] * strength[..., None]
         hard = np.maximum(hard, mask)
-    wear = noise(n, 5, 11, 4)
-    rough = 0.275 + 0.03 * wear + 0.012 * noise(n, 60, 12, 2) - 0.02 * hard
-    smear = np.clip(noise(n, 4, 13, 3, stretch=(1, 2.5)) - 0.6, 0, 1)
-    rough = np.clip(rough + 0.03 * smear, 0.2, 0.35)
-    height = 0.00006 * blur(hard, 0.8) + 0.0011 * noise(n, 2, 14, 2) + 0.00002 * noise(n, 120, 15)
-    save("terrazzo", color, height, 1.0, rough, {"normal": 512, "orm": 512})
+    # Ground and polished flat: the chips take it best, the cement between them less; nothing varies over more than chips.
+    rough = np.clip(0.155 + 0.012 * noise(n, 60, 12, 2) - 0.03 * hard, 0.12, 0.22)
+    save("terrazzo", color, np.zeros((n, n)), 1.0, rough, {"orm": 512})
 
 
 def plaster(n=512):
@@ -229,10 +228,11 @@ def materials_json():
         if "tile" in spec:
             entry = {"tile": spec["tile"], "color": f"textures/{name}_color.png",
                      "normal": f"textures/{name}_normal.png", "orm": f"textures/{name}_orm.png"}
+            if spec.get("polished"):
+                del entry["normal"]
         flat = "tile" not in spec
         entry["baseColor"] = list(spec["color"]) if flat else [1.0, 1.0, 1.0]
-        # Polished stone against the sun would burn out; a worn floor keeps its drawing.
-        entry["roughness"] = spec["roughness"] if flat else (1.65 if name == "terrazzo" else 1.0)
+        entry["roughness"] = spec["roughness"] if flat else 1.0
         entry["metalness"] = spec["metalness"] if flat else 1.0
         entry["mean"] = {"baseColor": list(spec["color"]), "roughness": spec["roughness"],
                          "metalness": spec["metalness"]}

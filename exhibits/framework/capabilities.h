@@ -3,6 +3,7 @@
 #include "exhibits/framework/chart.h"
 #include "exhibits/framework/parameters.h"
 #include "exhibits/framework/prepare.h"
+#include "exhibits/framework/standing.h"
 #include "render/files/asset_store.h"
 #include "render/plan/frame_plan.h"
 #include "render/plan/local_lights.h"
@@ -67,6 +68,15 @@ public:
     /// The lamps at this moment, in its own space; asked for however far it is out of view, and before anything is
     /// prepared. Lights of no intensity cost nothing.
     [[nodiscard]] virtual std::vector<render::LocalLight> localLights(const ExhibitState&) const = 0;
+};
+
+/// Has bodies that darken the floor around them and are mirrored in it.
+class StandsOnFloor {
+public:
+    virtual ~StandsOnFloor() = default;
+    /// Simple shapes for them in its own space, as they are in the mean over time: what moves does not move in the
+    /// floor.
+    [[nodiscard]] virtual std::vector<StandingShape> standingShapes(const ParameterValues&) const = 0;
 };
 
 /// Turns what the building hangs up at its place.

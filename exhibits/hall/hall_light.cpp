@@ -209,10 +209,12 @@ std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 std::uint64_t lightKey(const HallScene& scene)
 {
     render::Hash hash;
-    // Exposure and sampling change no light: they are left out of the key.
+    // Exposure, sampling and what the floor alone shows change no light: they are left out of the key.
     ParameterValues lighting = scene.values;
-    for (const std::size_t row : {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.supersamples.row},
-                                  std::size_t{scene.table.resolutionScale.row}})
+    for (const std::size_t row :
+         {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.supersamples.row},
+          std::size_t{scene.table.resolutionScale.row}, std::size_t{scene.table.contactShadows.row},
+          std::size_t{scene.table.floorMirror.row}})
         lighting.resetRow(row);
     derive::addToKey(hash, lighting);
     hash.addValue(scene.alone).addValue(scene.filesId);

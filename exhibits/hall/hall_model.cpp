@@ -98,6 +98,11 @@ HallModel::HallModel()
     const render::Model model = render::loadGltf(render::asset("models/hall.glb"));
     sortParts(model);
     sortMarkers(model);
+    furniture_ = furnitureOf(*this);
+    for (auto& [number, place] : places_) {
+        place.clothShapes = shapesOf(*this, place.cloth);
+        place.standShapes = shapesOf(*this, place.stand);
+    }
 }
 
 void HallModel::readMaterials()
@@ -112,6 +117,8 @@ void HallModel::readMaterials()
         if (const auto color = row.find("baseColor"); color != row.end())
             entry.material.baseColor = {(*color)[0].get<float>(), (*color)[1].get<float>(), (*color)[2].get<float>(),
                                         1.0F};
+        const Json& mean = row.at("mean").at("baseColor");
+        entry.meanColor = {mean[0].get<double>(), mean[1].get<double>(), mean[2].get<double>()};
         entry.material.baseColorMap = map(row, "color", true);
         entry.material.normalMap = map(row, "normal", false);
         entry.material.metallicRoughnessMap = map(row, "orm", false);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/hall/hall_furniture.h"
 #include "render/scene/mesh.h"
 
 #include <glm/glm.hpp>
@@ -17,11 +18,12 @@ namespace vitrine {
 struct Place {
     int number = 0;  ///< 1 to 9; 10 is the visitor's own plinth.
     glm::dmat4 worldFromPlace{1};
-    std::optional<glm::dmat4> worldFromPlaque;  ///< +z out of the plate, +y up its text.
-    std::optional<glm::dmat4> worldFromButton;  ///< +y the way out of the button.
-    std::vector<render::MeshInstance> cloth;    ///< Drawn while the place is empty.
-    std::vector<render::MeshInstance> stand;    ///< Drawn while it is not.
-    std::vector<render::MeshInstance> hanging;  ///< The same, turned about the y axis of its node.
+    std::optional<glm::dmat4> worldFromPlaque;            ///< +z out of the plate, +y up its text.
+    std::optional<glm::dmat4> worldFromButton;            ///< +y the way out of the button.
+    std::vector<render::MeshInstance> cloth;              ///< Drawn while the place is empty.
+    std::vector<render::MeshInstance> stand;              ///< Drawn while it is not.
+    std::vector<render::MeshInstance> hanging;            ///< The same, turned about the y axis of its node.
+    std::vector<StandingShape> clothShapes, standShapes;  ///< Of both, world space.
 };
 
 /// An upright obstacle: a box (oriented by its transform) or a cylinder around its y axis.
@@ -39,7 +41,8 @@ struct Occluder {
 /// How a material of the hall is drawn: assets/models/materials.json.
 struct HallMaterial {
     render::Material material;
-    double tile = 1;  ///< Meters that one repeat of its pictures covers.
+    double tile = 1;            ///< Meters that one repeat of its pictures covers.
+    glm::dvec3 meanColor{0.5};  ///< Mean of its base color, linear.
 };
 
 /// One baked map of the sun's bounced light.
@@ -70,6 +73,9 @@ public:
     [[nodiscard]] const glm::dvec3& probe() const { return *probe_; }
     [[nodiscard]] const render::Box& probeRoom() const { return probeRoom_; }
 
+    /// What stands on the floor and never moves, and the bars of the window.
+    [[nodiscard]] const Furniture& furniture() const { return furniture_; }
+
     [[nodiscard]] std::shared_ptr<const render::Texture> skyLightmap() const { return skyLightmap_; }
     [[nodiscard]] double skyLightmapScale() const { return skyLightmapScale_; }
     [[nodiscard]] std::shared_ptr<const render::Texture> sunLightmaps() const { return sunLightmaps_; }
@@ -92,6 +98,7 @@ private:
     std::shared_ptr<const render::Texture> skyLightmap_, sunLightmaps_;
     double skyLightmapScale_ = 1;
     std::vector<SunLightmap> sunInfo_;
+    Furniture furniture_;
 };
 
 }  // namespace vitrine

@@ -291,17 +291,23 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
         plan.add(std::move(pass));
 }
 
+void bindBakedLight(const HallScene& scene, Pass& pass)
+{
+    if (!scene.values[scene.table.bakedLight]) return;
+    pass.shader.defines.emplace_back("LIGHTMAP");
+    pass.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
+    pass.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
+}
+
 void planWalls(const HallScene& scene, const SceneLighting& light, const Channels& channels, render::FramePlan& plan)
 {
     Pass walls = surfacePass("hall/walls", "the hall is around the visitor", light, channels,
                              {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, render::Load::clear);
-    if (scene.values[scene.table.bakedLight]) {
-        walls.shader.defines.emplace_back("LIGHTMAP");
-        walls.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
-        walls.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
-    }
-    for (const MeshInstance& part : scene.model.walls()) walls.draws.push_back(partDraw(scene, part));
+    bindBakedLight(scene, walls);
+    for (const MeshInstance& part : scene.model.walls())
+        if (!isFloor(part)) walls.draws.push_back(partDraw(scene, part));
     plan.add(std::move(walls));
+    planFloor(scene, light, channels, plan);
 
     Pass props = surfacePass("hall/props", "cloths cover the empty places", light, channels,
                              {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"});

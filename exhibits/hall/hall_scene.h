@@ -49,8 +49,9 @@ struct HallScene {
     glm::dmat4 worldFromVisitorModel{1};
     std::shared_ptr<const PlaqueText> text;
     std::span<const ExhibitSlot> exhibits;
-    std::uint64_t filesId = 0;            ///< As PreparedPart's.
-    std::vector<ExhibitPose> poses = {};  ///< One for each slot; may be shorter.
+    std::uint64_t filesId = 0;               ///< As PreparedPart's.
+    std::vector<ExhibitPose> poses = {};     ///< One for each slot; may be shorter.
+    std::vector<StandingShape> bodies = {};  ///< Of the exhibits, as they stand on the floor; world space.
 };
 
 /// What is drawn at a place beside its exhibit: a cloth over an empty one, else its stand and what hangs there, as far
@@ -75,10 +76,21 @@ struct HallScene {
 
 /// The sun's depth map of walls and furniture, kept while neither moves.
 void planHallShadow(const HallScene&, const SceneLighting&, render::FramePlan&);
+/// Lets a pass of `surfacePass` draw walls in the light that is baked for them, where that is switched on.
+void bindBakedLight(const HallScene&, render::Pass&);
 /// Walls, furniture, cloths over empty places, the visitor's object, buttons and plaques.
 void planWalls(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
 /// What is behind everything: sky, panorama, or the studio of an exhibit alone.
 void planSky(const HallScene&, const SceneLighting&, render::FramePlan&);
+
+// hall_floor.cpp
+
+/// The map of contact shadows on the floor, kept until something else stands on it.
+void planContactShadows(const HallScene&, render::FramePlan&);
+/// The floor of polished stone, which mirrors what stands on it, after the other walls.
+void planFloor(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
+/// Whether the floor's own pass draws this part of the walls.
+[[nodiscard]] bool isFloor(const render::MeshInstance&);
 
 // hall_probe.cpp
 

@@ -6,6 +6,7 @@ namespace vitrine {
 
 enum class SunBy : int { angles, hour };
 enum class ShadowFilter : int { hard, tent3, tent5, disk };
+enum class FloorMirror : int { probe, shapes };
 
 /// What the hall is called; here, so that lists need not read the building itself.
 inline constexpr std::string_view hallTitle = "The hall";
@@ -73,6 +74,9 @@ struct HallTable final : Parameters {
     Toggle bakedLight =
         toggle("bakedLight", true,
                "Light the walls with baked sky light and occlusion; without it, they get one even ambient light.");
+    Toggle contactShadows =
+        toggle("contactShadows", true,
+               "Darken the floor around what stands on it: without it, feet and plinths seem to float.");
     File environment =
         file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.",
              endings("hdr exr jpg jpeg png tif tiff"));
@@ -90,6 +94,12 @@ struct HallTable final : Parameters {
     Count probeSamples = count("probeSamples", 24, {1, 1024, logarithmic},
                                "Samples per texel when the mirror image is blurred for rough surfaces.", quality(1024),
                                when(reflectionProbe));
+
+    Choice<FloorMirror> floorMirror = choice(
+        "floorMirror", FloorMirror::shapes, {"probe", "shapes"},
+        "What the polished floor mirrors: the probe's soft picture of the room, or in front of it the window, its "
+        "bars and what stands on the floor, each where a ray finds it.",
+        quality(FloorMirror::shapes), when(reflectionProbe));
 
     Group visitor = group("Visitor's object");
     File model = file("model", "A glTF object (.glb or .gltf) on the free plinth.", endings("glb gltf"));

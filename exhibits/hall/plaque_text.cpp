@@ -13,7 +13,7 @@ namespace {
 // Layout of a plate of 0.42 x 0.26 m, meters: sizes are those of the smallest letters, for the longest text.
 constexpr double plateWidth = 0.42;
 constexpr double plateHeight = 0.26;
-constexpr double margin = 0.022;
+constexpr double plateMargin = 0.022;
 constexpr double numberSize = 0.040;
 constexpr double titleSize = 0.038;
 constexpr double bodySize = 0.0205;
@@ -129,9 +129,9 @@ void PlaqueText::append(render::Mesh& mesh, const std::u32string& text, glm::dve
 
 double PlaqueText::lay(const std::vector<Paragraph>& paragraphs, double scale, render::Mesh* mesh) const
 {
-    const double left = -plateWidth / 2 + margin;
-    const double width = plateWidth - 2 * margin;
-    double y = plateHeight / 2 - margin - titleSize * scale * 0.78;
+    const double left = -plateWidth / 2 + plateMargin;
+    const double width = plateWidth - 2 * plateMargin;
+    double y = plateHeight / 2 - plateMargin - titleSize * scale * 0.78;
     double last = y;
     for (const Paragraph& paragraph : paragraphs) {
         const double size = paragraph.size * scale;
@@ -162,7 +162,7 @@ std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const ExhibitSlo
     if (slot && !slot->tryThis.empty()) paragraphs.push_back({decodeUtf8("Try: " + slot->tryThis), bodySize, {}});
     // As large as the plate has room for.
     double scale = mostScale;
-    while (scale > 1 && lay(paragraphs, scale, nullptr) < -plateHeight / 2 + margin) scale -= 0.02;
+    while (scale > 1 && lay(paragraphs, scale, nullptr) < -plateHeight / 2 + plateMargin) scale -= 0.02;
     lay(paragraphs, scale, mesh.get());
     return mesh;
 }

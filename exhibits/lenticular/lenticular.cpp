@@ -224,6 +224,12 @@ bool Lenticular::press(ParameterValues& values) const
     return true;
 }
 
+std::vector<StandingShape> Lenticular::standingShapes(const ParameterValues& values) const
+{
+    constexpr double print = 0.3;  // Of its mean color: the prints show rooms in their own light.
+    return {standingBox(bounds(values), glm::dvec3(print))};
+}
+
 std::vector<StudyView> Lenticular::studyViews(const ParameterValues& values) const
 {
     const glm::dvec3 m = cardMiddle();

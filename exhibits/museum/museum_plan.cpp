@@ -88,6 +88,10 @@ HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
         const auto* turns = capability<TurnsHangings>(exhibit);
         scene.poses.push_back(
             {turns ? turns->turnOfHangings(prepared.sceneState.values[i], prepared.time) : 0, prepared.sincePress(i)});
+        const auto* stands = alone ? nullptr : capability<StandsOnFloor>(exhibit);
+        if (!stands) continue;
+        for (const StandingShape& shape : stands->standingShapes(prepared.sceneState.values[i]))
+            scene.bodies.push_back(moved(shape, worldFromExhibit(i)));
     }
     return scene;
 }
@@ -178,6 +182,7 @@ render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& req
     frame.lightLamps();
     planHallShadow(frame.scene, frame.light, frame.plan);
     planProbe(frame.scene, frame.light, frame.plan);
+    if (!alone && !request.cutOut) planContactShadows(frame.scene, frame.plan);
     frame.planBuilding(frame.plan);
     frame.planExhibits();
     frame.finish(kept);

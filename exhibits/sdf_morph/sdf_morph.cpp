@@ -68,6 +68,11 @@ render::Box SdfMorph::boxOverTime(const ParameterValues& values) const
                                         : glsl::torusMugBox(glsl::torusMugShape(mug)));
 }
 
+std::vector<StandingShape> SdfMorph::standingShapes(const ParameterValues& values) const
+{
+    return {standingCylinder(boxOverTime(values), values[table_.baseColor].value)};
+}
+
 render::Camera SdfMorph::bestView(const ParameterValues& values) const
 {
     const double reach = glm::length(boxOf(glsl::torusMugBoxOverMorph(torusMug(table_, values))).halfSize());

@@ -9,7 +9,7 @@ namespace vitrine {
 /// rasterized geometry. This folder is the exemplar of an exhibit; it is written to be read in this order:
 /// the table (what can be set), this file, sdf_morph.cpp (what the numbers mean), then the kit's sdf_exhibit.h and
 /// sdf_passes.cpp (what is drawn).
-class SdfMorph final : public SdfExhibit, public HasButton {
+class SdfMorph final : public SdfExhibit, public HasButton, public StandsOnFloor {
 public:
     using Table = SdfMorphTable;
 
@@ -30,6 +30,7 @@ public:
     bool press(ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] SdfBody body(const ParameterValues&, double time) const override;
+    [[nodiscard]] std::vector<StandingShape> standingShapes(const ParameterValues&) const override;
 
 private:
     [[nodiscard]] const SdfRows& rows() const override { return table_; }

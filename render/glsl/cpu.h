@@ -31,6 +31,10 @@
 
 #include "shaders/lib/local_light.glsl"
 
+#include "shaders/lib/standing_block.glsl"
+
+#include "shaders/lib/standing.glsl"
+
 #include "shaders/lib/sdf.glsl"
 
 #include "shaders/lib/sdf_operators.glsl"

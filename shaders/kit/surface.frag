@@ -1,8 +1,12 @@
 // A mesh with a material. Permutations: BASE_COLOR_MAP, NORMAL_MAP, ORM_MAP, EMISSIVE_MAP, LIGHTMAP,
-// FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WRITE_NORMAL, WRITE_EVALUATIONS.
+// FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WRITE_NORMAL, WRITE_EVALUATIONS, and
+// POLISHED_FLOOR with those of kit/standing.glsl.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
 #include "kit/surface_object.glsl"
+#ifdef POLISHED_FLOOR
+#include "kit/standing.glsl"
+#endif
 
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D baseColorMap;
 layout(binding = UNIT_NORMAL) uniform sampler2D normalMap;
@@ -89,8 +93,15 @@ void main()
 #else
     s.ambient = probeAmbient(n) * s.occlusion;
 #endif
+#ifdef CONTACT_SHADOWS
+    float contact = contactLight(s.position);
+    s.ambient *= contact;
+    s.occlusion *= contact;
+#endif
 #ifdef FLAT_PROBE
     vec3 color = s.baseColor * s.ambient + sunReflected(s, toEye, sunVisibility(s.position, s.normal));
+#elif defined(POLISHED_FLOOR)
+    vec3 color = shadeFloor(s, toEye);
 #else
     vec3 color = shadeSurface(s, toEye);
 #endif

@@ -22,6 +22,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/fur/body_block.glsl"
 #include "shaders/hall/probe_block.glsl"
 #include "shaders/ice_cream/ice_cream_block.glsl"
+#include "shaders/kit/floor_block.glsl"
 #include "shaders/kit/portal/portal_block.glsl"
 #include "shaders/kit/sdf/object_block.glsl"
 #include "shaders/kit/surface_object_block.glsl"
@@ -135,7 +136,9 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"CardObject", described<CardObject>()},
         {"CardPrintBlock", described<CardPrintBlock>()},
         {"ClockLoadBlock", described<ClockLoadBlock>()},
+        {"ContactBlock", described<ContactBlock>()},
         {"CreamLayer", described<CreamLayer>()},
+        {"FloorMirrorBlock", described<FloorMirrorBlock>()},
         {"FrameBlock", described<FrameBlock>()},
         {"FurBodies", described<FurBodies>()},
         {"FurBody", described<FurBody>()},
@@ -152,6 +155,7 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"PortalBlock", described<PortalBlock>()},
         {"SceneStage", described<SceneStage>()},
         {"SdfObject", described<SdfObject>()},
+        {"StandingShape", described<StandingShape>()},
         {"SurfaceObject", described<SurfaceObject>()},
         {"TemporalBlock", described<TemporalBlock>()},
         {"TorusMugShape", described<TorusMugShape>()},

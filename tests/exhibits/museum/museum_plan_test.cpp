@@ -122,7 +122,7 @@ TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
     const FramePlan later = scene.plan(keptAfter(first));
     const FramePlan bare = emptyPlan(keptAfter(emptyPlan({})));
     EXPECT_EQ(toString(later), toString(bare));
-    EXPECT_EQ(toString(later), "hall/walls > sky > tone");
+    EXPECT_EQ(toString(later), "hall/walls > hall/floor > sky > tone");
     EXPECT_EQ(trianglesOf(later), trianglesOf(bare));
     // Whatever the exhibit is set to, it costs nothing more.
     Scene costly = scene;

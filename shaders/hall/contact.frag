@@ -1,0 +1,15 @@
+// How much of the floor's ambient light one shape takes: as opacity, so that what several leave is multiplied.
+#include "lib/standing.glsl"
+#include "kit/floor_block.glsl"
+
+layout(std140, binding = BLOCK_OBJECT) uniform Object {
+    ContactBlock contact;
+};
+
+in vec2 place;
+layout(location = 0) out vec4 covered;
+
+void main()
+{
+    covered = vec4(0.0, 0.0, 0.0, contactShadow(contact.shape, place));
+}

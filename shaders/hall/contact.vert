@@ -1,0 +1,17 @@
+// One shape's part of the floor in the map of contact shadows: a triangle that covers it.
+#include "lib/standing.glsl"
+#include "kit/floor_block.glsl"
+
+layout(std140, binding = BLOCK_OBJECT) uniform Object {
+    ContactBlock contact;
+};
+
+out vec2 place;
+
+void main()
+{
+    vec2 corner = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
+    place = mix(contact.area.xy, contact.area.zw, corner);
+    vec2 inMap = (place - contact.mapArea.xy) / (contact.mapArea.zw - contact.mapArea.xy);
+    gl_Position = vec4(inMap * 2.0 - 1.0, 0.0, 1.0);
+}

@@ -1,0 +1,219 @@
+// The floor of the hall: darker where something stands, and a mirror of window, bars and plinths.
+
+#include "exhibits/hall/hall_model.h"
+#include "tests/support/gallery.h"
+#include "tests/support/museum_on_paper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace vitrine {
+namespace {
+
+using test::hallTable;
+using test::Picture;
+using test::Shot;
+
+class Floor : public test::GlTest {};
+
+Shot hallShot(const glm::dvec3& eye, const glm::dvec3& target, double fov)
+{
+    Shot shot;
+    shot.inHall();
+    shot.request.frame.channels.normal = false;
+    shot.see(eye, target);
+    shot.request.frame.camera.fovY = fov;
+    return shot;
+}
+
+/// Where a point is in the picture, pixels from the top left; the middle of a pixel is at a half.
+glm::dvec2 pixelOf(const Picture& picture, const glm::dvec3& world)
+{
+    const glm::dvec4 clip = picture.view.clipFromWorld * glm::dvec4(world, 1);
+    const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
+    return {(0.5 + 0.5 * ndc.x) * picture.width(), (0.5 - 0.5 * ndc.y) * picture.height()};
+}
+
+double luminanceAt(const Picture& picture, const glm::dvec3& world)
+{
+    const glm::dvec2 p = pixelOf(picture, world);
+    return picture.luminance(static_cast<int>(p.x), static_cast<int>(p.y));
+}
+
+/// Something that stands on the floor, and a point of the floor before it from which one steps away from it.
+struct Standing {
+    const char* what;
+    glm::dvec3 edge, away, eye;
+};
+
+const std::vector<Standing>& standingThings()
+{
+    static const std::vector<Standing> things{
+        {"the card's stand", {-3.0697, 0, 2.865}, {0.868, 0, -0.5}, {-1.9, 0.9, 2.2}},
+        {"the plinth in the middle", {0.1, 0, 0.4}, {0, 0, 1}, {0.9, 1.0, 2.2}},
+        {"the free plinth", {3.1, 0, -2.95}, {0, 0, 1}, {3.6, 1.0, -1.2}},
+        {"a bench", {0.62, 0, 8.31}, {0, 0, -1}, {1.0, 0.8, 7.0}},
+        {"the post of a button", {0.72, 0, 0.74}, {0, 0, 1}, {1.1, 0.8, 2.0}},
+        {"the rim of the pit", {3.3, 0, 4.955}, {0, 0, 1}, {3.6, 1.0, 6.4}}};
+    return things;
+}
+
+TEST_F(Floor, IsDarkerWhereSomethingStandsThanAStepAway)
+{
+    for (const Standing& thing : standingThings()) {
+        Shot shot = hallShot(thing.eye, thing.edge + 0.2 * thing.away, 0.7);
+        shot.size(96, 72);
+        shot.hall().set(hallTable().reflectionProbe, false);
+        shot.hall().set(hallTable().sunStrength, 0.0);
+        const Picture with = shot.take();
+        shot.hall().set(hallTable().contactShadows, false);
+        const Picture without = shot.take();
+        const auto left = [&](double meters) {
+            const glm::dvec3 place = thing.edge + meters * thing.away;
+            return luminanceAt(with, place) / luminanceAt(without, place);
+        };
+        EXPECT_LT(left(0.015), 0.88) << thing.what;
+        EXPECT_GT(left(0.45), 0.97) << thing.what;
+        EXPECT_LE(left(0.015), left(0.1) + 0.02) << thing.what;
+    }
+}
+
+/// The mean of what the picture has beside the mirror image of an upright line, over its heights: at whole pixels from
+/// -`reach` to `reach`.
+std::vector<double> acrossTheImage(const Picture& picture, const std::function<glm::dvec3(double)>& line, int reach,
+                                   const std::function<double(int, int)>& value)
+{
+    std::vector<double> profile(static_cast<std::size_t>(2 * reach + 1), 0);
+    std::vector<int> count(profile.size(), 0);
+    int last = -1;
+    for (double t = 0; t <= 1; t += 1e-3) {
+        const glm::dvec2 p = pixelOf(picture, line(t));
+        const int row = static_cast<int>(p.y);
+        if (row == last || row < 0 || row >= picture.height()) continue;
+        last = row;
+        for (int i = -reach; i <= reach; ++i) {
+            // Between the two pixels beside it, so that a line that slants stays in the middle.
+            const double x = p.x - 0.5 + i;
+            const int left = static_cast<int>(std::floor(x));
+            if (left < 0 || left + 1 >= picture.width()) continue;
+            const double share = x - left;
+            profile[static_cast<std::size_t>(i + reach)] +=
+                (1 - share) * value(left, row) + share * value(left + 1, row);
+            ++count[static_cast<std::size_t>(i + reach)];
+        }
+    }
+    for (std::size_t i = 0; i < profile.size(); ++i) profile[i] /= std::max(count[i], 1);
+    return profile;
+}
+
+/// Where the profile is lowest against the line between its ends, from its middle, and how deep it is there against the
+/// ends.
+struct Dip {
+    double at = 0, depth = 0;
+};
+Dip dipOf(std::vector<double> profile)
+{
+    const auto n = static_cast<double>(profile.size() - 1);
+    const double first = profile.front();
+    const double last = profile.back();
+    for (std::size_t i = 0; i < profile.size(); ++i) profile[i] -= first + (last - first) * static_cast<double>(i) / n;
+    const auto lowest = std::min_element(profile.begin() + 1, profile.end() - 1);
+    const double bend = lowest[-1] - 2 * lowest[0] + lowest[1];
+    const double part = bend > 0 ? 0.5 * (lowest[-1] - lowest[1]) / bend : 0;
+    return {static_cast<double>(lowest - profile.begin()) + part - n / 2, -*lowest / (0.5 * (first + last))};
+}
+
+/// Along the window, from before it.
+Shot windowShot()
+{
+    Shot shot = hallShot({0.25, 1.65, 0}, {0.25, 0, -5.0}, 0.62);
+    shot.size(256, 144);
+    shot.hall().set(hallTable().sunStrength, 0.0);
+    shot.hall().set(hallTable().probeSize, 128);
+    return shot;
+}
+
+TEST_F(Floor, MirrorsTheBarsOfTheWindowWhereRaysFindThem)
+{
+    Shot shot = windowShot();
+    const Picture shapes = shot.take();
+    shot.hall().set(hallTable().floorMirror, FloorMirror::probe);
+    const Picture probe = shot.take();
+    shot.hall().set(hallTable().reflectionProbe, false);
+    const Picture none = shot.take();
+    const WindowBars& bars = test::building().furniture().bars;
+    ASSERT_EQ(bars.upright.size(), 3U);
+    for (const glm::dvec2& bar : bars.upright) {
+        const auto line = [&](double t) { return glm::dvec3(bar.x, -(2.0 + 1.6 * t), bars.z); };
+        // What is mirrored, without what the stone itself scatters.
+        const auto mirroredIn = [&](const Picture& picture) {
+            return acrossTheImage(picture, line, 5,
+                                  [&](int x, int y) { return picture.luminance(x, y) - none.luminance(x, y); });
+        };
+        const Dip found = dipOf(mirroredIn(shapes));
+        EXPECT_NEAR(found.at, 0, 1) << bar.x;
+        EXPECT_GT(found.depth, 0.03) << bar.x;
+        EXPECT_LT(dipOf(mirroredIn(probe)).depth, 0.5 * found.depth) << bar.x;
+    }
+}
+
+TEST_F(Floor, MirrorsAPlinthWhereRaysFindIt)
+{
+    Shot shot = hallShot({1.3, 1.65, 4.2}, {0, 0, 0.9}, 0.5);
+    shot.size(192, 108);
+    shot.hall().set(hallTable().probeSize, 128);
+    const Picture shapes = shot.take();
+    shot.hall().set(hallTable().floorMirror, FloorMirror::probe);
+    const Picture probe = shot.take();
+    // Its left edge, from a hand above the floor to half its height. Left of it is the room, right of it the stone.
+    const auto line = [](double t) { return glm::dvec3(-0.4, -(0.1 + 0.35 * t), 0.4); };
+    const int reach = 8;
+    const std::vector<double> change = acrossTheImage(
+        shapes, line, reach, [&](int x, int y) { return shapes.luminance(x, y) / probe.luminance(x, y); });
+    std::size_t steepest = 1;
+    for (std::size_t i = 1; i + 1 < change.size(); ++i)
+        if (std::abs(change[i + 1] - change[i - 1]) > std::abs(change[steepest + 1] - change[steepest - 1]))
+            steepest = i;
+    EXPECT_NEAR(static_cast<double>(steepest), reach, 1.5);
+    // The probe has no plinth; the floor before it is another one with it.
+    EXPECT_GT(std::abs(change.back() - change.front()), 0.03);
+}
+
+TEST_F(Floor, IsTheSameInTiles)
+{
+    Shot shot = windowShot();
+    shot.size(96, 54);
+    const Picture once = shot.take();
+    shot.request.largestTile = 32;
+    const Picture tiled = shot.take();
+    int different = 0;
+    once.each([&](int x, int y) {
+        different += std::abs(once.luminance(x, y) - tiled.luminance(x, y)) > 0.01 * once.luminance(x, y) + 1e-4;
+    });
+    EXPECT_LE(different, 96 * 54 / 100);
+}
+
+TEST_F(Floor, KeepsItsContactShadowsWhileNothingElseStandsThere)
+{
+    const Museum& museum = test::gallery().museum;
+    test::Scene scene;
+    const render::FramePlan first = scene.plan();
+    ASSERT_NE(first.find("floor/contact"), nullptr);
+    EXPECT_EQ(scene.plan(test::keptAfter(first)).find("floor/contact"), nullptr);
+    scene.hall().set(hallTable().exposure, 1.0);
+    EXPECT_EQ(scene.plan(test::keptAfter(first)).find("floor/contact"), nullptr);
+    // An empty museum has cloths where stands were.
+    const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
+    test::Scene bare;
+    const render::FramePlan other =
+        test::planned(empty, empty.initialSceneState(), bare.request, test::keptAfter(first));
+    EXPECT_NE(other.find("floor/contact"), nullptr);
+    scene.hall().set(hallTable().contactShadows, false);
+    EXPECT_EQ(test::reasonFor(scene.plan(), "floor/contact"), "contact shadows are switched off");
+    EXPECT_FALSE(museum.exhibits().empty());
+}
+
+}  // namespace
+}  // namespace vitrine
