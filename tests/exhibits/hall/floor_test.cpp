@@ -75,7 +75,8 @@ TEST_F(Floor, IsDarkerWhereSomethingStandsThanAStepAway)
             return luminanceAt(with, place) / luminanceAt(without, place);
         };
         EXPECT_LT(left(0.015), 0.88) << thing.what;
-        EXPECT_GT(left(0.45), 0.97) << thing.what;
+        EXPECT_GT(left(0.45), 0.92) << thing.what;  // The mug hangs over the floor around its plinth.
+        EXPECT_GT(left(0.45) - left(0.015), 0.08) << thing.what;
         EXPECT_LE(left(0.015), left(0.1) + 0.02) << thing.what;
     }
 }
@@ -125,10 +126,10 @@ Dip dipOf(std::vector<double> profile)
     return {static_cast<double>(lowest - profile.begin()) + part - n / 2, -*lowest / (0.5 * (first + last))};
 }
 
-/// Along the window, from before it.
+/// Its mirror image, with nothing between: from behind the plinth, above the desk's image, beside the inlay.
 Shot windowShot()
 {
-    Shot shot = hallShot({0.25, 1.65, 0}, {0.25, 0, -5.0}, 0.62);
+    Shot shot = hallShot({-0.7, 1.65, -1.5}, {-0.5, 0, -5.0}, 0.5);
     shot.size(256, 144);
     shot.hall().set(hallTable().sunStrength, 0.0);
     shot.hall().set(hallTable().probeSize, 128);
@@ -146,7 +147,7 @@ TEST_F(Floor, MirrorsTheBarsOfTheWindowWhereRaysFindThem)
     const WindowBars& bars = test::building().furniture().bars;
     ASSERT_EQ(bars.upright.size(), 3U);
     for (const glm::dvec2& bar : bars.upright) {
-        const auto line = [&](double t) { return glm::dvec3(bar.x, -(2.0 + 1.6 * t), bars.z); };
+        const auto line = [&](double t) { return glm::dvec3(bar.x, -(3.0 + 1.4 * t), bars.z); };
         // What is mirrored, without what the stone itself scatters.
         const auto mirroredIn = [&](const Picture& picture) {
             return acrossTheImage(picture, line, 5,

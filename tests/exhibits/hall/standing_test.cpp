@@ -144,7 +144,7 @@ TEST(Standing, IsNoDarkerBelowThanAtItsEdge)
             const glm::dvec2 within(part * s.halfSize.x * 0.7, 0.01);
             EXPECT_GE(glsl::outlineDistance(s, glsl::besideOutline(s, within)), 0);
             EXPECT_LT(glsl::contactShadow(s, within), 0.52);
-            EXPECT_GT(glsl::contactShadow(s, within), 0.4);
+            EXPECT_GT(glsl::contactShadow(s, within), 0.35);
         }
     }
 }
