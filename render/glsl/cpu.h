@@ -33,6 +33,8 @@
 
 #include "shaders/lib/standing_block.glsl"
 
+#include "shaders/lib/contact.glsl"
+
 #include "shaders/lib/standing.glsl"
 
 #include "shaders/lib/sdf.glsl"

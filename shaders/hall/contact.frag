@@ -1,5 +1,5 @@
 // How much of the floor's ambient light one shape takes: as opacity, so that what several leave is multiplied.
-#include "lib/standing.glsl"
+#include "lib/contact.glsl"
 #include "kit/floor_block.glsl"
 
 layout(std140, binding = BLOCK_OBJECT) uniform Object {

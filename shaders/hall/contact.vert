@@ -1,5 +1,5 @@
 // One shape's part of the floor in the map of contact shadows: a triangle that covers it.
-#include "lib/standing.glsl"
+#include "lib/bindings.glsl"
 #include "kit/floor_block.glsl"
 
 layout(std140, binding = BLOCK_OBJECT) uniform Object {

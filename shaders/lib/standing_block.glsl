@@ -11,6 +11,6 @@
     FIELD(vec2, halfSize)     /* of a box: along the axis and across it, meters; else x: the radius */ \
     FIELD(float, halfHeight)  /* meters */ \
     FIELD(float, strength)    /* share of its contact shadow that counts, 0 to 1; 0: it throws none */ \
-    FIELD(float, reach)       /* meters from it at which its contact shadow has faded out */ \
+    FIELD(float, reach)       /* meters from it at which its contact shadow ends */ \
     FIELD(vec3, color)        /* mean share of the light that it sends back, linear Rec. 709 */
 BLOCK_STRUCT(StandingShape, STANDING_SHAPE_FIELDS)
