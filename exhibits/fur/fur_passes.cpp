@@ -40,6 +40,7 @@ struct Planner {
         all.worldFromPit = glm::mat4(scene.context.worldFromExhibit);
         all.pitFromWorld = glm::mat4(glm::inverse(scene.context.worldFromExhibit));
         all.pitRadius = static_cast<float>(pitRadius);
+        all.pitRim = static_cast<float>(pitRim);
     }
     [[nodiscard]] const ParameterValues& values() const { return scene.coats.values; }
     [[nodiscard]] render::Box bounds(int i) const { return scene.coats.bounds(i, scene.skins[i]->bounds); }

@@ -40,7 +40,7 @@ struct FurTable final : Parameters {
                                    "How far strands differ in thickness: 0 makes all as thick as said above, 1 any "
                                    "thickness from that down to none.");
     Real distanceAttenuation =
-        real("distanceAttenuation", 1.0, none, Range{0.01, 3}.soft(0.3, 3),
+        real("distanceAttenuation", 0.5, none, Range{0.01, 3}.soft(0.3, 3),
              "How shells are spread: below 1 more of them near the tips, above 1 near the skin.");
     Real curvature = real("curvature", 0.8, none, Range{0, 10}.soft(0, 5),
                           "How late a strand bends: 0 leans like a stick, high bends only the tip.");
@@ -134,10 +134,11 @@ struct FurTable final : Parameters {
                              formerly("handTurn"));
 
     Group accuracy = foldedGroup("Accuracy");
-    Count shellCount = count("shellCount", 10, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
-    Count samplesBetween = count("samplesBetween", 16, {1, 32},
-                                 "Points at most that a ray visits between two shells, where it grazes them.",
-                                 quality(32), whenLater("silhouette", static_cast<double>(FurSilhouette::march)));
+    Count shellCount = count("shellCount", 16, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
+    Count samplesBetween =
+        count("samplesBetween", 16, {1, 32},
+              "Cells of the strands' lattice at most that a ray looks into at each shell, where it grazes it.",
+              quality(32), whenLater("silhouette", static_cast<double>(FurSilhouette::march)));
     Choice<FurSilhouette> silhouette =
         choice("silhouette", FurSilhouette::march, {"none", "fins", "by angle", "march"},
                "What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells "

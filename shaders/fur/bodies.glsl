@@ -51,3 +51,15 @@ vec3 lampLight()
 {
     return vec3(1.0, 0.86, 0.68) * parameters.lamp;
 }
+
+// Share of the hall, and not of the wall and floor of the pit, in what lies behind a point along unit `d`: 0 to 1. All
+// in the pit's space; its padded edge is not sharp.
+float hallBehind(vec3 p, vec3 d)
+{
+    float inside = fur.pitRadius * fur.pitRadius - dot(p.xz, p.xz);
+    if (inside <= 0.0) return 1.0;
+    float a = max(dot(d.xz, d.xz), 1e-6);
+    float b = dot(p.xz, d.xz);
+    float toWall = (sqrt(b * b + a * inside) - b) / a;
+    return smoothStep(fur.pitRim, fur.pitRim + 0.3, p.y + d.y * toWall);
+}

@@ -35,6 +35,7 @@ BLOCK_STRUCT(FurBody, FUR_BODY_FIELDS)
     FIELD(mat4, worldFromPit) \
     FIELD(mat4, pitFromWorld) \
     FIELD(float, pitRadius)    /* meters */ \
+    FIELD(float, pitRim)       /* height of its edge over its floor, meters */ \
     FIELD(vec3, boxCenter)     /* of the box that body 0 fills with its fur, body space */ \
     FIELD(vec3, boxHalfSize)
 BLOCK_STRUCT(FurBodies, FUR_SCENE_FIELDS)

@@ -1,8 +1,9 @@
-// Which strand, if any, the eye meets between this shell and the next one inwards. Permutations: FIN and
-// BY_ANGLE as in coat.vert, CLUMPS, CURLS, SHADOW (depth alone), WRITE_NORMAL.
+// Which strand, if any, the eye meets from halfway to the shell outside to halfway to the one inside. Permutations: FIN
+// and BY_ANGLE as in coat.vert, CLUMPS, CURLS, SHADOW (depth alone), WRITE_NORMAL.
 #include "lib/frame.glsl"
 #include "fur/body.glsl"
 #include "fur/found.glsl"
+#include "fur/walk.glsl"
 
 layout(std140, binding = BLOCK_OBJECT) uniform Object {
     FurBody body;
@@ -12,14 +13,16 @@ in vec3 skin;
 in vec3 skinNormal;
 in vec3 coatNormal;
 in vec3 strandWay;
-in vec3 seenAlong;
 in float curvature;
+in vec3 place;
+flat in vec3 eye;
 #if defined(FIN) || defined(BY_ANGLE)
 in float height;
-const float gap = 0.0;
 #else
 flat in float height;
-flat in float gap;
+flat in float above;
+flat in float below;
+in vec3 strandTurn;
 #endif
 
 #ifndef SHADOW
@@ -29,126 +32,132 @@ layout(location = 1) out vec4 normalOut;
 #endif
 #endif
 
-#if defined(CLUMPS) || defined(CURLS)
-// Like sin(pi x), from parabolas: it is asked for nine times per sample.
-vec3 wave(vec3 x)
+// `shrink`: of lengths across the strands here against those on the skin at rest.
+CoatStrands strandsSeen(float distance_, float shrink)
 {
-    vec3 t = x - 2.0 * floor(x * 0.5 + 0.5);
-    return 4.0 * t * (1.0 - abs(t));
+    CoatStrands c;
+    c.cellSize = body.cellSize;
+    c.leastLength = body.leastLength;
+    c.widest = body.strandRadius / body.cellSize;
+    c.girths = parameters.thicknessVariation;
+    c.roundness = parameters.strandRoundness;
+    // Strands that stand alone keep within their cells, which cut them off; where they overlap, that is not seen.
+    c.jitter = mix(clamp(1.0 - 2.0 * c.widest, 0.3, 0.8), 0.8, smoothStep(0.45, 0.65, c.widest));
+    c.tuft = parameters.clumpSize;
+    c.clump = 0.0;
+    c.curl = 0.0;
+    c.curlTurns = 0.0;
+#ifdef SHADOW
+    c.pixel = 0.0;
+    c.shuffle = 0.0;
+#else
+    c.pixel = 0.5 * frame.pixelAngle * distance_ * shrink / body.cellSize;
+    // Other strands in every supersample: on average each is as thick as it is. By the golden ratio, evenly.
+    c.shuffle = 0.618033989 * float(frame.sampleIndex & 1023);
+#endif
+#ifdef CLUMPS
+    c.clump = parameters.clump;
+#endif
+#ifdef CURLS
+    c.curl = parameters.curl * body.strandLength / body.cellSize;
+    c.curlTurns = parameters.curlTurns;
+#endif
+    return c;
 }
 
-vec3 tuftField(vec3 p)
+// Where the ray along unit `v` is on the skin and over it; of the shell, where it is not walked along.
+CoatRay rayHere(vec3 n, vec3 v)
 {
-    return wave(p + 0.5 * wave(p.yzx * 0.71 + vec3(0.1, 0.6, 1.3)) + 0.41 * wave(p.zxy * 0.53 + vec3(0.7, 0.2, 1.7)));
+    ShellPoint s;
+    s.skin = skin;
+    s.normal = n;
+    s.way = strandWay;
+    s.height = height;
+    s.placeX = dFdx(place);
+    s.placeY = dFdy(place);
+    s.skinX = dFdx(skin);
+    s.skinY = dFdy(skin);
+    s.normalX = dFdx(skinNormal);
+    s.normalY = dFdy(skinNormal);
+    s.wayX = dFdx(strandWay);
+    s.wayY = dFdy(strandWay);
+#if defined(FIN) || defined(BY_ANGLE)
+    s.turn = vec3(0.0);
+#else
+    s.turn = strandTurn / max(above + below, 1e-6);
+#endif
+    return coatRay(s, v, max(body.strandLength, 1e-6));
+}
+
+// Its stretch that is looked into from this shell, meters.
+vec2 stretchHere(CoatRay ray, float distance_)
+{
+#if defined(FIN) || defined(BY_ANGLE)
+    return vec2(0.0);
+#else
+    if (body.samplesBetween <= 1) return vec2(0.0);
+    // The next shell is taken to be a little deeper than it is: rather look twice into what lies between than never.
+    vec2 stretch = coatStretch(ray, above, below, 2.3 * below);
+    float most = 14.0 * body.cellSize / max(length(ray.passing), 1e-3);
+    return vec2(max(stretch.x, -min(most, 0.99 * distance_)), min(stretch.y, most));
+#endif
+}
+
+#ifdef CURLS
+// Direction of a strand that winds about its way.
+vec3 curled(CoatRay ray, CoatStrands c, vec3 n, MetStrand met, float shrink)
+{
+    vec3 p = ray.skin + (ray.passing + ray.bending * met.t) * met.t;
+    vec3 field = tuftField(p * tuftWaves(c));
+    float phase = (field - n * dot(n, field)).x + 6.2831853 * c.curlTurns * met.height;
+    vec3 side = perpendicularTo(n);
+    vec3 around = cross(n, side);
+    vec3 out_ = side * cos(phase) + around * sin(phase);
+    vec3 on = around * cos(phase) - side * sin(phase);
+    return safeNormalize(strandWay - (out_ + on * (6.2831853 * c.curlTurns * met.height)) * (parameters.curl / shrink), n);
 }
 #endif
 
 void main()
 {
     vec3 n = normalize(skinNormal);
-    bool bare = height <= 0.0;
-    uint seed = body.seed;
-    float strandLength = body.strandLength;
-    float cellSize = body.cellSize;
+    vec3 seenAlong = place - eye;
     float distance_ = length(seenAlong);
     vec3 v = seenAlong / distance_;
-
-    vec3 way = normalize(strandWay);
+    vec3 way = safeNormalize(strandWay, n);
     float rise = max(dot(way, n), 0.12);
-    float into = dot(v, n);
-    // Derivatives along the ray, per meter: of the position on the skin, and of the height above it, over curved skin.
-    float shrink = 1.0 / (body.skinScale * max(1.0 + curvature * height * strandLength * rise, 0.25));
-    vec3 passing = (v - way * (into / rise)) * shrink;
-    float falling = into / (rise * strandLength);
-    float bulge = 0.5 * max(curvature, 0.0) * dot(v - n * into, v - n * into) / strandLength;
+    float shrink = 1.0 / (body.skinScale * max(1.0 + curvature * height * body.strandLength * rise, 0.25));
 
-    int steps = 1;
-    float far = 0.0;
-#if !defined(FIN) && !defined(BY_ANGLE)
-    if (body.samplesBetween > 1 && gap > 0.0) {
-        float a = max(-falling, 1e-4);
-        float root = a * a - 4.0 * bulge * gap;
-        far = root > 0.0 ? 2.0 * gap / (a + sqrt(root)) : min(a / max(bulge, 1e-6), 2.0 * gap / a);
-        far = min(far, 14.0 * cellSize / max(length(passing), 1e-3));
-        // Half a cell at a time, or less, where strands are thinner than that and stand far apart.
-        float stride = min(cellSize / 2.2, 0.85 * max(body.strandRadius, 0.5 * frame.pixelAngle * distance_));
-        steps = clamp(int(ceil(far * length(passing) / stride)), 1, body.samplesBetween);
-    }
-#endif
-
-#if defined(CLUMPS) || defined(CURLS)
-    // Tufts (whose curls turn together): a smooth field with sinks. Its steepest slope is 1, so that nothing folds while clump < 1.
-    float waves = 2.0 / (cellSize * parameters.clumpSize * 1.3);
-    vec3 tuft = tuftField(skin * waves);
-    tuft = (tuft - n * dot(n, tuft)) / (4.0 * waves);
-#endif
-    float widest = body.strandRadius / cellSize;
-    float pixel = 0.5 * frame.pixelAngle * distance_ * shrink / cellSize;
-#ifdef SHADOW
-    pixel = 0.0;
-#endif
-
-    // The ray on the lattice, in cells: what the loop does not do for every sample is done here, once.
-    StrandLattice lattice = strandLattice(n, seed);
-    vec2 start = onLattice(lattice, skin) / cellSize;
-    vec2 pace = onLattice(lattice, passing) / cellSize;
-#ifdef CLUMPS
-    vec2 drawn = onLattice(lattice, tuft) * (parameters.clump / cellSize);
-#endif
-#ifdef CURLS
-    vec3 side = perpendicularTo(n);
-    vec2 curlSide = onLattice(lattice, side) * (parameters.curl * strandLength / cellSize);
-    vec2 curlAcross = onLattice(lattice, cross(n, side)) * (parameters.curl * strandLength / cellSize);
-    float turned_ = tuft.x * (4.0 * waves);
-#endif
-    bool hit = bare;
-    float h = height;
-    RootedStrand strand;
-    strand.offset = vec2(0.0);
-    strand.along = 0.0;
-    strand.rank = 0.0;
-    strand.tint = 0.0;
-    strand.girth = 0.0;
-    float radius = widest;
-    for (int i = 0; i < steps; ++i) {
-        float t = far * float(i) / float(steps);
-        float at = height + falling * t + bulge * t * t;
-        vec2 q = start + pace * t;
-#ifdef CLUMPS
-        q += drawn * at;
-#endif
-#ifdef CURLS
-        float phase = turned_ + 6.2831853 * parameters.curlTurns * at;
-        q += (curlSide * cos(phase) + curlAcross * sin(phase)) * at;
-#endif
-        RootedStrand s = strandInCell(lattice, q, 0.8);
-        float end = mix(body.leastLength, 1.0, s.rank);
-        float own = widest * (1.0 - parameters.thicknessVariation * s.girth);
-        // A strand thinner than half a pixel is drawn half a pixel wide, but not every such strand.
-        float shown = min(own / max(pixel, 1e-9), 1.0);
-        float r = max(own * strandTaper(at, end, parameters.strandRoundness), at < end ? pixel : 0.0);
-        if (!hit && s.rooted && s.tint < shown && dot(s.offset, s.offset) + s.along * s.along < r * r) {
-            hit = true;
-            h = at;
-            strand = s;
-            radius = r;
-        }
-        if (hit) break;
-    }
-    if (!hit) discard;
+    CoatStrands strands = strandsSeen(distance_, shrink);
+    StrandLattice lattice = strandLattice(n, body.seed);
+    CoatRay ray = rayHere(n, v);
+    MetStrand met = walkStrands(ray, strands, lattice, n, stretchHere(ray, distance_), body.samplesBetween);
+    if (!met.met && height > 0.0) discard;
 
 #ifndef SHADOW
-    FoundStrand seen;
-    // A strand is round: its sides face aside.
-    seen.normal = normalize(n + strandOffset(lattice, strand, 0.8 / max(radius, 1e-6)) + way * 0.35);
-    seen.coatNormal = normalize(coatNormal);
-    seen.height = h;
-    seen.rank = strand.rank;
-    seen.body = body.number;
-    seen.viewDepth = 1.0 / gl_FragCoord.w;
-    found = packedStrand(seen);
-#ifdef WRITE_NORMAL
-    normalOut = vec4(normalize(transpose(mat3(body.bodyFromWorld)) * seen.normal), 1.0);
+    // As in walkStrands: no work where nothing is kept.
+    bool kept = met.met || height <= 0.0;
+    found = vec4(0.0);
+    for (int once = 0; once < 1 && kept; ++once) {
+        FoundStrand seen;
+        seen.along = way;
+#ifdef CURLS
+        if (met.met) seen.along = curled(ray, strands, n, met, shrink);
 #endif
+        seen.coatNormal = normalize(coatNormal);
+        seen.height = met.height;
+        seen.body = body.number;
+        seen.viewDepth = (1.0 + met.t / distance_) / gl_FragCoord.w;
+        // What is thinner than two pixels is no longer seen as round, nor as a strand of its own.
+        float known = clamp(0.5 * met.radius / max(strands.pixel, 1e-6), 0.0, 1.0);
+        seen.rank = 0.5 + (met.strand.rank - 0.5) * known;
+        vec3 outwards = strandOffset(lattice, met.strand, known / max(met.radius, 1e-6));
+        seen.across = clamp(dot(outwards, safeNormalize(cross(way, v), vec3(0.0))), -1.0, 1.0);
+        found = packedStrand(seen);
+#ifdef WRITE_NORMAL
+        vec3 normal = met.met ? n + outwards * 0.8 + way * 0.35 : n;
+        normalOut = vec4(normalize(transpose(mat3(body.bodyFromWorld)) * normal), 1.0);
+#endif
+    }
 #endif
 }

@@ -15,9 +15,10 @@ layout(location = 4) in vec2 form;  // x: mean curvature of the skin, 1/meter; y
 out vec3 skin;       // at rest, body space
 out vec3 skinNormal;
 out vec3 coatNormal; // of the surface under the coat as it would be out here, smooth
-out vec3 strandWay;  // direction of the strands here
+out vec3 strandWay;  // change of the place here over height, strand lengths: a unit vector but for the mix of matrices
 out float curvature;
-out vec3 seenAlong;  // from the eye to here, body space
+out vec3 place;      // body space
+flat out vec3 eye;   // body space
 #ifndef BY_ANGLE
 #define BY_ANGLE 1
 #endif
@@ -25,7 +26,9 @@ out vec3 seenAlong;  // from the eye to here, body space
 out float height;
 #else
 flat out float height;
-flat out float gap;  // to the next shell inwards, in height
+flat out float above;  // height halfway to the next shell outwards over that of this one, and
+flat out float below;  // down to halfway to the next one inwards
+out vec3 strandTurn;   // change of strandWay from down there to up there
 #endif
 
 // Smooth and never the same twice within a body: what makes a coat lie in swirls.
@@ -40,7 +43,7 @@ void main()
     float strandLength = body.strandLength;
     vec3 n = safeNormalize(normal, safeNormalize(position, vec3(0.0, 1.0, 0.0)));
     vec3 root = position * skinScale;
-    vec3 eye = (body.bodyFromWorld * vec4(frame.eye, 1.0)).xyz;
+    eye = (body.bodyFromWorld * vec4(frame.eye, 1.0)).xyz;
 
     vec3 tipOffset = body.tipOffset + swirl(position * 7.0) * parameters.disorder;
     vec3 gust = body.wind;
@@ -73,7 +76,9 @@ void main()
     // The first shell that lies on the skin all over a triangle is the last one drawn of it.
     gl_CullDistance[0] = shell == 0 || float(shell) < count ? 1.0 : -1.0;
 #else
-    gap = height - powPositive(shellHeight(float(shell) + 1.0, count), parameters.distanceAttenuation);
+    float attenuation = parameters.distanceAttenuation;
+    above = shell > 0 ? 0.5 * (powPositive(shellHeight(float(shell) - 1.0, count), attenuation) - height) : 0.0;
+    below = 0.5 * (height - powPositive(shellHeight(float(shell) + 1.0, count), attenuation));
 #endif
 #endif
     int model = parameters.rotationModel;
@@ -81,8 +86,14 @@ void main()
     skin = position;
     skinNormal = n;
     coatNormal = n + (p - root) * (form.x / skinScale);
-    strandWay = safeNormalize(strandDirection(n, tip, powPositive(height, bend), model), n);
-    seenAlong = p - eye;
+#if defined(FIN) || BY_ANGLE > 1
+    strandWay = strandDirection(n, tip, powPositive(height, bend), model);
+#else
+    strandWay = strandDirection(n, tip, powPositive(height - below, bend), model);
+    strandTurn = strandDirection(n, tip, powPositive(height + above, bend), model) - strandWay;
+    if (above + below > 0.0) strandWay += strandTurn * (below / (above + below));
+#endif
+    place = p;
     curvature = form.x / skinScale;
     gl_Position = frame.clipFromWorld * (body.worldFromBody * vec4(p, 1.0));
 }

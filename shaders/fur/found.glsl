@@ -1,13 +1,14 @@
 // What the shells leave of a strand for the pass that lights it: four floats for a pixel, each a whole number below
 // 2^24 but the last. Nothing found: all 0.
-//   x: the strand's normal, y: that of the coat, body space; z: height, rank and number of the body;
-//   w: distance along the view axis, meters
+//   x: the strand's direction, y: the normal of the coat, body space; z: height, rank, place across and number of the
+//   body; w: distance along the view axis, meters
 
 struct FoundStrand {
-    vec3 normal;
+    vec3 along;      // the strand, from root to tip
     vec3 coatNormal;
-    float height;    // 0 to 1, in steps of 1/4095
-    float rank;      // 0 to 1, in steps of 1/256
+    float height;    // 0 to 1, in steps of 1/1023; 0: bare skin
+    float rank;      // 0 to 1, in steps of 1/64
+    float across;    // of the strand's radius, from its middle along cross(along, ray): -1 to 1, in steps of 2/63
     int body;        // from 1; 0: nothing
     float viewDepth;
 };
@@ -33,20 +34,24 @@ vec3 unpackedNormal(float packed_)
 
 vec4 packedStrand(FoundStrand s)
 {
-    float marks = float(s.body) + 4.0 * floor(clamp(s.rank, 0.0, 0.999) * 256.0) + 1024.0 * floor(clamp(s.height, 0.0, 1.0) * 4095.0 + 0.5);
-    return vec4(packedNormal(s.normal), packedNormal(s.coatNormal), marks, s.viewDepth);
+    uint across = uint(clamp(s.across * 0.5 + 0.5, 0.0, 1.0) * 63.0 + 0.5);
+    uint rank = uint(clamp(s.rank, 0.0, 0.999) * 64.0);
+    // No strand's height is that of the skin.
+    uint height = s.height > 0.0 ? uint(clamp(s.height * 1023.0 + 0.5, 1.0, 1023.0)) : 0u;
+    uint marks = uint(s.body) + 4u * (across + 64u * (rank + 64u * height));
+    return vec4(packedNormal(s.along), packedNormal(s.coatNormal), float(marks), s.viewDepth);
 }
 
 FoundStrand unpackedStrand(vec4 packed_)
 {
-    float high = floor(packed_.z / 1024.0);
-    float low = packed_.z - 1024.0 * high;
+    uint marks = uint(packed_.z);
     FoundStrand s;
-    s.normal = unpackedNormal(packed_.x);
+    s.along = unpackedNormal(packed_.x);
     s.coatNormal = unpackedNormal(packed_.y);
-    s.height = high / 4095.0;
-    s.rank = (floor(low / 4.0) + 0.5) / 256.0;
-    s.body = int(low - 4.0 * floor(low / 4.0) + 0.5);
+    s.height = float(marks >> 14u) / 1023.0;
+    s.rank = (float((marks >> 8u) & 63u) + 0.5) / 64.0;
+    s.across = float((marks >> 2u) & 63u) * (2.0 / 63.0) - 1.0;
+    s.body = int(marks & 3u);
     s.viewDepth = packed_.w;
     return s;
 }

@@ -2,11 +2,13 @@
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "fur/bodies.glsl"
+#include "fur/hair.glsl"
 
 layout(location = 0) in vec3 position;
 
 flat out vec3 keyDirection;  // the side from which most of the hall's light comes
 flat out vec3 toLamp;
+flat out float cover;        // share of the skin that the coat hides
 
 vec3 firstOrder(int coefficient)
 {
@@ -22,5 +24,7 @@ void main()
         keyDirection = safeNormalize(vec3(dot(firstOrder(3), weights), dot(firstOrder(1), weights), dot(firstOrder(2), weights)), keyDirection);
     }
     toLamp = lampDirection();
+    FurBody body = fur.bodies[0];
+    cover = body.shellCount > 1.0 ? coatCover(body.cellSize, body.strandRadius, body.strandLength) : 0.0;
     gl_Position = frame.clipFromWorld * (fur.bodies[0].worldFromBody * vec4(fur.boxCenter + fur.boxHalfSize * position, 1.0));
 }

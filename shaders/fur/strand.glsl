@@ -61,20 +61,29 @@ vec2 onLattice(StrandLattice l, vec3 v)
     return l.axis == 0 ? vec2(v.y, v.z) : l.axis == 1 ? vec2(v.z, v.x) : vec2(v.x, v.y);
 }
 
-// The strand whose cell `q` lies in, q on the lattice's plane, in cells. `jitter` 0 to 1: how far roots stray from the
-// middle of their cells.
-RootedStrand strandInCell(StrandLattice l, vec2 q, float jitter)
+// The strand of a cell, `cell` its lower corner. `offset` is where its root lies from the cell's middle; `jitter` 0 to 1:
+// how far roots stray from there.
+RootedStrand strandOfCell(StrandLattice l, vec2 cell, float jitter)
 {
-    vec2 cell = floor(q);
     uvec3 bits = pcg3d(uvec3(uint(int(cell.x)), uint(int(cell.y)), l.layer));
     RootedStrand s;
-    s.offset = q - cell - 0.5 - (vec2(unitFromBits(bits.x), unitFromBits(bits.y)) - 0.5) * jitter;
-    s.along = -(s.offset.x * l.slope.x + s.offset.y * l.slope.y);
+    s.offset = (vec2(unitFromBits(bits.x), unitFromBits(bits.y)) - 0.5) * jitter;
+    s.along = 0.0;
     s.rank = unitFromBits(bits.z);
     // The low halves of words whose high halves are the root's place and the rank: nothing is seen of what they share.
     s.tint = float(bits.x & 65535u) * (1.0 / 65536.0);
     s.girth = float(bits.z & 65535u) * (1.0 / 65536.0);
     s.rooted = float(bits.y & 65535u) * (1.0 / 65536.0) * l.facing < 0.5773502691896258;
+    return s;
+}
+
+// The strand whose cell `q` lies in, q on the lattice's plane, in cells, seen from there.
+RootedStrand strandInCell(StrandLattice l, vec2 q, float jitter)
+{
+    vec2 cell = floor(q);
+    RootedStrand s = strandOfCell(l, cell, jitter);
+    s.offset = q - cell - 0.5 - s.offset;
+    s.along = -(s.offset.x * l.slope.x + s.offset.y * l.slope.y);
     return s;
 }
 

@@ -3,6 +3,9 @@
 
 #include "tests/exhibits/fur/fur_shot.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vitrine::test {
 namespace {
 
@@ -92,6 +95,72 @@ TEST_F(FurQuality, IsNearTheReferenceAtSixteenSamplesPerPixel)
     EXPECT_LT(error, 0.06);
     sparse.shells(4, FurSilhouette::none);
     EXPECT_GT(colorDifference(sparse.take(), truth), 0.06);
+}
+
+/// Of a display's 255 levels.
+double level(double linear)
+{
+    const double c = std::clamp(linear, 0.0, 1.0);
+    return 255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055);
+}
+
+double levelsApart(const Picture& a, const Picture& b)
+{
+    double sum = 0;
+    a.each([&](int x, int y) {
+        for (int k = 0; k < 3; ++k) sum += std::pow(level(a.color(x, y)[k]) - level(b.color(x, y)[k]), 2);
+    });
+    return std::sqrt(sum / (3.0 * a.width() * a.height()));
+}
+
+/// From a few decimeters, each pixel as large as in a picture 640 wide with the field of view of a lens of 25 mm.
+struct CloseShot : FurShot {
+    CloseShot()
+    {
+        see({-0.25, 0.75, 1.0}, {-0.35, 0.35, 0.25}).request.frame.camera.fovY = 0.24;
+        size(136, 96);
+        request.samples = 4;
+        request.frame.averageIn = AverageIn::display;
+        object().set(table().levelOfDetail, false);
+    }
+};
+
+TEST_F(FurQuality, SeenFromNearIsWithinEightLevelsOfShellsWithoutNumber)
+{
+    CloseShot usual, reference, bare;
+    const Picture truth = reference.reference().take();
+    EXPECT_GT(truth.hits(), 0.9 * truth.width() * truth.height());
+    const double error = levelsApart(usual.take(), truth);
+    const double bareError = levelsApart(bare.shells(10, FurSilhouette::none).take(), truth);
+    std::printf("from near, RMSE in levels: the initial coat %.2f, 10 bare shells %.2f\n", error, bareError);
+    EXPECT_LE(error, 8);
+    EXPECT_GT(bareError, 16);
+}
+
+TEST_F(FurQuality, SpinesAreSmooth)
+{
+    const auto shot = [](const auto& change) {
+        FurShot s;
+        s.see({-1.05, 0.95, 1.1}, {-1.0, 0.75, 0}).request.frame.camera.fovY = 0.4;
+        s.size(160, 120);
+        ParameterValues& v = s.object();
+        const CoatRows ball = table().coats[furBall];
+        v.set(ball.density, 900);
+        v.set(ball.length, 0.26);
+        v.set(ball.thickness, 0.017);
+        v.set(ball.uniformity, 0.75);
+        for (const Real none : {table().clump, table().comb, table().gravity}) v.set(none, 0.0);
+        v.set(table().disorder, 0.08);
+        v.set(table().strandRoundness, 0.1);
+        change(s);
+        return s.take();
+    };
+    const Picture truth = shot([](FurShot& s) { s.reference(); });
+    const double usual = gaps(shot([](FurShot& s) { s.shells(10, FurSilhouette::march); }), truth);
+    const double disks = gaps(shot([](FurShot& s) { s.shells(24, FurSilhouette::none); }), truth);
+    std::printf("spines, pixels of the outline that are wrong: %.2f %%, as disks %.2f %%\n", 100 * usual, 100 * disks);
+    EXPECT_LT(usual, 0.02);
+    EXPECT_GT(disks, 0.08);
 }
 
 TEST_F(FurQuality, EachStudyHasAViewThatTellsItsMethodsApart)

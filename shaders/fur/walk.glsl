@@ -1,0 +1,239 @@
+// A ray's way through a coat, from halfway to the shell outside to halfway to the one inside, and the strand that it
+// meets there first. On the lattice of the roots (fur/strand.glsl) all strands stand upright; it is the ray that bends.
+// Heights along a strand from 0 (skin) to 1 (tip of the longest).
+//
+// GLSL 4.50 and C++ (exhibits/fur/strand_cpu.h).
+
+// A point of a shell, body space, and how it changes along two ways, X and Y, over the shell.
+struct ShellPoint {
+    vec3 skin;      // where the strand is rooted, meters, skin at rest
+    vec3 normal;    // unit, of the skin
+    vec3 way;       // change of the place over height, strand lengths
+    vec3 turn;      // change of `way` over height
+    float height;
+    vec3 placeX, placeY;    // meters, and so on
+    vec3 skinX, skinY;
+    vec3 normalX, normalY;
+    vec3 wayX, wayY;
+};
+
+// What a ray passes t meters after it has met a shell: the root `skin + passing t + bending t^2` at the height
+// `height + falling t + bulge t^2`.
+struct CoatRay {
+    vec3 skin;
+    vec3 passing;
+    vec3 bending;
+    float height;
+    float falling;
+    float bulge;
+};
+
+// What the strands of a coat share. Lengths in cells of the lattice but for the first.
+struct CoatStrands {
+    float cellSize;     // meters
+    float leastLength;  // of a strand against the longest, 0 to 1
+    float widest;       // radius at the root of the thickest
+    float girths;       // share by which the others may be thinner
+    float roundness;    // as in strandTaper
+    float pixel;        // half as wide as a pixel: what is thinner is drawn so wide, but only some of it
+    float shuffle;      // any number: chooses which
+    float jitter;       // as in strandOfCell
+    float clump;        // 0 to below 1: how far strands draw together towards their tips
+    float tuft;         // cells along a side of one tuft
+    float curl;         // radius of the curls
+    float curlTurns;
+};
+
+struct MetStrand {
+    bool met;
+    RootedStrand strand;
+    float radius;   // cells
+    float height;
+    float t;        // meters along the ray
+};
+
+// To the second order in t, from the shell's first derivatives alone: within a triangle of the shells it lacks only the
+// change of `turn`. Between triangles the surface bulges by the curvature of its normals. `v`: the ray, unit.
+CoatRay coatRay(ShellPoint s, vec3 v, float strandLength)
+{
+    CoatRay ray;
+    ray.skin = s.skin;
+    ray.height = s.height;
+    vec3 facet = cross(s.placeX, s.placeY);
+    float area = max(dot(facet, facet), 1.0e-36);
+    vec3 up = facet * (inversesqrt(area) * (dot(facet, s.normal) < 0.0 ? -1.0 : 1.0));
+    float rise = max(dot(s.way, up), 0.12);
+    float into = dot(v, up) / rise;
+    vec3 aside = v - s.way * into;
+    float x = dot(cross(aside, s.placeY), facet) / area;
+    float y = dot(cross(s.placeX, aside), facet) / area;
+    ray.passing = s.skinX * x + s.skinY * y;
+    ray.falling = into / strandLength;
+    // What the first order leaves over after t meters, by t^2: strands that bend on their way in, and that spread aside.
+    vec3 left = (s.turn * (0.5 * into / strandLength) + s.wayX * x + s.wayY * y) * into;
+    float lifted = dot(left, up) / rise;
+    vec3 shifted = s.way * lifted - left;
+    ray.bending = s.skinX * (dot(cross(shifted, s.placeY), facet) / area) + s.skinY * (dot(cross(s.placeX, shifted), facet) / area);
+    ray.bulge = (0.5 * max(dot(s.normalX * x + s.normalY * y, aside), 0.0) / rise - lifted) / strandLength;
+    return ray;
+}
+
+// From where to where, meters along the ray, it belongs to this shell: x, y. It comes in `above` over the shell and
+// leaves `below` under it, but one that turns back before it meets the next shell, `gap` under this one, goes on until
+// it is out again.
+vec2 coatStretch(CoatRay ray, float above, float below, float gap)
+{
+    float a = max(-ray.falling, 1.0e-4);
+    float start = -2.0 * above / (a + safeSqrt(a * a + 4.0 * ray.bulge * above));
+    float deepest = a * a - 4.0 * ray.bulge * gap;
+    if (deepest > 0.0 || gap <= 0.0) return vec2(start, 2.0 * below / (a + safeSqrt(a * a - 4.0 * ray.bulge * below)));
+    return vec2(start, 0.5 * (a + sqrt(a * a + 4.0 * ray.bulge * above)) / ray.bulge);
+}
+
+// Like sin(pi x), from parabolas.
+vec3 tuftWave(vec3 x)
+{
+    vec3 t = x - floor(x * 0.5 + 0.5) * 2.0;
+    return t * (vec3(1.0) - abs(t)) * 4.0;
+}
+
+// Where strands draw together: a smooth field of directions with sinks, of slope 1 at most, so that nothing folds.
+vec3 tuftField(vec3 p)
+{
+    return tuftWave(p + tuftWave(vec3(p.y, p.z, p.x) * 0.71 + vec3(0.1, 0.6, 1.3)) * 0.5 +
+                    tuftWave(vec3(p.z, p.x, p.y) * 0.53 + vec3(0.7, 0.2, 1.7)) * 0.41);
+}
+
+// Radians of the lattice's waves for each meter of skin.
+float tuftWaves(CoatStrands c)
+{
+    return 2.0 / (c.cellSize * c.tuft * 1.3);
+}
+
+// Which root, in cells of the lattice, the strand has that the ray passes after t meters.
+vec2 rootPassed(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, float t)
+{
+    vec3 p = ray.skin + (ray.passing + ray.bending * t) * t;
+    vec2 q = onLattice(l, p) / c.cellSize;
+    if (c.clump <= 0.0 && c.curl <= 0.0) return q;
+    float at = ray.height + (ray.falling + ray.bulge * t) * t;
+    float waves = tuftWaves(c);
+    vec3 field = tuftField(p * waves);
+    vec3 tuft = field - n * dot(n, field);
+    if (c.clump > 0.0) q += onLattice(l, tuft) * (0.25 / waves / c.cellSize * c.clump * at);
+    if (c.curl > 0.0) {
+        // A tuft's curls turn together.
+        float phase = tuft.x + 6.2831853 * c.curlTurns * at;
+        vec3 side = perpendicularTo(n);
+        q += onLattice(l, side * cos(phase) + cross(n, side) * sin(phase)) * (c.curl * at);
+    }
+    return q;
+}
+
+// Squared radius, cells, of a strand that is `own` thick at its root, where `left` of its length is left to the tip:
+// strandTaper's.
+float squaredRadius(CoatStrands c, float left, float own)
+{
+    return own * own * pow(clamp(left, 1.0e-8, 1.0), 2.0 - 2.0 * c.roundness);
+}
+
+// Where on a straight stretch of the ray, 0 to 1 of it, a strand is met first; 2: nowhere. `offset`: of the stretch's
+// beginning from the strand, cells; `pace`: to its end; `from`, `to`: heights; `end`: of the strand; `own`: its radius
+// at the root. Its squared radius is taken to change evenly over the stretch: a quadratic.
+float strandEntry(CoatStrands c, StrandLattice l, vec2 offset, vec2 pace, float from, float to, float end, float own)
+{
+    // The part of it that lies below the tip.
+    float sinks = to - from;
+    float tip = clamp((end - from) / (abs(sinks) > 1.0e-6 ? sinks : 1.0e-6), 0.0, 1.0);
+    float first = from < end ? 0.0 : tip;
+    float last = to < end ? 1.0 : tip;
+    // Radii at both ends from that at the lower one: x^e is near ((1 - e) + (1 + e) x) / ((1 + e) + (1 - e) x), exact for
+    // e = 0 and 1 (Pade's approximant about x = 1).
+    float low = end - (from + sinks * (sinks < 0.0 ? last : first));
+    float high = end - (from + sinks * (sinks < 0.0 ? first : last));
+    float e = 2.0 - 2.0 * c.roundness;
+    float thick = squaredRadius(c, low / end, own);
+    float thin = thick * max(((1.0 - e) * low + (1.0 + e) * high) / max((1.0 + e) * low + (1.0 - e) * high, 1.0e-6), 0.0);
+    float least = c.pixel * c.pixel;
+    float wide = max(sinks < 0.0 ? thin : thick, least);
+    float narrow = max(sinks < 0.0 ? thick : thin, least);
+    vec2 o = offset + pace * first;
+    float aside = dot(o, l.slope);
+    float drift = dot(pace, l.slope);
+    float apart = dot(o, o) + aside * aside - wide;
+    float across = dot(pace, pace) + drift * drift;
+    float nearing = 0.5 * (narrow - wide) / max(last - first, 1.0e-6) - (dot(o, pace) + aside * drift);
+    float root = nearing * nearing - across * apart;
+    float entry = apart <= 0.0 ? first : first + apart / max(nearing + safeSqrt(root), 1.0e-6);
+    bool meets = apart <= 0.0 || (nearing > 0.0 && root >= 0.0);
+    return meets && min(from, to) < end && entry <= last ? entry : 2.0;
+}
+
+// The first strand that the ray meets between t = stretch.x and stretch.y, looking into no more than `cells` cells. Its
+// way over the lattice is taken as the parabola through three places, exact ones, and followed from cell to cell (after
+// Amanatides and Woo 1987, "A Fast Voxel Traversal Algorithm for Ray Tracing"), straight within each.
+MetStrand walkStrands(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, vec2 stretch, int cells)
+{
+    float span = stretch.y - stretch.x;
+    vec2 start = rootPassed(ray, c, l, n, stretch.x);
+    vec2 slope = vec2(0.0);
+    vec2 bend = vec2(0.0);
+    if (cells > 1) {
+        vec2 middle = rootPassed(ray, c, l, n, stretch.x + 0.5 * span);
+        vec2 end = rootPassed(ray, c, l, n, stretch.y);
+        slope = middle * 4.0 - start * 3.0 - end;
+        bend = (start + end - middle * 2.0) * 2.0;
+    }
+    float high = ray.height + (ray.falling + ray.bulge * stretch.x) * stretch.x;
+    float falling = (ray.falling + 2.0 * ray.bulge * stretch.x) * span;
+    float bulge = ray.bulge * span * span;
+
+    float u = 0.0;
+    vec2 q = start;
+    float h = high;
+    float met = 2.0;
+    vec2 cell = floor(start);
+    for (int i = 0; i < cells; ++i) {
+        // On to just behind the nearest side of the cell.
+        vec2 way = slope + bend * (2.0 * u);
+        vec2 base = floor(q);
+        vec2 room = vec2(way.x < 0.0 ? q.x - base.x : base.x + 1.0 - q.x, way.y < 0.0 ? q.y - base.y : base.y + 1.0 - q.y);
+        vec2 need = (room + 0.001) / max(abs(way), vec2(1.0e-6));
+        float w = min(u + min(need.x, need.y), 1.0);
+        vec2 next = start + (slope + bend * w) * w;
+        float deep = high + (falling + bulge * w) * w;
+        cell = floor((q + next) * 0.5);
+        RootedStrand s = strandOfCell(l, cell, c.jitter);
+        float own = c.widest * (1.0 - c.girths * s.girth);
+        float entry = strandEntry(c, l, q - cell - 0.5 - s.offset, next - q, h, deep, mix(c.leastLength, 1.0, s.rank), own);
+        if (s.rooted && fractBelowOne(s.tint + c.shuffle) * c.pixel < own) met = entry <= 1.0 ? mix(u, w, entry) : 2.0;
+        if (met <= 1.0 || w >= 1.0) break;
+        u = w;
+        q = next;
+        h = deep;
+    }
+
+    MetStrand found;
+    found.met = met <= 1.0;
+    found.strand.offset = vec2(0.0);
+    found.strand.along = 0.0;
+    found.strand.rank = 0.0;
+    found.strand.tint = 0.0;
+    found.strand.girth = 0.0;
+    found.strand.rooted = false;
+    found.radius = 1.0;
+    found.height = 0.0;
+    found.t = 0.0;
+    // llvmpipe runs both sides of every `if`, but no loop that none of its eight pixels enters.
+    for (int once = 0; once < 1 && met <= 1.0; ++once) {
+        found.strand = strandOfCell(l, cell, c.jitter);
+        found.strand.offset = start + (slope + bend * met) * met - cell - 0.5 - found.strand.offset;
+        found.strand.along = -dot(found.strand.offset, l.slope);
+        found.height = high + (falling + bulge * met) * met;
+        float own = c.widest * (1.0 - c.girths * found.strand.girth);
+        float left = 1.0 - found.height / mix(c.leastLength, 1.0, found.strand.rank);
+        found.radius = max(sqrt(squaredRadius(c, left, own)), c.pixel);
+        found.t = stretch.x + span * met;
+    }
+    return found;
+}
