@@ -21,7 +21,7 @@ constexpr const char* names[furBodyCount] = {"ball", "roll", "ring"};
 
 // A shadow is a silhouette seen from far away: few shells fill it.
 constexpr float shadowShells = 8;
-constexpr int shadowSamples = 3;
+constexpr int shadowSamples = 6;
 /// With shells chosen by angle, the factor by which their number grows towards grazing views.
 constexpr int grazingShells = 4;
 /// A visitor's model may have any number of triangles; all its shells together have no more than this.

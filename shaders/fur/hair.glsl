@@ -96,7 +96,7 @@ vec3 forwardScattered(float crossed, vec3 color)
 // hidden by hairs of the same color, which send some of it on. Never nothing, and 1 where open is 1.
 vec3 scatteredOcclusion(float open, vec3 color)
 {
-    const float least = 0.07;
+    const float least = 0.1;
     float direct = least + (1.0 - least) * clamp(open, 0.0, 1.0);
     return exp((vec3(1.0) - sqrt(color) * 0.2) * log(direct));
 }
