@@ -163,7 +163,7 @@ TEST(FurPlan, DrawsFewerShellsFromAfar)
     scene.see({3.3, 1.65, 11.5}, {3.3, 0.1, 3});
     EXPECT_LT(shells(), near);
     scene.values().set(furTable().levelOfDetail, false);
-    EXPECT_EQ(shells(), 30);
+    EXPECT_EQ(shells(), 48);
 }
 
 TEST(FurPlan, AFrozenOrHandSetMomentNeverChangesByItself)
