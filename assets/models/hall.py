@@ -2,8 +2,8 @@
 """Makes hall.glb: blender -b --factory-startup -noaudio -P hall.py -- [--no-cloth] [--bake] [--preview FILE]
 
   --no-cloth        leave the simulated cloths out (quicker)
-  --bake [SAMPLES]  also bake the lightmaps hall_light_*.png and hall_light.json
-  --only NAME       bake only sky, sun_0, sun_1 or sun_2
+  --bake [SAMPLES]  also bake the sky's lightmap hall_light_sky.png and hall_light.json
+  --only NAME       bake only this one
   --preview FILE    render the hall from its entrance, or from --eye x,y,z towards --look x,y,z
   --mode MODE       of that render: baked (default, shows the lightmaps), traced, or clay (shape, back faces red)
 """

@@ -16,7 +16,6 @@ from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
 SIZE = 1024
-SUNS = ((14, 12), (10, 20), (-6, 34))    # azimuth from -z towards +x, elevation, in degrees
 
 
 def to_blender(v):
@@ -90,34 +89,26 @@ def cycles(samples, bounces):
 # Baking ------------------------------------------------------------------------------------------------
 
 def bake(static, folder, samples, only=None):
-    """Sky at SIZE, the smoother sun maps at half of that with three times the samples."""
+    """The sky's light at SIZE; what the sun bounces is hall_transfer.py's."""
     keep = set(static)
     hidden = [o for o in bpy.data.objects if o.type == "MESH" and o not in keep]
     for o in hidden:
         o.hide_render = True
     path = os.path.join(folder, "hall_light.json")
-    about = {"sky": {}, "sun": [{}, {}, {}]}
+    about = {"sky": {}}
     if os.path.exists(path):
         with open(path) as f:
             about = json.load(f)
-    for name, angles in [("sky", None)] + [(f"sun_{k}", s) for k, s in enumerate(SUNS)]:
+    for name in ("sky",):
         if only and name not in only.split(","):
             continue
         start = time.time()
-        size = SIZE if angles is None else SIZE // 2
-        lamps = _sky_lamps() if angles is None else [sun_light(*angles, 1.0)]
-        if angles is not None:
-            bpy.context.scene.world = None
-        light, inside = _bake_light(static, size, samples * (1 if angles is None else 3),
-                            angles is None)
+        lamps = _sky_lamps()
+        light, inside = _bake_light(static, SIZE, samples)
         for lamp in lamps:
             bpy.data.objects.remove(lamp)
-        entry = encode(light, inside, os.path.join(folder, f"hall_light_{name}.png"))
-        if angles is None:
-            about["sky"] = entry
-        else:
-            about["sun"][int(name[-1])] = dict(entry, azimuth=angles[0], elevation=angles[1])
-        print(f"{name}: {entry} in {time.time() - start:.0f} s", flush=True)
+        about[name] = encode(light, inside, os.path.join(folder, f"hall_light_{name}.png"))
+        print(f"{name}: {about[name]} in {time.time() - start:.0f} s", flush=True)
         with open(path, "w") as f:
             json.dump(about, f, indent=2)
             f.write("\n")
@@ -132,7 +123,7 @@ def _sky_lamps():
     return [o for o in bpy.data.objects if o not in before]
 
 
-def _bake_light(static, size, samples, direct):
+def _bake_light(static, size, samples):
     """RGB of the light, top row first, without noise and with every texel filled."""
     image = bpy.data.images.new("bake", size, size, float_buffer=True)
     image.colorspace_settings.name = "Linear"
@@ -143,14 +134,11 @@ def _bake_light(static, size, samples, direct):
     normal, _ = _bake_image(static, image, type="NORMAL", normal_space="OBJECT")
     cycles(samples, 7)
     light, _ = _bake_image(static, image, type="DIFFUSE", pass_filter={"DIRECT", "INDIRECT"})
-    if not direct:      # baking the indirect part alone gives black, so take the direct part off
-        part, _ = _bake_image(static, image, type="DIFFUSE", pass_filter={"DIRECT"})
-        light = np.maximum(light - part, 0)
     # Blender's coordinates: y is the hall's -z. The outer skin must not set the scale.
     room = covered & (place[..., 1] < P.Z + 0.5) & (place[..., 2] < P.SPRING + P.RISE + 0.3) & (place[..., 2] > -0.5)
     normal = normal * 2 - 1
     covered &= ~_buried(static, covered, place, normal)
-    return hall_filter.clean(light, covered, place, normal, 0.5 if direct else 1.2), room
+    return hall_filter.clean(light, covered, place, normal), room
 
 
 def _buried(static, covered, place, normal):

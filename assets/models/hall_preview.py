@@ -5,12 +5,13 @@ import math
 import os
 
 import bpy
-from hall_bake import SUNS, cycles, portals, sun_light, to_blender, world
+import numpy as np
+from hall_bake import cycles, portals, sun_light, to_blender, world
 from hall_materials import MATERIALS
 
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SUN, SUN_COLOR, SUN_MAP = 20.0, (1, 0.75, 0.5), 1
+SUN, SUN_COLOR, SUN_AT = 20.0, (1, 0.75, 0.5), (10, 20)     # azimuth and elevation, degrees
 
 
 def preview(path, eye, look, samples, mode, size):
@@ -36,7 +37,7 @@ def preview(path, eye, look, samples, mode, size):
         scene.cycles.max_bounces = 3
     else:
         portals()
-    sun_light(*SUNS[SUN_MAP], SUN, SUN_COLOR)
+    sun_light(*SUN_AT, SUN, SUN_COLOR)
     cam = bpy.data.objects.new("eye", bpy.data.cameras.new("eye"))
     scene.collection.objects.link(cam)
     scene.camera = cam
@@ -86,6 +87,39 @@ def _clay(mat):
     tree.links.new(glow.outputs[0], out.inputs[0])
 
 
+def _load(name):
+    image = bpy.data.images.load(os.path.join(HERE, name), check_existing=True)
+    image.colorspace_settings.name = "Non-Color"
+    return image
+
+
+def _bounced():
+    """The sun's bounced light as the square roots of its values: the sum of hall_transfer.py's modes."""
+    if "bounced" in bpy.data.images:
+        return bpy.data.images["bounced"]
+    import hall_transfer
+    with open(os.path.join(HERE, "hall_bounce.json")) as f:
+        about = json.load(f)
+    modes = len(about["modes"])
+    weights = hall_transfer.interpolated(np.array(about["coefficients"]).reshape(-1, modes).T, *SUN_AT)
+
+    def pixels(name):
+        image = _load(name)
+        raw = np.empty(len(image.pixels), np.float32)
+        image.pixels.foreach_get(raw)
+        return raw.reshape(image.size[1], image.size[0], 4)
+    total = 0
+    for k, (mode, weight) in enumerate(zip(about["modes"], weights)):
+        t = mode["low"] + (1 - mode["low"]) * pixels(about["files"][k // 3])[..., k % 3]
+        total = total + t * np.abs(t) * mode["scale"] * weight
+    tint = pixels(about["files"][-1])
+    tint[..., :3] = np.sqrt(np.maximum(total, 0)[..., None] * 2 * tint[..., :3])
+    image = bpy.data.images.new("bounced", tint.shape[1], tint.shape[0], float_buffer=True)
+    image.colorspace_settings.name = "Linear"
+    image.pixels.foreach_set(tint.ravel())
+    return image
+
+
 def _baked(tree, color):
     """Light of the lightmaps times the color (a socket or a constant), as emission."""
     with open(os.path.join(HERE, "hall_light.json")) as f:
@@ -93,16 +127,17 @@ def _baked(tree, color):
     uv = tree.nodes.new("ShaderNodeUVMap")
     uv.uv_map = "Lightmap"
     total = None
-    for entry, tint in ((about["sky"], (1, 1, 1)), (about["sun"][SUN_MAP], [SUN * c for c in SUN_COLOR])):
+    sky = about["sky"]
+    for image, scale, tint in ((_load(sky["file"]), sky["scale"], (1, 1, 1)),
+                               (_bounced(), 1.0, [SUN * c for c in SUN_COLOR])):
         tex = tree.nodes.new("ShaderNodeTexImage")
-        tex.image = bpy.data.images.load(os.path.join(HERE, entry["file"]), check_existing=True)
-        tex.image.colorspace_settings.name = "Non-Color"
+        tex.image = image
         tree.links.new(uv.outputs[0], tex.inputs[0])
         square = tree.nodes.new("ShaderNodeVectorMath")
         square.operation = "MULTIPLY"
         scaled = tree.nodes.new("ShaderNodeVectorMath")
         scaled.operation = "MULTIPLY_ADD"
-        scaled.inputs[1].default_value = [entry["scale"] * c for c in tint]
+        scaled.inputs[1].default_value = [scale * c for c in tint]
         scaled.inputs[2].default_value = (0, 0, 0)
         tree.links.new(tex.outputs[0], square.inputs[0])
         tree.links.new(tex.outputs[0], square.inputs[1])

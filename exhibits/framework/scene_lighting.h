@@ -43,6 +43,9 @@ struct SceneLighting {
 
     /// Of the shadows that the sun throws on a surface, and of what surfaces see in the probe.
     render::ContributionBound sunShadow, probeLight;
+    /// Of the sun's light that walls and floor bounce, on what it falls on; and whether its map is drawn.
+    render::ContributionBound bouncedLight;
+    bool hasBouncedLight = false;
     /// No direction but the sun's own sends more radiance than this; scene-linear, before exposure.
     double brightest = 0;
 

@@ -205,7 +205,7 @@ void planFloor(const HallScene& scene, const SceneLighting& light, const Channel
         plan.skip(floor.name, "the floor is out of view");
         return;
     }
-    bindBakedLight(scene, floor);
+    if (scene.values[scene.table.bakedLight]) bindLightmaps(scene, light, floor);
     const bool mirrors = light.light.hasProbe && scene.values[scene.table.floorMirror] == FloorMirror::shapes;
     if (scene.values[scene.table.contactShadows]) {
         floor.shader.defines.emplace_back("CONTACT_SHADOWS");

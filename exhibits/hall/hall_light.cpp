@@ -59,35 +59,21 @@ double largest(const glm::vec3& color)
     return std::max({color.x, color.y, color.z});
 }
 
+/// Of the sun's bounced light in the air, for a sun of irradiance 1.
+double mostBounced(const HallScene& scene)
+{
+    return scene.model.sunTransfer().most(bounceOf(scene));
+}
+
 /// Of sky, panorama and studio, and of the walls that they and the sun light.
 double brightestAround(const HallScene& scene, const LightBlock& light)
 {
     if (scene.alone) return scene.environment ? scene.environmentBrightest : brightestOfStudio;
     const double sky = std::max(largest(light.skyZenith), largest(light.skyHorizon));
     const double sun = largest(light.sunIrradiance);
-    // Lightmaps hold 0 to 1 of these scales; around the sun the sky glows (lib/sky.glsl).
-    const double baked =
-        sky * static_cast<double>(light.skyLightmapScale) +
-        sun * static_cast<double>(light.sunLightmapWeights.x + light.sunLightmapWeights.y + light.sunLightmapWeights.z);
+    // The sky's lightmap holds 0 to 1 of its scale; around the sun the sky glows (lib/sky.glsl).
+    const double baked = sky * static_cast<double>(light.skyLightmapScale) + sun * mostBounced(scene);
     return std::max(scene.environment ? scene.environmentBrightest : sky + 0.35 * sun, baked + mostReflected * sun);
-}
-
-/// Weights of the three sun lightmaps: piecewise linear in the sun's elevation.
-glm::dvec3 lightmapWeights(const std::vector<SunLightmap>& maps, double elevation)
-{
-    glm::dvec3 weights(0);
-    if (elevation <= maps[0].elevation)
-        weights[0] = 1;
-    else if (elevation >= maps[2].elevation)
-        weights[2] = 1;
-    else {
-        const int i = elevation < maps[1].elevation ? 0 : 1;
-        const auto lower = static_cast<std::size_t>(i);
-        const double t = (elevation - maps[lower].elevation) / (maps[lower + 1].elevation - maps[lower].elevation);
-        weights[i] = 1 - t;
-        weights[i + 1] = t;
-    }
-    return weights;
 }
 
 /// Exposure to which the eye has got used: in the hall, or in the studio.
@@ -120,11 +106,6 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
     light.sunTanHalfWidth = static_cast<float>(std::tan(values[table.sunDisk] / 2));
     light.sunDiskSamples = values[table.diskSamples];
     light.exposure = static_cast<float>(adaptationOf(scene) * std::exp2(values[table.exposure]));
-    if (scene.alone) return light;
-    const std::vector<SunLightmap>& maps = scene.model.sunLightmapInfo();
-    const glm::dvec3 weights = lightmapWeights(maps, source.elevation);
-    for (int i = 0; i < 3; ++i)
-        light.sunLightmapWeights[i] = static_cast<float>(weights[i] * maps[static_cast<std::size_t>(i)].scale);
     return light;
 }
 
@@ -180,6 +161,8 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
         result.room = scene.model.room();
     }
     result.sunShadow = shadowBound(source);
+    result.bouncedLight = boundOfBounce(scene, mostBounced(scene));
+    result.hasBouncedLight = !scene.alone && (runEverything || !result.bouncedLight.isZero());
     result.sunShare = source.strength / std::get<double>(table.rows()[table.sunStrength.row].initial);
     result.brightest = brightestAround(scene, light);
     result.probeLight = render::boundOf(0, mostAmbient, {{result.brightest, "there is no light to reflect"}});
@@ -188,6 +171,7 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
         result.inputs.push_back({UNIT_PROBE, std::string("probe")});
         result.inputs.push_back({UNIT_PROBE_IRRADIANCE, std::string("probe.irradiance")});
     }
+    lookUpAirLight(scene, result);
     if (scene.environment) result.inputs.push_back({UNIT_ENVIRONMENT, scene.environment});
     return result;
 }

@@ -8,7 +8,6 @@
 #include "render/scene/mesh_shading.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace vitrine {
 namespace {
@@ -62,28 +61,6 @@ Json readAsset(const char* relative)
     return render::readJson(render::asset(relative)).root();
 }
 
-/// Joins pictures of one size into an array texture.
-std::shared_ptr<const render::Texture> joined(const std::vector<std::shared_ptr<const render::Texture>>& layers,
-                                              const std::string& name)
-{
-    auto array = std::make_shared<render::Texture>();
-    array->name = name;
-    array->width = layers.front()->width;
-    array->height = layers.front()->height;
-    array->channels = layers.front()->channels;
-    array->repeat = false;
-    array->mipmaps = false;
-    array->layers = static_cast<int>(layers.size());
-    for (const auto& layer : layers) {
-        if (layer->width != array->width || layer->height != array->height || layer->channels != array->channels)
-            throw Failure(
-                Blame::file,
-                name + ": the sun lightmaps differ in size or channels; bake them again with assets/models/hall.py.");
-        array->bytes.insert(array->bytes.end(), layer->bytes.begin(), layer->bytes.end());
-    }
-    return array;
-}
-
 }  // namespace
 
 HallModel::HallModel()
@@ -92,7 +69,8 @@ HallModel::HallModel()
         readMaterials();
         readLightmaps();
     } catch (const Json::exception& error) {
-        throw Failure(Blame::file, "assets/models/materials.json or hall_light.json: " + std::string(error.what()) +
+        throw Failure(Blame::file, "assets/models/materials.json, hall_light.json or hall_bounce.json: " +
+                                       std::string(error.what()) +
                                        "; reinstall the program, or write them anew with the scripts beside them.");
     }
     const render::Model model = render::loadGltf(render::asset("models/hall.glb"));
@@ -129,24 +107,12 @@ void HallModel::readMaterials()
 void HallModel::readLightmaps()
 {
     const Json table = readAsset("models/hall_light.json");
-    const auto load = [](const Json& row) {
-        auto picture = std::make_shared<render::Texture>(
-            *render::loadTexture(render::asset("models/" + row.at("file").get<std::string>()), false, false));
-        picture->mipmaps = false;
-        return std::shared_ptr<const render::Texture>(picture);
-    };
-    skyLightmap_ = load(table.at("sky"));
+    auto picture = std::make_shared<render::Texture>(
+        *render::loadTexture(render::asset("models/" + table.at("sky").at("file").get<std::string>()), false, false));
+    picture->mipmaps = false;
+    skyLightmap_ = picture;
     skyLightmapScale_ = table.at("sky").at("scale").get<double>();
-    std::vector<std::shared_ptr<const render::Texture>> layers;
-    for (const Json& row : table.at("sun")) {
-        layers.push_back(load(row));
-        sunInfo_.push_back({row.at("elevation").get<double>() * std::numbers::pi / 180, row.at("scale").get<double>()});
-    }
-    if (layers.size() != 3)
-        throw Failure(
-            Blame::file,
-            "assets/models/hall_light.json: three sun lightmaps are expected under \"sun\"; bake them again.");
-    sunLightmaps_ = joined(layers, "assets/models/hall_light.json");
+    sunTransfer_ = SunTransfer(readAsset("models/hall_bounce.json"));
 }
 
 void HallModel::sortParts(const render::Model& model)

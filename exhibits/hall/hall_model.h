@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/hall/hall_furniture.h"
+#include "exhibits/hall/sun_transfer.h"
 #include "render/scene/mesh.h"
 
 #include <glm/glm.hpp>
@@ -45,12 +46,6 @@ struct HallMaterial {
     glm::dvec3 meanColor{0.5};  ///< Mean of its base color, linear.
 };
 
-/// One baked map of the sun's bounced light.
-struct SunLightmap {
-    double elevation = 0;  ///< Radians.
-    double scale = 1;      ///< Radiance over the square of the stored value, for sun irradiance 1.
-};
-
 /// The building as read from assets/models: what is drawn, where things stand and light comes in, what stops a visitor.
 /// The named nodes of hall.glb are the one home of all places and sizes: assets/models/hall.py writes them.
 class HallModel {
@@ -78,8 +73,7 @@ public:
 
     [[nodiscard]] std::shared_ptr<const render::Texture> skyLightmap() const { return skyLightmap_; }
     [[nodiscard]] double skyLightmapScale() const { return skyLightmapScale_; }
-    [[nodiscard]] std::shared_ptr<const render::Texture> sunLightmaps() const { return sunLightmaps_; }
-    [[nodiscard]] const std::vector<SunLightmap>& sunLightmapInfo() const { return sunInfo_; }
+    [[nodiscard]] const SunTransfer& sunTransfer() const { return sunTransfer_; }
 
 private:
     void readMaterials();
@@ -95,10 +89,10 @@ private:
     render::Box bounds_, room_, probeRoom_;
     std::vector<render::Box> openings_;
     std::optional<glm::dvec3> probe_;  // The file has one, or is refused.
-    std::shared_ptr<const render::Texture> skyLightmap_, sunLightmaps_;
+    std::shared_ptr<const render::Texture> skyLightmap_;
     double skyLightmapScale_ = 1;
-    std::vector<SunLightmap> sunInfo_;
     Furniture furniture_;
+    SunTransfer sunTransfer_;
 };
 
 }  // namespace vitrine

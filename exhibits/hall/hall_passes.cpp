@@ -291,19 +291,11 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
         plan.add(std::move(pass));
 }
 
-void bindBakedLight(const HallScene& scene, Pass& pass)
-{
-    if (!scene.values[scene.table.bakedLight]) return;
-    pass.shader.defines.emplace_back("LIGHTMAP");
-    pass.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
-    pass.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
-}
-
 void planWalls(const HallScene& scene, const SceneLighting& light, const Channels& channels, render::FramePlan& plan)
 {
     Pass walls = surfacePass("hall/walls", "the hall is around the visitor", light, channels,
                              {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, render::Load::clear);
-    bindBakedLight(scene, walls);
+    if (scene.values[scene.table.bakedLight]) bindLightmaps(scene, light, walls);
     for (const MeshInstance& part : scene.model.walls())
         if (!isFloor(part)) walls.draws.push_back(partDraw(scene, part));
     plan.add(std::move(walls));

@@ -70,13 +70,12 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const std:
     walls.bound = hallLight.probeLight;
     walls.shader = {.vertex = "kit/surface.vert",
                     .fragment = "kit/surface.frag",
-                    .defines = {"BASE_COLOR_MAP", "ORM_MAP", "LIGHTMAP", "FLAT_PROBE"}};
+                    .defines = {"BASE_COLOR_MAP", "ORM_MAP", "FLAT_PROBE"}};
     walls.colors = {Attachment::slice("probe.captured", face)};
     walls.depth = Attachment::cleared("probe.depth");
     walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};
     walls.draws = draws;
-    walls.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
-    walls.inputs.push_back({UNIT_SUN_LIGHTMAPS, scene.model.sunLightmaps()});
+    bindLightmaps(scene, hallLight, walls);
     hallLight.bindLighting(walls);
     if (face == 5) walls.mipmaps = {"probe.captured"};
     plan.add(std::move(walls));

@@ -72,12 +72,25 @@ struct HallScene {
 /// Changes whenever something that falls on the static hall, or is seen in its probe, changes.
 [[nodiscard]] std::uint64_t lightKey(const HallScene&);
 
+// bounced_light.cpp
+
+/// What the sun lights from where it stands.
+[[nodiscard]] std::vector<SunTransfer::Source> bounceOf(const HallScene&);
+/// What its bounced light, `most` of it in the air, adds to a surface.
+[[nodiscard]] render::ContributionBound boundOfBounce(const HallScene&, double most);
+/// The sun's bounced light on walls and floor, kept while the sun stands still.
+void planBouncedLight(const HallScene&, const SceneLighting&, render::FramePlan&);
+/// The light of sky and sun in the air, for what has no lightmap: kept while neither changes.
+void planAirLight(const HallScene&, const SceneLighting&, render::FramePlan&);
+/// Lets everything that is lit read it.
+void lookUpAirLight(const HallScene&, SceneLighting&);
+/// Lets a pass that draws walls read the sky's light on them and, where there is any, the sun's bounced light.
+void bindLightmaps(const HallScene&, const SceneLighting&, render::Pass&);
+
 // hall_passes.cpp
 
 /// The sun's depth map of walls and furniture, kept while neither moves.
 void planHallShadow(const HallScene&, const SceneLighting&, render::FramePlan&);
-/// Lets a pass of `surfacePass` draw walls in the light that is baked for them, where that is switched on.
-void bindBakedLight(const HallScene&, render::Pass&);
 /// Walls, furniture, cloths over empty places, the visitor's object, buttons and plaques.
 void planWalls(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
 /// What is behind everything: sky, panorama, or the studio of an exhibit alone.

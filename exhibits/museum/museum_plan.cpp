@@ -181,6 +181,8 @@ render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& req
     frame.makeContexts();
     frame.lightLamps();
     planHallShadow(frame.scene, frame.light, frame.plan);
+    planBouncedLight(frame.scene, frame.light, frame.plan);
+    planAirLight(frame.scene, frame.light, frame.plan);
     planProbe(frame.scene, frame.light, frame.plan);
     if (!alone && !request.cutOut) planContactShadows(frame.scene, frame.plan);
     frame.planBuilding(frame.plan);

@@ -25,7 +25,7 @@ void main()
     s.metalness = 0.0;
     s.roughness = 0.45;
     s.specular = 0.5;
-    s.ambient = probeAmbient(s.normal);
+    s.ambient = ambientAt(s.position, s.normal);
     s.occlusion = 1.0;
     vec3 toEye = normalize(frame.eye - worldPosition);
     // Premultiplied.

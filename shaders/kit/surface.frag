@@ -1,6 +1,6 @@
-// A mesh with a material. Permutations: BASE_COLOR_MAP, NORMAL_MAP, ORM_MAP, EMISSIVE_MAP, LIGHTMAP,
-// FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WRITE_NORMAL, WRITE_EVALUATIONS, and
-// POLISHED_FLOOR with those of kit/standing.glsl.
+// A mesh with a material. Permutations: BASE_COLOR_MAP, NORMAL_MAP, ORM_MAP, EMISSIVE_MAP, LIGHTMAP, BOUNCED_LIGHT
+// (the sun's, with LIGHTMAP), FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WRITE_NORMAL,
+// WRITE_EVALUATIONS, and POLISHED_FLOOR with those of kit/standing.glsl.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
 #include "kit/surface_object.glsl"
@@ -13,7 +13,7 @@ layout(binding = UNIT_NORMAL) uniform sampler2D normalMap;
 layout(binding = UNIT_ORM) uniform sampler2D ormMap;
 layout(binding = UNIT_EMISSIVE) uniform sampler2D emissiveMap;
 layout(binding = UNIT_SKY_LIGHTMAP) uniform sampler2D skyLightmap;
-layout(binding = UNIT_SUN_LIGHTMAPS) uniform sampler2DArray sunLightmaps;
+layout(binding = UNIT_BOUNCED_LIGHT) uniform sampler2D bouncedLight;
 
 in vec3 worldPosition;
 in vec3 worldNormal;
@@ -29,22 +29,14 @@ layout(location = 1) out vec4 normalOut;
 layout(location = WRITE_EVALUATIONS) out vec4 evaluationsOut;
 #endif
 
-// The lightmaps are stored as square roots.
-vec3 squared(vec3 c)
-{
-    return c * c;
-}
-
 vec3 bakedAmbient()
 {
-    vec3 sky = squared(textureLod(skyLightmap, atlasUv, 0.0).rgb) * light.skyLightmapScale;
-    vec3 ambient = sky * mix(light.skyHorizon, light.skyZenith, 0.4);
-    vec3 bounced = vec3(0.0);
-    for (int i = 0; i < 3; ++i) {
-        float weight = light.sunLightmapWeights[i];
-        if (weight > 0.0) bounced += squared(textureLod(sunLightmaps, vec3(atlasUv, float(i)), 0.0).rgb) * weight;
-    }
-    return ambient + bounced * light.sunIrradiance;
+    vec3 root = textureLod(skyLightmap, atlasUv, 0.0).rgb;  // Stored as square roots.
+    vec3 ambient = root * root * light.skyLightmapScale * mix(light.skyHorizon, light.skyZenith, 0.4);
+#ifdef BOUNCED_LIGHT
+    ambient += textureLod(bouncedLight, atlasUv, 0.0).rgb * light.sunIrradiance;
+#endif
+    return ambient;
 }
 
 void main()
@@ -91,7 +83,7 @@ void main()
     float local = dot(s.ambient, vec3(0.3333)) / max(dot(probeAmbient(n), vec3(0.3333)), 1e-4);
     s.occlusion *= mix(1.0, clamp(local, 0.15, 1.0), light.bakedOcclusion * (0.35 + 0.65 * s.roughness));
 #else
-    s.ambient = probeAmbient(n) * s.occlusion;
+    s.ambient = ambientAt(s.position, n) * s.occlusion;
 #endif
 #ifdef CONTACT_SHADOWS
     float contact = contactLight(s.position);

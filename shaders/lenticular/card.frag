@@ -46,7 +46,7 @@ vec3 slabColor(vec3 world, vec3 normal, vec3 worldToEye)
     s.roughness = back ? 0.6 : 0.16;
     s.specular = parameters.specular;
     s.occlusion = 1.0;
-    s.ambient = probeAmbient(normal);
+    s.ambient = ambientAt(world, normal);
     return shadeSurface(s, worldToEye);
 }
 
@@ -78,7 +78,7 @@ void main()
         // The paper under the plastic scatters what reaches it.
         float cosL = max(dot(worldNormal, light.sunDirection), 0.0);
         float into = 1.0 - fresnelDielectric(cosL, object.prints[0].index.g);
-        vec3 falls = probeAmbient(worldNormal) + light.sunIrradiance * (cosL * visibility * into / PI);
+        vec3 falls = ambientAt(world, worldNormal) + light.sunIrradiance * (cosL * visibility * into / PI);
         vec3 toLamp = normalize(LAMP - vec3(p.place, 0.0));
         falls += lampIrradiance(p.place) * (toLamp.z * (1.0 - fresnelDielectric(toLamp.z, object.prints[0].index.g)) / PI);
         color = printed * falls * (1.0 - mirrored.a) + mirrored.rgb;

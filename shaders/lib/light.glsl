@@ -1,5 +1,6 @@
 // The light block and what reads it: sun, sky, shadow maps, reflection probe.
 #include "lib/bindings.glsl"
+#include "lib/air_light.glsl"
 #include "lib/light_block.glsl"
 #include "lib/numerics.glsl"
 
@@ -11,6 +12,7 @@ layout(binding = UNIT_SHADOW_HALL) uniform sampler2DShadow hallShadow;
 layout(binding = UNIT_SHADOW_EXHIBITS) uniform sampler2DShadow exhibitShadow;
 layout(binding = UNIT_PROBE) uniform samplerCube probe;
 layout(binding = UNIT_PROBE_IRRADIANCE) uniform sampler2D probeIrradiance;
+layout(binding = UNIT_AIR_LIGHT) uniform sampler3D airLight;
 
 float shadowTap(sampler2DShadow map, vec2 base, vec2 offset, float depth)
 {
@@ -183,4 +185,11 @@ vec3 probeAmbient(vec3 n)
            texelFetch(probeIrradiance, ivec2(7, 0), 0).rgb * (n.x * n.z) +
            texelFetch(probeIrradiance, ivec2(8, 0), 0).rgb * (n.x * n.x - n.y * n.y);
     return max(sum, vec3(0.0));
+}
+
+// Irradiance over pi on what has no lightmap and faces `n`, where it stands.
+vec3 ambientAt(vec3 world, vec3 n)
+{
+    if (!light.hasAirLight) return probeAmbient(n);
+    return airLightOf(airLight, light.airLow, light.airHigh, world, n).rgb;
 }

@@ -22,7 +22,6 @@
     FIELD(float, skyLightmapScale)       /* what the sky lightmap's 1 stands for */ \
     FIELD(vec3, skyHorizon)              /* radiance */ \
     FIELD(int, background)               /* BACKGROUND_ */ \
-    FIELD(vec3, sunLightmapWeights)      /* weight times scale of each of the three sun lightmaps */ \
     FIELD(float, environmentRotation)        /* rotation of the panorama, radians */ \
     FIELD(vec3, probePosition)           /* world space */ \
     FIELD(float, probeLastLevel)         /* mip level of the roughest mirror image */ \
@@ -30,6 +29,9 @@
     FIELD(float, bakedOcclusion)         /* how much baked light dims the probe's mirror image, 0 to 1 */ \
     FIELD(vec3, probeHigh) \
     FIELD(float, exposure)               /* radiance times this is what the film sees */ \
+    FIELD(vec3, airLow)                  /* corners of the points in the air whose light is known, world space */ \
+    FIELD(bool, hasAirLight)             /* it is */ \
+    FIELD(vec3, airHigh) \
     FIELD(bool, hallCastsShadow)         /* the hall's shadow map is bound and up to date */ \
     FIELD(bool, exhibitsCastShadow)      /* the exhibits' shadow map is */ \
     FIELD(bool, hasProbe)                /* the probe is */ \

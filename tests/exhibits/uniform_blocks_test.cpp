@@ -20,6 +20,8 @@ using UniformBlocks = test::GlTest;
 
 #include "shaders/crepuscular_rays/rays_block.glsl"
 #include "shaders/fur/body_block.glsl"
+#include "shaders/hall/air_light_block.glsl"
+#include "shaders/hall/bounce_block.glsl"
 #include "shaders/hall/probe_block.glsl"
 #include "shaders/ice_cream/ice_cream_block.glsl"
 #include "shaders/kit/floor_block.glsl"
@@ -147,6 +149,9 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"LightBlock", described<LightBlock>()},
         {"LocalLightEntry", described<LocalLightEntry>()},
         {"LocalLightsBlock", described<LocalLightsBlock>()},
+        {"AirLightBlock", described<AirLightBlock>()},
+        {"AirOnWalls", described<AirOnWalls>()},
+        {"BounceBlock", described<BounceBlock>()},
         {"ProbeLevel", described<ProbeLevel>()},
         {"RaysBlock", described<RaysBlock>()},
         {"NoiseBlock", described<NoiseBlock>()},

@@ -27,7 +27,7 @@ void main()
     s.metalness = material.metalness;
     s.roughness = clamp(material.roughness, 0.045, 1.0);
     s.specular = material.specular;
-    s.ambient = probeAmbient(s.normal);
+    s.ambient = ambientAt(s.position, s.normal);
     s.occlusion = 1.0;
     radiance = vec4(min(shadeSurface(s, toEye), vec3(6e4)), 1.0);  // Half floats end at 65504.
 #ifdef WRITE_NORMAL

@@ -107,7 +107,7 @@ Surface surfaceOf(Hit hit, FieldMaterial material)
         s.occlusion = fieldOcclusion(hit.local, hit.localNormal, 0.25 * length(object.boxHigh - object.boxLow));
         evaluations += 5;
     }
-    s.ambient = probeAmbient(s.normal) * s.occlusion;
+    s.ambient = ambientAt(s.position, s.normal) * s.occlusion;
     return s;
 }
 
