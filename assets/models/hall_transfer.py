@@ -26,7 +26,7 @@ STEP = 5                        # degrees of azimuth
 ELEVATIONS = (0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 23, 26, 29, 32, 36, 40, 45, 50, 56, 63, 71, 80, 90)
 # Less than this mean light (irradiance over pi, of a sun of irradiance 1) is left out: under one level of 255.
 LEAST = 2.2e-4
-AIR_LOW, AIR_HIGH, AIR_SIZE = (-5.6, 0.25, -11.6), (5.6, 8.75, 11.6), (11, 8, 19)
+AIR_LOW, AIR_HIGH, AIR_SIZE = (-5.7, 0.06, -11.8), (5.7, 8.75, 11.8), (11, 8, 19)
 AXES = np.array([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)], float)
 
 

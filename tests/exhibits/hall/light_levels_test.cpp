@@ -75,7 +75,7 @@ render::Image wallsWith(const ParameterValues& values)
     light.light.skyHorizon = {1.9F, 2, 2.1F};
     render::FramePlan plan;
     render::Raster raster;
-    raster.size = {128, 72};
+    raster.size = {96, 54};
     plan.view = render::makeView(hall().bestView(values), raster);
     plan.image({.name = radianceImage, .format = render::Format::rgba32f});
     plan.image({.name = depthImage, .format = render::Format::depth32f, .nearest = true});
@@ -93,6 +93,7 @@ render::Image wallsWith(const ParameterValues& values)
 TEST_F(LightLevels, OfASunThatShinesInNowhereAreThoseOfNoSun)
 {
     Shot shot;
+    shot.hall().set(hallTable().reflectionProbe, false);
     const auto under = [&](double azimuth, double elevation, double strength) {
         shot.hall().set(hallTable().sunAzimuth, azimuth * degree);
         shot.hall().set(hallTable().sunElevation, elevation * degree);
