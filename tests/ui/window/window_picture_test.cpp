@@ -270,10 +270,10 @@ private slots:
         QTRY_VERIFY(window_->viewport().regionsDrawn() > regions);
         gallery_->exhibit().moves = false;  // It has come to rest.
         QTest::qWait(500);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().schedule().still(), vitrine::test::patience);
         const long long rested = window_->viewport().regionsDrawn();
         const long long refined = window_->viewport().picturesDrawn();
         QVERIFY(refined - whole <= 16);
-        QVERIFY(window_->viewport().schedule().still());
         QTest::qWait(500);
         QCOMPARE(window_->viewport().regionsDrawn(), rested);
         QCOMPARE(window_->viewport().picturesDrawn(), refined);
