@@ -69,7 +69,7 @@ double mostBounced(const HallScene& scene)
 double brightestAround(const HallScene& scene, const LightBlock& light)
 {
     if (scene.alone) return scene.environment ? scene.environmentBrightest : brightestOfStudio;
-    const double sky = std::max(largest(light.skyZenith), largest(light.skyHorizon));
+    const double sky = std::max(largest(light.skyZenith), largest(light.skyHorizon)) + 1.35 * largest(light.skySunward);
     const double sun = largest(light.sunIrradiance);
     // The sky's lightmap holds 0 to 1 of its scale; around the sun the sky glows (lib/sky.glsl).
     const double baked = sky * static_cast<double>(light.skyLightmapScale) + sun * mostBounced(scene);
@@ -88,13 +88,14 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
     const HallTable& table = scene.table;
     const ParameterValues& values = scene.values;
     const glm::dvec3 sunColor = source.irradiance();
-    const glm::dvec3 skyColor = blackBodyColor(values[table.skyTemperature]) * (values[table.skyStrength] * source.sky);
+    const glm::dvec3 skyColor = blackBodyColor(values[table.skyTemperature]) * values[table.skyStrength];
     LightBlock light;
     light.sunDirection = glm::vec3(source.towards());
     light.sunIrradiance = glm::vec3(sunColor);
-    light.skyZenith = glm::vec3(skyColor * 0.8);
+    light.skyZenith = glm::vec3(skyColor * source.sky.zenith * 0.8);
     light.skyLightmapScale = static_cast<float>(scene.model.skyLightmapScale());
-    light.skyHorizon = glm::vec3(glm::mix(skyColor, sunColor / 9.0, 0.25) * 1.25);
+    light.skyHorizon = glm::vec3(glm::mix(skyColor * source.sky.horizon, sunColor / 9.0, 0.25) * 1.25);
+    light.skySunward = glm::vec3(skyColor * source.sky.sunward * 1.25);
     light.background = scene.environment ? BACKGROUND_PANORAMA : scene.alone ? BACKGROUND_STUDIO : BACKGROUND_SKY;
     light.environmentRotation = static_cast<float>(values[table.environmentRotation]);
     light.bakedOcclusion = values[table.bakedLight] ? 1.0F : 0.0F;

@@ -15,6 +15,9 @@ constexpr double latitude = 48 * degree;
 constexpr double windowAzimuth = 70.6 * degree;
 /// Above the air: what makes the light of four o'clock as strong as the hall's initial sun.
 constexpr double strengthAboveAir = 7.5;
+/// What is left of the sky by night, of its light at four o'clock: that of a moon out of sight, brighter than it is, as
+/// eyes that got used to the dark see it.
+const glm::dvec3 moonlitSky{0.011, 0.015, 0.024};
 
 }  // namespace
 
@@ -37,9 +40,9 @@ Sun sunAtHour(double hour)
     const double risen = std::clamp(sun.elevation / degree + 0.5, 0.0, 1.0);
     sun.strength = strengthAboveAir * std::pow(0.7, std::pow(airMass, 0.678)) * risen;
     sun.temperature = 2000 + 3700 * (1 - std::exp(-high / 15));
-    // Twilight: the sky is gone when the sun is six degrees below the horizon, and full from fifteen above.
-    const double day = std::clamp((sun.elevation / degree + 6) / 21, 0.0, 1.0);
-    sun.sky = day * day * (3 - 2 * day);
+    sun.sky = skyTint(sun.elevation);
+    sun.sky.zenith += moonlitSky;
+    sun.sky.horizon += moonlitSky;
     return sun;
 }
 
@@ -55,8 +58,12 @@ Sun sunOf(const HallTable& table, const ParameterValues& values)
         sun.strength *= values[table.sunStrength] / std::get<double>(table.rows()[table.sunStrength.row].initial);
         return sun;
     }
-    return {values[table.sunElevation], values[table.sunAzimuth], values[table.sunStrength],
-            values[table.sunTemperature], 1};
+    // Colors and strengths are set by hand here; where the air glows, the height of the sun alone tells.
+    return {values[table.sunElevation],
+            values[table.sunAzimuth],
+            values[table.sunStrength],
+            values[table.sunTemperature],
+            {.sunward = skyTint(values[table.sunElevation]).sunward}};
 }
 
 }  // namespace vitrine

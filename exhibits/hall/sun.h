@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/hall/clear_sky.h"
 #include "exhibits/hall/hall_table.h"
 
 #include <glm/glm.hpp>
@@ -13,7 +14,7 @@ struct Sun {
     double azimuth = 0;      ///< Seen through the window; negative is to the left. Radians.
     double strength = 0;     ///< Irradiance on a plane that faces it, in the hall's units.
     double temperature = 0;  ///< Of its color, kelvin.
-    double sky = 1;          ///< What is left of the sky's light.
+    SkyTint sky;             ///< What its height makes of the sky.
 
     [[nodiscard]] glm::dvec3 towards() const;     ///< Unit length, world space.
     [[nodiscard]] glm::dvec3 irradiance() const;  ///< On a plane that faces it, linear Rec. 709.

@@ -38,5 +38,6 @@
     FIELD(int, shadowFilter)             /* SHADOW_FILTER_ */ \
     FIELD(float, sunTanHalfWidth)        /* tangent of half the angle that the sun's disk takes */ \
     FIELD(int, sunDiskSamples)           /* comparisons over the sun's disk */ \
-    FIELD(int, sampleIndex)              /* which supersample, from 0 */
+    FIELD(int, sampleIndex)              /* which supersample, from 0 */ \
+    FIELD(vec3, skySunward)              /* radiance that the horizon has more below the sun */
 BLOCK_STRUCT(LightBlock, LIGHT_FIELDS)

@@ -1,6 +1,6 @@
-// What lies beyond the hall: a clear sky with a bright horizon and a glow around the sun, or the user's
-// panorama.
+// What lies beyond the hall: a clear sky by the height of the sun over the grounds, the studio, or the user's panorama.
 #include "lib/light.glsl"
+#include "lib/grounds.glsl"
 #include "lib/panorama.glsl"
 
 // A soft box of the studio: a bright rectangle `size` (tangents of half angles) around `center`.
@@ -30,25 +30,35 @@ vec3 studioRadiance(vec3 d)
     return room + key + rim + fill;
 }
 
+// The clear sky without a sun in it.
+vec3 clearSky(vec3 d)
+{
+    float up = max(d.y, 0.0);
+    float haze = exp2(-4.0 * up);
+    vec3 sky = mix(light.skyZenith, light.skyHorizon, haze);
+    // Low over the place where the sun stands or has set, the air glows.
+    vec2 level = safeNormalize(vec3(d.x, 0.0, d.z), vec3(0.0, 0.0, -1.0)).xz;
+    vec2 sunLevel = safeNormalize(vec3(light.sunDirection.x, 0.0, light.sunDirection.z), vec3(0.0, 0.0, -1.0)).xz;
+    float beside = 0.5 + 0.5 * dot(level, sunLevel);
+    sky += light.skySunward * (beside * beside * exp2(-9.0 * up));
+    // Thin cloud in streaks, so that a window shows weather and not paper. They take the sun's color where it is low.
+    vec2 high = d.xz / (up + 0.12) * 1.7;
+    float streaks = 0.5 + 0.5 * sin(high.x * 1.3 + 1.7 * sin(high.y * 0.7) + 0.6 * sin(high.x * 3.1 - high.y * 1.9));
+    return sky * mix(0.72, 1.0, streaks) + light.skySunward * (0.35 * (1.0 - streaks) * beside * exp2(-3.0 * up));
+}
+
 // From `direction`, for a pixel that is `angle` radians wide.
 vec3 skyRadiance(vec3 direction, float angle)
 {
     vec3 d = normalize(direction);
     if (light.background == BACKGROUND_STUDIO) return studioRadiance(d);
     if (light.background == BACKGROUND_PANORAMA) return panoramaRadiance(d, angle);
-    float up = max(d.y, 0.0);
-    float haze = exp2(-4.0 * up);
-    vec3 sky = mix(light.skyZenith, light.skyHorizon, haze);
-    // Thin cloud in streaks, so that a window shows weather and not paper.
-    vec2 high = d.xz / (up + 0.12) * 1.7;
-    float streaks = 0.5 + 0.5 * sin(high.x * 1.3 + 1.7 * sin(high.y * 0.7) + 0.6 * sin(high.x * 3.1 - high.y * 1.9));
-    sky *= mix(0.72, 1.0, streaks);
     float toSun = max(dot(d, light.sunDirection), 0.0);
-    sky += light.sunIrradiance * (0.05 * pow(toSun, 24.0) + 0.3 * pow(toSun, 400.0));
+    vec3 sky = clearSky(d) + light.sunIrradiance * (0.05 * pow(toSun, 24.0) + 0.3 * pow(toSun, 400.0));
 #ifndef CAPTURE
     sky *= 0.4;  // To the eye, the panes of a tall old window dim the sky; what lights the room is not dimmed.
+    return behindGrounds(sky, d, angle, 0.4);
+#else
+    return behindGrounds(sky, d, angle, 1.0);
 #endif
-    // The ground outside, seen only from above.
-    vec3 ground = light.skyHorizon * vec3(0.16, 0.15, 0.13);
-    return d.y < 0.0 ? mix(sky, ground, clamp(-d.y * 18.0, 0.0, 1.0)) : sky;
 }

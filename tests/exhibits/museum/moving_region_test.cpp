@@ -11,10 +11,9 @@ using namespace vitrine;
 
 namespace {
 
-constexpr glm::ivec2 size{480, 288};
-
 class MovingRegion : public test::GlTest {
 protected:
+    glm::ivec2 size_{480, 288};
     Museum& museum_ = test::gallery().museum;
     SceneState sceneState_ = museum_.initialSceneState();
 
@@ -23,7 +22,7 @@ protected:
     {
         FrameRequest request;
         request.camera = sceneState_.camera;
-        request.raster.size = size;
+        request.raster.size = size_;
         request.time = time;
         return request;
     }
@@ -43,13 +42,14 @@ protected:
         request.samples = samples_;
         for (request.sample = 0; request.sample < request.samples; ++request.sample)
             (void)renderer.draw(test::planned(museum_, sceneState_, request, renderer.persistentState()));
-        return renderer.screenPixels("frame", size, glm::ivec2(0), size);
+        return renderer.screenPixels("frame", size_, glm::ivec2(0), size_);
     }
 };
 
-bool inside(const PictureRegion& region, int x, int y)
+/// Of a picture that is `height` pixels high, top row first.
+bool inside(const PictureRegion& region, int x, int y, int height)
 {
-    const int fromBelow = size.y - 1 - y;
+    const int fromBelow = height - 1 - y;
     return x >= region.offset.x && x < region.offset.x + region.size.x && fromBelow >= region.offset.y &&
            fromBelow < region.offset.y + region.size.y;
 }
@@ -63,7 +63,7 @@ TEST_F(MovingRegion, AtTheEntranceItHoldsAllThatMovesAndIsSmall)
     const auto region = museum_.movingRegion(museum_.prepare(sceneState_, at(0)), at(0));
     ASSERT_TRUE(region);
     EXPECT_GT(region->size.x * region->size.y, 0);
-    EXPECT_LT(region->size.x * region->size.y, size.x * size.y / 16);
+    EXPECT_LT(region->size.x * region->size.y, size_.x * size_.y / 16);
     EXPECT_EQ(region->offset % 2, glm::ivec2(0));
     int moved = 0;
     int elsewhere = 0;
@@ -72,14 +72,14 @@ TEST_F(MovingRegion, AtTheEntranceItHoldsAllThatMovesAndIsSmall)
     for (const double time : moments) {
         EXPECT_EQ(museum_.movingRegion(museum_.prepare(sceneState_, at(time)), at(time)), region);
         const render::gl::ScreenPixels after = whole(*renderer, at(time));
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) {
-                const std::size_t pixel = static_cast<std::size_t>(y * size.x + x) * 4;
+        for (int y = 0; y < size_.y; ++y)
+            for (int x = 0; x < size_.x; ++x) {
+                const std::size_t pixel = static_cast<std::size_t>(y * size_.x + x) * 4;
                 if (std::equal(before.rgba.begin() + static_cast<std::ptrdiff_t>(pixel),
                                before.rgba.begin() + static_cast<std::ptrdiff_t>(pixel) + 4,
                                after.rgba.begin() + static_cast<std::ptrdiff_t>(pixel)))
                     continue;
-                ++(inside(*region, x, y) ? moved : elsewhere);
+                ++(inside(*region, x, y, size_.y) ? moved : elsewhere);
             }
     }
     EXPECT_GT(moved, 20);
@@ -98,18 +98,18 @@ TEST_F(MovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
     FrameRequest request = at(moments.front());
     const glm::ivec2 low = glm::max(region->offset - apron, glm::ivec2(0));
     request.raster.offset = low;
-    request.raster.tile = glm::min(region->offset + region->size + apron, size) - low;
+    request.raster.tile = glm::min(region->offset + region->size + apron, size_) - low;
     request.samples = 2;
     const auto other = test::gallery().renderer.sibling();
     for (request.sample = 0; request.sample < 2; ++request.sample)
         (void)other->draw(test::planned(museum_, sceneState_, request, other->persistentState()));
-    const render::gl::ScreenPixels part = other->screenPixels("frame", size, low, request.raster.tile);
+    const render::gl::ScreenPixels part = other->screenPixels("frame", size_, low, request.raster.tile);
     int worst = 0;
     for (int y = 0; y < region->size.y; ++y)
         for (int x = 0; x < region->size.x; ++x)
             for (int c = 0; c < 3; ++c) {
                 const glm::ivec2 from = region->offset + glm::ivec2(x, y);
-                const auto a = all.rgba[static_cast<std::size_t>((size.y - 1 - from.y) * size.x + from.x) * 4 +
+                const auto a = all.rgba[static_cast<std::size_t>((size_.y - 1 - from.y) * size_.x + from.x) * 4 +
                                         static_cast<std::size_t>(c)];
                 const glm::ivec2 at = from - low;
                 const auto b = part.rgba[static_cast<std::size_t>((part.height - 1 - at.y) * part.width + at.x) * 4 +
@@ -122,6 +122,7 @@ TEST_F(MovingRegion, DrawnByItselfItIsThatPartOfTheWholePicture)
 TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
 {
     samples_ = 1;
+    size_ = {160, 96};
     SceneState other = sceneState_;
     const auto fur = museum_.find("fur").value();
     other.values[fur].setRow(*other.values[fur].table().find("ballLength"), 0.1);

@@ -1,0 +1,87 @@
+// What lies outside the museum's window: a lawn, an avenue of old trees that opens towards the hills, roofs of a town.
+#include "lib/hash.glsl"
+#include "lib/light.glsl"
+
+// Pseudo-random number in [0, 1) for cell `i` of a row.
+float groundsRandom(int i, uint row)
+{
+    return unitFromBits(hashCell(ivec3(i, 0, 0), row).x);
+}
+
+// Value noise along a line, 0 to 1.
+float groundsNoise(float x, uint row)
+{
+    float base = floor(x);
+    float f = x - base;
+    f = f * f * (3.0 - 2.0 * f);
+    return mix(groundsRandom(int(base), row), groundsRandom(int(base) + 1, row), f);
+}
+
+// Share of a pixel that lies below an edge: `above` is how far it lies over it, both in tangents of angles.
+float groundsBelow(float above, float width)
+{
+    return clamp(0.5 - above / width, 0.0, 1.0);
+}
+
+// Of the roofs: gables with a chimney here and there, one cell each.
+float groundsRoof(float x)
+{
+    float cell = floor(x * 28.0);
+    float within = x * 28.0 - cell;
+    float high = 0.012 + 0.022 * groundsRandom(int(cell), 11u);
+    float gable = 1.0 - abs(2.0 * within - 1.0);
+    bool chimney = groundsRandom(int(cell), 12u) > 0.6 && abs(within - 0.3) < 0.05;
+    return high + 0.016 * gable + (chimney ? 0.010 : 0.0);
+}
+
+// How far (x, y) lies over the crowns of a row of trees, tangents; negative inside. Crowns are disks with leafy rims, on trunks.
+float groundsCrowns(vec2 p, float spacing, float size, uint row)
+{
+    int cell = int(floor(p.x / spacing));
+    float nearest = 1.0;
+    for (int i = cell - 2; i <= cell + 2; ++i) {
+        float grown = 0.65 + 0.6 * groundsRandom(i, row);
+        // Towards the middle, where the avenue opens, the trees are far off.
+        float x = (float(i) + 0.2 + 0.6 * groundsRandom(i, row + 1u)) * spacing;
+        float open = clamp(abs(x) * 2.2 - 0.25, 0.12, 1.0);
+        float radius = size * grown * open;
+        vec2 d = p - vec2(x, radius * 1.15);
+        float angle = angleOf(d.y, d.x);
+        float rim = 1.0 + 0.16 * (groundsNoise(angle * 7.0 + 40.0 * float(i), row + 2u) - 0.5) +
+                    0.07 * (groundsNoise(angle * 31.0 + 40.0 * float(i), row + 3u) - 0.5);
+        float trunk = max(abs(d.x) - 0.07 * radius, d.y);
+        nearest = min(nearest, min(length(d * vec2(1.0, 0.9)) - radius * rim, trunk));
+    }
+    return nearest;
+}
+
+// The sky's radiance `sky` towards the unit vector `d`, with what stands before it; for a pixel `angle` radians wide.
+// `pane` is the share of light that the window's glass lets through, as in `sky`. The lightmaps know nothing of it: it is
+// low, and dark against the sky.
+vec3 behindGrounds(vec3 sky, vec3 d, float angle, float pane)
+{
+    if (d.y > 0.5) return sky;
+    float level = max(length(d.xz), 1e-4);
+    vec2 p = vec2(atan(d.x, -d.z), d.y / level);
+    float width = max(angle, 1e-4) * 1.5;
+    vec3 haze = pane * mix(light.skyZenith, light.skyHorizon, 0.8);
+    vec3 lit = pane * (0.3 * light.skyHorizon + 0.05 * light.sunIrradiance * (1.0 + 2.0 * max(dot(d, light.sunDirection), 0.0)));
+    // From far to near, each less dimmed by the air than the one behind it.
+    float hills = 0.020 + 0.035 * groundsNoise(p.x * 3.0 + 7.0, 21u) + 0.006 * groundsNoise(p.x * 17.0, 22u);
+    vec3 color = mix(sky, mix(vec3(0.10, 0.13, 0.15) * lit, haze, 0.34), groundsBelow(p.y - hills, width));
+    vec3 roofs = mix(vec3(0.20, 0.11, 0.08) * lit, haze, 0.16);
+    color = mix(color, roofs, groundsBelow(p.y - groundsRoof(p.x), width));
+    float far = groundsCrowns(p, 0.060, 0.042, 31u);
+    color = mix(color, mix(vec3(0.07, 0.10, 0.05) * lit, haze, 0.09), groundsBelow(far, width + 0.002));
+    float near = groundsCrowns(p, 0.22, 0.19, 41u);
+    // Darker where leaves are thick, brighter at the rim, where light comes through them.
+    float depth = clamp(-near * 9.0, 0.0, 1.0);
+    float leaves = 0.75 + 0.5 * groundsNoise(p.x * 160.0 + 37.0 * floor(p.y * 130.0), 51u);
+    vec3 tree = mix(vec3(0.16, 0.19, 0.06), vec3(0.035, 0.055, 0.028), depth) * lit * leaves;
+    color = mix(color, mix(tree, haze, 0.025), groundsBelow(near, width + 0.003));
+    // The lawn, a gravel path along its middle.
+    vec3 lawn = vec3(0.10, 0.13, 0.045) * lit * (0.85 + 0.3 * groundsNoise(p.x / max(-p.y, 0.01) * 6.0, 61u));
+    float path = groundsBelow(abs(p.x) - 1.1 * max(-p.y, 0.0) * 0.35, width);
+    lawn = mix(lawn, vec3(0.33, 0.30, 0.25) * lit, path);
+    return mix(color, mix(lawn, haze, 0.25 * exp2(40.0 * min(p.y, 0.0))), groundsBelow(p.y + 0.004, width));
+}

@@ -1,0 +1,83 @@
+// The sky by the height of the sun: its colors, its light, and that it changes little by little.
+#include "exhibits/hall/clear_sky.h"
+#include "exhibits/hall/sun.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace vitrine {
+namespace {
+
+constexpr double perDegree = std::numbers::pi / 180;  ///< Radians.
+
+double luminanceOf(const glm::dvec3& color)
+{
+    return glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722));
+}
+
+TEST(ClearSky, IsBlueAtNoonAndRedWhereTheSunSets)
+{
+    const glm::dvec3 noon = clearSkyRadiance(42 * perDegree, 80 * perDegree, 0);
+    EXPECT_GT(noon.z, 1.8 * noon.x);
+    const glm::dvec3 below = clearSkyRadiance(0, 3 * perDegree, 0.3);
+    EXPECT_GT(below.x, 3 * below.z);
+    // The other side of the sky is darker then, and not so red.
+    const glm::dvec3 opposite = clearSkyRadiance(0, 3 * perDegree, std::numbers::pi);
+    EXPECT_LT(luminanceOf(opposite), 0.3 * luminanceOf(below));
+    EXPECT_LT(opposite.x / opposite.z, 0.6 * below.x / below.z);
+}
+
+TEST(ClearSky, ScattersNoMoreThanTheSunBrings)
+{
+    // Irradiance of the whole sky on the ground, by rings of elevation and their azimuths.
+    for (const double sun : {80.0, 42.0, 19.0, 5.0}) {
+        glm::dvec3 sum(0);
+        constexpr int rings = 18, around = 16;
+        for (int i = 0; i < rings; ++i)
+            for (int k = 0; k < around; ++k) {
+                const double up = (i + 0.5) / rings * std::numbers::pi / 2;
+                const double fromSun = (k + 0.5) / around * std::numbers::pi;
+                sum += clearSkyRadiance(sun * perDegree, up, fromSun) * (std::sin(up) * std::cos(up));
+            }
+        sum *= (std::numbers::pi / 2 / rings) * (2 * std::numbers::pi / around);
+        // A clear sky sends between a tenth and a half of what falls on the air above it.
+        const double falls = std::sin(sun * perDegree);
+        EXPECT_GT(luminanceOf(sum), 0.05 * falls) << sun;
+        EXPECT_LT(sum.z, 0.55 * falls) << sun;
+    }
+}
+
+TEST(ClearSky, IsFiniteInEveryDirectionAndGoneByNight)
+{
+    for (const double sun : {-90.0, -30.0, -5.0, 0.0, 0.01, 45.0, 90.0})
+        for (const double up : {-90.0, -10.0, 0.0, 1.0, 89.9, 90.0})
+            for (const double beside : {0.0, 1.0, 3.14159265358979}) {
+                const glm::dvec3 color = clearSkyRadiance(sun * perDegree, up * perDegree, beside);
+                for (int i = 0; i < 3; ++i) {
+                    EXPECT_TRUE(std::isfinite(color[i])) << sun << ' ' << up << ' ' << beside;
+                    EXPECT_GE(color[i], 0) << sun << ' ' << up << ' ' << beside;
+                }
+            }
+    EXPECT_LT(luminanceOf(clearSkyRadiance(-20 * perDegree, 90 * perDegree, 0)), 1e-9);
+}
+
+TEST(SkyTint, IsNoneAtTheReferenceAndFollowsTheSunLittleByLittle)
+{
+    const SkyTint still = skyTint(referenceSunElevation);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(still.zenith[i], 1, 1e-9);
+        EXPECT_NEAR(still.horizon[i], 1, 1e-9);
+    }
+    double before = luminanceOf(skyTint(-12 * perDegree).zenith);
+    for (double sun = -11.9; sun < 60; sun += 0.1) {
+        const double now = luminanceOf(skyTint(sun * perDegree).zenith);
+        EXPECT_GE(now, before) << sun;
+        EXPECT_LT(now - before, 0.02) << sun;
+        before = now;
+    }
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,73 @@
+// The sky through the day, as the window shows it, and the world outside.
+#include "tests/support/gallery.h"
+
+#include <gtest/gtest.h>
+
+namespace vitrine {
+namespace {
+
+using test::hallTable;
+using test::Picture;
+using test::Shot;
+
+class Hours : public test::GlTest {};
+
+/// The hall at an hour.
+Shot hallAt(double hour)
+{
+    Shot shot;
+    shot.inHall();
+    shot.request.frame.averageIn = AverageIn::display;
+    shot.request.frame.channels.normal = false;
+    shot.see({0, 1.65, 10.5}, {0, 2.4, -12});
+    shot.size(96, 54);
+    shot.hall().set(hallTable().sunBy, SunBy::hour);
+    shot.hall().set(hallTable().timeOfDay, hour);
+    return shot;
+}
+
+/// What is seen through the panes alone: from just before the window.
+Picture outsideAt(double hour, glm::dvec3 towards)
+{
+    Shot shot = hallAt(hour);
+    const glm::dvec3 eye{-0.3, 2.6, -12.3};
+    shot.see(eye, eye + towards);
+    shot.request.frame.camera.fovY = 0.2;
+    return shot.size(64, 36).take();
+}
+
+double redOverBlue(const Picture& p)
+{
+    double red = 0, blue = 0;
+    p.each([&](int x, int y) {
+        red += p.color(x, y).r;
+        blue += p.color(x, y).b;
+    });
+    return red / blue;
+}
+
+TEST_F(Hours, TheSkyReddensWhereTheSunSets)
+{
+    const glm::dvec3 low{0.25, 0.2, -1};
+    EXPECT_GT(redOverBlue(outsideAt(17.9, low)), 1.3 * redOverBlue(outsideAt(12, low)));
+    EXPECT_LT(redOverBlue(outsideAt(21, low)), 0.8) << "and is blue by night";
+}
+
+TEST_F(Hours, ThereIsAWorldOutsideTheWindow)
+{
+    const auto mean = [](const Picture& p) {
+        double sum = 0;
+        int count = 0;
+        p.each([&](int x, int y) {
+            sum += p.luminance(x, y);
+            ++count;
+        });
+        return sum / count;
+    };
+    const double sky = mean(outsideAt(14, {0.1, 0.35, -1}));
+    EXPECT_LT(mean(outsideAt(14, {0.5, 0.05, -1})), 0.6 * sky) << "trees are darker than the sky";
+    EXPECT_LT(mean(outsideAt(14, {0.1, -0.2, -1})), 0.6 * sky) << "and so is the lawn";
+}
+
+}  // namespace
+}  // namespace vitrine
