@@ -46,8 +46,8 @@ vec3 positivePower(vec3 base, float exponent)
 
 // The lobes R, TT and TRT of a hair with scales (Marschner et al. 2003, "Light Scattering from Human Hair Fibers") in
 // the fit of Karis 2016, "Physically Based Hair Shading in Unreal": cones shifted by the tilt of the scales, 2 degrees,
-// index 1.55, azimuths in closed form. `roughness` 0 to 1; `color`: what a hair leaves of white light, linear. Times the
-// irradiance across the light it is radiance; the sum of all three over the sphere is 1 at most.
+// index 1.55, azimuths in closed form. `roughness` 0 to 1; `color`: what a hair leaves of white light, linear. Times
+// the irradiance across the light it is radiance; the sum of all three over the sphere is 1 at most.
 HairLobes hairLobes(HairAngles a, vec3 color, float roughness)
 {
     const float tilt = 0.035;     // radians
@@ -61,7 +61,8 @@ HairLobes hairLobes(HairAngles a, vec3 color, float roughness)
     float cosThetaO = safeSqrt(1.0 - a.sinThetaO * a.sinThetaO);
     float shift = -4.0 * tilt * (cosHalfPhi * cosThetaO - 2.0 * tilt * a.sinThetaO);
     float halfway = safeSqrt(0.5 + 0.5 * a.cosine);
-    lobes.r = hairCone(max(width * 1.4142135623730951 * cosHalfPhi, 0.02), sum - shift) * (0.25 * kept) * cosHalfPhi * schlick(halfway, atNormal);
+    lobes.r = hairCone(max(width * 1.4142135623730951 * cosHalfPhi, 0.02), sum - shift) * (0.25 * kept) * cosHalfPhi *
+              schlick(halfway, atNormal);
 
     float bent = 1.0 / (1.19 / a.cosHalfThetaD + 0.36 * a.cosHalfThetaD);
     float offset = clamp(cosHalfPhi * (1.0 + bent * (0.6 - 0.8 * a.cosPhi)), -1.0, 1.0);
@@ -72,7 +73,8 @@ HairLobes hairLobes(HairAngles a, vec3 color, float roughness)
 
     float mirrored = schlick(a.cosHalfThetaD * 0.5, atNormal);
     lobes.trt = positivePower(color, 0.8 / a.cosHalfThetaD) *
-                (hairCone(2.0 * width, sum - 4.0 * tilt) * exp(17.0 * a.cosPhi - 16.78) * kept * mirrored * (1.0 - mirrored) * (1.0 - mirrored));
+                (hairCone(2.0 * width, sum - 4.0 * tilt) * exp(17.0 * a.cosPhi - 16.78) * kept * mirrored *
+                 (1.0 - mirrored) * (1.0 - mirrored));
     return lobes;
 }
 

@@ -61,8 +61,8 @@ vec2 onLattice(StrandLattice l, vec3 v)
     return l.axis == 0 ? vec2(v.y, v.z) : l.axis == 1 ? vec2(v.z, v.x) : vec2(v.x, v.y);
 }
 
-// The strand of a cell, `cell` its lower corner. `offset` is where its root lies from the cell's middle; `jitter` 0 to 1:
-// how far roots stray from there.
+// The strand of a cell, `cell` its lower corner. `offset` is where its root lies from the cell's middle; `jitter` 0 to
+// 1: how far roots stray from there.
 RootedStrand strandOfCell(StrandLattice l, vec2 cell, float jitter)
 {
     uvec3 bits = pcg3d(uvec3(uint(int(cell.x)), uint(int(cell.y)), l.layer));

@@ -69,11 +69,13 @@ CoatRay coatRay(ShellPoint s, vec3 v, float strandLength)
     float y = dot(cross(s.placeX, aside), facet) / area;
     ray.passing = s.skinX * x + s.skinY * y;
     ray.falling = into / strandLength;
-    // What the first order leaves over after t meters, by t^2: strands that bend on their way in, and that spread aside.
+    // What the first order leaves over after t meters, by t^2: strands that bend on their way in, and that spread
+    // aside.
     vec3 left = (s.turn * (0.5 * into / strandLength) + s.wayX * x + s.wayY * y) * into;
     float lifted = dot(left, up) / rise;
     vec3 shifted = s.way * lifted - left;
-    ray.bending = s.skinX * (dot(cross(shifted, s.placeY), facet) / area) + s.skinY * (dot(cross(s.placeX, shifted), facet) / area);
+    ray.bending = s.skinX * (dot(cross(shifted, s.placeY), facet) / area) +
+                  s.skinY * (dot(cross(s.placeX, shifted), facet) / area);
     ray.bulge = (0.5 * max(dot(s.normalX * x + s.normalY * y, aside), 0.0) / rise - lifted) / strandLength;
     return ray;
 }
@@ -147,13 +149,14 @@ float strandEntry(CoatStrands c, StrandLattice l, vec2 offset, vec2 pace, float 
     float tip = clamp((end - from) / (abs(sinks) > 1.0e-6 ? sinks : 1.0e-6), 0.0, 1.0);
     float first = from < end ? 0.0 : tip;
     float last = to < end ? 1.0 : tip;
-    // Radii at both ends from that at the lower one: x^e is near ((1 - e) + (1 + e) x) / ((1 + e) + (1 - e) x), exact for
-    // e = 0 and 1 (Pade's approximant about x = 1).
+    // Radii at both ends from that at the lower one: x^e is near ((1 - e) + (1 + e) x) / ((1 + e) + (1 - e) x), exact
+    // for e = 0 and 1 (Pade's approximant about x = 1).
     float low = end - (from + sinks * (sinks < 0.0 ? last : first));
     float high = end - (from + sinks * (sinks < 0.0 ? first : last));
     float e = 2.0 - 2.0 * c.roundness;
     float thick = squaredRadius(c, low / end, own);
-    float thin = thick * max(((1.0 - e) * low + (1.0 + e) * high) / max((1.0 + e) * low + (1.0 - e) * high, 1.0e-6), 0.0);
+    float share = ((1.0 - e) * low + (1.0 + e) * high) / max((1.0 + e) * low + (1.0 - e) * high, 1.0e-6);
+    float thin = thick * max(share, 0.0);
     float least = c.pixel * c.pixel;
     float wide = max(sinks < 0.0 ? thin : thick, least);
     float narrow = max(sinks < 0.0 ? thick : thin, least);
@@ -197,7 +200,8 @@ MetStrand walkStrands(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, vec2 
         // On to just behind the nearest side of the cell.
         vec2 way = slope + bend * (2.0 * u);
         vec2 base = floor(q);
-        vec2 room = vec2(way.x < 0.0 ? q.x - base.x : base.x + 1.0 - q.x, way.y < 0.0 ? q.y - base.y : base.y + 1.0 - q.y);
+        vec2 room = vec2(way.x < 0.0 ? q.x - base.x : base.x + 1.0 - q.x,
+                         way.y < 0.0 ? q.y - base.y : base.y + 1.0 - q.y);
         vec2 need = (room + 0.001) / max(abs(way), vec2(1.0e-6));
         float w = min(u + min(need.x, need.y), 1.0);
         vec2 next = start + (slope + bend * w) * w;
@@ -205,7 +209,8 @@ MetStrand walkStrands(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, vec2 
         cell = floor((q + next) * 0.5);
         RootedStrand s = strandOfCell(l, cell, c.jitter);
         float own = c.widest * (1.0 - c.girths * s.girth);
-        float entry = strandEntry(c, l, q - cell - 0.5 - s.offset, next - q, h, deep, mix(c.leastLength, 1.0, s.rank), own);
+        float reach = mix(c.leastLength, 1.0, s.rank);
+        float entry = strandEntry(c, l, q - cell - 0.5 - s.offset, next - q, h, deep, reach, own);
         if (s.rooted && fractBelowOne(s.tint + c.shuffle) * c.pixel < own) met = entry <= 1.0 ? mix(u, w, entry) : 2.0;
         if (met <= 1.0 || w >= 1.0) break;
         u = w;

@@ -26,12 +26,12 @@ float groundsBelow(float above, float width)
 // Of the roofs: gables with a chimney here and there, one cell each.
 float groundsRoof(float x)
 {
-    float cell = floor(x * 28.0);
-    float within = x * 28.0 - cell;
-    float high = 0.012 + 0.022 * groundsRandom(int(cell), 11u);
+    float cell = floor(x * 50.0);
+    float within = x * 50.0 - cell;
+    float high = 0.008 + 0.012 * groundsRandom(int(cell), 11u);
     float gable = 1.0 - abs(2.0 * within - 1.0);
     bool chimney = groundsRandom(int(cell), 12u) > 0.6 && abs(within - 0.3) < 0.05;
-    return high + 0.016 * gable + (chimney ? 0.010 : 0.0);
+    return high + 0.009 * gable + (chimney ? 0.006 : 0.0);
 }
 
 // How far (x, y) lies over the crowns of a row of trees, tangents; negative inside. Crowns are disks with leafy rims, on trunks.
@@ -43,7 +43,7 @@ float groundsCrowns(vec2 p, float spacing, float size, uint row)
         float grown = 0.65 + 0.6 * groundsRandom(i, row);
         // Towards the middle, where the avenue opens, the trees are far off.
         float x = (float(i) + 0.2 + 0.6 * groundsRandom(i, row + 1u)) * spacing;
-        float open = clamp(abs(x) * 2.2 - 0.25, 0.12, 1.0);
+        float open = clamp(abs(x) * 7.0 - 0.1, 0.15, 1.0);
         float radius = size * grown * open;
         vec2 d = p - vec2(x, radius * 1.15);
         float angle = angleOf(d.y, d.x);
@@ -69,13 +69,13 @@ vec3 behindGrounds(vec3 sky, vec3 d, float angle, float pane)
     // From far to near, each less dimmed by the air than the one behind it.
     float hills = 0.020 + 0.035 * groundsNoise(p.x * 3.0 + 7.0, 21u) + 0.006 * groundsNoise(p.x * 17.0, 22u);
     vec3 color = mix(sky, mix(vec3(0.10, 0.13, 0.15) * lit, haze, 0.34), groundsBelow(p.y - hills, width));
-    vec3 roofs = mix(vec3(0.20, 0.11, 0.08) * lit, haze, 0.16);
+    vec3 roofs = mix(vec3(0.17, 0.12, 0.10) * lit, haze, 0.16);
     color = mix(color, roofs, groundsBelow(p.y - groundsRoof(p.x), width));
-    float far = groundsCrowns(p, 0.060, 0.042, 31u);
+    float far = groundsCrowns(p, 0.035, 0.026, 31u);
     color = mix(color, mix(vec3(0.07, 0.10, 0.05) * lit, haze, 0.09), groundsBelow(far, width + 0.002));
-    float near = groundsCrowns(p, 0.22, 0.19, 41u);
+    float near = groundsCrowns(p, 0.12, 0.085, 41u);
     // Darker where leaves are thick, brighter at the rim, where light comes through them.
-    float depth = clamp(-near * 9.0, 0.0, 1.0);
+    float depth = clamp(-near * 18.0, 0.0, 1.0);
     float leaves = 0.75 + 0.5 * groundsNoise(p.x * 160.0 + 37.0 * floor(p.y * 130.0), 51u);
     vec3 tree = mix(vec3(0.16, 0.19, 0.06), vec3(0.035, 0.055, 0.028), depth) * lit * leaves;
     color = mix(color, mix(tree, haze, 0.025), groundsBelow(near, width + 0.003));

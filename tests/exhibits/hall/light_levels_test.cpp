@@ -66,13 +66,14 @@ TEST_F(LightLevels, TheMapOfBouncedLightIsThatOfFloat64)
     EXPECT_GT(checked, 20);
 }
 
-/// The walls alone, scene-linear, under a sky that does not know how strong the sun is.
+/// The walls alone, scene-linear, under a sky that does not know how strong and how high the sun is.
 render::Image wallsWith(const ParameterValues& values)
 {
     const HallScene scene = hall().scene(values, false, nullptr);
     SceneLighting light = sceneLighting(scene);
     light.light.skyZenith = {1.2F, 1.5F, 2};
     light.light.skyHorizon = {1.9F, 2, 2.1F};
+    light.light.skySunward = {0, 0, 0};
     render::FramePlan plan;
     render::Raster raster;
     raster.size = {96, 54};
@@ -82,6 +83,7 @@ render::Image wallsWith(const ParameterValues& values)
     planHallShadow(scene, light, plan);
     planBouncedLight(scene, light, plan);
     planAirLight(scene, light, plan);
+    planContactShadows(scene, plan);
     planProbe(scene, light, plan);
     planWalls(scene, light, {}, plan);
     plan.prune({radianceImage});
