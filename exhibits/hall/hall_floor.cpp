@@ -45,9 +45,7 @@ std::vector<StandingShape> shapesIn(const HallScene& scene)
 {
     std::vector<StandingShape> shapes = scene.model.furniture().shapes;
     for (const auto& [number, place] : scene.model.places()) {
-        const bool occupied = std::any_of(scene.exhibits.begin(), scene.exhibits.end(),
-                                          [n = number](const ExhibitSlot& slot) { return slot.place == n; });
-        const std::vector<StandingShape>& own = occupied ? place.standShapes : place.clothShapes;
+        const std::vector<StandingShape>& own = isOccupied(scene, number) ? place.standShapes : place.clothShapes;
         shapes.insert(shapes.end(), own.begin(), own.end());
     }
     shapes.insert(shapes.end(), scene.bodies.begin(), scene.bodies.end());
@@ -198,8 +196,7 @@ void planFloor(const HallScene& scene, const SceneLighting& light, const Channel
                              {"POLISHED_FLOOR", "BASE_COLOR_MAP", "ORM_MAP"});
     for (const render::MeshInstance& part : scene.model.walls()) {
         if (!isFloor(part) || !plan.view.mayContain(part.mesh->bounds.transformed(part.modelFromPart))) continue;
-        const HallMaterial& material = scene.model.material(part.material->name);
-        floor.draws.push_back(surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile));
+        floor.draws.push_back(partDraw(scene, part));
     }
     if (floor.draws.empty()) {
         plan.skip(floor.name, "the floor is out of view");

@@ -59,20 +59,15 @@ double largest(const glm::vec3& color)
     return std::max({color.x, color.y, color.z});
 }
 
-/// Of the sun's bounced light in the air, for a sun of irradiance 1.
-double mostBounced(const HallScene& scene)
-{
-    return scene.model.sunTransfer().most(bounceOf(scene));
-}
-
-/// Of sky, panorama and studio, and of the walls that they and the sun light.
-double brightestAround(const HallScene& scene, const LightBlock& light)
+/// Of sky, panorama and studio, and of the walls that they and the sun light; `bounced`: most of the sun's bounced
+/// light in the air, for a sun of irradiance 1.
+double brightestAround(const HallScene& scene, const LightBlock& light, double bounced)
 {
     if (scene.alone) return scene.environment ? scene.environmentBrightest : brightestOfStudio;
     const double sky = std::max(largest(light.skyZenith), largest(light.skyHorizon)) + 1.35 * largest(light.skySunward);
     const double sun = largest(light.sunIrradiance);
     // The sky's lightmap holds 0 to 1 of its scale; around the sun the sky glows (lib/sky.glsl).
-    const double baked = sky * static_cast<double>(light.skyLightmapScale) + sun * mostBounced(scene);
+    const double baked = sky * static_cast<double>(light.skyLightmapScale) + sun * bounced;
     return std::max(scene.environment ? scene.environmentBrightest : sky + 0.35 * sun, baked + mostReflected * sun);
 }
 
@@ -92,10 +87,11 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
     LightBlock light;
     light.sunDirection = glm::vec3(source.towards());
     light.sunIrradiance = glm::vec3(sunColor);
-    light.skyZenith = glm::vec3(skyColor * source.sky.zenith * 0.8);
+    const SkyTint sky = skyOf(table, values, source);
+    light.skyZenith = glm::vec3(skyColor * sky.zenith * 0.8);
     light.skyLightmapScale = static_cast<float>(scene.model.skyLightmapScale());
-    light.skyHorizon = glm::vec3(glm::mix(skyColor * source.sky.horizon, sunColor / 9.0, 0.25) * 1.25);
-    light.skySunward = glm::vec3(skyColor * source.sky.sunward * 1.25);
+    light.skyHorizon = glm::vec3(glm::mix(skyColor * sky.horizon, sunColor / 9.0, 0.25) * 1.25);
+    light.skySunward = glm::vec3(skyColor * sky.sunward * 1.25);
     light.background = scene.environment ? BACKGROUND_PANORAMA : scene.alone ? BACKGROUND_STUDIO : BACKGROUND_SKY;
     light.environmentRotation = static_cast<float>(values[table.environmentRotation]);
     light.bakedOcclusion = values[table.bakedLight] ? 1.0F : 0.0F;
@@ -162,10 +158,11 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
         result.room = scene.model.room();
     }
     result.sunShadow = shadowBound(source);
-    result.bouncedLight = boundOfBounce(scene, mostBounced(scene));
+    const double bounced = scene.model.sunTransfer().most(bounceOf(scene));
+    result.bouncedLight = boundOfBounce(scene, bounced);
     result.hasBouncedLight = !scene.alone && (runEverything || !result.bouncedLight.isZero());
     result.sunShare = source.strength / std::get<double>(table.rows()[table.sunStrength.row].initial);
-    result.brightest = brightestAround(scene, light);
+    result.brightest = brightestAround(scene, light, bounced);
     result.probeLight = render::boundOf(0, mostAmbient, {{result.brightest, "there is no light to reflect"}});
     if (values[table.reflectionProbe] && (runEverything || !result.probeLight.isZero())) {
         lookUpProbe(scene, light);

@@ -18,12 +18,6 @@ using render::Draw;
 using render::MeshInstance;
 using render::Pass;
 
-bool isOccupied(const HallScene& scene, int place)
-{
-    return std::any_of(scene.exhibits.begin(), scene.exhibits.end(),
-                       [&](const ExhibitSlot& g) { return g.place == place; });
-}
-
 double turnAt(const HallScene& scene, int place)
 {
     for (std::size_t i = 0; i < scene.exhibits.size() && i < scene.poses.size(); ++i)
@@ -69,12 +63,6 @@ glm::dmat4 worldFromSwept(const MeshInstance& part)
 std::string materialName(const MeshInstance& part)
 {
     return part.material ? part.material->name : std::string();
-}
-
-Draw partDraw(const HallScene& scene, const MeshInstance& part)
-{
-    const HallMaterial& material = scene.model.material(materialName(part));
-    return surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile);
 }
 
 const render::Material& buttonMaterial()
@@ -227,6 +215,18 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
 }
 
 }  // namespace
+
+bool isOccupied(const HallScene& scene, int place)
+{
+    return std::any_of(scene.exhibits.begin(), scene.exhibits.end(),
+                       [&](const ExhibitSlot& g) { return g.place == place; });
+}
+
+render::Draw partDraw(const HallScene& scene, const render::MeshInstance& part)
+{
+    const HallMaterial& material = scene.model.material(materialName(part));
+    return surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile);
+}
 
 double buttonScale(double seconds)
 {

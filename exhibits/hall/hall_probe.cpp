@@ -45,10 +45,7 @@ SceneLighting lightOfHallAlone(const SceneLighting& light)
 std::vector<render::Draw> wallDraws(const HallScene& scene)
 {
     std::vector<render::Draw> draws;
-    for (const render::MeshInstance& part : scene.model.walls()) {
-        const HallMaterial& material = scene.model.material(part.material ? part.material->name : std::string());
-        draws.push_back(surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile));
-    }
+    for (const render::MeshInstance& part : scene.model.walls()) draws.push_back(partDraw(scene, part));
     return draws;
 }
 

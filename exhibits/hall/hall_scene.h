@@ -89,6 +89,11 @@ void bindLightmaps(const HallScene&, const SceneLighting&, render::Pass&);
 
 // hall_passes.cpp
 
+/// Whether an exhibit stands there: its stand is drawn, and no cloth.
+[[nodiscard]] bool isOccupied(const HallScene&, int place);
+/// A part of the building or of what stands in it, of its material.
+[[nodiscard]] render::Draw partDraw(const HallScene&, const render::MeshInstance&);
+
 /// The sun's depth map of walls and furniture, kept while neither moves.
 void planHallShadow(const HallScene&, const SceneLighting&, render::FramePlan&);
 /// Walls, furniture, cloths over empty places, the visitor's object, buttons and plaques.

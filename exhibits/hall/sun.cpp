@@ -40,15 +40,27 @@ Sun sunAtHour(double hour)
     const double risen = std::clamp(sun.elevation / degree + 0.5, 0.0, 1.0);
     sun.strength = strengthAboveAir * std::pow(0.7, std::pow(airMass, 0.678)) * risen;
     sun.temperature = 2000 + 3700 * (1 - std::exp(-high / 15));
-    sun.sky = skyTint(sun.elevation);
-    sun.sky.zenith += moonlitSky;
-    sun.sky.horizon += moonlitSky;
     return sun;
 }
 
 glm::dvec3 Sun::irradiance() const
 {
     return blackBodyColor(temperature) * strength;
+}
+
+SkyTint skyByHour(double sunElevation)
+{
+    SkyTint sky = skyTint(sunElevation);
+    sky.zenith += moonlitSky;
+    sky.horizon += moonlitSky;
+    return sky;
+}
+
+SkyTint skyOf(const HallTable& table, const ParameterValues& values, const Sun& sun)
+{
+    if (values[table.sunBy] == SunBy::hour) return skyByHour(sun.elevation);
+    // Colors and strengths are set by hand here; where the air glows, the height of the sun alone tells.
+    return {.sunward = skyTint(sun.elevation).sunward};
 }
 
 Sun sunOf(const HallTable& table, const ParameterValues& values)
@@ -58,12 +70,8 @@ Sun sunOf(const HallTable& table, const ParameterValues& values)
         sun.strength *= values[table.sunStrength] / std::get<double>(table.rows()[table.sunStrength.row].initial);
         return sun;
     }
-    // Colors and strengths are set by hand here; where the air glows, the height of the sun alone tells.
-    return {values[table.sunElevation],
-            values[table.sunAzimuth],
-            values[table.sunStrength],
-            values[table.sunTemperature],
-            {.sunward = skyTint(values[table.sunElevation]).sunward}};
+    return {values[table.sunElevation], values[table.sunAzimuth], values[table.sunStrength],
+            values[table.sunTemperature]};
 }
 
 }  // namespace vitrine

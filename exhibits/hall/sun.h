@@ -14,13 +14,18 @@ struct Sun {
     double azimuth = 0;      ///< Seen through the window; negative is to the left. Radians.
     double strength = 0;     ///< Irradiance on a plane that faces it, in the hall's units.
     double temperature = 0;  ///< Of its color, kelvin.
-    SkyTint sky;             ///< What its height makes of the sky.
 
     [[nodiscard]] glm::dvec3 towards() const;     ///< Unit length, world space.
     [[nodiscard]] glm::dvec3 irradiance() const;  ///< On a plane that faces it, linear Rec. 709.
 };
 
 [[nodiscard]] Sun sunOf(const HallTable&, const ParameterValues&);
+
+/// The clear sky under a sun that stands so high, radians, where it goes by the hour: by night, what a moon leaves of
+/// it.
+[[nodiscard]] SkyTint skyByHour(double sunElevation);
+/// The sky under that sun; its scattered light is summed up anew, which is for once a frame.
+[[nodiscard]] SkyTint skyOf(const HallTable&, const ParameterValues&, const Sun&);
 
 /// The sun at an hour of the day (solar time, 0 to 24, any finite value wraps) of an equinox at 48° north, for a
 /// window that faces west-southwest. Its light by air mass: Kasten and Young 1989, "Revised optical air mass tables
