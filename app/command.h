@@ -19,6 +19,7 @@ void addTourCommand(CLI::App&, Action& chosen);
 void addPresetCommand(CLI::App&, Action& chosen);
 void addDoctorCommand(CLI::App&, Action& chosen);
 void addCompareCommand(CLI::App&, Action& chosen);
+void addCompareSettingsCommand(CLI::App&, Action& chosen);
 void addStudyCommand(CLI::App&, Action& chosen);
 void addPrintCommand(CLI::App&, Action& chosen);
 void addProofCommand(CLI::App&, Action& chosen);

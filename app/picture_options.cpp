@@ -75,17 +75,6 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
     return m;
 }
 
-/// What the options say of the camera.
-void setCamera(const PictureOptions& options, render::Camera& camera)
-{
-    if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye);
-    if (!options.target.empty()) camera.target = parseTriple("--target", options.target);
-    if (options.fovDegrees == 0) return;
-    if (!(options.fovDegrees >= 1 && options.fovDegrees <= 175))
-        throw Failure(Blame::usage, "--fov: give an angle from 1 to 175 degrees.");
-    camera.fovY = options.fovDegrees * std::numbers::pi / 180;
-}
-
 /// Which channels the file carries, and in what light its samples are averaged.
 void setChannels(const PictureOptions& options, PictureRequest& request)
 {
@@ -119,6 +108,16 @@ Assignment assignmentOf(const Museum& museum, std::size_t subject, const std::st
 }
 
 }  // namespace
+
+void setCamera(const PictureOptions& options, render::Camera& camera)
+{
+    if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye);
+    if (!options.target.empty()) camera.target = parseTriple("--target", options.target);
+    if (options.fovDegrees == 0) return;
+    if (!(options.fovDegrees >= 1 && options.fovDegrees <= 175))
+        throw Failure(Blame::usage, "--fov: give an angle from 1 to 175 degrees.");
+    camera.fovY = options.fovDegrees * std::numbers::pi / 180;
+}
 
 std::optional<Value> optionValue(const ParameterInfo& row, const std::string& text)
 {
@@ -184,6 +183,18 @@ glm::ivec2 parseSize(const std::string& option, const std::string& text)
     return size;
 }
 
+void addCameraOptions(CLI::App& command, PictureOptions& o, const std::string& heading)
+{
+    const auto add = [&](const char* name, auto& value, const char* help) {
+        return command.add_option(name, value, help)->group(heading);
+    };
+    add("--time", o.time, "Seconds on the exhibit's clock")->capture_default_str();
+    add("--seed", o.seed, "Of everything random")->capture_default_str();
+    add("--eye", o.eye, "Where the camera is: x,y,z in meters (the exhibit's own space with --alone)");
+    add("--target", o.target, "What it looks at: x,y,z in meters");
+    add("--fov", o.fovDegrees, "Vertical field of view in degrees");
+}
+
 void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& heading)
 {
     const auto add = [&](const char* name, auto& value, const char* help) {
@@ -194,11 +205,7 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
     add("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")
         ->take_all()
         ->allow_extra_args(true);
-    add("--time", o.time, "Seconds on the exhibit's clock")->capture_default_str();
-    add("--seed", o.seed, "Of everything random")->capture_default_str();
-    add("--eye", o.eye, "Where the camera is: x,y,z in meters (the exhibit's own space with --alone)");
-    add("--target", o.target, "What it looks at: x,y,z in meters");
-    add("--fov", o.fovDegrees, "Vertical field of view in degrees");
+    addCameraOptions(command, o, heading);
     add("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
     add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
     command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light")->group(heading);

@@ -37,6 +37,12 @@ void addPictureOptions(CLI::App&, PictureOptions&);
 /// Those of them that say what is shown and from where, not how large and into what file; all under one heading.
 void addSceneOptions(CLI::App&, PictureOptions&, const std::string& heading = "Options");
 
+/// Those that say when, with what seed and from where: time, seed, eye, target, fov.
+void addCameraOptions(CLI::App&, PictureOptions&, const std::string& heading = "Options");
+
+/// What the options say of the camera, in place of what it was. Throws Failure (Blame::usage) naming the option.
+void setCamera(const PictureOptions&, render::Camera&);
+
 /// Values, camera and request that the options ask for. Throws Failure naming the option and what to give.
 struct RequestedPicture {
     std::size_t subject = 0;

@@ -2,6 +2,7 @@
 
 #include "app/picture_options.h"
 #include "exhibits/museum/picture.h"
+#include "render/files/strict_json.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 
@@ -14,5 +15,8 @@ namespace vitrine::app {
 /// (Blame::file) when the file cannot be written.
 void writeReport(const std::string& file, const Museum&, render::gl::Renderer&, const render::gl::ContextInfo&,
                  const RequestedPicture&, const PictureMaker&);
+
+/// What drew and measured: renderer, vendor, version of OpenGL, whether it is software, processors.
+[[nodiscard]] render::Json machineJson(const render::gl::ContextInfo&);
 
 }  // namespace vitrine::app

@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/report.h"
 #include "app/study/study_folder.h"
 #include "app/study/study_options.h"
 
@@ -21,18 +22,16 @@
 namespace vitrine::app {
 namespace {
 
-using render::Json;
-
 /// One line that is written over while the study runs; nothing where nobody watches.
-class ProgressLine {
+class StudyLine {
 public:
-    explicit ProgressLine(bool watched) : watched_(watched) {}
-    ~ProgressLine()
+    explicit StudyLine(bool watched) : watched_(watched) {}
+    ~StudyLine()
     {
         if (shown_ >= 0) std::fprintf(stderr, "\r\033[K");
     }
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
+    StudyLine(const StudyLine&) = delete;
+    StudyLine& operator=(const StudyLine&) = delete;
 
     void show(double progress, const std::string& doing)
     {
@@ -103,17 +102,11 @@ int runStudy(const StudyOptions& options)
     render::gl::Renderer renderer;
     Study study(museum, renderer, std::move(request));
     {
-        ProgressLine line(isatty(STDERR_FILENO) != 0);
+        StudyLine line(isatty(STDERR_FILENO) != 0);
         while (study.step()) line.show(study.progress(), study.doing());
     }
-    const render::gl::ContextInfo& gl = context.info();
-    const Json machine{{"renderer", gl.renderer},
-                       {"vendor", gl.vendor},
-                       {"version", gl.version},
-                       {"software", gl.software},
-                       {"processors", sysconf(_SC_NPROCESSORS_ONLN)}};
     const std::string preset = chosenPreset(museum, study);
-    writeStudyFolder(options.out, museum.subjects(), study, machine, preset);
+    writeStudyFolder(options.out, museum.subjects(), study, machineJson(context.info()), preset);
     printTable(museum.subjects(), study.request(), study.result());
     std::printf("The study is in %s/index.html\n", options.out.c_str());
     if (!options.maxError && !options.maxMilliseconds) return 0;

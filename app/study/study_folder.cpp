@@ -1,5 +1,6 @@
 #include "app/study/study_folder.h"
 
+#include "app/part_folder.h"
 #include "app/study/study_page.h"
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
@@ -12,8 +13,6 @@
 
 #include <QApplication>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <clocale>
 
@@ -24,48 +23,6 @@ namespace fs = std::filesystem;
 
 const QSize chartSize(960, 540);
 constexpr double chartScale = 1.5;  // Of the PNG, for sharp screens.
-
-/// A folder beside the target that is gone again unless it took the target's place.
-class PartFolder {
-public:
-    explicit PartFolder(fs::path target) : target_(std::move(target)), part_(target_)
-    {
-        part_ += ".part-" + std::to_string(getpid());
-        std::error_code error;
-        fs::create_directories(part_ / "pictures", error);
-        if (error)
-            throw Failure(Blame::file, target_.string() + ": the folder cannot be made (" + error.message() +
-                                           "); choose another with --out.");
-    }
-    ~PartFolder()
-    {
-        std::error_code ignored;
-        fs::remove_all(part_, ignored);
-    }
-    PartFolder(const PartFolder&) = delete;
-    PartFolder& operator=(const PartFolder&) = delete;
-
-    [[nodiscard]] const fs::path& path() const { return part_; }
-    void publish() const
-    {
-        fs::path old = target_;
-        old += ".old-" + std::to_string(getpid());
-        std::error_code error;
-        const bool replaces = fs::exists(target_, error);
-        if (replaces) fs::rename(target_, old, error);
-        if (!error) fs::rename(part_, target_, error);
-        if (error) {
-            std::error_code ignored;
-            if (replaces && fs::exists(old, ignored)) fs::rename(old, target_, ignored);
-            throw Failure(Blame::file, target_.string() + ": the study cannot be put in place (" + error.message() +
-                                           "); choose another folder with --out.");
-        }
-        fs::remove_all(old, error);
-    }
-
-private:
-    fs::path target_, part_;
-};
 
 render::Image colorOf(const render::Image& picture)
 {
@@ -137,13 +94,7 @@ void ensureApplication()
 
 void requireStudyFolder(const fs::path& folder)
 {
-    std::error_code error;
-    if (!fs::exists(folder, error)) return;
-    if (!fs::is_directory(folder, error))
-        throw Failure(Blame::usage, "--out " + folder.string() + ": this is a file; name a folder.");
-    if (!fs::is_empty(folder, error) && !fs::exists(folder / "study.json", error))
-        throw Failure(Blame::usage,
-                      "--out " + folder.string() + ": this folder holds something else than a study; name another.");
+    requireFolderFor(folder, "study.json", "a study");
 }
 
 void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& study, const render::Json& machine,

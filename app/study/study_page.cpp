@@ -1,57 +1,15 @@
 #include "app/study/study_page.h"
 
+#include "app/html_text.h"
 #include "exhibits/study/study_text.h"
 #include "render/files/strict_json.h"
 
-#include <charconv>
 #include <cmath>
 
 namespace vitrine::app {
 namespace {
 
 using render::Json;
-
-constexpr const char* head = R"page(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>@TITLE@</title>
-<style>
-:root { color-scheme: light; --ground: #f1efeb; --sheet: #fbfaf8; --text: #2a2825; --dim: #6d685f; --accent: #9a5f14; --line: #ddd8cf; }
-* { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 1320px; padding: 24px; background: var(--ground); color: var(--text); font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; }
-h1 { font-size: 24px; font-weight: 600; margin: 0 0 4px; }
-p { margin: 4px 0; max-width: 80ch; }
-.dim { color: var(--dim); }
-.law { font-size: 18px; margin: 12px 0; }
-.sheet { background: var(--sheet); border: 1px solid var(--line); border-radius: 6px; padding: 12px; margin-top: 16px; }
-.chart { position: relative; }
-.chart > svg { display: block; width: 100%; height: auto; }
-.chart > svg.spots { position: absolute; inset: 0; height: 100%; }
-.spots circle { fill: transparent; stroke: transparent; stroke-width: 2; cursor: pointer; }
-.spots circle:hover, .spots circle.on { stroke: var(--accent); }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(320px, 1fr)); gap: 12px; }
-figure { margin: 0; }
-figcaption { color: var(--dim); margin-top: 4px; }
-.wipe { position: relative; overflow: hidden; cursor: ew-resize; background: #000; touch-action: none; }
-.wipe img, figure > img { display: block; width: 100%; image-rendering: pixelated; background: #000; }
-.wipe img.over { position: absolute; inset: 0; height: 100%; }
-.wipe i { position: absolute; top: 0; bottom: 0; width: 2px; background: var(--accent); }
-nav { display: flex; flex-wrap: wrap; gap: 8px; margin-bottom: 12px; }
-button { font: inherit; color: inherit; background: none; border: 1px solid var(--line); border-radius: 4px; padding: 2px 10px; cursor: pointer; }
-button.on { border-color: var(--accent); color: var(--accent); }
-table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
-th, td { text-align: right; padding: 4px 10px; border-bottom: 1px solid var(--line); }
-th:first-child, td:first-child { text-align: left; }
-tbody tr { cursor: pointer; }
-tbody tr:hover, tbody tr.on { background: #f3ead9; }
-tr.dominated { color: var(--dim); }
-.scroll { overflow-x: auto; }
-</style>
-</head>
-<body>
-)page";
 
 constexpr const char* script = R"page(<script>
 const study = @DATA@;
@@ -85,51 +43,11 @@ wipeTo(by("wipe").getBoundingClientRect().left + by("wipe").clientWidth / 2);
 </html>
 )page";
 
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
-}
-
-/// Text in place of the word, which stands in it once.
-std::string with(std::string text, const std::string& word, const std::string& replacement)
-{
-    return text.replace(text.find(word), word.size(), replacement);
-}
-
-std::string number(double x, int digits = 4)
-{
-    if (!std::isfinite(x)) return "–";
-    char text[40];
-    return std::string(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr);
-}
-
 std::string numbersOf(const StudyShot& shot)
 {
     std::string text;
     for (const auto& [metric, error] : shot.errors)
-        text += (text.empty() ? "" : " · ") + std::string(toString(metric)) + ' ' + number(error, 3);
-    return text;
-}
-
-/// What goes into a script element must not end it.
-std::string scriptJson(const Json& json)
-{
-    std::string text = json.dump();
-    for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
-        text.replace(at, 2, "<\\/");
+        text += (text.empty() ? "" : " · ") + std::string(toString(metric)) + ' ' + pageNumber(error, 3);
     return text;
 }
 
@@ -144,14 +62,14 @@ std::string table(const StudyRequest& request, const StudyResult& result, const 
         const StudyPoint& p = result.points[i];
         std::string row = "<tr tabindex=\"0\" data-point=\"" + std::to_string(i) + "\"" +
                           (p.dominated ? " class=\"dominated\"" : "") + "><td>" + escaped(points[i].text) +
-                          "</td><td>" + number(p.error) + "</td><td>" + number(p.lowestError, 3) + " to " +
-                          number(p.worstError, 3) + "</td>";
-        if (request.modelError) row += "<td>" + number(p.modelError) + "</td>";
-        if (result.costName != "ms") row += "<td>" + number(p.cost, 12) + "</td>";
+                          "</td><td>" + pageNumber(p.error) + "</td><td>" + pageNumber(p.lowestError, 3) + " to " +
+                          pageNumber(p.worstError, 3) + "</td>";
+        if (request.modelError) row += "<td>" + pageNumber(p.modelError) + "</td>";
+        if (result.costName != "ms") row += "<td>" + pageNumber(p.cost, 12) + "</td>";
         if (p.time)
-            row += "<td>" + number(p.time->median) + "</td><td>" + number(p.time->interval.low, 3) + " to " +
-                   number(p.time->interval.high, 3) + " (" + number(100 * p.time->interval.confidence, 3) +
-                   " %)</td><td>" + number(p.time->spread, 2) + "</td>";
+            row += "<td>" + pageNumber(p.time->median) + "</td><td>" + pageNumber(p.time->interval.low, 3) + " to " +
+                   pageNumber(p.time->interval.high, 3) + " (" + pageNumber(100 * p.time->interval.confidence, 3) +
+                   " %)</td><td>" + pageNumber(p.time->spread, 2) + "</td>";
         else
             row += "<td>–</td><td>–</td><td>–</td>";
         std::string marks;
@@ -177,14 +95,14 @@ std::string studyPage(Subjects subjects, const StudyRequest& request, const Stud
     const std::string title = std::string(subject.title()) + ": what " +
                               (request.axes.size() > 2 ? std::string("accuracy") : names) + " costs";
 
-    std::string page = with(head, "@TITLE@", escaped(title));
+    std::string page = pageHead(title);
     page += "<h1>" + escaped(title) + "</h1>\n";
     page += "<p class=\"dim\">" + std::to_string(request.size.x) + " × " + std::to_string(request.size.y) +
             " pixels, " + std::to_string(result.views.size()) + (result.views.size() == 1 ? " view, " : " views, ") +
             (request.alone ? "alone" : "in the hall") + ", " + std::to_string(request.runs) +
             " interleaved runs after one that was not timed. Clock: " + escaped(result.clock) +
             (result.clockTrusted ? ", trusted" : ", not trusted") + "; taking a time adds " +
-            number(1000 * result.overheadMilliseconds, 2) + " µs to a picture.</p>\n";
+            pageNumber(1000 * result.overheadMilliseconds, 2) + " µs to a picture.</p>\n";
     page += "<p class=\"dim\">" + escaped(result.convergence) + "</p>\n";
     if (const std::string law = lawSentence(result); !law.empty())
         page += "<p class=\"law\">" + escaped(law) + "</p>\n";
@@ -199,8 +117,8 @@ std::string studyPage(Subjects subjects, const StudyRequest& request, const Stud
         "<svg class=\"spots\" viewBox=\"0 0 " + std::to_string(chartSize.x) + ' ' + std::to_string(chartSize.y) + "\">";
     for (std::size_t i = 0; i < points.size(); ++i)
         if (std::isfinite(points[i].place.x) && std::isfinite(points[i].place.y))
-            page += "<circle data-point=\"" + std::to_string(i) + "\" cx=\"" + number(points[i].place.x, 6) +
-                    "\" cy=\"" + number(points[i].place.y, 6) + "\" r=\"11\"><title>" + escaped(points[i].text) +
+            page += "<circle data-point=\"" + std::to_string(i) + "\" cx=\"" + pageNumber(points[i].place.x, 6) +
+                    "\" cy=\"" + pageNumber(points[i].place.y, 6) + "\" r=\"11\"><title>" + escaped(points[i].text) +
                     "</title></circle>";
     page += "</svg></div></div>\n<div class=\"sheet\"><nav>";
     for (std::size_t v = 0; v < result.views.size(); ++v)

@@ -1,4 +1,5 @@
 #include "exhibits/crepuscular_rays/rays_scene.h"
+#include "exhibits/kit/backdrop.h"
 #include "exhibits/kit/blue_noise.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -17,7 +18,7 @@ render::ResourceId planMarch(const RaysScene& s, render::FramePlan& plan)
     std::erase_if(pass.inputs, [](const render::SampledTexture& input) {
         return input.unit != UNIT_SHADOW_HALL && input.unit != UNIT_SHADOW_EXHIBITS;
     });
-    pass.inputs.push_back({UNIT_SOURCE, std::string(depthImage)});
+    pass.inputs.push_back({UNIT_SOURCE, depthBehindGlass(plan)});
     pass.inputs.push_back({UNIT_EXHIBIT_C, blueNoise()});
     const std::int64_t rays = static_cast<std::int64_t>(s.coarseSize.x) * s.coarseSize.y;
     pass.counts["marchSteps"] = rays * s.values[s.table.volumeSteps] * static_cast<std::int64_t>(s.beams.size());

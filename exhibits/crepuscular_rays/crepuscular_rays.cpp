@@ -1,6 +1,8 @@
 #include "exhibits/crepuscular_rays/crepuscular_rays.h"
 
 #include "exhibits/crepuscular_rays/rays_scene.h"
+#include "exhibits/framework/condition.h"
+#include "exhibits/kit/backdrop.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <cmath>
@@ -14,6 +16,7 @@ namespace {
 /// What a frame makes before it is laid over the picture.
 struct RayImages {
     std::optional<render::ResourceId> mask, gathered, scattered;
+    bool haze = false;
 };
 
 /// Whether a technique is drawn; otherwise its passes are listed with the reason. What is invisible may be drawn all
@@ -38,7 +41,7 @@ void planComposite(const RaysScene& s, const RayImages& made, render::Contributi
     pass.bound = std::move(bound);
     pass.colors = {render::Attachment::whole(radianceImage)};
     pass.state.blend = view == RayView::picture ? render::Blend::premultiplied : render::Blend::none;
-    pass.inputs = {{UNIT_SOURCE, std::string(depthImage)}};
+    pass.inputs = {{UNIT_SOURCE, depthBehindGlass(plan)}};
     if (view == RayView::mask) {
         pass.shader.defines.emplace_back("SHOW_MASK");
         pass.inputs.push_back({UNIT_EXHIBIT_A, *made.mask});
@@ -51,9 +54,12 @@ void planComposite(const RaysScene& s, const RayImages& made, render::Contributi
                                   : s.block.cellSize > 1 ? 9
                                                          : 1);
     }
-    if (view != RayView::mask && made.scattered) {
-        pass.shader.defines.emplace_back("VOLUME");
+    if (made.scattered) {
+        pass.shader.defines.emplace_back("BEAMS");
         pass.inputs.push_back({UNIT_EXHIBIT_B, *made.scattered});
+    }
+    if (made.haze) {
+        pass.shader.defines.emplace_back("HAZE");
         for (const render::SampledTexture& input : s.context.lighting.inputs)
             if (input.unit == UNIT_PROBE_IRRADIANCE) pass.inputs.push_back(input);
     }
@@ -85,7 +91,9 @@ render::Camera CrepuscularRays::bestView(const ParameterValues&) const
 
 double CrepuscularRays::nextChange(const ParameterValues& values, double) const
 {
-    return values[table_.animate] && values[table_.turnSpeed] > 0 ? 0 : std::numeric_limits<double>::infinity();
+    const bool drifts = values[table_.driftSpeed] > 0 && acts(values, table_.driftSpeed.row);
+    const bool moves = values[table_.animate] && (values[table_.turnSpeed] > 0 || drifts);
+    return moves ? 0 : std::numeric_limits<double>::infinity();
 }
 
 double CrepuscularRays::turnOfHangings(const ParameterValues& values, double time) const
@@ -118,10 +126,13 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     // effect that can be left out.
     const bool effect = view == RayView::picture;
     const render::ContributionBound rays = effect ? screenRaysBound(s) : render::ContributionBound{};
-    const render::ContributionBound air = effect ? airBound(s, plan.view) : render::ContributionBound{};
+    const render::ContributionBound haze = effect ? hazeBound(s, plan.view) : render::ContributionBound{};
+    const render::ContributionBound air = effect ? beamBound(s, plan.view) : render::ContributionBound{};
     const bool raysShown =
         isDrawn(s.uses(RayTechnique::screen) || maskShown, s.sun.inFront || maskShown, rays,
                 "the sun is not in front of the camera", {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan);
+    const bool hazeShown = isDrawn(s.uses(RayTechnique::volume) && !maskShown, s.airHasEnd(), haze,
+                                   "alone there are no walls to end the air", {"crepuscular_rays/haze"}, plan);
     const bool airShown = isDrawn(s.uses(RayTechnique::volume) && !maskShown, !s.beams.empty(), air,
                                   "the sun makes no beam", {"crepuscular_rays/march"}, plan);
 
@@ -131,11 +142,14 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
         if (!maskShown) made.gathered = planGathering(s, *made.mask, plan);
     }
     if (airShown) made.scattered = planMarch(s, plan);
+    made.haze = hazeShown;
     render::ContributionBound both;
     if (effect)
-        both = {airShown ? air.relative : 0, (airShown ? air.absolute : 0) + (raysShown ? rays.absolute : 0), {}};
+        both = {hazeShown ? haze.relative : 0,
+                (hazeShown ? haze.absolute : 0) + (airShown ? air.absolute : 0) + (raysShown ? rays.absolute : 0),
+                {}};
     const bool asked = s.uses(RayTechnique::screen) || s.uses(RayTechnique::volume);
-    if (raysShown || airShown || (!effect && asked))
+    if (raysShown || hazeShown || airShown || (!effect && asked))
         planComposite(s, made, std::move(both), plan);
     else
         plan.skip("crepuscular_rays/composite",

@@ -83,13 +83,13 @@ struct CrepuscularRaysTable final : Parameters {
     Real airDensity =
         real("airDensity", 0.012, perMeter, Range{0, 10}.soft(0, 0.05),
              "Dust in the air: what a meter of it takes out of a beam near the floor; 0 is clear air.", volume);
-    Real densityFalloff = real("densityFalloff", 0.08, perMeter, Range{0, 10}.soft(0, 0.5),
+    Real densityFalloff = real("densityFalloff", 0.03, perMeter, Range{0, 10}.soft(0, 0.5),
                                "How fast the dust thins with height: 0 is even, high keeps it near the floor.",
                                volume&& whenAbove(airDensity, 0), formerly("airThinning"));
     Real anisotropy = real("anisotropy", 0.42, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
                            "How much the dust scatters forward: 0 to all sides, high glows towards the sun.",
                            volume&& whenAbove(airDensity, 0) && whenLaterAbove("beamStrength", 0));
-    Real beamStrength = real("beamStrength", 1.6, none, Range{0, 100}.soft(0, 4),
+    Real beamStrength = real("beamStrength", 2.0, none, Range{0, 100}.soft(0, 4),
                              "Of the light that the beams scatter: 1 is physical for the density above.",
                              volume&& whenAbove(airDensity, 0));
     Real ambient = real("ambient", 0.35, none, Range{0, 100}.soft(0, 2),
@@ -122,11 +122,14 @@ struct CrepuscularRaysTable final : Parameters {
                exactAt(RayResolution::full), anyBeams);
 
     Group hangings = group("Hangings");
-    Toggle animate = toggle("animate", false, "Let the draft turn the mobile.");
+    Toggle animate = toggle("animate", false, "Let the draft turn the mobile and carry the dust.");
     Real mobileRotation = real("mobileRotation", degrees(20.0535), degree, {degrees(-180), degrees(180)},
                                "How far the mobile has turned.", formerly("turn"));
     Real turnSpeed = real("turnSpeed", 0.02, hertz, Range{0, 2}.soft(0, 0.1),
                           "Turns of the mobile in a second, while it is animated.", when(animate));
+    Real driftSpeed = real("driftSpeed", 0.04, none, Range{0, 10}.soft(0, 0.3),
+                           "Meters per second at which the draft carries the drifts of dust.",
+                           when(animate) && volume && whenAbove(densityNoise, 0));
 };
 
 }  // namespace vitrine

@@ -38,6 +38,14 @@ render::View viewOfWhole(const render::View& view, glm::ivec2 size)
     return whole;
 }
 
+/// How far the draft has carried the dust, meters: past the banner, and up.
+glm::dvec3 dustMoved(const CrepuscularRaysTable& table, const ParameterValues& values, double time)
+{
+    constexpr double farthest = 4096;  // Where a float still tells millimeters; it takes a day.
+    if (!values[table.animate] || !std::isfinite(time)) return glm::dvec3(0);
+    return glm::dvec3(0.8, 0.2, 0.56) * std::fmod(values[table.driftSpeed] * time, farthest);
+}
+
 void fillBeams(const std::vector<Beam>& beams, RaysBlock& block)
 {
     const std::size_t opened = std::min<std::size_t>(beams.size(), MOST_BEAMS);
@@ -69,7 +77,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     const ParameterValues& values = context.values;
     const SceneLighting& around = context.lighting;
     const render::Raster& raster = plan.view.raster;
-    RaysScene s{table, context, values, {}, raster.drawn() != raster.size, {}, {}, {}, {}, {}};
+    RaysScene s{table, context, values, {}, raster.drawn() != raster.size, {}, {}, {}, {}, {}, {}};
 
     // Mask pixels are picture pixels, unless a tile asks for the whole of a picture that is very large.
     const double maskScale =
@@ -81,6 +89,8 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     if (around.sunIrradiance != glm::dvec3(0))
         s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, around.towardsSun)
                                 : beams(around.openings, around.room, around.towardsSun);
+    // Alone, all air is that of the beam.
+    s.air = !context.alone ? around.room : s.beams.empty() ? ownRoom : s.beams.front().box;
 
     const PixelBlocks cells(raster, cellSize(values[table.resolution]));
     s.coarseSize = cells.count;
@@ -115,6 +125,9 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     b.skyColors = values[table.skyColor];
     b.shiftSamples = values[table.jitter];
     fillBeams(s.beams, b);
+    b.airLow = glm::vec3(s.air.low);
+    b.airHigh = glm::vec3(s.air.high);
+    b.drift = glm::vec3(dustMoved(table, values, context.time));
     return s;
 }
 
@@ -139,26 +152,43 @@ render::ContributionBound screenRaysBound(const RaysScene& s)
          {sky ? 1.0 : 0.0, "no sky is in view"}});
 }
 
-render::ContributionBound airBound(const RaysScene& s, const render::View& view)
+namespace {
+
+/// The most that the air hides of anything: no ray is longer in it than from corner to corner, and the dust is densest
+/// on the floor.
+double mostHidden(const RaysScene& s)
 {
-    const auto largest = [](const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); };
-    const SceneLighting& around = s.context.lighting;
-    double path =
-        0;  // No ray is longer in the air than its boxes are from corner to corner; the dust is densest on the floor.
-    bool seen = false;
-    for (const Beam& beam : s.beams) {
-        path += 2 * glm::length(beam.box.halfSize());
-        seen = seen || view.mayContain(beam.box);
-    }
-    const double hidden = -std::expm1(-s.values[s.table.airDensity] * path);
-    const double ahead = glsl::airPhase(1.0, std::abs(s.values[s.table.anisotropy]));
-    const double sun = largest(around.sunIrradiance);
-    const double drift = 1 + 1.5 * s.values[s.table.densityNoise];
+    return -std::expm1(-s.values[s.table.airDensity] * 2 * glm::length(s.air.halfSize()));
+}
+
+double mostOf(const glm::dvec3& color)
+{
+    return std::max({color.x, color.y, color.z});
+}
+
+}  // namespace
+
+render::ContributionBound hazeBound(const RaysScene& s, const render::View& view)
+{
+    const double hidden = mostHidden(s);
     const double scattered =
-        largest(s.values[s.table.airColor].value) *
-        (s.values[s.table.ambient] * around.brightest +
-         s.values[s.table.beamStrength] * sun * ahead * drift * static_cast<double>(s.beams.size()));
+        mostOf(s.values[s.table.airColor].value) * s.values[s.table.ambient] * s.context.lighting.brightest;
     return render::boundOf(hidden, hidden * scattered,
+                           {{s.values[s.table.airDensity] > 0 ? 1.0 : 0.0, "the air is clear"},
+                            {s.airHasEnd() ? 1.0 : 0.0, "alone there are no walls to end the air"},
+                            {view.mayContain(s.air) ? 1.0 : 0.0, "the hall's air is out of view"}});
+}
+
+render::ContributionBound beamBound(const RaysScene& s, const render::View& view)
+{
+    const bool seen =
+        std::any_of(s.beams.begin(), s.beams.end(), [&](const Beam& beam) { return view.mayContain(beam.box); });
+    const double ahead = glsl::airPhase(1.0, std::abs(s.values[s.table.anisotropy]));
+    const double sun = mostOf(s.context.lighting.sunIrradiance);
+    const double drift = 1 + 1.5 * s.values[s.table.densityNoise];
+    const double scattered = mostOf(s.values[s.table.airColor].value) * s.values[s.table.beamStrength] * sun * ahead *
+                             drift * static_cast<double>(s.beams.size());
+    return render::boundOf(0, mostHidden(s) * scattered,
                            {{s.values[s.table.airDensity] > 0 ? 1.0 : 0.0, "the air is clear"},
                             {sun > 0 ? 1.0 : 0.0, "the sun's strength is 0"},
                             {s.beams.empty() ? 0.0 : 1.0,

@@ -23,6 +23,7 @@ struct RaysScene {
     bool tile = false;       ///< The frame is one tile of a larger picture.
     SunInPicture sun;
     std::vector<Beam> beams;
+    render::Box air;  ///< That holds dust, world space.
     glm::ivec2 maskSize{0};
     glm::ivec2 coarseSize{0};  ///< Of the images before they are brought up.
     RaysBlock block;
@@ -30,6 +31,11 @@ struct RaysScene {
     [[nodiscard]] bool uses(RayTechnique technique) const
     {
         return ((block.leftTechnique | block.rightTechnique) & static_cast<int>(technique)) != 0;
+    }
+    /// Whether something is behind the dust everywhere: the hall, or a panorama. In the studio its box would be seen.
+    [[nodiscard]] bool airHasEnd() const
+    {
+        return !context.onNothing && context.lighting.light.background != BACKGROUND_STUDIO;
     }
     /// A pass over the whole of an image, with the parameters and the block bound.
     [[nodiscard]] render::Pass pass(const char* name, std::string reason, std::string fragment) const;
@@ -39,8 +45,10 @@ struct RaysScene {
 
 /// What rays in screen space add: in a tile, too, they come from the sky of the whole picture.
 [[nodiscard]] render::ContributionBound screenRaysBound(const RaysScene&);
-/// What the air takes away and adds, in this view.
-[[nodiscard]] render::ContributionBound airBound(const RaysScene&, const render::View&);
+/// What the dust in the hall's air takes away, and adds of the hall's light, in this view.
+[[nodiscard]] render::ContributionBound hazeBound(const RaysScene&, const render::View&);
+/// What it scatters of the sun's beams, in this view.
+[[nodiscard]] render::ContributionBound beamBound(const RaysScene&, const render::View&);
 
 // screen_rays.cpp
 

@@ -1,5 +1,6 @@
 #include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/rays_scene.h"
+#include "exhibits/kit/backdrop.h"
 #include "exhibits/kit/blue_noise.h"
 #include "render/plan/elsewhere.h"
 #include "shaders/lib/bindings.glsl"
@@ -46,7 +47,7 @@ void planLoop(const RaysScene& s, const ResourceId& mask, const ResourceId& rays
     pass.phase = render::PassPhase::volume;
     if (plain) pass.shader.defines.emplace_back("PLAIN_SUM");
     pass.colors = {Attachment::cleared(rays)};
-    pass.inputs = {{UNIT_EXHIBIT_A, mask}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, std::string(depthImage)}};
+    pass.inputs = {{UNIT_EXHIBIT_A, mask}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, depthBehindGlass(plan)}};
     RaysBlock block = s.block;
     block.samples = samples;
     block.ratio = static_cast<float>(s.values[s.table.decay]);
@@ -70,7 +71,7 @@ void planTaps(const RaysScene& s, const ResourceId& mask, const ResourceId& rays
         pass.phase = render::PassPhase::volume;
         pass.colors = {Attachment::cleared(images[i + 1])};
         pass.inputs = {
-            {UNIT_EXHIBIT_A, images[i]}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, std::string(depthImage)}};
+            {UNIT_EXHIBIT_A, images[i]}, {UNIT_EXHIBIT_C, blueNoise()}, {UNIT_SOURCE, depthBehindGlass(plan)}};
         RaysBlock block = s.block;
         block.samples = static_cast<int>(taps);
         block.ratio = static_cast<float>(std::pow(ratio, std::pow(taps, i)));
@@ -128,7 +129,7 @@ ResourceId planMask(const RaysScene& s, render::FramePlan& plan)
 {
     const bool occluders = s.tile || s.values[s.table.mask] == RayMask::occluders;
     const bool alpha = !occluders && s.values[s.table.mask] == RayMask::alpha;
-    const std::string hides = occluders ? planOccluders(s, plan) : alpha ? radianceImage : depthImage;
+    const std::string hides = occluders ? planOccluders(s, plan) : alpha ? radianceImage : depthBehindGlass(plan);
     const ResourceId mask =
         plan.image({.name = "crepuscular_rays.mask", .format = render::Format::rgba16f, .size = s.maskSize});
     Pass pass = s.pass("mask", "the sky is in view", "crepuscular_rays/mask.frag");

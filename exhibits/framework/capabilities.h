@@ -45,6 +45,14 @@ public:
     virtual void planOverFrame(const PlanContext&, render::FramePlan&) const = 0;
 };
 
+/// May let the sun through, colored: its `planShadow` then draws what it lets through, by `castGlassShadow`.
+class CastsGlassShadow {
+public:
+    virtual ~CastsGlassShadow() = default;
+    /// Whether it does so with these values, and throws no other shadow.
+    [[nodiscard]] virtual bool castsGlassShadow(const ParameterValues&) const = 0;
+};
+
 /// Draws what surrounds it where it is shown alone: a ground, a sky of its own.
 class HasSurroundings {
 public:
@@ -68,6 +76,9 @@ public:
     /// The lamps at this moment, in its own space; asked for however far it is out of view, and before anything is
     /// prepared. Lights of no intensity cost nothing.
     [[nodiscard]] virtual std::vector<render::LocalLight> localLights(const ExhibitState&) const = 0;
+    /// Whether time may make them others, now or later, while the values stay. Those of which it does not, the probe
+    /// sees light the hall, and what else moves of their exhibit is drawn without the rest of the picture.
+    [[nodiscard]] virtual bool lightsChange(const ExhibitState&) const { return true; }
 };
 
 /// Has bodies that darken the floor around them and are mirrored in it.

@@ -36,6 +36,7 @@ inline constexpr const char* depthImage = "depth";
 inline constexpr const char* normalImage = "normal";
 inline constexpr const char* evaluationsImage = "evaluations";
 inline constexpr const char* exhibitShadowImage = "shadow.exhibits";
+inline constexpr const char* glassShadowImage = "shadow.glass";
 
 /// What an exhibit may know when it plans its part of a frame.
 struct PlanContext {
@@ -45,7 +46,8 @@ struct PlanContext {
         1};           ///< Its place in the hall, or identity when alone, times the caller's scale and rotation.
     double time = 0;  ///< Seconds since the exhibit's clock started.
     Channels channels;
-    bool alone = false;  ///< No hall: the environment is the only light.
+    bool alone = false;      ///< No hall: the environment is the only light.
+    bool onNothing = false;  ///< Where it draws nothing, the picture stays empty.
     double sinceOwnPress =
         std::numeric_limits<double>::infinity();  ///< Seconds since its button was pressed; infinity: never.
     const PreparedPart* prepared = nullptr;       ///< What `prepare` made.

@@ -21,6 +21,9 @@ struct FrameRequest {
     std::uint32_t seed = 1;
     int sample = 0;   ///< This is sample number `sample` (from 0) ...
     int samples = 1;  ///< ... of so many.
+    /// Above 0: the so-manieth frame, from 1, of a picture in motion, whose pixels are averaged with those of the
+    /// frames before it, as the hall's table says. 0: the picture rests. Of one sample only.
+    int movingFrame = 0;
     AverageIn averageIn = AverageIn::display;
     Channels channels;
     bool transparent = false;  ///< No sky or environment behind what is drawn: alpha 0 there.
@@ -46,9 +49,12 @@ struct FrameRequest {
 struct PictureQuality {
     int supersamples = 16;
     double resolutionScale = 1;
+    int historyFrames = 1;  ///< Over which a picture in motion is averaged; 1: every frame stands alone.
 };
 inline constexpr std::string_view supersamplesRow = "supersamples";
 inline constexpr std::string_view resolutionScaleRow = "resolutionScale";
+inline constexpr std::string_view temporalAntialiasingRow = "temporalAntialiasing";
+inline constexpr std::string_view historyFramesRow = "historyFrames";
 
 /// Of the hall's values; as it is where its table has no such rows.
 [[nodiscard]] PictureQuality pictureQuality(const ParameterValues& hall);

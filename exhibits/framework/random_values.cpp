@@ -77,4 +77,32 @@ ParameterValues cheapestValues(const Parameters& table)
     return values;
 }
 
+ParameterValues variation(const ParameterValues& from, std::uint64_t seed,
+                          const std::function<bool(std::size_t row)>& locked)
+{
+    ParameterValues values = from;
+    RandomNumbers random(seed);
+    for (std::size_t i = 0; i < values.rows().size(); ++i) {
+        const ParameterInfo& row = values.rows()[i];
+        // Drawn for every row, so that a lock moves no other one.
+        const double t = random.number(0, 1);
+        const glm::dvec3 color = random.point(glm::dvec3(0), glm::dvec3(1)), direction = random.direction();
+        if (row.isWritten() || row.qualityReference || locked(i)) continue;
+        const Range& range = row.range;
+        switch (row.kind) {
+        case Kind::real:
+        case Kind::count: values.setRow(i, between(range.softLow, range.softHigh, range.scale, t)); break;
+        case Kind::toggle: values.setRow(i, t < 0.5 ? 0.0 : 1.0); break;
+        case Kind::choice:
+            values.setRow(i, std::min(std::floor(t * static_cast<double>(row.choices.size())), range.high));
+            break;
+        case Kind::color: values.setRow(i, color); break;
+        case Kind::direction: values.setRow(i, direction); break;
+        case Kind::file:
+        case Kind::text: break;
+        }
+    }
+    return values;
+}
+
 }  // namespace vitrine

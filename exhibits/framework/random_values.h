@@ -4,7 +4,9 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <random>
 
 namespace vitrine {
@@ -46,5 +48,12 @@ struct RandomReach {
 
 /// All initial, but every count that trades accuracy for time as low as it goes.
 [[nodiscard]] ParameterValues cheapestValues(const Parameters&);
+
+/// Other values to explore from: numbers evenly over their comfortable ranges (by factors on a logarithmic scale, whole
+/// for counts), colors, directions, toggles and choices over all there are. What shows nothing else stays as in `from`:
+/// files, texts, and rows that trade accuracy for time; so does a row that `locked` (by its index) keeps. The same seed
+/// gives every other row the same value, whatever is locked.
+[[nodiscard]] ParameterValues variation(const ParameterValues& from, std::uint64_t seed,
+                                        const std::function<bool(std::size_t row)>& locked);
 
 }  // namespace vitrine

@@ -13,12 +13,25 @@ void SceneLighting::bindLighting(render::Pass& pass) const
 {
     pass.blocks[BLOCK_LIGHT] = render::std140Bytes(light);
     pass.inputs.insert(pass.inputs.end(), inputs.begin(), inputs.end());
+    if (glassCastsShadow) pass.shader.defines.emplace_back("GLASS_SHADOWS");
     if (!localLights) return;
     pass.blocks[BLOCK_LOCAL_LIGHTS] = render::std140Bytes(localLights->block);
     pass.shader.defines.emplace_back("LOCAL_LIGHTS");
     if (localLights->shadowed.empty()) return;
     pass.shader.defines.emplace_back("LOCAL_SHADOWS");
     pass.inputs.push_back({UNIT_LOCAL_SHADOWS, std::string(localShadowImage)});
+}
+
+double mostRadianceBy(const render::LocalLighting& lighting)
+{
+    double most = 0;
+    for (std::size_t i = 0; i < lighting.chosen.size(); ++i) {
+        const render::LocalLightEntry& light = lighting.block.lights[i];
+        const double nearest = std::max(static_cast<double>(light.radius), render::localShadowNear);
+        const auto intensity = static_cast<double>(std::max({light.intensity.x, light.intensity.y, light.intensity.z}));
+        most += mostReflected * intensity / (nearest * nearest);
+    }
+    return most;
 }
 
 int flatAxis(const render::Box& opening)

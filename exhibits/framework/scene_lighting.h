@@ -22,6 +22,9 @@ inline constexpr const char* localShadowImage = "shadow.local";
 /// stops.
 inline constexpr double mostReflected = 1 / std::numbers::pi + 64;
 
+/// No surface sends more radiance of their light, as long as it is no nearer to a lamp than its shadow maps begin.
+[[nodiscard]] double mostRadianceBy(const render::LocalLighting&);
+
 /// The light that falls on whatever stands in the hall (or alone in its environment): what an exhibit
 /// needs to be lit like everything around it, and to cast its shadow.
 struct SceneLighting {
@@ -46,6 +49,9 @@ struct SceneLighting {
     /// Of the sun's light that walls and floor bounce, on what it falls on; and whether its map is drawn.
     render::ContributionBound bouncedLight;
     bool hasBouncedLight = false;
+    /// Of the lamps in the hall's vault, and whether anything reads their light.
+    render::ContributionBound lampLight;
+    bool hasLampLight = false;
     /// No direction but the sun's own sends more radiance than this; scene-linear, before exposure.
     double brightest = 0;
 
@@ -58,6 +64,8 @@ struct SceneLighting {
     /// The sun's view of the exhibits, for their shadow map "shadow.exhibits". Meaningful while
     /// `light.exhibitsCastShadow`.
     render::View exhibitShadowView;
+    /// Glass stands in the sun: what it lets through is in the image "shadow.glass", in the same view.
+    bool glassCastsShadow = false;
     /// Changes whenever any exhibit's shadow may: the key of every pass that draws into that map, so that all
     /// of them run, or none.
     std::uint64_t exhibitShadowKey = 0;

@@ -301,6 +301,22 @@ FurScene Fur::sceneOf(const PlanContext& context, std::uint32_t seed) const
     return scene;
 }
 
+std::vector<render::LocalLight> Fur::localLights(const ExhibitState& state) const
+{
+    const ParameterValues& values = state.values;
+    // To the bodies its light is parallel; around them it comes from a spot, whose edge is soft from well within the
+    // pit to the posts before it.
+    constexpr double distance = 8, whole = 1.2, edge = 2.5;
+    const glm::dvec3 towards = values[table_.lampDirection].value;
+    render::LocalLight lamp;
+    lamp.position = distance * towards;
+    lamp.intensity = glm::dvec3(1, 0.86, 0.68) * (values[table_.lamp] * distance * distance);
+    lamp.axis = -towards;
+    lamp.coneInner = std::atan(whole / distance);
+    lamp.coneOuter = std::atan(edge / distance);
+    return {lamp};
+}
+
 void Fur::planShadow(const PlanContext& context, render::FramePlan& plan) const
 {
     planMotion(context, plan);

@@ -13,7 +13,7 @@ struct FurScene;
 
 /// Three furry bodies in a pit that bounce when the red button is pressed. Shell texturing: the skin is drawn
 /// many times, each time a little further out, and keeps only what is inside a strand.
-class Fur final : public Exhibit, public HasButton {
+class Fur final : public Exhibit, public HasButton, public HasLocalLights {
 public:
     using Table = FurTable;
 
@@ -41,6 +41,9 @@ public:
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
+    /// The lamp above the pit, on what is around the bodies.
+    [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState&) const override;
+    [[nodiscard]] bool lightsChange(const ExhibitState&) const override { return false; }
     void planShadow(const PlanContext&, render::FramePlan&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 

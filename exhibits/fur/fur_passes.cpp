@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace vitrine {
@@ -186,9 +185,7 @@ struct Planner {
         if (scene.context.alone)
             made.shader.defines.emplace_back("ALONE");
         else
-            made.bound = {1,
-                          values()[table.lamp] * 0.05 / std::numbers::pi,
-                          {}};  // As the shader: all light is kept off, and a dark felt is lit.
+            made.bound = {1, 0, {}};  // All light is kept off.
         made.colors = {Attachment::whole(radianceImage)};
         made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};

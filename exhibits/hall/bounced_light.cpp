@@ -142,13 +142,16 @@ void planAirLight(const HallScene& scene, const SceneLighting& light, render::Fr
     block.sky = glm::mix(light.light.skyHorizon, light.light.skyZenith, 0.4F) *
                 glm::vec3(transfer.scale(row), transfer.scale(row + 1), transfer.scale(row + 2));
     block.sun = light.light.sunIrradiance;
+    const LampLight& lamps = scene.model.lampLight();
+    block.lamps = glm::vec3(vaultLampsOf(scene.table, scene.values).radiance * lamps.airScale());
     render::Hash key;
-    for (const glm::vec3& color : {block.sky, block.sun}) key.addValue(color.x).addValue(color.y).addValue(color.z);
+    for (const glm::vec3& color : {block.sky, block.sun, block.lamps})
+        key.addValue(color.x).addValue(color.y).addValue(color.z);
     if (light.hasBouncedLight)
         for (const SunTransfer::Source& source : bounceOf(scene)) key.addValue(source.row).addValue(source.light);
     Pass pass;
     pass.name = "hall/light in the air";
-    pass.reason = "sun or sky have changed";
+    pass.reason = "sun, sky or lamps have changed";
     pass.phase = render::PassPhase::shadow;
     pass.key = key.value();
     fillAir(airImage, "hall/air_light.comp", transfer, pass, plan);
@@ -157,6 +160,10 @@ void planAirLight(const HallScene& scene, const SceneLighting& light, render::Fr
         pass.shader.defines.emplace_back("BOUNCED_LIGHT");
         pass.inputs.push_back({UNIT_EXHIBIT_A, std::string(bouncedAirImage)});
     }
+    if (light.hasLampLight) {
+        pass.shader.defines.emplace_back("LAMP_LIGHT");
+        pass.inputs.push_back({UNIT_EXHIBIT_B, lamps.air()});
+    }
     plan.add(std::move(pass));
 }
 
@@ -164,6 +171,7 @@ void bindLightmaps(const HallScene& scene, const SceneLighting& light, render::P
 {
     pass.shader.defines.emplace_back("LIGHTMAP");
     pass.inputs.push_back({UNIT_SKY_LIGHTMAP, scene.model.skyLightmap()});
+    if (light.hasLampLight) pass.shader.defines.emplace_back("LAMP_LIGHT");
     if (!light.hasBouncedLight) return;
     pass.shader.defines.emplace_back("BOUNCED_LIGHT");
     pass.inputs.push_back({UNIT_BOUNCED_LIGHT, std::string(bouncedImage)});

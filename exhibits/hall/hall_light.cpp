@@ -13,8 +13,9 @@
 namespace vitrine {
 namespace {
 
-/// The exposure at which plaster in the shade of the default light is about a quarter gray.
-constexpr double baseExposure = 6.5;
+/// The exposure at which plaster in the shade of the default light is about a quarter gray; and that of the studio.
+constexpr double hallExposure = 12.2;
+constexpr double studioExposure = 1.04;
 
 /// Conservative test of whether the box, swept towards the light, overlaps the opening. Light comes in from outside:
 /// from above, and through a wall from the side on which it is.
@@ -54,6 +55,13 @@ render::ContributionBound shadowBound(const Sun& sun)
                            {{sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"}});
 }
 
+render::ContributionBound lampBound(const HallScene& scene, const VaultLamps& lamps)
+{
+    const double most = std::max({lamps.radiance.x, lamps.radiance.y, lamps.radiance.z});
+    return render::boundOf(0, 2 * mostAmbient * most,
+                           {{scene.alone ? 0.0 : 1.0, "there is no hall"}, {most, lamps.whyDark}});
+}
+
 double largest(const glm::vec3& color)
 {
     return std::max({color.x, color.y, color.z});
@@ -74,7 +82,7 @@ double brightestAround(const HallScene& scene, const LightBlock& light, double b
 /// Exposure to which the eye has got used: in the hall, or in the studio.
 double adaptationOf(const HallScene& scene)
 {
-    return baseExposure * (scene.alone ? 0.16 : 1);
+    return scene.alone ? studioExposure : hallExposure;
 }
 
 /// Sun, sky, exposure and filters as shaders read them; no shadow map and no probe yet.
@@ -90,6 +98,7 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
     const SkyTint sky = skyOf(table, values, source);
     light.skyZenith = glm::vec3(skyColor * sky.zenith * 0.8);
     light.skyLightmapScale = static_cast<float>(scene.model.skyLightmapScale());
+    light.lampsOnWalls = glm::vec3(vaultLampsOf(table, values).radiance * scene.model.lampLight().surfaceScale());
     light.skyHorizon = glm::vec3(glm::mix(skyColor * sky.horizon, sunColor / 9.0, 0.25) * 1.25);
     light.skySunward = glm::vec3(skyColor * sky.sunward * 1.25);
     light.background = scene.environment ? BACKGROUND_PANORAMA : scene.alone ? BACKGROUND_STUDIO : BACKGROUND_SKY;
@@ -162,8 +171,12 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
     result.bouncedLight = boundOfBounce(scene, bounced);
     result.hasBouncedLight = !scene.alone && (runEverything || !result.bouncedLight.isZero());
     result.sunShare = source.strength / std::get<double>(table.rows()[table.sunStrength.row].initial);
-    result.brightest = brightestAround(scene, light, bounced);
-    result.probeLight = render::boundOf(0, mostAmbient, {{result.brightest, "there is no light to reflect"}});
+    result.lampLight = lampBound(scene, vaultLampsOf(table, values));
+    result.hasLampLight = !scene.alone && (runEverything || !result.lampLight.isZero());
+    result.brightest = brightestAround(scene, light, bounced) + result.lampLight.absolute;
+    const std::optional<render::LocalLighting> lamps = probeLamps(scene);
+    result.probeLight = render::boundOf(
+        0, mostAmbient, {{result.brightest + (lamps ? mostRadianceBy(*lamps) : 0), "there is no light to reflect"}});
     if (values[table.reflectionProbe] && (runEverything || !result.probeLight.isZero())) {
         lookUpProbe(scene, light);
         result.inputs.push_back({UNIT_PROBE, std::string("probe")});
@@ -195,7 +208,8 @@ std::uint64_t lightKey(const HallScene& scene)
     ParameterValues lighting = scene.values;
     for (const std::size_t row :
          {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.supersamples.row},
-          std::size_t{scene.table.resolutionScale.row}, std::size_t{scene.table.contactShadows.row},
+          std::size_t{scene.table.resolutionScale.row}, std::size_t{scene.table.temporalAntialiasing.row},
+          std::size_t{scene.table.historyFrames.row}, std::size_t{scene.table.contactShadows.row},
           std::size_t{scene.table.floorMirror.row}})
         lighting.resetRow(row);
     derive::addToKey(hash, lighting);

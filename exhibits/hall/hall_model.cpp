@@ -69,9 +69,10 @@ HallModel::HallModel()
         readMaterials();
         readLightmaps();
     } catch (const Json::exception& error) {
-        throw Failure(Blame::file, "assets/models/materials.json, hall_light.json or hall_bounce.json: " +
-                                       std::string(error.what()) +
-                                       "; reinstall the program, or write them anew with the scripts beside them.");
+        throw Failure(Blame::file,
+                      "assets/models/materials.json, hall_light.json, hall_bounce.json or hall_lamps.json: " +
+                          std::string(error.what()) +
+                          "; reinstall the program, or write them anew with the scripts beside them.");
     }
     const render::Model model = render::loadGltf(render::asset("models/hall.glb"));
     sortParts(model);
@@ -113,6 +114,7 @@ void HallModel::readLightmaps()
     skyLightmap_ = picture;
     skyLightmapScale_ = table.at("sky").at("scale").get<double>();
     sunTransfer_ = SunTransfer(readAsset("models/hall_bounce.json"));
+    lampLight_ = LampLight(readAsset("models/hall_lamps.json"));
 }
 
 void HallModel::sortParts(const render::Model& model)

@@ -2,6 +2,7 @@
 
 #include "exhibits/hall/hall_furniture.h"
 #include "exhibits/hall/sun_transfer.h"
+#include "exhibits/hall/vault_lamps.h"
 #include "render/scene/mesh.h"
 
 #include <glm/glm.hpp>
@@ -71,9 +72,11 @@ public:
     /// What stands on the floor and never moves, and the bars of the window.
     [[nodiscard]] const Furniture& furniture() const { return furniture_; }
 
+    /// In its alpha that of the lamps in the vault.
     [[nodiscard]] std::shared_ptr<const render::Texture> skyLightmap() const { return skyLightmap_; }
     [[nodiscard]] double skyLightmapScale() const { return skyLightmapScale_; }
     [[nodiscard]] const SunTransfer& sunTransfer() const { return sunTransfer_; }
+    [[nodiscard]] const LampLight& lampLight() const { return lampLight_; }
 
 private:
     void readMaterials();
@@ -93,6 +96,7 @@ private:
     double skyLightmapScale_ = 1;
     Furniture furniture_;
     SunTransfer sunTransfer_;
+    LampLight lampLight_;
 };
 
 }  // namespace vitrine

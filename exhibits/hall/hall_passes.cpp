@@ -1,6 +1,5 @@
 #include "exhibits/hall/hall_scene.h"
 
-#include "exhibits/hall/plaque_text.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/surface_draw.h"
 #include "render/hash.h"
@@ -100,45 +99,6 @@ void planButtons(const HallScene& scene, const SceneLighting& light, const Chann
     plan.add(std::move(pass));
 }
 
-/// Of letters, light on dark bronze: linear, and how much of it covers the plate.
-constexpr glm::vec4 enamel{0.80F, 0.76F, 0.66F, 0.97F};
-
-void planPlaques(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
-{
-    if (!scene.text) {
-        plan.skip("hall/plaques", "there is no text to show");
-        return;
-    }
-    Pass pass;
-    pass.name = "hall/plaques";
-    pass.reason = "a plaque is in view";
-    pass.phase = render::PassPhase::transparent;
-    pass.shader = {.vertex = "hall/text.vert", .fragment = "hall/text.frag"};
-    pass.colors = {Attachment::whole(radianceImage)};
-    pass.depth = Attachment::whole(depthImage);
-    pass.state = {.depthTest = render::DepthTest::nearerOrEqual,
-                  .cull = render::Cull::back,
-                  .blend = render::Blend::premultiplied,
-                  .depthBias = {-1, -4}};
-    for (const PlaqueText::Plaque& plaque : scene.text->plaques()) {
-        if (!plan.view.mayContain(plaque.mesh->bounds.transformed(plaque.worldFromPlaque))) continue;
-        SurfaceObject object = surfaceObject(plaque.worldFromPlaque, {});
-        object.baseColor = enamel;
-        object.fontSpread = static_cast<float>(2 * scene.text->spread());
-        Draw draw;
-        draw.mesh = plaque.mesh;
-        draw.object = render::std140Bytes(object);
-        draw.inputs = {{UNIT_FONT, scene.text->atlas()}};
-        pass.draws.push_back(std::move(draw));
-    }
-    if (pass.draws.empty()) {
-        plan.skip(pass.name, "no plaque is in view");
-        return;
-    }
-    light.bindLighting(pass);
-    plan.add(std::move(pass));
-}
-
 void planVisitorModel(const HallScene& scene, const SceneLighting& light, const Channels& channels,
                       render::FramePlan& plan)
 {
@@ -156,7 +116,7 @@ void planVisitorModel(const HallScene& scene, const SceneLighting& light, const 
     blended.state.blend = render::Blend::alpha;
     blended.state.depthWrite = false;
     blended.colors.resize(1);
-    blended.shader.defines.resize(5);
+    std::erase_if(blended.shader.defines, [](const std::string& define) { return define.starts_with("WRITE_"); });
     for (const MeshInstance& part : scene.visitorModel->parts) {
         const render::Material& material = part.material ? *part.material : buttonMaterial();
         Draw draw = surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, material);
@@ -225,7 +185,10 @@ bool isOccupied(const HallScene& scene, int place)
 render::Draw partDraw(const HallScene& scene, const render::MeshInstance& part)
 {
     const HallMaterial& material = scene.model.material(materialName(part));
-    return surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile);
+    if (part.name != "hall_brass") return surfaceDraw(part.mesh, part.modelFromPart, material.material, material.tile);
+    render::Material lamp = material.material;
+    lamp.emissive = glm::vec3(vaultLampsOf(scene.table, scene.values).radiance);
+    return surfaceDraw(part.mesh, part.modelFromPart, lamp, material.tile);
 }
 
 double buttonScale(double seconds)
@@ -296,6 +259,7 @@ void planWalls(const HallScene& scene, const SceneLighting& light, const Channel
     Pass walls = surfacePass("hall/walls", "the hall is around the visitor", light, channels,
                              {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"}, render::Load::clear);
     if (scene.values[scene.table.bakedLight]) bindLightmaps(scene, light, walls);
+    (void)plan.includeIfEffective(walls, {"hall/lamps", light.lampLight});
     for (const MeshInstance& part : scene.model.walls())
         if (!isFloor(part)) walls.draws.push_back(partDraw(scene, part));
     plan.add(std::move(walls));
@@ -315,7 +279,7 @@ void planWalls(const HallScene& scene, const SceneLighting& light, const Channel
 
     planVisitorModel(scene, light, channels, plan);
     planButtons(scene, light, channels, plan);
-    planPlaques(scene, light, plan);
+    planPlaques(scene, light, channels, plan);
 }
 
 void planSky(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)

@@ -2,6 +2,7 @@
 
 #include "exhibits/kit/surface_draw.h"
 #include "render/glsl/std140.h"
+#include "render/hash.h"
 #include "render/scene/cube_views.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -30,14 +31,16 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
 }
 
 /// The probe must not read itself while it is being made; and it holds the hall alone, for its key does not tell where
-/// the exhibits' shadows lie, nor which lamps shine.
-SceneLighting lightOfHallAlone(const SceneLighting& light)
+/// the exhibits' shadows lie, nor which lamps a view reckons with.
+SceneLighting lightOfHallAlone(const SceneLighting& light, const std::optional<render::LocalLighting>& lamps)
 {
     SceneLighting hallLight = light;
     hallLight.light.exhibitsCastShadow = false;
-    hallLight.localLights.reset();
+    hallLight.glassCastsShadow = false;
+    hallLight.localLights = lamps;
     std::erase_if(hallLight.inputs, [](const render::SampledTexture& input) {
-        return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS;
+        return input.unit == UNIT_PROBE || input.unit == UNIT_PROBE_IRRADIANCE || input.unit == UNIT_SHADOW_EXHIBITS ||
+               input.unit == UNIT_SHADOW_GLASS;
     });
     return hallLight;
 }
@@ -113,6 +116,16 @@ glm::dvec3 probePosition(const HallScene& scene)
     return scene.alone ? glm::dvec3(0) : scene.model.probe();
 }
 
+std::optional<render::LocalLighting> probeLamps(const HallScene& scene)
+{
+    std::vector<render::LocalLight> lamps = scene.steadyLamps;
+    for (render::LocalLight& lamp : lamps) lamp.castsShadow = false;
+    render::LocalLighting lighting =
+        render::localLighting(lamps, probePosition(scene), 2 * glm::length(scene.model.bounds().halfSize()));
+    if (lighting.chosen.empty()) return std::nullopt;
+    return lighting;
+}
+
 void planProbe(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
 {
     if (!scene.values[scene.table.reflectionProbe]) {
@@ -122,7 +135,12 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     if (!plan.includeIfEffective(light.probeLight, {"probe"})) return;
     const int size = scene.values[scene.table.probeSize];
     const int levels = probeLevels(size);
-    const std::uint64_t key = lightKey(scene);
+    const std::optional<render::LocalLighting> lamps = probeLamps(scene);
+    const render::Bytes ofLamps = lamps ? render::std140Bytes(lamps->block) : render::Bytes();
+    const std::uint64_t key = render::Hash()
+                                  .addValue(lightKey(scene))
+                                  .add({reinterpret_cast<const char*>(ofLamps.data()), ofLamps.size()})
+                                  .value();
     const int allLevels = static_cast<int>(std::bit_width(static_cast<unsigned>(size)));
     plan.image({.name = "probe.captured",
                 .format = render::Format::rgba16f,
@@ -144,7 +162,7 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     if (!scene.alone)
         plan.image(
             {.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .persistent = true});
-    const SceneLighting hallLight = lightOfHallAlone(light);
+    const SceneLighting hallLight = lightOfHallAlone(light, lamps);
     const std::vector<render::Draw> walls = scene.alone ? std::vector<render::Draw>() : wallDraws(scene);
     for (int face = 0; face < 6; ++face) planFace(scene, hallLight, walls, face, size, key, plan);
     for (int level = 0; level < levels; ++level)

@@ -52,6 +52,8 @@ struct HallScene {
     std::uint64_t filesId = 0;               ///< As PreparedPart's.
     std::vector<ExhibitPose> poses = {};     ///< One for each slot; may be shorter.
     std::vector<StandingShape> bodies = {};  ///< Of the exhibits, as they stand on the floor; world space.
+    /// Lamps that time does not change, wherever one looks: the probe sees what they light. World space.
+    std::vector<render::LocalLight> steadyLamps = {};
 };
 
 /// What is drawn at a place beside its exhibit: a cloth over an empty one, else its stand and what hangs there, as far
@@ -101,6 +103,11 @@ void planWalls(const HallScene&, const SceneLighting&, const Channels&, render::
 /// What is behind everything: sky, panorama, or the studio of an exhibit alone.
 void planSky(const HallScene&, const SceneLighting&, render::FramePlan&);
 
+// hall_plaques.cpp
+
+/// Plates of dark enamel at the places, and the letters on them.
+void planPlaques(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
+
 // hall_floor.cpp
 
 /// The map of contact shadows on the floor, kept until something else stands on it.
@@ -119,11 +126,33 @@ void planProbe(const HallScene&, const SceneLighting&, render::FramePlan&);
 [[nodiscard]] int probeLevels(int size);
 /// The point from which the probe is captured, world space.
 [[nodiscard]] glm::dvec3 probePosition(const HallScene&);
+/// Of the steady lamps, what the probe reckons with, without their shadows; none where none shines.
+[[nodiscard]] std::optional<render::LocalLighting> probeLamps(const HallScene&);
+
+// hall_antialiasing.cpp
+
+/// Over how many frames a picture in motion is averaged, and a hash of all that it shows but for what moves.
+struct FrameHistory {
+    int frames = 1;
+    std::uint64_t look = 0;
+};
+/// The tone-mapped image of a picture in motion, before it is averaged over its frames.
+inline constexpr const char* displayImage = "display";
+/// What the frames before left for it.
+inline constexpr const char* frameHistoryImage = "frame history";
+/// Whether the picture is averaged over its frames. Its samples lie at `antialiasingSample` of their pixels.
+[[nodiscard]] bool isAveragedOverFrames(const FrameRequest&, const FrameHistory&);
+/// Which sample of its pixels a frame in motion draws, from 0.
+[[nodiscard]] int antialiasingSample(const FrameRequest&);
+/// The mean of a picture over its frames, from `displayImage` into the image "frame"; of a picture at rest, what the
+/// next motion begins with.
+void planAntialiasing(const FrameRequest&, const FrameHistory&, render::FramePlan&);
 
 // hall_tone_mapping.cpp
 
-/// What every picture ends with: tone mapping and the mean over supersamples, into the image "frame".
-void planToneMapping(const SceneLighting&, const FrameRequest&, render::FramePlan&);
+/// What every picture ends with: tone mapping and the mean over supersamples, or over the frames of a picture in
+/// motion, into the image "frame".
+void planToneMapping(const SceneLighting&, const FrameRequest&, const FrameHistory&, render::FramePlan&);
 
 /// Seconds for which a pressed button moves.
 inline constexpr double buttonTime = 0.2;

@@ -7,6 +7,7 @@ namespace vitrine {
 enum class SunBy : int { angles, hour };
 enum class ShadowFilter : int { hard, tent3, tent5, disk };
 enum class FloorMirror : int { probe, shapes };
+enum class LampsLit : int { automatic, on, off };
 
 /// What the hall is called; here, so that lists need not read the building itself.
 inline constexpr std::string_view hallTitle = "The hall";
@@ -26,6 +27,14 @@ struct HallTable final : Parameters {
     Real resolutionScale =
         real("resolutionScale", 1.0, none, {0.25, 1},
              "Sides of the drawn picture against the window's: less is quicker and blurred.", exactAt(1));
+    Toggle temporalAntialiasing =
+        toggle("temporalAntialiasing", true,
+               "Average a picture in motion over its frames, moved to where they are now: without it, edges crawl and "
+               "fine things flicker until the picture rests.");
+    Count historyFrames =
+        count("historyFrames", 8, Range{1, 64, logarithmic}.soft(1, 32),
+              "Frames that a picture in motion is averaged over: few flicker, many blur what is fine.", quality(64),
+              when(temporalAntialiasing));
 
     Group sun = group("Sun");
     Choice<SunBy> sunBy =
@@ -83,6 +92,18 @@ struct HallTable final : Parameters {
     Real environmentRotation = real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
                                     "Turns the panorama around the vertical.", whenGiven(environment),
                                     formerly("environmentTurn"), called("Rotation"));
+
+    Group vaultLamps = group("Lamps");
+    Choice<LampsLit> lamps =
+        choice("lamps", LampsLit::automatic, {"automatic", "on", "off"},
+               "Whether the lamps in the vault burn: as the sun sinks below eight degrees, always, "
+               "or never.");
+    Real lampStrength = real("lampStrength", 1.0, none, Range{0, 1000}.soft(0, 4),
+                             "Light of the lamps in the vault: 0 is a dark night, 1 is enough to read by.",
+                             when(lamps, {LampsLit::on, LampsLit::automatic}));
+    Real lampTemperature =
+        real("lampTemperature", 3400, kelvin, Range{1000, 20000}.soft(1800, 6500),
+             "Color of the lamps' light: low is that of a candle, high is bluish.", whenAbove(lampStrength, 0));
 
     Group reflections = group("Reflections");
     Toggle reflectionProbe =

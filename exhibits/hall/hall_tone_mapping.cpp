@@ -21,7 +21,8 @@ render::Pass fullscreen(std::string name, std::string fragment, std::string sour
 
 }  // namespace
 
-void planToneMapping(const SceneLighting& lighting, const FrameRequest& request, render::FramePlan& plan)
+void planToneMapping(const SceneLighting& lighting, const FrameRequest& request, const FrameHistory& history,
+                     render::FramePlan& plan)
 {
     const bool averaged = request.samples > 1;
     const bool toneMapped = request.averageIn == AverageIn::display;
@@ -31,8 +32,9 @@ void planToneMapping(const SceneLighting& lighting, const FrameRequest& request,
 
     std::string source = radianceImage;
     if (toneMapped) {
-        const std::string target = averaged ? "display" : "frame";
-        if (averaged) plan.image({.name = target, .format = render::Format::rgba16f});
+        const bool further = averaged || isAveragedOverFrames(request, history);
+        const std::string target = further ? displayImage : "frame";
+        if (further) plan.image({.name = target, .format = render::Format::rgba16f});
         render::Pass tone =
             fullscreen("tone", "lib/tonemap.frag", source, target, "the screen shows less than the eye sees");
         tone.phase = render::PassPhase::resolve;
@@ -47,7 +49,7 @@ void planToneMapping(const SceneLighting& lighting, const FrameRequest& request,
     }
     if (!averaged) {
         plan.skip("average", "one sample per pixel");
-        if (toneMapped) return;
+        if (toneMapped) return planAntialiasing(request, history, plan);
     }
     render::Pass average =
         fullscreen(averaged ? "average" : "copy", "lib/copy.frag", source, "frame",
@@ -61,6 +63,7 @@ void planToneMapping(const SceneLighting& lighting, const FrameRequest& request,
         average.colors[0].load = render::Load::clear;
     }
     plan.add(std::move(average));
+    planAntialiasing(request, history, plan);
 }
 
 }  // namespace vitrine

@@ -35,6 +35,17 @@ std::u32string decodeUtf8(std::string_view text)
     return result;
 }
 
+/// Moves the letters to the middle of the plate.
+void center(render::Mesh& mesh)
+{
+    glm::vec2 low(1e9F), high(-1e9F);
+    for (const render::Vertex& v : mesh.vertices) {
+        low = glm::min(low, glm::vec2(v.position));
+        high = glm::max(high, glm::vec2(v.position));
+    }
+    for (render::Vertex& v : mesh.vertices) v.position -= glm::vec3(0.5F * (low + high), 0);
+}
+
 }  // namespace
 
 PlaqueText::PlaqueText(const HallModel& model, const std::vector<ExhibitSlot>& exhibits)
@@ -164,6 +175,7 @@ std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const ExhibitSlo
     double scale = mostScale;
     while (scale > 1 && lay(paragraphs, scale, nullptr) < -plateHeight / 2 + plateMargin) scale -= 0.02;
     lay(paragraphs, scale, mesh.get());
+    center(*mesh);
     return mesh;
 }
 

@@ -59,17 +59,32 @@ render::DepthOnly meshDepth()
     return {.shader = {.vertex = "kit/depth.vert", .fragment = "kit/depth.frag"}};
 }
 
-void castShadow(render::Pass& pass, const PlanContext& context)
+namespace {
+
+/// Seen by the sun, for a map that is kept until anything about any exhibit's shadow changes.
+void seenBySun(render::Pass& pass, const SceneLighting& around)
 {
-    const SceneLighting& around = context.lighting;
     pass.phase = render::PassPhase::shadow;
     pass.view = around.exhibitShadowView;
     pass.key = around.exhibitShadowKey;
     pass.bound = around.sunShadow;
+}
+
+}  // namespace
+
+void castShadow(render::Pass& pass, const PlanContext& context)
+{
+    seenBySun(pass, context.lighting);
     pass.depth = Attachment::whole(exhibitShadowImage);
     pass.state.depthTest = render::DepthTest::nearer;
     pass.state.depthWrite = true;
     pass.state.depthClamp = true;
+}
+
+void castGlassShadow(render::Pass& pass, const PlanContext& context)
+{
+    seenBySun(pass, context.lighting);
+    pass.colors = {Attachment::whole(glassShadowImage)};
 }
 
 render::Pass meshShadow(std::string name, const PlanContext& context)

@@ -33,6 +33,10 @@ inline constexpr const char* shadowReason = "the sun reaches it and its shadow m
 /// about any exhibit's shadow changes, left out where no shadow can be seen. Culling and depth bias stay as they are.
 void castShadow(render::Pass&, const PlanContext&);
 
+/// Makes it a pass that draws what glass lets through of the sun: color, and in alpha the depth from which on it does,
+/// as the exhibits' shadow map has it. Kept and left out as that is.
+void castGlassShadow(render::Pass&, const PlanContext&);
+
 /// The shadow of meshes, as `meshDepth`.
 [[nodiscard]] render::Pass meshShadow(std::string name, const PlanContext&);
 

@@ -107,9 +107,14 @@ double SdfExhibit::nextChange(const ParameterValues&, double) const
 
 SdfScene SdfExhibit::sceneOf(const PlanContext& context, const SdfBody& now) const
 {
+    const SdfMaterialRows* material = materialRows();
+    const bool spreads =
+        !material || (now.values[material->roughness] > 0 && now.values[material->refractiveIndex] > 1);
+    const bool glass = isGlass(now.values);
     return {name(),
             rows(),
-            isGlass(now.values),
+            glass,
+            glass && spreads,
             context,
             now,
             resized(now.box, now.values[rows().boxSize]),

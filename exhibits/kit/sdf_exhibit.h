@@ -52,7 +52,7 @@ struct SdfScene;
 /// An exhibit that is a signed distance field: it supplies the field (`SdfShaders`, `body`), a table with SdfRows, and
 /// a material. Sphere tracing with its cone pre-pass, its shadow, the bounding mesh and its overlay, the comparison
 /// with a mesh by a wipe, and heat maps are here.
-class SdfExhibit : public Exhibit {
+class SdfExhibit : public Exhibit, public CastsGlassShadow {
 public:
     [[nodiscard]] render::Box bounds(const ParameterValues&) const final;
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const final;
@@ -62,6 +62,7 @@ public:
     /// Never, by default.
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     void planShadow(const PlanContext&, render::FramePlan&) const final;
+    [[nodiscard]] bool castsGlassShadow(const ParameterValues& values) const final { return isGlass(values); }
     void plan(const PlanContext&, render::FramePlan&) const final;
 
     /// As it is `time` seconds after the exhibit's clock started.

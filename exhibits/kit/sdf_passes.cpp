@@ -1,6 +1,7 @@
 #include "exhibits/kit/sdf_passes.h"
 
 #include "exhibits/framework/derive.h"
+#include "exhibits/kit/backdrop.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/pixel_blocks.h"
 #include "exhibits/kit/surface_draw.h"
@@ -43,8 +44,12 @@ struct SdfPlanner {
 
     void shadow() const
     {
-        Pass made = pass("shadow", shadowReason, "kit/sdf/box.vert", "kit/sdf/shadow.frag");
-        castShadow(made, scene.context);
+        Pass made = pass("shadow", shadowReason, "kit/sdf/box.vert",
+                         scene.glass ? "kit/sdf/glass_shadow.frag" : "kit/sdf/shadow.frag");
+        if (scene.glass)
+            castGlassShadow(made, scene.context);
+        else
+            castShadow(made, scene.context);
         made.state.cull = render::Cull::front;
         made.draws = {draw(boxMesh())};
         plan.add(std::move(made));
@@ -149,6 +154,7 @@ struct SdfPlanner {
         if (scene.body.sources) made.depthOnly->shader.slot += " depth";
         for (const render::SampledTexture& input : made.inputs)
             if (input.unit == UNIT_EXHIBIT_A) made.depthOnly->inputs.push_back(input);
+        if (scene.glass && values[table.heatMap] == SdfHeatMap::none) seeThrough(made, plan, scene.rough);
         plan.add(std::move(made));
     }
 

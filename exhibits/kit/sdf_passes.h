@@ -16,6 +16,7 @@ struct SdfScene {
     std::string_view exhibit;  ///< Passes are "EXHIBIT/march", images "EXHIBIT.cone".
     const SdfRows& table;
     bool glass;  ///< Rays go through it.
+    bool rough;  ///< It is glass that spreads them.
     const PlanContext& context;
     const SdfBody& body;
     render::Box box;  ///< The rays are marched in it.

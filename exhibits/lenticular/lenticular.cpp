@@ -230,6 +230,21 @@ std::vector<StandingShape> Lenticular::standingShapes(const ParameterValues& val
     return {standingBox(bounds(values), glm::dvec3(print))};
 }
 
+std::vector<render::LocalLight> Lenticular::localLights(const ExhibitState& state) const
+{
+    // As in lenticular/gloss.glsl.
+    const glm::dvec3 fromCard{-0.5, 1.1, 2.4};
+    constexpr double whole = 0.4, edge = 1.2;  // Meters from the card's middle: stand, plaque and button are within.
+    const double distance = glm::length(fromCard);
+    render::LocalLight lamp;
+    lamp.position = cardMiddle() + fromCard;
+    lamp.intensity = glm::dvec3(1, 0.90, 0.76) * (state.values[table_.lamp] * distance * distance);
+    lamp.axis = -fromCard / distance;
+    lamp.coneInner = std::atan(whole / distance);
+    lamp.coneOuter = std::atan(edge / distance);
+    return {lamp};
+}
+
 std::vector<StudyView> Lenticular::studyViews(const ParameterValues& values) const
 {
     const glm::dvec3 m = cardMiddle();

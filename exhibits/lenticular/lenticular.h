@@ -10,7 +10,7 @@ namespace vitrine {
 /// A glossy card that one walks past: strips of many views under a sheet of cylindrical lenses, which show
 /// each eye another view. Two prints roll by, like a billboard's. Either is a set of views, or the very raster
 /// of a file that `vitrine print` wrote.
-class Lenticular final : public Exhibit, public HasButton, public StandsOnFloor {
+class Lenticular final : public Exhibit, public HasButton, public StandsOnFloor, public HasLocalLights {
 public:
     using Table = LenticularTable;
 
@@ -36,6 +36,9 @@ public:
     [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] std::vector<StandingShape> standingShapes(const ParameterValues&) const override;
+    /// The lamp that is aimed at the card, on what is beside it.
+    [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState&) const override;
+    [[nodiscard]] bool lightsChange(const ExhibitState&) const override { return false; }
     void planShadow(const PlanContext&, render::FramePlan&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 

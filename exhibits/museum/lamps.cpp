@@ -69,16 +69,4 @@ std::optional<render::LocalLighting> planLamps(const Lamps& lamps, render::Frame
     return lighting;
 }
 
-double mostRadianceBy(const render::LocalLighting& lighting)
-{
-    double most = 0;
-    for (std::size_t i = 0; i < lighting.chosen.size(); ++i) {
-        const render::LocalLightEntry& light = lighting.block.lights[i];
-        const double nearest = std::max(static_cast<double>(light.radius), render::localShadowNear);
-        const auto intensity = static_cast<double>(std::max({light.intensity.x, light.intensity.y, light.intensity.z}));
-        most += mostReflected * intensity / (nearest * nearest);
-    }
-    return most;
-}
-
 }  // namespace vitrine

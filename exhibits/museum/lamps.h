@@ -27,7 +27,4 @@ struct Lamps {
 /// no lamp shines. The plan says why what is left out is left out.
 [[nodiscard]] std::optional<render::LocalLighting> planLamps(const Lamps&, render::FramePlan&);
 
-/// No surface sends more radiance of their light, as long as it is no nearer to a lamp than its shadow maps begin.
-[[nodiscard]] double mostRadianceBy(const render::LocalLighting&);
-
 }  // namespace vitrine

@@ -67,6 +67,10 @@ PictureQuality pictureQuality(const ParameterValues& hall)
         quality.supersamples = static_cast<int>(std::get<double>(hall.row(*row)));
     if (const auto row = hall.table().find(resolutionScaleRow))
         quality.resolutionScale = std::get<double>(hall.row(*row));
+    const auto antialiasing = hall.table().find(temporalAntialiasingRow);
+    if (const auto row = hall.table().find(historyFramesRow);
+        row && antialiasing && std::get<double>(hall.row(*antialiasing)) != 0)
+        quality.historyFrames = static_cast<int>(std::get<double>(hall.row(*row)));
     return quality;
 }
 

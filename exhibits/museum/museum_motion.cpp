@@ -40,10 +40,7 @@ bool movesHangings(const Exhibit& exhibit, const ParameterValues& values)
 bool changesLamps(const Exhibit& exhibit, const ExhibitState& state)
 {
     const auto* carrier = capability<HasLocalLights>(exhibit);
-    if (!carrier) return false;
-    ExhibitState later = state;
-    later.time += 0.37;
-    return carrier->localLights(state) != carrier->localLights(later);
+    return carrier && carrier->lightsChange(state);
 }
 
 }  // namespace
@@ -75,7 +72,8 @@ double Museum::nextChange(const Prepared& prepared, const FrameRequest& request)
     const std::vector<Present> present = presentIn(prepared, request, scene, wholeView(request));
     const bool shadows = throwShadows(lampsOf(prepared, present, alone));
     for (const Present& p : present)
-        if (shadows || p.hidden.empty() || (!alone && p.noShadow.empty()) ||
+        // Light in the air is wherever one looks.
+        if (shadows || p.hidden.empty() || capability<OverFrame>(p.exhibit) || (!alone && p.noShadow.empty()) ||
             changesLamps(p.exhibit, prepared.state(p.index)))
             next = std::min(next, p.exhibit.nextChangeOf(prepared.state(p.index)));
     return next;
@@ -94,13 +92,16 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
     glm::dvec2 high(-1e30);
     bool shadowMoves = false;
     bool lightInTheAir = false;
+    bool glassSeen = false;
     const std::vector<Present> present = presentIn(prepared, request, scene, view);
     const bool shadows = throwShadows(lampsOf(prepared, present, alone));
     for (const Present& p : present) {
         const bool ofLight = capability<OverFrame>(p.exhibit) != nullptr;
-        const bool seen = p.hidden.empty();
+        const bool seen = ofLight || p.hidden.empty();
         const bool shadowSeen = !alone && p.noShadow.empty();
         lightInTheAir = lightInTheAir || (ofLight && seen);
+        const auto* glass = capability<CastsGlassShadow>(p.exhibit);
+        glassSeen = glassSeen || (seen && glass && glass->castsGlassShadow(prepared.sceneState.values[p.index]));
         if (!(p.exhibit.nextChangeOf(prepared.state(p.index)) < neverChanges)) continue;
         // Light of lamps and their shadows may fall anywhere.
         if (shadows || changesLamps(p.exhibit, prepared.state(p.index))) return std::nullopt;
@@ -119,6 +120,7 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
         high = glm::max(high, shown->second);
     }
     if (shadowMoves && lightInTheAir) return std::nullopt;
+    if (glassSeen && low.x <= high.x) return std::nullopt;  // It may show what moves anywhere, or move itself.
     const glm::dvec2 size(request.raster.size);
     const glm::ivec2 first = glm::ivec2(glm::floor(glm::clamp(low - edge, glm::dvec2(0), size) / 2.0)) * 2;
     const glm::ivec2 end =

@@ -31,6 +31,19 @@ std::string whyNoShadow(const HallScene& scene, const render::Box& box, const re
     return view.mayContain(withShadow(box, towardsSun(scene))) ? std::string() : "neither it nor its shadow is in view";
 }
 
+/// The lamps of one that carries any, world space.
+void takeLamps(const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject, bool steadyOnly,
+               std::vector<render::LocalLight>& lamps)
+{
+    const auto* carrier = capability<HasLocalLights>(subject);
+    if (!carrier || (steadyOnly && carrier->lightsChange(state))) return;
+    for (render::LocalLight lamp : carrier->localLights(state)) {
+        lamp.position = glm::dvec3(worldFromSubject * glm::dvec4(lamp.position, 1));
+        if (lamp.axis != glm::dvec3(0)) lamp.axis = glm::normalize(glm::dmat3(worldFromSubject) * lamp.axis);
+        lamps.push_back(lamp);
+    }
+}
+
 /// What every sample and tile of the picture shows, and a little around it.
 render::View widened(const render::View& view)
 {
@@ -59,12 +72,14 @@ struct Museum::Frame {
     void begin();
     void findPresent();
     void castShadows();
+    void clearGlassShadow(render::Pass clear);
     void makeContexts();
     void lightLamps();
     void declareImages(render::FramePlan&) const;
     void planBuilding(render::FramePlan&) const;
     void planExhibits();
     void finish(const render::PersistentState&);
+    [[nodiscard]] FrameHistory history() const;
 
     void clearPicture(render::FramePlan&) const;
     void addState(render::Hash&, const Present&) const;
@@ -93,6 +108,10 @@ HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
         for (const StandingShape& shape : stands->standingShapes(prepared.sceneState.values[i]))
             scene.bodies.push_back(moved(shape, worldFromExhibit(i)));
     }
+    if (alone) return scene;
+    takeLamps(*hall_, {prepared.sceneState.hall(), prepared.time}, glm::dmat4(1), true, scene.steadyLamps);
+    for (const auto& [i, exhibit] : exhibits_)
+        takeLamps(exhibit, prepared.state(i), worldFromExhibit(i), true, scene.steadyLamps);
     return scene;
 }
 
@@ -100,16 +119,8 @@ std::vector<render::LocalLight> Museum::lampsOf(const Prepared& prepared, const 
                                                 bool alone) const
 {
     std::vector<render::LocalLight> lamps;
-    const auto take = [&](const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject) {
-        const auto* carrier = capability<HasLocalLights>(subject);
-        if (!carrier) return;
-        for (render::LocalLight lamp : carrier->localLights(state)) {
-            lamp.position = glm::dvec3(worldFromSubject * glm::dvec4(lamp.position, 1));
-            lamps.push_back(lamp);
-        }
-    };
-    if (!alone) take(*hall_, {prepared.sceneState.hall(), prepared.time}, glm::dmat4(1));
-    for (const Present& p : present) take(p.exhibit, prepared.state(p.index), p.worldFromExhibit);
+    if (!alone) takeLamps(*hall_, {prepared.sceneState.hall(), prepared.time}, glm::dmat4(1), false, lamps);
+    for (const Present& p : present) takeLamps(p.exhibit, prepared.state(p.index), p.worldFromExhibit, false, lamps);
     return lamps;
 }
 
@@ -191,21 +202,38 @@ render::FramePlan Museum::plan(const Prepared& prepared, const FrameRequest& req
     return std::move(frame.plan);
 }
 
+FrameHistory Museum::Frame::history() const
+{
+    FrameHistory history{pictureQuality(scene.values).historyFrames};
+    if (history.frames <= 1) return history;
+    render::Hash look;
+    for (std::size_t i = 0; i < prepared.exhibits.size(); ++i) {
+        derive::addToKey(look, prepared.sceneState.values[i]);
+        look.addValue(prepared.exhibits[i].part ? prepared.exhibits[i].part->filesId : 0);
+    }
+    look.addValue(scene.filesId).addValue(alone).addValue(request.transparent).addValue(request.exhibitTransform);
+    history.look = look.value();
+    return history;
+}
+
 /// The view, the images that all draw into, and the light.
 void Museum::Frame::begin()
 {
     render::Raster raster = request.raster;
-    raster.jitter = render::samplePosition(request.sample, request.samples);
+    const FrameHistory averaged = history();
+    const bool inMotion = isAveragedOverFrames(request, averaged);
+    const int sample = inMotion ? antialiasingSample(request) : request.sample;
+    raster.jitter = render::samplePosition(sample, inMotion ? averaged.frames : request.samples);
     plan.view = render::makeView(request.camera, raster);
     plan.time = prepared.time;
     plan.seed = request.seed;
-    plan.sample = request.sample;
+    plan.sample = sample;
     plan.runEverything = request.runEverything;
     plan.cut = request.cut;
     plan.allParts = request.finished;
     declareImages(plan);
     light = sceneLighting(scene, request.runEverything);
-    light.light.sampleIndex = request.sample;
+    light.light.sampleIndex = sample;
 }
 
 /// Those that all draw into.
@@ -279,6 +307,10 @@ void Museum::Frame::castShadows()
                 .size = glm::ivec2(size),
                 .persistent = true,
                 .comparison = true});
+    const bool glass = std::any_of(present.begin(), present.end(), [&](const Present& p) {
+        const auto* caster = p.noShadow.empty() ? capability<CastsGlassShadow>(p.exhibit) : nullptr;
+        return caster && caster->castsGlassShadow(prepared.sceneState.values[p.index]);
+    });
     render::Pass clear;
     clear.name = "exhibits/shadow";
     clear.reason = "an exhibit stands in the sun";
@@ -288,6 +320,23 @@ void Museum::Frame::castShadows()
     clear.depth = render::Attachment::cleared(exhibitShadowImage);
     clear.key = light.exhibitShadowKey;
     clear.bound = light.sunShadow;
+    if (glass) clearGlassShadow(clear);
+    plan.add(std::move(clear));
+}
+
+/// What glass lets through of the sun: white, before everything, where there is none.
+void Museum::Frame::clearGlassShadow(render::Pass clear)
+{
+    light.glassCastsShadow = true;
+    light.inputs.push_back({UNIT_SHADOW_GLASS, std::string(glassShadowImage)});
+    plan.image({.name = glassShadowImage,
+                .format = render::Format::rgba32f,
+                .size = clear.view->raster.size,
+                .persistent = true});
+    clear.name = "exhibits/shadow/glass";
+    clear.reason = "glass stands in the sun";
+    clear.depth.reset();
+    clear.colors = {render::Attachment::cleared(glassShadowImage, glm::vec4(1))};
     plan.add(std::move(clear));
 }
 
@@ -329,6 +378,7 @@ void Museum::Frame::makeContexts()
                             .time = state.time,
                             .channels = request.channels,
                             .alone = alone,
+                            .onNothing = request.transparent || request.cutOut.has_value(),
                             .sinceOwnPress = state.sinceOwnPress,
                             .prepared = state.prepared});
     }
@@ -409,8 +459,8 @@ void Museum::Frame::finish(const render::PersistentState& kept)
         plan.skip("sky", "a transparent background is asked for");
     else
         planSky(scene, light, plan);
-    planToneMapping(light, request, plan);
-    std::vector<std::string> outputs{"frame", depthImage};
+    planToneMapping(light, request, history(), plan);
+    std::vector<std::string> outputs{"frame", depthImage, frameHistoryImage};
     if (request.channels.normal) outputs.emplace_back(normalImage);
     if (request.channels.evaluations) outputs.emplace_back(evaluationsImage);
     plan.prune(outputs, kept);

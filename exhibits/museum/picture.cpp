@@ -50,7 +50,7 @@ PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& backend,
     if (request_.frame.channels.normal) names.insert(names.end(), {"normal.X", "normal.Y", "normal.Z"});
     if (request_.frame.channels.evaluations) names.emplace_back("evaluations");
     requireMemory(size, names.size());
-    request_.samples = std::max(request_.samples, 1);
+    request_.samples = request_.motion.empty() ? std::max(request_.samples, 1) : 1;
     int side = std::max(std::min(request_.largestTile, backend_.largestSide()), 1);
     // A tile is drawn with the pixels around it, for effects that look at a pixel's neighbors.
     const bool whole = side >= size.x && side >= size.y;
@@ -69,35 +69,57 @@ PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& backend,
     picture_.channelNames = std::move(names);
 }
 
+std::size_t PictureMaker::stepsOfTile() const
+{
+    return request_.motion.empty() ? static_cast<std::size_t>(request_.samples) : request_.motion.size() + 1;
+}
+
 double PictureMaker::progress() const
 {
-    return static_cast<double>(stepsDone_) /
-           static_cast<double>(tiles_.size() * static_cast<std::size_t>(request_.samples));
+    return static_cast<double>(stepsDone_) / static_cast<double>(tiles_.size() * stepsOfTile());
 }
 
 bool PictureMaker::finished() const
 {
-    return stepsDone_ == tiles_.size() * static_cast<std::size_t>(request_.samples);
+    return stepsDone_ == tiles_.size() * stepsOfTile();
+}
+
+FrameRequest PictureMaker::frameOf(const Tile& tile, int step) const
+{
+    FrameRequest frame = request_.frame;
+    const bool moves = !request_.motion.empty();
+    frame.sample = moves ? 0 : step;
+    frame.samples = request_.samples;
+    frame.movingFrame = moves ? step + 1 : 0;
+    if (moves && static_cast<std::size_t>(step) < request_.motion.size()) {
+        frame.camera = request_.motion[static_cast<std::size_t>(step)].camera;
+        frame.time = request_.motion[static_cast<std::size_t>(step)].time;
+    }
+    frame.raster.offset = tile.drawnOffset;
+    frame.raster.tile = tile.drawnSize;
+    // A finished picture is a function of what was asked for, whatever was drawn before, other tiles included.
+    frame.cut = !moves || step == 0;
+    frame.finished = true;
+    return frame;
 }
 
 bool PictureMaker::step()
 {
     if (finished()) return false;
-    const auto samples = static_cast<std::size_t>(request_.samples);
-    const Tile& tile = tiles_[stepsDone_ / samples];
-    FrameRequest frame = request_.frame;
-    frame.sample = static_cast<int>(stepsDone_ % samples);
-    frame.samples = request_.samples;
-    frame.raster.offset = tile.drawnOffset;
-    frame.raster.tile = tile.drawnSize;
-    if (frame.sample > 0) frame.channels = {};
-    // A finished picture is a function of what was asked for, whatever was drawn before, other tiles included.
-    frame.cut = frame.finished = true;
-    if (!prepared_) prepared_ = museum_.prepare(sceneState_, request_.frame);
-    render::FrameReport report = backend_.draw(museum_.plan(*prepared_, frame, backend_.persistentState()));
-    if (stepsDone_ == 0) report_ = std::move(report);
-    if (frame.sample == 0) takeChannels(tile);
-    if (frame.sample == request_.samples - 1) takeColor(tile);
+    const auto steps = stepsOfTile();
+    const Tile& tile = tiles_[stepsDone_ / steps];
+    const std::size_t done = stepsDone_ % steps;
+    const bool leadsTo = done < request_.motion.size();  // A frame before the one that is asked for.
+    const bool takesChannels = request_.motion.empty() ? done == 0 : !leadsTo;
+    FrameRequest frame = frameOf(tile, static_cast<int>(done));
+    if (!takesChannels) frame.channels = {};
+    if (!leadsTo && !prepared_) prepared_ = museum_.prepare(sceneState_, request_.frame);
+    const Prepared before = leadsTo ? museum_.prepare(sceneState_, frame) : Prepared();
+    render::FrameReport report =
+        backend_.draw(museum_.plan(leadsTo ? before : *prepared_, frame, backend_.persistentState()));
+    if (takesChannels && stepsDone_ < steps) report_ = std::move(report);
+    if (takesChannels) takeChannels(tile);
+    if (done + 1 == steps) takeColor(tile);
     ++stepsDone_;
     if (finished()) finish();
     return true;

@@ -6,14 +6,23 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vitrine {
 
+/// From where one looks, and when.
+struct Moment {
+    render::Camera camera;
+    double time = 0;  ///< Seconds.
+};
+
 /// A finished picture to make: any size, any number of samples, by tiles where the size asks for it.
 struct PictureRequest {
-    FrameRequest frame;  ///< `raster.tile`, `raster.jitter`, `sample`, `cut` and `finished` are set here, not by the
-                         ///< caller.
+    FrameRequest frame;  ///< `raster.tile`, `raster.jitter`, `sample`, `movingFrame`, `cut` and `finished` are set
+                         ///< here, not by the caller.
     int samples = 1;     ///< Supersamples per pixel, averaged.
+    /// The frames before, the first one first, of a picture in motion, which is then of one sample. Empty: it rests.
+    std::vector<Moment> motion = {};
     bool depth = false;  ///< Add the channel "depth.Z". Channels other than color are of the pixel's center.
     int largestTile =
         2048;  ///< Side in pixels, rounded down to a multiple of 8; never above what the painter can draw.
@@ -35,7 +44,7 @@ public:
     /// `frame.averageIn` asks; then "depth.Z" (meters along the view axis, infinity where nothing was hit),
     /// "normal.X" "normal.Y" "normal.Z" (world space) and "evaluations", as asked. Only when finished.
     [[nodiscard]] const render::Image& picture() const { return picture_; }
-    /// Of the first sample of the first tile.
+    /// Of the first sample of the first tile; of a motion, of its last frame.
     [[nodiscard]] const render::FrameReport& report() const { return report_; }
 
 private:
@@ -43,6 +52,9 @@ private:
         glm::ivec2 offset, size;            ///< Pixels, from the lower left corner of the picture.
         glm::ivec2 drawnOffset, drawnSize;  ///< The same with an apron around it, as far as the picture goes.
     };
+    /// Of a tile: so many samples, or frames of a motion.
+    [[nodiscard]] std::size_t stepsOfTile() const;
+    [[nodiscard]] FrameRequest frameOf(const Tile&, int step) const;
     void takeChannels(const Tile&);
     void takeColor(const Tile&);
     void copyChannels(const render::Image&, const Tile&, int from, int count, int to);

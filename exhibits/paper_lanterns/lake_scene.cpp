@@ -1,5 +1,6 @@
 #include "exhibits/paper_lanterns/lake_scene.h"
 
+#include "exhibits/paper_lanterns/lake_release.h"
 #include "exhibits/paper_lanterns/lake_waves.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -92,17 +93,13 @@ void setWaves(const PaperLanternsTable& t, const ParameterValues& values, double
 /// How far a lantern reaches, and how wide a cell has to be.
 void setBounds(const PaperLanternsTable& t, const ParameterValues& values, LakeBlock& block)
 {
-    float slope = 0, height = 0;
-    for (int i = 0; i < block.rideWaves; ++i) {
-        const auto wave = static_cast<std::size_t>(i);
-        slope += std::abs(block.rideTilt[wave].x) * glm::length(glm::vec2(block.ride[wave]));
-        height += std::abs(block.ride[wave].z);
-    }
+    float height = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.rideWaves); ++i) height += std::abs(block.ride[i].z);
     const float wires = std::max({block.ringRadius, block.postRadius, block.paperHalf}) + 0.25F * block.blend;
     const float tall = block.paperHeight + wires + 0.03F;
     const float base = std::sqrt(2.0F) * block.baseHalfWidth;
-    const float lean = slope / std::sqrt(1 + slope * slope);
-    block.reach = std::max(base + block.baseHalfHeight * lean, block.paperRadius + wires + tall * lean) + 0.02F;
+    const float lean = mostLean(block);
+    block.reach = std::max(base + block.baseHalfHeight * lean + 0.02F, tubeReach(block));
     block.low = -height - base * lean - block.baseHalfHeight - 0.02F;
     block.high = height + tall + (block.paperRadius + wires) * lean + 0.02F;
     block.cell = std::max(static_cast<float>(values[t.spacing]), 2 * block.reach + 0.1F);
@@ -117,16 +114,11 @@ void setLattice(const PaperLanternsTable& t, const ParameterValues& values, doub
     block.cells = glm::ivec2(cells);
     block.fill = static_cast<float>(values[t.crowding]);
     block.farRow = side > cells ? static_cast<float>(side * g) : 0;
-    const double angle = values[t.windDirection] + latticeTurn;
-    const glm::dvec2 drifted = values[t.drift] * seconds * glm::dvec2(std::sin(angle), std::cos(angle));
-    // A few begin where the eye rests; many behind it already, so that nobody sees where they come from.
-    const double begin = std::min(24.0, side * g / std::sqrt(2.0) - 9.5);
-    const glm::dvec2 shift(inPeriod(drifted.x, g), inPeriod(drifted.y, g));
-    block.corner = glm::vec2(begin / std::sqrt(2.0) * glm::dvec2(-1, 1) + glm::dvec2(shift.x, -shift.y));
-    const glm::dvec2 gone = glm::floor(drifted / g);
-    // Modulo 2^24: numbers, not places.
-    block.firstCell =
-        -glm::ivec2(static_cast<int>(std::fmod(gone.x, 16777216.0)), static_cast<int>(std::fmod(gone.y, 16777216.0)));
+    const glm::dvec2 wind = windOf(t, values);
+    const glm::dvec2 drifted = values[t.drift] * seconds * wind;
+    const glm::dvec2 shift(inPeriod(drifted.x, g), inPeriod(-drifted.y, g));
+    block.corner = glm::vec2(latticeCorner(t, values, g) + glm::dvec2(shift.x, -shift.y));
+    block.firstCell = firstCellAt(drifted, g);
 }
 
 void setLight(const PaperLanternsTable& t, const ParameterValues& values, const ParameterValues& fixed, double seconds,
@@ -155,37 +147,21 @@ void setLight(const PaperLanternsTable& t, const ParameterValues& values, const 
     block.moonLight = glm::vec3(0.25 * values[t.moon] * risen * glm::dvec3(0.86, 0.93, 1.0) * through);
 }
 
-/// The lantern that the button has set free: from the water before the frame, upwards or away.
-void setReleased(const PaperLanternsTable& t, const ParameterValues& values, double since, LakeBlock& block)
+}  // namespace
+
+float mostLean(const LakeBlock& block)
 {
-    block.released = glm::vec4(0, 0, 0, -1);
-    if (!(since >= 0) || since >= releasedFor) return;
-    const double angle = values[t.windDirection] + latticeTurn;
-    const glm::dvec2 wind(std::sin(angle), -std::cos(angle));
-    const bool rises = values[t.release] == LakeRelease::rises;
-    const glm::dvec2 ahead(std::sin(latticeTurn), -std::cos(latticeTurn)), right(-ahead.y, ahead.x);
-    const glm::dvec2 from = 9.5 * ahead - 1.1 * right;
-    const glm::dvec2 place = from + (rises ? 0.018 * since * since * wind : 0.55 * since * ahead);
-    double height = 0;
-    glm::dvec2 tilt(0);
-    for (int i = 0; i < block.rideWaves; ++i) {
-        const auto w = glm::dvec4(block.ride[static_cast<std::size_t>(i)]);
-        const double phase = w.x * place.x + w.y * place.y + w.w;
-        height += w.z * std::sin(phase);
-        tilt += glm::dvec2(w) * (static_cast<double>(block.rideTilt[static_cast<std::size_t>(i)].x) * std::cos(phase));
-    }
-    if (rises) {
-        const double wet = std::exp(-since);
-        height = height * wet + 0.5 * since * since / (since + 3);
-        tilt = tilt * wet + (1 - wet) * 0.06 * glm::dvec2(std::sin(1.1 * since), std::cos(0.9 * since));
-    }
-    // Kindled at first, burnt down at last.
-    const double light = std::min({1.0, 0.25 + since, (releasedFor - since) / 8});
-    block.released = glm::vec4(place.x, height, place.y, 0.75 * light);
-    block.releasedTilt = glm::vec2(tilt);
+    float slope = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(block.rideWaves); ++i)
+        slope += std::abs(block.rideTilt[i].x) * glm::length(glm::vec2(block.ride[i]));
+    return slope / std::sqrt(1 + slope * slope);
 }
 
-}  // namespace
+float tubeReach(const LakeBlock& block)
+{
+    const float wires = std::max({block.ringRadius, block.postRadius, block.paperHalf}) + 0.25F * block.blend;
+    return block.paperRadius + wires + (block.paperHeight + wires + 0.03F) * mostLean(block) + 0.02F;
+}
 
 bool anyAfloat(const PaperLanternsTable& t, const ParameterValues& values)
 {
@@ -199,9 +175,40 @@ bool lightsTheAir(const PaperLanternsTable& t, const ParameterValues& values)
            values[t.look] == LakeLook::ours;
 }
 
+glm::dvec2 straightAhead()
+{
+    return {std::sin(latticeTurn), -std::cos(latticeTurn)};
+}
+
+glm::dvec2 windOf(const PaperLanternsTable& t, const ParameterValues& values)
+{
+    const double angle = values[t.windDirection] + latticeTurn;
+    return {std::sin(angle), -std::cos(angle)};
+}
+
+glm::dvec2 latticeCorner(const PaperLanternsTable& t, const ParameterValues& values, double cell)
+{
+    const double side = std::ceil(std::sqrt(static_cast<double>(values[t.lanterns])) - 1e-9);
+    // A few begin where the eye rests; many behind it already, so that nobody sees where they come from.
+    return -std::min(24.0, side * cell / std::sqrt(2.0) - 9.5) * straightAhead();
+}
+
+glm::ivec2 firstCellAt(const glm::dvec2& drifted, double cell)
+{
+    const glm::dvec2 gone = glm::floor(glm::dvec2(drifted.x, -drifted.y) / cell);
+    // Modulo 2^24: numbers, not places.
+    return -glm::ivec2(static_cast<int>(std::fmod(gone.x, 16777216.0)),
+                       static_cast<int>(std::fmod(gone.y, 16777216.0)));
+}
+
 double lakeTime(const PaperLanternsTable& t, const ParameterValues& values, double time)
 {
     return values[t.moment] + (values[t.animate] && std::isfinite(time) ? time : 0);
+}
+
+LakePress lakePress(const PaperLanternsTable& t, const ParameterValues& values, double time, double since)
+{
+    return {since, values[t.moment] + (std::isfinite(time - since) ? time - since : 0)};
 }
 
 Portal lakePortal(const PaperLanternsTable& t, const ParameterValues& values)
@@ -213,7 +220,7 @@ Portal lakePortal(const PaperLanternsTable& t, const ParameterValues& values)
     return portal;
 }
 
-LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, double seconds, double sinceRelease)
+LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, double seconds, const LakePress& press)
 {
     LakeBlock block;
     // What the source's light and the views of parts do not let one choose.
@@ -227,7 +234,6 @@ LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, 
     setBounds(t, values, block);
     setLattice(t, values, seconds, block);
     setLight(t, values, fixed, seconds, block);
-    setReleased(t, values, sinceRelease, block);
     block.rowLimit = values[t.rows];
     block.looks = lightsTheAir(t, values) ? 3 : 2;
     block.stepLimit = values[t.stepLimit];
@@ -236,6 +242,7 @@ LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, 
         values[t.look] == LakeLook::ours && values[t.show] == LakeShow::picture ? values : fixed;
     block.pointWidth = 2 * block.paperRadius / static_cast<float>(sizes[t.pointSize]);
     block.meanWidth = 2 * block.paperRadius / static_cast<float>(sizes[t.meanSize]);
+    setReleased(t, values, seconds, press, block);
     return block;
 }
 

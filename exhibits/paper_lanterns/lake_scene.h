@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <limits>
 #include <type_traits>
 
 namespace vitrine {
@@ -20,13 +21,38 @@ inline constexpr double releasedFor = 60;
 /// corner, run out of the picture.
 [[nodiscard]] Portal lakePortal(const PaperLanternsTable&, const ParameterValues&);
 
+/// In the plane (x, z), unit: straight ahead through the frame, and where the wind blows to.
+[[nodiscard]] glm::dvec2 straightAhead();
+[[nodiscard]] glm::dvec2 windOf(const PaperLanternsTable&, const ParameterValues&);
+
+/// Where the cell number (0, 0) begins before anything has drifted, in the plane (x, z), for cells of this width.
+[[nodiscard]] glm::dvec2 latticeCorner(const PaperLanternsTable&, const ParameterValues&, double cell);
+
+/// The number of the cell in the corner of the lattice, when all has drifted by that in the plane (x, z): who drifts
+/// keeps its number.
+[[nodiscard]] glm::ivec2 firstCellAt(const glm::dvec2& drifted, double cell);
+
+/// Sine of the angle by which the water makes lanterns lean at most.
+[[nodiscard]] float mostLean(const LakeBlock&);
+
+/// How far the tube of a lantern is from its axis at most, leaning as far as the water may make it.
+[[nodiscard]] float tubeReach(const LakeBlock&);
+
 /// Seconds that the lake has moved at `time` of the exhibit's clock.
 [[nodiscard]] double lakeTime(const PaperLanternsTable&, const ParameterValues&, double time);
 
-/// The lake at that moment; `sinceRelease` in seconds, infinity: no lantern was set free. All that moves is wrapped
-/// here, at float64, within its own period.
+/// When the button was pressed that sets a lantern free.
+struct LakePress {
+    double since = std::numeric_limits<double>::infinity();  ///< Seconds that have passed; infinity: never.
+    double at = 0;                                           ///< Seconds that the lake had moved then.
+};
+
+/// The press so many seconds ago. It makes time run: what `animate` became afterwards does not change where it began.
+[[nodiscard]] LakePress lakePress(const PaperLanternsTable&, const ParameterValues&, double time, double since);
+
+/// The lake at that moment. All that moves is wrapped here, at float64, within its own period.
 [[nodiscard]] LakeBlock lakeBlock(const PaperLanternsTable&, const ParameterValues&, double seconds,
-                                  double sinceRelease);
+                                  const LakePress& = {});
 
 /// Whether any lantern is afloat with these values.
 [[nodiscard]] bool anyAfloat(const PaperLanternsTable&, const ParameterValues&);

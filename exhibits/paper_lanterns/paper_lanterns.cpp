@@ -19,6 +19,8 @@ namespace {
 constexpr const char* lakePass = "paper_lanterns/lake";
 constexpr const char* floatPass = "paper_lanterns/float";
 
+constexpr float leastMoonOnWater = 0.001F;  ///< Over what is bright: three levels of a display in the darks.
+
 struct PreparedSky final : PreparedPart {
     std::shared_ptr<const render::Texture> picture;
 };
@@ -30,7 +32,7 @@ std::shared_ptr<const render::Texture> panoramaOf(const PreparedPart* prepared)
 
 /// What of the lake any setting calls for.
 struct Called {
-    bool lanterns, afloat, released, waves, mist, halo, moon, stars, panorama, source;
+    bool lanterns, afloat, waves, mist, halo, moon, moonOnWater, stars, panorama, source;
     int bounces, show;
 };
 
@@ -42,13 +44,16 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
     const bool picture = values[t.show] == LakeShow::picture;
     called.source = picture && values[t.look] == LakeLook::source;
     const bool ours = picture && !called.source;
-    called.released = block.released.w >= 0;
     called.afloat = anyAfloat(t, values);
-    called.lanterns = called.afloat || called.released;
+    called.lanterns = called.afloat || block.released.w >= 0;
     called.waves = block.tallWaves > 0;
     called.mist = ours && values[t.fog] > 0;
     called.halo = called.mist && called.lanterns && lightsTheAir(t, values);
     called.moon = picture && std::max(block.moonLight.x, block.moonLight.z) > 0;
+    // What the water sends of it, over which lanterns may throw shadows; less than that is lost in the mirror image.
+    const glm::vec3 sent(values[t.waterColor].value * glm::dvec3(block.moonLight));
+    called.moonOnWater = called.moon && ours && called.lanterns &&
+                         0.3F * std::max({sent.x, sent.y, sent.z}) * block.towardsMoon.y > leastMoonOnWater;
     called.panorama = picture && panoramaOf(context.prepared) != nullptr;
     called.stars = ours && !called.panorama && values[t.stars] > 0;
     called.bounces = !picture ? 0 : called.source ? 1 : values[t.bounces];
@@ -85,6 +90,8 @@ void tellWhatIsLeftOut(const Called& called, render::FramePlan& plan)
     if (!called.lanterns) plan.skip(floatPass, "no lantern is afloat", render::Work::compute);
     if (!called.waves) plan.skip("paper_lanterns/waves", "the water is a mirror: its plane is met in one step");
     if (!called.moon) plan.skip("paper_lanterns/moon", "it sends no light");
+    if (!called.moonOnWater)
+        plan.skip("paper_lanterns/moon_shadow", "what the water sends of the moon is too little to show shadows");
     if (called.bounces == 0) plan.skip("paper_lanterns/reflection", "no ray is followed that the water mirrors");
     if (!called.mist) plan.skip("paper_lanterns/mist", "the air is clear");
     if (!called.halo) plan.skip("paper_lanterns/halo", "no mist is so thick that lanterns are seen to light it");
@@ -95,14 +102,16 @@ void addDefines(const Called& called, LakeRepetition repetition, render::Pass& p
 {
     const auto define = [&](std::string text) { pass.shader.defines.push_back(std::move(text)); };
     define("SHOW " + std::to_string(called.show));
-    // The eye's ray, those that water mirrors, and one to the moon.
-    define("LEGS " + std::to_string(1 + called.bounces + (called.moon && called.lanterns ? 1 : 0)));
+    // The eye's ray, those that water mirrors, and those to the moon.
+    const int toMoon = (called.moon && called.lanterns ? 1 : 0) + (called.moonOnWater ? 1 : 0);
+    define("LEGS " + std::to_string(1 + called.bounces + toMoon));
     define("BOUNCES " + std::to_string(called.bounces));
     if (called.lanterns) define("LANTERNS");
     if (called.waves) define("WAVES");
     if (called.mist) define("MIST");
     if (called.halo) define("HALO");
     if (called.moon) define("MOON");
+    if (called.moonOnWater) define("MOON_ON_WATER");
     if (called.stars) define("STARS");
     if (called.panorama) define("PANORAMA");
     if (called.source) define("SOURCE");
@@ -194,7 +203,8 @@ void PaperLanterns::plan(const PlanContext& context, render::FramePlan& plan) co
 {
     const Table& t = table_;
     const ParameterValues& values = context.values;
-    const LakeBlock block = lakeBlock(t, values, lakeTime(t, values, context.time), context.sinceOwnPress);
+    const LakePress press = lakePress(t, values, context.time, context.sinceOwnPress);
+    const LakeBlock block = lakeBlock(t, values, lakeTime(t, values, context.time), press);
     const render::Bytes bytes = render::std140Bytes(block);
     const Called called = calledFor(t, context, block);
     render::Pass pass =

@@ -32,6 +32,8 @@ public:
     bool press(ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState&) const override;
+    /// The glow is that of many, which flicker by turns.
+    [[nodiscard]] bool lightsChange(const ExhibitState&) const override { return false; }
     [[nodiscard]] bool castsShadow() const override { return false; }
     void plan(const PlanContext&, render::FramePlan&) const override;
 

@@ -151,13 +151,15 @@ struct PaperLanternsTable final : Parameters {
     Real meanSize =
         real("meanSize", 0.7, pixel, Range{0.02, 10, logarithmic}.soft(0.1, 4),
              "Lanterns that look narrower than this are reckoned as their mean.", quality(0.02), ours&& afloat);
-    Count stepLimit = count("stepLimit", 48, {1, 512, logarithmic},
+    Count stepLimit = count("stepLimit", 96, {1, 512, logarithmic},
                             "Steps a ray may take in one lantern, or, by cells "
                             "around it, in all.",
                             quality(512));
     Real hitTolerance =
         real("hitTolerance", 0.1, none, Range{0.01, 16, logarithmic}.soft(0.02, 2),
-             "How near a ray must come, in pixels at that distance: more makes thin wires thick.", quality(0.01));
+             "How near a part rays go on by small even steps until they touch, in pixels at that distance: more "
+             "makes edges uneven.",
+             quality(0.01));
 };
 
 }  // namespace vitrine

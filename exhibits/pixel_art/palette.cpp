@@ -1,5 +1,6 @@
 #include "exhibits/pixel_art/palette.h"
 
+#include "render/image/oklab.h"
 #include "render/image/srgb.h"
 
 #include <algorithm>
@@ -92,12 +93,7 @@ std::size_t nearestIn(std::span<const glm::vec3> centers, const glm::vec3& p)
 
 glm::vec3 oklab(const glm::vec3& c)
 {
-    const float l = std::cbrt(0.4122214708F * c.r + 0.5363325363F * c.g + 0.0514459929F * c.b);
-    const float m = std::cbrt(0.2119034982F * c.r + 0.6806995451F * c.g + 0.1073969566F * c.b);
-    const float s = std::cbrt(0.0883024619F * c.r + 0.2817188376F * c.g + 0.6299787005F * c.b);
-    return {0.2104542553F * l + 0.7936177850F * m - 0.0040720468F * s,
-            1.9779984951F * l - 2.4285922050F * m + 0.4505937099F * s,
-            0.0259040371F * l + 0.7827717662F * m - 0.8086757660F * s};
+    return render::oklabFromLinear(c);
 }
 
 glm::vec3 linearOf(const Rgb8& c)

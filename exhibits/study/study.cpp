@@ -14,9 +14,6 @@ namespace {
 constexpr int mostDoublings = 3;
 constexpr int heldOutRuns = 3;
 
-/// Those of the program's state, not of a picture's work.
-constexpr const char* stateCounters[] = {"framebuffers made", "images", "programs"};
-
 /// `count` of `all`, the first and the last among them.
 std::vector<std::size_t> spread(std::size_t all, std::size_t count)
 {
@@ -24,17 +21,6 @@ std::vector<std::size_t> spread(std::size_t all, std::size_t count)
     count = std::clamp<std::size_t>(count, 1, all);
     for (std::size_t i = 0; i < count; ++i) chosen.push_back(count == 1 ? 0 : i * (all - 1) / (count - 1));
     return chosen;
-}
-
-std::int64_t totalOf(const render::Image& picture, std::string_view channel)
-{
-    const auto found = std::find(picture.channelNames.begin(), picture.channelNames.end(), channel);
-    if (found == picture.channelNames.end()) return 0;
-    const int c = static_cast<int>(found - picture.channelNames.begin());
-    double sum = 0;
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y, c);
-    return std::llround(sum);
 }
 
 bool goesByColor(render::Metric metric)
@@ -138,29 +124,6 @@ std::vector<double> Study::valuesOf(const Setting& setting) const
     return values;
 }
 
-PictureRequest Study::pictureRequest(const SceneState& sceneState, std::size_t view) const
-{
-    PictureRequest request;
-    const PictureQuality quality = pictureQuality(sceneState.hall());
-    const bool supersampled = std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& a) {
-        return a.subject == hallIndex && rowOf(request_.sceneState, a).name == supersamplesRow;
-    });
-    request.samples = supersampled ? quality.supersamples : 1;
-    request.frame.raster.size =
-        glm::max(glm::ivec2(glm::round(glm::dvec2(request_.size) * quality.resolutionScale)), glm::ivec2(1));
-    request.frame.camera = sceneState.camera;
-    request.frame.time = views_[view].view.time;
-    request.frame.needsFiles = request_.needsFiles;
-    if (request_.alone)
-        request.frame.alone = request_.subject;
-    else if (request_.subject != hallIndex)
-        request.frame.subject = request_.subject;
-    request.frame.channels = {.normal = true, .evaluations = true};
-    request.depth = true;
-    request.largestTile = request_.largestTile;
-    return request;
-}
-
 void Study::findDependentPasses()
 {
     using Keys = std::map<std::string, std::uint64_t>;
@@ -187,16 +150,14 @@ void Study::findDependentPasses()
     }
 }
 
-void Study::addPicture(std::string name, SceneState sceneState, std::size_t view,
+void Study::addPicture(std::string name, SceneState sceneState, const PictureRequest& wanted,
                        std::function<void(render::Image)> take)
 {
     // Made when its turn comes: it holds the whole picture.
     std::shared_ptr<PictureMaker> none;
-    jobs_.push_back({std::move(name), [this, sceneState = std::move(sceneState), view, maker = std::move(none),
+    jobs_.push_back({std::move(name), [this, sceneState = std::move(sceneState), wanted, maker = std::move(none),
                                        take = std::move(take)]() mutable {
-                         if (!maker)
-                             maker = std::make_shared<PictureMaker>(museum_, backend_, sceneState,
-                                                                    pictureRequest(sceneState, view));
+                         if (!maker) maker = std::make_shared<PictureMaker>(museum_, backend_, sceneState, wanted);
                          maker->step();
                          if (!maker->finished()) return false;
                          const render::Image& picture = maker->picture();
@@ -209,15 +170,18 @@ void Study::addPicture(std::string name, SceneState sceneState, std::size_t view
 void Study::addReference(std::size_t view, bool withNeighbors)
 {
     if (views_[view].heldOut && phase_ != Phase::choice) return;
-    addPicture("reference of " + views_[view].view.name, lookAt(result_.exact, view), view,
+    const SceneState exact = lookAt(result_.exact, view);
+    addPicture("reference of " + views_[view].view.name, exact, referenceRequest(exact, view),
                [this, view](render::Image picture) {
                    if (!views_[view].heldOut) result_.references[view] = picture;
                    views_[view].reference = std::move(picture);
                });
-    if (!withNeighbors) return;
-    for (const std::vector<double>& neighbor : neighborsOf(request_.sceneState, request_.axes, doublings_))
-        addPicture("check of the reference, " + views_[view].view.name, lookAt(neighbor, view), view,
+    if (!withNeighbors || studiesMotion()) return;  // At rest, nothing of what is studied acts.
+    for (const std::vector<double>& neighbor : neighborsOf(request_.sceneState, request_.axes, doublings_)) {
+        const SceneState near = lookAt(neighbor, view);
+        addPicture("check of the reference, " + views_[view].view.name, near, pictureRequest(near, view),
                    [this, view](render::Image picture) { views_[view].neighbors.push_back(std::move(picture)); });
+    }
 }
 
 void Study::addSetting(const Setting& setting)
@@ -229,14 +193,14 @@ void Study::addSetting(const Setting& setting)
     result_.points.back().shots.resize(result_.views.size());
     for (std::size_t view = 0; view < result_.views.size(); ++view) {
         const SceneState sceneState = lookAt(valuesOf(setting), view);
-        addPicture("setting " + std::to_string(point + 1) + ", " + views_[view].view.name, sceneState, view,
-                   [this, point, view, sceneState](render::Image picture) {
+        addPicture("setting " + std::to_string(point + 1) + ", " + views_[view].view.name, sceneState,
+                   pictureRequest(sceneState, view), [this, point, view, sceneState](render::Image picture) {
                        StudyShot& shot = result_.points[point].shots[view];
                        const int samples = pictureRequest(sceneState, view).samples;
                        const render::FrameReport report = drawTimed(sceneState, view);
                        shot.counters = report.counters;
-                       for (const char* name : stateCounters) shot.counters.erase(name);
-                       if (const std::int64_t evaluations = totalOf(picture, "evaluations"); evaluations > 0)
+                       eraseStateCounters(shot.counters);
+                       if (const std::int64_t evaluations = channelTotal(picture, "evaluations"); evaluations > 0)
                            shot.counters["evaluations"] = evaluations;
                        const glm::ivec2 drawn = pictureRequest(sceneState, view).frame.raster.size;
                        shot.counters["pixels"] = static_cast<std::int64_t>(drawn.x) * drawn.y;
@@ -260,7 +224,16 @@ render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t v
     FrameRequest frame = pictureRequest(sceneState, view).frame;
     frame.channels = {};
     frame.cut = frame.finished = true;  // As the pictures that it is the time of.
-    render::FrameReport report = backend_.draw(museum_.plan(museum_.prepare(sceneState, frame), frame, kept));
+    const Prepared prepared = museum_.prepare(sceneState, frame);
+    if (studiesMotion()) {
+        // What is timed finds what a frame before it left.
+        frame.movingFrame = 1;
+        (void)backend_.draw(museum_.plan(prepared, frame, kept));
+        kept = backend_.persistentState();
+        frame.movingFrame = 2;
+        frame.cut = false;
+    }
+    render::FrameReport report = backend_.draw(museum_.plan(prepared, frame, kept));
     result_.clock = report.clock;
     result_.clockTrusted = report.clockTrusted;
     result_.overheadMilliseconds = report.overheadMilliseconds;
@@ -357,7 +330,7 @@ void Study::tryCandidate()
     for (std::size_t view = result_.views.size(); view < views_.size(); ++view) {
         result_.choice->heldOutViews.push_back(views_[view].view.name);
         const SceneState sceneState = lookAt(valuesOf(result_.points[point].setting), view);
-        addPicture("held-out view " + views_[view].view.name, sceneState, view,
+        addPicture("held-out view " + views_[view].view.name, sceneState, pictureRequest(sceneState, view),
                    [this, view, sceneState](render::Image picture) {
                        StudyChoice& choice = *result_.choice;
                        const double error = judge_.errorsOf(views_[view].reference, picture)[request_.metric];
@@ -388,7 +361,7 @@ void Study::nextPhase()
             sceneState.values[request_.subject] = atReference(sceneState.values[request_.subject]);
             for (std::size_t i = 0; i < request_.axes.size(); ++i)
                 sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, result_.exact[i]);
-            addPicture("everything exact, " + views_[view].view.name, sceneState, view,
+            addPicture("everything exact, " + views_[view].view.name, sceneState, referenceRequest(sceneState, view),
                        [this, view](render::Image picture) {
                            views_[view].exact = std::move(picture);
                            for (StudyPoint& point : result_.points)

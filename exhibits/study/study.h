@@ -50,7 +50,7 @@ private:
 
     // Jobs: what is drawn.
     void addViews();
-    void addPicture(std::string name, SceneState, std::size_t view, std::function<void(render::Image)> take);
+    void addPicture(std::string name, SceneState, const PictureRequest&, std::function<void(render::Image)> take);
     void addReference(std::size_t view, bool withNeighbors);
     void addSetting(const Setting&);
     void addTimes();
@@ -60,6 +60,9 @@ private:
     [[nodiscard]] SceneState lookAt(const std::vector<double>& axisValues, std::size_t view) const;
     [[nodiscard]] std::vector<double> valuesOf(const Setting&) const;
     [[nodiscard]] PictureRequest pictureRequest(const SceneState&, std::size_t view) const;
+    /// Of what the errors are taken against: as that of any setting, but at rest where pictures in motion are studied.
+    [[nodiscard]] PictureRequest referenceRequest(const SceneState&, std::size_t view) const;
+    [[nodiscard]] bool studiesMotion() const;
     void findDependentPasses();
     [[nodiscard]] render::FrameReport drawTimed(const SceneState&, std::size_t view);
 

@@ -1,6 +1,9 @@
 #include "exhibits/study/study_picture.h"
 
+#include "render/measure/distance.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine {
 
@@ -35,6 +38,21 @@ render::Image resampled(const render::Image& from, glm::ivec2 size)
         }
     }
     return to;
+}
+
+std::int64_t channelTotal(const render::Image& picture, std::string_view name)
+{
+    const int channel = render::channelNamed(picture, name);
+    if (channel < 0) return 0;
+    double sum = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y, channel);
+    return std::llround(sum);
+}
+
+void eraseStateCounters(std::map<std::string, std::int64_t>& counters)
+{
+    for (const char* name : {"framebuffers made", "images", "programs"}) counters.erase(name);
 }
 
 }  // namespace vitrine

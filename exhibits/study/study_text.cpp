@@ -215,7 +215,8 @@ Json studyJson(Subjects subjects, const StudyRequest& request, const StudyResult
         {"parameters", axesJson(subjects, request, result)},
         {"metric", std::string(toString(request.metric))},
         {"errorsAreOf",
-         "display-referred linear light, one sample at each pixel's center unless supersamples are studied"},
+         "display-referred linear light, one sample at each pixel's center unless supersamples or pictures in motion "
+         "are studied"},
         {"pixelsPerDegree", request.pixelsPerDegree},
         {"cost", result.costName},
         {"timing", Json{{"warmUpFrames", 1}, {"runs", request.runs}, {"interleaved", true}}},

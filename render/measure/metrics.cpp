@@ -206,4 +206,19 @@ Image heatMap(const Image& errors, double full)
     return picture;
 }
 
+Image signedDifference(const Image& reference, const Image& test, double gain)
+{
+    assert(sameSize(reference, test));
+    Image picture(reference.width, reference.height, 3);
+    eachPixel(reference, [&](int x, int y) {
+        const glm::dvec3 p = colorAt(reference, x, y);
+        const glm::dvec3 q = colorAt(test, x, y);
+        for (int c = 0; c < 3; ++c) {
+            const double d = srgbFromLinear(std::clamp(q[c], 0.0, 1.0)) - srgbFromLinear(std::clamp(p[c], 0.0, 1.0));
+            picture.at(x, y, c) = static_cast<float>(linearFromSrgb(std::clamp(0.5 + 0.5 * gain * d, 0.0, 1.0)));
+        }
+    });
+    return picture;
+}
+
 }  // namespace vitrine::render

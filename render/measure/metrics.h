@@ -58,4 +58,10 @@ struct DepthDifference {
 /// and beyond; what is not finite is green. `full` is positive.
 [[nodiscard]] Image heatMap(const Image& errors, double full);
 
+/// Which way the colors differ, as a picture in linear light: each component, as an sRGB code from 0 to 1, is 1/2 where
+/// both are equal, and gain/2 times how far the code of `test` lies above that of `reference` is added to it. Gain 1
+/// shows every difference that there can be; what goes beyond black or white is clamped. Colors are clamped to [0, 1]
+/// first, alpha as in `colorDifference`. `gain` is positive.
+[[nodiscard]] Image signedDifference(const Image& reference, const Image& test, double gain);
+
 }  // namespace vitrine::render

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <set>
 #include <utility>
 
@@ -43,6 +44,8 @@ public:
             info.ownPixels = info.hasOwnPixels();
             info.size = sizeOf(info, elsewhere_.view.raster);
             info.divisor = 0;
+            info.levels = std::min(info.levels, static_cast<int>(std::bit_width(
+                                                    static_cast<unsigned>(std::max({info.size.x, info.size.y, 1})))));
             info.name = name;
             const auto history = seen_.histories().find(old);
             if (history == seen_.histories().end()) {

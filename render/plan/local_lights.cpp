@@ -40,6 +40,12 @@ LocalLighting localLighting(std::span<const LocalLight> lights, const glm::dvec3
         entry.radius = static_cast<float>(std::max(light.radius, 0.0));
         entry.intensity = glm::vec3(light.intensity);
         entry.range = static_cast<float>(light.range);
+        if (light.axis != glm::dvec3(0)) {
+            entry.axis = glm::vec3(light.axis);
+            entry.coneCosine = static_cast<float>(std::cos(light.coneInner));
+            entry.coneScale =
+                static_cast<float>(1 / std::max(std::cos(light.coneInner) - std::cos(light.coneOuter), 1e-6));
+        }
         if (!light.castsShadow || result.shadowed.size() >= mostLocalShadows) continue;
         entry.castsShadow = true;
         entry.firstLayer = static_cast<int>(6 * result.shadowed.size());

@@ -11,13 +11,16 @@
 
 namespace vitrine::render {
 
-/// A lamp or a candle: a point, or a sphere of even radiance.
+/// A lamp or a candle: a point, or a sphere of even radiance; or such a one that shines in a cone.
 struct LocalLight {
     glm::dvec3 position{0};    ///< World space, meters.
     double radius = 0;         ///< Meters; 0: a point.
     glm::dvec3 intensity{1};   ///< Radiant intensity, W/sr.
     double range = 0;          ///< Meters: beyond, it is not seen; 0: no end.
     bool castsShadow = false;  ///< If it is among the strongest.
+    glm::dvec3 axis{0};        ///< Unit, the middle of its cone; 0: it shines to all sides.
+    double coneInner = 0;      ///< Half the angle within which it has all its intensity, radians ...
+    double coneOuter = 0;      ///< ... and that beyond which it has none: more, and at most pi.
 
     bool operator==(const LocalLight&) const = default;
 };

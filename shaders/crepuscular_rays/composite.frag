@@ -1,5 +1,6 @@
 // Lays the beams over the picture: what they add, and in the alpha what the dust takes out of it. Permutations: SCREEN
-// (a gathered image), POLAR (the running sum, looked up here), VOLUME, REPLACE (the light alone, or the mask).
+// (a gathered image), POLAR (the running sum, looked up here), HAZE (what the dust hides, and its light of the hall), BEAMS
+// (of the sun, as they were marched), REPLACE (the light alone, or the mask).
 #include "lib/light.glsl"
 #include "crepuscular_rays/air.glsl"
 #include "lib/tonemap.glsl"
@@ -55,22 +56,19 @@ void main()
     int technique = pixel.x < rays.wipeColumn ? rays.leftTechnique : rays.rightTechnique;
     over = vec4(0.0);
     if ((technique & 1) != 0) over.rgb += screenRays(depth);
-#ifdef VOLUME
+#ifdef HAZE
     if ((technique & 2) != 0) {
         vec3 ray = frameRay(gl_FragCoord.xy);
         float stretch = length(ray);
         vec3 direction = ray / stretch;
-        float hidden = airScattered(1.0, airThrough(frame.eye, direction, airStretches(frame.eye, direction), depth * stretch));
-        // Alone there are no walls to end the air: its box would be seen, so there is none but what the beam lights.
-        if (light.background == BACKGROUND_STUDIO) {
-            over.rgb += broughtUp(scattered, gl_FragCoord.xy, depth);
-        } else if (hidden > 0.0) {
-            vec3 hallLight = light.hasProbe ? max(texelFetch(probeIrradiance, ivec2(0), 0).rgb, vec3(0.0)) : light.skyZenith * 0.05;
-            over.rgb += parameters.airColor * hallLight * (hidden * parameters.ambient);
-            over.a = hidden;
-            over.rgb += broughtUp(scattered, gl_FragCoord.xy, depth);
-        }
+        float hidden = airScattered(1.0, airThrough(frame.eye, direction, airStretch(frame.eye, direction), depth * stretch));
+        vec3 hallLight = light.hasProbe ? max(texelFetch(probeIrradiance, ivec2(0), 0).rgb, vec3(0.0)) : light.skyZenith * 0.05;
+        over.rgb += parameters.airColor * hallLight * (hidden * parameters.ambient);
+        over.a = hidden;
     }
+#endif
+#ifdef BEAMS
+    if ((technique & 2) != 0) over.rgb += broughtUp(scattered, gl_FragCoord.xy, depth);
 #endif
 #ifdef REPLACE
     over.a = 1.0;

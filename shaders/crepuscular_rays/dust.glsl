@@ -1,25 +1,16 @@
 // The dust in the hall's air.
 
-// The ray inside the boxes of air, one or two stretches that do not overlap: entry and exit, twice. An exit before
-// its entry is no stretch.
-vec4 airStretches(vec3 eye, vec3 direction)
+// The ray inside the air: entry and exit. An exit before its entry is no stretch.
+vec2 airStretch(vec3 eye, vec3 direction)
 {
-    vec2 none = vec2(0.0, -1.0);
-    vec2 a = rays.beamCount > 0 ? airBox(eye, direction, rays.beams[0].airLow, rays.beams[0].airHigh) : none;
-    vec2 b = rays.beamCount > 1 ? airBox(eye, direction, rays.beams[1].airLow, rays.beams[1].airHigh) : none;
-    a.x = max(a.x, 0.0);
-    b.x = max(b.x, 0.0);
-    if (a.y < a.x) return vec4(b, none);
-    if (b.y < b.x || b.x > a.y || a.x > b.y) return vec4(a, b);
-    return vec4(min(a.x, b.x), max(a.y, b.y), none);
+    vec2 inside = airBox(eye, direction, rays.airLow, rays.airHigh);
+    return vec2(max(inside.x, 0.0), inside.y);
 }
 
 // Share of the light that comes through the air up to `end`, a distance along the ray.
-float airThrough(vec3 eye, vec3 direction, vec4 stretches, float end)
+float airThrough(vec3 eye, vec3 direction, vec2 stretch, float end)
 {
-    float depth = airOpticalDepth(eye.y + direction.y * stretches.x, direction.y, min(stretches.y, end) - stretches.x, parameters.airDensity, parameters.densityFalloff);
-    depth += airOpticalDepth(eye.y + direction.y * stretches.z, direction.y, min(stretches.w, end) - stretches.z, parameters.airDensity, parameters.densityFalloff);
-    return exp(-depth);
+    return exp(-airOpticalDepth(eye.y + direction.y * stretch.x, direction.y, min(stretch.y, end) - stretch.x, parameters.airDensity, parameters.densityFalloff));
 }
 
 // Value noise on a lattice of one unit, 0 to 1, smooth.
@@ -42,6 +33,7 @@ float dustNoise(vec3 p)
 float dustDrift(vec3 world)
 {
     if (parameters.densityNoise <= 0.0) return 1.0;
-    float drift = dustNoise(world * vec3(1.1, 1.6, 1.1)) * 0.65 + dustNoise(world * vec3(2.7, 3.7, 2.7) + 19.0) * 0.35;
+    vec3 p = world - rays.drift;
+    float drift = dustNoise(p * vec3(1.1, 1.6, 1.1)) * 0.65 + dustNoise(p * vec3(2.7, 3.7, 2.7) + 19.0) * 0.35;
     return max(1.0 + parameters.densityNoise * (3.0 * drift - 1.5), 0.0);  // Air can be clear, but no clearer.
 }

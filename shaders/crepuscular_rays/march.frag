@@ -24,7 +24,7 @@ void main()
     float stretch = length(ray);
     vec3 direction = ray / stretch;
     vec3 eye = frame.eye;
-    vec4 air = airStretches(eye, direction);
+    vec2 air = airStretch(eye, direction);
     float end = depth * stretch;
     float shift = grainAt(cell);
     float sum = 0.0;

@@ -39,5 +39,8 @@ BLOCK_STRUCT(BeamBlock, BEAM_FIELDS)
     FIELD(bool, skyColors)         /* the mask has the sky's colors, else it is white */ \
     FIELD(bool, shiftSamples)      /* by blue noise */ \
     FIELD(int, beamCount) \
+    FIELD(vec3, airLow)            /* of the box of air that holds dust; world space */ \
+    FIELD(vec3, airHigh) \
+    FIELD(vec3, drift)             /* meters that the dust has moved */ \
     ARRAY(BeamBlock, beams, MOST_BEAMS)
 BLOCK_STRUCT(RaysBlock, RAYS_FIELDS)

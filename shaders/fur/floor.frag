@@ -20,10 +20,13 @@ void main()
 #ifdef ALONE
     float there = 1.0 - smoothStep(0.35, 1.0, r);
     float lit = sunVisibility(world, upwards) * max(dot(upwards, light.sunDirection), 0.0);
-    vec3 color = vec3(0.34, 0.31, 0.28) * (ambient * open + light.sunIrradiance * (lit / PI) + lamp);
+    vec3 color = vec3(0.34, 0.31, 0.28) * (ambient * open + light.sunIrradiance * sunThroughGlass(world) * (lit / PI) + lamp);
     radiance = vec4(color, 1.0) * there;
 #else
-    // Premultiplied: it darkens what is there, and adds the lamp's light on a dark felt, out to the wall.
-    radiance = vec4(lamp * vec3(0.05, 0.045, 0.04) * (1.0 - smoothStep(0.55, 1.0, r)), 1.0 - open);
+    // The hall has lit it with both: what the bodies leave of that.
+    vec3 gray = vec3(0.2126, 0.7152, 0.0722);
+    float all = dot(ambient + lampOnFloor, gray);
+    float there = dot(ambient * open + lamp, gray);
+    radiance = vec4(0.0, 0.0, 0.0, all > 0.0 ? 1.0 - min(there / all, 1.0) : 1.0 - open);
 #endif
 }

@@ -115,7 +115,7 @@ void main()
     if (dot(light.sunIrradiance, vec3(1.0)) > 0.0) {
         // Looked up a little towards the sun, so that a strand is not kept off the light by its own shell.
         float visible = sunOnFur(world + light.sunDirection * 0.012);
-        if (visible > 0.0) color += directLight(light.sunIrradiance * visible, light.sunDirection, p);
+        if (visible > 0.0) color += directLight(light.sunIrradiance * sunThroughGlass(world) * visible, light.sunDirection, p);
     }
     if (parameters.lamp > 0.0) color += directLight(lampLight() * left.y, toLamp, p);
     radiance = vec4(min(color, vec3(6e4)), 1.0);

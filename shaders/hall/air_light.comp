@@ -1,5 +1,5 @@
-// Light in the air of the sky and, with BOUNCED_LIGHT, of the sun: irradiance over pi on six sides of each point, the
-// sides one behind the other. lib/light.glsl reads it for what has no lightmap.
+// Light in the air of the sky and, with BOUNCED_LIGHT, of the sun and, with LAMP_LIGHT, of the vault's lamps: irradiance
+// over pi on six sides of each point, the sides one behind the other. lib/light.glsl reads it for what has no lightmap.
 #include "lib/bindings.glsl"
 #include "hall/air_light_block.glsl"
 
@@ -12,6 +12,9 @@ layout(std140, binding = BLOCK_EXHIBIT) uniform AirLight {
 layout(binding = UNIT_SOURCE) uniform sampler2D sent;
 #ifdef BOUNCED_LIGHT
 layout(binding = UNIT_EXHIBIT_A) uniform sampler3D bounced;
+#endif
+#ifdef LAMP_LIGHT
+layout(binding = UNIT_EXHIBIT_B) uniform sampler2D lampsSent;
 #endif
 layout(rgba16f, binding = 0) uniform writeonly image3D volume;
 
@@ -27,6 +30,10 @@ void main()
     vec3 light = root * root * air.sky;
 #ifdef BOUNCED_LIGHT
     light += texelFetch(bounced, texel, 0).rgb * air.sun;
+#endif
+#ifdef LAMP_LIGHT
+    float lampRoot = texelFetch(lampsSent, ivec2(column, 0), 0).r;
+    light += lampRoot * lampRoot * air.lamps;
 #endif
     imageStore(volume, texel, vec4(light, 1.0));
 }

@@ -1,5 +1,5 @@
 // A mesh with a material. Permutations: BASE_COLOR_MAP, NORMAL_MAP, ORM_MAP, EMISSIVE_MAP, LIGHTMAP, BOUNCED_LIGHT
-// (the sun's, with LIGHTMAP), FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WRITE_NORMAL,
+// (the sun's, with LIGHTMAP), LAMP_LIGHT (of the vault, with LIGHTMAP), FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WRITE_NORMAL,
 // WRITE_EVALUATIONS, and POLISHED_FLOOR with those of kit/standing.glsl.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
@@ -31,8 +31,11 @@ layout(location = WRITE_EVALUATIONS) out vec4 evaluationsOut;
 
 vec3 bakedAmbient()
 {
-    vec3 root = textureLod(skyLightmap, atlasUv, 0.0).rgb;  // Stored as square roots.
-    vec3 ambient = root * root * light.skyLightmapScale * mix(light.skyHorizon, light.skyZenith, 0.4);
+    vec4 root = textureLod(skyLightmap, atlasUv, 0.0);  // Stored as square roots.
+    vec3 ambient = root.rgb * root.rgb * light.skyLightmapScale * mix(light.skyHorizon, light.skyZenith, 0.4);
+#ifdef LAMP_LIGHT
+    ambient += root.a * root.a * light.lampsOnWalls;
+#endif
 #ifdef BOUNCED_LIGHT
     ambient += textureLod(bouncedLight, atlasUv, 0.0).rgb * light.sunIrradiance;
 #endif
@@ -92,6 +95,9 @@ void main()
 #endif
 #ifdef FLAT_PROBE
     vec3 color = s.baseColor * s.ambient + sunReflected(s, toEye, sunVisibility(s.position, s.normal));
+#ifdef LOCAL_LIGHTS
+    color += localLightsReflected(s, toEye);
+#endif
 #elif defined(POLISHED_FLOOR)
     vec3 color = shadeFloor(s, toEye);
 #else

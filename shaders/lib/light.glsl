@@ -13,6 +13,9 @@ layout(binding = UNIT_SHADOW_EXHIBITS) uniform sampler2DShadow exhibitShadow;
 layout(binding = UNIT_PROBE) uniform samplerCube probe;
 layout(binding = UNIT_PROBE_IRRADIANCE) uniform sampler2D probeIrradiance;
 layout(binding = UNIT_AIR_LIGHT) uniform sampler3D airLight;
+#ifdef GLASS_SHADOWS
+layout(binding = UNIT_SHADOW_GLASS) uniform sampler2D glassShadow;
+#endif
 
 float shadowTap(sampler2DShadow map, vec2 base, vec2 offset, float depth)
 {
@@ -149,6 +152,19 @@ float sunVisibility(vec3 world, vec3 normal)
     float visible = sunVisibilityOfHall(world, normal);
     if (light.exhibitsCastShadow && visible > 0.0) visible *= sunVisibilityOfExhibits(world, normal);
     return visible;
+}
+
+// Share of each color of the sun's light that glass in its way lets through. What lies before the glass is not in its
+// shadow; beside it, the map holds white, before everything.
+vec3 sunThroughGlass(vec3 world)
+{
+#ifdef GLASS_SHADOWS
+    vec3 at = shadowPosition(light.exhibitShadowFromWorld, world);
+    if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0)))) return vec3(1.0);
+    vec4 glass = textureLod(glassShadow, at.xy, 0.0);
+    if (glass.a > at.z + 1e-4) return glass.rgb;
+#endif
+    return vec3(1.0);
 }
 
 // Direction in which the probe must be looked up so that the walls of its box appear where they are.

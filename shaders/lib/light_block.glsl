@@ -20,6 +20,7 @@
     FIELD(float, exhibitShadowTexel)     /* width of a texel of the exhibits' shadow map, meters */ \
     FIELD(vec3, skyZenith)               /* radiance */ \
     FIELD(float, skyLightmapScale)       /* what the sky lightmap's 1 stands for */ \
+    FIELD(vec3, lampsOnWalls)            /* what the 1 of its alpha stands for: the vault's lamps */ \
     FIELD(vec3, skyHorizon)              /* radiance */ \
     FIELD(int, background)               /* BACKGROUND_ */ \
     FIELD(float, environmentRotation)        /* rotation of the panorama, radians */ \

@@ -15,6 +15,22 @@ float localWindow(float distance, float range)
     return inside * inside;
 }
 
+// Share of its intensity that a light has in this direction from it, unit: smooth from 1 to 0 at the edge of its cone.
+float localCone(LocalLightEntry light, vec3 fromLight)
+{
+    float share = clamp(1.0 - (light.coneCosine - dot(light.axis, fromLight)) * light.coneScale, 0.0, 1.0);
+    return share * share;
+}
+
+// Both, at a place: 0 where none of its light can arrive.
+float localReach(LocalLightEntry light, vec3 place)
+{
+    vec3 away = place - light.position;
+    float distance = safeSqrt(dot(away, away));
+    if (distance <= 0.0) return 0.0;
+    return localWindow(distance, light.range) * localCone(light, away / distance);
+}
+
 // Form factor of a sphere seen from a surface: irradiance over pi times its radiance, 0 to 1. `cosine` between the
 // normal and the direction of its middle, `distance` to the middle. Part of it may lie below the surface's horizon.
 // Snyder 1996, "Area Light Sources for Real-Time Graphics", in the form of Quilez, "Sphere - Occlusion"; 1 from inside
@@ -38,14 +54,14 @@ vec3 localIrradiance(LocalLightEntry light, vec3 place, vec3 normal)
     vec3 towards = light.position - place;
     float squared = dot(towards, towards);
     float distance = safeSqrt(squared);
-    float window = localWindow(distance, light.range);
-    if (window <= 0.0 || squared <= 0.0) return vec3(0.0);
+    float reach = localReach(light, place);
+    if (reach <= 0.0) return vec3(0.0);
     float cosine = dot(towards, normal) / distance;
     // A sphere as small as this is a point to float32.
     bool isPoint = light.radius < 1.0e-3 * distance;
     float geometry = max(cosine, 0.0) / squared;
     if (!isPoint) geometry = sphereFormFactor(cosine, distance, light.radius) / (light.radius * light.radius);
-    return light.intensity * (geometry * window);
+    return light.intensity * (geometry * reach);
 }
 
 // Which of the six shadow maps of a light, in OpenGL's order of cube faces, sees a place in this direction from it.

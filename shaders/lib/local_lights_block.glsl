@@ -9,7 +9,10 @@
     FIELD(float, range)       /* meters: beyond, it is not seen; 0: no end */ \
     FIELD(bool, castsShadow)  /* it has shadow maps */ \
     FIELD(int, firstLayer)    /* of its six layers in the shadow maps */ \
-    FIELD(float, nearPlane)   /* of these maps, meters */
+    FIELD(float, nearPlane)   /* of these maps, meters */ \
+    FIELD(vec3, axis)         /* of the cone that it shines in, unit */ \
+    FIELD(float, coneCosine)  /* of half the angle within which it has all its intensity */ \
+    FIELD(float, coneScale)   /* 1 over what the cosine falls by until it has none; 0: no cone */
 BLOCK_STRUCT(LocalLightEntry, LOCAL_LIGHT_FIELDS)
 
 #define LOCAL_LIGHTS_FIELDS(FIELD, ARRAY) \

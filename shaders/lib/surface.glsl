@@ -56,25 +56,35 @@ vec3 lightReflected(Surface s, vec3 toEye, vec3 l, vec3 irradiance)
 vec3 sunReflected(Surface s, vec3 toEye, float visibility)
 {
     if (visibility <= 0.0) return vec3(0.0);
-    return lightReflected(s, toEye, light.sunDirection, light.sunIrradiance * visibility);
+    return lightReflected(s, toEye, light.sunDirection, light.sunIrradiance * sunThroughGlass(s.position) * visibility);
 }
 
 #ifdef LOCAL_LIGHTS
 #include "lib/local_lights.glsl"
 
-// The same of the lamps. A sphere gleams as its middle would.
+// The same of one lamp. A sphere gleams as its middle would.
+vec3 localLightReflected(Surface s, vec3 toEye, LocalLightEntry lamp)
+{
+    vec3 irradiance = localLit(lamp, s.position, s.normal);
+    vec3 l = safeNormalize(lamp.position - s.position, s.normal);
+    float cosL = dot(s.normal, l);
+    // Of a sphere whose middle is below the horizon, a part may be seen.
+    return cosL > 1e-3 ? lightReflected(s, toEye, l, irradiance / cosL)
+                       : s.baseColor * (1.0 - s.metalness) / PI * irradiance;
+}
+
+// Of all lamps. Most places are out of the reach of most: the inner loop passes over these, for software renderers leave
+// a loop as soon as no pixel is in it, but run what a branch leaves out.
 vec3 localLightsReflected(Surface s, vec3 toEye)
 {
+    int count = min(localLights.count, MOST_LOCAL_LIGHTS);
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < min(localLights.count, MOST_LOCAL_LIGHTS); ++i) {
-        LocalLightEntry lamp = localLights.lights[i];
-        vec3 irradiance = localLit(lamp, s.position, s.normal);
-        if (irradiance.x + irradiance.y + irradiance.z <= 0.0) continue;
-        vec3 l = safeNormalize(lamp.position - s.position, s.normal);
-        float cosL = dot(s.normal, l);
-        // Of a sphere whose middle is below the horizon, a part may be seen.
-        sum += cosL > 1e-3 ? lightReflected(s, toEye, l, irradiance / cosL)
-                           : s.baseColor * (1.0 - s.metalness) / PI * irradiance;
+    int i = 0;
+    while (true) {
+        while (i < count && localReach(localLights.lights[i], s.position) <= 0.0) ++i;
+        if (i >= count) break;
+        sum += localLightReflected(s, toEye, localLights.lights[i]);
+        ++i;
     }
     return sum;
 }

@@ -1,6 +1,8 @@
-// A lake at night: one ray per pixel, which water mirrors on, and one towards the moon from what it ends on.
+// A lake at night: one ray per pixel, which water mirrors on, and one towards the moon from what it ends on; another one
+// from the water that it met first.
 // Permutations: SHOW (0 the picture, 1 heights, 2 normals, 3 parts); LEGS, rays in a row; BOUNCES, of them on water; SOURCE, the source's light;
-// REPETITION, where lanterns are looked for around points; LANTERNS, WAVES, MIST, MOON, STARS, PANORAMA.
+// REPETITION, where lanterns are looked for around points; LANTERNS, WAVES, MIST, MOON, STARS,
+// PANORAMA; MOON_ON_WATER, lanterns keep the moon from the water.
 #include "kit/portal/portal.glsl"
 #include "lib/noise_sums.glsl"
 #include "paper_lanterns/scene.glsl"
@@ -88,8 +90,7 @@ Gathered meetLantern(Gathered before, Leg leg, LanternWalk walk, float pixel)
 #ifdef SOURCE
     Lit lit = sourceLantern(walk, n, world, d * axes);
 #else
-    vec2 g = vec2(walk.lantern.place.x - lake.corner.x, lake.corner.y - walk.lantern.place.z) / lake.cell;
-    vec3 outer = lanternLight(p, world, ivec2(floor(clamp(g, vec2(-1e6), vec2(1e6)))));
+    vec3 outer = lanternLight(p, world, walk.lantern.place);
     outer += PI * 0.5 * nightAir(vec3(0.0, 1.0, 0.0)) * (1.0 + world.y);
     vec3 moon = lake.towardsMoon * axes;
     Lit lit;
@@ -118,11 +119,21 @@ Leg towardsMoon(Leg from, LanternWalk walk)
     return leg;
 }
 
+// From the water: as wide as what the pixel sees of it, and as the moon's disk makes it.
+Leg towardsMoonFrom(vec3 p, vec2 cone, float grazing)
+{
+    float along = cone.x + cone.y / grazing * lake.towardsMoon.y;
+    LanternRay ray = LanternRay(p + vec3(0.0, 0.01, 0.0), lake.towardsMoon, 0.0, LAKE_FARTHEST, vec2(cone.x, along), vec2(2.0 * lake.moonTanRadius));
+    return Leg(ray, vec3(1.0), vec2(0.0), true, 0);
+}
+
 // What the water sends, and the ray that it mirrors.
 struct Mirror {
     vec3 body;
+    vec3 byMoon;  // of the moon, if it is seen from there
     vec3 share;
     Leg leg;
+    Leg toMoon;
 };
 
 Mirror meetWater(Leg from, float t, float pixel)
@@ -144,12 +155,14 @@ Mirror meetWater(Leg from, float t, float pixel)
 #ifdef SOURCE
     float fresnel = 0.6;
     vec3 body = parameters.waterColor;
+    m.byMoon = vec3(0.0);
 #else
     // Of slopes that are not resolved, those that face the eye are seen more, and mirror less.
     float fresnel = fresnelDielectric(clamp(cosine + 0.5 * rough.x, 0.0, 1.0), below ? 1.0 / 1.333 : 1.333);
-    vec3 day = nightAir(vec3(0.0, 0.7, -0.714)) * 2.0 + lake.moonLight * (0.3 * max(lake.towardsMoon.y, 0.0));
-    vec3 body = parameters.waterColor * (day + lanternLight(p, n, ivec2(-9)) * 0.6);
+    vec3 body = parameters.waterColor * (nightAir(vec3(0.0, 0.7, -0.714)) * 2.0 + lanternLight(p, n, vec3(1e9)) * 0.6);
+    m.byMoon = parameters.waterColor * lake.moonLight * (0.3 * max(lake.towardsMoon.y, 0.0) * (1.0 - fresnel));
 #endif
+    m.toMoon = towardsMoonFrom(p, cone, grazing);
     m.body = body * (1.0 - fresnel);
     m.share = vec3(fresnel);
     vec3 mirrored = reflect(d, n);
@@ -159,6 +172,7 @@ Mirror meetWater(Leg from, float t, float pixel)
         vec3 through = refract(d, n, 1.333);
         m.share = vec3(1.0 - fresnel) * exp(-WATER_ABSORBS * t);
         m.body = parameters.waterColor * 0.4;
+        m.byMoon = vec3(0.0);
         mirrored = dot(through, through) > 0.5 ? through : vec3(0.0, 1.0, 0.0);
     }
 #endif
@@ -234,62 +248,81 @@ PortalSeen portalSeen(PortalRay eye)
     Leg leg = Leg(ray, vec3(1.0), vec2(0.3 * eye.footprint), false, 0);
     Gathered sum = Gathered(vec3(0.0), vec3(0.0));
     bool under = underWater(eye.origin + eye.direction * eye.start);
+    Leg fromWater = leg;
+    vec3 ofWater = vec3(0.0);  // that waits for the moon to be seen from there
     for (int i = 0; i < LEGS; ++i) {
         float t = leg.toMoon ? -1.0 : waterAlong(leg.ray);
         leg.ray.to = t > 0.0 ? t : LAKE_FARTHEST;
         LanternWalk walk = lanternsAlong(leg.ray);
-        if (leg.toMoon) {
-            if (walk.part == PART_NONE) sum.radiance += sum.pending;
-            break;
+        bool ends = leg.toMoon;
+        // So far away that it is a point, a lantern is not seen through water.
+        bool through = under && i == 0;
+        if (!leg.toMoon && !through) {
+            sum.radiance += leg.weight * walk.glow;
+            leg.weight *= walk.left;
         }
-        sum.radiance += leg.weight * walk.glow;
-        leg.weight *= walk.left;
+        if (leg.toMoon && walk.part == PART_NONE) sum.radiance += sum.pending * walk.left;
         if (i == 0 && (walk.part != PART_NONE || t > 0.0)) {
             seen.distance = walk.distance;
             seen.normal = vec3(0.0, 1.0, 0.0);
         }
         // What is seen in the deep is seen through water; where nothing is, it is dark.
-        if (under && i == 0 && walk.part != PART_NONE) leg.weight *= exp(-WATER_ABSORBS * walk.distance);
-        if (under && i == 0 && walk.part == PART_NONE && t <= 0.0) {
+        if (through && walk.part != PART_NONE) {
+            vec3 clear = exp(-WATER_ABSORBS * walk.distance);
+            sum.radiance += leg.weight * (parameters.waterColor * 0.4) * (1.0 - clear);
+            leg.weight *= clear;
+        }
+        if (through && walk.part == PART_NONE && t <= 0.0) {
             sum.radiance += leg.weight * parameters.waterColor * 0.4;
-            break;
+            ends = true;
         }
-        if (walk.part != PART_NONE) {
+        if (!ends && walk.part != PART_NONE) {
             sum = meetLantern(sum, leg, walk, eye.footprint);
-            if (dot(sum.pending, vec3(1.0)) <= 1e-6) break;
+            ends = dot(sum.pending, vec3(1.0)) <= 1e-6;
             leg = towardsMoon(leg, walk);
-            continue;
-        }
+        } else if (!ends) {
 #ifdef LANTERNS
-        vec4 beyond = farLanterns(leg.ray, walk.end);
-        sum.radiance += leg.weight * beyond.rgb;
-        leg.weight *= beyond.a;
+            vec4 beyond = through ? vec4(0.0, 0.0, 0.0, 1.0) : farLanterns(leg.ray, walk.end);
+            sum.radiance += leg.weight * beyond.rgb;
+            leg.weight *= beyond.a;
 #endif
-        if (t <= 0.0) {
-            sum.radiance += leg.weight * skyAround(leg.ray.direction, leg, eye.footprint);
-            break;
-        }
+            if (t <= 0.0) {
+                sum.radiance += leg.weight * skyAround(leg.ray.direction, leg, eye.footprint);
+                ends = true;
+            } else {
 #if SHOW == 1 || SHOW == 2
-        sum.radiance += leg.weight * waterShown(leg, t);
-        break;
+                sum.radiance += leg.weight * waterShown(leg, t);
+                ends = true;
 #elif SHOW == 3
-        sum.radiance += leg.weight * vec3(0.02, 0.06, 0.1);
-        break;
+                sum.radiance += leg.weight * vec3(0.02, 0.06, 0.1);
+                ends = true;
 #else
-        float left = mistLeft(leg.ray.origin, leg.ray.direction, t);
-        sum.radiance += leg.weight * (1.0 - left) * mistLight();
-        leg.weight *= left;
-        Mirror m = meetWater(leg, t, eye.footprint);
-        sum.radiance += leg.weight * m.body;
-        vec3 weight = leg.weight * m.share;
-        int mirrored = leg.mirrored;
-        leg = m.leg;
-        leg.weight = weight;
-        if (mirrored >= BOUNCES) {
-            sum.radiance += weight * skyAround(leg.ray.direction, leg, eye.footprint);
-            break;
-        }
+                float left = through ? 1.0 : mistLeft(leg.ray.origin, leg.ray.direction, t);
+                sum.radiance += leg.weight * (1.0 - left) * mistLight();
+                leg.weight *= left;
+                Mirror m = meetWater(leg, t, eye.footprint);
+                sum.radiance += leg.weight * m.body;
+#ifdef MOON_ON_WATER
+                if (leg.mirrored == 0) {
+                    ofWater = leg.weight * m.byMoon;
+                    fromWater = m.toMoon;
+                }
+#else
+                sum.radiance += leg.weight * m.byMoon;
 #endif
+                vec3 weight = leg.weight * m.share;
+                ends = leg.mirrored >= BOUNCES;
+                leg = m.leg;
+                leg.weight = weight;
+                if (ends) sum.radiance += weight * skyAround(leg.ray.direction, leg, eye.footprint);
+#endif
+            }
+        }
+        if (!ends) continue;
+        if (dot(ofWater, vec3(1.0)) <= 1e-6) break;
+        leg = fromWater;
+        sum.pending = ofWater;
+        ofWater = vec3(0.0);
     }
     seen.radiance = sum.radiance;
     seen.evaluations = float(evaluations);

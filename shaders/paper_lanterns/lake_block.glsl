@@ -62,7 +62,8 @@
     FIELD(vec3, moonLight)       /* irradiance on what faces it */ \
     FIELD(float, farRow)         /* lanterns beyond the lattice reach so far from the frame; 0: none */ \
     FIELD(vec4, released)        /* of the lantern that was set free: place, and its light; below 0: none */ \
-    FIELD(vec2, releasedTilt) \
+    FIELD(vec4, releasedPose)    /* its tilt, turn and hue */ \
+    FIELD(ivec2, freedCell)      /* number of the cell that it has left empty */ \
     FIELD(float, waterTime)      /* seconds, within an hour: for looks that know no period */ \
     ARRAY(vec4, wave, LAKE_WAVES)          /* wave vector, radians per meter; amplitude, meters; phase, radians */ \
     ARRAY(vec4, ride, LAKE_TALL_WAVES)     /* the same of the height that lanterns ride */ \

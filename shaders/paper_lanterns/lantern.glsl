@@ -84,21 +84,27 @@ vec3 paperGlow(float strength, float hue)
     return lake.candle * glow * (paperSeen() * max(strength, 0.0) / PI);
 }
 
+// Where the lantern of a cell floats, off the middle of the cell; `id` is the cell's number.
+vec2 offMiddle(ivec2 id)
+{
+    return (vec2(blueNoiseAt(id), blueNoiseAt(id + ivec2(29, 17))) * 2.0 - 1.0) * lake.jitter;
+}
+
 // The lantern of a cell of the lattice, as `float.comp` writes it down for all of them.
 Lantern lanternOfCell(ivec2 cell)
 {
     ivec2 id = cell + lake.firstCell;
     uvec3 bits = hashCell(ivec3(id.x, 0, id.y), lake.seed);
     uvec3 more = pcg3d(bits);
-    vec2 off = vec2(blueNoiseAt(id), blueNoiseAt(id + ivec2(29, 17))) * 2.0 - 1.0;
-    vec2 middle = vec2(float(cell.x) + 0.5, -float(cell.y) - 0.5) * lake.cell + lake.corner + off * lake.jitter;
+    vec2 middle = vec2(float(cell.x) + 0.5, -float(cell.y) - 0.5) * lake.cell + lake.corner + offMiddle(id);
     LakePoint ride = rideAt(middle);
     Lantern l;
     l.place = vec3(middle.x, ride.height, middle.y);
     l.tilt = ride.slope;
     l.turn = 2.0 * PI * lake.turn * unitFromBits(bits.y);
     l.hue = unitFromBits(bits.z);
-    l.light = unitFromBits(bits.x) < lake.fill ? flickerOf(unitFromBits(more.x)) : -1.0;
+    bool here = unitFromBits(bits.x) < lake.fill && !(id.x == lake.freedCell.x && id.y == lake.freedCell.y);
+    l.light = here ? flickerOf(unitFromBits(more.x)) : -1.0;
     l.glow = paperGlow(l.light, l.hue);
     return l;
 }

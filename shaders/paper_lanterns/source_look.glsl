@@ -35,13 +35,25 @@ Lit sourceLantern(LanternWalk walk, vec3 localNormal, vec3 worldNormal, vec3 loc
     return lit;
 }
 
+#ifdef PANORAMA
+// The level comes with the way from a pixel to the next one in the picture, and so it is the coarsest where the angle
+// comes around: another of its faults.
+vec3 sourcePanorama(vec3 d)
+{
+    vec3 ahead = vec3(0.70710678 * (d.x + d.z), d.y, 0.70710678 * (d.z - d.x));
+    vec3 beside = normalize(ahead + 0.004 * safeNormalize(vec3(-ahead.z, 0.0, ahead.x), vec3(1.0, 0.0, 0.0)));
+    vec2 at = equirectangular(ahead);
+    return min(textureGrad(environmentPicture, at, equirectangular(beside) - at, vec2(0.0, 0.004 / PI)).rgb, vec3(60.0));
+}
+#endif
+
 vec3 sourceSky(vec3 d)
 {
     float fog = clamp(1.0 - 2.5 * d.y, 0.0, 1.0);
     fog = fog * fog * (3.0 - 2.0 * fog);
     fog = pow(fog, 15.0);
 #ifdef PANORAMA
-    vec3 sky = panoramaSky(d, 0.002);
+    vec3 sky = sourcePanorama(d);
 #else
     vec3 sky = mix(vec3(0.05, 0.05, 0.075), vec3(0.012, 0.02, 0.05), clamp(d.y * 1.4, 0.0, 1.0));
 #endif

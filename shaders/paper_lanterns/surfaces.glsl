@@ -6,8 +6,9 @@ struct Lit {
     vec3 byMoon;
 };
 
-// Irradiance of the lanterns around a place on what faces `n`; of the lantern of the cell `own` none.
-vec3 lanternLight(vec3 p, vec3 n, ivec2 own)
+// Irradiance of the lanterns around a place on what faces `n`, of the one that was set free, too; of the lantern that
+// floats at `own` none.
+vec3 lanternLight(vec3 p, vec3 n, vec3 own)
 {
     vec3 sum = vec3(0.0);
 #ifdef LANTERNS
@@ -16,13 +17,16 @@ vec3 lanternLight(vec3 p, vec3 n, ivec2 own)
     ivec2 towards = ivec2(g.x - base.x < 0.5 ? -1 : 1, g.y - base.y < 0.5 ? -1 : 1);
     float range = lake.cell * (parameters.lightCells > 4 ? 1.3 : (parameters.lightCells > 1 ? 0.9 : 0.5));
     float area = 2.0 * lake.paperRadius * lake.paperHeight;
-    for (int i = 0; i < parameters.lightCells; ++i) {
+    for (int i = lake.released.w > 0.0 && parameters.lightCells > 0 ? -1 : 0; i < parameters.lightCells; ++i) {
         // The four that are nearest, then the other five.
         ivec2 off = i < 4 ? ivec2(i & 1, i >> 1) : (i < 7 ? ivec2(-1, i - 5) : ivec2(i - 7, -1));
         ivec2 cell = ivec2(base) + off * towards;
-        if (!inLattice(cell) || cell == own) continue;
-        Lantern l = lanternAt(cell);
-        if (l.light < 0.0) continue;
+        Lantern l = releasedLantern();
+        if (i >= 0) {
+            if (!inLattice(cell)) continue;
+            l = lanternAt(cell);
+        }
+        if (l.light < 0.0 || distance(l.place, own) < 0.01) continue;
         vec3 to = l.place + vec3(0.0, 0.5 * lake.paperHeight, 0.0) - p;
         float squared = dot(to, to);
         float inside = max(1.0 - squared / (range * range), 0.0);

@@ -61,16 +61,21 @@ LanternWalk withSolid(LanternWalk before, LanternRay ray, Lantern l)
     vec2 span = lanternSpan(o, d, margin);
     float t = max(span.x, ray.from);
     float end = min(span.y, walk.distance);
+    // Within the tolerance a ray may still pass: there it goes on, by half of that or half of the thinnest part at
+    // least, until it touches or is out of steps.
+    float touch = 0.05 * margin + 1.0e-4;
+    float thinnest = min(min(lake.paperHalf, lake.baseHalfHeight), min(lake.ringRadius, lake.postRadius));
+    float least = 0.25 * min(margin, thinnest);
     for (int i = 0; i < lake.stepLimit && t < end; ++i) {
         LanternPoint f = lanternField(o + d * t);
-        if (f.distance < margin) {
+        if (f.distance < (i + 1 < lake.stepLimit ? touch : margin)) {
             walk.distance = t;
             walk.part = f.part;
             walk.lantern = l;
             walk.local = o + d * t;
             break;
         }
-        t += f.distance;
+        t += max(f.distance, least);
     }
     return walk;
 }
@@ -92,10 +97,10 @@ Lantern releasedLantern()
 {
     Lantern l;
     l.place = vec3(lake.released.x, lake.released.y, lake.released.z);
-    l.tilt = lake.releasedTilt;
-    l.turn = 0.6;
+    l.tilt = vec2(lake.releasedPose.x, lake.releasedPose.y);
+    l.turn = lake.releasedPose.z;
     l.light = lake.released.w;
-    l.hue = 0.0;
+    l.hue = lake.releasedPose.w;
     l.glow = paperGlow(l.light, l.hue);
     return l;
 }

@@ -31,10 +31,12 @@ shadow_filters gl $tests/bench_shadow_filters
 sunbeams gl $tests/bench_sunbeams
 noise_costs gl $tests/bench_noise_costs
 lantern_costs gl $tests/bench_lantern_costs
+lantern_paper cpu $tests/bench_lantern_paper
 scene_speed gl $tests/bench_scene_speed
 compositions gl $tests/bench_compositions
 pixel_normals gl $tests/bench_pixel_normals --model assets/models/teddy.glb
 hall_costs gl $tests/bench_hall_costs
+motion gl $tests/bench_motion
 study_sdf_morph_hitTolerance gl $study sdf_morph hitTolerance
 study_lenticular_apertureSamples gl $study lenticular apertureSamples
 study_fur_shellCount gl $study fur shellCount --set levelOfDetail=off
@@ -66,6 +68,7 @@ study_paper_lanterns_supersamples gl $study paper_lanterns hall.supersamples --a
 study_pixel_art_method gl $study pixel_art method --runs 3
 study_pixel_art_depthBits gl $study pixel_art depthBits --runs 3
 study_hall_supersamples gl $study hall supersamples --values 1,2,4,8,16,32 --size 160x90 --views 1
+study_hall_historyFrames gl $study hall historyFrames --values 1,2,4,8,16,32 --size 320x180 --views 2 --runs 3
 study_sdf_morph_supersamples gl $study sdf_morph hall.supersamples --alone --values 1,2,4,8,16,32,64 --size 160x90 --views 1
 stability_suite gl env VITRINE_SCAN_PRESETS=100 ctest --test-dir build/release -L stability -j 2
 END

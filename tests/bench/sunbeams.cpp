@@ -113,7 +113,7 @@ void screenRays(Bench& bench)
     rays.set(table.lightSize, 3.141593);
     rays.set(table.jitter, false);
     // White is 1.
-    bench.sceneState.hall().set(hallTable.exposure, -std::log2(6.5));
+    bench.sceneState.hall().set(hallTable.exposure, -std::log2(12.2));
     const auto run = [&](RayMethod method, int samples, RayResolution resolution, bool timed) {
         rays.set(table.method, method);
         rays.set(table.samples, samples);
@@ -166,7 +166,7 @@ void volume(Bench& bench)
     ParameterValues& rays = bench.rays();
     rays = ParameterValues(table);
     rays.set(table.view, RayView::light);
-    bench.sceneState.hall().set(hallTable.exposure, -std::log2(6.5));
+    bench.sceneState.hall().set(hallTable.exposure, -std::log2(12.2));
     const auto run = [&](int steps, RayResolution resolution, bool jitter, bool timed) {
         rays.set(table.volumeSteps, steps);
         rays.set(table.resolution, resolution);

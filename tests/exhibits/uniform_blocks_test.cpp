@@ -21,6 +21,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/crepuscular_rays/rays_block.glsl"
 #include "shaders/fur/body_block.glsl"
 #include "shaders/hall/air_light_block.glsl"
+#include "shaders/hall/antialiasing_block.glsl"
 #include "shaders/hall/bounce_block.glsl"
 #include "shaders/hall/probe_block.glsl"
 #include "shaders/ice_cream/ice_cream_block.glsl"
@@ -151,6 +152,7 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"LocalLightsBlock", described<LocalLightsBlock>()},
         {"AirLightBlock", described<AirLightBlock>()},
         {"AirOnWalls", described<AirOnWalls>()},
+        {"AntialiasingBlock", described<AntialiasingBlock>()},
         {"BounceBlock", described<BounceBlock>()},
         {"ProbeLevel", described<ProbeLevel>()},
         {"RaysBlock", described<RaysBlock>()},

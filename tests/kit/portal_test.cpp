@@ -73,7 +73,7 @@ protected:
 
 TEST_F(PortalTest, ShowsTheWorldBeyondInTheVisitorsPerspective)
 {
-    constexpr double adaptation = 6.5;  // Of the hall.
+    constexpr double adaptation = 12.2;  // Of the hall.
     for (const dvec3& eye : {dvec3(0, 0, 1.5), dvec3(1.2, -0.2, 1.0), dvec3(-2.5, 0.4, 3)}) {
         BallShot s = shot();
         s.inHall();
@@ -124,7 +124,7 @@ TEST_F(PortalTest, FillsThePictureWhereItStandsAloneWithDepthAndNormals)
         const Seen seen = seenAlong(p.view.eye, ray, glm::dmat4(1), p.view.tanHalfFov.y * 2 / p.height(), 0);
         ASSERT_TRUE(p.hit(x, y));
         if (seen.nearEdge) return;
-        wrong += glm::length(p.color(x, y) * (6.5 * 0.16) - seen.color) > 2e-3;
+        wrong += glm::length(p.color(x, y) * 1.04 - seen.color) > 2e-3;
         if (!std::isfinite(seen.distance)) return;
         ++floor;
         EXPECT_NEAR(p.depth(x, y) * glm::length(ray) / seen.distance, 1, 1e-3);

@@ -18,8 +18,8 @@ using test::Include;
 const std::map<std::string, std::vector<std::string>> allowed{
     {"app", {"app/", "ui/", "exhibits/", "render/", "shaders/lib/"}},
     {"ui",
-     {"ui/", "exhibits/framework/", "exhibits/museum/", "exhibits/study/", "exhibits/printing/", "exhibits/sprites/",
-      "exhibits/exhibits.h", "render/", "shaders/lib/"}},
+     {"ui/", "exhibits/framework/", "exhibits/museum/", "exhibits/study/", "exhibits/compare/", "exhibits/printing/",
+      "exhibits/sprites/", "exhibits/exhibits.h", "render/", "shaders/lib/"}},
     {"exhibits", {"exhibits/", "render/", "shaders/"}},
     {"render", {"render/", "shaders/lib/"}},
 };
@@ -116,6 +116,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfExhibits{
     {"museum", {"framework", "kit", "hall"}},
     {"printing", {"framework", "museum"}},
     {"study", {"framework", "museum"}},
+    {"compare", {"framework", "museum", "study"}},
     {"sprites", {"framework", "kit", "pixel_art"}},  // It draws in that exhibit's look, which knows nothing of it.
     {"stability", {"framework", "kit", "museum"}},
 };
@@ -129,11 +130,13 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"parameters", {"kit", "model", "viewport"}},
     {"presets", {"kit", "model", "viewport"}},
     {"charts", {"kit", "model"}},
+    {"compare", {"kit", "model", "viewport", "parameters", "presets"}},
     {"tree", {"kit", "model", "viewport", "parameters"}},
     {"study", {"kit", "model", "viewport"}},
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},
     {"sprites", {"kit", "model", "viewport", "parameters"}},
-    {"window", {"kit", "model", "viewport", "parameters", "presets", "charts", "tree", "study", "print", "sprites"}},
+    {"window",
+     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "tree", "study", "print", "sprites"}},
 };
 
 /// The folder below the first one; empty where there is none.

@@ -125,6 +125,7 @@ public:
         if (beforeDrawing) beforeDrawing(request, unwanted);
         if (thrown) std::rethrow_exception(thrown);
         red_ = static_cast<float>(sceneState.values[1][table().roughness]);
+        green_ = green(request);
         {
             const std::scoped_lock lock(mutex_);
             requests_.push_back(request);
@@ -144,7 +145,7 @@ public:
     [[nodiscard]] QImage screenImage(const QSize& screen) override
     {
         QImage image(screen, QImage::Format_RGBX8888);
-        image.fill(QColor::fromRgbF(red_, 0.45F, 0.4F));
+        image.fill(QColor::fromRgbF(red_, green_, 0.4F));
         return image;
     }
     [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion& region, int,
@@ -155,6 +156,26 @@ public:
         image.fill(Qt::blue);
         return image;
     }
+    [[nodiscard]] ui::OtherDrawn drawOther(const SceneState& sceneState, const FrameRequest& request,
+                                           const QSize& screen) override
+    {
+        strangers += std::this_thread::get_id() == thread ? 0 : 1;
+        {
+            const std::scoped_lock lock(mutex_);
+            otherRequests_.push_back(request);
+        }
+        if (otherThrown) std::rethrow_exception(otherThrown);
+        ui::OtherDrawn drawn;
+        drawn.image = QImage(screen, QImage::Format_RGBX8888);
+        const double red = sceneState.values[1][table().roughness];
+        drawn.image.fill(QColor::fromRgbF(static_cast<float>(red), green(request), 0.4F));
+        drawn.report.ran = {{"hall/walls", "in view", render::Work::raster, 10.5},
+                            {"fur/shells", "in view", render::Work::raster, 7.25}};
+        drawn.report.counters = {{"draws", 2}};
+        drawn.report.milliseconds = 17.8;
+        return drawn;
+    }
+    void forgetOther() override { ++othersForgotten; }
     [[nodiscard]] render::Image shownPicture() override
     {
         ++pictureReads;
@@ -187,6 +208,12 @@ public:
         const std::scoped_lock lock(mutex_);
         return requests_;
     }
+    /// The same of the second look.
+    [[nodiscard]] std::vector<FrameRequest> otherRequests() const
+    {
+        const std::scoped_lock lock(mutex_);
+        return otherRequests_;
+    }
     /// What was drawn last.
     [[nodiscard]] SceneState drawn() const
     {
@@ -205,9 +232,12 @@ public:
     std::atomic<int> strangers = 0;     ///< Pictures drawn on another one.
     std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set while nothing is drawn.
     std::atomic<int> pictureReads = 0;
-    std::atomic<int> unfinishedFrames = 0;  ///< The next so many call for another one.
+    std::atomic<int> othersForgotten = 0;
+    std::atomic<int> unfinishedFrames = 0;      ///< The next so many call for another one.
+    std::atomic<bool> greenIsTheClock = false;  ///< A whole round of it in two seconds.
     std::vector<render::gl::ShaderProblem> shaderProblems;
     std::exception_ptr thrown;                   ///< By every frame that is drawn from now on; null: nothing.
+    std::exception_ptr otherThrown;              ///< The same of the second look.
     std::vector<render::CulledPass> complaints;  ///< Of every frame that is drawn from now on.
 
 private:
@@ -218,10 +248,15 @@ private:
         return own_ ? *own_ : shared;
     }
 
+    [[nodiscard]] float green(const FrameRequest& request) const
+    {
+        return greenIsTheClock ? static_cast<float>(request.time / 2 - std::floor(request.time / 2)) : 0.45F;
+    }
+
     std::unique_ptr<PlainMuseum> own_;
-    float red_ = 0;
+    float red_ = 0, green_ = 0.45F;
     mutable std::mutex mutex_;
-    std::vector<FrameRequest> requests_;
+    std::vector<FrameRequest> requests_, otherRequests_;
     SceneState drawn_;
 };
 

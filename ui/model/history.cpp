@@ -80,6 +80,17 @@ private:
 
 History::History(SceneState start, QObject* parent) : QObject(parent), sceneState_(std::move(start)) {}
 
+SceneState History::valuesAt(int step) const
+{
+    const auto changeOf = [this](int i) -> const SceneStateChange& {
+        return static_cast<const SceneStateStep*>(stack_.command(i))->change();  // Nothing else is pushed.
+    };
+    SceneState state = sceneState_;
+    for (int i = stack_.index(); i > step; --i) changeOf(i - 1).revert(state);
+    for (int i = stack_.index(); i < step; ++i) changeOf(i).apply(state);
+    return state;
+}
+
 void History::set(std::size_t exhibit, std::size_t row, const Value& value, Gesture gesture, const QString& text)
 {
     const ParameterValues& values = sceneState_.values[exhibit];

@@ -26,6 +26,8 @@ public:
     explicit History(SceneState start, QObject* parent = nullptr);
 
     [[nodiscard]] const SceneState& sceneState() const { return sceneState_; }
+    /// The values after the first `step` undo steps, 0 to the stack's count; the camera is the present one.
+    [[nodiscard]] SceneState valuesAt(int step) const;
     /// Sets one value, or the nearest legal one. `text` names the step for people; empty: "Change roughness". A value
     /// equal to the one on show is no step.
     void set(std::size_t exhibit, std::size_t row, const Value&, Gesture, const QString& text = {});

@@ -1,8 +1,11 @@
 #include "ui/parameters/parameter_panel.h"
 
+#include "exhibits/framework/random_values.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
+#include "ui/model/other_settings.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
 #include "ui/parameters/shown_text.h"
@@ -152,6 +155,7 @@ void ParameterPanel::rebuild()
         addRow(i);
     }
     layout->addStretch(1);
+    showLocks();
     // What asked for other rows may be one of those that go.
     if (QWidget* before = scroll_->takeWidget()) before->deleteLater();
     scroll_->setWidget(content_);
@@ -355,7 +359,81 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
     menu->addAction(tr("Paste"), this, [this, row] { paste(row); });
     menu->addAction(tr("Copy all as JSON"), this, [this] { copyAll(); });
     menu->addAction(tr("Paste all"), this, [this, row] { pasteAll(row); });
+    addOtherTo(*menu, row);
+    addLocksTo(*menu, row);
     menu->popup(at);
+}
+
+void ParameterPanel::addLocksTo(QMenu& menu, std::size_t row)
+{
+    std::vector<std::size_t> group;
+    bool all = true;
+    for (std::size_t i = 0; i < values().rows().size(); ++i)
+        if (values().rows()[i].group == values().rows()[row].group) {
+            group.push_back(i);
+            all = all && isLocked(i);
+        }
+    menu.addSeparator();
+    menu.addAction(isLocked(row) ? tr("Unlock") : tr("Lock against varying"), this,
+                   [this, row] { lock({row}, !isLocked(row)); });
+    menu.addAction(all ? tr("Unlock the group") : tr("Lock the group"), this,
+                   [this, group, all] { lock(group, !all); });
+}
+
+QString ParameterPanel::keyOf(std::size_t row) const
+{
+    return name_ + QLatin1Char('/') + text(values().rows()[row].name);
+}
+
+void ParameterPanel::lock(const std::vector<std::size_t>& rows, bool locked)
+{
+    for (const std::size_t row : rows) {
+        if (locked)
+            locked_.insert(keyOf(row));
+        else
+            locked_.remove(keyOf(row));
+    }
+    showLocks();
+}
+
+void ParameterPanel::showLocks()
+{
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->setLocked(isLocked(i));
+}
+
+QStringList ParameterPanel::lockedRows() const
+{
+    QStringList all(locked_.begin(), locked_.end());
+    all.sort();
+    return all;
+}
+
+void ParameterPanel::setLockedRows(const QStringList& rows)
+{
+    locked_ = QSet<QString>(rows.begin(), rows.end());
+    showLocks();
+}
+
+void ParameterPanel::vary()
+{
+    SceneState next = history_.sceneState();
+    next.values[exhibit_] = variation(values(), ++seed_, [this](std::size_t row) { return isLocked(row); });
+    history_.change(tr("Vary at random, seed %1").arg(seed_), next);
+}
+
+void ParameterPanel::addOtherTo(QMenu& menu, std::size_t row)
+{
+    if (!other_ || !other_->held()) return;
+    const ParameterInfo& info = values().rows()[row];
+    const ParameterValues& others = other_->sceneState().values[exhibit_];
+    const std::optional<std::size_t> twin = others.table().find(info.name);
+    if (!twin || others.rows()[*twin].kind != info.kind) return;
+    menu.addSeparator();
+    const std::string name(info.name);
+    QAction* take = menu.addAction(menuText(tr("Copy from B: %1").arg(shownText(info, others.row(*twin)))), this,
+                                   [this, name] { other_->take(exhibit_, name); });
+    QAction* give = menu.addAction(tr("Copy to B"), this, [this, name] { other_->give(exhibit_, name); });
+    for (QAction* action : {take, give}) action->setEnabled(!(others.row(*twin) == values().row(row)));
 }
 
 void ParameterPanel::copy(std::size_t row) const

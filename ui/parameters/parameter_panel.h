@@ -5,6 +5,7 @@
 #include <QSet>
 #include <QWidget>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,12 +14,14 @@
 class QCheckBox;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QScrollArea;
 class QToolButton;
 class QVBoxLayout;
 
 namespace vitrine::ui {
 
+class OtherSettings;
 class ParameterRow;
 class ParameterSection;
 
@@ -47,11 +50,19 @@ public:
     void offerElsewhere(const QString& what);
     /// Connect `accuracyAsked` before showing the gauge: a mark that does nothing is no mark.
     void setGaugesShown(bool);
+    /// What rows can be copied from and to, in their menus; must outlive it. Null: nothing.
+    void setOther(OtherSettings* other) { other_ = other; }
 
     /// Groups that the visitor folded, or unfolded where they are folded at first, "exhibit/group": kept with the
     /// window's layout.
     [[nodiscard]] QStringList foldedGroups() const;
     void setFoldedGroups(const QStringList&);
+
+    /// Rows that keep their values when the others are varied, "exhibit/row": kept with the window's layout.
+    [[nodiscard]] QStringList lockedRows() const;
+    void setLockedRows(const QStringList&);
+    /// Gives all rows of the exhibit that are not locked other values, by the next seed (`variation`). One undo step.
+    void vary();
 
 public slots:
     void focusFilter();
@@ -82,6 +93,14 @@ private:
     [[nodiscard]] std::string focusedRow() const;
     void focusRow(std::string_view name);
     void openMenu(std::size_t row, const QPoint& at);
+    /// Entries that copy the row from and to B, while there is one.
+    void addOtherTo(QMenu&, std::size_t row);
+    /// Entries that lock the row and its group.
+    void addLocksTo(QMenu&, std::size_t row);
+    [[nodiscard]] QString keyOf(std::size_t row) const;
+    [[nodiscard]] bool isLocked(std::size_t row) const { return locked_.contains(keyOf(row)); }
+    void lock(const std::vector<std::size_t>& rows, bool locked);
+    void showLocks();
     void copy(std::size_t row) const;
     void paste(std::size_t row);
     void copyAll() const;
@@ -106,6 +125,9 @@ private:
     QString name_;
     QSet<QString> folded_;
     bool gauges_ = false;
+    OtherSettings* other_ = nullptr;
+    QSet<QString> locked_;
+    std::uint64_t seed_ = 0;  // Of the last variation.
 };
 
 }  // namespace vitrine::ui

@@ -17,6 +17,7 @@ namespace vitrine::ui {
 namespace {
 
 constexpr float idleInk = 0.45F;  // Of a row that does not act.
+constexpr int lockRoom = 14;      // Pixels for the padlock beside a label.
 
 }  // namespace
 
@@ -33,9 +34,24 @@ void RowLabel::paintEvent(QPaintEvent*)
     QColor ink = isEnabled() ? theme().text : theme().dim;
     if (dim_) ink.setAlphaF(idleInk);
     painter.setPen(ink);
+    const QRect room = rect().adjusted(0, 0, locked_ ? -lockRoom : 0, 0);
     // Names differ at their ends: "Handle radius", "Handle thickness".
-    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(text(), Qt::ElideMiddle, width()));
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));
+    if (!locked_) return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPointF middle(width() - lockRoom / 2.0, height() / 2.0 + 1);
+    painter.setPen(QPen(theme().dim, 1.3));
+    painter.drawArc(QRectF(middle.x() - 2.5, middle.y() - 6, 5, 7), 0, 180 * 16);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme().dim);
+    painter.drawRoundedRect(QRectF(middle.x() - 4, middle.y() - 2.5, 8, 6), 1, 1);
+}
+
+void RowLabel::setLocked(bool locked)
+{
+    locked_ = locked;
+    update();
 }
 
 void RowLabel::setDim(bool dim)

@@ -14,6 +14,8 @@ class RowLabel final : public QLabel {
 public:
     RowLabel(const QString& text, ValueEditor* editor, QWidget* parent);
     void setDim(bool dim);
+    /// Shows a padlock.
+    void setLocked(bool locked);
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -25,6 +27,7 @@ private:
     ValueEditor* editor_;
     bool dragging_ = false;
     bool dim_ = false;
+    bool locked_ = false;
 };
 
 /// An amber dot while the value differs from the initial one, an arrow under the pointer; a click resets.
@@ -78,6 +81,8 @@ public:
     /// be edited all the same, and acts with that value as soon as it does.
     void setIdle(const QString& when);
     [[nodiscard]] bool idle() const { return !idleUntil_.isEmpty(); }
+    /// Marks a row that keeps its value when others are varied.
+    void setLocked(bool locked) { label_->setLocked(locked); }
     /// Quality parameters show their gauge only once something answers it.
     void setGaugeShown(bool);
 

@@ -361,27 +361,73 @@ void PresetShelf::saveExhibition()
     dialog->open();
 }
 
-void PresetShelf::loadText(const std::string& text, const QString& origin)
+ReadSettings PresetShelf::read(const std::string& text, const QString& origin) const
 {
     const PresetHeader header = presetHeader(render::parseJson(text, origin.toStdString(), presetLimits));
+    ReadSettings result;
     if (header.isExhibition) {
-        std::vector<std::string> notes;
-        std::size_t chosen = 0;
-        SceneState sceneState = lookFrom(window_.museum(), text, origin.toStdString(), notes, &chosen);
-        tell(origin, notes);
-        window_.history().change(tr("Load %1").arg(origin), sceneState, 0, History::Camera::moves);
-        window_.choose(chosen);
-        return;
+        result.sceneState = lookFrom(window_.museum(), text, origin.toStdString(), result.notes, &result.exhibit);
+        result.name = QFileInfo(origin).fileName();
+        result.movesCamera = true;
+        return result;
     }
     const std::optional<std::size_t> found = window_.museum().find(header.exhibit);
     if (!found)
         throw Failure(Blame::file, origin.toStdString() + " is a preset of \"" + header.exhibit +
                                        "\", which is not in this museum.");
     const Subject& subject = window_.museum().subject(*found);
-    const Preset preset = parsePreset(text, origin.toStdString(), subject.name(), subject.parameters());
-    tell(origin, preset.notes);
-    window_.choose(*found);
-    show(preset, *found, tr("Load %1").arg(words(preset.name)));
+    Preset preset = parsePreset(text, origin.toStdString(), subject.name(), subject.parameters());
+    result.sceneState = window_.history().sceneState();
+    result.sceneState.values[*found] = preset.values;
+    result.movesCamera = preset.camera.has_value();
+    if (preset.camera) result.sceneState.camera = *preset.camera;
+    result.exhibit = *found;
+    result.name = words(preset.name);
+    result.notes = std::move(preset.notes);
+    return result;
+}
+
+void PresetShelf::loadText(const std::string& text, const QString& origin)
+{
+    const ReadSettings loaded = read(text, origin);
+    tell(origin, loaded.notes);
+    window_.choose(loaded.exhibit);
+    window_.history().change(tr("Load %1").arg(loaded.name), loaded.sceneState, 0,
+                             loaded.movesCamera ? History::Camera::moves : History::Camera::stays);
+}
+
+std::optional<ReadSettings> PresetShelf::settingsIn(const QString& path)
+{
+    std::optional<ReadSettings> result;
+    trySafely([&] {
+        const bool picture = QFileInfo(path).suffix().compare(QLatin1String("json"), Qt::CaseInsensitive) != 0;
+        std::optional<std::string> text = picture ? render::embeddedPreset(path.toStdString())
+                                                  : render::readFile(path.toStdString(), presetLimits.bytes);
+        if (!text)
+            throw Failure(Blame::file, path.toStdString() + ": this picture carries no preset; choose a preset file, "
+                                                            "or a picture that Vitrine made.");
+        ReadSettings found = read(*text, path);
+        tell(path, found.notes);
+        result = std::move(found);
+    });
+    return result;
+}
+
+std::vector<std::pair<QString, QString>> PresetShelf::choices()
+{
+    std::vector<std::pair<QString, QString>> all;
+    trySafely([&] {
+        std::vector<PresetEntry> entries = store_.list(exhibitName());
+        std::stable_partition(entries.begin(), entries.end(), [](const PresetEntry& entry) { return !entry.shipped; });
+        for (const PresetEntry& entry : entries)
+            if (entry.problem.empty()) all.emplace_back(words(entry.name), idOf(entry.path));
+    });
+    return all;
+}
+
+QString PresetShelf::selected() const
+{
+    return list_.selected();
 }
 
 void PresetShelf::loadFile(const QString& path)

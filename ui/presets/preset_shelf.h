@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/preset_store.h"
+#include "exhibits/museum/scene_state.h"
 #include "ui/presets/preset_uses.h"
 
 #include <QObject>
@@ -9,12 +10,22 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine::ui {
 
 class PresetList;
 class Workbench;
+
+/// What a preset, an exhibition, or a picture with one inside makes of the settings on show.
+struct ReadSettings {
+    SceneState sceneState;
+    std::size_t exhibit = 0;  ///< Whose it is; of an exhibition the chosen one.
+    QString name;             ///< For people.
+    bool movesCamera = false;
+    std::vector<std::string> notes;  ///< What reading changed, for people.
+};
 
 /// Presets on disk, for the exhibit whose parameters the panel shows: loads, saves, renames, duplicates, deletes. What
 /// fails is said in the message strip, and everything stays as it was.
@@ -33,6 +44,14 @@ public:
     void keepMissingThumbnail();
     /// "Old gold", with " *" when the look has left it since; empty when no preset is in use.
     [[nodiscard]] QString titleOfUse() const;
+
+    /// What this file would make of the settings on show; nothing, and a message, where it cannot be read. Nothing
+    /// changes.
+    [[nodiscard]] std::optional<ReadSettings> settingsIn(const QString& path);
+    /// The presets of the table on show, by name and the id that is their path; the visitor's own first.
+    [[nodiscard]] std::vector<std::pair<QString, QString>> choices();
+    /// The id of the preset that is selected in the list; empty: none.
+    [[nodiscard]] QString selected() const;
 
     // What the actions do; those without an argument work on the preset selected in the list.
     void load(const QString& id);
@@ -58,6 +77,7 @@ signals:
     void marked();
 
 private:
+    [[nodiscard]] ReadSettings read(const std::string& text, const QString& origin) const;
     void loadText(const std::string& text, const QString& origin);
     void show(const Preset&, std::size_t exhibit, const QString& step);
     void tell(const QString& origin, const std::vector<std::string>& notes);

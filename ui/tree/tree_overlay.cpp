@@ -70,7 +70,7 @@ void TreeOverlay::pick(std::size_t exhibit, const QPointF& at)
 
 void TreeOverlay::renew()
 {
-    const bool some = editor_.source() && !editor_.selected().empty();
+    const bool some = editor_.source() && !editor_.selected().empty() && !viewport_.covered();
     setVisible(some);
     if (!some) {
         job_->stop();
@@ -92,7 +92,7 @@ std::optional<TreePlace> TreeOverlay::place() const
 void TreeOverlay::findHandles()
 {
     handles_.clear();
-    if (!editor_.source() || editor_.selected().empty()) return;
+    if (!editor_.source() || editor_.selected().empty() || viewport_.covered()) return;
     if (const auto place = this->place(); place && place->without.empty())
         handles_ =
             handlesOf(mode_, *place, museum_.worldFromExhibit(editor_.subject()), viewport_.view(), QSizeF(size()));

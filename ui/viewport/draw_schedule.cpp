@@ -1,5 +1,6 @@
 #include "ui/viewport/draw_schedule.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 
@@ -11,27 +12,42 @@ namespace {
 constexpr double late = 1.3;
 constexpr double room = 0.7;
 constexpr int framesBeforeFiner = 4;
+// Supersamples that are as smooth as a picture in motion that is averaged over its frames.
+constexpr int asSmoothAsMotion = 4;
 
 }  // namespace
 
 void DrawSchedule::changed(double now)
 {
+    cameraOnly_ = false;
+    leastToShow_ = 0;
     dirty_ = true;
     refined_ = 0;
     lastChange_ = now;
     outdated_ = underway_.has_value();
 }
 
+void DrawSchedule::cameraMoved(double now)
+{
+    const bool only = cameraOnly_ || !dirty_;
+    const int least = leastToShow_;
+    changed(now);
+    cameraOnly_ = only;
+    leastToShow_ = least;
+}
+
 void DrawSchedule::setMoving(bool on, double now)
 {
-    if (on || moving_) changed(now);
+    if (on || moving_) cameraMoved(now);
     moving_ = on;
 }
 
 std::optional<DrawOrder> DrawSchedule::next(double now) const
 {
-    if (moving_) return DrawOrder{scales[level_], 0, 1};
+    const bool averaged = history_ > 1;
+    if (moving_) return DrawOrder{scales[level_], 0, 1, averaged};
     const bool settled = now - lastChange_ >= settleTime;
+    if (dirty_ && cameraOnly_ && averaged && !settled) return DrawOrder{scales[level_], 0, 1, true};
     if (dirty_ && level_ > 0 && !settled) return DrawOrder{scales[level_], 0, 1};
     // At full resolution the quick picture and the first supersample are the same.
     if (dirty_) return DrawOrder{1, 0, samples_};
@@ -52,10 +68,16 @@ void DrawSchedule::begun(const DrawOrder& order)
     outdated_ = false;
 }
 
+bool DrawSchedule::improves(const DrawOrder& order) const
+{
+    return order.inMotion || order.sample + 1 >= leastToShow_;
+}
+
 bool DrawSchedule::betterGivenUp() const
 {
     // Never a picture that is as quick as can be: else a visitor who does not stop would see none.
-    return underway_ && outdated_ && underway_->scale == 1 && (level_ > 0 || underway_->sample > 0);
+    return underway_ && outdated_ && underway_->scale == 1 && !underway_->inMotion &&
+           (level_ > 0 || underway_->sample > 0);
 }
 
 void DrawSchedule::givenUp()
@@ -72,8 +94,9 @@ void DrawSchedule::drawn(const DrawOrder& order, double seconds)
     if (!outdated_) {
         dirty_ = false;
         // A quick picture is no part of a refined one, though that, too, may be of one sample.
-        if (order.samples == samples_ && order.scale == 1) refined_ = order.sample + 1;
+        if (order.samples == samples_ && order.scale == 1 && !order.inMotion) refined_ = order.sample + 1;
     }
+    if (improves(order)) leastToShow_ = order.inMotion && order.scale == 1 ? std::min(asSmoothAsMotion, samples_) : 0;
     outdated_ = false;
     if (order.sample == 0) adapt(order, seconds);
 }

@@ -8,9 +8,10 @@ namespace vitrine::ui {
 
 /// What the viewport draws next.
 struct DrawOrder {
-    double scale = 1;  ///< Of the viewport's resolution.
-    int sample = 0;    ///< Supersample ...
-    int samples = 1;   ///< ... of so many.
+    double scale = 1;       ///< Of the viewport's resolution.
+    int sample = 0;         ///< Supersample ...
+    int samples = 1;        ///< ... of so many.
+    bool inMotion = false;  ///< Averaged with the frames of the same motion before it.
 
     bool operator==(const DrawOrder&) const = default;
 };
@@ -28,8 +29,13 @@ public:
     void setSamples(int samples) { samples_ = samples; }
     [[nodiscard]] int samples() const { return samples_; }
 
+    /// Frames that a picture in motion is averaged over; 1: every one stands alone.
+    void setHistory(int frames) { history_ = frames; }
+
     /// Something visible changed: what was drawn is out of date.
     void changed(double now);
+    /// The camera alone did.
+    void cameraMoved(double now);
     /// While on, there is always a next frame, and it is never refined.
     void setMoving(bool on, double now);
 
@@ -40,6 +46,9 @@ public:
     void begun(const DrawOrder&);
     /// It was carried out and took so many seconds of real time.
     void drawn(const DrawOrder&, double seconds);
+    /// Whether its picture, drawn, is better than that on the screen: one sample is not, after a picture in motion at
+    /// full resolution.
+    [[nodiscard]] bool improves(const DrawOrder&) const;
     /// It was given up, because something changed.
     void givenUp();
     /// An order is being carried out whose picture is out of date already, and a coarse one can be had sooner.
@@ -60,7 +69,10 @@ private:
     bool outdated_ = false;  // Something changed since it was begun.
     bool moving_ = false;
     int samples_ = 16;
-    int refined_ = 0;  // Supersamples of the full picture that are drawn.
+    int history_ = 1;
+    bool cameraOnly_ = false;  // Nothing else changed since the last picture that shows things as they are.
+    int leastToShow_ = 0;      // Supersamples that are better than what is on the screen.
+    int refined_ = 0;          // Supersamples of the full picture that are drawn.
     double lastChange_ = -1e9;
     std::size_t level_ = 0;  // Index into `scales`.
     double drawnScale_ = 1;  // Of the last picture.

@@ -12,6 +12,13 @@ QImage imageOf(const render::gl::ScreenPixels& pixels)
     return QImage(pixels.rgba.data(), pixels.width, pixels.height, pixels.width * 4, QImage::Format_RGBX8888).copy();
 }
 
+/// The renderer's last picture as a screen of this many device pixels shows it.
+QImage screenImageOf(render::gl::Renderer& renderer, const QSize& screen)
+{
+    const glm::ivec2 size(screen.width(), screen.height());
+    return imageOf(renderer.screenPixels("frame", size, glm::ivec2(0), size));
+}
+
 }  // namespace
 
 void MuseumRenderers::open()
@@ -29,6 +36,7 @@ void MuseumRenderers::open()
 
 void MuseumRenderers::close()
 {
+    other_.reset();
     regions_.reset();
     renderer_.reset();
     if (debugLog_ && !debugLog_->errors().empty()) qWarning("OpenGL: %s", debugLog_->errors().c_str());
@@ -46,8 +54,19 @@ render::FrameReport MuseumRenderers::draw(const SceneState& sceneState, const Fr
 
 QImage MuseumRenderers::screenImage(const QSize& screen)
 {
-    const glm::ivec2 size(screen.width(), screen.height());
-    return imageOf(renderer_->screenPixels("frame", size, glm::ivec2(0), size));
+    return screenImageOf(*renderer_, screen);
+}
+
+OtherDrawn MuseumRenderers::drawOther(const SceneState& sceneState, const FrameRequest& request, const QSize& screen)
+{
+    if (!other_) {
+        other_ = renderer_->sibling();
+        other_->timeSteps(timeSteps_);
+    }
+    OtherDrawn drawn;
+    drawn.report = other_->draw(museum_.plan(museum_.prepare(sceneState, request), request, other_->persistentState()));
+    drawn.image = screenImageOf(*other_, screen);
+    return drawn;
 }
 
 QImage MuseumRenderers::drawRegion(const SceneState& sceneState, const FrameRequest& request,
@@ -88,7 +107,8 @@ void MuseumRenderers::buildBetter(const SceneState& sceneState, const FrameReque
 void MuseumRenderers::timeSteps(bool on)
 {
     timeSteps_ = on;
-    if (renderer_) renderer_->timeSteps(on);
+    for (const auto* renderer : {&renderer_, &other_})
+        if (*renderer) (*renderer)->timeSteps(on);
 }
 
 bool MuseumRenderers::reloadChangedShaders()

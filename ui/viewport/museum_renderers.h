@@ -16,6 +16,8 @@ public:
     [[nodiscard]] QImage screenImage(const QSize& screen) override;
     [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int samples,
                                     const Unwanted&) override;
+    [[nodiscard]] OtherDrawn drawOther(const SceneState&, const FrameRequest&, const QSize& screen) override;
+    void forgetOther() override { other_.reset(); }
     [[nodiscard]] render::Image shownPicture() override;
     void buildBetter(const SceneState&, const FrameRequest&) override;
     void timeSteps(bool on) override;
@@ -35,6 +37,7 @@ private:
     std::unique_ptr<render::gl::DebugLog> debugLog_;  ///< In debug builds.
     std::unique_ptr<render::gl::Renderer> renderer_;
     std::unique_ptr<render::gl::Renderer> regions_;  ///< Draws what moves in a picture that stands still.
+    std::unique_ptr<render::gl::Renderer> other_;    ///< Draws the second look.
     bool timeSteps_ = false;
 };
 

@@ -25,6 +25,12 @@ struct StudyJob {
     std::unique_ptr<Study> study;
 };
 
+/// A picture of a second look, as a screen shows it.
+struct OtherDrawn {
+    QImage image;
+    render::FrameReport report;
+};
+
 /// The renderers of the render thread, which calls everything here between `open` and `close`. Tests put others in
 /// their place, which need no graphics.
 class Renderers {
@@ -44,6 +50,13 @@ public:
     /// made last is left alone.
     [[nodiscard]] virtual QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int samples,
                                             const Unwanted&) = 0;
+    /// The same sample of a second look, on a renderer of its own, which is kept until `forgetOther`. What `draw` made
+    /// last is left alone.
+    [[nodiscard]] virtual OtherDrawn drawOther(const SceneState&, const FrameRequest&, const QSize& /*screen*/)
+    {
+        return {};
+    }
+    virtual void forgetOther() {}
     /// The last picture of `draw` as `PictureMaker::picture` gives it; empty where there is none.
     [[nodiscard]] virtual render::Image shownPicture() = 0;
     /// Begins to build, in the background, what draws such pictures faster than what draws them now.

@@ -53,7 +53,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     pressedAt_.assign(museum.subjects().size(), -1e9);
     control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return museum_.walk(from, to); });
     control_.jumpTo(history.sceneState().camera);
-    schedule_.setSamples(pictureQuality(history.sceneState().hall()).supersamples);
+    takeQuality();
     watchFiles();
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
@@ -168,6 +168,9 @@ void Viewport::orderWhole(const DrawOrder& order)
     wanted.request.cut = std::exchange(cut_, false);
     wanted.request.sample = order.sample;
     wanted.request.samples = order.samples;
+    if (!order.inMotion || wanted.request.cut) motionFrames_ = 0;
+    if (order.inMotion) ++motionFrames_;
+    wanted.request.movingFrame = motionFrames_;
     schedule_.begun(order);
     drawing_ = true;
     drawnState_ = sceneStateNumber_;
@@ -195,12 +198,7 @@ void Viewport::take(const DrawnPicture& picture)
         schedule_.drawn({1, schedule_.samples() - 1, schedule_.samples()}, 0);
         fail(picture.failure);
     } else {
-        shown_ = picture.image;
-        if (picture.order.order.sample == 0)
-            regionImage_ = {};
-        else
-            layRegionOver();
-        ++picturesDrawn_;
+        showDrawn(picture);
         lastFailure_.clear();
         schedule_.drawn(picture.order.order, picture.seconds);
         if (picture.report.unfinished) schedule_.changed(now());  // Work is left, or a program is still being built.
@@ -211,6 +209,20 @@ void Viewport::take(const DrawnPicture& picture)
     }
     showProblems(picture.problems);
     tick();
+}
+
+void Viewport::showDrawn(const DrawnPicture& picture)
+{
+    if (!schedule_.improves(picture.order.order)) return;
+    shown_ = picture.image;
+    shownRequest_ = picture.order.request;
+    shownOrder_ = picture.order.order;
+    // A motion's picture, or the first sample of one at rest, shows what moves as it is by then.
+    if (picture.order.order.sample == 0)
+        regionImage_ = {};
+    else
+        layRegionOver();
+    ++picturesDrawn_;
 }
 
 void Viewport::takeRegion(const DrawnPicture& picture)
@@ -282,7 +294,7 @@ const Prepared& Viewport::prepared()
 
 std::optional<PictureRegion> Viewport::smallRegion()
 {
-    if (input_->keys().any() || control_.moving() || runEverything_ ||
+    if (input_->keys().any() || control_.moving() || runEverything_ || wholePictures_ ||
         pictureQuality(history_.sceneState().hall()).resolutionScale != 1)
         return std::nullopt;
     const FrameRequest wanted = request(time_);
@@ -347,6 +359,7 @@ void Viewport::valuesChanged()
     acting_ = std::move(acting);
     watchFiles();
     rest_.start(restsAfter);
+    motionFrames_ = 0;  // What was seen before is of no use for what is seen now.
     sceneStateChanged();
 }
 
@@ -360,10 +373,17 @@ void Viewport::buildBetter()
     });
 }
 
+void Viewport::takeQuality()
+{
+    const PictureQuality quality = pictureQuality(history_.sceneState().hall());
+    schedule_.setSamples(quality.supersamples);
+    schedule_.setHistory(quality.historyFrames);
+}
+
 void Viewport::sceneStateChanged()
 {
     ++sceneStateNumber_;
-    schedule_.setSamples(pictureQuality(history_.sceneState().hall()).supersamples);
+    takeQuality();
     schedule_.changed(now());
     if (!timer_.isActive()) timer_.start(0);
 }
@@ -372,7 +392,13 @@ void Viewport::cameraChanged()
 {
     history_.setCamera(control_.camera());
     hint_->say({});
-    sceneStateChanged();
+    ++sceneStateNumber_;
+    takeQuality();
+    if (cut_)
+        schedule_.changed(now());
+    else
+        schedule_.cameraMoved(now());
+    if (!timer_.isActive()) timer_.start(0);
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? museum_.lookedAt(prepared()) : std::nullopt;
     label_->say(lookedAt_ ? QString::fromStdString(lookedAt_->text) : QString());
     input_->lookAgain();
@@ -405,6 +431,20 @@ void Viewport::setRunEverything(bool on)
 {
     runEverything_ = on;
     sceneStateChanged();
+}
+
+void Viewport::setWholePictures(bool on)
+{
+    wholePictures_ = on;
+    if (on && !regionImage_.isNull()) sceneStateChanged();  // A part of it is newer than the rest.
+    if (!timer_.isActive()) timer_.start(0);
+}
+
+void Viewport::setCovered(bool covered)
+{
+    if (std::exchange(covered_, covered) == covered) return;
+    input_->setNaming(!covered);
+    emit looked();
 }
 
 void Viewport::setStepsTimed(bool on)

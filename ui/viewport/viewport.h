@@ -64,6 +64,15 @@ public:
     [[nodiscard]] bool pictureFinished() const;
     /// What is on the screen, in device pixels; null before the first picture.
     [[nodiscard]] const QImage& shown() const { return shown_; }
+    /// What the last whole picture on the screen was asked for as.
+    [[nodiscard]] const FrameRequest& shownRequest() const { return shownRequest_; }
+    [[nodiscard]] const DrawOrder& shownOrder() const { return shownOrder_; }
+    /// While on, what moves in a picture that stands still is not drawn by itself, but with all of it: for those who
+    /// show another whole picture beside it.
+    void setWholePictures(bool);
+    /// While on, something else lies over the picture: what belongs on it, as names and handles, is not shown.
+    void setCovered(bool);
+    [[nodiscard]] bool covered() const { return covered_; }
     /// Number of pictures shown since the start: tests count that an idle window draws none.
     [[nodiscard]] long long picturesDrawn() const { return picturesDrawn_; }
     /// The same for parts of the picture in which something moves while the rest stands still.
@@ -85,7 +94,7 @@ signals:
     /// The visitor pressed this exhibit's button.
     void pressed(std::size_t exhibit);
     void drawn(const vitrine::render::FrameReport& report, const QSize& pixels);
-    /// The camera, the moment or the size of the picture is another one.
+    /// The camera, the moment or the size of the picture is another one, or it is covered, or no more.
     void looked();
     /// The visitor clicked an exhibit with a tree that he orbits, here.
     void shapeClicked(std::size_t exhibit, const QPointF& at);
@@ -114,6 +123,9 @@ private:
     void orderWhole(const DrawOrder&);
     void orderRegion();
     void take(const DrawnPicture&);
+    void showDrawn(const DrawnPicture&);
+    /// What of the hall's values the schedule goes by.
+    void takeQuality();
     void takeRegion(const DrawnPicture&);
     void layRegionOver();
     /// What is to be seen at this moment, for questions to the museum: prepared once, however many are asked.
@@ -146,11 +158,16 @@ private:
     double lastTick_ = 0;
     double time_ = 0;         // The exhibits' clock, seconds.
     bool cut_ = true;         // The camera jumped since the last whole picture, or there was none.
+    int motionFrames_ = 0;    // Of the motion that is on the screen; 0: the picture rests.
     double changeAt_ = 0;     // On that clock: when the picture next changes by itself, as far as the last tick knows.
     bool clockRuns_ = false;  // Time passed since the last tick, for someone.
     bool paused_ = false;
     bool runEverything_ = false;
-    QImage shown_;            // The last picture, with what moved in it since.
+    QImage shown_;  // The last picture, with what moved in it since.
+    FrameRequest shownRequest_;
+    DrawOrder shownOrder_;
+    bool wholePictures_ = false;
+    bool covered_ = false;
     double pictureTime_ = 0;  // The moment that the whole picture shows, on the exhibits' clock.
     bool drawingRegion_ = false;
     bool drawing_ = false;            // A picture is asked for and not here yet.

@@ -176,6 +176,13 @@ void ViewportInput::lookAgain()
     if (hoverPoint_) hoverTimer_.start();
 }
 
+void ViewportInput::setNaming(bool on)
+{
+    naming_ = on;
+    if (!on) name_->say({});
+    lookAgain();
+}
+
 void ViewportInput::hover()
 {
     if (!hoverPoint_ || button_ != Qt::NoButton) return;
@@ -184,7 +191,7 @@ void ViewportInput::hover()
         viewport_.setCursor(Qt::PointingHandCursor);
     else
         viewport_.unsetCursor();
-    name_->say(found ? QString::fromStdString(found->name) : QString());
+    name_->say(found && naming_ ? QString::fromStdString(found->name) : QString());
     name_->placeAt(hoverPoint_->toPoint());
 }
 

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] const WalkKeys& keys() const { return keys_; }
     /// Something else may lie under a pointer that rests.
     void lookAgain();
+    /// Whether the name of what is under the pointer is shown; it is at first.
+    void setNaming(bool);
 
 signals:
     /// A key for walking was pressed.
@@ -74,6 +76,7 @@ private:
     QPointF pressPoint_, lastPoint_;
     Qt::MouseButton button_ = Qt::NoButton;
     bool dragged_ = false;
+    bool naming_ = true;
 };
 
 }  // namespace vitrine::ui

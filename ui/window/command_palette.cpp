@@ -118,6 +118,9 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     line(QStringLiteral("E"), tr("Press the red button you look at, or that of the exhibit you visit"));
     line(QStringLiteral("Esc"), tr("Leave the exhibit and walk on"));
     line(tr("Backspace, Alt+Left"), tr("Back to where you stood before"));
+    heading(tr("While two settings are compared"));
+    line(tr("B, held"), tr("B in place of A"));
+    line(tr("Drag the line"), tr("Move the wipe"));
     heading(tr("In number fields"));
     line(tr("Drag the label or the number"), tr("Change it; Shift ten times finer, Ctrl ten times coarser"));
     line(tr("Click, or any digit"), tr("Type: 1/3, 2*pi, 30deg"));

@@ -53,6 +53,16 @@ void LedgerDock::note(const render::FrameReport& report)
     if (!timer_.isActive()) timer_.start();
 }
 
+void LedgerDock::noteOther(const render::FrameReport* report, const QString& why)
+{
+    view_->noteOther(report ? std::optional(*report) : std::nullopt);
+    other_ =
+        report
+            ? tr("B: %1 steps, %2 ms").arg(report->ran.size()).arg(QLocale::c().toString(report->milliseconds, 'f', 2))
+            : why;
+    if (!timer_.isActive()) timer_.start();
+}
+
 QString LedgerDock::reasonText() const
 {
     return reasonText_;
@@ -62,11 +72,11 @@ void LedgerDock::renew()
 {
     reasonText_ = askReason_();
     reason_->setText(reason_->fontMetrics().elidedText(reasonText_, Qt::ElideRight, reason_->width()));
-    const QString sums = tr("%1 steps, %2 ms; skipping saves %3 ms")
-                             .arg(ran_)
-                             .arg(QLocale::c().toString(milliseconds_, 'f', 2), QLocale::c().toString(saved_, 'f', 2));
-    sums_->setText(sums_->fontMetrics().elidedText(sums, Qt::ElideRight, sums_->width()));
-    sums_->setToolTip(tr("%1.\nTimes by: %2.").arg(sums, clock_));
+    sumsText_ = tr("%1 steps, %2 ms").arg(ran_).arg(QLocale::c().toString(milliseconds_, 'f', 2));
+    if (!other_.isEmpty()) sumsText_ = tr("A: %1 · %2").arg(sumsText_, other_);
+    sumsText_ += tr("; skipping saves %1 ms").arg(QLocale::c().toString(saved_, 'f', 2));
+    sums_->setText(sums_->fontMetrics().elidedText(sumsText_, Qt::ElideRight, sums_->width()));
+    sums_->setToolTip(tr("%1.\nTimes by: %2.").arg(sumsText_, clock_));
     reason_->setToolTip(reasonText_);
 }
 

@@ -24,8 +24,12 @@ public:
     explicit LedgerDock(std::function<QString()> reason, QWidget* parent = nullptr);
 
     void note(const render::FrameReport&);
+    /// The frame of the settings B; null while it is not drawn: `why` then says so, empty where there is no B.
+    void noteOther(const render::FrameReport*, const QString& why);
     [[nodiscard]] LedgerView& view() const { return *view_; }
     [[nodiscard]] QString reasonText() const;
+    /// Steps and milliseconds of the frame, and of B's.
+    [[nodiscard]] QString sumsText() const { return sumsText_; }
     [[nodiscard]] QCheckBox& runEverything() const { return *everything_; }
 
 signals:
@@ -35,7 +39,8 @@ private:
     void renew();
 
     std::function<QString()> askReason_;
-    QString reasonText_;
+    QString reasonText_, sumsText_;
+    QString other_;  // What is said of B; empty: there is none.
     QLabel* reason_;
     QLabel* sums_;
     QCheckBox* everything_;

@@ -1,23 +1,34 @@
 #include "ui/window/ledger_view.h"
 
+#include "exhibits/compare/pass_costs.h"
 #include "ui/kit/theme.h"
 
 #include <QHeaderView>
 #include <QLocale>
 
+#include <algorithm>
+
 namespace vitrine::ui {
 namespace {
 
-enum Column { step, work, time, saved, reason };
+enum Column { step, work, time, saved, reason, other };
+
+QString millisecondsText(double ms)
+{
+    return ms < 0 ? QStringLiteral("–") : QLocale::c().toString(ms, 'f', 2);
+}
 
 }  // namespace
 
 LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
 {
     setAccessibleName(tr("Ledger"));
-    setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Saved"), tr("Why")});
+    setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Saved"), tr("Why"), tr("B, ms")});
     headerItem()->setToolTip(
         saved, tr("Milliseconds that a skipped step took when it last ran. “Run everything” measures them all."));
+    headerItem()->setToolTip(other,
+                             tr("What the same step takes with the settings B, in a finished frame that is drawn anew: "
+                                "nothing is taken over from the frame before, and nothing is left for the next one."));
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
@@ -27,6 +38,9 @@ LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
     header()->resizeSection(work, 96);
     header()->resizeSection(time, 72);
     header()->resizeSection(saved, 72);
+    header()->resizeSection(other, 72);
+    header()->moveSection(other, saved);  // Beside the milliseconds of A.
+    setColumnHidden(other, true);
     timer_.setSingleShot(true);
     timer_.setInterval(500);
     connect(&timer_, &QTimer::timeout, this, &LedgerView::renew);
@@ -36,6 +50,15 @@ void LedgerView::note(const render::FrameReport& report)
 {
     report_ = report;
     costs_.note(report);
+    if (isVisible() && !timer_.isActive()) timer_.start();
+}
+
+void LedgerView::noteOther(std::optional<render::FrameReport> report)
+{
+    if (!report && !other_) return;
+    other_ = std::move(report);
+    setColumnHidden(other, !other_);
+    headerItem()->setText(time, other_ ? tr("A, ms") : tr("ms"));
     if (isVisible() && !timer_.isActive()) timer_.start();
 }
 
@@ -65,47 +88,90 @@ std::vector<std::pair<std::string, double>> LedgerView::otherVariants(const rend
     return others;
 }
 
+std::vector<LedgerView::Line> LedgerView::lines() const
+{
+    std::vector<Line> all;
+    const auto add = [&](const std::string& name, render::Work kind, const QString& ms, const QString& notSpent,
+                         const std::string& why, bool ran) {
+        all.push_back(
+            {name, QString::fromLatin1(render::toString(kind)), ms, {}, notSpent, QString::fromStdString(why), ran});
+    };
+    for (const render::StepReport& s : report_.ran) {
+        add(s.name, s.work, millisecondsText(s.milliseconds), {},
+            s.reason + (s.variant.empty() ? std::string() : "; " + s.variant) +
+                (s.bound.isKnown() ? "; " + toString(s.bound) : std::string()),
+            true);
+        for (const render::Effect& e : s.effects)
+            add(e.name, s.work, tr("in the step above"), {},
+                e.bound.isKnown() ? toString(e.bound) : tr("may change any pixel").toStdString(), true);
+        for (const auto& [variant, ms] : otherVariants(s))
+            add(s.name, s.work, millisecondsText(ms), {}, variant + tr("; when it was last drawn").toStdString(),
+                false);
+    }
+    for (const render::CulledPass& s : report_.skipped)
+        add(s.name, s.work, tr("skipped"), millisecondsText(costs_.of(s.name)),
+            s.reason + (s.boundIsZero ? "; would change nothing" : ""), false);
+    return all;
+}
+
+void LedgerView::addOther(std::vector<Line>& all) const
+{
+    const auto textOf = [](const PassSide& side) {
+        if (side.state == PassSide::State::absent) return QStringLiteral("–");
+        return side.state == PassSide::State::skipped ? tr("skipped") : millisecondsText(side.milliseconds);
+    };
+    for (const PassCost& cost : passCosts(report_, *other_)) {
+        // The first line of a step that has none yet.
+        const auto found = std::find_if(all.begin(), all.end(),
+                                        [&](const Line& l) { return l.name == cost.name && l.other.isEmpty(); });
+        if (cost.a.state == PassSide::State::absent || found == all.end())
+            all.push_back({cost.name,
+                           QString::fromLatin1(render::toString(cost.work)),
+                           QStringLiteral("–"),
+                           textOf(cost.b),
+                           {},
+                           tr("only B: %1").arg(QString::fromStdString(cost.b.why)),
+                           cost.b.state == PassSide::State::ran});
+        else
+            found->other = textOf(cost.b);
+    }
+    const auto count = [](const std::optional<std::int64_t>& n) {
+        return n ? QLocale::c().toString(static_cast<qlonglong>(*n)) : QStringLiteral("–");
+    };
+    for (const CounterCost& cost : counterCosts(report_, *other_))
+        all.push_back({cost.name,
+                       tr("count"),
+                       count(cost.a),
+                       count(cost.b),
+                       {},
+                       cost.a == cost.b ? tr("the same in both") : QString(),
+                       cost.a != cost.b});
+}
+
 void LedgerView::renew()
 {
-    std::size_t steps = report_.ran.size() + report_.skipped.size();
-    for (const render::StepReport& s : report_.ran) steps += s.effects.size() + otherVariants(s).size();
-    const int wanted = static_cast<int>(steps);
+    std::vector<Line> all = lines();
+    if (other_) addOther(all);
+    const int wanted = static_cast<int>(all.size());
     while (topLevelItemCount() > wanted) delete takeTopLevelItem(topLevelItemCount() - 1);
     while (topLevelItemCount() < wanted) {
         auto* item = new QTreeWidgetItem(this);
-        for (const int number : {time, saved}) item->setTextAlignment(number, Qt::AlignRight | Qt::AlignVCenter);
+        for (const int number : {time, saved, other}) item->setTextAlignment(number, Qt::AlignRight | Qt::AlignVCenter);
     }
-    int row = 0;
-    const auto milliseconds = [](double ms) {
-        return ms < 0 ? QStringLiteral("–") : QLocale::c().toString(ms, 'f', 2);
-    };
-    const auto fill = [&](const std::string& name, render::Work kind, const QString& ms, const QString& notSpent,
-                          const std::string& why, bool ran) {
-        QTreeWidgetItem* item = topLevelItem(row++);
-        item->setText(step, stepText(QString::fromStdString(name)));
-        item->setToolTip(step, QString::fromStdString(name));
-        item->setText(work, QString::fromLatin1(render::toString(kind)));
-        item->setText(time, ms);
-        item->setText(saved, notSpent);
-        item->setText(reason, QString::fromStdString(why));
-        item->setToolTip(reason, item->text(reason));
+    for (int row = 0; row < wanted; ++row) {
+        const Line& line = all[static_cast<std::size_t>(row)];
+        QTreeWidgetItem* item = topLevelItem(row);
+        item->setText(step, stepText(QString::fromStdString(line.name)));
+        item->setToolTip(step, QString::fromStdString(line.name));
+        item->setText(work, line.work);
+        item->setText(time, line.time);
+        item->setText(other, line.other);
+        item->setText(saved, line.saved);
+        item->setText(reason, line.reason);
+        item->setToolTip(reason, line.reason);
         for (int column = 0; column < columnCount(); ++column)
-            item->setForeground(column, ran ? theme().text : theme().dim);
-    };
-    for (const render::StepReport& s : report_.ran) {
-        fill(s.name, s.work, milliseconds(s.milliseconds), {},
-             s.reason + (s.variant.empty() ? std::string() : "; " + s.variant) +
-                 (s.bound.isKnown() ? "; " + toString(s.bound) : std::string()),
-             true);
-        for (const render::Effect& e : s.effects)
-            fill(e.name, s.work, tr("in the step above"), {},
-                 e.bound.isKnown() ? toString(e.bound) : tr("may change any pixel").toStdString(), true);
-        for (const auto& [variant, ms] : otherVariants(s))
-            fill(s.name, s.work, milliseconds(ms), {}, variant + tr("; when it was last drawn").toStdString(), false);
+            item->setForeground(column, line.ran ? theme().text : theme().dim);
     }
-    for (const render::CulledPass& s : report_.skipped)
-        fill(s.name, s.work, tr("skipped"), milliseconds(costs_.of(s.name)),
-             s.reason + (s.boundIsZero ? "; would change nothing" : ""), false);
 }
 
 }  // namespace vitrine::ui

@@ -2,6 +2,8 @@
 
 #include "render/files/assets.h"
 #include "ui/charts/charts_dock.h"
+#include "ui/compare/compare_bar.h"
+#include "ui/compare/compare_desk.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
@@ -69,13 +71,16 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     shelf_ = new PresetShelf(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
     files_ = new FileOpener(*this, *shelf_, this);
     guard_ = new CloseGuard(*this);
+    new RowDrag(
+        museum_, history_, *viewport_, [this] { return chosen_; }, this);
+    // After all others that take the picture's events: side by side, they get them as of the whole picture.
+    comparison_ = new CompareDesk(*this, *shelf_, this);
+    centralWidget()->layout()->addWidget(&comparison_->bar());
     actions_ = std::make_unique<WindowActions>(*this);
     docks_->presets().setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
     connectParts();
     connectViewport();
     new TableReader(*this, this);
-    new RowDrag(
-        museum_, history_, *viewport_, [this] { return chosen_; }, this);
     showShippedThumbnails();
     choose(hallIndex);
     keeper_ = new SessionKeeper(*this);
@@ -133,6 +138,8 @@ void MainWindow::connectParts()
     connect(files_, &FileOpener::printFound, this, &MainWindow::openPrintDialog);
     connect(&docks_->exhibits(), &ExhibitList::chosen, this, &MainWindow::visit);
     connect(&study(), &StudyDock::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    panel().setOther(&comparison_->other());
+    connect(comparison_, &CompareDesk::ledgerChanged, &docks_->ledger(), &LedgerDock::noteOther);
     connect(messages_, &MessageStrip::said, &docks_->log(), &LogView::add);
 }
 
@@ -270,6 +277,7 @@ void MainWindow::hidePanels(bool hidden)
     menuBar()->setVisible(!hidden);
     statusBar()->setVisible(!hidden);
     messages_->setBanned(hidden);
+    comparison_->bar().setBanned(hidden);
     if (actions_) actions_->panels->setChecked(hidden);
     viewport_->setFocus();
 }

@@ -12,6 +12,7 @@
 namespace vitrine::ui {
 
 class CloseGuard;
+class CompareDesk;
 class FileOpener;
 class MessageStrip;
 class ParameterPanel;
@@ -50,6 +51,7 @@ public:
     [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }
     [[nodiscard]] FileOpener& files() const { return *files_; }
     [[nodiscard]] WindowDocks& docks() const { return *docks_; }
+    [[nodiscard]] CompareDesk& comparison() const { return *comparison_; }
 
     /// Of a first window on a screen with this much room, its frame left out: as large as is useful, never larger.
     [[nodiscard]] static QSize firstSize(const QSize& room);
@@ -90,6 +92,7 @@ private:
     WindowDocks* docks_ = nullptr;
     PresetShelf* shelf_ = nullptr;
     FileOpener* files_ = nullptr;
+    CompareDesk* comparison_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     render::Diagnostics complaints_;  // Those that are in the log already.

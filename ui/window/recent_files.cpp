@@ -1,6 +1,7 @@
 #include "ui/window/recent_files.h"
 
 #include "exhibits/framework/state_folder.h"
+#include "ui/kit/menu_text.h"
 #include "ui/window/file_opener.h"
 
 #include <QCoreApplication>
@@ -43,7 +44,7 @@ QMenu* recentMenu(QWidget* parent, FileOpener& opener)
     QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, &opener] {
         menu->clear();
         for (const QString& path : recentFiles()) {
-            QAction* action = menu->addAction(QFileInfo(path).fileName().replace(u'&', QStringLiteral("&&")));
+            QAction* action = menu->addAction(menuText(QFileInfo(path).fileName()));
             action->setToolTip(path);
             QObject::connect(action, &QAction::triggered, &opener, [&opener, path] { opener.open(path); });
         }

@@ -171,6 +171,7 @@ void SessionKeeper::saveLayout() const
     settings.setValue(QStringLiteral("geometry"), window_.saveGeometry());
     if (!window_.bare()) settings.setValue(QStringLiteral("docks"), window_.saveState(layoutVersion));
     settings.setValue(QStringLiteral("folded"), window_.panel().foldedGroups());
+    settings.setValue(QStringLiteral("locked"), window_.panel().lockedRows());
     settings.setValue(QStringLiteral("chosen"), text(window_.museum().subject(window_.chosen()).name()));
 }
 
@@ -179,6 +180,7 @@ void SessionKeeper::restoreLayout()
     QSettings settings(settingsPath(folder_), QSettings::IniFormat);
     window_.restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
     window_.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
+    window_.panel().setLockedRows(settings.value(QStringLiteral("locked")).toStringList());
     window_.panel().setFoldedGroups(settings.value(QStringLiteral("folded")).toStringList());
     const std::string chosen = settings.value(QStringLiteral("chosen")).toString().toStdString();
     if (const auto found = window_.museum().find(chosen)) window_.choose(*found);

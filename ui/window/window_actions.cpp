@@ -1,6 +1,8 @@
 #include "ui/window/window_actions.h"
 
 #include "exhibits/sprites/sprite_shots.h"
+#include "ui/compare/compare_actions.h"
+#include "ui/compare/compare_desk.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_shelf.h"
@@ -103,6 +105,7 @@ WindowActions::WindowActions(MainWindow& window)
     addEditMenu(make, window);
     addPresetMenu(make, window.shelf());
     addViewMenu(make, window);
+    addCompareMenu(make, window.comparison().actions());
     addExhibitMenu(make, window);
     addHelpMenu(make, window);
 }
@@ -161,6 +164,11 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
     make.add(tr("Reset &all parameters"), {},
              tr("Gives all parameters in the panel their initial values; one undo brings yours back."),
              [&window] { window.resetEverything(); });
+    make.add(
+        tr("&Vary at random"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V)},
+        tr("Gives all parameters in the panel other values within their comfortable ranges, but for files, accuracy "
+           "and locked rows (see their menus); one undo brings yours back."),
+        [&window] { window.panel().vary(); });
     make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)},
              tr("Finds and runs any command by name."), [&window] { window.openPalette(); });
 }
@@ -223,6 +231,18 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
              tr("Builds changed shaders again; one that fails keeps its last good picture."),
              [&window] { window.viewport().reloadShaders(); });
 #endif
+}
+
+void WindowActions::addCompareMenu(Maker& make, const CompareActions& actions)
+{
+    make.menu(tr("&Compare"));
+    for (QAction* action : actions.all()) {
+        if (action)
+            make.take(action);
+        else
+            make.separator();
+    }
+    presetMenu << actions.preset();
 }
 
 void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)

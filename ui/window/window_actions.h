@@ -6,6 +6,7 @@ class QAction;
 
 namespace vitrine::ui {
 
+class CompareActions;
 class MainWindow;
 class PresetShelf;
 
@@ -28,6 +29,7 @@ private:
     void addPresetMenu(Maker&, PresetShelf&);
     void addViewMenu(Maker&, MainWindow&);
     void addScreenAndClock(Maker&, MainWindow&);
+    void addCompareMenu(Maker&, const CompareActions&);
     void addExhibitMenu(Maker&, MainWindow&);
     void addHelpMenu(Maker&, MainWindow&);
 };

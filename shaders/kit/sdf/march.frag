@@ -1,5 +1,5 @@
 // The object, one ray per pixel, inside its bounding mesh, with the depth of what the ray found.
-// Permutations: CONE_PREPASS (pixels along a side of its blocks), GLASS, HEAT_MAP, WRITE_NORMAL, COUNT (writes evaluations, discards nothing),
+// Permutations: CONE_PREPASS (pixels along a side of its blocks), GLASS, BACKDROP (seen through it), HEAT_MAP, WRITE_NORMAL, COUNT (writes evaluations, discards nothing),
 // DEPTH_ONLY (shades nothing), OTHERS_SHADOWS, PIXEL_CENTERS,
 // SHADOW_METHOD (of the table), BOUNCES (some are asked for).
 #include "kit/sdf/ray.glsl"

@@ -3,43 +3,16 @@
 #include "lib/surface.glsl"
 #include "lib/hash.glsl"
 #include "kit/sdf/shadow_method.glsl"
-
-int evaluations;  // Calls of fieldDistance for this pixel.
-
-struct Hit {
-    vec3 local;        // on the surface, in the object's own space
-    vec3 localNormal;  // facing the ray
-    vec3 world;
-    vec3 worldNormal;
-    float tolerance;   // local
-    float traveled;   // local length of the path so far
-};
+#include "kit/sdf/hit.glsl"
+#ifdef GLASS
+#include "kit/sdf/glass_path.glsl"
+#endif
+#ifdef BACKDROP
+#include "kit/backdrop.glsl"
+#endif
 
 // Light that the exhibit adds to the hall's, towards the eye: SdfShaders::shading.
 vec3 exhibitLight(Surface s, Hit hit, vec3 toEye);
-
-vec3 worldDirection(vec3 local)
-{
-    return normalize(mat3(object.worldFromLocal) * local);
-}
-
-Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
-{
-    Hit hit;
-    hit.local = origin + direction * march.t;
-    hit.tolerance = hitTolerance(march.t, settings);
-    hit.traveled = settings.traveled + march.t;
-    int part = fieldPart;
-    float step_ = max(parameters.normalStep, 0.25 * settings.pixelCone * hit.traveled);
-    vec3 n = fieldNormal(hit.local, step_, parameters.normalMethod, -direction * march.side);
-    fieldPart = part;
-    evaluations += parameters.normalMethod == NORMAL_CENTRAL ? 6 : 4;
-    // A ray inside the solid meets the surface from behind.
-    hit.localNormal = n * march.side;
-    hit.world = (object.worldFromLocal * vec4(hit.local, 1.0)).xyz;
-    hit.worldNormal = worldNormalOf(hit.localNormal);
-    return hit;
-}
 
 // Share of a light that the object leaves at a point (local) in the direction `toLight`, from tMin to tMax along the way, by
 // the table's method.
@@ -111,20 +84,6 @@ Surface surfaceOf(Hit hit, FieldMaterial material)
     return s;
 }
 
-// The next surface along a ray that starts on a surface. `side`: 1 outside the solid, -1 inside.
-March onward(vec3 start, vec3 direction, float side, MarchSettings settings, float traveled)
-{
-    float tMax = rayBox(start, direction, object.boxLow, object.boxHigh).y;
-    MarchSettings s = settings;
-    s.tMin = 0.0;
-    s.tMax = tMax;
-    s.traveled = traveled;
-    s.side = side;
-    March march = sphereTrace(start, direction, s);
-    evaluations += march.evaluations;
-    return march;
-}
-
 // Recursive reflection without recursion: each bounce adds what its surface sends, weakened by all
 // surfaces before it; a ray that leaves the object sees the hall.
 vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
@@ -162,6 +121,29 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
     return color;
 }
 
+#ifdef GLASS
+// What a ray sees that has left the glass. What rough glass spreads, grows with the index, to all of its roughness at
+// 1.5 (Khronos, KHR_materials_transmission, "Refraction").
+vec3 seenThrough(vec3 world, vec3 direction, float roughness, float index)
+{
+    float spread = roughness * clamp(2.0 * index - 2.0, 0.0, 1.0);
+#ifdef BACKDROP
+    return backdropRadiance(world, direction, spread, spread * spread);
+#else
+    return probeRadiance(world, direction, spread);
+#endif
+}
+
+// The sun's gleam: Fresnel's own share in place of Schlick's, which mirrors even where the index is 1.
+vec3 sunOnGlass(Surface s, vec3 toEye, float index, float visibility)
+{
+    vec3 halfway = safeNormalize(light.sunDirection + toEye, s.normal);
+    float cosine = clamp(dot(toEye, halfway), 0.0, 1.0);
+    float share = fresnelDielectric(cosine, index) / fresnelSchlick(vec3(0.04), cosine).r;
+    // Not in the shadow that it throws.
+    return lightReflected(s, toEye, light.sunDirection, light.sunIrradiance * visibility) * share;
+}
+
 // Through every wall, in and out: Fresnel splits off a mirror image at the first, the rest goes on.
 // Beer's law colors it, and the material is that of the first surface.
 vec3 shadeGlass(vec3 toEye, Hit hit, MarchSettings settings)
@@ -170,41 +152,14 @@ vec3 shadeGlass(vec3 toEye, Hit hit, MarchSettings settings)
     float index = max(material.refractiveIndex, 1.0);
     Surface s = surfaceOf(hit, material);
     s.metalness = 0.0;
-    float cosine = clamp(dot(s.normal, toEye), 0.0, 1.0);
-    float mirror = fresnelDielectric(cosine, index);
-    vec3 mirrored = reflect(-toEye, s.normal);
     s.baseColor = vec3(0.0);
-    vec3 color = mirror * probeRadiance(hit.world, mirrored, s.roughness) + sunReflected(s, toEye, sunReaches(hit));
-    vec3 throughput = vec3(1.0 - mirror);
-
-    vec3 absorption = -log(clamp(material.baseColor, 0.02, 1.0)) / 0.1;
-    vec3 direction = refract(-toEye, s.normal, 1.0 / index);
-    float side = -1.0;
-    int interfaces = 2 + 2 * parameters.bounces;
-    for (int i = 0; i < 10 && i < interfaces; ++i) {
-        vec3 localDirection = normalize(mat3(object.localFromWorld) * direction);
-        // Off the surface, to the side that the ray travels on.
-        vec3 start = hit.local - hit.localNormal * (2.0 * hit.tolerance);
-        March march = onward(start, localDirection, side, settings, hit.traveled);
-        if (!march.hit) break;
-        if (side < 0.0) throughput *= exp(-absorption * march.t * length(mat3(object.worldFromLocal) * localDirection));
-        MarchSettings next = settings;
-        next.traveled = hit.traveled;
-        hit = findHit(start, localDirection, march, next);
-        float eta = side < 0.0 ? index : 1.0 / index;
-        vec3 through = refract(direction, hit.worldNormal, eta);
-        // refract() returns the zero vector on total reflection; reflect instead of normalizing it to NaN.
-        if (dot(through, through) < 0.5) {
-            direction = reflect(direction, hit.worldNormal);
-            hit.localNormal = -hit.localNormal;
-            continue;
-        }
-        throughput *= 1.0 - fresnelDielectric(min(abs(dot(direction, hit.worldNormal)), 1.0), 1.0 / eta);
-        direction = through;
-        side = -side;
-    }
-    return color + throughput * probeRadiance(hit.world, direction, s.roughness);
+    float mirror = fresnelDielectric(clamp(dot(s.normal, toEye), 0.0, 1.0), index);
+    vec3 color = mirror * probeRadiance(hit.world, reflect(-toEye, s.normal), s.roughness) +
+                 sunOnGlass(s, toEye, index, sunReaches(hit));
+    GlassPath path = throughGlass(-toEye, hit, settings);
+    return color + path.throughput * seenThrough(path.world, path.direction, s.roughness, index);
 }
+#endif
 
 vec3 shadeFound(LocalRay ray, Hit hit, MarchSettings settings)
 {

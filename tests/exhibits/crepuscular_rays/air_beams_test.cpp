@@ -3,6 +3,7 @@
 #include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 #include "tests/exhibits/crepuscular_rays/ray_shot.h"
+#include "tests/support/museum_on_paper.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,8 @@ TEST_F(Rays, H68_OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
         shot.rays().set(raysTable().volumeSteps, steps);
         const Picture p = shot.take();
         const render::Box window{{-1.2, 1.4, -12.5}, {1.2, 6.4, -11.9}};
-        const std::vector<Beam> found = beams(std::span(&window, 1), {{-6, 0, -12}, {6, 9, 12}}, towardsSun);
+        const render::Box room = test::building().room();
+        const std::vector<Beam> found = beams(std::span(&window, 1), room, towardsSun);
         double worst = 0;
         int compared = 0;
         p.each([&](int x, int y) {
@@ -57,7 +59,7 @@ TEST_F(Rays, H68_OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
             const double end = p.depth(x, y) * glm::length(inView);
             const dvec3 eye = p.view.eye;
             const auto depthTo = [&](double t) {
-                const dvec2 air = glsl::airBox(eye, direction, found[0].box.low, found[0].box.high);
+                const dvec2 air = glsl::airBox(eye, direction, room.low, room.high);
                 const double begin = std::max(air.x, 0.0);
                 return glsl::airOpticalDepth(eye.y + direction.y * begin, direction.y, std::min(air.y, t) - begin, 0.09,
                                              shot.rays()[raysTable().densityFalloff]);

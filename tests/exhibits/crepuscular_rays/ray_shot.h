@@ -20,7 +20,7 @@ struct RayShot : Shot {
         request.frame.subject.reset();
         request.frame.channels.normal = false;
         see({0.4, 1.65, -1}, {0.1, 3.8, -12});
-        hall().set(hallTable().exposure, -std::log2(6.5));
+        hall().set(hallTable().exposure, -std::log2(12.2));
         hall().set(hallTable().sunTemperature, 6500.0);
         rays().set(raysTable().technique, technique);
         rays().set(raysTable().weight, 1.0);
@@ -37,7 +37,7 @@ struct RayShot : Shot {
     {
         request.frame.alone = *gallery().museum.find("crepuscular_rays");
         request.frame.transparent = true;
-        hall().set(hallTable().exposure, -std::log2(6.5 * 0.16));
+        hall().set(hallTable().exposure, -std::log2(1.04));
         see({0, 0, 0}, {-0.05, 0.2, -1});
         return *this;
     }

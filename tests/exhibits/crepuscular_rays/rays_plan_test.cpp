@@ -104,12 +104,16 @@ TEST(RaysPlan, NothingToSeeAddsNoPassAndSaysWhy)
     dark.hall().set(test::hallTable().sunStrength, 0.0);
     EXPECT_EQ(reasonFor(dark.plan(), "crepuscular_rays/march"), "the sun's strength is 0");
     expectNothingOfTheScreen(dark, "the sun or the tint is black");
+    EXPECT_EQ(reasonFor(dark.plan(), "crepuscular_rays/composite"), "it ran") << "dust is there without a sun, too";
+    dark.rays().set(raysTable().airDensity, 0.0);
+    EXPECT_EQ(reasonFor(dark.plan(), "crepuscular_rays/haze"), "the air is clear");
     expectNothingAtAll(dark.plan());
 
     Scene away = atTheWindow();
     away.see({0, 1.65, 8}, {0, 1.65, 20});
     expectNothingOfTheScreen(away, "the sun is not in front of the camera");
     EXPECT_EQ(reasonFor(away.plan(), "crepuscular_rays/march"), "the beams are out of view");
+    away.rays().set(raysTable().airDensity, 0.0);
     expectNothingAtAll(away.plan());
 
     // At the left wall, the sun still in front: neither window nor oculus is in the picture.

@@ -70,5 +70,50 @@ TEST_F(Hours, ThereIsAWorldOutsideTheWindow)
     EXPECT_LT(mean(outsideAt(14, {0.1, -0.2, -1})), 0.6 * sky) << "and so is the lawn";
 }
 
+/// Share of the pixels of the hall at an hour that a screen of 8 bits shows as 8 or less.
+double blackAt(double hour, LampsLit lamps, Picture* taken = nullptr)
+{
+    Shot shot = hallAt(hour);
+    shot.see({1.35, 1.65, 10.2}, {-0.35, 2.15, -4.0});
+    shot.hall().set(hallTable().lamps, lamps);
+    const Picture p = shot.take();
+    constexpr double eight = 8.5 / 255 / 12.92;
+    int black = 0, all = 0;
+    p.each([&](int x, int y) {
+        black += p.luminance(x, y) < eight;
+        ++all;
+    });
+    if (taken) *taken = p;
+    return static_cast<double>(black) / all;
+}
+
+TEST_F(Hours, TheLampsMakeANightToStandIn)
+{
+    Picture dusk, night;
+    EXPECT_LT(blackAt(18.2, LampsLit::automatic, &dusk), 0.03);
+    EXPECT_LT(blackAt(22, LampsLit::automatic, &night), 0.03);
+    EXPECT_GT(blackAt(22, LampsLit::off), 0.5) << "which is dark without them";
+    for (const Picture* p : {&dusk, &night}) {
+        EXPECT_GT(p->mean(), 0.07);
+        EXPECT_LT(p->mean(), 0.25);
+        EXPECT_GT(redOverBlue(*p), 1.2) << "their light is warm";
+    }
+}
+
+TEST_F(Hours, LampsWithoutStrengthAreNoLampsToTheBit)
+{
+    Shot shot = hallAt(20);
+    shot.hall().set(hallTable().lampStrength, 0.0);
+    const render::Image none = shot.take().image;
+    shot.request.frame.runEverything = true;
+    EXPECT_EQ(test::largestDifference(shot.take().image, none), 0) << "also where they are reckoned with all the same";
+    shot.request.frame.runEverything = false;
+    shot.hall().set(hallTable().lamps, LampsLit::off);
+    EXPECT_EQ(test::largestDifference(shot.take().image, none), 0);
+    shot.hall().resetRow(hallTable().lamps.row);
+    shot.hall().set(hallTable().lampStrength, 0.1);
+    EXPECT_GT(test::largestDifference(shot.take().image, none), 0.01);
+}
+
 }  // namespace
 }  // namespace vitrine

@@ -6,8 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace vitrine {
 namespace {
@@ -105,6 +108,73 @@ TEST_F(LightLevels, OfASunThatShinesInNowhereAreThoseOfNoSun)
     const render::Image none = under(-3, 19, 0);
     EXPECT_EQ(test::largestDifference(under(170, 12, 3.6), none), 0);
     EXPECT_GT(test::largestDifference(under(-3, 19, 3.6), none), 0.1);
+}
+
+/// A part of the hall's first view, as shares of its width and height from the top left.
+struct Region {
+    const char* name;
+    double left, top, width, height;
+    double darkest, brightest;  ///< Of the mean luminance on the display.
+};
+constexpr Region regions[] = {
+    {"left wall", 0.094, 0.306, 0.078, 0.111, 0.2, 0.3},    {"right wall", 0.805, 0.306, 0.070, 0.139, 0.2, 0.3},
+    {"far left wall", 0.305, 0.36, 0.047, 0.083, 0.2, 0.3}, {"wall of the window", 0.41, 0.36, 0.062, 0.16, 0.2, 0.3},
+    {"sunlit floor", 0.47, 0.811, 0.078, 0.055, 0.7, 0.85},
+};
+/// From here on, a screen of 8 bits shows 250.
+constexpr double nearlyWhite = 0.951;
+
+/// Of the hall's first view: how many pixels are nearly white, and which regions are out of their bounds.
+struct Levels {
+    double white = 0;
+    std::vector<std::string> wrong;
+};
+
+template <typename ColorOf> Levels levelsOf(const Picture& p, const ColorOf& colorOf)
+{
+    Levels levels;
+    p.each([&](int x, int y) {
+        const glm::dvec3 c = colorOf(p.color(x, y));
+        levels.white += std::max({c.r, c.g, c.b}) >= nearlyWhite;
+    });
+    levels.white /= static_cast<double>(p.width()) * p.height();
+    for (const Region& r : regions) {
+        double sum = 0, count = 0;
+        for (int y = static_cast<int>(r.top * p.height()); y < (r.top + r.height) * p.height(); ++y)
+            for (int x = static_cast<int>(r.left * p.width()); x < (r.left + r.width) * p.width(); ++x, ++count)
+                sum += glm::dot(colorOf(p.color(x, y)), glm::dvec3(0.2126, 0.7152, 0.0722));
+        if (sum / count < r.darkest || sum / count > r.brightest)
+            levels.wrong.push_back(r.name + (' ' + std::to_string(sum / count)));
+    }
+    return levels;
+}
+
+/// A sigmoid in log exposure alone, without shoulder and toe, at half a stop less light on the film.
+glm::dvec3 plainSigmoid(const glm::dvec3& radiance)
+{
+    constexpr double contrast = 1.32, gray = 0.18;
+    const glm::dvec3 x = glm::pow(radiance * 6.5, glm::dvec3(contrast));
+    return x / (x + std::pow(gray, contrast) * (1 - gray) / gray);
+}
+
+TEST_F(LightLevels, OfTheFirstViewLeaveNothingBlackAndNothingWhite)
+{
+    Shot shot;
+    shot.inHall();
+    shot.request.samples = 4;
+    shot.request.frame.camera = shot.sceneState.camera = hall().bestView(shot.hall());
+    shot.size(192, 108);
+    const std::size_t rays = *test::gallery().museum.find("crepuscular_rays");
+    shot.sceneState.values[rays].resetRow(test::raysTable().technique.row);  // The air as visitors find it.
+    shot.request.frame.averageIn = AverageIn::display;
+    const Levels shown = levelsOf(shot.take(), [](const glm::dvec3& c) { return c; });
+    EXPECT_LT(shown.white, 0.003);
+    for (const std::string& wrong : shown.wrong) ADD_FAILURE() << wrong;
+    // A plain curve gives the same light neither shade nor sun.
+    shot.request.frame.averageIn = AverageIn::radiance;
+    const Levels plain = levelsOf(shot.take(), plainSigmoid);
+    EXPECT_GT(plain.white, 0.01);
+    EXPECT_GE(plain.wrong.size(), 4U);
 }
 
 }  // namespace

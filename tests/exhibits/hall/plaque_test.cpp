@@ -50,7 +50,7 @@ TEST_F(Plaques, CanBeReadInEveryLightOfTheDay)
         EXPECT_GT(contrastOf(shot.take()), 3) << number << " in the shade";
         shot.hall().resetRow(hallTable().sunStrength.row);
         shot.hall().set(hallTable().sunBy, SunBy::hour);
-        for (const double hour : {8.0, 12.0, 16.0, 18.0}) {
+        for (const double hour : {6.0, 9.0, 12.0, 15.0, 18.0, 21.0}) {
             shot.hall().set(hallTable().timeOfDay, hour);
             EXPECT_GT(contrastOf(shot.take()), 3) << number << " at " << hour;
         }
@@ -68,13 +68,20 @@ TEST(PlaqueText, FillsItsPlateAndStaysWithinIt)
     slots[1].tryThis = "walk past it, then go so near that you see its parts, and turn back to the middle of the hall.";
     const PlaqueText text(test::building(), slots);
     double widest = 0, lowest = 1;
-    for (const PlaqueText::Plaque& plaque : text.plaques())
+    for (const PlaqueText::Plaque& plaque : text.plaques()) {
+        glm::vec3 low(1), high(-1);
         for (const render::Vertex& v : plaque.mesh->vertices) {
             EXPECT_LT(std::abs(v.position.x), 0.21F) << plaque.mesh->name;
             EXPECT_LT(std::abs(v.position.y), 0.13F) << plaque.mesh->name;
             widest = std::max(widest, static_cast<double>(v.position.x));
             if (plaque.mesh->name == "plaque 2") lowest = std::min(lowest, static_cast<double>(v.position.y));
+            low = glm::min(low, v.position);
+            high = glm::max(high, v.position);
         }
+        // As far from the plate's left edge as from its right one, and from its top as from its bottom.
+        EXPECT_NEAR(low.x, -high.x, 1e-5) << plaque.mesh->name;
+        EXPECT_NEAR(low.y, -high.y, 1e-5) << plaque.mesh->name;
+    }
     EXPECT_GT(widest, 0.15);
     EXPECT_LT(lowest, -0.05) << "the lower half is not left empty";
 }

@@ -75,6 +75,7 @@ struct Situation {
     double time = 0.7;      ///< Seconds.
     double sincePressed = std::numeric_limits<double>::infinity();
     bool alone = false;
+    bool inMotion = false;  ///< The camera has turned to it.
 };
 
 /// Before the free plinth, where the visitor's object stands.
@@ -96,7 +97,16 @@ std::vector<Situation> situationsOf(std::size_t exhibit, const ParameterValues& 
     Situation near = all.front();
     near.camera.eye = near.camera.target + (near.camera.eye - near.camera.target) / 3.0;
     all.insert(all.end(), {later, pressed, near});
-    if (exhibit == hallIndex) all.push_back({start, beforeThePlinth()});
+    if (exhibit == hallIndex) {
+        all.push_back({start, beforeThePlinth()});
+        Situation turning = all.front();
+        turning.inMotion = true;
+        all.push_back(turning);
+        Situation night = all.front();
+        night.values.set(hallTable().sunBy, SunBy::hour);
+        night.values.set(hallTable().timeOfDay, 21.0);
+        all.push_back(night);
+    }
     const glm::dmat4 world = museum.worldFromExhibit(exhibit);
     for (const StudyView& view : shown.studyViews(start)) {
         if (exhibit != hallIndex) all.push_back({view.values, view.camera, view.time, pressed.sincePressed, true});
@@ -134,6 +144,13 @@ protected:
         frame.averageIn = AverageIn::display;
         frame.camera = situation.camera;
         frame.time = situation.time;
+        if (situation.inMotion) {
+            render::Camera before = situation.camera;
+            for (int i = 0; i < 3; ++i) {
+                before.target.x += 0.02;
+                shot.request.motion.insert(shot.request.motion.begin(), {before, situation.time});
+            }
+        }
         frame.sincePressed.assign(museum.subjects().size(), situation.sincePressed);
         return shot.take();
     }

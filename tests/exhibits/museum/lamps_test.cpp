@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <set>
 
 namespace vitrine {
@@ -17,6 +20,8 @@ class LampsTest : public test::GlTest {};
 struct BulbTable final : Parameters {
     Real strength = real("strength", 4, none, {0, 100}, "W/sr.");
     Toggle shadow = toggle("shadow", true, "Whether it throws shadows.");
+    Toggle moves = toggle("moves", false, "Whether anything moves.");
+    Toggle pulses = toggle("pulses", true, "Whether its light does.");
 };
 
 /// A bare bulb, and nothing to see.
@@ -32,13 +37,23 @@ public:
         return {glm::dvec3(-0.05), glm::dvec3(0.05)};
     }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override { return {{0, 1, 4}, {0, 0, 0}, 0.9}; }
-    [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
+    [[nodiscard]] double nextChange(const ParameterValues& values, double) const override
+    {
+        return values[table.moves] ? 0 : INFINITY;
+    }
     [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState& state) const override
     {
+        // Its pulse is as long as a test that looks at two moments may have them apart.
+        const double pulse = state.values[table.moves] && state.values[table.pulses]
+                                 ? 1.5 + std::sin(2 * std::numbers::pi * state.time / period)
+                                 : 1;
         return {{.position = {0, 2, 0},
-                 .intensity = glm::dvec3(state.values[table.strength]),
+                 .intensity = glm::dvec3(pulse * state.values[table.strength]),
                  .castsShadow = state.values[table.shadow]}};
     }
+    [[nodiscard]] bool lightsChange(const ExhibitState& state) const override { return state.values[table.pulses]; }
+
+    static constexpr double period = 0.37;  ///< Seconds.
 
     inline static const BulbTable table;
 };
@@ -92,14 +107,17 @@ TEST_F(LampsTest, CostNothingWhereThereIsNone)
 {
     test::Shot shot;
     shot.inHall();
-    // The only lamp is the glow of the lanterns' frame.
-    ParameterValues& lanterns = shot.sceneState.values[test::gallery().museum.find("paper_lanterns").value()];
+    // The lamps are the glow of the lanterns' frame, and those over the pit and before the card.
     EXPECT_FALSE(test::planned(test::gallery().museum, shot.sceneState, shot.request.frame).findSkipped("lamps"));
-    lanterns.setRow(lanterns.table().find("hallGlow").value(), 0.0);
+    for (const auto& [exhibit, row] :
+         {std::pair("paper_lanterns", "hallGlow"), {"fur", "lamp"}, {"lenticular", "lamp"}}) {
+        ParameterValues& values = shot.sceneState.values[test::gallery().museum.find(exhibit).value()];
+        values.setRow(values.table().find(row).value(), 0.0);
+    }
     const render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, shot.request.frame);
     EXPECT_TRUE(lampPasses(plan).empty());
     ASSERT_TRUE(plan.findSkipped("lamps"));
-    EXPECT_EQ(plan.findSkipped("lamps")->reason, "no lamp hangs here");
+    EXPECT_EQ(plan.findSkipped("lamps")->reason, "no lamp shines here");
     for (const render::Pass& pass : plan.passes())
         for (const std::string& define : pass.shader.defines) EXPECT_NE(define, "LOCAL_LIGHTS") << pass.name;
 }
@@ -171,6 +189,74 @@ TEST_F(LampsTest, ThrowTheShadowOfThePlinth)
         EXPECT_GT(at(open, {x, 0, -0.2}), 0);
         EXPECT_NEAR(at(shadowed, {x, 0, -0.2}), at(open, {x, 0, -0.2}), 0.02 * at(open, {x, 0, -0.2})) << x;
     }
+}
+
+TEST_F(LampsTest, ThatChangeChangeTheWholePictureAndOthersOnlyTheirExhibit)
+{
+    BulbHall hall;
+    hall.bulb().set(Bulb::table.shadow, false);
+    hall.bulb().set(Bulb::table.moves, true);
+    // From aside, so that the bulb is in view.
+    hall.see({0, 1.6, 5}, {0, 1.2, 0});
+    const auto region = [&] {
+        return hall.museum.movingRegion(hall.museum.prepare(hall.sceneState, hall.frame), hall.frame);
+    };
+    EXPECT_FALSE(region().has_value());
+    hall.bulb().set(Bulb::table.pulses, false);
+    ASSERT_TRUE(region().has_value());
+    EXPECT_LT(region()->size.x * region()->size.y, 96 * 54);
+    // Control: at moments a pulse apart, its lamps are the same.
+    hall.bulb().set(Bulb::table.pulses, true);
+    const Bulb bulb;
+    const ExhibitState now{hall.bulb(), 1}, later{hall.bulb(), 1 + Bulb::period};
+    EXPECT_NEAR(bulb.localLights(now)[0].intensity.x, bulb.localLights(later)[0].intensity.x, 1e-9);
+}
+
+TEST_F(LampsTest, AreSeenByTheProbeWhereTimeDoesNotChangeThem)
+{
+    BulbHall hall;
+    hall.sceneState.hall().set(test::hallTable().reflectionProbe, true);
+    hall.sceneState.hall().set(test::hallTable().probeSize, 16);
+    const auto lit = [&] {
+        const render::FramePlan plan = hall.plan();
+        const render::Pass* walls = plan.find("probe/walls/0");
+        return walls && std::find(walls->shader.defines.begin(), walls->shader.defines.end(), "LOCAL_LIGHTS") !=
+                            walls->shader.defines.end();
+    };
+    EXPECT_FALSE(lit());
+    hall.bulb().set(Bulb::table.pulses, false);
+    EXPECT_TRUE(lit());
+    const std::optional<std::uint64_t> key = hall.plan().find("probe/walls/0")->key;
+    hall.see({1, 8, 2.2}, {0, 0, 2});
+    EXPECT_EQ(hall.plan().find("probe/walls/0")->key, key) << "the eye moved, the lamp did not";
+    hall.bulb().set(Bulb::table.strength, 5.0);
+    EXPECT_NE(hall.plan().find("probe/walls/0")->key, key);
+}
+
+TEST_F(LampsTest, OfExhibitsLightWhatIsNearThem)
+{
+    // By night, seen from above: what the lamp adds on the pad around the pit, on the floor beside it, and farther off.
+    test::Shot shot;
+    shot.inHall();
+    shot.size(96, 96);
+    shot.request.frame.averageIn = AverageIn::radiance;
+    shot.see({3.3, 8.5, 3.01}, {3.3, 0, 3});
+    shot.request.frame.camera.fovY = 1.1;
+    shot.hall().set(test::hallTable().sunStrength, 0.0);
+    ParameterValues& fur = shot.sceneState.values[*test::gallery().museum.find("fur")];
+    const test::Picture lit = shot.take();
+    fur.setRow(fur.table().find("lamp").value(), 0.0);
+    const test::Picture dark = shot.take();
+    const auto added = [&](double x, double y, double z) {
+        const glm::dvec4 clip = lit.view.clipFromWorld * glm::dvec4(x, y, z, 1);
+        const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
+        const int column = static_cast<int>((ndc.x * 0.5 + 0.5) * lit.width());
+        const int row = static_cast<int>((0.5 - ndc.y * 0.5) * lit.height());
+        return lit.luminance(column, row) / dark.luminance(column, row) - 1;
+    };
+    EXPECT_GT(added(3.3 - 1.2, 0.18, 3 - 1.2), 0.5) << "the pad";
+    EXPECT_GT(added(3.3 - 1.5, 0, 3 - 1.5), 0.2) << "the floor beside it";
+    EXPECT_NEAR(added(0.2, 0, 4.6), 0, 0.01) << "but not the middle of the hall";
 }
 
 }  // namespace

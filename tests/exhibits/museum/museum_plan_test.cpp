@@ -114,11 +114,16 @@ TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
     const auto emptyPlan = [&](const render::PersistentState& kept) {
         return test::planned(empty, empty.initialSceneState(), scene.request, kept);
     };
+    // Dust alone is in view wherever one looks: one pass lays it over the hall.
+    EXPECT_EQ(toString(scene.plan(keptAfter(scene.plan()))),
+              "hall/walls > hall/floor > sky > crepuscular_rays/composite > tone");
+    EXPECT_EQ(reasonFor(scene.plan(), "crepuscular_rays/march"), "the beams are out of view");
+    scene.rays().set(test::raysTable().airDensity, 0.0);
     const FramePlan first = scene.plan();
     for (const auto& [i, exhibit] : test::museum().exhibits())
         EXPECT_FALSE(runs(first, std::string(exhibit.name()) + '/')) << exhibit.name();
     EXPECT_FALSE(runs(first, "exhibits/"));
-    EXPECT_EQ(reasonFor(first, "crepuscular_rays/march"), "the beams are out of view");
+    EXPECT_EQ(reasonFor(first, "crepuscular_rays/march"), "the air is clear");
     const FramePlan later = scene.plan(keptAfter(first));
     const FramePlan bare = emptyPlan(keptAfter(emptyPlan({})));
     EXPECT_EQ(toString(later), toString(bare));

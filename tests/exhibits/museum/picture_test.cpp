@@ -271,13 +271,16 @@ TEST_F(PictureTest, APressedButtonIsSquashed)
 
 TEST_F(PictureTest, OutOfViewTheExhibitsCostWhatAHallWithoutExhibitsCosts)
 {
-    // Both as they open, towards the floor before the door: no exhibit, no stand and no beam of the sun is in view.
+    // As they open, towards the floor before the door: no exhibit, no stand and no beam of the sun is in view. The dust
+    // is, wherever one looks, and takes one pass.
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
-    const auto counters = [](const Museum& museum, const glm::dvec3& target) {
+    const auto counters = [](const Museum& museum, const glm::dvec3& target, bool dusty = false) {
         render::gl::Renderer renderer;
         SceneState sceneState = museum.initialSceneState();
         sceneState.hall().set(hallTable().shadowMapSize, 512);
         sceneState.hall().set(hallTable().probeSize, 32);
+        if (const auto rays = museum.find("crepuscular_rays"); rays && !dusty)
+            sceneState.values[*rays].set(test::raysTable().airDensity, 0.0);
         FrameRequest frame;
         frame.raster.size = {64, 36};
         frame.camera = {{0.5, 1.65, 9}, target, 0.959931};
@@ -296,7 +299,8 @@ TEST_F(PictureTest, OutOfViewTheExhibitsCostWhatAHallWithoutExhibitsCosts)
     bare.erase("images");
     EXPECT_EQ(furnished, bare);
     // Higher up, the beam of the oculus reaches into the view: its march and its place over the picture are two more.
-    auto beam = counters(gallery().museum, {0.5, 3.2, 12});
+    EXPECT_EQ(counters(gallery().museum, away, true)["passes"], bare["passes"] + 1);
+    auto beam = counters(gallery().museum, {0.5, 3.2, 12}, true);
     EXPECT_EQ(beam["passes"], counters(empty, {0.5, 3.2, 12})["passes"] + 2);
     EXPECT_GT(counters(gallery().museum, {0, 1.4, 0})["passes"], bare["passes"] + 2);
 }

@@ -34,7 +34,7 @@ inline glsl::Lake lakeAtFloat64(const ParameterValues& values, double seconds)
 {
     static const std::shared_ptr<const render::Texture> noise = blueNoise();
     glsl::Lake made;
-    copyLake(made.lake, lakeBlock(lanternsTable(), values, seconds, std::numeric_limits<double>::infinity()));
+    copyLake(made.lake, lakeBlock(lanternsTable(), values, seconds));
     made.lake.pointWidth = 1e9;
     made.lake.meanWidth = 1e9;
     made.lake.stepLimit = 512;

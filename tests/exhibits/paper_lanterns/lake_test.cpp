@@ -188,7 +188,7 @@ TEST(LakeScene, IsFiniteAndWithinItsPeriodsAtAnyTime)
     for (const double seconds : {0.0, -3.7, 1e6, -1e6, 1e12}) {
         ParameterValues values = sourceLake();
         values.set(lanternsTable().drift, 0.3);
-        const LakeBlock b = lakeBlock(lanternsTable(), values, seconds, 5);
+        const LakeBlock b = lakeBlock(lanternsTable(), values, seconds, {5, seconds - 5});
         EXPECT_GE(b.flickerTime, 0);
         EXPECT_LE(b.flickerTime, 4);
         for (int i = 0; i < b.waves; ++i) {
@@ -202,7 +202,7 @@ TEST(LakeScene, IsFiniteAndWithinItsPeriodsAtAnyTime)
     float last = -1;
     int moved = 0;
     for (int i = 0; i < 60; ++i) {
-        const LakeBlock b = lakeBlock(lanternsTable(), sourceLake(), 1e6 + i / 60.0, 1e9);
+        const LakeBlock b = lakeBlock(lanternsTable(), sourceLake(), 1e6 + i / 60.0);
         moved += b.wave[0].w != last;
         last = b.wave[0].w;
     }

@@ -1,6 +1,7 @@
 // One lantern: its dimensions, its paper, its flame.
 
 #include "tests/exhibits/paper_lanterns/lake_at_float64.h"
+#include "tests/exhibits/paper_lanterns/traced_sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -120,6 +121,16 @@ TEST(LanternShape, P2_P17_TellsTheNearestPartWithTheDistance)
         EXPECT_EQ(found.part, part) << p.x << ' ' << p.y << ' ' << p.z;
     }
     EXPECT_GT(std::min({seen[PART_PAPER], seen[PART_WOOD], seen[PART_METAL]}), 500);
+    // It asks for the field once, where the source asks again for each part.
+    EXPECT_EQ(lake.evaluations, 20000);
+    // Control: a wider tube is told to be paper where the source has none.
+    ParameterValues wider = lanternsTable().initial();
+    wider.set(lanternsTable().paperRadius, 0.9);
+    glsl::Lake other = lakeAtFloat64(wider, 0);
+    EXPECT_EQ(lake.lanternField({0.6, 1.0, 0.6}).part, PART_METAL);
+    EXPECT_EQ(other.lanternField({0.9, 1.0, 0.1}).part, PART_PAPER);
+    EXPECT_LT(other.lanternField({0.9, 1.0, 0.1}).distance, 0);
+    EXPECT_GT(lake.lanternField({0.9, 1.0, 0.1}).distance, 0.1);
 }
 
 TEST(LanternShape, P7_NeverOverestimates)
@@ -235,6 +246,11 @@ TEST(Paper, P5_P15_IsWhatTracedLightSays)
         EXPECT_NEAR(sheet.transmitted, traced.y, 0.005) << kind.x << ' ' << kind.y;
         // Beer's law alone, which knows no scattering back, is far off.
         EXPECT_GT(std::abs(std::exp(-kind.y) - traced.y), 0.05);
+        // Followed in three dimensions, where two streams are a simplification.
+        const test::SheetShares slab = test::tracedSlab(kind.x, kind.y, 100000, 1);
+        EXPECT_NEAR(sheet.reflected, slab.reflected, 0.025) << kind.x << ' ' << kind.y;
+        EXPECT_NEAR(sheet.transmitted, slab.transmitted, 0.025) << kind.x << ' ' << kind.y;
+        EXPECT_GT(std::abs(std::exp(-kind.y) - slab.transmitted), 0.15);
     }
 }
 

@@ -70,6 +70,37 @@ TEST(Lattice, P7_CutsNoLanternAlong100RandomPaths)
     EXPECT_GT(missedBy(REPEAT_OWN_CELL).missed, 10);
 }
 
+TEST(Lattice, LetsRaysPassTheEdgesThatTheyDoNotTouch)
+{
+    ParameterValues values = sourceLake();
+    values.set(lanternsTable().lanterns, 400);
+    glsl::Lake lake = lakeAtFloat64(values, 2);
+    lake.lake.tolerance = 0.1;
+    lake.lake.stepLimit = values[lanternsTable().stepLimit];
+    const auto all = everyLantern(lake);
+    int edges = 0, early = 0, missed = 0;
+    for (int y = 0; y < 70; ++y)
+        for (int x = 0; x < 120; ++x) {
+            glsl::Lake::LanternRay ray{};
+            ray.origin = {lake.lake.corner.x + 30, 3.5, lake.lake.corner.y + 6};
+            ray.direction = glm::normalize(dvec3(0.008 * (x - 60), -0.004 * y, -1));
+            ray.to = 120;
+            ray.spread = glm::dvec2(0.008);
+            const double truth = nearestOfAll(lake, all, ray);
+            const double margin = 0.01 + 2 * ray.spread.x * truth;
+            const auto distance = [&](const glsl::Lake::LanternWalk& walk) {
+                return walk.part == PART_NONE ? ray.to : walk.distance;
+            };
+            early += distance(lake.walkLanterns(ray)) < truth - std::max(margin, 0.05 * truth);
+            missed += distance(lake.walkLanterns(ray)) > truth + margin;
+            // Control: whatever comes within the tolerance ends there, as the source goes.
+            edges += distance(lake.walkNeighbors(ray, REPEAT_3X3, 4000)) < truth - std::max(margin, 0.05 * truth);
+        }
+    EXPECT_GT(edges, 100);
+    EXPECT_LT(early, edges / 10);
+    EXPECT_EQ(missed, 0);
+}
+
 TEST(Lattice, KeepsEveryLanternWithinItsCell)
 {
     for (const double waves : {0.0, 1.0, 8.0}) {

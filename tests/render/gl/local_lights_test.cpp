@@ -34,6 +34,17 @@ Pass floorPass(const Pass& filled, const LocalLighting& lighting, bool shadows)
     return pass;
 }
 
+/// At float64.
+glsl::LocalLightEntry entryOf(const LocalLight& light)
+{
+    glsl::LocalLightEntry entry{
+        light.position, light.radius, light.intensity, light.range, false, 0, 0, light.axis, 0, 0};
+    if (light.axis == glm::dvec3(0)) return entry;
+    entry.coneCosine = std::cos(light.coneInner);
+    entry.coneScale = 1 / (std::cos(light.coneInner) - std::cos(light.coneOuter));
+    return entry;
+}
+
 constexpr const char* floorBody = "vec2 p = (gl_FragCoord.xy / 48.0 * 2.0 - 1.0) * 3.0;\ncolor = "
                                   "vec4(localLightIrradiance(vec3(p.x, 0.0, p.y), vec3(0.0, 1.0, 0.0)), 1.0);";
 
@@ -42,7 +53,12 @@ TEST_F(LocalLightsOnTheDriver, AddUpAsAtFloat64)
     const std::vector<LocalLight> lights{
         {.position = {0.5, 1, 0.2}, .intensity = {1, 2, 3}},
         {.position = {-1, 0.2, 0.5}, .radius = 0.4, .intensity = {3, 1, 0.5}},
-        {.position = {2, 0.6, -2}, .radius = 0.05, .intensity = {0.2, 4, 1}, .range = 2}};
+        {.position = {2, 0.6, -2}, .radius = 0.05, .intensity = {0.2, 4, 1}, .range = 2},
+        {.position = {-2, 2, -1},
+         .intensity = {5, 0.3, 2},
+         .axis = glm::normalize(glm::dvec3(0.4, -1, 0.1)),
+         .coneInner = 0.2,
+         .coneOuter = 0.6}};
     FramePlan plan = planOf({side, side});
     plan.add(floorPass(fill("floor", "frame", floorBody, "#include \"lib/local_lights.glsl\"\n"),
                        localLighting(lights, {0, 0, 0}, 5), false));
@@ -52,8 +68,7 @@ TEST_F(LocalLightsOnTheDriver, AddUpAsAtFloat64)
         for (int x = 0; x < side; ++x) {
             glm::dvec3 sum(0);
             for (const LocalLight& light : lights)
-                sum += glsl::localIrradiance({light.position, light.radius, light.intensity, light.range, false, 0, 0},
-                                             placeOf(x + 0.5, side - y - 0.5), {0, 1, 0});
+                sum += glsl::localIrradiance(entryOf(light), placeOf(x + 0.5, side - y - 0.5), {0, 1, 0});
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(frame.at(x, y, c), sum[c], 2e-3 * sum[c] + 1e-5) << x << ',' << y;
         }
     }

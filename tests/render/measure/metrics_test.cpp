@@ -142,5 +142,24 @@ TEST(Metrics, AHeatMapGrowsLighterWithTheError)
     EXPECT_GT(light(4), 0.9);
 }
 
+TEST(SignedDifference, IsGrayWhereEqualAndHalfTheDifferenceOfTheCodesTimesTheGain)
+{
+    Image a(4, 1, 3, static_cast<float>(linearFromSrgb(0.5)));
+    Image b = a;
+    b.at(1, 0, 0) = static_cast<float>(linearFromSrgb(0.6));
+    b.at(2, 0, 1) = static_cast<float>(linearFromSrgb(0.45));
+    b.at(3, 0, 2) = 1;
+    const auto code = [](const Image& image, int x, int c) { return srgbFromLinear(image.at(x, 0, c)); };
+    const Image once = signedDifference(a, b, 1), fourTimes = signedDifference(a, b, 4);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(code(once, 0, c), 0.5, 1e-6);
+    EXPECT_NEAR(code(once, 1, 0), 0.55, 1e-6);
+    EXPECT_NEAR(code(once, 1, 1), 0.5, 1e-6) << "the other components are equal";
+    EXPECT_NEAR(code(once, 2, 1), 0.475, 1e-6);
+    EXPECT_NEAR(code(fourTimes, 1, 0), 0.7, 1e-6);
+    EXPECT_NEAR(code(fourTimes, 2, 1), 0.4, 1e-6);
+    EXPECT_NEAR(code(fourTimes, 3, 2), 1, 1e-6) << "clamped";
+    EXPECT_NEAR(code(signedDifference(b, a, 1), 1, 0), 0.45, 1e-6) << "the other way round";
+}
+
 }  // namespace
 }  // namespace vitrine

@@ -83,6 +83,12 @@ TEST(BoundsOfPlans, AHallWithoutLightHasNoProbeAndNoShadow)
     scene.hall().set(hallTable().sunStrength, 0.0);
     EXPECT_TRUE(test::runs(scene.plan(), "probe/")) << "the sky still shines";
     scene.hall().set(hallTable().skyStrength, 0.0);
+    EXPECT_TRUE(test::runs(scene.plan(), "probe/")) << "the exhibits' lamps still do";
+    for (const auto& [exhibit, row] :
+         {std::pair("paper_lanterns", "hallGlow"), {"fur", "lamp"}, {"lenticular", "lamp"}}) {
+        ParameterValues& values = scene.sceneState.values[test::museum().find(exhibit).value()];
+        values.setRow(values.table().find(row).value(), 0.0);
+    }
     const FramePlan plan = scene.plan();
     EXPECT_EQ(reasonFor(plan, "probe"), "there is no light to reflect");
     EXPECT_TRUE(plan.findSkipped("probe")->boundIsZero);

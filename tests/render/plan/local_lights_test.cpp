@@ -16,10 +16,11 @@ namespace {
 
 using render::localLighting;
 using std::numbers::pi;
+using LocalLightEntryInBlock = render::LocalLightEntry;
 
 glsl::LocalLightEntry lightAt(const glm::dvec3& position, double radius = 0, double range = 0)
 {
-    return {position, radius, glm::dvec3(2, 3, 5), range, false, 0, 0};
+    return {position, radius, glm::dvec3(2, 3, 5), range, false, 0, 0, glm::dvec3(0), 0, 0};
 }
 
 // All that a point sends downward falls on the plane below it: half of 4 pi I.
@@ -38,6 +39,29 @@ TEST(LocalLight, AsAPointSendsHalfOfItsFluxOntoAPlane)
     EXPECT_NEAR(flux, 2 * pi * 2, 1e-6);
     EXPECT_EQ(glsl::localIrradiance(light, {0, 3, 0}, {0, 1, 0}), glm::dvec3(0)) << "from below";
     EXPECT_EQ(glsl::localIrradiance(light, {0, 1.7, 0}, {0, 1, 0}), glm::dvec3(0)) << "at the point itself";
+}
+
+TEST(LocalLight, InAConeSendsAllWithinItAndNothingBeyond)
+{
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(0.3, -1, 0.2));
+    const std::vector<render::LocalLight> lights{
+        {.position = {0, 2, 0}, .intensity = {2, 3, 5}, .axis = axis, .coneInner = 0.3, .coneOuter = 0.7}};
+    const LocalLightEntryInBlock entry = localLighting(lights, {0, 0, 0}, 5).block.lights[0];
+    glsl::LocalLightEntry cone = lightAt({0, 2, 0});
+    cone.axis = glm::dvec3(entry.axis);
+    cone.coneCosine = static_cast<double>(entry.coneCosine);
+    cone.coneScale = static_cast<double>(entry.coneScale);
+    const glm::dvec3 across = glm::normalize(glm::cross(axis, glm::dvec3(0, 0, 1)));
+    double before = 1e9;
+    for (double angle = 0; angle < pi; angle += 0.01) {
+        const glm::dvec3 way = std::cos(angle) * axis + std::sin(angle) * across;
+        const double sent = glsl::localIrradiance(cone, glm::dvec3(0, 2, 0) + way, -way).x;
+        if (angle < 0.299) EXPECT_NEAR(sent, 2, 1e-6) << angle;
+        if (angle > 0.701) EXPECT_EQ(sent, 0) << angle;
+        EXPECT_LE(sent, before + 1e-9) << angle;
+        if (angle > 0.1) EXPECT_LT(before - sent, 0.15) << angle;
+        before = sent;
+    }
 }
 
 /// The same by quadrature over the directions in which the sphere is seen.

@@ -107,6 +107,22 @@ private slots:
         QCOMPARE(history.stack().count(), 2);
     }
 
+    void theValuesOfAnyStepCanBeAskedForWithoutGoingThere()
+    {
+        History history(start());
+        history.change("a", with(history.sceneState(), table_.roughness, 0.1));
+        history.change("b", with(history.sceneState(), table_.morph, 0.9));
+        const SceneState both = history.sceneState();
+        history.stack().undo();
+        QSignalSpy changed(&history, &History::changed), replaced(&history, &History::replaced);
+        QVERIFY(history.valuesAt(0).values == start().values);
+        QVERIFY(history.valuesAt(1).values == history.sceneState().values);
+        QVERIFY2(history.valuesAt(2).values == both.values, "a step that is undone");
+        QVERIFY(!(history.valuesAt(2).values == history.sceneState().values));
+        QCOMPARE(changed.count() + replaced.count(), 0);
+        QCOMPARE(history.stack().index(), 1);
+    }
+
     void aDragThatComesBackIsNoStep()
     {
         History history(start());

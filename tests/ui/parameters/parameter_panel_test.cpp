@@ -134,6 +134,38 @@ private slots:
         QVERIFY(!panel_->row("morph")->isVisible());
     }
 
+    void allRowsAreVariedAtOnceButForLockedOnes()
+    {
+        choose("roughness", "Lock against varying");
+        QCOMPARE(panel_->lockedRows(), QStringList{"sample/roughness"});
+        const int count = history_->stack().count();
+        const ParameterValues before = values();
+        panel_->vary();
+        QCOMPARE(history_->stack().count(), count + 1);
+        QVERIFY(values().row(table_.roughness.row) == before.row(table_.roughness.row));
+        QVERIFY(!(values().row(table_.morph.row) == before.row(table_.morph.row)));
+        QVERIFY(!(values().row(table_.base.row) == before.row(table_.base.row)));
+        QVERIFY2(values().row(table_.tolerance.row) == before.row(table_.tolerance.row), "accuracy is no look");
+        const ParameterValues first = values();
+        panel_->vary();
+        QVERIFY2(!(values() == first), "the next seed");
+        history_->stack().undo();
+        QVERIFY(values() == first);
+        history_->stack().undo();
+        QVERIFY(values() == before);
+
+        // A whole group, and all of it free again.
+        choose("morph", "Lock the group");
+        panel_->vary();
+        QVERIFY(values().row(table_.tube.row) == before.row(table_.tube.row));
+        QVERIFY(!(values().row(table_.base.row) == before.row(table_.base.row)));
+        choose("morph", "Unlock the group");
+        choose("roughness", "Unlock");
+        QVERIFY(panel_->lockedRows().isEmpty());
+        panel_->vary();
+        QVERIFY(!(values().row(table_.roughness.row) == before.row(table_.roughness.row)));
+    }
+
     void foldedGroupsAreRemembered()
     {
         auto* heading = panel_->findChildren<SectionHeading*>().at(1);

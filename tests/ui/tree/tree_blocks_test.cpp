@@ -156,6 +156,15 @@ private slots:
         QVERIFY(dock().overlay().handles()[0].line.size() > 10);
         QTest::keyClick(&viewport, Qt::Key_1);
         QCOMPARE(dock().overlay().handles()[0].line.size(), std::size_t(2));
+        // They belong on the whole picture of what is on show.
+        action("Hold what is on show as B")->trigger();
+        action("Side by side")->trigger();
+        QTRY_VERIFY(viewport.covered());
+        QVERIFY(!dock().overlay().isVisible());
+        QVERIFY(dock().overlay().handles().empty());
+        action("End the comparison")->trigger();
+        QVERIFY(dock().overlay().isVisible());
+        QVERIFY(!dock().overlay().handles().empty());
         // A click beside it selects nothing.
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, QPoint(room.width() / 2, room.height() / 2 + 5));
         QVERIFY(editor().selected().empty());

@@ -95,6 +95,54 @@ private slots:
         QCOMPARE(schedule.next(now + 1)->sample, 1);
     }
 
+    void aMovedCameraDrawsAMotionAndAChangedValueDoesNot()
+    {
+        DrawSchedule schedule;
+        schedule.setHistory(8);
+        double now = 0;
+        drawAll(schedule, now, 0.01);
+        schedule.cameraMoved(now);
+        DrawOrder order = schedule.next(now).value();
+        QCOMPARE(order, (DrawOrder{1, 0, 1, true}));
+        schedule.begun(order);
+        schedule.drawn(order, 0.01);
+        QVERIFY(!schedule.next(now + 0.01));  // Not yet settled.
+        order = schedule.next(now + 1).value();
+        QCOMPARE(order, (DrawOrder{1, 0, 16, false}));
+        schedule.changed(now + 1);
+        schedule.cameraMoved(now + 1);
+        QVERIFY(!schedule.next(now + 1)->inMotion);
+        // Switched off, a moved camera is as any other change.
+        schedule.setHistory(1);
+        drawAll(schedule, now, 0.01);
+        schedule.cameraMoved(now);
+        QCOMPARE(schedule.next(now).value(), (DrawOrder{1, 0, 16, false}));
+    }
+
+    void aSmoothMotionStaysOnTheScreenUntilFourSamplesAreThere()
+    {
+        DrawSchedule schedule;
+        schedule.setHistory(8);
+        double now = 0;
+        drawAll(schedule, now, 0.01);
+        schedule.cameraMoved(now);
+        const DrawOrder motion = schedule.next(now).value();
+        QVERIFY(schedule.improves(motion));
+        schedule.drawn(motion, 0.01);
+        std::string shown;
+        for (int i = 0; i < 6; ++i) {
+            const DrawOrder order = schedule.next(now + 1 + i).value();
+            shown += schedule.improves(order) ? '+' : '-';
+            schedule.drawn(order, 0.01);
+        }
+        QCOMPARE(QString::fromStdString(shown), QStringLiteral("---+++"));
+        // What else changes is shown at once.
+        schedule.cameraMoved(now + 9);
+        schedule.drawn(schedule.next(now + 9).value(), 0.01);
+        schedule.changed(now + 9.1);
+        QVERIFY(schedule.improves(schedule.next(now + 9.1).value()));
+    }
+
     void aSlowMachineDrawsCoarserWhileMoving()
     {
         DrawSchedule schedule;

@@ -88,6 +88,39 @@ private slots:
         job = {};
         renderers.close();
     }
+
+    void theSecondLookIsDrawnAsTheFirstWouldBeAndLeavesItAlone()
+    {
+        std::vector<std::unique_ptr<Exhibit>> exhibits;
+        exhibits.push_back(std::make_unique<Filled>());
+        const Museum museum(std::move(exhibits));
+        MuseumRenderers renderers(museum);
+        renderers.open();
+        const QSize screen(16, 9);
+        SceneState a = museum.initialSceneState();
+        a.hall().setRow(*a.hall().table().find("reflectionProbe"), 0.0);
+        a.hall().setRow(*a.hall().table().find("exposure"), -3.0);
+        SceneState b = a;
+        b.hall().setRow(*b.hall().table().find("exposure"), 0.0);
+        FrameRequest frame;
+        frame.camera = museum.exhibit(1).bestView(a.values[1]);
+        frame.raster.size = {16, 9};
+        frame.alone = 1;
+        frame.cut = frame.finished = true;
+        const Renderers::Unwanted never = [] { return false; };
+        static_cast<void>(renderers.draw(b, frame, never));
+        const QImage expected = renderers.screenImage(screen);
+        static_cast<void>(renderers.draw(a, frame, never));
+        const QImage first = renderers.screenImage(screen);
+        QVERIFY2(first != expected, "a control: the exposure is seen");
+        const OtherDrawn second = renderers.drawOther(b, frame, screen);
+        QVERIFY(second.image == expected);
+        QVERIFY(!second.report.ran.empty());
+        QVERIFY(renderers.screenImage(screen) == first);
+        renderers.forgetOther();
+        QVERIFY(renderers.drawOther(b, frame, screen).image == expected);
+        renderers.close();
+    }
 };
 
 QTEST_MAIN(MuseumRenderersTest)

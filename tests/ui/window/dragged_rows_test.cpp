@@ -132,6 +132,28 @@ private slots:
         QCOMPARE(divider(), 1.0);
     }
 
+    void sideBySideALineIsDraggedInEitherPicture()
+    {
+        action("Hold what is on show as B")->trigger();
+        action("Side by side")->trigger();
+        QTRY_VERIFY(window_->viewport().covered());
+        const QSize whole = window_->viewport().size();
+        const QSize room((whole.width() - 4) / 2, whole.height());
+        const QSizeF half = QSizeF(whole).scaled(room, Qt::KeepAspectRatio);
+        for (const int left : {0, whole.width() - room.width()}) {
+            settle();
+            const QPointF before = at(2 * divider() - 1, 0.3);
+            const QPoint shown(
+                static_cast<int>(left + before.x() * half.width() / whole.width()),
+                static_cast<int>((whole.height() - half.height()) / 2 + before.y() * half.height() / whole.height()));
+            const render::Camera camera = window_->history().sceneState().camera;
+            dragBy(shown, 20);
+            const double moved = at(2 * divider() - 1, 0.3).x() - before.x();
+            QVERIFY2(std::abs(moved - 20 * whole.width() / half.width()) < 0.5, qPrintable(QString::number(moved)));
+            QCOMPARE(window_->history().sceneState().camera, camera);
+        }
+    }
+
     void besideTheLineThePictureIsTurned()
     {
         const render::Camera camera = window_->history().sceneState().camera;

@@ -1,12 +1,14 @@
-// Draws the window into pictures, dark and light, to look at: show_window FOLDER [museum | tree]. With "museum"
-// the real one, with "tree" its exhibits that are made of trees; else a gallery of one color with every kind of
-// parameter.
+// Draws the window into pictures, dark and light, to look at: show_window FOLDER [museum | tree | compare]. With
+// "museum" the real one, with "tree" its exhibits that are made of trees, with "compare" two settings of it; else a
+// gallery of one color with every kind of parameter.
 #include "tests/ui/painted_gallery.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/capabilities.h"
 #include "exhibits/framework/tree.h"
 #include "ui/charts/charts_dock.h"
+#include "ui/compare/compare_desk.h"
+#include "ui/compare/other_picture.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/parameter_panel.h"
@@ -61,6 +63,26 @@ void showTrees(ui::MainWindow& window, const Museum& museum, const QString& fold
     }
 }
 
+/// The torus beside the mug in every mode of the comparison.
+void showComparison(ui::MainWindow& window, const QString& folder, const QString& ending)
+{
+    window.visit(1);
+    window.comparison().holdPresent();
+    const auto row = window.history().sceneState().values[1].table().find("morph");
+    window.history().set(1, *row, 0.1, ui::newGesture());
+    for (auto* dock : window.findChildren<QDockWidget*>())
+        if (dock->objectName() == QLatin1String("ledger")) dock->show();
+    int number = 0;
+    for (const ui::CompareMode mode : ui::compareModes) {
+        window.comparison().setMode(mode);
+        QElapsedTimer passed;
+        passed.start();
+        while (passed.elapsed() < 120000 && (!window.comparison().picture().finished() || passed.elapsed() < 3000))
+            waitUntilStill(window, 1300);
+        window.grab().save(folder + QStringLiteral("/compare_%1").arg(++number) + ending);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -92,6 +114,10 @@ int main(int argc, char** argv)
         window.show();
         if (trees) {
             showTrees(window, *museum, folder, ending);
+            continue;
+        }
+        if (real && QLatin1String(argv[2]) == QLatin1String("compare")) {
+            showComparison(window, folder, ending);
             continue;
         }
         waitUntilStill(window, 60000);

@@ -129,6 +129,21 @@ private slots:
         QCOMPARE(savedThemeChoice(), ThemeChoice::dark);
     }
 
+    void lockedRowsComeBackAndAreLeftOutWhenTheOthersAreVaried()
+    {
+        window_->choose(1);
+        window_->panel().setLockedRows({"sdf_morph/roughness"});
+        closeWindow();
+        openWindow();
+        QCOMPARE(window_->panel().lockedRows(), QStringList{"sdf_morph/roughness"});
+        window_->choose(1);
+        const auto morph = [this] { return window_->history().sceneState().values[1][gallery_->table().morph]; };
+        const double before = morph();
+        action("Vary at random")->trigger();
+        QCOMPARE(roughness(), 0.25);
+        QVERIFY(morph() != before);
+    }
+
     void theLedgerNamesExhibitsByTheirTitles()
     {
         LedgerView ledger;

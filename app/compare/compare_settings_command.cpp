@@ -1,0 +1,141 @@
+#include "app/command.h"
+#include "app/compare/comparison_folder.h"
+#include "app/picture_options.h"
+#include "app/progress.h"
+#include "app/report.h"
+
+#include "exhibits/exhibits.h"
+#include "render/failure.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace vitrine::app {
+namespace {
+
+/// In place of a file: the initial values of everything.
+constexpr const char* initialSettings = "initial";
+
+struct SettingsOptions {
+    std::array<std::string, 2> files;
+    PictureOptions picture;
+    int runs = 5;
+    int gain = 8;
+};
+
+/// The file's own name, which two files in different folders may share: then the whole path.
+std::array<std::string, 2> namesOf(const std::array<std::string, 2>& files)
+{
+    std::array<std::string, 2> names;
+    for (std::size_t i = 0; i < 2; ++i) names[i] = std::filesystem::path(files[i]).filename().string();
+    return names[0] == names[1] ? files : names;
+}
+
+/// Where both are looked at from: as asked for, else the camera of the first file that has one, else the best view of
+/// the exhibit that was named, or of the first in which the two differ.
+render::Camera sharedCamera(const Museum& museum, const std::array<RequestedPicture, 2>& jobs,
+                            const PictureOptions& options)
+{
+    render::Camera camera = jobs[0].request.frame.camera;
+    if (!jobs[0].cameraFromPreset && jobs[1].cameraFromPreset) {
+        camera = jobs[1].request.frame.camera;
+    } else if (!jobs[0].cameraFromPreset && jobs[0].subject == hallIndex) {
+        const std::vector<DifferingRow> rows = differingRows(jobs[0].sceneState, jobs[1].sceneState);
+        const auto exhibit =
+            std::find_if(rows.begin(), rows.end(), [](const DifferingRow& row) { return row.subject != hallIndex; });
+        if (exhibit != rows.end())
+            camera = museum.bestView(exhibit->subject, jobs[0].sceneState.values[exhibit->subject]);
+    }
+    setCamera(options, camera);
+    return camera;
+}
+
+ComparisonRequest comparisonRequest(const Museum& museum, const SettingsOptions& options)
+{
+    std::array<RequestedPicture, 2> jobs;
+    for (std::size_t i = 0; i < 2; ++i) {
+        PictureOptions one = options.picture;
+        one.preset = options.files[i] == initialSettings ? "" : options.files[i];
+        jobs[i] = requestedPicture(museum, one);
+        for (const std::string& note : jobs[i].notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    }
+    ComparisonRequest request;
+    request.frame = jobs[0].request.frame;
+    request.frame.camera = sharedCamera(museum, jobs, options.picture);
+    request.runs = options.runs;
+    for (std::size_t i = 0; i < 2; ++i) {
+        request.settings[i] = std::move(jobs[i].sceneState);
+        request.settings[i].camera = request.frame.camera;
+        request.samples[i] = jobs[i].request.samples;
+    }
+    return request;
+}
+
+int compareSettings(const SettingsOptions& options)
+{
+    requireComparisonFolder(options.picture.out);
+    const render::gl::HeadlessContext context;
+    const Museum museum{allExhibits()};
+    ComparisonRequest request = comparisonRequest(museum, options);
+    ComparisonText text;
+    text.names = namesOf(options.files);
+    for (std::size_t i = 0; i < 2; ++i)
+        text.presets[i] = presetOf(museum, hallIndex, request.settings[i], text.names[i]);
+    text.gain = options.gain;
+    text.machine = machineJson(context.info());
+    render::gl::Renderer renderer;
+    renderer.timeSteps(true);
+    const StopSignal signal;
+    Comparison comparison(museum, renderer, std::move(request));
+    {
+        ProgressLine line("comparing");
+        while (comparison.step())
+            if (!line.show(comparison.progress())) return StopSignal::exitCode;
+    }
+    writeComparisonFolder(options.picture.out, museum.subjects(), comparison, text);
+    const ComparisonResult& result = comparison.result();
+    for (const auto& [metric, error] : result.errors)
+        std::printf("%-8s %.6g\n", std::string(toString(metric)).c_str(), error);
+    std::printf("%zu %s; a frame of A takes %.2f ms, one of B %.2f ms.\n", result.rows.size(),
+                result.rows.size() == 1 ? "row differs" : "rows differ", result.sides[0].report.milliseconds,
+                result.sides[1].report.milliseconds);
+    std::printf("The comparison is in %s/index.html\n", options.picture.out.c_str());
+    return 0;
+}
+
+}  // namespace
+
+void addCompareSettingsCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand(
+        "compare-settings", "Two settings side by side: pictures, differences, costs pass by pass, as one page");
+    auto options = std::make_shared<SettingsOptions>();
+    options->picture.subject = "hall";
+    const std::string what = "A preset, an exhibition, a picture that carries one, or \"initial\"";
+    command->add_option("a", options->files[0], what)->required();
+    command->add_option("b", options->files[1], what)->required();
+    command->add_option("--out", options->picture.out, "The folder of the page")->required();
+    command->add_option("--exhibit", options->picture.subject,
+                        "Whose presets they are: shipped ones may then be given by their names");
+    command->add_option("--size", options->picture.size, "Width x height in pixels")->capture_default_str();
+    command
+        ->add_option("--samples", options->picture.samples,
+                     "Samples per pixel; without it 4, or each one's supersamples where it changes them")
+        ->check(CLI::Range(1, 4096));
+    command->add_option("--runs", options->runs, "Timed frames of each")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 99));
+    command->add_option("--gain", options->gain, "What the page first multiplies differences by")
+        ->capture_default_str()
+        ->check(CLI::IsMember(std::vector<int>(comparisonGains.begin(), comparisonGains.end())));
+    addCameraOptions(*command, options->picture);
+    command->callback([&chosen, options] { chosen = [options] { return compareSettings(*options); }; });
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/compare/comparison_folder.h"
+
+#include <string>
+
+namespace vitrine::app {
+
+/// One page of HTML with both pictures (a wipe, side by side, flicker, differences), the costs pass by pass and the
+/// rows that differ. It needs the folder pictures/ beside it, and no network.
+[[nodiscard]] std::string comparisonPage(Subjects, const Comparison&, const ComparisonText&);
+
+}  // namespace vitrine::app

@@ -1,0 +1,119 @@
+#include "exhibits/compare/comparison.h"
+
+#include "exhibits/study/study_picture.h"
+#include "render/measure/distance.h"
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+constexpr std::array colorMetrics{render::Metric::flip, render::Metric::rmse, render::Metric::psnr, render::Metric::max,
+                                  render::Metric::beyond};
+
+}  // namespace
+
+Comparison::Comparison(const Museum& museum, render::RenderBackend& backend, ComparisonRequest request)
+    : museum_(museum), backend_(backend), request_(std::move(request))
+{
+    request_.runs = std::max(request_.runs, 0);
+    for (std::size_t side = 0; side < 2; ++side)
+        makers_[side].emplace(museum_, backend_, request_.settings[side], pictureRequest(side));
+}
+
+PictureRequest Comparison::pictureRequest(std::size_t side) const
+{
+    PictureRequest picture;
+    picture.frame = request_.frame;
+    picture.frame.channels.evaluations = true;
+    picture.samples = request_.samples[side];
+    picture.largestTile = request_.largestTile;
+    return picture;
+}
+
+bool Comparison::step()
+{
+    if (finished_) return false;
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (makers_[side]->finished()) continue;
+        makers_[side]->step();
+        if (makers_[side]->finished()) takePicture(side);
+        return true;
+    }
+    const std::size_t frames = request_.runs > 0 ? 2 * (static_cast<std::size_t>(request_.runs) + 1) : 0;
+    if (framesTimed_ < frames) {
+        drawTimed(framesTimed_ % 2);
+        ++framesTimed_;
+        return true;
+    }
+    finish();
+    return false;
+}
+
+double Comparison::progress() const
+{
+    if (finished_) return 1;
+    // A timed frame is about one sample.
+    const double timed = request_.runs > 0 ? 2.0 * (request_.runs + 1) : 0;
+    double all = timed, done = static_cast<double>(framesTimed_);
+    for (std::size_t side = 0; side < 2; ++side) {
+        all += request_.samples[side];
+        done += request_.samples[side] * makers_[side]->progress();
+    }
+    return all > 0 ? std::min(done / all, 1.0) : 0;
+}
+
+void Comparison::takePicture(std::size_t side)
+{
+    ComparedSide& compared = result_.sides[side];
+    const render::Image& picture = makers_[side]->picture();
+    compared.report = makers_[side]->report();
+    if (const std::int64_t evaluations = channelTotal(picture, "evaluations"); evaluations > 0)
+        compared.report.counters["evaluations"] = evaluations;
+    compared.picture = colorsOf(picture);
+}
+
+void Comparison::drawTimed(std::size_t side)
+{
+    FrameRequest frame = request_.frame;
+    frame.cut = frame.finished = true;  // As the picture.
+    if (std::max(frame.raster.size.x, frame.raster.size.y) > std::min(request_.largestTile, backend_.largestSide()))
+        frame.raster.tile = glm::min(frame.raster.size, glm::ivec2(request_.largestTile));
+    render::FrameReport report =
+        backend_.draw(museum_.plan(museum_.prepare(request_.settings[side], frame), frame, backend_.persistentState()));
+    ComparedSide& compared = result_.sides[side];
+    if (framesTimed_ >= 2) {  // The first one of each builds programs.
+        compared.milliseconds.push_back(report.milliseconds);
+        for (const render::StepReport& step : report.ran)
+            if (step.milliseconds >= 0) stepTimes_[side][step.name].push_back(step.milliseconds);
+    }
+    if (const auto counted = compared.report.counters.find("evaluations"); counted != compared.report.counters.end())
+        report.counters.insert(*counted);
+    compared.report = std::move(report);
+}
+
+void Comparison::finish()
+{
+    for (std::size_t side = 0; side < 2; ++side) {
+        ComparedSide& compared = result_.sides[side];
+        if (!compared.milliseconds.empty()) {
+            compared.time = render::summarize(compared.milliseconds);
+            compared.report.milliseconds = compared.time->median;
+        }
+        for (render::StepReport& step : compared.report.ran) {
+            const auto times = stepTimes_[side].find(step.name);
+            step.milliseconds = times == stepTimes_[side].end() ? -1 : render::summarize(times->second).median;
+        }
+        makers_[side].reset();
+    }
+    const render::Image &a = result_.sides[0].picture, &b = result_.sides[1].picture;
+    for (const render::Metric metric : colorMetrics)
+        if (const auto error = render::distance(metric, a, b, request_.pixelsPerDegree))
+            result_.errors[metric] = *error;
+    result_.rows = differingRows(request_.settings[0], request_.settings[1]);
+    result_.passes = passCosts(result_.sides[0].report, result_.sides[1].report);
+    result_.counters = counterCosts(result_.sides[0].report, result_.sides[1].report);
+    finished_ = true;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,52 @@
+#include "exhibits/hall/vault_lamps.h"
+
+#include "exhibits/framework/scene_lighting.h"
+#include "exhibits/hall/sun.h"
+#include "render/files/assets.h"
+#include "render/image/image_io.h"
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+/// Of a lamp of strength 1: walls are then about half as bright by night as in the shade by day.
+constexpr double radianceOfLamp = 4.5;
+
+}  // namespace
+
+double lampsShareAt(double sunElevation)
+{
+    const double sunk = std::clamp((lampsBegin - sunElevation) / lampsBegin, 0.0, 1.0);
+    return sunk * sunk * (3 - 2 * sunk);
+}
+
+VaultLamps vaultLampsOf(const HallTable& table, const ParameterValues& values)
+{
+    VaultLamps lamps;
+    double share = 0;
+    switch (values[table.lamps]) {
+    case LampsLit::automatic:
+        share = lampsShareAt(sunOf(table, values).elevation);
+        if (share <= 0) lamps.whyDark = "the sun is too high for lamps";
+        break;
+    case LampsLit::on: share = 1; break;
+    case LampsLit::off: lamps.whyDark = "the lamps are switched off"; break;
+    }
+    const double strength = values[table.lampStrength];
+    if (lamps.whyDark.empty() && !(strength > 0)) lamps.whyDark = "the strength of the lamps is 0";
+    lamps.radiance = blackBodyColor(values[table.lampTemperature]) * (radianceOfLamp * strength * share);
+    return lamps;
+}
+
+LampLight::LampLight(const render::Json& table)
+{
+    auto picture = std::make_shared<render::Texture>(
+        *render::loadTexture(render::asset("models/" + table.at("air").at("file").get<std::string>()), false, false));
+    picture->mipmaps = false;
+    air_ = picture;
+    airScale_ = table.at("air").at("scale").get<double>();
+    surfaceScale_ = table.at("surfaces").get<double>();
+}
+
+}  // namespace vitrine

@@ -1,0 +1,89 @@
+#include "exhibits/kit/backdrop.h"
+
+#include "exhibits/framework/exhibit.h"
+#include "shaders/lib/bindings.glsl"
+
+#include <algorithm>
+#include <bit>
+
+namespace vitrine {
+namespace {
+
+using render::Attachment;
+
+constexpr int blurLevels = 7;  ///< The last one blurs over 64 pixels.
+
+constexpr const char* sharpPass = "kit/backdrop";
+constexpr const char* blurredPass = "kit/backdrop/blurred";
+constexpr const char* sharpImage = "backdrop.radiance";
+constexpr const char* blurredImage = "backdrop.blurred";
+constexpr const char* backdropDepth = "backdrop.depth";
+
+render::Pass copyPass(const char* name, const char* reason)
+{
+    render::Pass copy;
+    copy.name = name;
+    copy.reason = reason;
+    copy.phase = render::PassPhase::transparent;
+    copy.draws = {render::Draw{}};
+    return copy;
+}
+
+/// Levels of an image of this many pixels, down to one.
+int largestLevels(glm::ivec2 size)
+{
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max({size.x, size.y, 1}))));
+}
+
+render::ImageInfo pictureImage(const render::FramePlan& plan, const char* name, int levels)
+{
+    const auto picture = plan.images().find(radianceImage);
+    return {.name = name,
+            .format = picture == plan.images().end() ? render::Format::rgba16f : picture->second.format,
+            .levels = std::min(levels, largestLevels(plan.view.raster.drawn()))};
+}
+
+/// The picture as everything opaque left it.
+void planSharp(render::FramePlan& plan)
+{
+    if (plan.find(sharpPass)) return;
+    plan.image(pictureImage(plan, sharpImage, 1));
+    plan.image({.name = backdropDepth, .format = render::Format::r32f, .nearest = true});
+    render::Pass copy = copyPass(sharpPass, "glass shows what is behind it");
+    copy.shader = {.vertex = "lib/fullscreen.vert", .fragment = "kit/backdrop.frag"};
+    copy.inputs = {{UNIT_BACKDROP, std::string(radianceImage)}, {UNIT_BACKDROP_DEPTH, std::string(depthImage)}};
+    copy.colors = {Attachment::whole(sharpImage), Attachment::whole(backdropDepth)};
+    plan.add(std::move(copy));
+}
+
+/// The same with its smaller levels.
+void planBlurred(render::FramePlan& plan)
+{
+    if (plan.find(blurredPass)) return;
+    plan.image(pictureImage(plan, blurredImage, blurLevels));
+    render::Pass copy = copyPass(blurredPass, "rough glass shows what is behind it");
+    copy.shader = {.vertex = "lib/fullscreen.vert", .fragment = "lib/copy.frag"};
+    copy.inputs = {{UNIT_SOURCE, std::string(sharpImage)}};
+    copy.colors = {Attachment::whole(blurredImage)};
+    copy.mipmaps = {blurredImage};
+    plan.add(std::move(copy));
+}
+
+}  // namespace
+
+void seeThrough(render::Pass& pass, render::FramePlan& plan, bool blurred)
+{
+    planSharp(plan);
+    if (blurred) planBlurred(plan);
+    pass.phase = render::PassPhase::transparent;
+    pass.shader.defines.emplace_back("BACKDROP");
+    pass.inputs.push_back({UNIT_BACKDROP, std::string(blurred ? blurredImage : sharpImage)});
+    pass.inputs.push_back({UNIT_BACKDROP_DEPTH, std::string(backdropDepth)});
+}
+
+std::string depthBehindGlass(const render::FramePlan& plan)
+{
+    return plan.find(sharpPass) ? backdropDepth : depthImage;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,136 @@
+// `vitrine compare-settings`: the page that it writes, and what it says of what it cannot compare.
+
+#include "render/files/read_file.h"
+#include "render/files/strict_json.h"
+#include "render/image/image_io.h"
+#include "render/measure/flip.h"
+#include "render/measure/metrics.h"
+#include "tests/app/child_process.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace vitrine {
+namespace {
+
+using test::Ended;
+
+class CompareSettings : public testing::Test {
+protected:
+    [[nodiscard]] std::string preset(const char* name, const std::string& values) const
+    {
+        const std::string path = folder_ / name;
+        std::ofstream(path) << R"({"format": "vitrine-preset", "version": 1, "exhibit": "sdf_morph", "name": "Mine", )"
+                            << R"("values": )" << values << "}\n";
+        return path;
+    }
+    [[nodiscard]] Ended compare(const std::string& a, const std::string& b, const std::vector<std::string>& more = {})
+    {
+        std::vector<std::string> words{"compare-settings", a,   b,        "--out", out_, "--size", "48x27",
+                                       "--samples",        "1", "--runs", "2"};
+        words.insert(words.end(), more.begin(), more.end());
+        return test::vitrine(words);
+    }
+    [[nodiscard]] std::string text(const char* name) const { return render::readFile(out_ + '/' + name, 16U << 20U); }
+    [[nodiscard]] render::Image picture(const std::string& name) const
+    {
+        return render::readImage(out_ + "/pictures/" + name);
+    }
+    /// Besides the folder itself and presets, nothing lies beside it.
+    [[nodiscard]] bool nothingElseStayed() const
+    {
+        for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+            if (entry.path() != out_ && entry.path().extension() != ".json") return false;
+        return true;
+    }
+
+    test::TemporaryFolder folder_;
+    std::string out_ = folder_ / "compared";
+};
+
+TEST_F(CompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
+{
+    const std::string a = preset("a.json", R"({"morph": 0.1})"), b = preset("b.json", R"({"morph": 0.9})");
+    const Ended ended = compare(a, b, {"--gain", "4"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const render::Json json = render::readJson(out_ + "/comparison.json").root();
+    EXPECT_EQ(json["format"], "vitrine-comparison");
+    ASSERT_EQ(json["rows"].size(), 1U) << json["rows"].dump();
+    EXPECT_EQ(json["rows"][0]["name"], "morph");
+    EXPECT_EQ(json["rows"][0]["a"], 0.1);
+    EXPECT_EQ(json["rows"][0]["b"], 0.9);
+    EXPECT_EQ(json["ms"]["b"]["runs"], 2);
+
+    // What the file says of the pictures is what the pictures say.
+    const render::Image first = picture("a.png"), second = picture("b.png");
+    ASSERT_EQ(first.width, 48);
+    EXPECT_GT(json["errors"]["flip"].get<double>(), 0.002);
+    EXPECT_NEAR(json["errors"]["flip"].get<double>(), render::flip(first, second), 0.01);
+    const render::Image drawn = picture("signed-4.png"), expected = render::signedDifference(first, second, 4);
+    EXPECT_LT(render::colorDifference(drawn, expected).rmse, 0.03) << "8 bits, four times";
+    EXPECT_GT(render::colorDifference(drawn, render::signedDifference(second, first, 4)).rmse, 0.03) << "the sign";
+
+    bool marched = false;
+    for (const render::Json& pass : json["passes"])
+        marched = marched || (pass["name"] == "sdf_morph/march" && pass["a"]["state"] == "ran" &&
+                              pass["b"]["ms"].is_number() && pass["b"]["ms"] >= 0);
+    EXPECT_TRUE(marched) << json["passes"].dump();
+    EXPECT_GT(json["counters"]["evaluations"]["a"].get<double>(), 0);
+
+    const std::string page = text("index.html");
+    for (const char* part : {"pictures/a.png", "Side by side", "1 row differs", "sdf_morph/march", "\"gain\":4"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    for (const char* network : {"http://", "https://", "@import"}) EXPECT_EQ(page.find(network), std::string::npos);
+    EXPECT_TRUE(nothingElseStayed());
+
+    // Each picture brings its settings back: compared with one of them, the file it came from differs in nothing.
+    const std::string kept = folder_ / "kept.png";
+    std::filesystem::copy_file(out_ + "/pictures/b.png", kept);
+    const Ended again = compare(kept, b);
+    std::filesystem::remove(kept);
+    ASSERT_EQ(again.code, 0) << again.err;
+    const render::Json same = render::readJson(out_ + "/comparison.json").root();
+    EXPECT_TRUE(same["rows"].empty()) << same["rows"].dump();
+    EXPECT_EQ(same["errors"]["flip"], 0);
+    EXPECT_EQ(same["errors"]["psnr"], "infinite");
+    EXPECT_TRUE(nothingElseStayed()) << "the page was replaced";
+}
+
+TEST_F(CompareSettings, WhatCannotBeReadLeavesWhatIsThere)
+{
+    const std::string good = preset("good.json", "{}"), bad = preset("bad.json", R"({"morph": "soup"})");
+    std::filesystem::create_directory(out_);
+    std::ofstream(out_ + "/comparison.json") << "old";
+    const auto expectFailure = [&](const std::string& a, const std::string& b, int code,
+                                   const std::vector<std::string>& parts, const std::vector<std::string>& more = {}) {
+        const Ended ended = compare(a, b, more);
+        EXPECT_EQ(ended.code, code) << ended.err;
+        test::expectOneSentence(ended, parts);
+        EXPECT_EQ(text("comparison.json"), "old");
+        EXPECT_TRUE(nothingElseStayed());
+    };
+    expectFailure(good, bad, 5, {"bad.json", "morph"});
+    expectFailure(good, folder_ / "none.json", 5, {"none.json"});
+    expectFailure(good, "no-such-preset", 5, {"no-such-preset", "old-gold"}, {"--exhibit", "sdf_morph"});
+    expectFailure(good, good, 2, {"no_exhibit"}, {"--exhibit", "no_exhibit"});
+    expectFailure(good, good, 2, {"--eye", "1,2"}, {"--eye", "1,2"});
+    EXPECT_EQ(compare(good, good, {"--gain", "3"}).code, 2);
+}
+
+TEST_F(CompareSettings, ReplacesNothingThatIsNoComparison)
+{
+    const std::string good = preset("good.json", "{}");
+    std::filesystem::create_directory(out_);
+    std::ofstream(out_ + "/letter.txt") << "dear";
+    const Ended refused = compare(good, "initial");
+    EXPECT_EQ(refused.code, 2);
+    test::expectOneSentence(refused, {"compared", "comparison"});
+    EXPECT_EQ(text("letter.txt"), "dear");
+}
+
+}  // namespace
+}  // namespace vitrine

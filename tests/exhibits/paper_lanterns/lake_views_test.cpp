@@ -1,0 +1,260 @@
+// Pictures of the lake that show the source's faults where they are asked to, and not otherwise.
+
+#include "tests/exhibits/paper_lanterns/lake_shot.h"
+#include "tests/support/plan_steps.h"
+#include "tests/support/planned.h"
+#include "tests/support/temporary_folder.h"
+
+#include <cmath>
+#include <string>
+
+namespace vitrine {
+namespace {
+
+using namespace test;
+using glm::dvec2;
+using glm::dvec3;
+
+class LakeViews : public GlTest {};
+
+const PaperLanternsTable& row()
+{
+    return lanternsTable();
+}
+
+/// Mean change from a column to the next one, over all rows.
+double columnStep(const Picture& p, int column)
+{
+    double sum = 0;
+    for (int y = 0; y < p.height(); ++y) sum += std::abs(p.luminance(column + 1, y) - p.luminance(column, y));
+    return sum / p.height();
+}
+
+/// How much more changes in the middle of a picture than from column to column beside it.
+double seamInTheMiddle(const Picture& p)
+{
+    const int middle = p.width() / 2 - 1;
+    double beside = 0;
+    for (int off = 2; off < 12; ++off) beside += (columnStep(p, middle + off) + columnStep(p, middle - off)) / 20;
+    return columnStep(p, middle) / beside;
+}
+
+TEST_F(LakeViews, P3_SeamOfThePaperIsNotSeenAtEitherParity)
+{
+    // The angle comes around in the middle: between two quads of pixels in one picture, within a quad in the other.
+    for (const int width : {64, 66}) {
+        LakeShot shot;
+        const auto l = shot.inTheDark().withOneLantern();
+        shot.set(row().bounces, 0).set(row().fibers, 1.0);
+        shot.request.frame.raster.size = {width, 64};
+        shot.from(l.place + dvec3(-3, 1, 0), l.place + dvec3(0, 1, 0), 0.24);
+        const Picture ours = shot.take();
+        EXPECT_GT(ours.luminance(width / 2, 32), 0.02);
+        EXPECT_LT(seamInTheMiddle(ours), 1.8) << width;
+        shot.set(row().look, LakeLook::source);
+        EXPECT_GT(seamInTheMiddle(shot.take()), 3) << width;
+    }
+}
+
+TEST_F(LakeViews, P9_APanoramaHasNoSeamAtEitherParity)
+{
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "sky.hdr";
+    // Bright behind, where the picture comes around; dark elsewhere.
+    writePanorama(file, [](const dvec3& d) { return dvec3(d.z > 0.8 ? 1 : 0.125); });
+    for (const int width : {64, 66}) {
+        LakeShot shot;
+        shot.inTheDark().set(row().panorama, file.string()).set(row().crowding, 0.0);
+        shot.request.frame.raster.size = {width, 32};
+        shot.request.frame.camera = {{0, 0, 0}, {0, 0.5, 1}, 0.1};
+        const auto dark = [&](const Picture& p) {
+            double least = 1e9, even = 0;
+            for (int x = 0; x < width; ++x) {
+                double sum = 0;
+                for (int y = 0; y < p.height(); ++y) sum += p.luminance(x, y) / p.height();
+                least = std::min(least, sum);
+                even += sum / width;
+            }
+            return 1 - least / even;
+        };
+        EXPECT_LT(dark(shot.take()), 0.02) << width;
+        shot.set(row().look, LakeLook::source);
+        EXPECT_GT(dark(shot.take()), 0.1) << width;
+    }
+}
+
+TEST_F(LakeViews, P12_HeightsAreThoseOfTheWaterTimesTheExaggeration)
+{
+    LakeShot shot;
+    constexpr double exaggeration = 3;
+    shot.set(row().show, LakeShow::heights).set(row().crowding, 0.0).set(row().exaggeration, exaggeration);
+    shot.from({0, 20, -10}, {0, 0, -10.001}, 0.5);
+    const Picture p = shot.take();
+    glsl::Lake lake = lakeAtFloat64(shot.values(), 0);
+    const glm::dmat4 lakeFromExhibit = lakePortal(row(), shot.values()).workFromExhibit;
+    const dvec3 eye(lakeFromExhibit * glm::dvec4(p.view.eye, 1));
+    // Mean difference of what the color says from the height times `factor`.
+    const auto difference = [&](double factor) {
+        double sum = 0;
+        p.each([&](int x, int y) {
+            const dvec2 ndc(2 * (x + 0.5) / p.width() - 1, 1 - 2 * (y + 0.5) / p.height());
+            const dvec3 d = glm::dmat3(lakeFromExhibit) * p.view.direction(ndc);
+            const double t = lake.waterDistance(eye, glm::normalize(d), 0, 1000, 1e-5, 0.5, 256);
+            const dvec3 at = eye + glm::normalize(d) * t;
+            const double share = 0.5 + 0.5 * glm::clamp(lake.lakeAt({at.x, at.z}).height * factor / 0.2075, -1.0, 1.0);
+            const double ratio = p.color(x, y).x / p.color(x, y).z;
+            const double shown = (0.3 * ratio - 0.02) / (0.88 - 0.05 * ratio);
+            sum += std::abs(shown - share) / (p.width() * p.height());
+        });
+        return sum;
+    };
+    EXPECT_LT(difference(exaggeration), 0.01);
+    EXPECT_GT(difference(1), 0.05);
+    // The source's surface lies at -1 less the sum of its waves.
+    EXPECT_GT(difference(-exaggeration), 0.2);
+}
+
+TEST_F(LakeViews, OfALanternsInsideAreWhole)
+{
+    for (const LakeLook look : {LakeLook::ours, LakeLook::source}) {
+        LakeShot shot;
+        shot.set(row().look, look).set(row().waveHeight, 0.0);
+        const auto l = shot.withOneLantern();
+        const dvec3 eye = l.place + dvec3(0.05, 0.9, 0.02);
+        const double scale = shot.values()[row().scale];
+        // The wall from within: lit everywhere, at its distance, with nothing cut away.
+        const Picture wall = shot.from(eye, eye + dvec3(1, 0, 0), 0.9).take();
+        EXPECT_EQ(notFinite(wall.image, 4), "");
+        int dark = 0;
+        wall.each([&](int x, int y) { dark += !(wall.luminance(x, y) > 0.1 * wall.mean()) || !wall.hit(x, y); });
+        EXPECT_LT(dark, look == LakeLook::ours ? 1 : 60);  // Its frame has no light from between wall and post.
+        EXPECT_NEAR(wall.depth(48, 30), 0.67 / scale, 0.01);
+        // Down upon the base, and up through the opening, where the sky is.
+        const Picture down = shot.from(eye, eye + dvec3(0, -1, 0.001), 0.5).take();
+        EXPECT_EQ(notFinite(down.image, 4), "");
+        EXPECT_NEAR(down.depth(48, 30), 0.86 / scale, 0.01);
+        const Picture up = shot.from(eye, eye + dvec3(0, 1, 0.001), 1.6).take();
+        EXPECT_EQ(notFinite(up.image, 4), "");
+        EXPECT_GT(up.depth(48, 30), 1e6);
+        EXPECT_LT(up.depth(2, 30), 1);
+        // Control: the same view with no lantern about it.
+        shot.set(row().crowding, 0.0);
+        EXPECT_FALSE(shot.from(eye, eye + dvec3(1, 0, 0), 0.9).take().depth(48, 30) < 1);
+    }
+}
+
+TEST_F(LakeViews, OfTheDeepHaveNoHorizon)
+{
+    // Under water, across the line of sight's horizontal: no mist, and no lights of lanterns that are far away.
+    LakeShot shot;
+    shot.from({0, -1.2, -3}, {0, -1.2, -13}, 0.9);
+    // Least and most of some rows.
+    const auto range = [&](const Picture& p) {
+        dvec2 found(1e9, 0);
+        for (int y = 26; y < 34; ++y)
+            for (int x = 0; x < p.width(); ++x)
+                found = {std::min(found.x, p.luminance(x, y)), std::max(found.y, p.luminance(x, y))};
+        return found;
+    };
+    const dvec2 deep = range(shot.take());
+    EXPECT_GT(deep.x, 0);
+    EXPECT_LT(deep.y, 2 * deep.x);
+    // Control: over the water, the same rows hold the lights of the horizon.
+    shot.from({0, 1.2, -3}, {0, 1.2, -13}, 0.9);
+    const dvec2 over = range(shot.take());
+    EXPECT_GT(over.y, 10 * over.x);
+}
+
+/// Luminance around a place of the lake.
+double luminanceAt(LakeShot& shot, const Picture& p, const dvec3& place)
+{
+    const dvec2 pixel = shot.pixelOf(p, place);
+    double sum = 0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) sum += p.luminance(static_cast<int>(pixel.x) + x, static_cast<int>(pixel.y) + y);
+    return sum / 9;
+}
+
+TEST_F(LakeViews, P15_ALanternsMoonShadowFallsOnTheWaterWhereItShows)
+{
+    LakeShot shot;
+    shot.inTheDark().set(row().candles, false).set(row().bounces, 0).set(row().moon, 10.0).set(row().moonSize, 0.01);
+    shot.set(row().waterColor, ColorValue{{0.4, 0.4, 0.4}}).set(row().moonElevation, 0.8).set(row().moonAzimuth, 0.4);
+    const auto l = shot.withOneLantern();
+    const dvec3 moon(lakeBlock(row(), shot.values(), 0).towardsMoon);
+    const dvec3 aside = glm::normalize(dvec3(moon.x, 0, moon.z));
+    // Of the tube's middle: as far from its foot as the moon's height says.
+    const dvec3 shaded = l.place - 1.9 * aside, lit = l.place + 1.9 * aside;
+    shot.from(l.place + dvec3(1.0, 12, 1.0), l.place, 0.6);
+    const Picture p = shot.take();
+    EXPECT_LT(luminanceAt(shot, p, shaded), 0.5 * luminanceAt(shot, p, lit));
+    const auto reason = [&] {
+        return reasonFor(planned(gallery().museum, shot.sceneState, shot.request.frame), "paper_lanterns/moon_shadow");
+    };
+    EXPECT_EQ(reason(), "not in the plan");
+    shot.set(row().crowding, 0.0);
+    const Picture open = shot.take();
+    EXPECT_NEAR(luminanceAt(shot, open, shaded) / luminanceAt(shot, open, lit), 1, 0.1);
+    EXPECT_NE(reason(), "not in the plan");
+    shot.set(row().crowding, 1.0).set(row().waterColor, ColorValue{{0.001, 0.001, 0.001}});
+    EXPECT_NE(reason(), "not in the plan");
+}
+
+/// The frame of the lake in the hall by night, with so much glow.
+LakeShot frameInTheHall(double glow)
+{
+    LakeShot shot;
+    shot.request.frame.alone = std::nullopt;
+    shot.hall().set(hallTable().sunStrength, 0.0);
+    shot.hall().set(hallTable().skyStrength, 0.0);
+    shot.set(row().hallGlow, glow);
+    for (const char* exhibit : {"fur", "lenticular"}) {
+        ParameterValues& values = shot.sceneState.values[gallery().museum.find(exhibit).value()];
+        values.setRow(values.table().find("lamp").value(), 0.0);
+    }
+    const glm::dmat4 world = gallery().museum.worldFromExhibit(shot.lake);
+    shot.request.frame.camera = {dvec3(world * glm::dvec4(0.5, 0, 4, 1)), dvec3(world * glm::dvec4(0.5, -0.4, 0, 1)),
+                                 1.1};
+    return shot;
+}
+
+TEST_F(LakeViews, GlowFallsOnWallAndFloorBesideTheFrameInTheHall)
+{
+    LakeShot parts = frameInTheHall(3);
+    parts.set(row().show, LakeShow::parts);
+    const Picture with = frameInTheHall(3).take(), without = frameInTheHall(0).take(), unlit = parts.take();
+    const glm::dmat4 world = gallery().museum.worldFromExhibit(parts.lake);
+    const auto at = [&](const Picture& p, dvec3 place, bool onFloor) {
+        place = dvec3(world * glm::dvec4(place, 1));
+        if (onFloor) place.y = 0;
+        const glm::dvec4 clip = p.view.clipFromWorld * glm::dvec4(place, 1);
+        return p.luminance(static_cast<int>((0.5 + 0.5 * clip.x / clip.w) * p.width()),
+                           static_cast<int>((0.5 - 0.5 * clip.y / clip.w) * p.height()));
+    };
+    const dvec3 beside(1.6, 0, 0), before(0.2, 0, 0.9), farAside(2.9, 0, 0);
+    const double wall = at(with, beside, false) - at(without, beside, false);
+    EXPECT_GT(wall, 1e-3);
+    EXPECT_GT(at(with, before, true) - at(without, before, true), 1e-3);
+    EXPECT_LT(at(with, farAside, false) - at(without, farAside, false), 0.2 * wall);
+    // Control: a view of parts does not glow.
+    EXPECT_EQ(at(unlit, beside, false), at(without, beside, false));
+    EXPECT_EQ(at(unlit, before, true), at(without, before, true));
+}
+
+TEST_F(LakeViews, TheProbeSeesTheGlow)
+{
+    // The mean light that it has, red: of the glow alone, for there is no other.
+    const auto seen = [&](double glow) {
+        LakeShot shot = frameInTheHall(glow);
+        const auto renderer = gallery().renderer.sibling();
+        (void)renderer->draw(planned(gallery().museum, shot.sceneState, shot.request.frame));
+        const render::Image sums = renderer->read("probe.irradiance");
+        return sums.at(0, 0, 0);
+    };
+    const float low = seen(1), middle = seen(3), high = seen(5);
+    EXPECT_GT(middle, 1.01F * low);
+    EXPECT_NEAR((high - middle) / (middle - low), 1, 0.05);
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,232 @@
+// S14 in the hall: what is seen through glass, the glass's shadow, and which passes that takes.
+
+#include "exhibits/hall/hall_model.h"
+#include "tests/exhibits/sdf_morph/truth.h"
+#include "tests/support/gallery.h"
+#include "tests/support/planned.h"
+
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace vitrine {
+namespace {
+
+using glm::dvec3;
+using test::gallery;
+using test::hallTable;
+using test::Picture;
+using test::sdfTable;
+using test::Shot;
+
+class GlassInTheHall : public test::GlTest {};
+
+constexpr double hidden = 0.05;  ///< A box in which nothing of a torus is, as it lies around the hole.
+
+Shot glassInHall(double index, const dvec3& color = dvec3(1))
+{
+    Shot shot;
+    shot.inHall();
+    shot.size(160, 90);
+    shot.hall().set(hallTable().sunAzimuth, 0.0);
+    shot.hall().set(hallTable().sunElevation, 0.21);
+    ParameterValues& o = shot.object();
+    o.set(sdfTable().material, SdfMaterial::glass);
+    o.set(sdfTable().refractiveIndex, index);
+    o.set(sdfTable().baseColor, ColorValue{color});
+    o.set(sdfTable().morph, 0.0);
+    o.set(sdfTable().bounces, 4);
+    return shot;
+}
+
+/// Largest difference of the colors of two pictures for the eye, in levels of 255.
+double levels(const Picture& a, const Picture& b)
+{
+    double most = 0;
+    a.each([&](int x, int y) {
+        const dvec3 d = glm::abs(a.color(x, y) - b.color(x, y));
+        most = std::max({most, d.r, d.g, d.b});
+    });
+    return 255 * most;
+}
+
+TEST_F(GlassInTheHall, S14_ClearGlassOfIndex1ThrowsNoShadowAndShowsWhatIsBehindIt)
+{
+    Shot shot = glassInHall(1.0);
+    shot.request.frame.averageIn = AverageIn::display;
+    const Picture clear = shot.take();
+    shot.object().set(sdfTable().boxSize, hidden);
+    const Picture none = shot.take();
+    EXPECT_LE(levels(clear, none), 1.0);
+    // Controls: of index 1.5 it is seen, and its color falls on the plinth.
+    EXPECT_GT(levels(glassInHall(1.5).take(), none), 20.0);
+    Shot red = glassInHall(1.0, {1, 0.1, 0.1});
+    red.request.frame.averageIn = AverageIn::display;
+    EXPECT_GT(levels(red.take(), none), 20.0);
+}
+
+/// A ray of unit length behind the glass, by float64; nothing where it misses the glass.
+struct LeavingRay {
+    bool met = false;
+    dvec3 origin{0}, direction{0};
+    double share = 1;  ///< Of the light, what the surfaces let through.
+};
+
+/// Snell's law; the zero vector on total reflection.
+dvec3 refracted(const dvec3& direction, const dvec3& facing, double eta)
+{
+    const double cosine = -glm::dot(direction, facing);
+    const double k = 1 - eta * eta * (1 - cosine * cosine);
+    return k < 0 ? dvec3(0) : eta * direction + (eta * cosine - std::sqrt(k)) * facing;
+}
+
+/// Of unpolarized light that meets `eta`, the index before the surface over that behind it.
+double fresnel(double cosine, double eta)
+{
+    const double sine2 = eta * eta * (1 - cosine * cosine);
+    if (sine2 >= 1) return 1;
+    const double behind = std::sqrt(1 - sine2);
+    const double s = (eta * cosine - behind) / (eta * cosine + behind);
+    const double p = (cosine - eta * behind) / (cosine + eta * behind);
+    return 0.5 * (s * s + p * p);
+}
+
+LeavingRay through(const test::Solid& solid, const test::Ray& ray, double index)
+{
+    LeavingRay leaving{false, ray.origin, glm::normalize(ray.direction), 1};
+    bool inside = false;
+    for (int surface = 0; surface < 10; ++surface) {
+        const test::Found found = solid.trace({leaving.origin, leaving.direction}, 0, 1e-7);
+        if (!found.hit) break;
+        leaving.met = true;
+        const dvec3 facing = inside ? -found.normal : found.normal;
+        const double eta = inside ? index : 1 / index;
+        const dvec3 bent = refracted(leaving.direction, facing, eta);
+        const bool total = bent == dvec3(0);
+        if (!total) leaving.share *= 1 - fresnel(-glm::dot(leaving.direction, facing), eta);
+        leaving.direction = total ? glm::reflect(leaving.direction, facing) : glm::normalize(bent);
+        leaving.origin = found.world + (total ? 1e-5 : -1e-5) * facing;
+        if (!total) inside = !inside;
+    }
+    return leaving;
+}
+
+/// The box of stone below the exhibit, world space.
+render::Box plinthUnder(const Shot& shot)
+{
+    static const HallModel building;
+    const dvec3 below = dvec3(shot.worldFromExhibit()[3]) - dvec3(0, 0.8, 0);
+    for (const Collider& collider : building.colliders()) {
+        const dvec3 local(collider.localFromWorld * glm::dvec4(below, 1));
+        if (collider.cylinder || glm::any(glm::greaterThan(glm::abs(local), collider.halfSize))) continue;
+        return render::Box{-collider.halfSize, collider.halfSize}.transformed(
+            glm::affineInverse(collider.localFromWorld));
+    }
+    throw std::logic_error("no plinth stands below the exhibit");
+}
+
+/// Of the pixels in which float64 sees the top of the plinth through the glass: how far their light is from that of
+/// the plinth where it does, as shares.
+std::vector<double> errorsOnThePlinth(double drawnIndex, double tracedIndex)
+{
+    Shot shot = glassInHall(drawnIndex);
+    shot.size(240, 180);
+    const render::Box plinth = plinthUnder(shot);
+    const dvec3 center(shot.worldFromExhibit()[3]);
+    shot.see(center + dvec3(0.25, 1.1, 1.5), center + dvec3(0, -0.2, 0));
+    shot.request.frame.camera.fovY = 0.6;
+    ParameterValues& o = shot.object();
+    o.set(sdfTable().roughness, 0.0);
+    o.set(sdfTable().specular, 0.0);
+    o.set(sdfTable().hitTolerance, 0.05);
+    // What the glass does to the sun's light on the plinth is another matter.
+    shot.hall().set(hallTable().sunShadows, false);
+    const Picture seen = shot.take();
+    o.set(sdfTable().boxSize, hidden);
+    const Picture behind = shot.take();
+    o.set(sdfTable().boxSize, 1.0);
+    const test::Solid solid(shot.object(), shot.worldFromExhibit());
+    std::vector<double> errors;
+    seen.each([&](int x, int y) {
+        const LeavingRay ray = through(solid, test::pixelRay(seen.view, x, y), tracedIndex);
+        if (!ray.met || ray.direction.y > -0.05) return;
+        const dvec3 at = ray.origin + ray.direction * ((plinth.high.y - ray.origin.y) / ray.direction.y);
+        if (at.x < plinth.low.x + 0.02 || at.x > plinth.high.x - 0.02 || at.z < plinth.low.z + 0.02 ||
+            at.z > plinth.high.z - 0.02)
+            return;
+        const glm::dvec4 clip = seen.view.clipFromWorld * glm::dvec4(at, 1);
+        const glm::dvec2 pixel = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(seen.view.raster.size);
+        const glm::ivec2 i(static_cast<int>(pixel.x), seen.height() - 1 - static_cast<int>(pixel.y));
+        if (i.x < 0 || i.y < 0 || i.x >= seen.width() || i.y >= seen.height()) return;
+        errors.push_back(std::abs(seen.luminance(x, y) / (ray.share * behind.luminance(i.x, i.y)) - 1));
+    });
+    std::sort(errors.begin(), errors.end());
+    return errors;
+}
+
+TEST_F(GlassInTheHall, S14_ThePlinthIsSeenWhereFloat64FindsItThroughTheGlass)
+{
+    const std::vector<double> errors = errorsOnThePlinth(1.5, 1.5);
+    ASSERT_GT(errors.size(), 300U);
+    // The rest is what the glass mirrors, and pixels in which the picture holds more than one point of the marble.
+    EXPECT_LT(errors[errors.size() / 2], 0.06);
+    EXPECT_LT(errors[errors.size() * 9 / 10], 0.3);
+    // Control: rays of another index find it elsewhere.
+    const std::vector<double> other = errorsOnThePlinth(1.5, 1.2);
+    EXPECT_GT(other[other.size() / 2], 0.15);
+    EXPECT_GT(other[other.size() * 9 / 10], 1.0);
+}
+
+TEST_F(GlassInTheHall, S14_ColoredGlassThrowsAColoredShadow)
+{
+    // Red glass that bends nothing: where the shadow of an opaque torus lies, the sun's red is left, and little else.
+    const auto lit = [](Shot shot) {
+        shot.hall().set(hallTable().bakedLight, false);
+        shot.see({1.2, 1.6, 9.5}, {0, 0, 6.5});
+        return shot.take();
+    };
+    Shot opaque = glassInHall(1.0);
+    opaque.object().set(sdfTable().material, SdfMaterial::opaque);
+    Shot none = glassInHall(1.0);
+    none.object().set(sdfTable().boxSize, hidden);
+    const Picture dark = lit(opaque), red = lit(glassInHall(1.0, {1, 0.05, 0.05})), bright = lit(none);
+    int shadow = 0, tinted = 0;
+    bright.each([&](int x, int y) {
+        // The torus itself is nearer than what is behind it.
+        if (std::abs(dark.depth(x, y) - bright.depth(x, y)) > 1e-4) return;
+        const dvec3 kept = dark.color(x, y) / bright.color(x, y);
+        if (kept.r > 0.7) return;
+        ++shadow;
+        const dvec3 left = (red.color(x, y) - dark.color(x, y)) / (bright.color(x, y) - dark.color(x, y));
+        tinted += left.r > 0.8 && left.g < 0.6 && left.b < 0.6;
+    });
+    EXPECT_GT(shadow, 100);
+    EXPECT_GT(tinted, shadow * 8 / 10);
+}
+
+TEST_F(GlassInTheHall, S14_OnlyGlassCopiesThePictureAndOnlyRoughGlassBlursIt)
+{
+    const auto planOf = [](const Shot& shot) {
+        return test::planned(gallery().museum, shot.sceneState, shot.request.frame, {});
+    };
+    Shot shot = glassInHall(1.5);
+    shot.object().set(sdfTable().roughness, 0.0);
+    render::FramePlan plan = planOf(shot);
+    EXPECT_TRUE(plan.find("kit/backdrop"));
+    EXPECT_FALSE(plan.find("kit/backdrop/blurred"));
+    EXPECT_TRUE(plan.find("exhibits/shadow/glass"));
+    EXPECT_EQ(plan.find("sdf_morph/march")->phase, render::PassPhase::transparent);
+    shot.object().set(sdfTable().roughness, 0.3);
+    plan = planOf(shot);
+    EXPECT_TRUE(plan.find("kit/backdrop/blurred"));
+    shot.object().set(sdfTable().material, SdfMaterial::opaque);
+    plan = planOf(shot);
+    for (const char* pass : {"kit/backdrop", "kit/backdrop/blurred", "exhibits/shadow/glass"})
+        EXPECT_FALSE(plan.find(pass)) << pass;
+    EXPECT_EQ(plan.find("sdf_morph/march")->phase, render::PassPhase::opaque);
+}
+
+}  // namespace
+}  // namespace vitrine

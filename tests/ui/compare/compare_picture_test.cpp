@@ -1,0 +1,201 @@
+// The picture of B in the real window: when it is drawn, from where, what is made of it, and what it costs.
+
+#include "tests/ui/compare/open_comparison.h"
+
+#include "render/failure.h"
+#include "ui/compare/compare_bar.h"
+#include "ui/window/ledger_dock.h"
+#include "ui/window/ledger_view.h"
+#include "ui/window/window_docks.h"
+
+#include <QDockWidget>
+#include <QSet>
+#include <QSignalSpy>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+class ComparePictureTest : public test::OpenComparison {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init() { start(); }
+    void cleanup() { finish(); }
+
+    void bIsSeenByTheSameCameraAtTheSameMomentAndRefinedAtRest()
+    {
+        compare();
+        dragInPicture(0.2, 0.3);
+        rest();
+        const FrameRequest a = gallery_->requests().back(), b = gallery_->otherRequests().back();
+        QVERIFY(a.camera == b.camera);
+        QCOMPARE(a.time, b.time);
+        QCOMPARE(a.seed, b.seed);
+        QVERIFY(a.raster.size == b.raster.size);
+        QCOMPARE(a.sample, 15);
+        QCOMPARE(b.sample, 15);
+        QCOMPARE(b.samples, 16);
+        QCOMPARE(gallery_->strangers, 0);
+        const std::size_t drawn = gallery_->otherRequests().size();
+        QTest::qWait(500);
+        QCOMPARE(gallery_->otherRequests().size(), drawn);  // At rest nothing is drawn of either.
+        dragRoughness(40);
+        rest();
+        QVERIFY(roughness() != 0.8);
+        QCOMPARE(gallery_->otherRequests().size(), drawn);  // An edit of A is none of B.
+    }
+
+    void anEditOfAAfterARestDrawsNothingOfB()
+    {
+        compare();
+        QTRY_VERIFY(gallery_->betterBuilds > 0);  // The values rest.
+        dragInPicture(0.2, 0.3);
+        rest();
+        QVERIFY2(gallery_->requests().back().rests, "a control: A was drawn as what rests is");
+        QVERIFY(!gallery_->otherRequests().back().rests);
+        const std::size_t drawn = gallery_->otherRequests().size();
+        gallery_->unfinishedFrames = 2;
+        setRoughness(0.6);
+        rest();
+        QVERIFY2(!gallery_->requests().back().rests, "a control: A is drawn as what was changed is");
+        QCOMPARE(gallery_->unfinishedFrames, 0);
+        QCOMPARE(gallery_->otherRequests().size(), drawn);
+        QVERIFY(isB(0.6));
+    }
+
+    void aBThatCannotBeDrawnIsNotShownAsTheFormerOne()
+    {
+        for (QDockWidget* dock : window_->docks().all())
+            if (dock->objectName() == "ledger") dock->show();
+        compare();
+        QVERIFY2(isB(0.6), "a control: there is a former B");
+        const QSignalSpy failed(&desk().picture(), &OtherPicture::failed);
+        gallery_->otherThrown = std::make_exception_ptr(Failure(Blame::check, "out of paint"));
+        action("Hold what is on show as B")->trigger();
+        QVERIFY(!desk().picture().upToDate());
+        QTRY_VERIFY(!desk().picture().failure().isEmpty());
+        QVERIFY(isA(0.3));
+        QVERIFY(isA(0.6));
+        QCOMPARE(failed.count(), 1);
+        QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("out of paint"));
+        QTRY_VERIFY(window_->docks().ledger().sumsText().contains("B: cannot be drawn"));
+        dragInPicture(0.2, 0.3);
+        settle();
+        QCOMPARE(failed.count(), 1);
+        action("Hold what is on show as B")->trigger();
+        QTRY_COMPARE(failed.count(), 2);  // Another B: said again.
+        settle();
+        gallery_->otherThrown = nullptr;
+        setRoughness(0.2);
+        action("Hold what is on show as B")->trigger();
+        rest();
+        QVERIFY(desk().picture().upToDate() && desk().picture().failure().isEmpty());
+        setRoughness(0.8);
+        rest();
+        QVERIFY(isA(0.3));
+        QVERIFY(isB(0.6));
+    }
+
+    void ofBNothingIsDrawnThatNothingShowsAndTheLedgerSaysSo()
+    {
+        for (QDockWidget* dock : window_->docks().all())
+            if (dock->objectName() == "ledger") dock->show();
+        compare();
+        action("Wipe")->trigger();
+        QTRY_COMPARE(gallery_->othersForgotten, 1);
+        const std::size_t drawn = gallery_->otherRequests().size();
+        setRoughness(0.6);
+        rest();
+        QCOMPARE(gallery_->otherRequests().size(), drawn);
+        LedgerDock& ledger = window_->docks().ledger();
+        QTRY_VERIFY2(ledger.sumsText().contains("B: not drawn"), qPrintable(ledger.sumsText()));
+        action("Flicker")->trigger();
+        rest();
+        QVERIFY2(gallery_->otherRequests().size() > drawn, "a control: a mode that needs B draws it");
+        QTRY_VERIFY2(ledger.sumsText().contains("B: 2 steps, 17.80 ms"), qPrintable(ledger.sumsText()));
+    }
+
+    void theLedgerShowsWhatBothCostAndWhatOnlyOneRuns()
+    {
+        for (QDockWidget* dock : window_->docks().all())
+            if (dock->objectName() == "ledger") dock->show();
+        LedgerView& ledger = window_->docks().ledger().view();
+        settle();
+        QVERIFY(ledger.isColumnHidden(5));
+        compare();
+        const auto line = [&](const QString& step) {
+            for (int i = 0; i < ledger.topLevelItemCount(); ++i)
+                if (ledger.topLevelItem(i)->toolTip(0) == step) return ledger.topLevelItem(i);
+            return static_cast<QTreeWidgetItem*>(nullptr);
+        };
+        QTRY_VERIFY(line("fur/shells") && line("draws"));
+        QVERIFY(!ledger.isColumnHidden(5));
+        QCOMPARE(line("hall/walls")->text(2), QString("12.25"));
+        QCOMPARE(line("hall/walls")->text(5), QString("10.50"));
+        QCOMPARE(line("sdf_morph/march")->text(5), QString("–"));
+        QCOMPARE(line("fur/shells")->text(2), QString("–"));
+        QCOMPARE(line("fur/shells")->text(5), QString("7.25"));
+        QVERIFY(line("fur/shells")->text(4).startsWith("only B"));
+        QCOMPARE(line("draws")->text(5), QString("2"));
+        action("End the comparison")->trigger();
+        QTRY_VERIFY(!line("fur/shells"));
+        QVERIFY(ledger.isColumnHidden(5));
+    }
+
+    void differencesAreMultipliedByTheSlider()
+    {
+        window_->resize(800, 480);  // FLIP of a large picture takes a while.
+        compare();
+        setRoughness(0.22);
+        action("Signed difference")->trigger();
+        rest();
+        ValueSlider& gain = desk().bar().gain();
+        QVERIFY(gain.isVisible());
+        // B's red is 51 of 255 and A's 56: half of the difference of the codes, times the gain, below the middle.
+        for (const auto& [key, times] : {std::pair{Qt::Key_Home, 1}, {Qt::Key_PageUp, 0}, {Qt::Key_End, 64}}) {
+            QTest::keyClick(&gain, key);
+            if (times != 0) QCOMPARE(desk().overlay().gain(), times);
+            const double expected = 127.5 + 0.5 * (51 - 56) * desk().overlay().gain();
+            QTRY_VERIFY2(std::abs(shownAt(0.4).red() - std::max(expected, 0.0)) <= 1,
+                         qPrintable(QString("%1: %2, not %3").arg(times).arg(shownAt(0.4).red()).arg(expected)));
+            QVERIFY2(std::abs(shownAt(0.4).green() - 127.5) <= 1, "there the two are equal");
+        }
+        action("FLIP")->trigger();
+        QTRY_VERIFY2(!desk().overlay().difference().isNull() && shownAt(0.4).red() > 60, "a difference is bright");
+        setRoughness(0.2);
+        QTRY_VERIFY2(shownAt(0.4).red() < 10 && shownAt(0.4).green() < 10, "none is black");
+    }
+
+    void differencesAreOfPicturesOfOneMoment()
+    {
+        window_->resize(800, 480);
+        gallery_->greenIsTheClock = true;
+        compare();
+        action("Signed difference")->trigger();
+        desk().overlay().setGain(64);
+        rest();
+        gallery_->exhibit().moves = true;
+        view().sceneStateChanged();
+        QSet<qint64> seen;
+        const double first = view().shownRequest().time;
+        double farthest = 0;
+        const auto look = [&] {
+            const QImage& difference = desk().overlay().difference();
+            if (difference.isNull()) return;
+            seen.insert(difference.cacheKey());
+            const QColor color = difference.pixelColor(difference.width() / 2, difference.height() / 2);
+            farthest = std::max(farthest, std::abs(color.green() - 127.5));
+        };
+        const QMetaObject::Connection looks = connect(&view(), &Viewport::drawn, this, look);
+        QTRY_VERIFY(seen.size() >= 8);
+        disconnect(looks);
+        QVERIFY2(view().shownRequest().time > first + 0.1, "a control: the clock ran, and green with it");
+        QVERIFY2(farthest <= 1, qPrintable(QString::number(farthest)));
+        gallery_->exhibit().moves = false;
+    }
+};
+
+QTEST_MAIN(ComparePictureTest)
+
+#include "compare_picture_test.moc"

@@ -1,0 +1,141 @@
+#include "ui/compare/compare_actions.h"
+
+#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_overlay.h"
+#include "ui/kit/menu_text.h"
+#include "ui/model/other_settings.h"
+
+#include <QAction>
+#include <QCursor>
+#include <QMenu>
+#include <QUndoStack>
+
+#include <algorithm>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr int mostSteps = 20;  ///< Undo steps in the menu, the last ones.
+
+struct ModeWords {
+    CompareMode mode;
+    const char* text;
+    const char* tip;
+};
+
+constexpr std::array<ModeWords, 5> modeWords{
+    {{CompareMode::wipe, QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "&Wipe"),
+      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
+                        "A left of a line, B right of it; drag the line. Without a B, what is on show becomes B.")},
+     {CompareMode::sideBySide, QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Side by &side"),
+      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "The whole pictures of A and B beside each other.")},
+     {CompareMode::flicker, QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "&Flicker"),
+      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
+                        "A, with B kept ready: it is there at once while you hold the key B in the picture.")},
+     {CompareMode::flip, QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "FLI&P"),
+      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
+                        "Where an eye that flips between A and B sees a difference: black none, white a large one.")},
+     {CompareMode::signedDifference, QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Signed &difference"),
+      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Gray where both are equal, brighter or darker where B is.")}}};
+
+}  // namespace
+
+CompareActions::CompareActions(CompareDesk& desk) : QObject(&desk), desk_(desk)
+{
+    addSources();
+    all_ << nullptr;
+    addModes();
+    all_ << nullptr;
+    swap_ = add(tr("Sw&ap A and B"), {}, tr("B is shown and can be edited, and what is on show becomes B."));
+    takeAll_ = add(tr("Copy all fro&m B"), {}, tr("What is on show becomes as B is; one undo brings it back."));
+    giveAll_ = add(tr("Copy all &to B"), {}, tr("B becomes as what is on show; one undo brings it back."));
+    letGo_ = add(tr("&End the comparison"), {}, tr("Lets go of B and shows A alone."));
+    connect(swap_, &QAction::triggered, this, [this] { desk_.other().swap(); });
+    connect(takeAll_, &QAction::triggered, this, [this] { desk_.other().takeAll(); });
+    connect(giveAll_, &QAction::triggered, this, [this] { desk_.other().giveAll(); });
+    connect(letGo_, &QAction::triggered, this, [this] { desk_.letGo(); });
+    refresh();
+}
+
+QAction* CompareActions::add(const QString& text, const QKeySequence& key, const QString& tip)
+{
+    auto* action = new QAction(text, this);
+    action->setShortcut(key);
+    const QString whole = key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText));
+    action->setToolTip(whole);
+    action->setStatusTip(whole);
+    all_ << action;
+    return action;
+}
+
+void CompareActions::addSources()
+{
+    hold_ = add(tr("&Hold what is on show as B"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B),
+                tr("B becomes what all parameters are now; go on editing A, and compare."));
+    preset_ = add(tr("Selected p&reset as B"), {}, tr("The preset that is selected in the list becomes B."));
+    file_ = add(tr("&Open as B…"), {}, tr("A preset, an exhibition, or a picture with one inside becomes B."));
+    step_ = add(tr("&Undo step as B…"), {}, tr("What the parameters were before or after an edit becomes B."));
+    connect(hold_, &QAction::triggered, this, [this] { desk_.holdPresent(); });
+    connect(preset_, &QAction::triggered, this, [this] { desk_.holdSelectedPreset(); });
+    connect(file_, &QAction::triggered, this, [this] { desk_.chooseFile(); });
+    connect(step_, &QAction::triggered, this, [this] {
+        fillSources();
+        for (QAction* action : sources_->actions())
+            if (action->menu() && action->menu()->objectName() == QLatin1String("steps"))
+                action->menu()->popup(QCursor::pos());
+    });
+    sources_ = new QMenu(desk_.window());
+    sources_->setAccessibleName(tr("Where B comes from"));
+    connect(sources_, &QMenu::aboutToShow, this, &CompareActions::fillSources);
+}
+
+void CompareActions::addModes()
+{
+    for (const ModeWords& words : modeWords) {
+        const QKeySequence key = words.mode == CompareMode::wipe ? QKeySequence(Qt::CTRL | Qt::Key_W) : QKeySequence();
+        QAction* action = add(tr(words.text), key, tr(words.tip));
+        action->setCheckable(true);
+        modes_.at(static_cast<std::size_t>(words.mode)) = action;
+        connect(action, &QAction::triggered, this,
+                [this, mode = words.mode](bool on) { desk_.setMode(on ? mode : CompareMode::off); });
+    }
+    otherAlone_ = add(tr("B a&lone"), {}, tr("Shows B in place of A. Holding the key B in the picture does the same."));
+    otherAlone_->setCheckable(true);
+    connect(otherAlone_, &QAction::triggered, this, [this](bool on) { desk_.overlay().setOtherAlone(on); });
+}
+
+void CompareActions::fillSources()
+{
+    for (QMenu* menu : sources_->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly)) menu->deleteLater();
+    sources_->clear();
+    sources_->addAction(hold_);
+    QMenu* presets = sources_->addMenu(tr("&Preset"));
+    for (const auto& [name, id] : desk_.presets())
+        presets->addAction(menuText(name), this, [this, id = id] { desk_.holdFile(id); });
+    presets->setEnabled(!presets->isEmpty());
+    QMenu* steps = sources_->addMenu(tr("&Undo step"));
+    steps->setObjectName(QStringLiteral("steps"));
+    const QUndoStack& stack = desk_.steps();
+    const int last = stack.count();
+    for (int step = last; step >= std::max(0, last - mostSteps); --step) {
+        const QString what = step == 0 ? tr("At the start") : tr("After “%1”").arg(stack.text(step - 1));
+        steps->addAction(menuText(step == stack.index() ? tr("%1 (on show)").arg(what) : what), this,
+                         [this, step, what] { desk_.holdStep(step, what); });
+    }
+    sources_->addAction(file_);
+    sources_->addSeparator();
+    sources_->addAction(takeAll_);
+    sources_->addAction(giveAll_);
+}
+
+void CompareActions::refresh()
+{
+    const bool held = desk_.other().held();
+    for (QAction* action : {otherAlone_, swap_, takeAll_, giveAll_, letGo_}) action->setEnabled(held);
+    for (const CompareMode mode : compareModes) this->mode(mode).setChecked(desk_.overlay().mode() == mode);
+    otherAlone_->setChecked(held && desk_.overlay().otherAlone());
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_compare_actions.cpp"

@@ -1,0 +1,189 @@
+#include "ui/compare/compare_bar.h"
+
+#include "ui/compare/compare_actions.h"
+#include "ui/compare/compare_desk.h"
+#include "ui/compare/compare_overlay.h"
+#include "ui/compare/compare_rows.h"
+#include "ui/compare/morph_control.h"
+#include "ui/kit/menu_text.h"
+#include "ui/model/other_settings.h"
+#include "ui/parameters/value_slider.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr std::size_t mostRows = 30;  ///< Of those that differ, in their menu.
+constexpr int widestName = 140;
+constexpr std::array<const char*, 5> modeNames{
+    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Wipe"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Beside"),
+    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Flicker"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "FLIP"),
+    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Signed")};
+
+ValueSlider* sliderOver(std::uint16_t row, const QString& name, QWidget* parent)
+{
+    const ParameterInfo& info = compareRows().rows()[row];
+    auto* slider = new ValueSlider(info, parent);
+    slider->setAccessibleName(name);
+    slider->setToolTip(QString::fromStdString(std::string(info.help)));
+    return slider;
+}
+
+QWidget* withoutMargins(QWidget* parent)
+{
+    auto* part = new QWidget(parent);
+    auto* line = new QHBoxLayout(part);
+    line->setContentsMargins(4, 0, 4, 0);
+    line->setSpacing(4);
+    return part;
+}
+
+}  // namespace
+
+CompareBar::CompareBar(CompareDesk& desk, QWidget* parent)
+    : QWidget(parent), desk_(desk), gains_(withoutMargins(this)),
+      gain_(sliderOver(compareRows().gain.row, tr("What differences are multiplied by"), gains_)),
+      times_(new QLabel(gains_)), rows_(new QMenu(this)), differ_(menuButton(rows_)), morphs_(withoutMargins(this)),
+      morph_(sliderOver(compareRows().towardsB.row, tr("From A to B"), morphs_)),
+      source_(menuButton(&desk.actions().sources()))
+{
+    setAccessibleName(tr("Comparison"));
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(8, 3, 8, 3);
+    line->setSpacing(2);
+    CompareActions& actions = desk.actions();
+    for (std::size_t i = 0; i < compareModes.size(); ++i)
+        line->addWidget(button(actions.mode(compareModes[i]), tr(modeNames[i])));
+    addGain();
+    line->addWidget(gains_);
+    line->addStretch(1);
+    addMorph();
+    line->addWidget(differ_);
+    line->addWidget(morphs_);
+    line->addWidget(source_);
+    line->addWidget(button(actions.swap(), QStringLiteral("⇄")));
+    line->addWidget(button(actions.letGo(), QStringLiteral("✕")));
+    rows_->setAccessibleName(tr("Rows that differ"));
+    connect(rows_, &QMenu::aboutToShow, this, &CompareBar::fillRows);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // A narrow window is not made wider.
+    hide();
+}
+
+QToolButton* CompareBar::button(QAction& action, const QString& words)
+{
+    auto* made = new QToolButton(this);
+    made->setDefaultAction(&action);
+    made->setAutoRaise(true);
+    made->setFocusPolicy(Qt::TabFocus);
+    made->setAccessibleName(action.text().remove(QLatin1Char('&')));
+    // The action's own words are for the menu; whatever changes of it, these stay.
+    made->setText(words);
+    connect(&action, &QAction::changed, made, [made, words] { made->setText(words); });
+    return made;
+}
+
+QToolButton* CompareBar::menuButton(QMenu* menu)
+{
+    auto* made = new QToolButton(this);
+    made->setPopupMode(QToolButton::InstantPopup);
+    made->setMenu(menu);
+    made->setAutoRaise(true);
+    made->setFocusPolicy(Qt::TabFocus);
+    made->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    return made;
+}
+
+void CompareBar::addGain()
+{
+    gain_->setFixedWidth(80);
+    gain_->showValue(desk_.overlay().gain());
+    times_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("× 64")));
+    gains_->layout()->addWidget(gain_);
+    gains_->layout()->addWidget(times_);
+    connect(gain_, &ValueSlider::edited, this, [this](double gain) {
+        desk_.overlay().setGain(static_cast<int>(gain));
+        refresh();
+    });
+}
+
+void CompareBar::addMorph()
+{
+    morph_->setFixedWidth(96);
+    morphs_->layout()->addWidget(new QLabel(tr("A"), morphs_));
+    morphs_->layout()->addWidget(morph_);
+    morphs_->layout()->addWidget(new QLabel(tr("B"), morphs_));
+    new MorphControl(desk_.history(), desk_.other(), *morph_, this);
+}
+
+QString CompareBar::differenceText() const
+{
+    return differ_->text();
+}
+
+void CompareBar::refresh()
+{
+    const bool held = desk_.other().held();
+    setVisible(held && !banned_);
+    if (!held) return;
+    times_->setText(tr("× %1").arg(desk_.overlay().gain()));
+    const QString name = desk_.other().name();
+    source_->setText(menuText(fontMetrics().elidedText(tr("B: %1").arg(name), Qt::ElideRight, widestName)) +
+                     QStringLiteral(" ▾"));
+    source_->setToolTip(tr("B is: %1. Click for another B, or to copy all.").arg(name));
+    source_->setAccessibleName(source_->toolTip());
+    const std::size_t rows = desk_.differences().size();
+    differ_->setText(rows == 0   ? tr("no row differs")
+                     : rows == 1 ? tr("1 row differs")
+                                 : tr("%1 rows differ").arg(rows));
+    differ_->setEnabled(rows > 0);
+    differ_->setToolTip(tr("Shows them, and copies one from B to A."));
+    differ_->setAccessibleName(differ_->text());
+    showWhatFits();
+}
+
+void CompareBar::showWhatFits()
+{
+    gains_->setVisible(isDifference(desk_.overlay().mode()));
+    differ_->show();
+    morphs_->show();
+    for (QWidget* part : {static_cast<QWidget*>(differ_), morphs_}) {
+        layout()->activate();
+        if (layout()->minimumSize().width() <= width()) return;
+        part->hide();
+    }
+}
+
+void CompareBar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    showWhatFits();
+}
+
+void CompareBar::fillRows()
+{
+    rows_->clear();
+    const std::vector<RowDifference> differences = desk_.differences();
+    for (std::size_t i = 0; i < std::min(differences.size(), mostRows); ++i) {
+        const RowDifference& row = differences[i];
+        rows_->addAction(menuText(row.text), this, [this, row] { desk_.other().take(row.exhibit, row.name); });
+    }
+    if (differences.size() > mostRows)
+        rows_->addAction(tr("… and %1 more").arg(differences.size() - mostRows))->setEnabled(false);
+}
+
+void CompareBar::setBanned(bool banned)
+{
+    banned_ = banned;
+    refresh();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_compare_bar.cpp"

@@ -1,0 +1,160 @@
+#include "ui/compare/compare_desk.h"
+
+#include "exhibits/compare/differing_rows.h"
+#include "ui/compare/compare_actions.h"
+#include "ui/compare/compare_bar.h"
+#include "ui/compare/compare_overlay.h"
+#include "ui/compare/other_picture.h"
+#include "ui/kit/text.h"
+#include "ui/model/other_settings.h"
+#include "ui/model/workbench.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/viewport/viewport.h"
+
+#include <QFileDialog>
+
+namespace vitrine::ui {
+
+CompareDesk::CompareDesk(Workbench& workbench, PresetShelf& shelf, QWidget* parent)
+    : QObject(parent), workbench_(workbench), shelf_(shelf), window_(parent),
+      other_(new OtherSettings(workbench.history(), this)),
+      picture_(new OtherPicture(workbench.viewport(), workbench.renderers(), *other_, this)),
+      overlay_(new CompareOverlay(workbench.viewport(), *other_, *picture_)), actions_(new CompareActions(*this)),
+      bar_(new CompareBar(*this, parent))
+{
+    connect(other_, &OtherSettings::changed, this, &CompareDesk::refresh);
+    connect(overlay_, &CompareOverlay::needsChanged, this, &CompareDesk::refresh);
+    connect(&workbench.history(), &History::changed, bar_, &CompareBar::refresh);
+    connect(&workbench.history(), &History::replaced, bar_, &CompareBar::refresh);
+    connect(picture_, &OtherPicture::drawn, this, &CompareDesk::tellLedger);
+    connect(picture_, &OtherPicture::gone, this, &CompareDesk::tellLedger);
+    connect(picture_, &OtherPicture::failed, this,
+            [this](const QString& why) { workbench_.say(MessageStrip::Mood::problem, tr("B: %1").arg(why)); });
+    bar_->refresh();
+}
+
+CompareDesk::~CompareDesk() = default;
+
+void CompareDesk::refresh()
+{
+    if (!other_->held() && overlay_->mode() != CompareMode::off) {
+        overlay_->setMode(CompareMode::off);  // Comes back here.
+        return;
+    }
+    picture_->setWanted(other_->held() && (overlay_->mode() != CompareMode::off || overlay_->otherAlone()));
+    actions_->refresh();
+    bar_->refresh();
+    tellLedger();
+}
+
+void CompareDesk::tellLedger()
+{
+    if (!other_->held())
+        emit ledgerChanged(nullptr, {});
+    else if (!picture_->wanted())
+        emit ledgerChanged(nullptr, tr("B: not drawn, nothing shows it"));
+    else if (!picture_->failure().isEmpty())
+        emit ledgerChanged(nullptr, tr("B: cannot be drawn"));
+    else if (picture_->image().isNull())
+        emit ledgerChanged(nullptr, tr("B: being drawn"));
+    else
+        emit ledgerChanged(&picture_->report(), {});
+}
+
+void CompareDesk::setMode(CompareMode mode)
+{
+    if (mode != CompareMode::off && !other_->held()) holdPresent();
+    overlay_->setMode(mode);
+    refresh();  // Also where nothing changed: an action may have been unchecked.
+}
+
+void CompareDesk::hold(const SceneState& sceneState, const QString& name)
+{
+    // Files in it may give further rows: read where files are read.
+    workbench_.viewport().renderThread().post(
+        [this, &museum = workbench_.museum(), sceneState, name]() -> std::function<void()> {
+            const TabledSceneState read = museum.readTables(sceneState);
+            return [this, read, name] {
+                for (const std::string& why : read.unreadable)
+                    workbench_.say(MessageStrip::Mood::problem, tr("B: %1").arg(QString::fromStdString(why)));
+                other_->hold(read.sceneState, name);
+                if (overlay_->mode() == CompareMode::off && !overlay_->otherAlone()) setMode(CompareMode::wipe);
+            };
+        });
+}
+
+void CompareDesk::holdPresent()
+{
+    // Its tables have been read.
+    other_->hold(workbench_.history().sceneState(), tr("A as it was"));
+    if (overlay_->mode() == CompareMode::off) setMode(CompareMode::wipe);
+}
+
+void CompareDesk::holdSelectedPreset()
+{
+    if (const QString id = shelf_.selected(); !id.isEmpty())
+        holdFile(id);
+    else
+        workbench_.say(MessageStrip::Mood::notice, tr("Nothing became B: select a preset in the list first."));
+}
+
+void CompareDesk::holdFile(const QString& path)
+{
+    if (const std::optional<ReadSettings> found = shelf_.settingsIn(path)) hold(found->sceneState, found->name);
+}
+
+void CompareDesk::holdStep(int step, const QString& name)
+{
+    hold(workbench_.history().valuesAt(step), name);
+}
+
+void CompareDesk::chooseFile()
+{
+    auto* dialog = new QFileDialog(window_, tr("Open as B"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilter(tr("Presets, and pictures with one inside (*.json *.png *.exr)"));
+    connect(dialog, &QFileDialog::fileSelected, this, &CompareDesk::holdFile);
+    dialog->open();
+}
+
+void CompareDesk::letGo()
+{
+    overlay_->setOtherAlone(false);
+    other_->letGo();
+}
+
+std::vector<std::pair<QString, QString>> CompareDesk::presets() const
+{
+    return shelf_.choices();
+}
+
+const QUndoStack& CompareDesk::steps() const
+{
+    return workbench_.history().stack();
+}
+
+History& CompareDesk::history() const
+{
+    return workbench_.history();
+}
+
+std::vector<RowDifference> CompareDesk::differences() const
+{
+    std::vector<RowDifference> all;
+    if (!other_->held()) return all;
+    for (const DifferingRow& row : differingRows(workbench_.history().sceneState(), other_->sceneState())) {
+        const auto value = [&](const std::optional<Value>& v) {
+            return v ? QString::fromStdString(valueWithUnit(row.info, *v)) : tr("no such row");
+        };
+        all.push_back({row.subject, row.name,
+                       tr("%1: %2: %3 | %4")
+                           .arg(text(workbench_.museum().subject(row.subject).title()),
+                                QString::fromStdString(label(row.info)), value(row.a), value(row.b))});
+    }
+    return all;
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_compare_desk.cpp"

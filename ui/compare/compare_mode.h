@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace vitrine::ui {
+
+/// How A and B are shown together. In every mode, and without one, B is shown alone while its key is held down.
+enum class CompareMode : std::uint8_t { off, wipe, sideBySide, flicker, flip, signedDifference };
+inline constexpr std::array compareModes{CompareMode::wipe, CompareMode::sideBySide, CompareMode::flicker,
+                                         CompareMode::flip, CompareMode::signedDifference};
+
+[[nodiscard]] constexpr bool isDifference(CompareMode mode)
+{
+    return mode == CompareMode::flip || mode == CompareMode::signedDifference;
+}
+
+}  // namespace vitrine::ui

@@ -1,0 +1,137 @@
+#include "ui/compare/other_picture.h"
+
+#include "ui/model/other_settings.h"
+#include "ui/viewport/viewport.h"
+
+#include <utility>
+
+namespace vitrine::ui {
+
+OtherPicture::OtherPicture(Viewport& viewport, Renderers& renderers, const OtherSettings& other, QObject* parent)
+    : QObject(parent), viewport_(viewport), renderers_(renderers), other_(other)
+{
+    connect(&viewport, &Viewport::drawn, this, &OtherPicture::follow);
+    connect(&viewport, &Viewport::filesChanged, this, &OtherPicture::order);
+    connect(&other, &OtherSettings::changed, this, [this] {
+        failure_.clear();
+        pictured_.reset();
+        order();
+    });
+}
+
+bool OtherPicture::present() const
+{
+    return pictured_ && pictured_->serves(sight());
+}
+
+bool OtherPicture::Sight::serves(const Sight& wanted) const
+{
+    return camera == wanted.camera && time == wanted.time && sincePressed == wanted.sincePressed &&
+           screen == wanted.screen && runEverything == wanted.runEverything &&
+           (rests || (!wanted.rests && scale >= wanted.scale));
+}
+
+OtherPicture::Sight OtherPicture::sight() const
+{
+    const FrameRequest& request = viewport_.shownRequest();
+    const DrawOrder& order = viewport_.shownOrder();
+    return {request.camera,
+            request.time,
+            request.sincePressed,
+            viewport_.shown().size(),
+            request.runEverything,
+            order.scale,
+            order.scale == 1 && order.samples == viewport_.schedule().samples()};
+}
+
+void OtherPicture::follow(const render::FrameReport& report)
+{
+    if (report.unfinished) {
+        // Of generated programs that take one another's place, one is built at a time: A's first.
+        if (finished_) return;
+        task_.cancel();
+        ordered_.reset();
+    } else if (wanted_ && !(ordered_ && ordered_->serves(sight()))) {
+        order();
+    }
+}
+
+void OtherPicture::setWanted(bool wanted)
+{
+    if (wanted == wanted_) return;
+    wanted_ = wanted;
+    viewport_.setWholePictures(wanted);
+    if (wanted) {
+        order();
+        return;
+    }
+    task_.cancel();
+    ordered_.reset();
+    failure_.clear();
+    viewport_.renderThread().post([&renderers = renderers_] {
+        renderers.forgetOther();
+        return std::function<void()>();
+    });
+    forget();
+}
+
+void OtherPicture::forget()
+{
+    image_ = {};
+    report_ = {};
+    pictured_.reset();
+    finished_ = false;
+    emit gone();
+}
+
+void OtherPicture::fail(const QString& why)
+{
+    const bool said = std::exchange(failure_, why) == why;
+    forget();
+    if (!said) emit failed(why);
+}
+
+void OtherPicture::order()
+{
+    if (!wanted_ || !other_.held() || viewport_.shown().isNull()) return;
+    const Sight wanted = sight();
+    struct Work {
+        SceneState sceneState;
+        FrameRequest request;
+        QSize screen;
+    };
+    auto work = std::make_shared<Work>(Work{other_.sceneState(), viewport_.shownRequest(), wanted.screen});
+    const PictureQuality quality = pictureQuality(work->sceneState.hall());
+    FrameRequest& request = work->request;
+    request.raster.size = glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.screen.width(), wanted.screen.height()) *
+                                                         (wanted.scale * quality.resolutionScale))),
+                                   glm::ivec2(1));
+    request.sample = 0;
+    request.samples = wanted.rests ? quality.supersamples : 1;
+    // Frames may have been left out since its last one, and it is not drawn again.
+    request.cut = request.finished = true;
+    request.rests = false;  // Whether A's values rest says nothing of B.
+    ordered_ = wanted;
+    finished_ = false;
+    auto step = [this, wanted, work, &renderers = renderers_](const RenderThread::Tell& tell) {
+        OtherDrawn made = renderers.drawOther(work->sceneState, work->request, work->screen);
+        const bool more = ++work->request.sample < work->request.samples;
+        tell([this, wanted, made = std::move(made), more] {
+            image_ = made.image;
+            report_ = made.report;
+            pictured_ = wanted;
+            finished_ = !more;
+            ++picturesDrawn_;
+            failure_.clear();
+            emit drawn();
+        });
+        return more;
+    };
+    task_ = viewport_.renderThread().start(std::move(step), [this](const QString& failure) {
+        if (!failure.isEmpty()) fail(failure);
+    });
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_other_picture.cpp"

@@ -1,0 +1,74 @@
+#include "ui/model/other_settings.h"
+
+#include "exhibits/compare/differing_rows.h"
+
+namespace vitrine::ui {
+
+OtherSettings::OtherSettings(History& history, QObject* parent) : QObject(parent), history_(history) {}
+
+QString OtherSettings::name() const
+{
+    return edited_ ? name_ + QStringLiteral(" *") : name_;
+}
+
+void OtherSettings::show(const Held& held)
+{
+    sceneState_ = held.sceneState;
+    name_ = held.name;
+    edited_ = held.edited;
+    emit changed();
+}
+
+void OtherSettings::hold(const SceneState& sceneState, const QString& name)
+{
+    show({sceneState, name, false});
+}
+
+void OtherSettings::letGo()
+{
+    if (held()) show({});
+}
+
+void OtherSettings::record(const QString& text, const SceneState& a, const Held& b)
+{
+    const Held before{sceneState_, name_, edited_};
+    history_.record(
+        text, a, [this, b] { show(b); }, [this, before] { show(before); });
+}
+
+void OtherSettings::swap()
+{
+    SceneState a = history_.sceneState(), b = sceneState();
+    std::swap(a.values, b.values);
+    record(tr("Swap A and B"), a, {b, tr("The former A"), false});
+}
+
+void OtherSettings::takeAll()
+{
+    SceneState a = history_.sceneState();
+    a.values = sceneState().values;
+    history_.change(tr("Copy all from B"), a);
+}
+
+void OtherSettings::giveAll()
+{
+    record(tr("Copy all to B"), history_.sceneState(), {history_.sceneState(), tr("A as it was"), false});
+}
+
+void OtherSettings::take(std::size_t exhibit, const std::string& row)
+{
+    SceneState a = history_.sceneState();
+    if (copyRow(sceneState(), a, exhibit, row))
+        history_.change(tr("Copy %1 from B").arg(QString::fromStdString(row)), a, newGesture());
+}
+
+void OtherSettings::give(std::size_t exhibit, const std::string& row)
+{
+    SceneState b = sceneState();
+    if (copyRow(history_.sceneState(), b, exhibit, row) && !(b == sceneState()))
+        record(tr("Copy %1 to B").arg(QString::fromStdString(row)), history_.sceneState(), {b, name_, true});
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_other_settings.cpp"

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "ui/model/history.h"
+
+#include <QString>
+
+#include <optional>
+#include <string>
+
+namespace vitrine::ui {
+
+/// B: a second complete setting, beside those on show, which are A. Whoever shows B listens to `changed`. What moves
+/// values between the two is one undo step; which settings are held as B is none. B has no camera of its own.
+class OtherSettings final : public QObject {
+    Q_OBJECT
+
+public:
+    /// The history must outlive it.
+    explicit OtherSettings(History&, QObject* parent = nullptr);
+
+    [[nodiscard]] bool held() const { return sceneState_.has_value(); }
+    /// Only while held.
+    [[nodiscard]] const SceneState& sceneState() const { return *sceneState_; }
+    /// What B is, for people: "Old gold"; with " *" where it was changed since.
+    [[nodiscard]] QString name() const;
+
+    void hold(const SceneState&, const QString& name);
+    void letGo();
+
+    // Only while held:
+    void swap();
+    /// A becomes B, or B becomes A.
+    void takeAll();
+    void giveAll();
+    /// The same of one row; nothing where one of them lacks it.
+    void take(std::size_t exhibit, const std::string& row);
+    void give(std::size_t exhibit, const std::string& row);
+
+signals:
+    void changed();
+
+private:
+    struct Held {
+        std::optional<SceneState> sceneState;
+        QString name;
+        bool edited = false;
+    };
+    /// One step: A shows `a`, and B is `b`.
+    void record(const QString& text, const SceneState& a, const Held& b);
+    void show(const Held&);
+
+    History& history_;
+    std::optional<SceneState> sceneState_;
+    QString name_;
+    bool edited_ = false;
+};
+
+}  // namespace vitrine::ui
