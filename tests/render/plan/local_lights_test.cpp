@@ -56,10 +56,15 @@ TEST(LocalLight, InAConeSendsAllWithinItAndNothingBeyond)
     for (double angle = 0; angle < pi; angle += 0.01) {
         const glm::dvec3 way = std::cos(angle) * axis + std::sin(angle) * across;
         const double sent = glsl::localIrradiance(cone, glm::dvec3(0, 2, 0) + way, -way).x;
-        if (angle < 0.299) EXPECT_NEAR(sent, 2, 1e-6) << angle;
-        if (angle > 0.701) EXPECT_EQ(sent, 0) << angle;
+        if (angle < 0.299) {
+            EXPECT_NEAR(sent, 2, 1e-6) << angle;
+        } else if (angle > 0.701) {
+            EXPECT_EQ(sent, 0) << angle;
+        }
         EXPECT_LE(sent, before + 1e-9) << angle;
-        if (angle > 0.1) EXPECT_LT(before - sent, 0.15) << angle;
+        if (angle > 0.1) {
+            EXPECT_LT(before - sent, 0.15) << angle;
+        }
         before = sent;
     }
 }
