@@ -81,7 +81,7 @@ struct CrepuscularRaysTable final : Parameters {
 
     Group air = group("Air");
     Real airDensity =
-        real("airDensity", 0.012, perMeter, Range{0, 10}.soft(0, 0.05),
+        real("airDensity", 0.006, perMeter, Range{0, 10}.soft(0, 0.05),
              "Dust in the air: what a meter of it takes out of a beam near the floor; 0 is clear air.", volume);
     Real densityFalloff = real("densityFalloff", 0.03, perMeter, Range{0, 10}.soft(0, 0.5),
                                "How fast the dust thins with height: 0 is even, high keeps it near the floor.",

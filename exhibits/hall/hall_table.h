@@ -102,7 +102,7 @@ struct HallTable final : Parameters {
                              "Light of the lamps in the vault: 0 is a dark night, 1 is enough to read by.",
                              when(lamps, {LampsLit::on, LampsLit::automatic}));
     Real lampTemperature =
-        real("lampTemperature", 3400, kelvin, Range{1000, 20000}.soft(1800, 6500),
+        real("lampTemperature", 4300, kelvin, Range{1000, 20000}.soft(1800, 6500),
              "Color of the lamps' light: low is that of a candle, high is bluish.", whenAbove(lampStrength, 0));
 
     Group reflections = group("Reflections");

@@ -204,7 +204,7 @@ render::Box Lenticular::bounds(const ParameterValues&) const
 
 render::Camera Lenticular::bestView(const ParameterValues&) const
 {
-    return {cardMiddle() + glm::dvec3(-0.27, 0.13, 1.06), cardMiddle() + glm::dvec3(0.0, -0.015, 0), 0.698132};
+    return {cardMiddle() + glm::dvec3(-0.32, 0.06, 0.83), cardMiddle() + glm::dvec3(0.01, 0.01, 0), 0.733038};
 }
 
 double Lenticular::nextChange(const ParameterValues& values, double time) const

@@ -413,9 +413,14 @@ TEST_F(Rays, LegalValuesNeverMakeWhatIsNotANumber)
         shot.hall().set(hallTable().sunElevation, random.number(0.035, 1.5));
         const Picture p = shot.take();
         EXPECT_EQ(test::notFinite(p.image, 4), "") << i;
+        float least = 0;
         p.each([&](int x, int y) {
-            for (int c = 0; c < 3; ++c) EXPECT_GE(p.image.at(x, y, c), -1e-4);
+            for (int c = 0; c < 3; ++c) least = std::min(least, p.image.at(x, y, c));
         });
+        // The mask's colors stand in the picture as what shows as them, which of a saturated one is below 0.
+        if (rays[raysTable().view] != RayView::mask) {
+            EXPECT_GE(least, -1e-4) << "settings " << i;
+        }
     }
 }
 
