@@ -35,7 +35,7 @@ struct RaysScene {
     /// Whether something is behind the dust everywhere: the hall, or a panorama. In the studio its box would be seen.
     [[nodiscard]] bool airHasEnd() const
     {
-        return !context.onNothing && context.lighting.light.background != BACKGROUND_STUDIO;
+        return !context.onNothing && context.lighting.background != BACKGROUND_STUDIO;
     }
     /// A pass over the whole of an image, with the parameters and the block bound.
     [[nodiscard]] render::Pass pass(const char* name, std::string reason, std::string fragment) const;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace vitrine {
 
@@ -13,6 +14,8 @@ void SceneLighting::bindLighting(render::Pass& pass) const
 {
     pass.blocks[BLOCK_LIGHT] = render::std140Bytes(light);
     pass.inputs.insert(pass.inputs.end(), inputs.begin(), inputs.end());
+    pass.shader.defines.push_back("SHADOW_FILTER " + std::to_string(shadowFilter));
+    pass.shader.defines.push_back("BACKGROUND " + std::to_string(background));
     if (glassCastsShadow) pass.shader.defines.emplace_back("GLASS_SHADOWS");
     if (!localLights) return;
     pass.blocks[BLOCK_LOCAL_LIGHTS] = render::std140Bytes(localLights->block);

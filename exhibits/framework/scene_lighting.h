@@ -29,6 +29,8 @@ inline constexpr double mostReflected = 1 / std::numbers::pi + 64;
 /// needs to be lit like everything around it, and to cast its shadow.
 struct SceneLighting {
     LightBlock light;                            ///< What shaders read; the numbers below are what plans are made by.
+    int background = BACKGROUND_SKY;             ///< BACKGROUND_ of shaders/lib/light_block.glsl.
+    int shadowFilter = SHADOW_FILTER_TENT_5;     ///< SHADOW_FILTER_, likewise.
     std::vector<render::SampledTexture> inputs;  ///< Shadow maps, probe, environment picture.
 
     glm::dvec3 towardsSun{0, 1, 0};  ///< Unit.

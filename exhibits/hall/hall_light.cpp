@@ -101,18 +101,34 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
     light.lampsOnWalls = glm::vec3(vaultLampsOf(table, values).radiance * scene.model.lampLight().surfaceScale());
     light.skyHorizon = glm::vec3(glm::mix(skyColor * sky.horizon, sunColor / 9.0, 0.25) * 1.25);
     light.skySunward = glm::vec3(skyColor * sky.sunward * 1.25);
-    light.background = scene.environment ? BACKGROUND_PANORAMA : scene.alone ? BACKGROUND_STUDIO : BACKGROUND_SKY;
     light.environmentRotation = static_cast<float>(values[table.environmentRotation]);
     light.bakedOcclusion = values[table.bakedLight] ? 1.0F : 0.0F;
-    light.shadowFilter = static_cast<int>(values[table.shadowFilter]);
-    static_assert(static_cast<int>(ShadowFilter::hard) == SHADOW_FILTER_HARD &&
-                  static_cast<int>(ShadowFilter::tent3) == SHADOW_FILTER_TENT_3 &&
-                  static_cast<int>(ShadowFilter::tent5) == SHADOW_FILTER_TENT_5 &&
-                  static_cast<int>(ShadowFilter::disk) == SHADOW_FILTER_SUN_DISK);
     light.sunTanHalfWidth = static_cast<float>(std::tan(values[table.sunDisk] / 2));
     light.sunDiskSamples = values[table.diskSamples];
     light.exposure = static_cast<float>(adaptationOf(scene) * std::exp2(values[table.exposure]));
     return light;
+}
+
+/// Where in the hall's shadow map the openings are: what lies beside them, as the sun sees it, is in the dark, and need
+/// not be looked up.
+void boundSunlight(const HallScene& scene, SceneLighting& lighting)
+{
+    constexpr double reveal = 0.6;    // Meters: a wall is so thick, and light comes in askew.
+    constexpr double farthest = 16;   // Meters from what throws a half-shadow, as in shaders/lib/light.glsl.
+    constexpr double texels = 8;      // More than any filter is wide.
+    LightBlock& light = lighting.light;
+    const std::vector<render::Box>& openings = scene.model.openings();
+    if (openings.size() > MOST_SUN_PASSAGES) return;
+    light.roomLow = glm::vec3(scene.model.room().low);
+    light.roomHigh = glm::vec3(scene.model.room().high);
+    const glm::dmat4& clipFromView = lighting.hallShadowView.clipFromView;
+    const glm::dvec2 perMeter = 0.5 * glm::dvec2(clipFromView[0][0], clipFromView[1][1]);
+    const glm::dvec2 margin = perMeter * (reveal + farthest * static_cast<double>(light.sunTanHalfWidth) +
+                                          texels * static_cast<double>(light.hallShadowTexel));
+    for (std::size_t i = 0; i < openings.size(); ++i) {
+        const render::Box seen = openings[i].transformed(glm::dmat4(light.hallShadowFromWorld));
+        light.sunPassages[i] = glm::vec4(glm::dvec2(seen.low) - margin, glm::dvec2(seen.high) + margin);
+    }
 }
 
 void lookUpProbe(const HallScene& scene, LightBlock& light)
@@ -151,6 +167,12 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
     result.sunIrradiance = source.irradiance();
     LightBlock& light = result.light;
     light = lightBlock(scene, source);
+    result.background = scene.environment ? BACKGROUND_PANORAMA : scene.alone ? BACKGROUND_STUDIO : BACKGROUND_SKY;
+    result.shadowFilter = static_cast<int>(values[table.shadowFilter]);
+    static_assert(static_cast<int>(ShadowFilter::hard) == SHADOW_FILTER_HARD &&
+                  static_cast<int>(ShadowFilter::tent3) == SHADOW_FILTER_TENT_3 &&
+                  static_cast<int>(ShadowFilter::tent5) == SHADOW_FILTER_TENT_5 &&
+                  static_cast<int>(ShadowFilter::disk) == SHADOW_FILTER_SUN_DISK);
     result.exposure = light.exposure;
     result.adaptation = adaptationOf(scene);
 
@@ -161,6 +183,7 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
         light.hallShadowFromWorld = shadowFromWorld(result.hallShadowView);
         light.hallShadowTexel = static_cast<float>(2 / result.hallShadowView.clipFromView[0][0] / mapSize);
         result.inputs.push_back({UNIT_SHADOW_HALL, std::string("shadow.hall")});
+        boundSunlight(scene, result);
     }
     if (!scene.alone) {
         result.openings = scene.model.openings();

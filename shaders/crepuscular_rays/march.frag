@@ -11,8 +11,8 @@ layout(location = 0) out vec4 scattered;
 
 float sunInAir(vec3 world)
 {
-    float lit = light.hallCastsShadow ? shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, world), SHADOW_FILTER_HARD) : 1.0;
-    if (light.exhibitsCastShadow && lit > 0.0) lit *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, world), SHADOW_FILTER_HARD);
+    float lit = light.hallCastsShadow ? shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, world)) : 1.0;
+    if (light.exhibitsCastShadow && lit > 0.0) lit *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, world));
     return lit;
 }
 

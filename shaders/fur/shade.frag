@@ -29,8 +29,8 @@ struct HairPoint {
 float sunOnFur(vec3 world)
 {
     float visible = 1.0;
-    if (light.hallCastsShadow) visible = shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, world), SHADOW_FILTER_HARD);
-    if (light.exhibitsCastShadow) visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, world), SHADOW_FILTER_HARD);
+    if (light.hallCastsShadow) visible = shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, world));
+    if (light.exhibitsCastShadow) visible *= shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, world));
     return visible;
 }
 

@@ -60,10 +60,10 @@ MirroredShapes mirroredShapes(MirrorLobe lobe)
 }
 
 // Radiance of these times their share. They stand in the light that the floor has before them.
-vec3 shapesRadiance(MirroredShapes all, MirrorLobe lobe, Surface s)
+vec3 shapesRadiance(MirroredShapes all, MirrorLobe lobe, Surface s, vec3 roomAmbient)
 {
     vec3 normal = safeNormalize(vec3(all.outwards.x, 0.0, all.outwards.y), vec3(0.0, 1.0, 0.0));
-    vec3 here = s.ambient / max(probeAmbient(s.normal), vec3(1e-4));
+    vec3 here = s.ambient / max(roomAmbient, vec3(1e-4));
     vec3 lit = probeAmbient(normal) * clamp(here, 0.1, 2.0);
     float towardsSun = dot(normal, light.sunDirection);
     if (towardsSun > 0.0) {
@@ -72,14 +72,14 @@ vec3 shapesRadiance(MirroredShapes all, MirrorLobe lobe, Surface s)
         place += normal * (2.0 * light.hallShadowTexel);
         float visible = 1.0;
         if (light.hallCastsShadow)
-            visible = shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, place), SHADOW_FILTER_HARD);
+            visible = shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, place));
         lit += light.sunIrradiance * (visible * towardsSun / PI);
     }
     return all.color * lit;
 }
 
 // Radiance that the floor mirrors: the shapes, before window and oculus, before the room as the probe has it.
-vec3 floorMirrored(Surface s, vec3 toEye)
+vec3 floorMirrored(Surface s, vec3 toEye, vec3 roomAmbient)
 {
     vec3 mirrored = vec3(-toEye.x, max(toEye.y, 1e-3), -toEye.z);
     float perMeter = inversesqrt(max(dot(mirrored.xz, mirrored.xz), 1e-8));
@@ -90,23 +90,23 @@ vec3 floorMirrored(Surface s, vec3 toEye)
     vec3 radiance = probeRadiance(s.position, mirrored, 0.5 * s.roughness) * s.occlusion;
     MirroredWindow window = mirroredWindow(floorMirror.window, floorMirror.windowZ, lobe);
     float oculus = mirroredOculus(floorMirror.oculus, lobe);
-    vec3 sky = skyRadiance(mirrored, lobe.slope);
+    vec3 sky = blurredSkyRadiance(mirrored, lobe.slope);
     radiance = mix(radiance, sky * (floorMirror.behindBars * (1.0 - windowBars(window))), window.share);
     radiance = mix(radiance, sky, oculus);
     MirroredShapes shapes = mirroredShapes(lobe);
     if (shapes.share > 2e-3)
-        radiance = radiance * (1.0 - min(shapes.share, 1.0)) + shapesRadiance(shapes, lobe, s);
+        radiance = radiance * (1.0 - min(shapes.share, 1.0)) + shapesRadiance(shapes, lobe, s, roomAmbient);
     return radiance;
 }
 #endif
 
-// Radiance towards the eye. Polish mirrors what is far and dim, and wears off for what would burn out in it: the sun.
-vec3 shadeFloor(Surface s, vec3 toEye)
+// Radiance towards the eye; `roomAmbient`: of the probe, irradiance over pi for the floor's normal. Polish mirrors what is far and dim, and wears off for what would burn out in it: the sun.
+vec3 shadeFloor(Surface s, vec3 toEye, vec3 roomAmbient)
 {
     Surface worn = s;
     worn.roughness = max(s.roughness, 0.45);
 #ifdef MIRROR_SHAPES
-    vec3 mirrored = floorMirrored(s, toEye);
+    vec3 mirrored = floorMirrored(s, toEye, roomAmbient);
 #else
     vec3 mirrored = probeRadiance(s.position, reflect(-toEye, s.normal), s.roughness) * s.occlusion;
 #endif

@@ -20,6 +20,9 @@ in vec3 worldNormal;
 in vec4 worldTangent;
 in vec2 tileUv;
 in vec2 atlasUv;
+#ifdef LIGHTMAP
+in vec3 roomAmbient;
+#endif
 
 layout(location = 0) out vec4 radiance;
 #ifdef WRITE_NORMAL
@@ -83,7 +86,7 @@ void main()
 #ifdef LIGHTMAP
     s.ambient = bakedAmbient();
     // The probe stands for the whole room; where the baked light is far below the room's, so is the mirror image.
-    float local = dot(s.ambient, vec3(0.3333)) / max(dot(probeAmbient(n), vec3(0.3333)), 1e-4);
+    float local = dot(s.ambient, vec3(0.3333)) / max(dot(roomAmbient, vec3(0.3333)), 1e-4);
     s.occlusion *= mix(1.0, clamp(local, 0.15, 1.0), light.bakedOcclusion * (0.35 + 0.65 * s.roughness));
 #else
     s.ambient = ambientAt(s.position, n) * s.occlusion;
@@ -99,7 +102,7 @@ void main()
     color += localLightsReflected(s, toEye);
 #endif
 #elif defined(POLISHED_FLOOR)
-    vec3 color = shadeFloor(s, toEye);
+    vec3 color = shadeFloor(s, toEye, roomAmbient);
 #else
     vec3 color = shadeSurface(s, toEye);
 #endif

@@ -1,5 +1,8 @@
-// A mesh with a material.
+// A mesh with a material. Permutation: LIGHTMAP.
 #include "lib/frame.glsl"
+#ifdef LIGHTMAP
+#include "lib/light.glsl"
+#endif
 #include "kit/surface_object.glsl"
 
 layout(location = 0) in vec3 position;
@@ -13,6 +16,9 @@ out vec3 worldNormal;
 out vec4 worldTangent;
 out vec2 tileUv;
 out vec2 atlasUv;
+#ifdef LIGHTMAP
+out vec3 roomAmbient;  // Irradiance over pi, as the probe has it for a face of this normal.
+#endif
 
 void main()
 {
@@ -22,5 +28,8 @@ void main()
     worldTangent = vec4(mat3(object.worldFromModel) * tangent.xyz, tangent.w);
     tileUv = uv * object.textureRepeats;
     atlasUv = lightmapUv;
+#ifdef LIGHTMAP
+    roomAmbient = probeAmbient(safeNormalize(worldNormal, vec3(0.0, 1.0, 0.0)));
+#endif
     gl_Position = frame.clipFromWorld * world;
 }

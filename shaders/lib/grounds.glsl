@@ -55,6 +55,33 @@ float groundsCrowns(vec2 p, float spacing, float size, uint row)
     return nearest;
 }
 
+// Light of hazy air, and that on the ground; `pane` as below.
+vec3 groundsHaze(float pane)
+{
+    return pane * mix(light.skyZenith, light.skyHorizon, 0.8);
+}
+
+vec3 groundsLight(vec3 d, float pane)
+{
+    float towardsSun = max(dot(d, light.sunDirection), 0.0);
+    return pane * (0.3 * light.skyHorizon + 0.05 * light.sunIrradiance * (1.0 + 2.0 * towardsSun));
+}
+
+// The same as below with no more in it than a wide pixel shows: hills, and the crowns of all trees as a hedge of their
+// mean height that opens in the middle.
+vec3 behindBlurredGrounds(vec3 sky, vec3 d, float angle, float pane)
+{
+    float level = max(length(d.xz), 1e-4);
+    vec2 p = vec2(d.x / max(-d.z, 0.2 * level), d.y / level);
+    float width = max(angle, 1e-4) * 1.5;
+    vec3 haze = groundsHaze(pane);
+    vec3 lit = groundsLight(d, pane);
+    vec3 color = mix(sky, mix(vec3(0.12, 0.12, 0.10) * lit, haze, 0.2), groundsBelow(p.y - 0.04, width));
+    float crowns = 0.17 * clamp(abs(p.x) * 7.0 - 0.1, 0.25, 1.0);
+    color = mix(color, mix(vec3(0.08, 0.10, 0.04) * lit, haze, 0.04), 0.85 * groundsBelow(p.y - crowns, width));
+    return mix(color, mix(vec3(0.12, 0.14, 0.06) * lit, haze, 0.2), groundsBelow(p.y + 0.004, width));
+}
+
 // The sky's radiance `sky` towards the unit vector `d`, with what stands before it; for a pixel `angle` radians wide.
 // `pane` is the share of light that the window's glass lets through, as in `sky`. The lightmaps know nothing of it: it is
 // low, and dark against the sky.
@@ -64,8 +91,8 @@ vec3 behindGrounds(vec3 sky, vec3 d, float angle, float pane)
     float level = max(length(d.xz), 1e-4);
     vec2 p = vec2(atan(d.x, -d.z), d.y / level);
     float width = max(angle, 1e-4) * 1.5;
-    vec3 haze = pane * mix(light.skyZenith, light.skyHorizon, 0.8);
-    vec3 lit = pane * (0.3 * light.skyHorizon + 0.05 * light.sunIrradiance * (1.0 + 2.0 * max(dot(d, light.sunDirection), 0.0)));
+    vec3 haze = groundsHaze(pane);
+    vec3 lit = groundsLight(d, pane);
     // From far to near, each less dimmed by the air than the one behind it.
     float hills = 0.020 + 0.035 * groundsNoise(p.x * 3.0 + 7.0, 21u) + 0.006 * groundsNoise(p.x * 17.0, 22u);
     vec3 color = mix(sky, mix(vec3(0.10, 0.13, 0.15) * lit, haze, 0.34), groundsBelow(p.y - hills, width));

@@ -17,36 +17,54 @@ layout(binding = UNIT_AIR_LIGHT) uniform sampler3D airLight;
 layout(binding = UNIT_SHADOW_GLASS) uniform sampler2D glassShadow;
 #endif
 
-float shadowTap(sampler2DShadow map, vec2 base, vec2 offset, float depth)
+#ifndef SHADOW_FILTER
+#define SHADOW_FILTER SHADOW_FILTER_HARD
+#endif
+
+bool isInShadowMap(vec3 position)
 {
-    return texture(map, vec3((base + offset) / vec2(textureSize(map, 0)), depth));
+    return !(any(lessThan(position, vec3(0.0))) || any(greaterThan(position, vec3(1.0))));
 }
 
-// Share of the light that reaches `position` in one map. SHADOW_FILTER_HARD: one bilinear comparison. The others: a
-// tent over 3x3 or 5x5 texels in 4 or 9 bilinear comparisons, each placed between two texels in proportion
-// to their weights, so that the result moves smoothly with the position (Castano 2013, "Shadow Mapping
-// Summary").
-float shadowMapLight(sampler2DShadow map, vec3 position, int filterKind)
+// Share of the light that reaches `position` in one map, by one bilinear comparison.
+float shadowMapLight(sampler2DShadow map, vec3 position)
 {
-    if (any(lessThan(position, vec3(0.0))) || any(greaterThan(position, vec3(1.0)))) return 1.0;
-    if (filterKind == SHADOW_FILTER_HARD) return texture(map, position);
-    vec2 texel = position.xy * vec2(textureSize(map, 0));
+    return isInShadowMap(position) ? texture(map, position) : 1.0;
+}
+
+// The same by a tent over 3x3 or 5x5 texels in 4 or 9 bilinear comparisons, each placed between two texels in proportion
+// to their weights, so that the result moves smoothly with the position (Castano 2013, "Shadow Mapping Summary"). 1 where
+// it is not `wanted`. One comparison at a time, for software renderers run what a branch leaves out, but leave a loop as
+// soon as no pixel is in it.
+float shadowTentLight(sampler2DShadow map, vec3 position, bool wanted)
+{
+    vec2 size = vec2(textureSize(map, 0));
+    vec2 texel = position.xy * size;
     vec2 base = floor(texel + 0.5);
     vec2 s = texel + 0.5 - base;
     base -= 0.5;
-    float z = position.z;
-    if (filterKind == SHADOW_FILTER_TENT_3) {
-        vec2 w0 = 3.0 - 2.0 * s, w1 = 1.0 + 2.0 * s;
-        vec2 o0 = (2.0 - s) / w0 - 1.0, o1 = s / w1 + 1.0;
-        return (w0.x * w0.y * shadowTap(map, base, o0, z) + w1.x * w0.y * shadowTap(map, base, vec2(o1.x, o0.y), z) +
-                w0.x * w1.y * shadowTap(map, base, vec2(o0.x, o1.y), z) + w1.x * w1.y * shadowTap(map, base, o1, z)) / 16.0;
-    }
-    vec2 w0 = 4.0 - 3.0 * s, w2 = 1.0 + 3.0 * s;
+#if SHADOW_FILTER == SHADOW_FILTER_TENT_3
+    const int across = 2;
+    const float whole = 16.0;
+    vec2 w0 = 3.0 - 2.0 * s, w1 = vec2(0.0), w2 = 1.0 + 2.0 * s;
+    vec2 o0 = (2.0 - s) / w0 - 1.0, o1 = vec2(0.0), o2 = s / w2 + 1.0;
+#else
+    const int across = 3;
+    const float whole = 144.0;
+    vec2 w0 = 4.0 - 3.0 * s, w1 = vec2(7.0), w2 = 1.0 + 3.0 * s;
     vec2 o0 = (3.0 - 2.0 * s) / w0 - 2.0, o1 = (3.0 + s) / 7.0, o2 = s / w2 + 2.0;
-    float row0 = w0.x * shadowTap(map, base, o0, z) + 7.0 * shadowTap(map, base, vec2(o1.x, o0.y), z) + w2.x * shadowTap(map, base, vec2(o2.x, o0.y), z);
-    float row1 = w0.x * shadowTap(map, base, vec2(o0.x, o1.y), z) + 7.0 * shadowTap(map, base, o1, z) + w2.x * shadowTap(map, base, vec2(o2.x, o1.y), z);
-    float row2 = w0.x * shadowTap(map, base, vec2(o0.x, o2.y), z) + 7.0 * shadowTap(map, base, vec2(o1.x, o2.y), z) + w2.x * shadowTap(map, base, o2, z);
-    return (w0.y * row0 + 7.0 * row1 + w2.y * row2) / 144.0;
+#endif
+    float lit = 0.0;
+    int taps = wanted && isInShadowMap(position) ? across * across : 0;
+    for (int i = 0; i < taps; ++i) {
+        int row = i / across;
+        ivec2 at = ivec2(i - row * across, row);
+        bvec2 isFirst = equal(at, ivec2(0)), isLast = equal(at, ivec2(across - 1));
+        vec2 weight = mix(mix(w1, w2, isLast), w0, isFirst);
+        vec2 offset = mix(mix(o1, o2, isLast), o0, isFirst);
+        lit += weight.x * weight.y * texture(map, vec3((base + offset) / size, position.z));
+    }
+    return taps > 0 ? lit / whole : 1.0;
 }
 
 vec3 shadowPosition(mat4 shadowFromWorld, vec3 world)
@@ -78,13 +96,14 @@ vec2 diskPoint(float i, float n)
 // the way to what hides it (Fernando 2005, "Percentage-Closer Soft Shadows"). How far that is, is found by comparisons
 // alone: what still hides the point after it has moved d meters towards the sun is farther than d. Every look lies on
 // the plane of the surface: one beside it would be hidden by the surface itself.
-float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3 normal)
+#if SHADOW_FILTER == SHADOW_FILTER_SUN_DISK
+float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3 normal, bool wanted)
 {
     const float farthest = 16.0;  // meters: from the floor to the window
     float samples = float(light.sunDiskSamples);
-    float looks = clamp(0.75 * samples, 12.0, 64.0);
     vec3 position = shadowPosition(shadowFromWorld, world);
-    if (any(lessThan(position, vec3(0.0))) || any(greaterThan(position, vec3(1.0)))) return 1.0;
+    if (!wanted || !isInShadowMap(position)) return 1.0;
+    float looks = clamp(0.75 * samples, 12.0, 64.0);
     mat3 rows = transpose(mat3(shadowFromWorld));
     vec3 perMeter = vec3(length(rows[0]), length(rows[1]), length(rows[2]));
     vec2 texel = 1.0 / vec2(textureSize(map, 0));
@@ -120,6 +139,7 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec
     }
     return lit / samples;
 }
+#endif
 
 // How far a point is lifted off its surface before it is looked up, in texels: more where light grazes.
 float shadowLift(float cosine)
@@ -127,31 +147,52 @@ float shadowLift(float cosine)
     return 0.6 + 2.4 * safeSqrt(1.0 - cosine * cosine);
 }
 
+float filteredShadow(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3 normal, bool wanted)
+{
+#if SHADOW_FILTER == SHADOW_FILTER_SUN_DISK
+    return shadowDiskLight(map, shadowFromWorld, world, normal, wanted);
+#elif SHADOW_FILTER == SHADOW_FILTER_HARD
+    return wanted ? shadowMapLight(map, shadowPosition(shadowFromWorld, world)) : 1.0;
+#else
+    return shadowTentLight(map, shadowPosition(shadowFromWorld, world), wanted);
+#endif
+}
+
+// Whether sunlight may arrive at a point: in a room, it comes by the passages alone.
+bool mayBeSunlit(vec3 world)
+{
+    bool may = any(lessThan(world, light.roomLow)) || any(greaterThan(world, light.roomHigh));
+    vec2 at = shadowPosition(light.hallShadowFromWorld, world).xy;
+    for (int i = 0; i < MOST_SUN_PASSAGES; ++i)
+        may = may || (all(greaterThan(at, light.sunPassages[i].xy)) && all(lessThan(at, light.sunPassages[i].zw)));
+    return may;
+}
+
 // Share of the sun that walls and furniture let through, 0 to 1; 0 where `normal` faces away.
 float sunVisibilityOfHall(vec3 world, vec3 normal)
 {
     float cosine = dot(normal, light.sunDirection);
-    if (cosine <= 0.0) return 0.0;
-    if (!light.hallCastsShadow) return 1.0;
+    if (!light.hallCastsShadow) return cosine > 0.0 ? 1.0 : 0.0;
+    bool may = cosine > 0.0 && mayBeSunlit(world);
     vec3 lifted = world + normal * (light.hallShadowTexel * shadowLift(cosine));
-    if (light.shadowFilter == SHADOW_FILTER_SUN_DISK) return shadowDiskLight(hallShadow, light.hallShadowFromWorld, lifted, normal);
-    return shadowMapLight(hallShadow, shadowPosition(light.hallShadowFromWorld, lifted), light.shadowFilter);
+    float visible = filteredShadow(hallShadow, light.hallShadowFromWorld, lifted, normal, may);
+    return may ? visible : 0.0;
 }
 
-// Share of the sun that the exhibits let through, where their map is valid.
-float sunVisibilityOfExhibits(vec3 world, vec3 normal)
+// Share of the sun that the exhibits let through, where their map is valid; 1 where it is not `wanted`.
+float sunVisibilityOfExhibits(vec3 world, vec3 normal, bool wanted)
 {
     vec3 lifted = world + normal * (light.exhibitShadowTexel * shadowLift(dot(normal, light.sunDirection)));
-    if (light.shadowFilter == SHADOW_FILTER_SUN_DISK) return shadowDiskLight(exhibitShadow, light.exhibitShadowFromWorld, lifted, normal);
-    return shadowMapLight(exhibitShadow, shadowPosition(light.exhibitShadowFromWorld, lifted), light.shadowFilter);
+    return filteredShadow(exhibitShadow, light.exhibitShadowFromWorld, lifted, normal, wanted);
 }
 
 // Both.
 float sunVisibility(vec3 world, vec3 normal)
 {
     float visible = sunVisibilityOfHall(world, normal);
-    if (light.exhibitsCastShadow && visible > 0.0) visible *= sunVisibilityOfExhibits(world, normal);
-    return visible;
+    bool wanted = light.exhibitsCastShadow && visible > 0.0;
+    float besideExhibits = sunVisibilityOfExhibits(world, normal, wanted);
+    return wanted ? visible * besideExhibits : visible;
 }
 
 // Share of each color of the sun's light that glass in its way lets through. What lies before the glass is not in its

@@ -1,9 +1,13 @@
 // The light of a place: sun, sky, shadow maps, reflection probe. GLSL and C++: render/glsl/std140.h.
 
-// What lies beyond walls.
+// What lies beyond walls. Shaders are compiled for one, BACKGROUND, and for one SHADOW_FILTER: software renderers run
+// what a branch leaves out.
 #define BACKGROUND_SKY 0
 #define BACKGROUND_PANORAMA 1
 #define BACKGROUND_STUDIO 2
+
+// Openings of a room through which the sun comes.
+#define MOST_SUN_PASSAGES 2
 
 // How a shadow map is looked up.
 #define SHADOW_FILTER_HARD 0
@@ -22,7 +26,6 @@
     FIELD(float, skyLightmapScale)       /* what the sky lightmap's 1 stands for */ \
     FIELD(vec3, lampsOnWalls)            /* what the 1 of its alpha stands for: the vault's lamps */ \
     FIELD(vec3, skyHorizon)              /* radiance */ \
-    FIELD(int, background)               /* BACKGROUND_ */ \
     FIELD(float, environmentRotation)        /* rotation of the panorama, radians */ \
     FIELD(vec3, probePosition)           /* world space */ \
     FIELD(float, probeLastLevel)         /* mip level of the roughest mirror image */ \
@@ -36,9 +39,11 @@
     FIELD(bool, hallCastsShadow)         /* the hall's shadow map is bound and up to date */ \
     FIELD(bool, exhibitsCastShadow)      /* the exhibits' shadow map is */ \
     FIELD(bool, hasProbe)                /* the probe is */ \
-    FIELD(int, shadowFilter)             /* SHADOW_FILTER_ */ \
     FIELD(float, sunTanHalfWidth)        /* tangent of half the angle that the sun's disk takes */ \
     FIELD(int, sunDiskSamples)           /* comparisons over the sun's disk */ \
     FIELD(int, sampleIndex)              /* which supersample, from 0 */ \
-    FIELD(vec3, skySunward)              /* radiance that the horizon has more below the sun */
+    FIELD(vec3, skySunward)              /* radiance that the horizon has more below the sun */ \
+    FIELD(vec3, roomLow)                 /* air between walls into which the sun comes by passages alone, world space; */ \
+    FIELD(vec3, roomHigh)                /* none where high <= low */ \
+    ARRAY(vec4, sunPassages, MOST_SUN_PASSAGES) /* low and high corner of each in the hall's shadow map; none as well */
 BLOCK_STRUCT(LightBlock, LIGHT_FIELDS)

@@ -47,18 +47,45 @@ vec3 clearSky(vec3 d)
     return sky * mix(0.72, 1.0, streaks) + light.skySunward * (0.35 * (1.0 - streaks) * beside * exp2(-3.0 * up));
 }
 
+#ifndef BACKGROUND
+#define BACKGROUND BACKGROUND_SKY
+#endif
+
+#ifndef CAPTURE
+const float SKY_PANE = 0.4;  // To the eye, the panes of a tall old window dim the sky; what lights the room is not dimmed.
+#else
+const float SKY_PANE = 1.0;
+#endif
+
+#if BACKGROUND == BACKGROUND_SKY
+// Radiance of the sky alone from the unit vector `d`, through the panes.
+vec3 skyThroughPanes(vec3 d)
+{
+    float toSun = max(dot(d, light.sunDirection), 0.0);
+    return SKY_PANE * (clearSky(d) + light.sunIrradiance * (0.05 * pow(toSun, 24.0) + 0.3 * pow(toSun, 400.0)));
+}
+#endif
+
 // From `direction`, for a pixel that is `angle` radians wide.
 vec3 skyRadiance(vec3 direction, float angle)
 {
     vec3 d = normalize(direction);
-    if (light.background == BACKGROUND_STUDIO) return studioRadiance(d);
-    if (light.background == BACKGROUND_PANORAMA) return panoramaRadiance(d, angle);
-    float toSun = max(dot(d, light.sunDirection), 0.0);
-    vec3 sky = clearSky(d) + light.sunIrradiance * (0.05 * pow(toSun, 24.0) + 0.3 * pow(toSun, 400.0));
-#ifndef CAPTURE
-    sky *= 0.4;  // To the eye, the panes of a tall old window dim the sky; what lights the room is not dimmed.
-    return behindGrounds(sky, d, angle, 0.4);
+#if BACKGROUND == BACKGROUND_STUDIO
+    return studioRadiance(d);
+#elif BACKGROUND == BACKGROUND_PANORAMA
+    return panoramaRadiance(d, angle);
 #else
-    return behindGrounds(sky, d, angle, 1.0);
+    return behindGrounds(skyThroughPanes(d), d, angle, SKY_PANE);
+#endif
+}
+
+// The same where what is seen is blurred by far more than a tree is wide.
+vec3 blurredSkyRadiance(vec3 direction, float angle)
+{
+#if BACKGROUND == BACKGROUND_SKY
+    vec3 d = normalize(direction);
+    return behindBlurredGrounds(skyThroughPanes(d), d, angle, SKY_PANE);
+#else
+    return skyRadiance(direction, angle);
 #endif
 }

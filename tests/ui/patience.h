@@ -6,7 +6,7 @@
 #include <QTest>
 
 namespace vitrine::test {
-inline constexpr int patience = 120000;  ///< Milliseconds.
+inline constexpr int patience = 300000;  ///< Milliseconds.
 }
 
 #undef QTRY_VERIFY

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
@@ -45,6 +46,7 @@ void DrawSchedule::setMoving(bool on, double now)
 std::optional<DrawOrder> DrawSchedule::next(double now) const
 {
     const bool averaged = history_ > 1;
+    if (opening_) return DrawOrder{openingScale, 0, 1};
     if (moving_) return DrawOrder{scales[level_], 0, 1, averaged};
     const bool settled = now - lastChange_ >= settleTime;
     if (dirty_ && cameraOnly_ && averaged && !settled) return DrawOrder{scales[level_], 0, 1, true};
@@ -98,7 +100,8 @@ void DrawSchedule::drawn(const DrawOrder& order, double seconds)
     }
     if (improves(order)) leastToShow_ = order.inMotion && order.scale == 1 ? std::min(asSmoothAsMotion, samples_) : 0;
     outdated_ = false;
-    if (order.sample == 0) adapt(order, seconds);
+    // The first one loads files and programs: its time says nothing.
+    if (order.sample == 0 && !std::exchange(opening_, false)) adapt(order, seconds);
 }
 
 void DrawSchedule::adapt(const DrawOrder& order, double seconds)

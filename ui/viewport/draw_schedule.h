@@ -23,6 +23,7 @@ class DrawSchedule {
 public:
     static constexpr std::array<double, 5> scales{1, 0.75, 0.5, 0.35, 0.25};
     static constexpr double targetTime = 0.055;  ///< Seconds per frame while moving: about 18 frames a second.
+    static constexpr double openingScale = 0.5;  ///< Of the very first picture, so that there is one soon.
     static constexpr double settleTime = 0.2;    ///< Seconds without a change after which the picture is still.
 
     /// Supersamples of a picture at rest; at least 1.
@@ -65,6 +66,7 @@ private:
     void adapt(const DrawOrder&, double seconds);
 
     bool dirty_ = true;
+    bool opening_ = true;  // Nothing is drawn yet.
     std::optional<DrawOrder> underway_;
     bool outdated_ = false;  // Something changed since it was begun.
     bool moving_ = false;

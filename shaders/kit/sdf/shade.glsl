@@ -37,13 +37,13 @@ float selfVisibility(Hit hit, vec3 toLight)
 
 // Share of the sun that the other exhibits leave: looked up beside the nearest corner of the object's box to the sun,
 // where nothing of its own shadow lies, however wide the filter looks around.
-float othersVisibility(Hit hit)
+// 1 where it is not `wanted`.
+float othersVisibility(Hit hit, bool wanted)
 {
 #ifdef OTHERS_SHADOWS
-    if (!light.exhibitsCastShadow) return 1.0;
     vec3 rise = transpose(mat3(object.worldFromLocal)) * light.sunDirection;
     vec3 corner = mix(object.boxLow, object.boxHigh, greaterThan(rise, vec3(0.0)));
-    return sunVisibilityOfExhibits(hit.world + light.sunDirection * max(dot(corner - hit.local, rise), 0.0), light.sunDirection);
+    return sunVisibilityOfExhibits(hit.world + light.sunDirection * max(dot(corner - hit.local, rise), 0.0), light.sunDirection, wanted && light.exhibitsCastShadow);
 #else
     return 1.0;
 #endif
@@ -54,7 +54,7 @@ float sunReaches(Hit hit)
 {
     if (dot(hit.worldNormal, light.sunDirection) <= 0.0 || dot(light.sunIrradiance, vec3(1.0)) <= 0.0) return 0.0;
     float visible = sunVisibilityOfHall(hit.world, hit.worldNormal);
-    if (visible > 0.0) visible *= othersVisibility(hit);
+    visible *= othersVisibility(hit, visible > 0.0);
     return visible > 0.0 ? visible * selfVisibility(hit, normalize(mat3(object.localFromWorld) * light.sunDirection)) : 0.0;
 }
 
