@@ -113,9 +113,9 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
 /// not be looked up.
 void boundSunlight(const HallScene& scene, SceneLighting& lighting)
 {
-    constexpr double reveal = 0.6;    // Meters: a wall is so thick, and light comes in askew.
-    constexpr double farthest = 16;   // Meters from what throws a half-shadow, as in shaders/lib/light.glsl.
-    constexpr double texels = 8;      // More than any filter is wide.
+    constexpr double reveal = 0.6;   // Meters: a wall is so thick, and light comes in askew.
+    constexpr double farthest = 16;  // Meters from what throws a half-shadow, as in shaders/lib/light.glsl.
+    constexpr double texels = 8;     // More than any filter is wide.
     LightBlock& light = lighting.light;
     const std::vector<render::Box>& openings = scene.model.openings();
     if (openings.size() > MOST_SUN_PASSAGES) return;

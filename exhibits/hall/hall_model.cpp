@@ -8,6 +8,8 @@
 #include "render/scene/mesh_shading.h"
 
 #include <algorithm>
+#include <future>
+#include <map>
 
 namespace vitrine {
 namespace {
@@ -39,11 +41,21 @@ glm::dmat4 rigid(const glm::dmat4& m)
     return {m[0] / s.x, m[1] / s.y, m[2] / s.z, m[3]};
 }
 
-std::shared_ptr<const render::Texture> map(const Json& row, const char* key, bool sRgb)
+using TextureInTheMaking = std::future<std::shared_ptr<const render::Texture>>;
+
+/// On a thread of its own: reading the maps is most of what opening the hall takes.
+TextureInTheMaking map(const Json& row, const char* key, bool sRgb)
 {
     const auto file = row.find(key);
-    if (file == row.end() || !file->is_string()) return nullptr;
-    return render::loadTexture(render::asset("models/" + file->get<std::string>()), sRgb, true);
+    if (file == row.end() || !file->is_string()) return {};
+    return std::async(std::launch::async, [path = render::asset("models/" + file->get<std::string>()), sRgb] {
+        return render::loadTexture(path, sRgb, true);
+    });
+}
+
+std::shared_ptr<const render::Texture> made(TextureInTheMaking& texture)
+{
+    return texture.valid() ? texture.get() : nullptr;
 }
 
 /// The hall's file names no pictures, so the loader saw no need for tangents; its normal maps do need them.
@@ -65,6 +77,8 @@ Json readAsset(const char* relative)
 
 HallModel::HallModel()
 {
+    std::future<render::Model> geometry =
+        std::async(std::launch::async, [] { return render::loadGltf(render::asset("models/hall.glb")); });
     try {
         readMaterials();
         readLightmaps();
@@ -74,7 +88,7 @@ HallModel::HallModel()
                           std::string(error.what()) +
                           "; reinstall the program, or write them anew with the scripts beside them.");
     }
-    const render::Model model = render::loadGltf(render::asset("models/hall.glb"));
+    const render::Model model = geometry.get();
     sortParts(model);
     sortMarkers(model);
     furniture_ = furnitureOf(*this);
@@ -87,6 +101,10 @@ HallModel::HallModel()
 void HallModel::readMaterials()
 {
     const Json table = readAsset("models/materials.json");
+    struct Maps {
+        TextureInTheMaking baseColor, normal, metallicRoughness;
+    };
+    std::map<std::string, Maps> maps;
     for (const auto& [name, row] : table.items()) {
         HallMaterial entry;
         entry.tile = row.value("tile", 1.0);
@@ -98,10 +116,14 @@ void HallModel::readMaterials()
                                         1.0F};
         const Json& mean = row.at("mean").at("baseColor");
         entry.meanColor = {mean[0].get<double>(), mean[1].get<double>(), mean[2].get<double>()};
-        entry.material.baseColorMap = map(row, "color", true);
-        entry.material.normalMap = map(row, "normal", false);
-        entry.material.metallicRoughnessMap = map(row, "orm", false);
+        maps[name] = {map(row, "color", true), map(row, "normal", false), map(row, "orm", false)};
         materials_.emplace(name, std::move(entry));
+    }
+    for (auto& [name, making] : maps) {
+        render::Material& material = materials_.at(name).material;
+        material.baseColorMap = made(making.baseColor);
+        material.normalMap = made(making.normal);
+        material.metallicRoughnessMap = made(making.metallicRoughness);
     }
 }
 

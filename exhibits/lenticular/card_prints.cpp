@@ -16,6 +16,7 @@
 #include <bit>
 #include <cmath>
 #include <filesystem>
+#include <future>
 
 namespace vitrine::lenticular {
 namespace {
@@ -44,6 +45,17 @@ render::Image shrunk(const render::Image& image, int factor)
     return small;
 }
 
+std::uint8_t srgb8FromLinear16(std::uint16_t linear)
+{
+    static const std::vector<std::uint8_t> codes = [] {
+        std::vector<std::uint8_t> table(65536);
+        for (std::size_t i = 0; i < table.size(); ++i)
+            table[i] = render::srgb8FromLinear(static_cast<float>(i) / 65535);
+        return table;
+    }();
+    return codes[linear];
+}
+
 /// The interlacer's 16 bits of linear light are more than a texture of 8-bit codes can show.
 CardViews codesOf(const printing::ViewSet& set)
 {
@@ -55,8 +67,7 @@ CardViews codesOf(const printing::ViewSet& set)
         for (int y = 0; y < out.height; ++y) {
             const std::uint16_t* row = set.row(k, y);
             for (int x = 0; x < view.width; ++x)
-                for (int c = 0; c < 3; ++c)
-                    view.codes.push_back(render::srgb8FromLinear(static_cast<float>(row[4 * x + c]) / 65535));
+                for (int c = 0; c < 3; ++c) view.codes.push_back(srgb8FromLinear16(row[4 * x + c]));
         }
         out.views.push_back(std::move(view));
     }
@@ -68,10 +79,15 @@ void readInto(CardSource& source, const std::vector<fs::path>& files, int count)
     const int available = static_cast<int>(files.size());
     const int taken = std::clamp(count, 1, available);
     printing::ViewSet views;
+    // The middles of equal parts of the sequence; the next one is read while one is resampled.
+    const auto reading = [&](int i) {
+        const auto at = static_cast<std::size_t>((i + 0.5) * available / taken);
+        return std::async(std::launch::async, [file = files[at]] { return render::readImage(file); });
+    };
+    std::future<render::Image> next = reading(0);
     for (int i = 0; i < taken; ++i) {
-        // The middles of equal parts of the sequence.
-        const int at = static_cast<int>((i + 0.5) * available / taken);
-        const render::Image image = render::readImage(files[static_cast<std::size_t>(at)]);
+        const render::Image image = next.get();
+        if (i + 1 < taken) next = reading(i + 1);
         const double texels = static_cast<double>(image.width) * image.height * taken;
         views.add(shrunk(image, static_cast<int>(std::ceil(std::sqrt(texels / mostTexels)))));
         if (i == 0) source.aspect = static_cast<double>(image.width) / image.height;

@@ -37,6 +37,7 @@ compositions gl $tests/bench_compositions
 pixel_normals gl $tests/bench_pixel_normals --model assets/models/teddy.glb
 hall_costs gl $tests/bench_hall_costs
 motion gl $tests/bench_motion
+web_hall gl sh tests/bench/web_hall.sh
 study_sdf_morph_hitTolerance gl $study sdf_morph hitTolerance
 study_lenticular_apertureSamples gl $study lenticular apertureSamples
 study_fur_shellCount gl $study fur shellCount --set levelOfDetail=off
@@ -209,6 +210,7 @@ main() {
     while read -r name kind command; do
         case $command in
         *bench_*) targets="$targets bench_$name" ;;
+        *web_hall*) targets="$targets bench_hall_costs" ;;
         *ctest*) targets="$targets stability_sdf stability_cases stability_scan" ;;
         esac
     done <"$part/chosen"

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -69,11 +70,13 @@ TEST_F(LightLevels, TheMapOfBouncedLightIsThatOfFloat64)
     EXPECT_GT(checked, 20);
 }
 
-/// The walls alone, scene-linear, under a sky that does not know how strong and how high the sun is.
-render::Image wallsWith(const ParameterValues& values)
+/// The walls alone, scene-linear, under a sky that does not know how strong and how high the sun is; `change` may
+/// change the light that they stand in.
+render::Image wallsWith(const ParameterValues& values, const std::function<void(LightBlock&)>& change = {})
 {
     const HallScene scene = hall().scene(values, false, nullptr);
     SceneLighting light = sceneLighting(scene);
+    if (change) change(light.light);
     light.light.skyZenith = {1.2F, 1.5F, 2};
     light.light.skyHorizon = {1.9F, 2, 2.1F};
     light.light.skySunward = {0, 0, 0};
@@ -93,6 +96,30 @@ render::Image wallsWith(const ParameterValues& values)
     render::gl::Renderer renderer;
     (void)renderer.draw(plan);
     return renderer.read(radianceImage);
+}
+
+// What is told to be beside all passages of the sun is not looked up in its map: no pixel may show that.
+TEST_F(LightLevels, WithTheShadowMapAskedEverywhereAreTheSame)
+{
+    Shot shot;
+    shot.hall().set(hallTable().reflectionProbe, false);
+    const auto everywhere = [](LightBlock& light) { light.roomLow = light.roomHigh = glm::vec3(0); };
+    const auto nowhere = [](LightBlock& light) {
+        for (glm::vec4& passage : light.sunPassages) passage = glm::vec4(0);
+    };
+    for (const ShadowFilter filter : {ShadowFilter::tent5, ShadowFilter::disk}) {
+        shot.hall().set(hallTable().shadowFilter, filter);
+        for (const glm::dvec2 sun : {glm::dvec2(-3, 19), glm::dvec2(-40, 8), glm::dvec2(35, 25), glm::dvec2(10, 4),
+                                     glm::dvec2(-9, 55), glm::dvec2(120, 70), glm::dvec2(170, 12)}) {
+            shot.hall().set(hallTable().sunAzimuth, sun.x * degree);
+            shot.hall().set(hallTable().sunElevation, sun.y * degree);
+            EXPECT_EQ(test::largestDifference(wallsWith(shot.hall()), wallsWith(shot.hall(), everywhere)), 0)
+                << sun.x << ", " << sun.y;
+        }
+        shot.hall().set(hallTable().sunAzimuth, -3 * degree);
+        shot.hall().set(hallTable().sunElevation, 19 * degree);
+        EXPECT_GT(test::largestDifference(wallsWith(shot.hall()), wallsWith(shot.hall(), nowhere)), 0.1);
+    }
 }
 
 TEST_F(LightLevels, OfASunThatShinesInNowhereAreThoseOfNoSun)

@@ -25,15 +25,40 @@ int drawAll(DrawSchedule& schedule, double& now, double full, double fixed = 0)
     return drawn;
 }
 
+/// One whose first picture is drawn, so that it is like any other time.
+DrawSchedule opened()
+{
+    DrawSchedule schedule;
+    schedule.drawn(schedule.next(0).value(), 1);
+    schedule.changed(0);
+    return schedule;
+}
+
 }  // namespace
 
 class DrawScheduleTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void aStillPictureIsRefinedSixteenTimesAndThenLeftAlone()
+    void theVeryFirstPictureIsCoarseAndItsTimeSaysNothing()
     {
         DrawSchedule schedule;
+        schedule.changed(0);
+        const DrawOrder order = schedule.next(0).value();
+        QCOMPARE(order, (DrawOrder{DrawSchedule::openingScale, 0, 1}));
+        schedule.begun(order);
+        schedule.drawn(order, 60);  // As long as on the first start, when all programs are compiled.
+        QCOMPARE(schedule.scaleWhileMoving(), 1.0);
+        QVERIFY(!schedule.still());
+        double now = 1;
+        QCOMPARE(drawAll(schedule, now, 0.01), 16);
+        schedule.changed(now);
+        QCOMPARE(schedule.next(now).value(), (DrawOrder{1, 0, 16}));
+    }
+
+    void aStillPictureIsRefinedSixteenTimesAndThenLeftAlone()
+    {
+        DrawSchedule schedule = opened();
         double now = 0;
         schedule.changed(now);
         QCOMPARE(drawAll(schedule, now, 0.01), 16);
@@ -46,7 +71,7 @@ private slots:
 
     void whatChangesWhileAPictureIsDrawnIsDrawnAfterIt()
     {
-        DrawSchedule schedule;
+        DrawSchedule schedule = opened();
         double now = 0;
         drawAll(schedule, now, 0.01);
         schedule.changed(now);
@@ -60,7 +85,7 @@ private slots:
 
     void refinementThatIsOutOfDateIsGivenUpAndAQuickPictureNever()
     {
-        DrawSchedule schedule;
+        DrawSchedule schedule = opened();
         schedule.changed(0);
         DrawOrder order = schedule.next(0).value();
         schedule.begun(order);
@@ -82,7 +107,7 @@ private slots:
 
     void everyChangeStartsOver()
     {
-        DrawSchedule schedule;
+        DrawSchedule schedule = opened();
         double now = 0;
         drawAll(schedule, now, 0.01);
         schedule.changed(now);
@@ -97,7 +122,7 @@ private slots:
 
     void aMovedCameraDrawsAMotionAndAChangedValueDoesNot()
     {
-        DrawSchedule schedule;
+        DrawSchedule schedule = opened();
         schedule.setHistory(8);
         double now = 0;
         drawAll(schedule, now, 0.01);
@@ -121,7 +146,7 @@ private slots:
 
     void aSmoothMotionStaysOnTheScreenUntilFourSamplesAreThere()
     {
-        DrawSchedule schedule;
+        DrawSchedule schedule = opened();
         schedule.setHistory(8);
         double now = 0;
         drawAll(schedule, now, 0.01);
@@ -145,7 +170,7 @@ private slots:
 
     void aSlowMachineDrawsCoarserWhileMoving()
     {
-        DrawSchedule schedule;
+        DrawSchedule schedule = opened();
         double now = 0;
         schedule.setMoving(true, now);
         for (int i = 0; i < 10; ++i) {
@@ -166,7 +191,7 @@ private slots:
         // Near every threshold, whatever the share of work that does not depend on resolution.
         for (double full = 0.02; full < 2; full *= 1.07) {
             for (const double share : {0.0, 0.2, 0.5}) {
-                DrawSchedule schedule;
+                DrawSchedule schedule = opened();
                 double now = 0;
                 schedule.setMoving(true, now);
                 int changes = 0;
@@ -188,7 +213,7 @@ private slots:
 
     void aFastMachineComesBackToFullResolution()
     {
-        DrawSchedule schedule;
+        DrawSchedule schedule = opened();
         double now = 0;
         schedule.setMoving(true, now);
         for (int i = 0; i < 60; ++i) {
@@ -202,7 +227,7 @@ private slots:
 
     void theReasonIsThatOfThePictureOnTheScreen()
     {
-        DrawSchedule schedule;
+        DrawSchedule schedule = opened();
         schedule.setMoving(true, 0);
         schedule.drawn(*schedule.next(0), 1.0);  // Far too slow: the next ones will be coarser.
         QVERIFY(schedule.scaleWhileMoving() < 1);
