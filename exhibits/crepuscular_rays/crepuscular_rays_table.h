@@ -81,7 +81,7 @@ struct CrepuscularRaysTable final : Parameters {
 
     Group air = group("Air");
     Real airDensity =
-        real("airDensity", 0.006, perMeter, Range{0, 10}.soft(0, 0.05),
+        real("airDensity", 0.007, perMeter, Range{0, 10}.soft(0, 0.05),
              "Dust in the air: what a meter of it takes out of a beam near the floor; 0 is clear air.", volume);
     Real densityFalloff = real("densityFalloff", 0.03, perMeter, Range{0, 10}.soft(0, 0.5),
                                "How fast the dust thins with height: 0 is even, high keeps it near the floor.",
@@ -89,7 +89,7 @@ struct CrepuscularRaysTable final : Parameters {
     Real anisotropy = real("anisotropy", 0.42, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
                            "How much the dust scatters forward: 0 to all sides, high glows towards the sun.",
                            volume&& whenAbove(airDensity, 0) && whenLaterAbove("beamStrength", 0));
-    Real beamStrength = real("beamStrength", 2.0, none, Range{0, 100}.soft(0, 4),
+    Real beamStrength = real("beamStrength", 2.6, none, Range{0, 100}.soft(0, 4),
                              "Of the light that the beams scatter: 1 is physical for the density above.",
                              volume&& whenAbove(airDensity, 0));
     Real ambient = real("ambient", 0.35, none, Range{0, 100}.soft(0, 2),

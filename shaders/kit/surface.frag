@@ -20,7 +20,7 @@ in vec3 worldNormal;
 in vec4 worldTangent;
 in vec2 tileUv;
 in vec2 atlasUv;
-#ifdef LIGHTMAP
+#if defined(LIGHTMAP) || defined(POLISHED_FLOOR)
 in vec3 roomAmbient;
 #endif
 

@@ -1,6 +1,7 @@
-// A mesh with a material. Permutation: LIGHTMAP.
+// A mesh with a material. Permutations: LIGHTMAP, POLISHED_FLOOR.
 #include "lib/frame.glsl"
-#ifdef LIGHTMAP
+#if defined(LIGHTMAP) || defined(POLISHED_FLOOR)
+#define ROOM_AMBIENT
 #include "lib/light.glsl"
 #endif
 #include "kit/surface_object.glsl"
@@ -16,7 +17,7 @@ out vec3 worldNormal;
 out vec4 worldTangent;
 out vec2 tileUv;
 out vec2 atlasUv;
-#ifdef LIGHTMAP
+#ifdef ROOM_AMBIENT
 out vec3 roomAmbient;  // Irradiance over pi, as the probe has it for a face of this normal.
 #endif
 
@@ -28,7 +29,7 @@ void main()
     worldTangent = vec4(mat3(object.worldFromModel) * tangent.xyz, tangent.w);
     tileUv = uv * object.textureRepeats;
     atlasUv = lightmapUv;
-#ifdef LIGHTMAP
+#ifdef ROOM_AMBIENT
     roomAmbient = probeAmbient(safeNormalize(worldNormal, vec3(0.0, 1.0, 0.0)));
 #endif
     gl_Position = frame.clipFromWorld * world;

@@ -205,6 +205,9 @@ TEST(Results, ArePrintedByProgramsThatExist)
         if (std::regex_search(entry.command, bench, std::regex(R"(tests/bench_(\w+))"))) {
             EXPECT_TRUE(fs::exists(fs::path(VITRINE_SOURCE_DIR) / "tests/bench" / (bench[1].str() + ".cpp")))
                 << entry.command;
+        } else if (std::smatch script;
+                   std::regex_match(entry.command, script, std::regex(R"(sh (tests/bench/\w+\.sh))"))) {
+            EXPECT_TRUE(fs::exists(fs::path(VITRINE_SOURCE_DIR) / script[1].str())) << entry.command;
         } else {
             EXPECT_TRUE(entry.command.find("build/release/vitrine study ") == 0 ||
                         entry.command.find("ctest ") != std::string::npos)
