@@ -86,7 +86,7 @@ struct CrepuscularRaysTable final : Parameters {
     Real densityFalloff = real("densityFalloff", 0.03, perMeter, Range{0, 10}.soft(0, 0.5),
                                "How fast the dust thins with height: 0 is even, high keeps it near the floor.",
                                volume&& whenAbove(airDensity, 0), formerly("airThinning"));
-    Real anisotropy = real("anisotropy", 0.42, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
+    Real anisotropy = real("anisotropy", 0.2, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
                            "How much the dust scatters forward: 0 to all sides, high glows towards the sun.",
                            volume&& whenAbove(airDensity, 0) && whenLaterAbove("beamStrength", 0));
     Real beamStrength = real("beamStrength", 2.6, none, Range{0, 100}.soft(0, 4),

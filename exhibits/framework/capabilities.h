@@ -90,6 +90,15 @@ public:
     [[nodiscard]] virtual std::vector<StandingShape> standingShapes(const ParameterValues&) const = 0;
 };
 
+/// Has bodies that do not stand on the hall's floor, and yet are seen in what reflects the hall. What stands on the
+/// floor is seen there anyway.
+class SeenInReflections {
+public:
+    virtual ~SeenInReflections() = default;
+    /// Simple shapes for them in its own space, as they are at rest: what moves does not move in reflections.
+    [[nodiscard]] virtual std::vector<StandingShape> reflectedShapes(const ParameterValues&) const = 0;
+};
+
 /// Turns what the building hangs up at its place.
 class TurnsHangings {
 public:

@@ -317,6 +317,22 @@ std::vector<render::LocalLight> Fur::localLights(const ExhibitState& state) cons
     return {lamp};
 }
 
+std::vector<StandingShape> Fur::reflectedShapes(const ParameterValues& values) const
+{
+    const FurStates states = restStates(bounceSettings(table_, values, nullptr, 0));
+    const Coats coats{table_, values, states};
+    std::vector<StandingShape> shapes;
+    for (int i = 0; i < furBodyCount; ++i) {
+        const auto body = static_cast<std::size_t>(i);
+        const CoatRows& rows = table_.coats[body];
+        const render::Box skin = skins_[body]->bounds;
+        const glm::dvec3 half = coats.bounds(i, skin).halfSize();
+        const glm::dvec3 color = 0.5 * (values[rows.root].value + values[rows.tip].value);
+        shapes.push_back(standingCylinder({states[body].position - half, states[body].position + half}, color));
+    }
+    return shapes;
+}
+
 void Fur::planShadow(const PlanContext& context, render::FramePlan& plan) const
 {
     planMotion(context, plan);

@@ -13,7 +13,7 @@ struct FurScene;
 
 /// Three furry bodies in a pit that bounce when the red button is pressed. Shell texturing: the skin is drawn
 /// many times, each time a little further out, and keeps only what is inside a strand.
-class Fur final : public Exhibit, public HasButton, public HasLocalLights {
+class Fur final : public Exhibit, public HasButton, public HasLocalLights, public SeenInReflections {
 public:
     using Table = FurTable;
 
@@ -44,6 +44,8 @@ public:
     /// The lamp above the pit, on what is around the bodies.
     [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState&) const override;
     [[nodiscard]] bool lightsChange(const ExhibitState&) const override { return false; }
+    /// The bodies before a press, coat and all, without a visitor's model.
+    [[nodiscard]] std::vector<StandingShape> reflectedShapes(const ParameterValues&) const override;
     void planShadow(const PlanContext&, render::FramePlan&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 

@@ -24,15 +24,6 @@ double turnAt(const HallScene& scene, int place)
     return 0;
 }
 
-/// Cloths over empty places, stands of occupied ones: what is in the hall beside its walls and never moves.
-std::vector<MeshInstance> standing(const HallScene& scene)
-{
-    std::vector<MeshInstance> parts;
-    for (const auto& [number, place] : scene.model.places())
-        for (const MeshInstance& part : isOccupied(scene, number) ? place.stand : place.cloth) parts.push_back(part);
-    return parts;
-}
-
 /// What hangs at occupied places and turns about its upright axis, as far as it has turned.
 std::vector<MeshInstance> hanging(const HallScene& scene)
 {
@@ -176,6 +167,14 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
 
 }  // namespace
 
+std::vector<MeshInstance> standingParts(const HallScene& scene)
+{
+    std::vector<MeshInstance> parts;
+    for (const auto& [number, place] : scene.model.places())
+        for (const MeshInstance& part : isOccupied(scene, number) ? place.stand : place.cloth) parts.push_back(part);
+    return parts;
+}
+
 bool isOccupied(const HallScene& scene, int place)
 {
     return std::any_of(scene.exhibits.begin(), scene.exhibits.end(),
@@ -244,7 +243,7 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
     pass.key = lightKey(scene);
     pass.bound = light.sunShadow;
     for (const MeshInstance& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
-    for (const MeshInstance& part : standing(scene)) pass.draws.push_back(partDraw(scene, part));
+    for (const MeshInstance& part : standingParts(scene)) pass.draws.push_back(partDraw(scene, part));
     if (scene.visitorModel)
         for (const MeshInstance& part : scene.visitorModel->parts)
             pass.draws.push_back(surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, {}));
@@ -268,7 +267,7 @@ void planWalls(const HallScene& scene, const SceneLighting& light, const Channel
     Pass props = surfacePass("hall/props", "cloths cover the empty places", light, channels,
                              {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP"});
     props.state.cull = render::Cull::none;
-    for (const std::vector<MeshInstance>& parts : {standing(scene), hanging(scene)})
+    for (const std::vector<MeshInstance>& parts : {standingParts(scene), hanging(scene)})
         for (const MeshInstance& part : parts)
             if (plan.view.mayContain(part.mesh->bounds.transformed(part.modelFromPart)))
                 props.draws.push_back(partDraw(scene, part));

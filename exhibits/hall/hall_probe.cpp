@@ -30,8 +30,8 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
     return pass;
 }
 
-/// The probe must not read itself while it is being made; and it holds the hall alone, for its key does not tell where
-/// the exhibits' shadows lie, nor which lamps a view reckons with.
+/// The probe must not read itself while it is being made; and it has the light of the hall alone, for its key does not
+/// tell where the exhibits' shadows lie, nor which lamps a view reckons with.
 SceneLighting lightOfHallAlone(const SceneLighting& light, const std::optional<render::LocalLighting>& lamps)
 {
     SceneLighting hallLight = light;
@@ -52,8 +52,64 @@ std::vector<render::Draw> wallDraws(const HallScene& scene)
     return draws;
 }
 
-void planFace(const HallScene& scene, const SceneLighting& hallLight, const std::vector<render::Draw>& draws, int face,
-              int size, std::uint64_t key, render::FramePlan& plan)
+/// What is around the probe would hide everything else, and it must not see itself.
+bool surroundsProbe(const HallScene& scene, const render::Box& box)
+{
+    constexpr double around = 0.5;  // Meters.
+    return render::Box{box.low - around, box.high + around}.contains(probePosition(scene));
+}
+
+/// What the exhibits are to the probe: simple shapes of their mean color.
+std::vector<StandingShape> bodiesSeen(const HallScene& scene)
+{
+    std::vector<StandingShape> seen = scene.bodies;
+    seen.insert(seen.end(), scene.besideFloor.begin(), scene.besideFloor.end());
+    std::erase_if(seen, [&](const StandingShape& shape) { return surroundsProbe(scene, boundsOf(shape)); });
+    return seen;
+}
+
+render::Draw bodyDraw(const StandingShape& shape)
+{
+    render::Material material;
+    material.baseColor = glm::vec4(shape.color, 1);
+    material.metalness = 0;
+    const bool box = shape.kind == STANDING_BOX;
+    const glm::dvec2 half(box ? shape.halfSize : glm::vec2(shape.halfSize.x));
+    const auto height = static_cast<double>(shape.halfHeight);
+    // What is round is drawn as a dome that stands where it stands.
+    const double up = box ? height : 2 * height;
+    const glm::dvec3 foot = glm::dvec3(shape.center) - glm::dvec3(0, box ? 0 : height, 0);
+    const glm::dvec3 first(shape.axis.x, 0, shape.axis.y);
+    const glm::dmat4 world(glm::dvec4(first * half.x, 0), glm::dvec4(0, up, 0, 0),
+                           glm::dvec4(-first.z * half.y, 0, first.x * half.y, 0), glm::dvec4(foot, 1));
+    return surfaceDraw(box ? boxMesh() : domeMesh(), world, material);
+}
+
+/// What stands and hangs in the hall, as far as it keeps still.
+std::vector<render::Draw> thingDraws(const HallScene& scene)
+{
+    std::vector<render::MeshInstance> parts = standingParts(scene);
+    for (const auto& [number, place] : scene.model.places())
+        if (isOccupied(scene, number)) parts.insert(parts.end(), place.hanging.begin(), place.hanging.end());
+    std::vector<render::Draw> draws;
+    for (const render::MeshInstance& part : parts)
+        if (!surroundsProbe(scene, part.mesh->bounds.transformed(part.modelFromPart)))
+            draws.push_back(partDraw(scene, part));
+    if (scene.visitorModel)
+        for (const render::MeshInstance& part : scene.visitorModel->parts)
+            draws.push_back(surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart,
+                                        part.material ? *part.material : render::Material()));
+    for (const StandingShape& body : bodiesSeen(scene)) draws.push_back(bodyDraw(body));
+    return draws;
+}
+
+/// What is drawn into each face.
+struct Surroundings {
+    std::vector<render::Draw> walls, things;
+};
+
+void planFace(const HallScene& scene, const SceneLighting& hallLight, const Surroundings& around, int face, int size,
+              std::uint64_t key, render::FramePlan& plan)
 {
     const glm::dvec3 eye = probePosition(scene);
     Pass sky = capturePass("sky", face, eye, size, key);
@@ -74,11 +130,17 @@ void planFace(const HallScene& scene, const SceneLighting& hallLight, const std:
     walls.colors = {Attachment::slice("probe.captured", face)};
     walls.depth = Attachment::cleared("probe.depth");
     walls.state = {.depthTest = render::DepthTest::nearer, .depthWrite = true, .cull = render::Cull::none};
-    walls.draws = draws;
+    Pass things = walls;
+    things.name = "probe/things/" + std::to_string(face);
+    things.depth = Attachment::whole("probe.depth");
+    walls.draws = around.walls;
     bindLightmaps(scene, hallLight, walls);
     hallLight.bindLighting(walls);
-    if (face == 5) walls.mipmaps = {"probe.captured"};
     plan.add(std::move(walls));
+    things.draws = around.things;
+    hallLight.bindLighting(things);
+    if (face == 5) things.mipmaps = {"probe.captured"};
+    plan.add(std::move(things));
 }
 
 void planLevel(int level, int levels, int size, int samples, const render::ContributionBound& bound, std::uint64_t key,
@@ -101,6 +163,20 @@ void planLevel(int level, int levels, int size, int samples, const render::Contr
     pass.bound = bound;
     pass.key = key;
     plan.add(std::move(pass));
+}
+
+/// Of all that the probe sees.
+std::uint64_t keyOf(const HallScene& scene, const std::optional<render::LocalLighting>& lamps)
+{
+    render::Hash hash;
+    const auto add = [&](const render::Bytes& bytes) {
+        hash.add({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    };
+    hash.addValue(lightKey(scene));
+    if (lamps) add(render::std140Bytes(lamps->block));
+    if (!scene.alone)
+        for (const StandingShape& body : bodiesSeen(scene)) add(render::std140Bytes(body));
+    return hash.value();
 }
 
 }  // namespace
@@ -136,11 +212,7 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     const int size = scene.values[scene.table.probeSize];
     const int levels = probeLevels(size);
     const std::optional<render::LocalLighting> lamps = probeLamps(scene);
-    const render::Bytes ofLamps = lamps ? render::std140Bytes(lamps->block) : render::Bytes();
-    const std::uint64_t key = render::Hash()
-                                  .addValue(lightKey(scene))
-                                  .add({reinterpret_cast<const char*>(ofLamps.data()), ofLamps.size()})
-                                  .value();
+    const std::uint64_t key = keyOf(scene, lamps);
     const int allLevels = static_cast<int>(std::bit_width(static_cast<unsigned>(size)));
     plan.image({.name = "probe.captured",
                 .format = render::Format::rgba16f,
@@ -163,8 +235,8 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
         plan.image(
             {.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .persistent = true});
     const SceneLighting hallLight = lightOfHallAlone(light, lamps);
-    const std::vector<render::Draw> walls = scene.alone ? std::vector<render::Draw>() : wallDraws(scene);
-    for (int face = 0; face < 6; ++face) planFace(scene, hallLight, walls, face, size, key, plan);
+    const Surroundings around = scene.alone ? Surroundings() : Surroundings{wallDraws(scene), thingDraws(scene)};
+    for (int face = 0; face < 6; ++face) planFace(scene, hallLight, around, face, size, key, plan);
     for (int level = 0; level < levels; ++level)
         planLevel(level, levels, size, scene.values[scene.table.probeSamples], light.probeLight, key, plan);
 

@@ -49,9 +49,10 @@ struct HallScene {
     glm::dmat4 worldFromVisitorModel{1};
     std::shared_ptr<const PlaqueText> text;
     std::span<const ExhibitSlot> exhibits;
-    std::uint64_t filesId = 0;               ///< As PreparedPart's.
-    std::vector<ExhibitPose> poses = {};     ///< One for each slot; may be shorter.
-    std::vector<StandingShape> bodies = {};  ///< Of the exhibits, as they stand on the floor; world space.
+    std::uint64_t filesId = 0;                    ///< As PreparedPart's.
+    std::vector<ExhibitPose> poses = {};          ///< One for each slot; may be shorter.
+    std::vector<StandingShape> bodies = {};       ///< Of the exhibits, as they stand on the floor; world space.
+    std::vector<StandingShape> besideFloor = {};  ///< Of the exhibits, where it is not the hall's floor they stand on.
     /// Lamps that time does not change, wherever one looks: the probe sees what they light. World space.
     std::vector<render::LocalLight> steadyLamps = {};
 };
@@ -90,6 +91,9 @@ void lookUpAirLight(const HallScene&, SceneLighting&);
 void bindLightmaps(const HallScene&, const SceneLighting&, render::Pass&);
 
 // hall_passes.cpp
+
+/// Cloths over empty places, stands of occupied ones: what is in the hall beside its walls and never moves.
+[[nodiscard]] std::vector<render::MeshInstance> standingParts(const HallScene&);
 
 /// Whether an exhibit stands there: its stand is drawn, and no cloth.
 [[nodiscard]] bool isOccupied(const HallScene&, int place);

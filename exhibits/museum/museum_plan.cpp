@@ -103,10 +103,13 @@ HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
         const auto* turns = capability<TurnsHangings>(exhibit);
         scene.poses.push_back(
             {turns ? turns->turnOfHangings(prepared.sceneState.values[i], prepared.time) : 0, prepared.sincePress(i)});
-        const auto* stands = alone ? nullptr : capability<StandsOnFloor>(exhibit);
-        if (!stands) continue;
-        for (const StandingShape& shape : stands->standingShapes(prepared.sceneState.values[i]))
-            scene.bodies.push_back(moved(shape, worldFromExhibit(i)));
+        if (alone) continue;
+        if (const auto* stands = capability<StandsOnFloor>(exhibit))
+            for (const StandingShape& shape : stands->standingShapes(prepared.sceneState.values[i]))
+                scene.bodies.push_back(moved(shape, worldFromExhibit(i)));
+        if (const auto* seen = capability<SeenInReflections>(exhibit))
+            for (const StandingShape& shape : seen->reflectedShapes(prepared.sceneState.values[i]))
+                scene.besideFloor.push_back(moved(shape, worldFromExhibit(i)));
     }
     if (alone) return scene;
     takeLamps(*hall_, {prepared.sceneState.hall(), prepared.time}, glm::dmat4(1), true, scene.steadyLamps);

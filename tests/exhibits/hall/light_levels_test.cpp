@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -121,6 +122,47 @@ TEST_F(LightLevels, WithTheShadowMapAskedEverywhereAreTheSame)
         shot.hall().set(hallTable().sunElevation, 19 * degree);
         EXPECT_GT(test::largestDifference(wallsWith(shot.hall()), wallsWith(shot.hall(), nowhere)), 0.1);
     }
+}
+
+/// Irradiance over pi that the probe finds on what faces along x in the one way and the other, with bodies in the hall.
+std::array<glm::dvec3, 2> probeSidesWith(const std::vector<StandingShape>& bodies)
+{
+    Shot shot;
+    HallScene scene = hall().scene(shot.hall(), false, nullptr);
+    scene.bodies = bodies;
+    const SceneLighting light = sceneLighting(scene);
+    render::FramePlan plan;
+    planHallShadow(scene, light, plan);
+    planBouncedLight(scene, light, plan);
+    planAirLight(scene, light, plan);
+    planProbe(scene, light, plan);
+    plan.prune({"probe.irradiance"});
+    render::gl::Renderer renderer;
+    (void)renderer.draw(plan);
+    const render::Image sums = renderer.read("probe.irradiance");
+    std::array<glm::dvec3, 2> sides;
+    for (int c = 0; c < 3; ++c) {
+        const auto at = [&](int k) { return static_cast<double>(sums.at(k, 0, c)); };
+        sides[0][c] = at(0) + at(3) - at(6) + at(8);
+        sides[1][c] = at(0) - at(3) - at(6) + at(8);
+    }
+    return sides;
+}
+
+TEST_F(LightLevels, AreReflectedByWhatStandsAroundButNotByWhatStandsWhereTheProbeIs)
+{
+    Shot shot;
+    const glm::dvec3 probe = probePosition(hall().scene(shot.hall(), false, nullptr));
+    const glm::dvec3 red(0.8, 0.02, 0.02);
+    const auto none = probeSidesWith({});
+    const auto screen =
+        probeSidesWith({standingBox({probe + glm::dvec3(1.5, -1.5, -3), probe + glm::dvec3(1.7, 2, 3)}, red)});
+    const auto redness = [](const glm::dvec3& light) { return light.r / light.g; };
+    EXPECT_GT(redness(screen[0]), 1.3 * redness(none[0]));
+    EXPECT_LT(redness(screen[1]), 1.1 * redness(none[1]));
+    const auto around = probeSidesWith({standingBox({probe - 0.3, probe + 0.3}, red)});
+    EXPECT_EQ(around[0], none[0]);
+    EXPECT_EQ(around[1], none[1]);
 }
 
 TEST_F(LightLevels, OfASunThatShinesInNowhereAreThoseOfNoSun)
