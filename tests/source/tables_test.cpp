@@ -181,8 +181,15 @@ bool isRead(const std::string& text, const ParameterInfo& row)
     const std::string name(row.array.empty() ? row.name : row.elementRow);
     const std::string from = row.array.empty() ? "\\b(parameters|table|table_|t|parameters\\(\\)|rows\\(\\))"
                                                : "(\\b" + std::string(row.array) + "\\[[^;]*\\]|\\brows)";
-    return std::regex_search(text, std::regex(from + "(\\.|->)" + name + "\\b")) ||
-           text.find("find(" + name + "Row)") != std::string::npos;
+    if (text.find("find(" + name + "Row)") != std::string::npos) return true;
+    // The pattern is tried where the name stands, with what is before it: to try it everywhere takes half a minute.
+    const std::regex reads(from + "(\\.|->)" + name + "\\b");
+    constexpr std::size_t before = 300;
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+        const std::size_t first = at > before ? at - before : 0;
+        if (std::regex_search(text.substr(first, at - first + name.size() + 1), reads)) return true;
+    }
+    return false;
 }
 
 bool isRead(const std::string& text, std::string_view row)
